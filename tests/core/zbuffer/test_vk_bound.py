@@ -21,7 +21,7 @@ def test_no_simulation_holds_more_than_the_bound(tool, direction):
     bounds = 0
     for _, _, maker in SAMPLES[::6]:
         path = linearize(maker(rng))
-        path = path.part(0, min(len(path), 200))
+        path = path.part(0, min(len(path), 100))
         if not len(path):
             continue
         lower, upper = path.points.min(axis=0) - 3, path.points.max(axis=0) + 3

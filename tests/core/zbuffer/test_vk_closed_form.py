@@ -10,7 +10,7 @@ from math import asin, cos, pi, sin, sqrt
 
 import numpy as np
 import pytest
-from zbuffer_reference.paths import toolpath as of_points
+from zbuffer_inputs import toolpath as of_points
 
 from vkworkbench.core import Stock, Strategy, Tool, View
 from vkworkbench.core.gcode import linearize

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from zbuffer_reference.paths import BOX, toolpath
+from zbuffer_inputs import BOX, toolpath
 
 from vkworkbench.core import Cut, Tool, View
 from vkworkbench.core.zbuffer.culling import TILE, Region, Tiles, culled, deeper, fine_enough, first_tiles, quartered

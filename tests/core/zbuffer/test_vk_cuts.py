@@ -7,7 +7,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from zbuffer_reference.paths import toolpath
+from zbuffer_inputs import toolpath
 
 from vkworkbench.core import Cut, Tool, linearize
 from vkworkbench.core.machining import machining

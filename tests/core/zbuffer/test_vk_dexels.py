@@ -32,24 +32,24 @@ def test_the_next_piece_has_what_is_too_thin_where_the_ray_begins():
     assert [of.tolist() for of in (found.ray, found.owner, found.near, found.far)] == [[0], [2], [3.0], [4.0]]
 
 
-@pytest.mark.parametrize("seed", range(20))
-def test_pieces_fill_their_rays_and_keep_their_owners_whichever_are_too_thin(seed):
+def test_pieces_fill_their_rays_whichever_are_too_thin():
     """Three rays of six pieces, of which some are thin; a ray of thin pieces alone has none."""
-    rng = np.random.default_rng(seed)
-    lengths = np.where(rng.random((3, 6)) < 0.5, 0.4 * THINNEST, rng.uniform(0.5, 2, (3, 6)))
-    ends = np.cumsum(np.column_stack((rng.uniform(1, 9, 3), lengths)), axis=1)
-    near, far = ends[:, :-1], ends[:, 1:]
-    owner = rng.permutation(18).reshape(3, 6)
-    pieces = Pieces(np.repeat(np.arange(3), 6), owner.ravel(), near.ravel(), far.ravel())
-    found = without_thin(pieces, ends[:, 0], ends[:, -1])
-    for ray in range(3):
-        own, thick = found.ray == ray, lengths[ray] > THINNEST
-        assert found.owner[own].tolist() == owner[ray][thick].tolist()
-        if thick.any():
-            filled = np.append(found.near[own], ends[ray, -1])
-            assert filled[0] == ends[ray, 0] and found.far[own].tolist() == filled[1:].tolist()
-            middle = (near[ray] + far[ray])[thick] / 2
-            assert ((found.near[own] < middle) & (middle < found.far[own])).all()
+    for seed in range(20):
+        rng = np.random.default_rng(seed)
+        lengths = np.where(rng.random((3, 6)) < 0.5, 0.4 * THINNEST, rng.uniform(0.5, 2, (3, 6)))
+        ends = np.cumsum(np.column_stack((rng.uniform(1, 9, 3), lengths)), axis=1)
+        near, far = ends[:, :-1], ends[:, 1:]
+        owner = rng.permutation(18).reshape(3, 6)
+        pieces = Pieces(np.repeat(np.arange(3), 6), owner.ravel(), near.ravel(), far.ravel())
+        found = without_thin(pieces, ends[:, 0], ends[:, -1])
+        for ray in range(3):
+            own, thick = found.ray == ray, lengths[ray] > THINNEST
+            assert found.owner[own].tolist() == owner[ray][thick].tolist(), seed
+            if thick.any():
+                filled = np.append(found.near[own], ends[ray, -1])
+                assert filled[0] == ends[ray, 0] and found.far[own].tolist() == filled[1:].tolist(), seed
+                middle = (near[ray] + far[ray])[thick] / 2
+                assert ((found.near[own] < middle) & (middle < found.far[own])).all(), seed
 
 
 def test_rays_beside_the_stock_have_no_pieces():

@@ -7,7 +7,7 @@ from math import pi, sqrt
 
 import numpy as np
 import pytest
-from zbuffer_reference.paths import BOX, toolpath
+from zbuffer_inputs import BOX, toolpath
 
 from vkworkbench.core import Cut, Stock, Tool, View
 from vkworkbench.core.zbuffer import effort

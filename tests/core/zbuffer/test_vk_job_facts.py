@@ -8,7 +8,7 @@ from math import pi
 
 import numpy as np
 import pytest
-from zbuffer_reference.paths import toolpath
+from zbuffer_inputs import toolpath
 
 from vkworkbench.core import Cut, Stock, Tool, View
 from vkworkbench.core.zbuffer import facts, removed_volumes, simulate_job

@@ -5,8 +5,7 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from zbuffer_reference.convex import ConvexStock
-from zbuffer_reference.paths import toolpath
+from zbuffer_inputs import ConvexStock, toolpath
 
 from vkworkbench.core import Stock, Tool, View
 from vkworkbench.core.zbuffer.counts import count

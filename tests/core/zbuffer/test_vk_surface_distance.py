@@ -47,7 +47,7 @@ def plane(rng, height, width):
 @pytest.mark.parametrize("seed", range(8))
 def test_the_farthest_of_random_surfaces(surface, seed):
     rng = np.random.default_rng(seed)
-    size, pixel = rng.integers(15, 45, 2), float(rng.choice([0.05, 0.2, 0.5]))
+    size, pixel = rng.integers(12, 34, 2), float(rng.choice([0.05, 0.2, 0.5]))
     front, behind = (surface(rng, *size).astype(np.float32) for _ in range(2))
     behind += 2
     pixels = np.flatnonzero((behind > front).ravel())
@@ -63,7 +63,7 @@ def test_the_farthest_of_random_surfaces(surface, seed):
 
 
 @pytest.mark.long
-@pytest.mark.parametrize("size", [40, 400])
+@pytest.mark.parametrize("size", [40, 200])
 def test_what_is_far_from_everything_is_found_soon(size, monkeypatch):
     """Between a disc and a larger one, both high: the nearest is at one of their edges, hundreds of pixels away."""
     row, column = np.indices((size, size)) / size - 0.5
@@ -77,15 +77,15 @@ def test_what_is_far_from_everything_is_found_soon(size, monkeypatch):
     assert sum(looked) < 0.2 * len(pixels)
 
 
-@pytest.mark.parametrize("seed", range(40))
-def test_what_is_told_is_the_distance_where_it_is_told(seed):
+def test_distance_is_that_of_the_place_where_it_is_told():
     """Among steps as high as the view is deep: distances are multiples of the pixel, which rounding must not tell apart."""
-    rng = np.random.default_rng(seed)
-    size, pixel = rng.integers(8, 16, 2), 0.05
-    front = np.where(rng.random(size) < 0.1, 9, 0).astype(np.float32)
-    behind = np.where(rng.random(size) < 0.1, 0, 9).astype(np.float32)
-    at, distance = farthest(front, behind, np.flatnonzero((behind > front).ravel()), pixel, 0.0)
-    assert distance == pytest.approx(every_pair(front, behind, pixel)[at], rel=1e-5)
+    for seed in range(40):
+        rng = np.random.default_rng(seed)
+        size, pixel = rng.integers(8, 16, 2), 0.05
+        front = np.where(rng.random(size) < 0.1, 9, 0).astype(np.float32)
+        behind = np.where(rng.random(size) < 0.1, 0, 9).astype(np.float32)
+        at, distance = farthest(front, behind, np.flatnonzero((behind > front).ravel()), pixel, 0.0)
+        assert distance == pytest.approx(every_pair(front, behind, pixel)[at], rel=1e-5), seed
 
 
 def test_where_a_surface_ends_all_lies_before_it():

@@ -7,14 +7,14 @@ from math import atan, atan2, cos, pi, sin
 
 import numpy as np
 import pytest
-from zbuffer_reference.paths import FORMS
+from zbuffer_inputs import FORMS
 
 from vkworkbench.core import Tool
 from vkworkbench.core.zbuffer import sweeps
 from vkworkbench.core.zbuffer.rounded import rounded_sides
 from vkworkbench.core.zbuffer.sweeps import headings, intervals, lowest
 
-RAYS, FAR = 2000, 30.0
+RAYS, FAR = 1000, 30.0
 
 
 def lengths(tool, moves, tilt):

@@ -7,7 +7,7 @@ from math import cos, hypot, pi, sin, sqrt
 
 import numpy as np
 import pytest
-from zbuffer_reference.paths import BOX, DIRECTIONS, TOOLS, toolpath
+from zbuffer_inputs import BOX, DIRECTIONS, TOOLS, toolpath
 
 from vkworkbench.core import Cut, Stock, Tool, View
 from vkworkbench.core.zbuffer.culling import QUARTERS

@@ -8,7 +8,7 @@ from math import pi
 import numpy as np
 import pytest
 from counting import memory
-from zbuffer_reference.paths import BOX, DIRECTIONS, toolpath
+from zbuffer_inputs import BOX, DIRECTIONS, toolpath
 
 from vkworkbench.core import Cut, Tool, View
 from vkworkbench.core.zbuffer import sampling, trajectories

@@ -7,7 +7,7 @@ from math import cos, hypot, pi, radians, sin, sqrt, tan
 
 import numpy as np
 import pytest
-from zbuffer_reference.convex import ConvexStock
+from zbuffer_inputs import ConvexStock
 
 from vkworkbench.core import Stock, Tool, Toolpath, View
 from vkworkbench.core.zbuffer.records import DEXEL, INDEX, TRACE
@@ -220,7 +220,7 @@ def test_records_are_sorted_and_their_index_finds_them():
 
 def test_a_cylinder_of_stock():
     stock = ConvexStock.cylinder((0, 0, 0), radius=20, height=10)
-    z = simulate(path([(0, 0, 12), (0, 0, 4)]), tool=TOOLS[0], stock=stock, view=View())
+    z = simulate(path([(0, 0, 12), (0, 0, 4)]), tool=TOOLS[0], stock=stock, view=View(width=400, height=300))
     assert z.at(0).part_volume == pytest.approx(pi * 400 * 10, rel=0.005)
     assert z.chip_volume == pytest.approx(pi * 9 * 6, rel=0.01)
 

@@ -1,100 +1,259 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The extended z-buffer against a second implementation that shares nothing with it but the tool's profile.
+"""The extended z-buffer against a second implementation that shares only the tool's profile with it.
 
-Points along the rays are held against the tool at many positions of every move, in the order of the sequence:
-the first trajectory that contains a point owns it. Points within a small distance of a swept surface decide
-nothing.
+A point belongs to the first trajectory whose tool reaches the point. The second implementation tries single points with
+every move: the height of the tool's surface above a point is a convex function of the tool's place on its move, so halving
+finds the lowest height. The points are probes on the rays: beside both ends of every piece, so that each border between
+two owners is in its place, and between the ends.
 """
 
 from __future__ import annotations
 
-from math import pi
+from dataclasses import replace
 
 import numpy as np
 import pytest
-from zbuffer_reference.convex import ConvexStock
+from zbuffer_inputs import BOX, CHAMFERS, DIRECTIONS, PATHS, ROUND, TOOLS, close, free, surface, toolpath, zigzag
 
-from vkworkbench.core import Stock, Tool, Toolpath, View
-from vkworkbench.core.zbuffer.dexels import UNCUT
-from vkworkbench.core.zbuffer.simulate import simulate
+from vkworkbench.core import Tool, View
+from vkworkbench.core.zbuffer.chains import cut_rays
+from vkworkbench.core.zbuffer.cuts import Cut
+from vkworkbench.core.zbuffer.dexels import THINNEST, first_cuts
+from vkworkbench.core.zbuffer.removal import Removal
+from vkworkbench.core.zbuffer.simulate import simulate, simulate_job
 
-CLEARANCE = 0.03
-TOOLS = [
-    Tool("endmill", 6),
-    Tool("ballend", 6),
-    Tool("bullnose", 6, corner_radius=1),
-    Tool("bullnose", 6, corner_radius=2.5),
-    Tool("vbit", 6, tip_angle=pi / 2),
-    Tool("vbit", 4, tip_angle=0.6),
-    Tool("drill", 5),
-    Tool("vbit", 6, tip_angle=pi / 2, tip_diameter=2),
-    Tool("vbit", 5, tip_angle=0.7, tip_diameter=0.4),
-    Tool("vbit", 6, tip_angle=2.6, tip_diameter=5.5),
-]
-DIRECTIONS = [(0, 0, -1), (0, 0, 1), (0, 1, -1), (1, 0.5, -0.3), (-0.4, 1, 0), (0.1, 0.1, -1), (1, -2, 1.5)]
-BOX = Stock((0, 0, 0), (20, 16, 8))
-ROUND = ConvexStock.cylinder((10, 8, 0), radius=9, height=8, sides=24)
+# Distance between a piece's end and the probe beside it, mm.
+BESIDE = 5e-4
+# A probe is judged by a tool grown by this, and by one shrunk by it, mm: depths are held as float32, and pieces up to
+# THINNEST go to their neighbours.
+CLEARANCE = 2e-4
+# Places of the probes between the two ends of a piece, as shares of its length.
+BETWEEN = (0.1, 0.3, 0.5, 0.7, 0.9)
+# Differences of depths that are rounding, mm.
+NOISE = 1e-7
+# Halvings of a move in the search for the lowest height: they leave a stretch of 1e-5 mm.
+HALVINGS = 24
 
 
-def random_moves(kind, rng, n=6):
-    """Points of a path that is horizontal, three-dimensional, vertical here and there, or finely stepped."""
-    points = np.column_stack((rng.uniform(2, 18, n + 1), rng.uniform(2, 14, n + 1), rng.uniform(1, 7, n + 1)))
-    if kind == "level":
-        points[:, 2] = np.repeat(rng.uniform(2, 6, n), 2)[: n + 1]
-    if kind == "plunges":
-        points[1::2, :2] = points[:-1:2, :2]
-    if kind == "helix":
-        angle = np.linspace(0, 4, n + 1)
-        points = np.column_stack((10 + 4 * np.cos(angle), 8 + 4 * np.sin(angle), np.linspace(7, 3, n + 1)))
-    return points
+def reached(tool, start, move, at, grown):
+    """Return which points a tool reaches on its move.
+
+    Parameters
+    ----------
+    tool : Tool
+    start, move, at : (3, k) ndarray
+        Where the tip starts, how it moves, and the point, mm.
+    grown : float
+        The tool is larger by this on all sides, mm; smaller where it is negative.
+
+    Returns
+    -------
+    (k,) ndarray of bool
+    """
+    x, y, z = at - start
+    run2 = move[0] ** 2 + move[1] ** 2
+    vertical = run2 == 0
+    safe_run2 = np.where(vertical, 1.0, run2)
+    foot = np.where(vertical, 0.0, (x * move[0] + y * move[1]) / safe_run2)
+    rest2 = (tool.radius + grown) ** 2 - (x - foot * move[0]) ** 2 - (y - foot * move[1]) ** 2
+    half = np.where(vertical, 1.0, np.sqrt(np.maximum(rest2, 0) / safe_run2))
+    # Between these shares of the move the point is within the tool's radius.
+    first, last = np.maximum(foot - half, 0), np.minimum(foot + half, 1)
+    found = (rest2 >= 0) & (first <= last)
+    (these,) = np.nonzero(found)
+    x, y, z, first, last, move = x[these], y[these], z[these], first[these], last[these], move[:, these]
+
+    def surface_above(t):
+        """Height of the tool's surface above the point, where the tool is at a share of its move."""
+        r = np.hypot(x - t * move[0], y - t * move[1])
+        return t * move[2] + tool.profile(np.maximum(r - grown, 0)) - grown - z
+
+    step = 1e-7
+    for _ in range(HALVINGS):
+        middle = (first + last) / 2
+        rises = surface_above(middle + step) > surface_above(middle - step)
+        first, last = np.where(rises, first, middle), np.where(rises, middle, last)
+    found[these] = surface_above((first + last) / 2) <= 0
+    return found
 
 
-def owners(points, tool, at):
-    """Trajectory that removes each point (p, 3) first, `UNCUT` if none does, -1 if too close to tell."""
-    owner = np.full(len(at), UNCUT)
-    reach = tool.radius + 2 * CLEARANCE
-    for i in reversed(range(len(points) - 1)):
-        t = np.linspace(0, 1, 700)[:, None, None]
-        tip = points[i] + t * (points[i + 1] - points[i])
-        ends = points[i : i + 2, :2]
-        near = ((at[:, :2] > ends.min(axis=0) - reach) & (at[:, :2] < ends.max(axis=0) + reach)).all(axis=1)
-        x, y, z = at[near].T
-        r = np.hypot(x - tip[..., 0], y - tip[..., 1])
-        z = z - tip[..., 2]
-        inside = (z >= tool.height(r + CLEARANCE) + CLEARANCE).any(axis=0)
-        outside = (z < tool.height(np.maximum(r - CLEARANCE, 0)) - CLEARANCE).all(axis=0)
-        owner[near] = np.where(inside, i, np.where(outside, owner[near], -1))
-    return owner
+def wrong_probes(cuts, at, owner, uncut):
+    """Return which points (p, 3) do not belong to their owner (p,), a trajectory or, where there is none, `uncut`."""
+    starts, ends = cuts.ends
+    wrong = np.zeros(len(at), bool)
+    for number, cut in enumerate(cuts.cuts):
+        tool, own = cut.tool, np.arange(cuts.first[number], cuts.first[number + 1])
+        if len(own) == 0:
+            continue
+        lower = np.minimum(starts[own], ends[own]) - [tool.radius, tool.radius, 0]
+        upper = np.maximum(starts[own], ends[own])[:, :2] + tool.radius
+        for some in np.array_split(np.arange(len(at)), 1 + len(at) * len(own) // 4_000_000):
+            point = at[some, None]
+            near = (point >= lower).all(axis=2) & (point[..., :2] <= upper).all(axis=2)
+            probe, item = np.nonzero(near & (own < owner[some, None]))
+            probe, item = some[probe], own[item]
+            # No trajectory before the owner contains the probe.
+            earlier = reached(tool, starts[item].T, (ends - starts)[item].T, at[probe].T, -CLEARANCE)
+            wrong[probe[earlier]] = True
+        # The owner contains the probe.
+        probe = np.flatnonzero(np.isin(owner, own) & (owner < uncut))
+        item = owner[probe]
+        wrong[probe] |= ~reached(tool, starts[item].T, (ends - starts)[item].T, at[probe].T, CLEARANCE)
+    return wrong
+
+
+def check(z, stock, pixels=None):
+    """Compare pixels of a moment, all by default, with the owners of points on their rays."""
+    frame, dexels, cut = z.frame, z.dexel_records, z.trace_records["trajectory"] < z.step
+    traces = z.trace_records[cut]
+    trace_pixel = np.repeat(np.arange(frame.width * frame.height), np.diff(z.trace_index.astype(int)))[cut]
+    pixel = np.concatenate((dexels["pixel"], trace_pixel)).astype(int)
+    near, far = (np.concatenate((dexels[end], traces[end])).astype(float) for end in ("near", "far"))
+    owner = np.concatenate((np.full(len(dexels), z.step), traces["trajectory"])).astype(int)
+    order = np.lexsort((near, pixel))
+    if pixels is not None:
+        order = order[np.isin(pixel[order], pixels)]
+    pixel, near, far, owner = pixel[order], near[order], far[order], owner[order]
+    check_that_rays_are_filled(frame, stock, pixel, near, far, owner, pixels)
+    shares = (far - near)[:, None] * BETWEEN
+    beside = np.minimum(BESIDE, (far - near) / 3)
+    depth = np.column_stack((near + beside, near[:, None] + shares, far - beside))
+    row, column = np.divmod(np.repeat(pixel, depth.shape[1]), frame.width)
+    owner = np.repeat(owner, depth.shape[1])
+    wrong = wrong_probes(z.cuts, frame.points(column, row, depth.ravel()), owner, z.step)
+    assert not wrong.any(), list(zip(column[wrong], row[wrong], depth.ravel()[wrong], owner[wrong]))[:5]
+
+
+def check_that_rays_are_filled(frame, stock, pixel, near, far, owner, pixels):
+    """Compare the pieces of rays with the rays' chords of the stock: nothing is missing, and nothing there twice."""
+    first = np.append(True, pixel[1:] != pixel[:-1]) if len(pixel) else np.zeros(0, bool)
+    last = np.append(first[1:], True) if len(pixel) else first
+    all_pixels = np.arange(frame.width * frame.height) if pixels is None else np.sort(pixels)
+    row, column = np.divmod(all_pixels, frame.width)
+    enter, leave = stock.chords(frame.origins(*frame.pixel_centres(column, row)), frame.direction)
+    met = leave - enter > THINNEST
+    assert np.array_equal(pixel[first], all_pixels[met])
+    assert close(near[first], enter[met], NOISE, NOISE) and close(far[last], leave[met], NOISE, NOISE)
+    assert np.array_equal(near[~first], far[~last])
+    assert (far > near).all()
+    assert (owner[~first] != owner[~last]).all()
+
+
+def check_that_culling_drops_nothing(z, stock):
+    """Compare a z-buffer with the same rays tried with every trajectory whose box they pass."""
+    frame, records = z.frame, z.records
+    row, column = np.divmod(np.arange(frame.width * frame.height), frame.width)
+    pieces, _ = Removal(z.cuts, stock, frame).cut(*frame.pixel_centres(column, row))
+    assert np.array_equal(records.pixel(), pieces.ray)
+    assert np.array_equal(records.owner, np.minimum(pieces.owner, z.trajectories))
+    assert close(records.near(), pieces.near, NOISE, NOISE) and close(records.far, pieces.far, NOISE, NOISE)
+
+
+def some_pixels(rng, view, count):
+    """Return random pixels of an image, at most `count`."""
+    every = view.width * view.height
+    return rng.choice(every, min(count, every), replace=False)
+
+
+EVERY_TOOL = TOOLS + CHAMFERS
 
 
 @pytest.mark.long
-@pytest.mark.parametrize("tool", TOOLS, ids=str)
-@pytest.mark.parametrize("kind", ["level", "free", "plunges", "helix"])
-def test_every_point_has_the_same_owner(tool, kind):
-    rng = np.random.default_rng([len(kind), TOOLS.index(tool)])
-    # Every other direction: each meets each kind of move with half of the tools.
-    for direction in DIRECTIONS[(len(kind) + TOOLS.index(tool)) % 2 :: 2]:
+@pytest.mark.parametrize("path", PATHS, ids=lambda path: path.__name__)
+@pytest.mark.parametrize("tool", EVERY_TOOL, ids=str)
+def test_every_piece_has_the_owner_that_its_points_have(tool, path):
+    """At the last moment and at one before it."""
+    which = PATHS.index(path), EVERY_TOOL.index(tool)
+    rng = np.random.default_rng(which)
+    # Every fourth direction: each meets each path with a fourth of the tools, and each tool on a fourth of the paths.
+    for direction in DIRECTIONS[sum(which) % 4 :: 4]:
+        points = path(rng, int(rng.choice([4, 30, 60])))
+        width, height = (int(v) for v in rng.integers(1, (60, 45)))
+        # With pixels of 0.31 mm no ray lies in a face of a stock, where rounding would decide whether it meets the stock.
+        view = View(direction, width, height, pixel=(None, 0.31)[rng.integers(2)])
         stock = (BOX, ROUND)[rng.integers(2)]
-        points = random_moves(kind, rng)
-        toolpath = Toolpath.through(points)
-        z = simulate(toolpath, tool=tool, stock=stock, view=View(direction, 8, 6))
-        at, found = sampled(z)
-        expected = owners(points, tool, at)
-        told = expected >= 0
-        assert told.mean() > 0.5
-        assert (found[told] == expected[told]).all()
+        z = simulate(toolpath(points), tool=tool, stock=stock, view=view)
+        check_that_culling_drops_nothing(z, stock)
+        check(z, stock, some_pixels(rng, view, 60))
+        check(z.at(int(rng.integers(len(points)))), stock, some_pixels(rng, view, 20))
 
 
-def sampled(z):
-    """Points along all rays of a z-buffer and who owns them there."""
-    frame = z.frame
-    pixel = np.repeat(np.arange(frame.width * frame.height), np.diff(z.trace_index.astype(int)))
-    pixel = np.concatenate((z.dexel_records["pixel"], pixel)).astype(int)
-    near, far = (np.concatenate((z.dexel_records[e], z.trace_records[e])) for e in ("near", "far"))
-    owner = np.concatenate((np.full(z.dexels, UNCUT), z.trace_records["trajectory"]))
-    # Three points in each piece: thin pieces count as much as thick ones.
-    share = np.array([0.1, 0.5, 0.9])
-    depth = (near[:, None] + (far - near)[:, None] * share).ravel()
-    row, column = np.divmod(np.repeat(pixel, 3), frame.width)
-    at = frame.origins(*frame.pixel_centres(column, row)) + depth[:, None] * frame.direction
-    return at, np.repeat(owner, 3)
+@pytest.mark.parametrize("direction", [(0, 0, -1), (1, 0.5, -0.3)])
+def test_wrong_borders_and_owners_are_noticed(direction):
+    """Borders a thousandth of a millimetre off, and owners of the move before or after."""
+    points = free(np.random.default_rng(2), 8)
+    z = simulate(toolpath(points), tool=TOOLS[0], stock=BOX, view=View(direction, 30, 20))
+    check(z, BOX)
+    records = z.records
+    pixel, cut = records.pixel(), records.cut
+    inner = np.append(pixel[1:] == pixel[:-1], False)  # pieces that end before another one
+    assert inner.sum() > 100
+    for far, owner in (
+        (records.far + np.float32(1e-3) * inner, records.owner),
+        (records.far - np.float32(1e-3) * inner, records.owner),
+        (records.far, np.where(cut, (records.owner + 1) % 8, records.owner)),
+        (records.far, np.where(cut, (records.owner - 1) % 8, records.owner)),
+    ):
+        with pytest.raises(AssertionError):
+            check(replace(z, records=replace(records, far=far, owner=owner.astype(np.int32))), BOX)
+
+
+BALLS = [Tool("ballend", 6), Tool("ballend", 2.5)]
+
+
+@pytest.mark.long
+@pytest.mark.parametrize("tools", [EVERY_TOOL, BALLS, CHAMFERS], ids=["any", "balls", "chamfers"])
+@pytest.mark.parametrize("direction", DIRECTIONS, ids=str)
+def test_jobs_of_several_tools_have_the_owners_of_their_points(direction, tools):
+    """Images up to several tiles wide."""
+    rng = np.random.default_rng([DIRECTIONS.index(direction), len(tools)])
+    paths = [PATHS[rng.integers(len(PATHS))] for _ in range(rng.integers(2, 5))]
+    cuts = [Cut(toolpath(path(rng, int(rng.choice([4, 30])))), tools[rng.integers(len(tools))]) for path in paths]
+    view = View(direction, *(int(v) for v in rng.integers(1, rng.choice([60, 140]), 2)))
+    stock = (BOX, ROUND)[rng.integers(2)]
+    z = simulate_job(cuts, stock=stock, view=view)
+    check_that_culling_drops_nothing(z, stock)
+    check(z, stock, some_pixels(rng, view, 200))
+
+
+@pytest.mark.long
+def test_many_passes_over_a_pixel_have_the_right_owners():
+    """Thousands of passes over each tile, most of which have to be dropped."""
+    rng = np.random.default_rng(0)
+    for points, tool, direction in (
+        (zigzag(rng, 3000), TOOLS[0], (0, 0, -1)),
+        (zigzag(rng, 600), TOOLS[0], (1, 1, -1)),
+        (surface(rng, 3000), TOOLS[2], (0, 0, -1)),
+        (np.concatenate([zigzag(rng, 400)[:, [1, 0, 2]] for _ in range(4)]), TOOLS[3], (0, 0, -1)),
+    ):
+        view = View(direction, 100, 80)
+        z = simulate(toolpath(points), tool=tool, stock=BOX, view=view)
+        check_that_culling_drops_nothing(z, BOX)
+        check(z, BOX, some_pixels(rng, view, 20))
+
+
+def test_passes_that_cut_nothing_are_dropped_in_first_tiles():
+    points = zigzag(np.random.default_rng(1), 200)
+    once, often = (
+        simulate(toolpath(np.tile(points, (k, 1))), tool=TOOLS[0], stock=BOX, view=View(width=200, height=150))
+        for k in (1, 50)
+    )
+    assert once.traces == often.traces
+    assert often.candidates < 12 * once.candidates
+
+
+def test_rays_with_one_gap_are_cut_as_the_general_way_does():
+    rng = np.random.default_rng(5)
+    rays, each = 300, 6
+    near, far = np.full(rays, -3.0), rng.uniform(2, 9, rays)
+    ray = np.repeat(np.arange(rays), each)
+    middle = rng.choice([0.0, 1.0, 2.0], len(ray))
+    length = rng.choice([1e-5, 5e-5, 0.7, 2.0, 4.0], len(ray))
+    enter, leave = middle - length * rng.random(len(ray)), middle + length
+    trajectory = np.tile(np.arange(each), rays)
+    quick = cut_rays(near, far, ray, trajectory, enter, leave)
+    general = first_cuts(near, far, ray, trajectory, enter, leave)
+    for name in ("ray", "owner"):
+        assert np.array_equal(getattr(quick, name), getattr(general, name)), name
+    for name in ("near", "far"):
+        assert getattr(quick, name) == pytest.approx(getattr(general, name), abs=NOISE)

@@ -8,59 +8,15 @@ from math import pi
 
 import numpy as np
 import pytest
-from zbuffer_reference.compare import close
-from zbuffer_reference.dexels import UNCUT
-from zbuffer_reference.jobs import pieces_of_job
-from zbuffer_reference.paths import BOX, DIRECTIONS, PATHS, ROUND, TOOLS, toolpath
+from zbuffer_inputs import BOX, toolpath
 
 from vkworkbench.core import Stock, Tool, View
 from vkworkbench.core.zbuffer.cuts import Cut, Cuts, Source
 from vkworkbench.core.zbuffer.estimate import estimate, estimate_job
 from vkworkbench.core.zbuffer.facts import removed_volumes
 from vkworkbench.core.zbuffer.memory import OverBudget, memory_needed
-from vkworkbench.core.zbuffer.removal import Removal
 from vkworkbench.core.zbuffer.simulate import simulate, simulate_job
 from vkworkbench.core.zbuffer.speed import Speed
-
-NOISE = 1e-7  # mm
-BALLS = [Tool("ballend", 6), Tool("ballend", 2.5)]
-
-
-@pytest.mark.long
-@pytest.mark.parametrize("seed", range(36))
-def test_a_job_is_every_trajectory_tried_on_every_ray(seed):
-    rng = np.random.default_rng(seed)
-    tools = BALLS if seed % 6 == 0 else TOOLS
-    paths = [PATHS[rng.integers(len(PATHS))] for _ in range(rng.integers(1, 5))]
-    cuts = [Cut(toolpath(path(rng, int(rng.choice([4, 30])))), tools[rng.integers(len(tools))]) for path in paths]
-    width, height = (int(v) for v in rng.integers(1, rng.choice([10, 60, 140]), 2))
-    view = View(DIRECTIONS[seed % len(DIRECTIONS)], width, height)
-    stock = (BOX, ROUND)[rng.integers(2)]
-    z = simulate_job(cuts, stock=stock, view=view)
-    pieces = pieces_of_job([(cut.toolpath, cut.tool) for cut in cuts], stock, z.frame)
-    records = z.records
-    assert np.array_equal(records.pixel(), pieces.ray)
-    assert np.array_equal(records.owner, np.where(pieces.owner == UNCUT, z.trajectories, pieces.owner))
-    assert close(records.near(), pieces.near, NOISE, NOISE) and close(records.far, pieces.far, NOISE, NOISE)
-
-
-CHAMFERS = [Tool("vbit", 6, tip_angle=pi / 2, tip_diameter=2), Tool("vbit", 5, tip_angle=0.7, tip_diameter=0.4)]
-
-
-@pytest.mark.long
-@pytest.mark.parametrize("seed", range(27))
-def test_culling_drops_nothing_that_flat_tipped_cones_cut(seed):
-    """Against rays that are tried with all trajectories whose box they pass."""
-    rng = np.random.default_rng(seed)
-    paths = [PATHS[rng.integers(len(PATHS))] for _ in range(2)]
-    cuts = [Cut(toolpath(path(rng, 40)), CHAMFERS[rng.integers(2)]) for path in paths]
-    stock = (BOX, ROUND)[rng.integers(2)]
-    z = simulate_job(cuts, stock=stock, view=View(DIRECTIONS[seed % len(DIRECTIONS)], 90, 70))
-    row, column = np.divmod(np.arange(90 * 70), 90)
-    pieces, _ = Removal(Cuts(cuts), stock, z.frame).cut(*z.frame.pixel_centres(column, row))
-    assert np.array_equal(z.records.pixel(), pieces.ray)
-    assert np.array_equal(z.records.owner, np.where(pieces.owner == UNCUT, z.trajectories, pieces.owner))
-    assert close(z.records.far, pieces.far, NOISE, NOISE)
 
 
 def slot(*heights, y):

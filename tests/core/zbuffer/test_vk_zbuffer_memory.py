@@ -11,7 +11,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from zbuffer_reference.paths import BOX, TOOLS, surface, toolpath
+from zbuffer_inputs import BOX, TOOLS, surface, toolpath
 
 from vkworkbench.core import View
 from vkworkbench.core.zbuffer import OverBudget, best_resolution, estimate, memory, memory_needed
@@ -30,7 +30,7 @@ import numpy as np
 sys.path[:0] = [{root!r}, {root!r} + "/tests"]
 from vkworkbench.core import View
 from vkworkbench.core.zbuffer import Cut, memory_needed, simulate
-from zbuffer_reference.paths import BOX, TOOLS, surface, toolpath
+from zbuffer_inputs import BOX, TOOLS, surface, toolpath
 
 def memory(line):
     status = Path("/proc/self/status").read_text()
@@ -59,12 +59,12 @@ def case(trajectories, direction, width, height):
 @pytest.mark.parametrize(
     "which",
     [
-        (10_000, (0, 0, -1), 480, 360, 2),
-        (30_000, (0, 0, -1), 640, 480, 2),
+        (6_000, (0, 0, -1), 300, 225, 2),
+        (14_000, (0, 0, -1), 400, 300, 2),
         (3_000, (1, 1, -1), 400, 300, 2),
         (250, (1, 1, -1), 300, 225, 3),
         (1_200, (0, 1, 0), 400, 300, 2),
-        (60_000, (0, 0, -1), 120, 90, 2),
+        (30_000, (0, 0, -1), 90, 68, 2),
     ],
     ids=["records", "pictures", "oblique", "oblique, bull nose", "side", "trajectories"],
 )

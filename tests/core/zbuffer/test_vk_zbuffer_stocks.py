@@ -9,14 +9,12 @@ from math import pi, sqrt
 
 import numpy as np
 import pytest
-from zbuffer_reference.compare import close
-from zbuffer_reference.convex import ConvexStock
-from zbuffer_reference.dexels import Pieces, first_cuts
-from zbuffer_reference.paths import BOX, DIRECTIONS, PATHS, TOOLS, toolpath
+from zbuffer_inputs import BOX, DIRECTIONS, PATHS, TOOLS, ConvexStock, close, toolpath
 
-from vkworkbench.core import Cylinder, Mesh, Tool, View, estimate, stocks
+from vkworkbench.core import Cylinder, Mesh, Stock, Tool, View, estimate, stocks
 from vkworkbench.core.zbuffer import OverBudget, deviations, memory_needed
 from vkworkbench.core.zbuffer.cuts import Cut, Cuts
+from vkworkbench.core.zbuffer.dexels import Pieces, first_cuts
 from vkworkbench.core.zbuffer.facts import removed_volumes
 from vkworkbench.core.zbuffer.records import GAP
 from vkworkbench.core.zbuffer.removal import Removal
@@ -53,7 +51,7 @@ def test_a_mesh_of_a_box_is_the_box(direction):
     rng = np.random.default_rng(3)
     points = PATHS[0](rng, 30)
     for tool in TOOLS[::2]:
-        solids = {"tool": tool, "view": View(direction, 70, 50)}
+        solids = {"tool": tool, "view": View(direction, 45, 35)}
         mesh = simulate(toolpath(points), stock=Mesh(box(BOX.lower, BOX.upper)), **solids).records
         plain = simulate(toolpath(points), stock=BOX, **solids).records
         assert np.array_equal(mesh.index, plain.index) and np.array_equal(mesh.owner, plain.owner)
@@ -80,9 +78,9 @@ def test_a_mesh_is_cut_as_every_trajectory_on_every_ray_cuts_it(seed):
     stock = Mesh(HOLLOW if seed % 2 else np.concatenate((ball((20, 15, 5), 14), ball((20, 15, 5), 9))))
     path, tool = PATHS[rng.integers(len(PATHS))], TOOLS[rng.integers(len(TOOLS))]
     moves = toolpath(path(rng, 30))
-    z = simulate(moves, tool=tool, stock=stock, view=View(DIRECTIONS[seed % len(DIRECTIONS)], 32, 26, pixel=1.41))
+    z = simulate(moves, tool=tool, stock=stock, view=View(DIRECTIONS[seed % len(DIRECTIONS)], 22, 18, pixel=2.03))
     frame = z.frame
-    row, column = np.divmod(np.arange(32 * 26), 32)
+    row, column = np.divmod(np.arange(22 * 18), 22)
     x, y = frame.pixel_centres(column, row)
     ray, near, far = inside(stock, frame.origins(x, y), frame.direction)
     removal = Removal(Cuts([Cut(moves, tool)]), stock, frame)
@@ -173,11 +171,12 @@ def prism():
     return ConvexStock.cylinder((20, 15, 1), 14, 9, sides=90)
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("direction", DIRECTIONS)
 def test_a_cylinder_is_round(direction, prism):
     exact = Cylinder((20, 15, 1), 14, 9)
     points = PATHS[0](np.random.default_rng(1), 20)
-    view = View(direction, 160, 120, pixel=0.3)
+    view = View(direction, 96, 72, pixel=0.5)
     one, two = (simulate(toolpath(points), tool=TOOLS[0], stock=stock, view=view) for stock in (exact, prism))
     assert one.at(0).part_volume == pytest.approx(pi * 14**2 * 9, rel=0.01)
     assert one.part_volume == pytest.approx(two.part_volume, rel=0.002)
@@ -189,7 +188,7 @@ def test_a_cylinder_is_round(direction, prism):
 @pytest.mark.parametrize("stock", [Cylinder((20, 15, 1), 14, 9), Mesh(HOLLOW)], ids=["cylinder", "hollow"])
 def test_the_estimate_knows_the_stock(stock, direction):
     points = PATHS[1](np.random.default_rng(2), 40)
-    solids = {"tool": Tool("endmill", 4), "stock": stock, "view": View(direction, 200, 150)}
+    solids = {"tool": Tool("endmill", 4), "stock": stock, "view": View(direction, 120, 90)}
     told, true = estimate(toolpath(points), None, **solids), simulate(toolpath(points), **solids)
     assert abs(told.traces - true.traces) < 3 * told.traces_error + 0.01 * true.traces
     assert told.dexels == pytest.approx(true.dexels, rel=0.1)
@@ -225,22 +224,27 @@ COMB = Mesh(np.concatenate([box((0, y + 0.25, 0), (60, y + 0.75, 20)) for y in r
 def test_the_memory_of_a_mesh_with_gaps(direction, pieces):
     """Pieces of each ray through the comb: a hundred ribs, and the gaps between them; or, as often as not, one rib."""
     moves = toolpath(np.array([(10, 20, 12), (50, 20, 12)], float))
-    solids = {"tool": TOOLS[0], "stock": COMB, "view": View(direction, 128, 128, pixel=0.78125)}
+    solids = {"tool": TOOLS[0], "stock": COMB, "view": View(direction, 64, 64, pixel=1.5625)}
     told, true = estimate(moves, None, **solids), simulate(moves, **solids)
     area = 60 * 20 if direction == (0, 1, 0) else 100 * (60 if direction == (0, 0, -1) else 20)
-    assert told.peak.stock + 128 * 128 == pytest.approx(pieces * area / 0.78125**2 + 128 * 128, rel=0.03)
-    assert told.peak.records + 128 * 128 == pytest.approx(true.peak.records + 128 * 128, rel=0.05)
+    assert told.peak.stock + 64 * 64 == pytest.approx(pieces * area / 1.5625**2 + 64 * 64, rel=0.03)
+    assert told.peak.records + 64 * 64 == pytest.approx(true.peak.records + 64 * 64, rel=0.05)
 
 
 @pytest.mark.long
 def test_gaps_are_refused_that_take_too_much():
-    moves, view = toolpath(np.array([(10, 20, 12), (50, 20, 12)], float)), View((0, 1, 0), 600, 400)
-    solids = {"tool": TOOLS[0], "view": view}
-    held = simulate(moves, stock=COMB, memory_budget=1e10, **solids).memory_bytes
-    assert held > 100e6
+    """Gaps need more memory than their records hold, and less than twice that memory, on top of a block without gaps."""
+    solids = {"tool": TOOLS[0], "view": View((0, 1, 0), 150, 100)}
+    moves, block = toolpath(np.array([(10, 20, 12), (50, 20, 12)], float)), Stock(COMB.lower, COMB.upper)
+    held, of_block = (
+        simulate(moves, stock=stock, memory_budget=1e10, **solids).memory_bytes for stock in (COMB, block)
+    )
+    least = memory_needed([Cut(moves, TOOLS[0])], stock=block, view=solids["view"])
+    gaps = held - of_block
+    assert gaps > 10e6
     with pytest.raises(OverBudget) as refused:
-        simulate(moves, stock=COMB, memory_budget=held, **solids)
-    assert held < refused.value.needed < 2 * held
+        simulate(moves, stock=COMB, memory_budget=least + gaps, **solids)
+    assert least + gaps < refused.value.needed < least + 2 * gaps
 
 
 def test_a_view_of_a_part_of_a_mesh_takes_no_more_than_that_of_a_box():
