@@ -38,7 +38,7 @@ def test_a_command_becomes_another_one_and_the_others_stay():
         assert list(made) == pairs and len(made) == 5
 
 
-def test_a_long_program_takes_hardly_more_than_eight_bytes_a_number():
+def test_a_long_program_takes_little_more_than_its_numbers():
     """Pairs and dictionaries would take 500 bytes a line."""
     read_program("G1 X1 F100")  # what is compiled once
     text = "".join(f"G1 X{x / 1000:.3f} Y{x / 700:.3f} Z-{x / 900:.3f} F1200\n" for x in range(4_000))

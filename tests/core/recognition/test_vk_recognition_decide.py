@@ -33,7 +33,7 @@ from vkworkbench.core.recognition.unknown import unknown
 from vkworkbench.core.recognition.verdict import Verdict
 from vkworkbench.language import Message
 
-# Most toolpaths of these seeds have 182 to 801 points, and some retract. Longer ones take more time and show no more.
+# Seeds of nonsense toolpaths, which have 182 to 801 points in most kinds; some retract. Longer paths show no more.
 SEEDS = (1, 4, 6, 8)
 SOME = synthetic.SAMPLES[::3]
 
