@@ -72,6 +72,16 @@ def test_above_a_point_what_a_move_sweeps_begins_where_the_tool_is_lowest_on_it(
     assert (inner[hit] > 0).all()
 
 
+def test_the_rim_of_a_sweep_belongs_to_the_sweep():
+    """Points beside a move of 10 mm, and before and behind it: on the rim of 3 mm, and a millionth of a millimetre outside."""
+    x, y = np.array([5.0, 5.0, -3.0, 13.0, 5.0, -3 - 1e-6]), np.array([3.0, -3.0, 0.0, 0.0, 3 + 1e-6, 0.0])
+    start, heading = np.zeros((3, 6)), np.repeat([[1.0], [0.0], [10.0], [0.0]], 6, axis=1)
+    for tool in (tool for tool in FORMS if tool.radius == 3):
+        height, _ = lowest(tool, start, heading, x, y)
+        assert height[:4] == pytest.approx([tool.height(3.0)] * 4), tool
+        assert np.isnan(height[4:]).all(), tool
+
+
 @pytest.mark.parametrize("tilt", [0.3, 1.2, pi / 2, 2.0, 2.9])
 @pytest.mark.parametrize("tool", FORMS, ids=str)
 def test_a_ray_is_within_a_sweep_where_it_is_above_its_lower_surface(tool, tilt):
