@@ -203,7 +203,7 @@ def test_where_nothing_is_left_the_first_that_removed_something_of_the_model_is_
 
 
 class Milled(Convex):
-    """A block without boxes and cylinders; its rays in closed form."""
+    """A block without boxes and cylinders; its rays in closed form. Cut it in one process: others do not know this class."""
 
     def __init__(self, block, *removed):
         self.block, self.removed = block, removed
@@ -284,7 +284,7 @@ def test_who_is_guilty_of_what_lies_behind_a_gap_of_the_stock():
     cuts = [Cut(lid, FLAT), Cut(deep, FLAT)]
     model = Stock((0, 0, 0), (40, 30, 8))
     frame = VIEW.frame(solid)
-    z = simulate_job(cuts, stock=hollow, view=VIEW)
+    z = simulate_job(cuts, stock=hollow, view=VIEW, processes=1)
     assert z.frame.pixel == frame.pixel
     by_none, by_deep = sorted(gouges(z, deviations(z, model), 0.1), key=lambda one: one.depth)
     assert by_none.depth == pytest.approx(4) and by_none.trajectory is None
@@ -370,7 +370,7 @@ def test_what_is_left_in_holes_through_the_model():
 def test_along_the_wall_of_a_hole_what_is_left_begins_two_pixels_from_where_nothing_is():
     """A window of 20 by 14 mm, from pixel 50 to 149 and 40 to 109, whose left half is cut out, up to pixel 99."""
     half = Milled(BOX, Stock((10, 8, -1), (20, 22, 20)))
-    z = simulate_job([], stock=half, view=VIEW)
+    z = simulate_job([], stock=half, view=VIEW, processes=1)
     found = deviations(z, Milled(BOX, Stock((10, 8, -1), (30, 22, 20)))).left.reshape(HEIGHT, WIDTH)
     assert np.flatnonzero(found[41]).tolist() == np.flatnonzero(found[108]).tolist() == list(range(102, 149))
     assert (found[41, 102:149] == 10).all() and not found[43:107, 50:147].any()

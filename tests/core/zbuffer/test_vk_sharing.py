@@ -123,6 +123,7 @@ def test_as_many_help_as_there_are_other_cores(workers, monkeypatch):
     assert len(workers) == 1
 
 
+@pytest.mark.long
 def test_what_a_process_has_no_memory_to_take_is_done_by_this_one(monkeypatch):
     """Once where the records come in, as a worker tells of it, and once where its thread knows of nothing."""
 

@@ -180,7 +180,8 @@ def test_only_rays_at_the_rim_of_a_sweep_are_asked_a_second_time(monkeypatch):
 
     monkeypatch.setattr(Trajectories, "passing", counted)
     slot = toolpath(np.array([(-10, 15.125, 6), (50, 15.125, 6)]))
-    found = simulate(slot, tool=Tool("endmill", 6), stock=BOX, view=View((0, 0, -1), 160, 120, pixel=0.25))
+    view = View((0, 0, -1), 160, 120, pixel=0.25)
+    found = simulate(slot, tool=Tool("endmill", 6), stock=BOX, view=view, processes=1)
     assert found.traces >= 23 * 160 and 0 < sum(asked) <= 2 * 160
 
 

@@ -143,6 +143,7 @@ def hole_volume(tool, depth):
     return pi * r**2 * depth - 2 * pi * centroid * spandrel - 2 / 3 * pi * k * r**3
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("tool", TOOLS, ids=lambda t: t.shape)
 @pytest.mark.parametrize("view", VIEWS)
 def test_hole_volume_in_every_view(tool, view):

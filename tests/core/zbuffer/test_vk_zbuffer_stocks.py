@@ -151,9 +151,8 @@ def test_the_triangles_of_a_mesh_are_sorted_once_for_an_image_and_not_kept(monke
 
     monkeypatch.setattr(stocks, "_SeenMesh", Counted)
     mesh = Mesh(HOLLOW)
-    z = simulate(
-        toolpath(PATHS[0](np.random.default_rng(3), 30)), tool=TOOLS[0], stock=mesh, view=View(width=90, height=90)
-    )
+    moves, view = toolpath(PATHS[0](np.random.default_rng(3), 30)), View(width=90, height=90)
+    z = simulate(moves, tool=TOOLS[0], stock=mesh, view=view, processes=1)
     found = deviations(z, mesh)
     gc.collect()
     assert [own() for own in seen] == [None] * 3 and found.model.frame is z.frame
@@ -224,11 +223,11 @@ COMB = Mesh(np.concatenate([box((0, y + 0.25, 0), (60, y + 0.75, 20)) for y in r
 def test_the_memory_of_a_mesh_with_gaps(direction, pieces):
     """Pieces of each ray through the comb: a hundred ribs, and the gaps between them; or, as often as not, one rib."""
     moves = toolpath(np.array([(10, 20, 12), (50, 20, 12)], float))
-    solids = {"tool": TOOLS[0], "stock": COMB, "view": View(direction, 64, 64, pixel=1.5625)}
+    solids = {"tool": TOOLS[0], "stock": COMB, "view": View(direction, 128, 128, pixel=0.78125)}
     told, true = estimate(moves, None, **solids), simulate(moves, **solids)
     area = 60 * 20 if direction == (0, 1, 0) else 100 * (60 if direction == (0, 0, -1) else 20)
-    assert told.peak.stock + 64 * 64 == pytest.approx(pieces * area / 1.5625**2 + 64 * 64, rel=0.03)
-    assert told.peak.records + 64 * 64 == pytest.approx(true.peak.records + 64 * 64, rel=0.05)
+    assert told.peak.stock + 128 * 128 == pytest.approx(pieces * area / 0.78125**2 + 128 * 128, rel=0.03)
+    assert told.peak.records + 128 * 128 == pytest.approx(true.peak.records + 128 * 128, rel=0.05)
 
 
 @pytest.mark.long
