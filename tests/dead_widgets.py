@@ -17,9 +17,10 @@ shiboken = sys.modules.get("shiboken6") or sys.modules["shiboken2"]
 def forget():
     """Tell PySide which widgets are gone; the add-on leaves none."""
     alive = {shiboken.getCppPointer(widget)[0] for widget in QtGui.QApplication.allWidgets()}
+    kinds = set(_with_subclasses(QtGui.QWidget))  # a look into a set is faster than isinstance
     for thing in gc.get_objects():
         if (
-            isinstance(thing, QtGui.QWidget)
+            type(thing) in kinds
             and shiboken.isValid(thing)
             and (shiboken.getCppPointer(thing)[0] not in alive or _is_left_form(thing))
         ):
@@ -27,6 +28,12 @@ def forget():
             assert not type(thing).__module__.startswith("vkworkbench"), (
                 f"{type(thing)} is dead, and PySide does not know"
             )
+
+
+def _with_subclasses(kind):
+    yield kind
+    for below in type.__subclasses__(kind):
+        yield from _with_subclasses(below)
 
 
 def _is_left_form(widget):

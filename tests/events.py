@@ -5,7 +5,7 @@ import time
 
 from PySide import QtGui
 
-_REST = 0.005  # s; to look again and again would take one processor, and Python's lock, from what is waited for
+_REST = 0.01  # s; to look again and again would take one processor, and Python's lock, from what is waited for
 
 
 def happen():

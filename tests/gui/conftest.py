@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import math
 import os
 import subprocess
 import time
@@ -13,6 +14,7 @@ import dead_widgets
 import events
 import FreeCAD
 import FreeCADGui as Gui
+import kept_example
 import pytest
 from PySide import QtCore, QtGui
 
@@ -22,14 +24,26 @@ except ImportError:
     from PySide6.QtTest import QTest
 
 from vkworkbench import freecad
+from vkworkbench.core import steady
+from vkworkbench.document import idle
 from vkworkbench.document.known import KNOWN
-from vkworkbench.gui import tree, widgets
+from vkworkbench.gui import docks, tree, widgets
+
+
+@pytest.fixture(scope="session", autouse=True)
+def short_measurement():
+    """Measuring the computer takes two runs of each piece of work, steady or not: no test here asserts on seconds."""
+    before = steady._EQUAL, steady._TIMES
+    steady._EQUAL, steady._TIMES = math.inf, 2
+    yield
+    steady._EQUAL, steady._TIMES = before
 
 
 @pytest.fixture(autouse=True)
-def nothing_known():
-    """No test finds what another one's analysis found."""
-    KNOWN.forget()
+def nothing_known(request):
+    """No test finds what another one's analysis found, but in `marked` what the analysis of its document found."""
+    if not ("marked" in request.fixturenames and request.getfixturevalue("kept_document").is_marked):
+        KNOWN.forget()
 
 
 @pytest.fixture(autouse=True)
@@ -72,9 +86,20 @@ class Window:
         while time.monotonic() < end:
             events.happen()
 
+    def settle(self):
+        """Handle the events that are there, those that they post, and what the trees and the add-on have put off."""
+        for _ in range(2):
+            QtGui.QGuiApplication.sync()
+            events.happen()
+        self.wait(lambda: not (idle._works or idle._calls or any(timer.isActive() for timer in self._tree_timers())))
+
+    def _tree_timers(self):
+        """The timers after which FreeCAD's trees show what was selected or changed."""
+        return [timer for view in tree.trees() for timer in view.findChildren(QtCore.QTimer)]
+
     def activate(self, workbench):
         Gui.activateWorkbench(workbench)
-        self.idle(0.3)
+        self.settle()
         # FreeCAD began in no workbench, which hides the tree's dock.
         shown = {"Combo View": True, "Model": True, "Report view": False, "Python console": False}
         for dock in self.find(QtGui.QDockWidget):
@@ -84,7 +109,7 @@ class Window:
         for bar in self.find(QtGui.QToolBar):
             if bar.objectName() == "Toolpath analysis":  # a row of its own, where it has room for all its buttons
                 self.main.insertToolBarBreak(bar)
-        self.idle(0.2)
+        self.settle()
 
     def find(self, kind, name=None):
         """The widgets of a kind that there are; kept until the next are looked for, and with them what they are asked for."""
@@ -112,7 +137,7 @@ class Window:
         """Click *Analyze toolpaths* on the example job, and wait for its marks."""
         self.click("Analyze toolpaths")
         self.wait(lambda: document.getObject("Job").Label2)
-        self.idle(0.3)
+        self.settle()
 
     def start_simulator(self, name):
         """Start a simulator of FreeCAD as its command does; the panels of before do not get in its way."""
@@ -154,7 +179,7 @@ class Window:
         for box in self.boxes():
             texts.append(box.text())
             QTest.mouseClick(box.buttons()[0], QtCore.Qt.LeftButton)
-        self.idle(0.1)
+        self.settle()
         return texts
 
     @property
@@ -202,33 +227,60 @@ def small(window):
     window.main.setGeometry(before)
 
 
+@pytest.fixture(scope="session")
+def kept_document(example_path):
+    """The example's document, which stays open until a test changes it."""
+    return kept_example.KeptExample(example_path)
+
+
+def hide_results(window):
+    """Hide the panel of results, which takes room from the 3D view."""
+    for dock in window.find(QtGui.QDockWidget, docks.RESULTS):
+        dock.hide()
+
+
+@pytest.fixture(autouse=True)
+def no_kept_document(request):
+    """Close the kept document before a test that uses the window without it."""
+    names = set(request.fixturenames)
+    if not {"opened", "marked"} & names and {"window", "example_path"} & names:
+        hide_results(request.getfixturevalue("window"))
+        request.getfixturevalue("kept_document").close()
+
+
 @pytest.fixture
-def opened(example_path, window):
-    """The example job, opened and expanded in the tree, in the analysis workbench."""
-    document = FreeCAD.openDocument(str(example_path))
+def opened(kept_document, window, request):
+    """The example job, opened and expanded in the tree, in the analysis workbench; without marks but in `marked`."""
+    may_be_marked = "marked" in request.fixturenames
+    if not may_be_marked:
+        hide_results(window)
+    document = kept_document.open(may_be_marked=may_be_marked)
     window.activate("VkWorkbench")
     window.tree.expandAll()
     Gui.Selection.clearSelection()
     yield document
+    Gui.Selection.clearSelection()
+    kept_document.undo_changes()
     window.dismiss()
-    for dock in window.find(QtGui.QDockWidget):
-        if dock.windowTitle() == "Toolpath results":  # each test begins with the room it takes
-            dock.hide()
-    FreeCAD.closeDocument(document.Name)
-    window.idle()
+    kept_document.close_if_changed()
+    window.settle()
 
 
 @pytest.fixture
-def marked(opened, window):
-    """The example job after an analysis by a click."""
-    window.analyze(opened)
-    window.dismiss()
-    window.tree.expandAll()
-    window.idle()
+def marked(opened, kept_document, window):
+    """The example job after an analysis by a click, which shows the panel of results."""
+    if not kept_document.is_marked:
+        window.analyze(opened)
+        window.dismiss()
+        window.tree.expandAll()
+        kept_document.has_marks()
+    elif not any(map(docks.is_seen, window.find(QtGui.QDockWidget, docks.RESULTS))):
+        window.click("Toolpath results")
+    window.settle()
     return opened
 
 
-@pytest.fixture(params=["light", "dark"])
+@pytest.fixture(scope="module", params=["light", "dark"])
 def theme(request, window):
     application = QtGui.QApplication.instance()
     before = application.styleSheet()
@@ -271,7 +323,7 @@ def set_parameter(path, kind, name, value):
     return before
 
 
-@pytest.fixture(params=["FreeCAD Dark", "FreeCAD Light", "Dark-blue", "Light-blue"])
+@pytest.fixture(scope="session", params=["FreeCAD Dark", "FreeCAD Light", "Dark-blue", "Light-blue"])
 def shipped(request, window):
     """FreeCAD in a look that comes with it: two preference packs since 1.0, and the style sheets of 0.20."""
     resources = Path(FreeCAD.getResourceDir()) / "Gui"

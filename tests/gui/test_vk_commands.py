@@ -62,14 +62,14 @@ def test_a_very_long_name_does_not_push_the_marks_out_of_sight(opened, window):
     )
     window.analyze(opened)
     window.dismiss()
-    window.idle(0.5)
+    window.settle()
     view = window.tree
     assert view.columnWidth(0) < view.sizeHintForColumn(0) / 2
     assert header.sectionViewportPosition(1) + view.columnWidth(1) / 2 < view.viewport().width()
     window.screenshot("long-name")
     wider = view.columnWidth(0) + 100
     view.setColumnWidth(0, wider)  # as the user drags it
-    window.idle()
+    window.settle()
     assert view.columnWidth(0) == wider
     face.Label = "Face"
     window.click("Analyze toolpaths")
@@ -81,7 +81,7 @@ def test_the_tree_is_brought_before_the_tasks(opened, window):
     if "Tasks" in docks:
         window.main.tabifyDockWidget(docks["Model"], docks["Tasks"])
         docks["Tasks"].setVisible(True)
-        window.idle()
+        window.settle()
         docks["Tasks"].raise_()
     for tabs in window.find(QtGui.QTabWidget):
         if tabs.objectName() == "combiTab":
@@ -137,14 +137,14 @@ def test_a_document_that_is_closed_during_its_analysis_is_not_spoken_of(example_
     monkeypatch.setattr(progress._Progress, "show", close_meanwhile)
     window.main.statusBar().clearMessage()
     Gui.runCommand("Vk_Analyze")
-    window.idle()
+    window.settle()
     assert shown[-1] >= after and not FreeCAD.listDocuments()
     assert window.dismiss() == [] and "analyzed" not in window.main.statusBar().currentMessage()
 
 
 def test_esc_cancels_and_changes_nothing(opened, window):
     job = opened.getObject("Job")
-    for _ in range(60):
+    for _ in range(20):
         copy = opened.copyObject(opened.getObjectsByLabel("Adaptive pocket")[0], False)
         job.Operations.Group += [copy]
     before = [(obj.Name, obj.Label2, tuple(obj.PropertiesList)) for obj in opened.Objects]
@@ -163,7 +163,7 @@ def test_esc_cancels_and_changes_nothing(opened, window):
 
     QtCore.QTimer.singleShot(20, press_esc)
     window.click("Analyze toolpaths")
-    window.idle()
+    window.settle()
     assert pressed and pressed[0]  # the operation's name
     assert "cancelled" in window.main.statusBar().currentMessage()
     assert [(obj.Name, obj.Label2, tuple(obj.PropertiesList)) for obj in opened.Objects] == before

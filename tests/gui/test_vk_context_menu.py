@@ -3,6 +3,7 @@
 
 import subprocess
 
+import FreeCAD
 import FreeCADGui as Gui
 import Path
 import pytest
@@ -15,16 +16,25 @@ CAM = "PathWorkbench" if freecad.version() < (1, 0) else "CAMWorkbench"
 OURS = {"Analyze toolpaths", "Clear analysis", "Toolpath results", "Show strategies", "Gauss map"}
 
 
-@pytest.fixture(params=["VkWorkbench", CAM])
-def tree(request, opened, window):
-    """The example's tree with imported G-code: a toolpath without a Proxy."""
-    imported = opened.addObject("Path::Feature", "Imported")
+@pytest.fixture(scope="module", params=["VkWorkbench", CAM])
+def shown_tree(request, example_path, kept_document, window):
+    """The example's tree with imported G-code, a toolpath without a Proxy; the last test with it marks that."""
+    kept_document.close()
+    document = FreeCAD.openDocument(str(example_path))
+    imported = document.addObject("Path::Feature", "Imported")
     imported.Path = Path.Path("G0 Z30\nG0 X5 Y5\nG1 Z15 F10\nG1 X50\nG1 Y10\nG1 X5\nG1 Y15\nG1 X50\nG0 Z30")
     window.activate(request.param)
     window.tree.expandAll()
-    window.idle()
-    yield Tree(window, opened, pictured=request.param == CAM)
+    window.settle()
+    yield Tree(window, document, pictured=request.param == CAM)
+    FreeCAD.closeDocument(document.Name)
+    window.settle()
+
+
+@pytest.fixture
+def tree(shown_tree):
     Gui.Selection.clearSelection()
+    return shown_tree
 
 
 class Tree:
@@ -52,7 +62,7 @@ class Tree:
     def click(self, label, button, *keys):
         view, index = self.window.tree, self.row(label)
         view.scrollTo(index)
-        self.window.idle(0.1)
+        self.window.settle()
         at = view.visualRect(index)
         self._press(view.viewport().mapToGlobal(QtCore.QPoint(at.left() + 40, at.center().y())), button, *keys)
 

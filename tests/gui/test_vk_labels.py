@@ -112,12 +112,12 @@ def test_a_label_that_is_whole_is_no_higher_than_its_text(window):
         for width in (160, 900):
             box.resize(width, 600)
             box.show()
-            window.idle(0.3)
+            window.settle()
             heights.append(label.height())
             assert label.height() >= label.heightForWidth(label.width())
         label.setText("Short.")
         whole.fit()
-        window.idle(0.3)
+        window.settle()
         line = label.fontMetrics().lineSpacing()
         assert heights[0] > 3 * line and heights[1] < heights[0] / 2 and label.height() < 2 * line
     finally:

@@ -1,0 +1,136 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The example's document, kept open from one test in FreeCAD's window to the next while no test changes it."""
+
+from __future__ import annotations
+
+import io
+import zipfile
+
+import FreeCAD
+import FreeCADGui as Gui
+
+from vkworkbench.document import simulated_faults
+from vkworkbench.gui import strategy_view
+
+
+class KeptExample:
+    """The example, which is opened again only if a test changed it, or if it has marks and must have none.
+
+    FreeCAD calls the methods whose names begin with "slot" when a document changes.
+
+    Parameters
+    ----------
+    path : Path
+        The example's file.
+
+    Attributes
+    ----------
+    document : Document or None
+        The open document.
+    is_marked : bool
+        Whether the document has the marks of one analysis.
+    """
+
+    def __init__(self, path) -> None:
+        self._path = path
+        self.document, self.is_marked = None, False
+        self._name = None
+        self._is_changed = False  # or changed and changed back
+        FreeCAD.addDocumentObserver(self)
+
+    def open(self, *, may_be_marked: bool):
+        """Return the document as FreeCAD opens it, or with its marks if it `may_be_marked` and has some."""
+        if self.is_marked and not may_be_marked:
+            self.close()
+        if self.document is None:
+            self.document, self.is_marked = FreeCAD.openDocument(str(self._path)), False
+            self._name = self.document.Name
+            self._camera = Gui.activeView().getCamera()
+            self._remember()
+        else:
+            FreeCAD.setActiveDocument(self._name)
+            Gui.activeView().setCamera(self._camera)
+        return self.document
+
+    def has_marks(self) -> None:
+        """Take the document with its new marks as unchanged."""
+        self.is_marked = True
+        self._remember()
+
+    def undo_changes(self) -> None:
+        """Undo the steps that were done since the document was opened or marked."""
+        for _ in range(self.document.UndoCount - self._state["steps"] if self.document is not None else 0):
+            self.document.undo()
+
+    def close_if_changed(self) -> None:
+        """Close the document if it is not as it was opened or marked."""
+        if self.document is None:
+            return
+        if self._is_changed and self._content() == self._before:
+            for obj in self.document.Objects:  # an object that was changed and changed back
+                if "Touched" in obj.State and obj.Name not in self._state["touched"]:
+                    obj.purgeTouched()
+            self._is_changed = False
+        if self._is_changed or self._look() != self._state:
+            self.close()
+
+    def close(self) -> None:
+        """Close the document if it is open."""
+        if self._name in FreeCAD.listDocuments():
+            FreeCAD.closeDocument(self._name)
+        self.document, self.is_marked, self._name = None, False, None
+
+    def _remember(self) -> None:
+        self._state, self._before = self._look(), self._content()
+        self._is_changed = False
+
+    def _look(self):
+        """Return the state of the document that is not in its content."""
+        gui_document = Gui.getDocument(self._name)
+        return {
+            "touched": [obj.Name for obj in self.document.Objects if "Touched" in obj.State],
+            "steps": self.document.UndoCount,
+            "undo mode": self.document.UndoMode,
+            "views": len(gui_document.mdiViewsOfType("Gui::View3DInventor")),
+            "view providers": [_check_sums(obj.ViewObject) for obj in self.document.Objects],
+            "is edited": gui_document.getInEdit() is not None,
+            "faults": dict(simulated_faults._found.get(self._name, ())),
+            "has colored toolpaths": strategy_view.is_shown(self.document),
+        }
+
+    def _content(self):
+        """Return the names of the objects in their order, and the check sums of what FreeCAD saves of each."""
+        objects = [(obj.Name, _check_sums(obj)) for obj in self.document.Objects]
+        return self.document.Label, self.document.FileName, objects
+
+    def _note(self, document) -> None:
+        if document.Name == self._name:
+            self._is_changed = True
+
+    def slotCreatedObject(self, obj) -> None:
+        self._note(obj.Document)
+
+    def slotDeletedObject(self, obj) -> None:
+        self._note(obj.Document)
+
+    def slotChangedObject(self, obj, name: str) -> None:
+        self._note(obj.Document)
+
+    def slotAppendDynamicProperty(self, obj, name: str) -> None:
+        self._note(obj.Document)
+
+    def slotRemoveDynamicProperty(self, obj, name: str) -> None:
+        self._note(obj.Document)
+
+    def slotChangedDocument(self, document, name: str) -> None:
+        self._note(document)
+
+    def slotDeletedDocument(self, document) -> None:
+        if document.Name == self._name:
+            self.document, self.is_marked, self._name = None, False, None
+
+
+def _check_sums(thing):
+    """Return the check sums of the files in which FreeCAD saves an object or a view provider."""
+    with zipfile.ZipFile(io.BytesIO(bytes(thing.dumpContent(Compression=0)))) as content:
+        return [(file.filename, file.CRC) for file in content.infolist()]
