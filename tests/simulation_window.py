@@ -46,6 +46,13 @@ def finest(player, window):
         window.wait(rests, 300)
 
 
+def make_small(tab, window, size=SMALL):
+    """Give the player a size, as soon as there is one; there is none where a box says why."""
+    window.wait(lambda: tab.player is not None or window.boxes())
+    if tab.player is not None:
+        tab.player.setFixedSize(*size)
+
+
 def close(window):
     """Close all simulations by a key."""
     for tab in tabs(window):
@@ -130,19 +137,20 @@ class Desk:
             return None
         (self._tab,) = found
         self._size = size
-        self.window.wait(lambda: self._tab.player is not None or self.window.boxes())
-        if size and self._tab.player is not None:
-            self._tab.player.setFixedSize(*size)
+        if size:
+            make_small(self._tab, self.window, size)
         return self._tab
 
-    def shared(self, path, size=SMALL, direction="Isometric"):
-        """Return a tab as a click on the command shows it at its finest; it may be one that other tests have used."""
+    def shared(self, path, size=SMALL, direction="Isometric", *, at_its_finest=True):
+        """Return a tab as a click on the command shows it; it may be one that other tests have used."""
         if not (self._is_open(path) and self._is_simulated(size)):
             self.kept(path)
             tab = self.simulate(size)
-            shown(tab, self.window)
+            self.window.wait(lambda: tab.player is not None and tab.player.simulation is not None)
             self._tolerance = tab.player.scene_bar.tolerance.value()
         self._reset(direction)
+        if at_its_finest:
+            finest(self._tab.player, self.window)
         return self._tab
 
     def _is_open(self, path):
@@ -167,7 +175,6 @@ class Desk:
         player.time_line._see(0.0, player.clock.total)
         self._tab.come_to_front()
         player.time_line.setFocus()
-        finest(player, self.window)
 
     def close_tab(self):
         """Close the tab, if there is one, and give FreeCAD's window its size of before."""
