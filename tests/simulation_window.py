@@ -1,17 +1,24 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The tab of *Simulate toolpaths* in tests: opened by a click, waited for, dragged in."""
+"""The tab of *Simulate toolpaths* in tests: opened by a click, shared by tests that only look, waited for, dragged in."""
 
 from __future__ import annotations
 
 import sys
 import threading
 import traceback
+from contextlib import contextmanager
 
+import events
+import FreeCAD
+import FreeCADGui as Gui
 from PySide import QtCore
 
+from vkworkbench import preferences
 from vkworkbench.gui.simulation.tab import SimulationTab
 
 COMMAND = "Simulate toolpaths"
+SMALL = 360, 320  # px, size of a player whose finest picture of the small job takes a third of a second
+WINDOW = 1024, 700  # px, size of FreeCAD's window in which a player that fills its tab is small, as in the documents
 
 
 def tabs(window):
@@ -27,9 +34,177 @@ def shown(tab, window):
 
 def finest(player, window):
     """Wait until the picture is the finest that was asked for."""
-    window.idle(0.4)
-    window.wait(lambda: not player.is_busy and player.pictures.is_current, 300)
-    window.idle(0.1)
+
+    def rests():
+        return not player.view._rest.isActive() and not player.is_busy and player.pictures.is_current
+
+    while True:
+        for _ in range(4):  # a picture may change the legend, the legend the layout, and the layout the view
+            events.happen()
+        if rests():
+            return
+        window.wait(rests, 300)
+
+
+def make_small(tab, window, size=SMALL):
+    """Give the player a size, as soon as there is one; there is none where a box says why."""
+    window.wait(lambda: tab.player is not None or window.boxes())
+    if tab.player is not None:
+        tab.player.setFixedSize(*size)
+
+
+def close(window):
+    """Close all simulations by a key."""
+    for tab in tabs(window):
+        window.press(tab, QtCore.Qt.Key_Escape)
+    window.wait(lambda: not tabs(window))
+
+
+class Desk:
+    """FreeCAD's window with one open document and the tab of its simulation, which the tests of a file share.
+
+    Parameters
+    ----------
+    window : Window
+    example : Path
+        File of the example job.
+    folder : Path
+        Folder for the files of smaller jobs, which the test files share.
+
+    Attributes
+    ----------
+    document : Document or None
+        The document that was opened last; a test may have closed it.
+    """
+
+    def __init__(self, window, example, folder):
+        self.window, self.example, self._folder = window, example, folder
+        self.document = None
+        self._path, self._tab, self._size, self._tolerance = None, None, None, 0.0
+        self._geometry = window.main.geometry()
+        self._is_active = False
+
+    @property
+    def small(self):
+        """File of the example job with four operations, the quickest to simulate."""
+        return self._reduced("small", ("Face", "Pocket zigzag", "Pocket around island", "Drill holes"))
+
+    @property
+    def bare(self):
+        """File of the example job without operations."""
+        return self._reduced("bare", ())
+
+    def open(self, path):
+        """Return the document of a file, opened anew, in the analysis workbench."""
+        self.close()
+        self._path, self.document = path, FreeCAD.openDocument(str(path))
+        if not self._is_active:
+            self.window.activate("VkWorkbench")
+            self._is_active = True
+        self.window.tree.expandAll()
+        Gui.Selection.clearSelection()
+        return self.document
+
+    def kept(self, path):
+        """Return the document of a file without a tab, opened only if it is not open yet."""
+        if self._is_open(path):
+            self.close_tab()
+            return self.document
+        return self.open(path)
+
+    @contextmanager
+    def changed(self, path):
+        """Yield the document of a file to a test that changes it; undo the changes afterwards."""
+        document = self.kept(path)
+        document.UndoMode = 1
+        document.openTransaction("test")
+        yield document
+        self.close_tab()
+        document.commitTransaction()
+        document.undo()
+        document.clearUndos()
+        document.UndoMode = 0
+
+    def simulate(self, size=SMALL):
+        """Click on the command, and return the tab, with a player of `size`, or one that fills the tab if None."""
+        Gui.Selection.clearSelection()
+        width, height = WINDOW
+        self.window.main.setGeometry(self._geometry if size else QtCore.QRect(0, 0, width, height))
+        self.window.click(COMMAND)
+        self.window.wait(lambda: tabs(self.window) or self.window.boxes())
+        found = tabs(self.window)
+        if not found:
+            return None
+        (self._tab,) = found
+        self._size = size
+        if size:
+            make_small(self._tab, self.window, size)
+        return self._tab
+
+    def shared(self, path, size=SMALL, direction="Isometric", *, at_its_finest=True):
+        """Return a tab as a click on the command shows it; it may be one that other tests have used."""
+        if not (self._is_open(path) and self._is_simulated(size)):
+            self.kept(path)
+            tab = self.simulate(size)
+            self.window.wait(lambda: tab.player is not None and tab.player.simulation is not None)
+            self._tolerance = tab.player.scene_bar.tolerance.value()
+        self._reset(direction)
+        if at_its_finest:
+            finest(self._tab.player, self.window)
+        return self._tab
+
+    def _is_open(self, path):
+        return path == self._path and str(path) in (document.FileName for document in FreeCAD.listDocuments().values())
+
+    def _is_simulated(self, size):
+        return size == self._size and tabs(self.window) == [self._tab] and not self._tab.again.isVisible()
+
+    def _reset(self, direction):
+        player = self._tab.player
+        bar, view = player.scene_bar, player.view
+        Gui.Selection.clearSelection()
+        bar.colorings.setCurrentIndex(0)
+        bar.chips.setCurrentIndex(0)
+        bar.tolerance.setValue(self._tolerance)
+        player.play_bar.speeds.setCurrentIndex(player.play_bar.speeds.count() - 1)
+        if self._size:
+            player.setFixedSize(*self._size)
+        if (view._direction, view._offset, view._zoom) != (preferences.DIRECTIONS[direction], (0.0, 0.0), 1.0):
+            player.look(direction)
+        player.moment.go_to(player.clock.total)
+        player.time_line._see(0.0, player.clock.total)
+        self._tab.come_to_front()
+        player.time_line.setFocus()
+
+    def close_tab(self):
+        """Close the tab, if there is one, and give FreeCAD's window its size of before."""
+        close(self.window)
+        self._tab = None
+        self.window.main.setGeometry(self._geometry)
+
+    def close(self):
+        """Close the tab and the document."""
+        self.close_tab()
+        self.window.dismiss()
+        if self.document is not None and self._is_open(self._path):
+            FreeCAD.closeDocument(self.document.Name)
+        self.document = self._path = None
+        self.window.idle(0.02)
+
+    def _reduced(self, name, labels):
+        """Return the file of the example job with these operations alone; the first call saves the file."""
+        path = self._folder / f"{name}.FCStd"
+        if not path.exists():
+            self.close()
+            document = FreeCAD.openDocument(str(self.example))
+            for op in [op for op in document.Job.Operations.Group if op.Label not in labels]:
+                base = getattr(op, "Base", None)
+                document.removeObject(op.Name)
+                if hasattr(base, "TypeId"):  # op is a dress-up
+                    document.removeObject(base.Name)
+            document.saveAs(str(path))
+            FreeCAD.closeDocument(document.Name)
+        return path
 
 
 def drag(window, widget, start, end, button=QtCore.Qt.LeftButton, steps=6):

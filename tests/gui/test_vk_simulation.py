@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import threading
+from itertools import product
 from pathlib import Path
 
 import FreeCAD
@@ -11,11 +12,12 @@ import FreeCADGui as Gui
 import numpy as np
 import pytest
 from PySide import QtCore, QtGui
-from simulation_window import COMMAND, drag, finest, shown, tabs, working
+from simulation_window import COMMAND, Desk, close, drag, finest, shown, tabs, working
 
 import vkworkbench
 from vkworkbench.core import linearize
 from vkworkbench.core.zbuffer import Peak
+from vkworkbench.document.simulation import simulate_read
 from vkworkbench.gui.plain_text import OneLine
 from vkworkbench.gui.simulation import controls, exports, refining
 from vkworkbench.gui.simulation import player as playing
@@ -25,30 +27,53 @@ from vkworkbench.gui.simulation.legend import Legend
 from vkworkbench.gui.simulation.state_line import StateLine
 
 
+@pytest.fixture(scope="module")
+def desk(window, example_path, tmp_path_factory):
+    """FreeCAD's window with the documents and the tab that these tests share."""
+    desk = Desk(window, example_path, tmp_path_factory.getbasetemp())
+    yield desk
+    desk.close()
+
+
 @pytest.fixture
-def simulated(opened, window, small):
-    """The example's job, simulated by a click, at its finest."""
-    window.click(COMMAND)
-    window.wait(lambda: tabs(window))
-    (tab,) = tabs(window)
-    yield shown(tab, window)
-    if tab.isVisible():
-        window.press(tab, QtCore.Qt.Key_Escape)
-        window.wait(lambda: not tabs(window))
+def whole(desk, window):
+    """The whole example job, simulated by a click in a small window, at its finest; other tests may have used it."""
+    return desk.shared(desk.example, None).player
 
 
-def test_a_click_shows_the_part(simulated, window):
+@pytest.fixture
+def whole_from_above(desk, window):
+    """The whole example job, seen from above, which is cheaper."""
+    return desk.shared(desk.example, None, "Top").player
+
+
+@pytest.fixture
+def simulated(desk, window):
+    """A job of four operations in a small player, simulated by a click, at its finest; other tests may have used it."""
+    return desk.shared(desk.small).player
+
+
+@pytest.fixture
+def document(desk, window):
+    """A job of four operations, opened anew: the test may change the document."""
+    return desk.open(desk.small)
+
+
+# The whole example
+
+
+def test_a_click_shows_the_part(whole, window):
     window.screenshot("simulation-small")
-    assert simulated.job.operations[0].label == "Face"
-    view = simulated.view
+    assert whole.job.operations[0].label == "Face"
+    view = whole.view
     assert view.owner_at(view.rect().center()) is not None
     shown = view.grab().toImage()
     colors = {shown.pixel(x, y) for x in range(0, shown.width(), 7) for y in range(0, shown.height(), 7)}
     assert len(colors) > 50
 
 
-def test_dragging_on_the_time_line_shows_any_moment_at_once_there_and_back(simulated, window):
-    line, view = simulated.time_line, simulated.view
+def test_dragging_on_the_time_line_shows_any_moment(whole, window):
+    line, view = whole.time_line, whole.view
     part = view.grab().toImage()
     middle = line.height() - 20
 
@@ -56,64 +81,77 @@ def test_dragging_on_the_time_line_shows_any_moment_at_once_there_and_back(simul
         return QtCore.QPoint(int(share * (line.width() - 1)), middle)
 
     drag(window, line, at(0.95), at(0.3))
-    window.wait(lambda: simulated.pictures.is_current)
-    assert simulated.moment.seconds == pytest.approx(0.3 * simulated.clock.total, rel=0.01)
-    assert 0 < simulated.moment.done < simulated.simulation.trajectories
+    window.wait(lambda: whole.pictures.is_current)
+    assert whole.moment.seconds == pytest.approx(0.3 * whole.clock.total, rel=0.01)
+    assert 0 < whole.moment.done < whole.simulation.trajectories
     window.screenshot("simulation-moment")
     early = view.grab().toImage()
     assert early != part
     window.press(line, QtCore.Qt.Key_End)
-    window.wait(lambda: simulated.pictures.is_current)
+    window.wait(lambda: whole.pictures.is_current)
     assert view.grab().toImage() == part
 
 
-def test_steps_go_to_commands_and_operations(simulated, window):
-    window.press(simulated.time_line, QtCore.Qt.Key_Home)
-    first = [len(cut.toolpath) for cut in simulated.job.cuts]
-    window.click_on(simulated.play_bar.steps[3])
-    assert simulated.moment.done == first[0]
-    window.click_on(simulated.play_bar.steps[1])
-    assert simulated.moment.done == first[0] + 1
-    window.click_on(simulated.play_bar.steps[3])
-    assert simulated.moment.done == first[0] + first[1]
-    window.click_on(simulated.play_bar.steps[-2])
-    done = simulated.moment.done
-    command = simulated.job.cuts[1].toolpath.command
-    assert command[done - first[0]] != command[done - first[0] - 1]
-    window.click_on(simulated.play_bar.steps[-3])
-    assert simulated.moment.done == first[0]
-    window.wait(lambda: simulated.pictures.is_current)
-    assert simulated.job.operations[0].label in simulated.play_bar.text.text()
-    assert simulated.clock.complete and simulated.play_bar.text.text()[0].isdigit()
+def test_exports(whole, window, tmp_path):
+    (save,) = [button for button in whole.findChildren(QtGui.QToolButton) if button.text() == "Save"]
+    QtCore.QTimer.singleShot(300, lambda: (window.screenshot("simulation-save"), save.menu().close()))
+    window.click_on(save)
+    whole.moment.go_to(0.4 * whole.clock.total)
+    exports.write_frames(whole, tmp_path, 4, lambda _: True)
+    frames = sorted(tmp_path.glob("*.png"))
+    assert [f.name for f in frames] == ["0000.png", "0001.png", "0002.png", "0003.png"]
+    assert QtGui.QImage(str(frames[0])) != QtGui.QImage(str(frames[3])) and not QtGui.QImage(str(frames[1])).isNull()
+    assert whole.moment.seconds == pytest.approx(0.4 * whole.clock.total)
+    exports.write_rates(whole, tmp_path / "rates.csv")
+    lines = (tmp_path / "rates.csv").read_text().splitlines()
+    assert len(lines) == 1 + whole.simulation.trajectories and lines[1].startswith("Face,1,")
+    first = whole.job.cuts[0].toolpath.command[0]
+    assert lines[1].split(",")[2] == str(first + 1)  # as the line below the part counts them
 
 
-def test_a_play_shows_the_machines_time(simulated, window):
-    simulated.play_bar.speeds.setCurrentIndex(3)  # a thousand times
-    window.click_on(simulated.play_bar.play_button)
-    window.wait(lambda: simulated.moment.seconds > 0.2 * simulated.clock.total)
-    window.click_on(simulated.play_bar.play_button)
-    paused = simulated.moment.seconds
-    window.idle(0.3)
-    assert simulated.moment.seconds == paused < simulated.clock.total
-    assert simulated.clock.ends[simulated.moment.done] <= paused <= simulated.clock.ends[simulated.moment.done + 1]
+def test_chips_are_drawn_on_the_part(whole, window):
+    whole.moment.go_to(0.5 * whole.clock.total)
+    whole.scene_bar.colorings.setCurrentIndex(4)
+    finest(whole, window)
+    part = whole.view._scene.image
+    whole.scene_bar.chips.setCurrentIndex(2)
+    window.wait(lambda: whole.pictures.is_current)
+    window.screenshot("simulation-chips-2")
+    assert (whole.view._scene.image != part).any()
 
 
-def test_the_part_tells_what_made_a_surface(simulated, window):
-    simulated.look("Top")
-    finest(simulated, window)
-    view = simulated.view
+def test_turning_moving_and_zooming_with_the_mouse(whole, window):
+    view = whole.view
+    before = view.view
+    middle = view.rect().center()
+    drag(window, view, middle, middle + QtCore.QPoint(90, 30))
+    assert view.is_turned
+    window.screenshot("simulation-turning")
+    finest(whole, window)
+    assert not view.is_turned and not np.allclose(view.view.direction, before.direction)
+    window.screenshot("simulation-turned")
+    drag(window, view, middle, middle + QtCore.QPoint(50, 0), QtCore.Qt.MiddleButton)
+    assert view.view.offset[0] == pytest.approx(-50 * view.view.pixel * view.devicePixelRatioF(), rel=0.1)
+    whole.look("Top")
+    assert view.view.offset == (0, 0)
+    finest(whole, window)
+
+
+def test_the_part_tells_what_made_a_surface(whole_from_above, window):
+    player = whole_from_above
+    view = player.view
     # FreeCAD 1.1 looks where the pointer is, not where the event was, before it lets a click pass.
     QtGui.QCursor.setPos(view.mapToGlobal(view.rect().center()))
     window.click_at(view, view.rect().center())
     window.idle()
     window.idle(1.0)  # FreeCAD 1.1 brings the 3D view to the front a quarter of a second later
-    window.wait(lambda: not simulated.visibleRegion().isEmpty())
+    window.wait(lambda: not player.visibleRegion().isEmpty())
     (chosen,) = Gui.Selection.getSelection()
-    operation, command = simulated.simulation.source(simulated.moment.done - 1)
+    operation, command = player.simulation.source(player.moment.done - 1)
     assert chosen.Name == operation.name
-    window.wait(lambda: simulated.pictures.is_current)
-    assert f"command {command + 1}: {code_of(chosen, command)}" in simulated.play_bar.text.text()
-    assert view.owner_at(view.rect().center()) == simulated.moment.done - 1
+    window.wait(lambda: player.pictures.is_current)
+    assert f"command {command + 1}: {code_of(chosen, command)}" in player.play_bar.text.text()
+    assert view.owner_at(view.rect().center()) == player.moment.done - 1
     window.screenshot("simulation-asked")
 
 
@@ -124,102 +162,52 @@ def code_of(op, command):
     return " ".join([command.Name, *(f"{letter}{round(value, 3) + 0.0:.10g}" for letter, value in words.items())])
 
 
-def test_turning_moving_and_zooming_with_the_mouse(simulated, window):
-    view = simulated.view
-    before = view.view
-    middle = view.rect().center()
-    drag(window, view, middle, middle + QtCore.QPoint(90, 30))
-    assert view.is_turned
-    window.screenshot("simulation-turning")
-    finest(simulated, window)
-    assert not view.is_turned and not np.allclose(view.view.direction, before.direction)
-    window.screenshot("simulation-turned")
-    drag(window, view, middle, middle + QtCore.QPoint(50, 0), QtCore.Qt.MiddleButton)
-    assert view.view.offset[0] == pytest.approx(-50 * view.view.pixel * view.devicePixelRatioF(), rel=0.1)
-    simulated.look("Top")
-    assert view.view.offset == (0, 0)
-    finest(simulated, window)
-
-
-def test_colours_and_chips(simulated, window):
-    pictures = set()
-    for index in range(simulated.scene_bar.colorings.count()):
-        simulated.scene_bar.colorings.setCurrentIndex(index)
-        finest(simulated, window)  # a legend of another height begins a simulation, and the model comes with its last
-        pictures.add(bytes(simulated.view._scene.image.tobytes()))
-        assert simulated.scene_bar.legend.entries
-        window.screenshot(f"simulation-color-{index}")
-    assert len(pictures) == simulated.scene_bar.colorings.count()
-    simulated.moment.go_to(0.5 * simulated.clock.total)
-    simulated.scene_bar.colorings.setCurrentIndex(4)
-    finest(simulated, window)
-    for index in (1, 2):
-        simulated.scene_bar.chips.setCurrentIndex(index)
-        window.wait(lambda: simulated.pictures.is_current)
-        window.screenshot(f"simulation-chips-{index}")
-        pictures.add(bytes(simulated.view._scene.image.tobytes()))
-    assert len(pictures) == simulated.scene_bar.colorings.count() + 2
-
-
-def test_differences_to_the_model_are_coloured_and_their_worst_places_shown(simulated, window):
-    simulated.look("Top")
-    finest(simulated, window)
-    bar, view = simulated.scene_bar, simulated.view
+def test_differences_to_the_model_have_colours_and_places(whole_from_above, window):
+    player = whole_from_above
+    bar, view = player.scene_bar, player.view
     assert not bar.tolerance.isVisible() and not bar.worst.isVisible()
     bar.colorings.setCurrentIndex(bar.colorings.count() - 1)
-    finest(simulated, window)
+    finest(player, window)
     assert bar.tolerance.isVisible() and bar.worst.isEnabled()
     window.screenshot("simulation-difference")
-    kinds = [fault.what.code for fault in differences(simulated.drawing.told, bar.tolerance_mm)]
+    kinds = [fault.what.code for fault in differences(player.drawing.told, bar.tolerance_mm)]
     assert kinds and set(kinds) == {"leaves-material"}  # the sound example leaves inside corners, and gouges nothing
     before = view.grab().toImage()
     bar.worst.menu().actions()[0].trigger()
-    window.wait(lambda: simulated.pictures.is_current)
-    assert simulated.moment.seconds == simulated.clock.total and view.grab().toImage() != before  # a ring is around it
+    window.wait(lambda: player.pictures.is_current)
+    assert player.moment.seconds == player.clock.total and view.grab().toImage() != before  # a ring is around it
     window.screenshot("simulation-worst")
     fine = len(bar.worst.menu().actions())
     bar.tolerance.setValue(2.0)
-    window.wait(lambda: simulated.pictures.is_current and not simulated.is_busy)
-    assert fine <= 20 and [fault.what.arguments["depth"] > 2 for fault in differences(simulated.drawing.told, 2.0)] == [
+    window.wait(lambda: player.pictures.is_current and not player.is_busy)
+    assert fine <= 20 and [fault.what.arguments["depth"] > 2 for fault in differences(player.drawing.told, 2.0)] == [
         True
     ] * len(bar.worst.menu().actions())
-    simulated.moment.go_to(0.0)
-    window.wait(lambda: simulated.pictures.is_current)
+    player.moment.go_to(0.0)
+    window.wait(lambda: player.pictures.is_current)
     assert view.grab().toImage() != before
 
 
-def test_a_model_that_is_still_to_come_is_not_called_missing(simulated):
-    drawing = simulated.drawing
-    simulated.scene_bar.colorings.setCurrentIndex(simulated.scene_bar.colorings.count() - 1)
-    said = []
-    for told in (None, drawing.told):
-        drawing.told, drawing.seen = told, None
-        drawing.color()
-        said.append(drawing._coloring().legend()[0][1])
-    assert said == ["the model comes with the finest picture", "there is no closed model"]
-
-
-def test_a_click_on_a_trajectory_in_the_time_line_lights_its_cut(simulated, window):
-    line = simulated.time_line
-    simulated.look("Top")
-    finest(simulated, window)
-    cuts = simulated.clock.cuts
-    number = int(np.argmax(np.where(cuts.rapid, 0, np.diff(simulated.clock.ends) * (simulated.volumes > 0))))
-    middle = (simulated.clock.ends[number] + simulated.clock.ends[number + 1]) / 2
-    simulated.moment.go_to(middle)
+def test_a_click_on_a_trajectory_in_the_time_line_lights_its_cut(whole_from_above, window):
+    player = whole_from_above
+    line = player.time_line
+    cuts = player.clock.cuts
+    number = int(np.argmax(np.where(cuts.rapid, 0, np.diff(player.clock.ends) * (player.volumes > 0))))
+    middle = (player.clock.ends[number] + player.clock.ends[number + 1]) / 2
+    player.moment.go_to(middle)
     for _ in range(12):  # until it is wide enough to be hit
         wheel(line, QtCore.QPoint(round(line.x_of(middle)), line.height() - 8))
-    simulated.play_bar.speeds.setCurrentIndex(0)  # real time
-    simulated.moment.play()
+    player.play_bar.speeds.setCurrentIndex(0)  # real time
+    player.moment.play()
     window.idle(0.2)
-    assert simulated.moment.plays and simulated.moment.noticed is None
+    assert player.moment.plays and player.moment.noticed is None
     where = QtCore.QPoint(round(line.x_of(middle)), line.height() - 8)
     window.click_at(line, where)
-    window.wait(lambda: simulated.pictures.is_current)
-    assert simulated.moment.noticed == number == simulated.moment.done - 1 and not simulated.moment.plays
-    lit = (simulated.view._scene.image.astype(int) - simulated.view._scene.image.max(axis=-1, keepdims=True))[..., 2]
+    window.wait(lambda: player.pictures.is_current)
+    assert player.moment.noticed == number == player.moment.done - 1 and not player.moment.plays
+    lit = (player.view._scene.image.astype(int) - player.view._scene.image.max(axis=-1, keepdims=True))[..., 2]
     assert (lit < -100).any()  # much less blue than red: the colour of what is lit
-    assert "removes" in simulated.play_bar.text.text()
+    assert "removes" in player.play_bar.text.text()
     window.screenshot("simulation-lit")
 
 
@@ -229,113 +217,6 @@ def wheel(widget, where):
     event = QtGui.QWheelEvent(place, QtCore.QPointF(widget.mapToGlobal(where)), QtCore.QPoint(), QtCore.QPoint(0, 120),
                               QtCore.Qt.NoButton, QtCore.Qt.NoModifier, QtCore.Qt.NoScrollPhase, False)  # fmt: skip
     QtGui.QApplication.sendEvent(widget, event)
-
-
-def test_it_is_read_on_light_and_dark_themes(opened, window, small, theme):
-    window.click(COMMAND)
-    window.wait(lambda: tabs(window))
-    (tab,) = tabs(window)
-    player = shown(tab, window)
-    player.moment.go_to(0.4 * player.clock.total)
-    window.wait(lambda: player.pictures.is_current)
-    window.screenshot(f"simulation-{theme}")
-    corners = [
-        widget.grab().toImage().pixelColor(2, 2).lightness() for widget in (player.view, player.scene_bar, player)
-    ]
-    for button in (player.play_bar.play_button, *player.play_bar.steps.values()):
-        shown_of = button.grab().toImage()
-        light = [shown_of.pixelColor(x, shown_of.height() // 2).lightness() for x in range(4, shown_of.width() - 4)]
-        assert max(light) - min(light) > 90  # its symbol is seen
-    line = player.time_line.grab().toImage()
-    beside = line.pixelColor(int(0.9 * line.width()), line.height() - 2).lightness()
-    assert all((value < 100) == (theme == "dark") for value in (*corners, beside))
-    window.press(tab, QtCore.Qt.Key_Escape)
-    window.wait(lambda: not tabs(window))
-
-
-def test_exports(simulated, window, tmp_path):
-    (save,) = [button for button in simulated.findChildren(QtGui.QToolButton) if button.text() == "Save"]
-    QtCore.QTimer.singleShot(300, lambda: (window.screenshot("simulation-save"), save.menu().close()))
-    window.click_on(save)
-    simulated.moment.go_to(0.4 * simulated.clock.total)
-    exports.write_frames(simulated, tmp_path, 4, lambda _: True)
-    frames = sorted(tmp_path.glob("*.png"))
-    assert [f.name for f in frames] == ["0000.png", "0001.png", "0002.png", "0003.png"]
-    assert QtGui.QImage(str(frames[0])) != QtGui.QImage(str(frames[3])) and not QtGui.QImage(str(frames[1])).isNull()
-    assert simulated.moment.seconds == pytest.approx(0.4 * simulated.clock.total)
-    exports.write_rates(simulated, tmp_path / "rates.csv")
-    lines = (tmp_path / "rates.csv").read_text().splitlines()
-    assert len(lines) == 1 + simulated.simulation.trajectories and lines[1].startswith("Face,1,")
-    first = simulated.job.cuts[0].toolpath.command[0]
-    assert lines[1].split(",")[2] == str(first + 1)  # as the line below the part counts them
-
-
-def test_what_is_saved_is_proposed_beside_the_document(simulated, opened, tmp_path, monkeypatch):
-    asked = []
-
-    def choose(parent, title, path, forms):
-        asked.append(path)
-        return str(tmp_path / "chosen"), forms
-
-    monkeypatch.setattr(exports.QFileDialog, "getSaveFileName", choose)
-    exports.save_picture(simulated)
-    exports.save_rates(simulated)
-    beside = Path(opened.FileName).parent
-    assert asked == [str(beside / f"{opened.Name}.png"), str(beside / f"{opened.Name}.csv")]
-    assert (tmp_path / "chosen.png").exists() and (tmp_path / "chosen.csv").exists()
-
-
-def test_it_says_that_a_toolpath_has_changed_and_simulates_it_again(simulated, opened, window):
-    (before,) = tabs(window)
-    face = opened.getObjectsByLabel("Face")[0]
-    assert not before.again.isVisible()
-    face.Path = type(face.Path)(face.Path.Commands[:-20])
-    window.wait(before.again.isVisible)
-    window.click_on(before.again)
-    window.wait(lambda: tabs(window) and tabs(window) != [before])
-    (tab,) = tabs(window)
-    assert len(shown(tab, window).job.cuts[0].toolpath) < len(simulated.job.cuts[0].toolpath)
-    window.press(tab, QtCore.Qt.Key_Escape)
-    window.wait(lambda: not tabs(window))
-
-
-def test_closing_ends_the_work(opened, window):
-    window.click(COMMAND)
-    window.wait(lambda: tabs(window))
-    (tab,) = tabs(window)
-    window.wait(lambda: tab.player is not None and tab.player._work.works and "_run" in working())
-    window.press(tab, QtCore.Qt.Key_Escape)
-    window.wait(lambda: not tabs(window) and "_run" not in working(), 5)
-
-
-def test_closing_the_document_closes_the_tab(window, example_path):
-    document = FreeCAD.openDocument(str(example_path))
-    window.activate("VkWorkbench")
-    window.click(COMMAND)
-    window.wait(lambda: tabs(window))
-    FreeCAD.closeDocument(document.Name)
-    window.wait(lambda: not tabs(window))
-
-
-CRASH = """(a slot that begins with a rapid move into the stock)
-G0 Z30
-G0 X40 Y50
-G0 Z14
-G1 X60 F300
-G0 Z30"""
-
-
-def make_crash(opened):
-    """Make the job one operation that crashes and gouges; return it."""
-    import Path
-
-    job = opened.getObject("Job")
-    op = opened.addObject("Path::FeaturePython", "Slot")
-    op.addProperty("App::PropertyLink", "ToolController", "Path").ToolController = job.Tools.Group[1]
-    op.addProperty("App::PropertyBool", "Active", "Path").Active = True
-    op.Path = Path.Path([Path.Command(line) for line in CRASH.splitlines()])
-    job.Operations.Group = [op]
-    return op
 
 
 def forget_a_retract(op):
@@ -356,14 +237,11 @@ def forget_a_retract(op):
     return number - 1, code_of(op, number - 1)
 
 
-def test_a_crash_is_found_in_three_clicks(opened, window, small):
-    op = opened.getObjectsByLabel("Pocket around island")[0]
+def test_a_crash_is_found_in_three_clicks(desk, window):
+    document = desk.open(desk.example)
+    op = document.getObjectsByLabel("Pocket around island")[0]
     number, code = forget_a_retract(op)
-    Gui.Selection.clearSelection()
-    window.click(COMMAND)
-    window.wait(lambda: tabs(window))
-    (tab,) = tabs(window)
-    player = shown(tab, window)
+    player = shown(desk.simulate(None), window)
     warnings = player.scene_bar.warnings
     assert warnings.isVisible()
     window.screenshot("simulation-crash-1")
@@ -387,100 +265,94 @@ def test_a_crash_is_found_in_three_clicks(opened, window, small):
     assert [chosen.Name for chosen in Gui.Selection.getSelection()] == [op.Name]
     (row,) = vkworkbench.analyze(op).operations
     assert [remark.code for remark in row.remarks if remark.code == "simulated"]
-    window.press(tab, QtCore.Qt.Key_Escape)
-    window.wait(lambda: not tabs(window))
+    close(window)
     Gui.Selection.clearSelection()
-    window.analyze(opened)
+    window.analyze(document)
     window.dismiss()
     Gui.Selection.addSelection(op)
     window.idle(0.5)
     window.screenshot("simulation-results")
 
 
-def test_nothing_to_simulate_is_said(window):
-    document = FreeCAD.newDocument()
-    window.activate("VkWorkbench")
-    window.click(COMMAND)
-    window.wait(window.boxes)
-    assert not tabs(window)
-    assert window.dismiss()
-    FreeCAD.closeDocument(document.Name)
+# Four operations in one tab
 
 
-def test_what_has_been_read_is_seen_before_all_is_read(opened, window, small, monkeypatch):
-    monkeypatch.setattr("vkworkbench.gui.simulation.reading._SOON", 0.0)
-    window.click(COMMAND)
-    window.wait(lambda: tabs(window))
-    (tab,) = tabs(window)
-    window.wait(lambda: tab.player is not None)
-    scene, _ = tab.reading.seen
-    assert (scene.owner >= 0).any() and len(np.unique(scene.image)) > 20
-    assert tab.player.view._scene is scene  # goes on being seen
-    window.click_at(tab.player.view, tab.player.view.rect().center())  # which has no answer yet
-    finest(shown(tab, window), window)
-    assert tab.player.view._scene is not scene
-    window.press(tab, QtCore.Qt.Key_Escape)
-    window.wait(lambda: not tabs(window))
+def test_steps_go_to_commands_and_operations(simulated, window):
+    window.press(simulated.time_line, QtCore.Qt.Key_Home)
+    first = [len(cut.toolpath) for cut in simulated.job.cuts]
+    window.click_on(simulated.play_bar.steps[3])
+    assert simulated.moment.done == first[0]
+    window.click_on(simulated.play_bar.steps[1])
+    assert simulated.moment.done == first[0] + 1
+    window.click_on(simulated.play_bar.steps[3])
+    assert simulated.moment.done == first[0] + first[1]
+    window.click_on(simulated.play_bar.steps[-2])
+    done = simulated.moment.done
+    command = simulated.job.cuts[1].toolpath.command
+    assert command[done - first[0]] != command[done - first[0] - 1]
+    window.click_on(simulated.play_bar.steps[-3])
+    assert simulated.moment.done == first[0]
+    window.wait(lambda: simulated.pictures.is_current)
+    assert simulated.job.operations[0].label in simulated.play_bar.text.text()
+    assert simulated.clock.complete and simulated.play_bar.text.text()[0].isdigit()
 
 
-def test_the_cost_is_told_before_the_first_picture_and_what_it_was_after_the_last(opened, window, small, monkeypatch):
-    told = []
-
-    def expected(line, cost, original=StateLine.show_expected):
-        original(line, cost)
-        told.append((cost, line.text(), tabs(window)[0].player.simulation))
-
-    monkeypatch.setattr(StateLine, "show_expected", expected)
-    window.click(COMMAND)
-    window.wait(lambda: tabs(window))
-    (tab,) = tabs(window)
-    player = shown(tab, window)
-    (cost, text, simulation), *_ = told
-    assert simulation is None and text.startswith("finest picture in about") and "MB" in text
-    zbuffer = player.simulation.zbuffer
-    assert cost.memory_bytes == pytest.approx(zbuffer.peak.bytes(), rel=0.3)
-    assert f"{zbuffer.traces:,} traces" in player.state.text() and "simulated in" in player.state.text()
-    assert "about" not in player.state.text()
-    told.clear()
-    player.look("Top")
-    finest(player, window)
-    assert not told  # the coarse picture, which comes sooner, tells how long the finest takes
-    window.press(tab, QtCore.Qt.Key_Escape)
-    window.wait(lambda: not tabs(window))
+def test_a_play_shows_the_machines_time(simulated, window):
+    simulated.play_bar.speeds.setCurrentIndex(2)  # a hundred times
+    window.click_on(simulated.play_bar.play_button)
+    window.wait(lambda: simulated.moment.seconds > 0.2 * simulated.clock.total)
+    window.click_on(simulated.play_bar.play_button)
+    paused = simulated.moment.seconds
+    window.idle(0.3)
+    assert simulated.moment.seconds == paused < simulated.clock.total
+    assert simulated.clock.ends[simulated.moment.done] <= paused <= simulated.clock.ends[simulated.moment.done + 1]
 
 
-def test_what_grows_with_the_image_and_what_does_not_are_told_apart():
-    course, peak = None, Peak(1e6, 5e5, 1e5, 2e4, 120_000, 1000, 1e6)
-    for share in (1 / 8, 1 / 3):  # of pictures that take 2 s, and 27 s for all of the pixels
-        course = refining._Course(share, 2 + 27 * share**2, peak, course, 1)
-    assert course.expected(1.0) == pytest.approx((29, peak.bytes(9)))
-    assert course.largest(29) == pytest.approx(1) == course.largest(100)
-    assert course.largest(8.75) == pytest.approx(0.5)
-    assert course.largest(1) == 0
-    assert refining._Course(0.5, 3.0, peak, None, 1).expected(1.0) == (12.0, peak.bytes(4))
-    busy = refining._Course(0.25, 2.0, peak, None, 1)  # the computer was
-    quicker = refining._Course(0.5, 1.0, peak, busy, 1)
-    assert quicker.expected(1.0) == (1.0, peak.bytes(4)) and quicker.largest(1) == 1 and quicker.largest(0.5) == 0
-    several = refining._Course(0.5, 3.0, peak, None, 4).expected(1.0)[0]  # what takes one longer than 12 s
-    assert 12 > several > 12 / 2
-    assert refining._Course(0.5, 3.0, peak, None, 4).largest(several) == pytest.approx(1)
+def test_colours_and_chips(simulated, window):
+    pictures = set()
+    for index in range(simulated.scene_bar.colorings.count()):
+        simulated.scene_bar.colorings.setCurrentIndex(index)
+        finest(simulated, window)  # a legend of another height begins a simulation, and the model comes with its last
+        pictures.add(bytes(simulated.view._scene.image.tobytes()))
+        assert simulated.scene_bar.legend.entries
+        window.screenshot(f"simulation-color-{index}")
+    assert len(pictures) == simulated.scene_bar.colorings.count()
+    simulated.moment.go_to(0.5 * simulated.clock.total)
+    simulated.scene_bar.colorings.setCurrentIndex(4)
+    finest(simulated, window)
+    for index in (1, 2):
+        simulated.scene_bar.chips.setCurrentIndex(index)
+        window.wait(lambda: simulated.pictures.is_current)
+        window.screenshot(f"simulation-small-chips-{index}")
+        pictures.add(bytes(simulated.view._scene.image.tobytes()))
+    assert len(pictures) == simulated.scene_bar.colorings.count() + 2
 
 
-def test_what_any_moment_needs_is_made_before_its_picture_is_shown(opened, window, small, monkeypatch):
-    made = []
+def test_a_model_that_is_still_to_come_is_not_called_missing(simulated):
+    drawing = simulated.drawing
+    simulated.scene_bar.colorings.setCurrentIndex(simulated.scene_bar.colorings.count() - 1)
+    said, seen = [], drawing.seen
+    for told in (None, drawing.told):
+        drawing.told, drawing.seen = told, None
+        drawing.color()
+        said.append(drawing._coloring().legend()[0][1])
+    drawing.seen = seen
+    assert said == ["the model comes with the finest picture", "there is no closed model"]
 
-    def show(drawing, done, original=Drawing.take):
-        made.append("_by_owner" in vars(done.simulation.zbuffer.surface))
-        original(drawing, done)
 
-    monkeypatch.setattr(Drawing, "take", show)
-    window.click(COMMAND)
-    window.wait(lambda: tabs(window))
-    (tab,) = tabs(window)
-    shown(tab, window)
-    assert made and all(made)
-    window.press(tab, QtCore.Qt.Key_Escape)
-    window.wait(lambda: not tabs(window))
+def test_what_is_saved_is_proposed_beside_the_document(simulated, desk, tmp_path, monkeypatch):
+    asked = []
+
+    def choose(parent, title, path, forms):
+        asked.append(path)
+        return str(tmp_path / "chosen"), forms
+
+    monkeypatch.setattr(exports.QFileDialog, "getSaveFileName", choose)
+    exports.save_picture(simulated)
+    exports.save_rates(simulated)
+    beside = Path(desk.document.FileName).parent
+    assert asked == [str(beside / f"{desk.document.Name}.png"), str(beside / f"{desk.document.Name}.csv")]
+    assert (tmp_path / "chosen.png").exists() and (tmp_path / "chosen.csv").exists()
 
 
 def test_events_do_not_wait_for_a_picture_nor_for_what_is_wrong(simulated, window, monkeypatch):
@@ -519,31 +391,15 @@ def test_an_error_in_a_picture_is_told_and_the_next_one_is_drawn(simulated, wind
     assert simulated.view._scene.owner.max() == -1
 
 
-def test_an_operation_that_is_gone_while_the_job_is_copied_is_no_error(opened, window):
-    window.click(COMMAND)
-    (tab,) = tabs(window)
-    opened.removeObject(opened.Job.Operations.Group[-1].Name)
-    window.wait(tab.again.isVisible)
-    window.idle(0.3)
-    assert tab.player is None
-    window.click_on(tab.again)
-    window.wait(lambda: tabs(window) and tabs(window) != [tab])
-    (tab,) = tabs(window)
-    window.press(tab, QtCore.Qt.Key_Escape)
-    window.wait(lambda: not tabs(window))
-
-
-@pytest.mark.parametrize("width", [220, 420, 900])
-def test_the_legend_is_whole_in_a_narrow_tab(simulated, window, width):
+def test_the_legend_is_whole_in_a_narrow_tab(simulated, window):
     bar = simulated.scene_bar
-    window.main.resize(1024, 700)
     legend = Legend(window.main)
     legends = [(("#808080", "the model comes with the finest picture "[:length] * 5),) for length in range(1, 41)]
     for index in range(bar.colorings.count()):
         bar.colorings.setCurrentIndex(index)
-        window.idle(0.1)
+        window.wait(lambda: simulated.pictures.is_current)
         legends.append(bar.legend.entries)
-    for entries in legends:
+    for width, entries in product((220, 420, 900), legends):
         legend.show_entries(entries)
         legend.resize(width, legend.height())
         window.idle(0.01)
@@ -556,6 +412,191 @@ def test_the_legend_is_whole_in_a_narrow_tab(simulated, window, width):
         for (_, name), (_, one, _), (_, after, _) in zip(entries, places, places[1:]):
             assert name or (one.right(), one.top()) == (after.left(), after.top())  # a scale is not torn
     legend.deleteLater()
+
+
+# Tabs and documents of their own
+
+
+def test_it_is_read_on_light_and_dark_themes(desk, window, theme):
+    desk.kept(desk.small)
+    player = shown(desk.simulate(), window)
+    player.moment.go_to(0.4 * player.clock.total)
+    window.wait(lambda: player.pictures.is_current)
+    window.screenshot(f"simulation-{theme}")
+    corners = [
+        widget.grab().toImage().pixelColor(2, 2).lightness() for widget in (player.view, player.scene_bar, player)
+    ]
+    for button in (player.play_bar.play_button, *player.play_bar.steps.values()):
+        shown_of = button.grab().toImage()
+        light = [shown_of.pixelColor(x, shown_of.height() // 2).lightness() for x in range(4, shown_of.width() - 4)]
+        assert max(light) - min(light) > 90  # its symbol is seen
+    line = player.time_line.grab().toImage()
+    beside = line.pixelColor(int(0.9 * line.width()), line.height() - 2).lightness()
+    assert all((value < 100) == (theme == "dark") for value in (*corners, beside))
+    desk.close_tab()
+
+
+def test_a_changed_toolpath_is_told_and_simulated_again(desk, document, window):
+    before = desk.simulate()
+    length = len(shown(before, window).job.cuts[0].toolpath)
+    face = document.getObjectsByLabel("Face")[0]
+    assert not before.again.isVisible()
+    face.Path = type(face.Path)(face.Path.Commands[:-20])
+    window.wait(before.again.isVisible)
+    window.click_on(before.again)
+    window.wait(lambda: tabs(window) and tabs(window) != [before])
+    (tab,) = tabs(window)
+    assert len(shown(tab, window).job.cuts[0].toolpath) < length
+
+
+def test_closing_ends_the_work(desk, window, monkeypatch):
+    def endless(*arguments):
+        while True:
+            simulate_read(*arguments)
+
+    monkeypatch.setattr(refining, "simulate_read", endless)
+    desk.kept(desk.small)
+    tab = desk.simulate()
+    window.wait(lambda: tab.player._work.works and "endless" in working())
+    window.press(tab, QtCore.Qt.Key_Escape)
+    window.wait(lambda: not tabs(window) and "_run" not in working())
+
+
+def test_closing_the_document_closes_the_tab(desk, document, window):
+    window.click(COMMAND)
+    window.wait(lambda: tabs(window))
+    FreeCAD.closeDocument(document.Name)
+    window.wait(lambda: not tabs(window))
+
+
+def test_nothing_to_simulate_is_said(desk, window):
+    desk.close()
+    window.activate("VkWorkbench")
+    document = FreeCAD.newDocument()
+    window.click(COMMAND)
+    window.wait(window.boxes)
+    assert not tabs(window)
+    assert window.dismiss()
+    FreeCAD.closeDocument(document.Name)
+
+
+def test_what_has_been_read_is_seen_before_all_is_read(desk, window, monkeypatch):
+    monkeypatch.setattr("vkworkbench.gui.simulation.reading._SOON", 0.0)
+    desk.kept(desk.small)
+    tab = desk.simulate()
+    scene, _ = tab.reading.seen
+    assert (scene.owner >= 0).any() and len(np.unique(scene.image)) > 20
+    assert tab.player.view._scene is scene  # goes on being seen
+    window.click_at(tab.player.view, tab.player.view.rect().center())  # which has no answer yet
+    finest(shown(tab, window), window)
+    assert tab.player.view._scene is not scene
+
+
+def test_the_cost_is_told_before_and_after_the_simulation(desk, window, monkeypatch):
+    told = []
+
+    def expected(line, cost, original=StateLine.show_expected):
+        original(line, cost)
+        told.append((cost, line.text(), tabs(window)[0].player.simulation))
+
+    monkeypatch.setattr(StateLine, "show_expected", expected)
+    desk.kept(desk.small)
+    player = shown(desk.simulate(), window)
+    (cost, text, simulation), *_ = told
+    assert simulation is None and text.startswith("finest picture in about") and "MB" in text
+    zbuffer = player.simulation.zbuffer
+    assert cost.memory_bytes == pytest.approx(zbuffer.peak.bytes(), rel=0.3)
+    assert f"{zbuffer.traces:,} traces" in player.state.text() and "simulated in" in player.state.text()
+    assert "about" not in player.state.text()
+    told.clear()
+    player.look("Top")
+    finest(player, window)
+    assert not told  # the coarse picture, which comes sooner, tells how long the finest takes
+
+
+def test_all_that_moments_need_is_made_before_the_picture(desk, window, monkeypatch):
+    made = []
+
+    def show(drawing, done, original=Drawing.take):
+        made.append("_by_owner" in vars(done.simulation.zbuffer.surface))
+        original(drawing, done)
+
+    monkeypatch.setattr(Drawing, "take", show)
+    desk.kept(desk.small)
+    shown(desk.simulate(), window)
+    assert made and all(made)
+
+
+def test_an_operation_that_is_gone_while_copied_is_no_error(desk, document, window):
+    window.click(COMMAND)
+    (tab,) = tabs(window)
+    document.removeObject(document.Job.Operations.Group[-1].Name)
+    window.wait(tab.again.isVisible)
+    window.idle(0.3)
+    assert tab.player is None
+    window.click_on(tab.again)
+    window.wait(lambda: tabs(window) and tabs(window) != [tab])
+    (tab,) = tabs(window)
+
+
+CRASH = """(a slot that begins with a rapid move into the stock)
+G0 Z30
+G0 X40 Y50
+G0 Z14
+G1 X60 F300
+G0 Z30"""
+
+
+def make_crash(document):
+    """Make the job one operation that crashes and gouges; return it."""
+    import Path
+
+    job = document.getObject("Job")
+    op = document.addObject("Path::FeaturePython", "Slot")
+    op.addProperty("App::PropertyLink", "ToolController", "Path").ToolController = job.Tools.Group[1]
+    op.addProperty("App::PropertyBool", "Active", "Path").Active = True
+    op.Path = Path.Path([Path.Command(line) for line in CRASH.splitlines()])
+    job.Operations.Group = [op]
+    return op
+
+
+def test_a_gouge_is_not_forgotten_where_it_is_not_seen(desk, document, window):
+    op = make_crash(document)
+
+    def faults():
+        (row,) = vkworkbench.analyze(op).operations
+        return [remark.arguments["count"] for remark in row.remarks if remark.code == "simulated"]
+
+    player = shown(desk.simulate(), window)
+    assert {fault.what.code for fault in player.faults} == {"rapid-cuts", "cuts-model"} and faults() == [2]
+    judged = player.drawing.told
+    player.look("Bottom")
+    window.wait(lambda: player.drawing.told is not judged)
+    assert faults() == [2]  # a coarse picture does not look for gouges
+    finest(player, window)
+    assert player.drawing.told.judged and player.drawing.told.deviations.gouged.max() < 0.1
+    assert {fault.what.code for fault in player.faults} == {"rapid-cuts", "cuts-model"}  # it is there all the same
+    assert faults() == [2]
+
+
+# Widgets, and no job
+
+
+def test_what_grows_with_the_image_and_what_does_not_are_told_apart():
+    course, peak = None, Peak(1e6, 5e5, 1e5, 2e4, 120_000, 1000, 1e6)
+    for share in (1 / 8, 1 / 3):  # of pictures that take 2 s, and 27 s for all of the pixels
+        course = refining._Course(share, 2 + 27 * share**2, peak, course, 1)
+    assert course.expected(1.0) == pytest.approx((29, peak.bytes(9)))
+    assert course.largest(29) == pytest.approx(1) == course.largest(100)
+    assert course.largest(8.75) == pytest.approx(0.5)
+    assert course.largest(1) == 0
+    assert refining._Course(0.5, 3.0, peak, None, 1).expected(1.0) == (12.0, peak.bytes(4))
+    busy = refining._Course(0.25, 2.0, peak, None, 1)  # the computer was
+    quicker = refining._Course(0.5, 1.0, peak, busy, 1)
+    assert quicker.expected(1.0) == (1.0, peak.bytes(4)) and quicker.largest(1) == 1 and quicker.largest(0.5) == 0
+    several = refining._Course(0.5, 3.0, peak, None, 4).expected(1.0)[0]  # what takes one longer than 12 s
+    assert 12 > several > 12 / 2
+    assert refining._Course(0.5, 3.0, peak, None, 4).largest(several) == pytest.approx(1)
 
 
 @pytest.mark.parametrize("wide", [True, False])
@@ -601,27 +642,3 @@ def test_a_line_is_whole_or_ends_in_an_ellipsis(window, wide):
     assert line.selectedText() == text  # all of it is copied
     line.hide()  # until it is deleted it would be in the pictures of others
     line.deleteLater()
-
-
-def test_no_gouge_is_forgotten_while_one_looks_from_where_it_is_not_seen(opened, window, small):
-    op = make_crash(opened)
-
-    def faults():
-        (row,) = vkworkbench.analyze(op).operations
-        return [remark.arguments["count"] for remark in row.remarks if remark.code == "simulated"]
-
-    window.click(COMMAND)
-    window.wait(lambda: tabs(window))
-    (tab,) = tabs(window)
-    player = shown(tab, window)
-    assert {fault.what.code for fault in player.faults} == {"rapid-cuts", "cuts-model"} and faults() == [2]
-    judged = player.drawing.told
-    player.look("Bottom")
-    window.wait(lambda: player.drawing.told is not judged)
-    assert faults() == [2]  # a coarse picture does not look for gouges
-    finest(player, window)
-    assert player.drawing.told.judged and player.drawing.told.deviations.gouged.max() < 0.1
-    assert {fault.what.code for fault in player.faults} == {"rapid-cuts", "cuts-model"}  # it is there all the same
-    assert faults() == [2]
-    window.press(tab, QtCore.Qt.Key_Escape)
-    window.wait(lambda: not tabs(window))

@@ -15,9 +15,8 @@ import numpy as np
 import pytest
 from make_example import cam
 from PySide import QtCore, QtGui
-from simulation_window import COMMAND, drag, finest, shown, tabs, working
+from simulation_window import COMMAND, Desk, drag, finest, make_small, shown, tabs, working
 
-from vkworkbench.document.operations import find
 from vkworkbench.gui.simulation import navigation
 
 MIDDLE, LEFT, RIGHT = QtCore.Qt.MiddleButton, QtCore.Qt.LeftButton, QtCore.Qt.RightButton
@@ -31,6 +30,27 @@ def nothing_swallowed(monkeypatch):
     monkeypatch.setattr(threading, "excepthook", errors.append)
     yield
     assert errors == []
+
+
+@pytest.fixture(scope="module")
+def desk(window, example_path, tmp_path_factory):
+    """FreeCAD's window with the documents and the tab that these tests share."""
+    desk = Desk(window, example_path, tmp_path_factory.getbasetemp())
+    yield desk
+    desk.close()
+
+
+@pytest.fixture
+def document(desk, window):
+    """A job of four operations, opened anew: the test may change the document."""
+    return desk.open(desk.small)
+
+
+@pytest.fixture
+def bare(desk, window):
+    """The example job without operations; what the test makes of it is undone."""
+    with desk.changed(desk.bare) as document:
+        yield document
 
 
 def close(tab, window):
@@ -49,10 +69,9 @@ PHASES = {
 
 @pytest.mark.parametrize("phase", PHASES)
 @pytest.mark.parametrize("how", ["key", "document"])
-def test_it_is_closed_in_every_phase(example_path, window, small, monkeypatch, phase, how):
+def test_it_is_closed_in_every_phase(desk, window, monkeypatch, phase, how):
     monkeypatch.setattr("vkworkbench.gui.simulation.reading._SOON", 0.0)
-    document = FreeCAD.openDocument(str(example_path))
-    window.activate("VkWorkbench")
+    document = desk.kept(desk.small)
     window.click(COMMAND)
     window.wait(lambda: tabs(window))
     (tab,) = tabs(window)
@@ -62,16 +81,12 @@ def test_it_is_closed_in_every_phase(example_path, window, small, monkeypatch, p
     else:
         FreeCAD.closeDocument(document.Name)
     window.wait(lambda: not tabs(window) and "_run" not in working())
-    window.idle(0.3)
-    if how == "key":
-        FreeCAD.closeDocument(document.Name)
-    window.idle()
+    window.idle(0.3)  # nothing comes after it
 
 
-def test_a_closed_tab_takes_no_memory_any_more(opened, window, small):
-    window.click(COMMAND)
-    window.wait(lambda: tabs(window))
-    (tab,) = tabs(window)
+def test_a_closed_tab_takes_no_memory_any_more(desk, window):
+    desk.kept(desk.small)
+    tab = desk.simulate()
     zbuffer = weakref.ref(shown(tab, window).simulation.zbuffer)
     close(tab, window)
     window.idle()
@@ -79,12 +94,12 @@ def test_a_closed_tab_takes_no_memory_any_more(opened, window, small):
     assert zbuffer() is None
 
 
-def test_a_closed_tab_gives_its_memory_back_to_the_system(opened, window, small, monkeypatch):
+def test_a_closed_tab_gives_its_memory_back_to_the_system(desk, window, monkeypatch):
     given = []
     monkeypatch.setattr("vkworkbench.document.garbage.give_back", lambda: given.append(True))
-    window.click(COMMAND)
-    window.wait(lambda: tabs(window))
-    (tab,) = tabs(window)
+    desk.kept(desk.small)
+    given.clear()  # of a tab that another test left
+    tab = desk.simulate()
     shown(tab, window)
     assert given == []
     close(tab, window)
@@ -92,15 +107,16 @@ def test_a_closed_tab_gives_its_memory_back_to_the_system(opened, window, small,
 
 
 @pytest.mark.parametrize("moment", ["before", "during", "after"])
-def test_an_operation_is_deleted_or_changed_while_it_is_open(opened, window, small, moment):
+def test_an_operation_is_deleted_or_changed_while_it_is_open(document, window, moment):
     window.click(COMMAND)
     window.wait(lambda: tabs(window))
     (tab,) = tabs(window)
     if moment != "before":
-        window.wait(lambda: tab.player is not None and tab.player.simulation is not None)
+        make_small(tab, window)
+        window.wait(lambda: tab.player.simulation is not None)
     if moment == "after":
         shown(tab, window)
-    opened.removeObject(opened.Job.Operations.Group[0].Name)
+    document.removeObject(document.Job.Operations.Group[0].Name)
     window.wait(tab.again.isVisible)
     player = tab.player
     if player is not None:  # goes on with what it read
@@ -116,7 +132,8 @@ def test_an_operation_is_deleted_or_changed_while_it_is_open(opened, window, sma
 
 
 @pytest.mark.parametrize("style", sorted(navigation._STYLES))
-def test_every_navigation_style_turns_and_moves(opened, window, small, style):
+def test_every_navigation_style_turns_and_moves(desk, window, style):
+    tab = desk.shared(desk.small, at_its_finest=False)
     group = FreeCAD.ParamGet("User parameter:BaseApp/Preferences/View")
     before = group.GetString("NavigationStyle")
     group.SetString("NavigationStyle", f"Gui::{style}NavigationStyle")
@@ -126,10 +143,6 @@ def test_every_navigation_style_turns_and_moves(opened, window, small, style):
         assert navigation.action(LEFT, none) == navigation.TURN
         for b, m, what in navigation._STYLES[style]:
             assert navigation.action(b, m) == what
-        window.click(COMMAND)
-        window.wait(lambda: tabs(window))
-        (tab,) = tabs(window)
-        window.wait(lambda: tab.player is not None and tab.player.simulation is not None)
         view, middle = tab.player.view, tab.player.view.rect().center()
         for what, button in buttons.items():
             looked = view.view
@@ -138,19 +151,16 @@ def test_every_navigation_style_turns_and_moves(opened, window, small, style):
                 now = view.view
                 assert (now.offset != looked.offset) == (what == navigation.PAN)
                 assert np.allclose(now.direction, looked.direction) == (what == navigation.PAN)
-        close(tab, window)
     finally:
         group.SetString("NavigationStyle", before) if before else group.RemString("NavigationStyle")
 
 
-def lone(opened, commands, controller=1):
+def lone(document, commands, controller=1):
     """The job with one operation of these commands."""
     import Path
 
-    job = opened.Job
-    for name in [operation.object.Name for operation in find(opened)]:  # dress-ups before what they dress up
-        opened.removeObject(name)  # operations beside a job are simulated where the job has none
-    op = opened.addObject("Path::FeaturePython", "Odd")
+    job = document.Job
+    op = document.addObject("Path::FeaturePython", "Odd")
     op.addProperty("App::PropertyLink", "ToolController", "Path")
     if controller is not None:
         op.ToolController = job.Tools.Group[controller]
@@ -164,40 +174,40 @@ def lone(opened, commands, controller=1):
 SLOT = ["G0 Z30", "G0 X40 Y50", "G1 Z15 F100", "G1 X60 F300", "G0 Z30"]
 
 
-def empty(opened):
-    lone(opened, [])
+def empty(document):
+    lone(document, [])
 
 
-def only_comments(opened):
-    lone(opened, ["(nothing)", "M3 S1000"])
+def only_comments(document):
+    lone(document, ["(nothing)", "M3 S1000"])
 
 
-def no_tool(opened):
-    lone(opened, SLOT, None)
+def no_tool(document):
+    lone(document, SLOT, None)
 
 
-def no_stock(opened):
-    lone(opened, SLOT)
-    opened.Job.Stock = None
+def no_stock(document):
+    lone(document, SLOT)
+    document.Job.Stock = None
 
 
 @pytest.mark.parametrize("odd", [empty, only_comments, no_tool, no_stock])
-def test_what_cannot_be_simulated_is_said(opened, window, odd):
-    odd(opened)
+def test_what_cannot_be_simulated_is_said(bare, window, odd):
+    odd(bare)
     window.click(COMMAND)
     window.wait(window.boxes)
     (text,) = window.dismiss()
     assert len(text) > 20 and "Error" not in text and not tabs(window)
 
 
-def test_of_several_jobs_one_is_chosen(opened, window, small):
-    other = cam("Main.Job").Create("Second", opened.Job.Model.Group[0].Objects[:1])
-    *others, last = opened.Job.Operations.Group
-    opened.Job.Operations.Group, other.Operations.Group = others, [last]
+def test_of_several_jobs_one_is_chosen(document, window):
+    other = cam("Main.Job").Create("Second", document.Job.Model.Group[0].Objects[:1])
+    *others, last = document.Job.Operations.Group
+    document.Job.Operations.Group, other.Operations.Group = others, [last]
     Gui.Selection.clearSelection()
     window.click(COMMAND)
     (box,) = (box for box in window.find(QtGui.QInputDialog) if box.isVisible())
-    assert box.comboBoxItems() == [f"1. {opened.Job.Label}", f"2. {other.Label}"] and not tabs(window)
+    assert box.comboBoxItems() == [f"1. {document.Job.Label}", f"2. {other.Label}"] and not tabs(window)
     window.press(box, QtCore.Qt.Key_Escape)
     window.idle()
     assert not tabs(window) and not window.boxes()
@@ -210,92 +220,95 @@ def test_of_several_jobs_one_is_chosen(opened, window, small):
     assert tab.copy.names == (last.Name,)
 
 
-def no_model(opened):
-    lone(opened, SLOT)
-    opened.Job.Model.Group = []
+def no_model(document):
+    lone(document, SLOT)
+    document.Job.Model.Group = []
 
 
-def one_move(opened):
-    lone(opened, ["G1 X40 Y50 Z15 F100"])
+def one_move(document):
+    lone(document, ["G1 X40 Y50 Z15 F100"])
 
 
-def no_feed(opened):
-    lone(opened, ["G0 Z30", "G0 X40 Y50", "G1 Z15", "G1 X60", "G0 Z30"])
+def no_feed(document):
+    lone(document, ["G0 Z30", "G0 X40 Y50", "G1 Z15", "G1 X60", "G0 Z30"])
 
 
-def moves_without_length(opened):
-    lone(opened, ["G1 X40 Y50 Z15 F100"] * 5)
+def moves_without_length(document):
+    lone(document, ["G1 X40 Y50 Z15 F100"] * 5)
 
 
-def far_away(opened):
-    lone(opened, ["G0 X1e6 Y1e6 Z30", "G1 Z-1e6 F100", "G1 X-1e6"])
+def far_away(document):
+    lone(document, ["G0 X1e6 Y1e6 Z30", "G1 Z-1e6 F100", "G1 X-1e6"])
 
 
-def huge_tool(opened):
-    op = lone(opened, SLOT)
+def huge_tool(document):
+    op = lone(document, SLOT)
     op.ToolController.Tool.Diameter = 5000.0
 
 
-def tiny_tool(opened):
-    op = lone(opened, SLOT)
+def tiny_tool(document):
+    op = lone(document, SLOT)
     op.ToolController.Tool.Diameter = 1e-3
 
 
-def tiny_stock(opened):
-    lone(opened, SLOT)
+def tiny_stock(document):
+    lone(document, SLOT)
     import Part
 
-    stock = opened.addObject("Part::FeaturePython", "Tiny")
+    stock = document.addObject("Part::FeaturePython", "Tiny")
     stock.Shape = Part.makeBox(1e-3, 1e-3, 1e-3)
-    opened.Job.Stock = stock
+    document.Job.Stock = stock
 
 
-def flat_stock(opened):
-    lone(opened, SLOT)
+def flat_stock(document):
+    lone(document, SLOT)
     import Part
 
-    stock = opened.addObject("Part::FeaturePython", "Flat")
+    stock = document.addObject("Part::FeaturePython", "Flat")
     stock.Shape = Part.makeBox(1000, 1, 1e-2)
-    opened.Job.Stock = stock
+    document.Job.Stock = stock
 
 
-def large_part(opened):
+def large_part(document):
     import Part
 
     lone(
-        opened, [f"G{0 if place == 0 else 1} X{place} Y{place % 20000} Z-200 F3000" for place in range(0, 60_000, 500)]
+        document,
+        [f"G{0 if place == 0 else 1} X{place} Y{place % 20000} Z-200 F3000" for place in range(0, 60_000, 500)],
     )
-    stock = opened.addObject("Part::FeaturePython", "Large")
+    stock = document.addObject("Part::FeaturePython", "Large")
     stock.Shape = Part.makeBox(60_000, 20_000, 3000)
-    opened.Job.Stock = stock
-    opened.Job.Model.Group = []
+    document.Job.Stock = stock
+    document.Job.Model.Group = []
 
 
-def small_part(opened):
+def small_part(document):
     import Part
 
-    lone(opened, ["G0 Z1", "G1 Z0.15 F10", *(f"G1 X{0.004 * (row % 2)} Y{0.0001 * row}" for row in range(30)), "G0 Z1"])
-    opened.Job.Operations.Group[0].ToolController.Tool.Diameter = 1e-3
-    stock = opened.addObject("Part::FeaturePython", "Small")
+    lone(
+        document, ["G0 Z1", "G1 Z0.15 F10", *(f"G1 X{0.004 * (row % 2)} Y{0.0001 * row}" for row in range(30)), "G0 Z1"]
+    )
+    document.Job.Operations.Group[0].ToolController.Tool.Diameter = 1e-3
+    stock = document.addObject("Part::FeaturePython", "Small")
     stock.Shape = Part.makeBox(0.005, 0.003, 0.2)
-    opened.Job.Stock = stock
+    document.Job.Stock = stock
 
 
-def only_drilling(opened):
-    lone(opened, ["G0 Z30", *(f"G81 X{x} Y{y} Z5 R26 F200" for x in (20, 60, 90) for y in (20, 40)), "G80"], 2)
+def only_drilling(document):
+    lone(document, ["G0 Z30", *(f"G81 X{x} Y{y} Z5 R26 F200" for x in (20, 60, 90) for y in (20, 40)), "G80"], 2)
 
 
-def all_crashes(opened):
-    lone(opened, [f"G0 X{10 + 100 * (row % 2)} Y{5 + 0.02 * row} Z{23 - 0.002 * row}" for row in range(3000)])
+def all_crashes(document):
+    lone(document, [f"G0 X{10 + 100 * (row % 2)} Y{5 + 0.02 * row} Z{23 - 0.002 * row}" for row in range(3000)])
 
 
-def many_operations(opened):
+def many_operations(document):
     import Path
 
-    first, job = lone(opened, SLOT), opened.Job
+    first, job = lone(document, SLOT), document.Job
     rows = []
     for row in range(300):
-        op = opened.addObject("Path::FeaturePython", f"Row{row}")
+        op = document.addObject("Path::FeaturePython", f"Row{row}")
         op.addProperty("App::PropertyLink", "ToolController", "Path").ToolController = first.ToolController
         op.addProperty("App::PropertyBool", "Active", "Path").Active = True
         op.Path = Path.Path(
@@ -306,8 +319,8 @@ def many_operations(opened):
 
 
 @pytest.mark.parametrize("odd", [large_part, small_part, only_drilling, all_crashes, many_operations, no_model, one_move, no_feed, moves_without_length, far_away, huge_tool, tiny_tool, tiny_stock, flat_stock])  # fmt: skip
-def test_odd_jobs_are_shown(opened, window, small, odd):
-    odd(opened)
+def test_odd_jobs_are_shown(bare, window, odd):
+    odd(bare)
     window.click(COMMAND)
     window.wait(lambda: tabs(window) or window.boxes())
     if not tabs(window):
@@ -315,12 +328,11 @@ def test_odd_jobs_are_shown(opened, window, small, odd):
         assert len(text) > 20 and "Error" not in text
         return
     (tab,) = tabs(window)
-    window.wait(lambda: tab.player is not None or window.boxes())
+    make_small(tab, window)
     if tab.player is None:
         (text,) = window.dismiss()
         assert len(text) > 20 and "Error" not in text
         return
-    window.wait(lambda: not tab.player.is_busy and tab.player.pictures.is_current)
     finest(tab.player, window)
     assert "Error" not in tab.player.state.text()
     player = tab.player
@@ -353,13 +365,10 @@ def test_odd_jobs_are_shown(opened, window, small, odd):
 
 
 @pytest.mark.parametrize("how", ["key", "document"])
-def test_it_is_closed_while_it_plays(example_path, window, small, how):
-    document = FreeCAD.openDocument(str(example_path))
-    window.activate("VkWorkbench")
-    window.click(COMMAND)
-    window.wait(lambda: tabs(window))
-    (tab,) = tabs(window)
-    window.wait(lambda: tab.player is not None and tab.player.simulation is not None)
+def test_it_is_closed_while_it_plays(desk, window, how):
+    document = desk.kept(desk.small)
+    tab = desk.simulate()
+    window.wait(lambda: tab.player.simulation is not None)
     tab.player.moment.play()
     window.wait(lambda: tab.player.moment.seconds > 0.02 * tab.player.clock.total)
     if how == "key":
@@ -367,23 +376,19 @@ def test_it_is_closed_while_it_plays(example_path, window, small, how):
     else:
         FreeCAD.closeDocument(document.Name)
     window.wait(lambda: not tabs(window) and "_run" not in working())
-    window.idle(0.3)
-    if how == "key":
-        FreeCAD.closeDocument(document.Name)
+    window.idle(0.3)  # nothing comes after it
 
 
-def test_who_reads_inches_reads_no_millimetres(opened, window, small):
+def test_who_reads_inches_reads_no_millimetres(desk, bare, window):
     group = FreeCAD.ParamGet("User parameter:BaseApp/Preferences/Units")
     before = group.GetInt("UserSchema", 0)
-    lone(opened, ["G0 Z30", "G0 X40 Y50", "G0 Z14", "G1 X60 F5", "G1 Z5 F50", "G0 Z30"])
+    lone(bare, ["G0 Z30", "G0 X40 Y50", "G0 Z14", "G1 X60 F5", "G1 Z5 F50", "G0 Z30"])
     set_schema = getattr(FreeCAD.Units, "setSchema", None)
     group.SetInt("UserSchema", 3)  # imperial decimal
     if set_schema:
         set_schema(3)
     try:
-        window.click(COMMAND)
-        window.wait(lambda: tabs(window))
-        (tab,) = tabs(window)
+        tab = desk.simulate()
         player = shown(tab, window)
         player.scene_bar.colorings.setCurrentIndex(4)
         player.point(player.faults[0])
@@ -404,11 +409,10 @@ def test_who_reads_inches_reads_no_millimetres(opened, window, small):
             set_schema(before)
 
 
-def test_it_is_used_by_keys_alone(opened, window, small):
+def test_it_is_used_by_keys_alone(desk, window):
+    desk.kept(desk.small)
     window.main.setFocus()
-    window.click(COMMAND)
-    window.wait(lambda: tabs(window))
-    (tab,) = tabs(window)
+    tab = desk.simulate()
     player = shown(tab, window)
     reached = set()
     for _ in range(40):

@@ -6,11 +6,10 @@ from __future__ import annotations
 from itertools import combinations
 
 import FreeCAD
-import FreeCADGui as Gui
 import numpy as np
 import pytest
 from PySide import QtCore, QtGui
-from simulation_window import COMMAND, finest, shown, tabs
+from simulation_window import COMMAND, Desk, finest, make_small, shown, tabs
 
 import vkworkbench
 from vkworkbench.core.zbuffer import removed_volumes
@@ -19,22 +18,24 @@ from vkworkbench.gui.simulation import exports
 from vkworkbench.gui.simulation.known_faults import KnownFaults
 
 
+@pytest.fixture(scope="module")
+def desk(window, example_path, tmp_path_factory):
+    """FreeCAD's window with the documents and the tab that these tests share."""
+    desk = Desk(window, example_path, tmp_path_factory.getbasetemp())
+    yield desk
+    desk.close()
+
+
 @pytest.fixture
-def tab(opened, window, small):
-    """The tab of the example's job, simulated by a click, at its finest."""
-    Gui.Selection.clearSelection()
-    window.click(COMMAND)
-    window.wait(lambda: tabs(window))
-    (tab,) = tabs(window)
-    shown(tab, window)
-    yield tab
-    close(window)
+def tab(desk, window):
+    """The tab of a job of four operations, simulated by a click, at its finest; other tests may have used it."""
+    return desk.shared(desk.small)
 
 
-def close(window):
-    for tab in tabs(window):
-        window.press(tab, QtCore.Qt.Key_Escape)
-    window.wait(lambda: not tabs(window))
+@pytest.fixture
+def document(desk, window):
+    """A job of four operations, opened anew: the test may change the document."""
+    return desk.open(desk.small)
 
 
 def wheel(widget, where, notches):
@@ -68,11 +69,10 @@ def test_a_part_of_the_stock_tells_nothing_of_what_is_beside_it(tab, window, tmp
     assert volumes == pytest.approx(before.tolist(), rel=1e-4)
 
 
-def test_what_is_shown_while_the_whole_is_still_simulated_is_made_up_for(opened, window, small):
-    window.click(COMMAND)
-    window.wait(lambda: tabs(window))
-    (tab,) = tabs(window)
-    window.wait(lambda: tab.player is not None and tab.player.simulation is not None)
+def test_what_is_shown_while_the_whole_is_still_simulated_is_made_up_for(desk, window):
+    desk.kept(desk.small)
+    tab = desk.simulate()
+    window.wait(lambda: tab.player.simulation is not None)
     player = tab.player
     wheel(player.view, player.view.rect().center(), 12)
     assert not player.scene_bar.rates.isEnabled()  # of a coarse picture
@@ -81,7 +81,6 @@ def test_what_is_shown_while_the_whole_is_still_simulated_is_made_up_for(opened,
     assert player.simulation.zbuffer.frame.pixel < player.drawing.facts.pixel / 5
     whole = player.view.view.pixel * 12  # zoomed in by 1.2 to the 12th, about 9
     assert player.drawing.facts.pixel < whole
-    close(window)
 
 
 def test_a_command_of_several_moves_is_told_with_all_it_removes(tab, window):
@@ -100,99 +99,101 @@ def test_a_command_of_several_moves_is_told_with_all_it_removes(tab, window):
     assert volume > 1.5 * player.volumes[first]
 
 
-def test_rates_are_not_saved_before_they_are_known(opened, window, small):
-    window.click(COMMAND)
-    window.wait(lambda: tabs(window))
-    (tab,) = tabs(window)
-    window.wait(lambda: tab.player is not None)
+def test_rates_are_not_saved_before_they_are_known(desk, window):
+    desk.kept(desk.small)
+    tab = desk.simulate()
     rates = tab.player.scene_bar.rates
     assert not rates.isEnabled() and rates.toolTip()
     finest(shown(tab, window), window)
     assert rates.isEnabled() and tab.player.volumes.sum() > 0
-    close(window)
 
 
 # What happens to the document
 
 
-def cut_off(opened):
-    face = opened.getObjectsByLabel("Face")[0]
+def cut_off(document):
+    face = document.getObjectsByLabel("Face")[0]
     face.Path = type(face.Path)(face.Path.Commands[:-20])
 
 
-def larger_stock(opened):
-    opened.Job.Stock.ExtZpos = 3.0
-    opened.recompute()
+def larger_stock(document):
+    document.Job.Stock.ExtZpos = 3.0
+    document.recompute()
 
 
-def moved(opened):
-    face = opened.getObjectsByLabel("Face")[0]
+def moved(document):
+    face = document.getObjectsByLabel("Face")[0]
     face.Placement = FreeCAD.Placement(FreeCAD.Vector(0, 0, 1), FreeCAD.Rotation())
 
 
-def another_operation(opened):
+def another_operation(document):
     import Path
 
-    face = opened.getObjectsByLabel("Face")[0]
-    op = opened.addObject("Path::FeaturePython", "Added")
+    face = document.getObjectsByLabel("Face")[0]
+    op = document.addObject("Path::FeaturePython", "Added")
     op.addProperty("App::PropertyLink", "ToolController", "Path").ToolController = face.ToolController
     op.addProperty("App::PropertyBool", "Active", "Path").Active = True
     op.Path = Path.Path([Path.Command(line) for line in ("G0 Z30", "G0 X40 Y50", "G1 Z15 F1", "G1 X60 F3", "G0 Z30")])
-    opened.Job.Operations.Group += [op]
+    document.Job.Operations.Group += [op]
 
 
-def other_order(opened):
-    opened.Job.Operations.Group = opened.Job.Operations.Group[::-1]
+def other_order(document):
+    document.Job.Operations.Group = document.Job.Operations.Group[::-1]
 
 
-def switched_off(opened):
-    opened.getObjectsByLabel("Face")[0].Active = False
+def switched_off(document):
+    document.getObjectsByLabel("Face")[0].Active = False
 
 
 @pytest.mark.parametrize("change", [cut_off, larger_stock, moved, another_operation, other_order, switched_off])
-def test_a_change_is_said_and_taken_back_with_an_undo(tab, opened, window, change):
-    opened.UndoMode = 1
+def test_a_change_is_said_and_taken_back_with_an_undo(desk, document, window, change):
+    tab = desk.simulate()
+    window.wait(lambda: tab.player.known._holds)  # the document has been compared
     job = tab.player.job
-    opened.openTransaction("change")
-    change(opened)
-    opened.commitTransaction()
+    document.UndoMode = 1
+    document.openTransaction("change")
+    change(document)
+    document.commitTransaction()
     window.wait(tab.again.isVisible)
-    opened.undo()
-    opened.recompute()
+    document.undo()
+    document.recompute()
     window.wait(lambda: not tab.again.isVisible())
-    opened.redo()
+    document.redo()
     window.wait(tab.again.isVisible)
     window.click_on(tab.again)
     window.wait(lambda: tabs(window) and tabs(window) != [tab])
     (again,) = tabs(window)
-    now = shown(again, window).job
+    window.wait(lambda: again.player is not None and again.player.known._holds)
+    now = again.player.job
     names, before = ([op.name for op in simulated.operations] for simulated in (now, job))
     expected = {"another_operation": [*before, "Added"], "other_order": before[::-1], "switched_off": before[1:]}
     assert names == expected.get(change.__name__, before)
     if change is larger_stock:
         assert now.stock.upper[2] > job.stock.upper[2] + 1
-    window.idle(0.5)
     assert not again.again.isVisible()
 
 
-def test_a_change_of_nothing_that_is_simulated_is_no_change(tab, opened, window):
-    face = opened.getObjectsByLabel("Face")[0]
+def test_a_change_of_nothing_that_is_simulated_is_no_change(desk, document, window):
+    tab = desk.simulate()
+    window.wait(lambda: tab.player.known._holds)
+    face = document.getObjectsByLabel("Face")[0]
     face.Path = type(face.Path)(face.Path.Commands)
     face.Label = "Another name"
-    opened.addObject("Part::Box", "Beside")
-    opened.recompute()
-    window.idle(1.0)
+    document.addObject("Part::Box", "Beside")
+    document.recompute()
+    assert not tab.player.known._holds
+    window.wait(lambda: tab.player.known._holds)  # the document has been compared
     assert not tab.again.isVisible()
 
 
-def crash(opened):
+def crash(document):
     """Let the job begin with a rapid move through the stock, and return what that is named."""
-    another_operation(opened)
-    op = opened.Added
+    another_operation(document)
+    op = document.Added
     op.Path = type(op.Path)(
         [type(op.Path.Commands[0])(line) for line in ("G0 X40 Y50 Z30", "G0 Z14", "G0 X60", "G0 Z30")]
     )
-    opened.Job.Operations.Group = [op, *opened.Job.Operations.Group[:-1]]
+    document.Job.Operations.Group = [op, *document.Job.Operations.Group[:-1]]
     return op
 
 
@@ -201,50 +202,47 @@ def told(op):
     return [remark.code for remark in row.remarks if remark.code == "simulated"]
 
 
-def test_an_outdated_tab_tells_nobody_of_its_faults(opened, window, small):
-    opened.UndoMode = 1
-    op = crash(opened)
-    Gui.Selection.clearSelection()
-    window.click(COMMAND)
-    window.wait(lambda: tabs(window))
-    (tab,) = tabs(window)
+def test_an_outdated_tab_tells_nobody_of_its_faults(desk, document, window):
+    document.UndoMode = 1
+    op = crash(document)
+    tab = desk.simulate()
     player = shown(tab, window)
     assert told(op) == ["simulated"]
-    opened.openTransaction("change")
-    cut_off(opened)
-    opened.commitTransaction()
+    document.openTransaction("change")
+    cut_off(document)
+    document.commitTransaction()
     assert told(op) == []
     player.look("Top")
     finest(player, window)
     assert tab.again.isVisible() and player.faults and told(op) == []
-    opened.undo()
+    document.undo()
     window.wait(lambda: not tab.again.isVisible())
     assert told(op) == ["simulated"]  # of what the document says again
-    close(window)
 
 
-def test_a_change_while_the_job_is_read_is_noticed(opened, window, small, monkeypatch):
+def test_a_change_while_the_job_is_read_is_noticed(desk, document, window, monkeypatch):
     kept = []
     monkeypatch.setattr(
         KnownFaults, "_tell", lambda known, tell=KnownFaults._tell: kept.append(known._holds) or tell(known)
     )
-    op = crash(opened)
+    op = crash(document)
     window.click(COMMAND)
     (tab,) = tabs(window)
     window.wait(lambda: op.Name in tab.copy._settings)
     assert tab.player is None
     op.Path = type(op.Path)(op.Path.Commands[:1])
+    make_small(tab, window)
     shown(tab, window)
     window.wait(tab.again.isVisible)
     assert tab.player.faults and kept and not any(kept) and told(op) == []
-    close(window)
 
 
-def test_an_error_while_the_job_is_copied_is_told(opened, window, small, monkeypatch):
+def test_an_error_while_the_job_is_copied_is_told(desk, window, monkeypatch):
     def copied(*_):
         raise RuntimeError("no path")
 
     monkeypatch.setattr("vkworkbench.document.job_copy._copied", copied)
+    desk.kept(desk.small)
     window.click(COMMAND)
     window.wait(window.boxes)
     (text,) = window.dismiss()
@@ -273,9 +271,10 @@ def rect(widget, within):
     return QtCore.QRect(widget.mapTo(within, QtCore.QPoint(0, 0)), widget.size())
 
 
-@pytest.mark.parametrize("height", [170, 200, 260, 330, 480])
-@pytest.mark.parametrize("points", [None, 14])
-def test_nothing_covers_anything_in_a_low_and_narrow_tab(tab, window, height, points):
+@pytest.fixture(scope="module", params=[None, 14])
+def low_tab(request, desk):
+    """A tab that shows differences and warnings in letters of the usual size, or of so many points."""
+    tab, points = desk.shared(desk.small, direction="Top"), request.param
     player, bar = tab.player, tab.player.scene_bar
     font = player.font()
     if points:
@@ -284,8 +283,15 @@ def test_nothing_covers_anything_in_a_low_and_narrow_tab(tab, window, height, po
             widget.setFont(font)
     bar.colorings.setCurrentIndex(bar.colorings.count() - 1)
     bar.warnings.setText("⚠ Warnings: 555")
+    yield tab, points
+    desk.close_tab()
+
+
+@pytest.mark.parametrize("height", [170, 200, 260, 330, 480])
+def test_nothing_covers_anything_in_a_low_and_narrow_tab(low_tab, window, height):
+    tab, points = low_tab
+    player, bar = tab.player, tab.player.scene_bar
     player.setFixedSize(550, height)
-    window.idle(0.5)
     finest(player, window)
     bar.warnings.show()
     window.idle(0.2)
@@ -305,6 +311,7 @@ def test_nothing_covers_anything_in_a_low_and_narrow_tab(tab, window, height, po
 
 def test_what_differences_need_is_seen_only_with_them(tab, window):
     bar = tab.player.scene_bar
+    tab.player.setFixedSize(360, 400)  # which has room for them
     assert not bar.differences.isVisible()
     bar.colorings.setCurrentIndex(bar.colorings.count() - 1)
     assert bar.differences.isVisible()
@@ -354,13 +361,13 @@ def folder(tmp_path, monkeypatch):
     return tmp_path
 
 
-def test_pictures_of_the_job_get_a_folder_of_their_own(tab, opened, window, folder):
+def test_pictures_of_the_job_get_a_folder_of_their_own(tab, desk, window, folder):
     player = tab.player
     (folder / "0000.png").write_text("somebody's")
     player.moment.go_to(0.4 * player.clock.total)
     window.wait(lambda: player.pictures.is_current)
     before, said = player.view.grab().toImage(), player.play_bar.text.text()
-    for name in (f"{opened.Name} pictures", f"{opened.Name} pictures 2"):
+    for name in (f"{desk.document.Name} pictures", f"{desk.document.Name} pictures 2"):
         exports.save_frames(player)
         assert sorted(path.name for path in (folder / name).iterdir()) == [f"000{k}.png" for k in range(4)]
         status = window.main.statusBar().currentMessage()
@@ -372,7 +379,7 @@ def test_pictures_of_the_job_get_a_folder_of_their_own(tab, opened, window, fold
     ]
 
 
-def test_pictures_wait_for_the_finest_and_are_given_up_by_esc(tab, opened, window, folder, monkeypatch):
+def test_pictures_wait_for_the_finest_and_are_given_up_by_esc(tab, desk, window, folder, monkeypatch):
     player = tab.player
     player.look("Top")
     player.simulate()
@@ -392,7 +399,7 @@ def test_pictures_wait_for_the_finest_and_are_given_up_by_esc(tab, opened, windo
     monkeypatch.setattr(exports, "write_frames", given_up)
     exports.save_frames(player)
     assert len(busy) == 3 and not any(busy)
-    assert len(list((folder / f"{opened.Name} pictures").iterdir())) == 2
+    assert len(list((folder / f"{desk.document.Name} pictures").iterdir())) == 2
     assert window.main.statusBar().currentMessage().startswith("2 of 4 pictures")
 
 
