@@ -238,7 +238,7 @@ def test_rapid_along_a_round_groove_only_touches_its_flanks(name, direction, tol
     groove, stock = arc(10, -2, 0.0, 4), Stock((-15, -15, -5), (15, 15, 0))
     place = np.array([10 * cos(0.2), 10 * sin(0.2), 1.5])  # from the stock's middle
     axes = View(direction).frame(stock)
-    view = View(direction, 140, 100, pixel=0.05, offset=(place @ axes.right, place @ axes.up))
+    view = View(direction, 200, 150, pixel=0.05, offset=(place @ axes.right, place @ axes.up))
 
     def crashes_along(radius, height):
         rapid = arc(radius, height, 0.05, 3)
