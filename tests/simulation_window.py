@@ -17,8 +17,10 @@ from vkworkbench import preferences
 from vkworkbench.gui.simulation.tab import SimulationTab
 
 COMMAND = "Simulate toolpaths"
-SMALL = 360, 320  # px, size of a player whose finest picture of the small job takes a third of a second
-WINDOW = 1024, 700  # px, size of FreeCAD's window in which a player that fills its tab is small, as in the documents
+# Without a graphics card, each change in FreeCAD's window costs in proportion to all pixels of the window.
+WHOLE = 1024, 700  # px, size of the window for the whole job, as in the documents
+SMALL = 680, 520  # px, size of the window for smaller jobs
+PLAYER = 360, 320  # px, size of the player of smaller jobs, whose finest picture takes a third of a second
 
 
 def tabs(window):
@@ -46,11 +48,11 @@ def finest(player, window):
         window.wait(rests, 300)
 
 
-def make_small(tab, window, size=SMALL):
-    """Give the player a size, as soon as there is one; there is none where a box says why."""
+def make_small(tab, window):
+    """Give the player a small size, as soon as there is one; there is none where a box says why."""
     window.wait(lambda: tab.player is not None or window.boxes())
     if tab.player is not None:
-        tab.player.setFixedSize(*size)
+        tab.player.setFixedSize(*PLAYER)
 
 
 def close(window):
@@ -80,8 +82,8 @@ class Desk:
     def __init__(self, window, example, folder):
         self.window, self.example, self._folder = window, example, folder
         self.document = None
-        self._path, self._tab, self._size, self._tolerance = None, None, None, 0.0
-        self._geometry = window.main.geometry()
+        self._path, self._tab, self._tolerance = None, None, 0.0
+        self._before = window.main.geometry()
         self._is_active = False
 
     @property
@@ -97,6 +99,7 @@ class Desk:
     def open(self, path):
         """Return the document of a file, opened anew, in the analysis workbench."""
         self.close()
+        self.window.main.setGeometry(0, 0, *(WHOLE if path == self.example else SMALL))
         self._path, self.document = path, FreeCAD.openDocument(str(path))
         if not self._is_active:
             self.window.activate("VkWorkbench")
@@ -108,7 +111,7 @@ class Desk:
     def kept(self, path):
         """Return the document of a file without a tab, opened only if it is not open yet."""
         if self._is_open(path):
-            self.close_tab()
+            close(self.window)
             return self.document
         return self.open(path)
 
@@ -119,33 +122,27 @@ class Desk:
         document.UndoMode = 1
         document.openTransaction("test")
         yield document
-        self.close_tab()
+        close(self.window)
         document.commitTransaction()
         document.undo()
         document.clearUndos()
         document.UndoMode = 0
 
-    def simulate(self, size=SMALL):
-        """Click on the command, and return the tab, with a player of `size`, or one that fills the tab if None."""
+    def simulate(self):
+        """Click on the command, and return the tab, whose player is small if the job is."""
         Gui.Selection.clearSelection()
-        width, height = WINDOW
-        self.window.main.setGeometry(self._geometry if size else QtCore.QRect(0, 0, width, height))
         self.window.click(COMMAND)
-        self.window.wait(lambda: tabs(self.window) or self.window.boxes())
-        found = tabs(self.window)
-        if not found:
-            return None
-        (self._tab,) = found
-        self._size = size
-        if size:
-            make_small(self._tab, self.window, size)
+        self.window.wait(lambda: tabs(self.window))
+        (self._tab,) = tabs(self.window)
+        if self._path != self.example:
+            make_small(self._tab, self.window)
         return self._tab
 
-    def shared(self, path, size=SMALL, direction="Isometric", *, at_its_finest=True):
+    def shared(self, path, direction="Isometric", *, at_its_finest=True):
         """Return a tab as a click on the command shows it; it may be one that other tests have used."""
-        if not (self._is_open(path) and self._is_simulated(size)):
+        if not (self._is_open(path) and tabs(self.window) == [self._tab] and not self._tab.again.isVisible()):
             self.kept(path)
-            tab = self.simulate(size)
+            tab = self.simulate()
             self.window.wait(lambda: tab.player is not None and tab.player.simulation is not None)
             self._tolerance = tab.player.scene_bar.tolerance.value()
         self._reset(direction)
@@ -156,10 +153,8 @@ class Desk:
     def _is_open(self, path):
         return path == self._path and str(path) in (document.FileName for document in FreeCAD.listDocuments().values())
 
-    def _is_simulated(self, size):
-        return size == self._size and tabs(self.window) == [self._tab] and not self._tab.again.isVisible()
-
     def _reset(self, direction):
+        """Undo what tests choose in the tab, and look in a standard direction."""
         player = self._tab.player
         bar, view = player.scene_bar, player.view
         Gui.Selection.clearSelection()
@@ -167,8 +162,8 @@ class Desk:
         bar.chips.setCurrentIndex(0)
         bar.tolerance.setValue(self._tolerance)
         player.play_bar.speeds.setCurrentIndex(player.play_bar.speeds.count() - 1)
-        if self._size:
-            player.setFixedSize(*self._size)
+        if self._path != self.example:
+            player.setFixedSize(*PLAYER)
         if (view._direction, view._offset, view._zoom) != (preferences.DIRECTIONS[direction], (0.0, 0.0), 1.0):
             player.look(direction)
         player.moment.go_to(player.clock.total)
@@ -176,20 +171,19 @@ class Desk:
         self._tab.come_to_front()
         player.time_line.setFocus()
 
-    def close_tab(self):
-        """Close the tab, if there is one, and give FreeCAD's window its size of before."""
-        close(self.window)
-        self._tab = None
-        self.window.main.setGeometry(self._geometry)
-
     def close(self):
         """Close the tab and the document."""
-        self.close_tab()
+        close(self.window)
         self.window.dismiss()
         if self.document is not None and self._is_open(self._path):
             FreeCAD.closeDocument(self.document.Name)
-        self.document = self._path = None
+        self.document = self._path = self._tab = None
         self.window.idle(0.02)
+
+    def leave(self):
+        """Close all, and give FreeCAD's window its size of before."""
+        self.close()
+        self.window.main.setGeometry(self._before)
 
     def _reduced(self, name, labels):
         """Return the file of the example job with these operations alone; the first call saves the file."""

@@ -32,19 +32,19 @@ def desk(window, example_path, tmp_path_factory):
     """FreeCAD's window with the documents and the tab that these tests share."""
     desk = Desk(window, example_path, tmp_path_factory.getbasetemp())
     yield desk
-    desk.close()
+    desk.leave()
 
 
 @pytest.fixture
 def whole(desk, window):
     """The whole example job, simulated by a click in a small window, at its finest; other tests may have used it."""
-    return desk.shared(desk.example, None).player
+    return desk.shared(desk.example).player
 
 
 @pytest.fixture
 def whole_from_above(desk, window):
     """The whole example job, seen from above, which is cheaper."""
-    return desk.shared(desk.example, None, "Top").player
+    return desk.shared(desk.example, "Top").player
 
 
 @pytest.fixture
@@ -241,7 +241,7 @@ def test_a_crash_is_found_in_three_clicks(desk, window):
     document = desk.open(desk.example)
     op = document.getObjectsByLabel("Pocket around island")[0]
     number, code = forget_a_retract(op)
-    player = shown(desk.simulate(None), window)
+    player = shown(desk.simulate(), window)
     warnings = player.scene_bar.warnings
     assert warnings.isVisible()
     window.screenshot("simulation-crash-1")
@@ -433,7 +433,7 @@ def test_it_is_read_on_light_and_dark_themes(desk, window, theme):
     line = player.time_line.grab().toImage()
     beside = line.pixelColor(int(0.9 * line.width()), line.height() - 2).lightness()
     assert all((value < 100) == (theme == "dark") for value in (*corners, beside))
-    desk.close_tab()
+    close(window)
 
 
 def test_a_changed_toolpath_is_told_and_simulated_again(desk, document, window):

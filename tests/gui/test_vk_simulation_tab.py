@@ -9,7 +9,7 @@ import FreeCAD
 import numpy as np
 import pytest
 from PySide import QtCore, QtGui
-from simulation_window import COMMAND, Desk, finest, make_small, shown, tabs
+from simulation_window import COMMAND, Desk, close, finest, make_small, shown, tabs
 
 import vkworkbench
 from vkworkbench.core.zbuffer import removed_volumes
@@ -23,7 +23,7 @@ def desk(window, example_path, tmp_path_factory):
     """FreeCAD's window with the documents and the tab that these tests share."""
     desk = Desk(window, example_path, tmp_path_factory.getbasetemp())
     yield desk
-    desk.close()
+    desk.leave()
 
 
 @pytest.fixture
@@ -284,7 +284,7 @@ def low_tab(request, desk):
     bar.colorings.setCurrentIndex(bar.colorings.count() - 1)
     bar.warnings.setText("⚠ Warnings: 555")
     yield tab, points
-    desk.close_tab()
+    close(desk.window)
 
 
 @pytest.mark.parametrize("height", [170, 200, 260, 330, 480])
