@@ -32,19 +32,13 @@ OPENGL = freecad.version() >= (1, 0)
 
 
 @pytest.fixture
-def panel(opened, window):
+def panel(marked, window):
     """The panel after a click on Analyze toolpaths."""
-    window.click("Analyze toolpaths")
-    window.wait(lambda: dock(window) is not None and dock(window).isVisible())
-    window.dismiss()
-    window.tree.expandAll()
-    window.idle()
     yield dock(window)
     dock(window).tree.sortByColumn(-1, QtCore.Qt.AscendingOrder)
     dock(window).filter.words.clear()
     dock(window).filter.strategies.setCurrentIndex(0)
     dock(window).filter.warnings.setChecked(False)
-    dock(window).hide()
 
 
 def labelled(document, label):
@@ -92,7 +86,7 @@ def click_row(window, panel, label, modifier=QtCore.Qt.NoModifier):
     index = next(index for index in indexes(panel) if index.data() == label)
     panel.tree.scrollTo(index)
     QTest.mouseClick(panel.tree.viewport(), QtCore.Qt.LeftButton, modifier, panel.tree.visualRect(index).center())
-    window.idle()
+    window.settle()
 
 
 def click_header(window, panel, title):
@@ -100,7 +94,7 @@ def click_header(window, panel, title):
     number = titles(panel).index(title)
     x = header.sectionViewportPosition(number) + header.sectionSize(number) // 2
     window.click_at(header.viewport(), QtCore.QPoint(x, header.height() // 2))
-    window.idle(0.1)
+    window.settle()
 
 
 def selected(panel):
@@ -182,17 +176,17 @@ def test_the_name_stays_in_sight(panel, opened, window):
     try:
         for action in chosen:
             action.trigger()
-        window.idle()
+        window.settle()
         bar, frozen = panel.tree.horizontalScrollBar(), panel.tree.findChild(QtGui.QTreeView, "frozen")
         assert bar.maximum() > 0 and not frozen.isVisible()
         bar.setValue(bar.maximum())
-        window.idle()
+        window.settle()
         assert frozen.isVisible() and frozen.width() == panel.tree.columnWidth(0)
         for index in indexes(panel)[:4]:
             assert frozen.visualRect(index).top() == panel.tree.visualRect(index).top()
         where = frozen.visualRect(indexes(panel)[2]).center()
         window.click_at(frozen.viewport(), where)
-        window.idle()
+        window.settle()
         assert selected(panel) == [indexes(panel)[2].data()] and bar.value() == bar.maximum()
         window.screenshot("panel-all-columns")
         bar.setValue(0)
@@ -207,12 +201,12 @@ def test_nothing_shines_through_the_name(panel, shipped, window):
     try:
         for action in chosen:
             action.trigger()
-        window.idle()  # until the columns have their places
+        window.settle()  # until the columns have their places
         bar, frozen = panel.tree.horizontalScrollBar(), panel.tree.findChild(QtGui.QTreeView, "frozen")
         pictures = []
         for value in (bar.maximum() // 2, bar.maximum()):
             bar.setValue(value)
-            window.idle(0.4)
+            window.settle()
             # Not of the view alone: the theme of FreeCAD 1.1 leaves its background to what is behind it.
             place = QtCore.QRect(frozen.viewport().mapTo(window.main, QtCore.QPoint(0, 0)), frozen.viewport().size())
             pictures.append(window.main.grab(place).toImage())
@@ -265,7 +259,7 @@ def contrast(one, other):
 
 def test_it_is_readable_in_freecads_own_themes(panel, window, shipped):
     click_row(window, panel, "Bore")
-    window.idle(0.5)
+    window.settle()
     window.screenshot(f"panel-{shipped.replace(' ', '-')}")
     image = panel.details.viewport().grab().toImage()
     points = [image.pixel(x, y) for x in range(0, image.width(), 2) for y in range(image.height())]
@@ -287,21 +281,21 @@ def test_on_a_low_screen_it_shows_rows_rather_than_titles(panel, opened, window)
     panel.setFloating(True)
     try:
         panel.resize(600, panel.minimumSizeHint().height())
-        window.idle()
+        window.settle()
         top = panel.tree.model().index(0, 0)
         panel.tree.scrollTo(top)
         seen = panel.tree.viewport()
         assert seen.rect().contains(panel.tree.visualRect(top).adjusted(0, 0, -panel.tree.columnWidth(0) + 1, 0))
         panel.tree.horizontalScrollBar().setValue(100)  # the first column then stands above the others
-        window.idle()
+        window.settle()
         window.screenshot("panel-low")
         panel.resize(600, 400)
-        window.idle()
+        window.settle()
         assert panel.tree.header().isVisible() and seen.height() > 6 * panel.tree.visualRect(top).height()
     finally:
         panel.tree.horizontalScrollBar().setValue(0)
         panel.setFloating(False)
-        window.idle()
+        window.settle()
 
 
 def test_a_click_on_a_title_sorts_within_the_job(panel, opened, window):
@@ -322,7 +316,7 @@ def test_the_filter(panel, opened, window):
     strategies = {o.label: o.strategy.value for o in vkworkbench.analyze(opened).operations}
     panel.filter.words.setFocus()
     window.type(panel.filter.words, "POCKET")
-    window.idle(0.1)
+    window.settle()
     assert labels(panel) == ["Job", *(label for label in strategies if "pocket" in label.lower())]
     panel.filter.words.clear()
     number = panel.filter.strategies.findText("zigzag")
@@ -340,18 +334,6 @@ def test_the_filter(panel, opened, window):
     assert text_of(panel) == "Select an operation to read what it does and why."
     window.type(panel.filter.words, "not in the job")
     assert not labels(panel) and text_of(panel) == "The filter lets no operation through."
-
-
-def test_the_page_tells_what_to_do_without_a_document(window):
-    assert not FreeCAD.listDocuments()
-    document = FreeCAD.newDocument("Empty")
-    window.activate("VkWorkbench")
-    window.click("Toolpath results")
-    window.wait(lambda: dock(window) is not None and dock(window).isVisible())
-    window.wait(lambda: text_of(dock(window)).startswith("Nothing is analyzed yet"))
-    FreeCAD.closeDocument(document.Name)
-    window.wait(lambda: text_of(dock(window)).startswith("No document is open."))
-    dock(window).hide()
 
 
 def test_a_click_on_a_row_selects_the_operation(panel, opened, window):
@@ -403,11 +385,11 @@ def test_several_rows_have_the_total_of_the_selection(panel, opened, window):
 def test_the_keyboard(panel, opened, window):
     click_row(window, panel, "Face")
     window.press(panel.tree, QtCore.Qt.Key_Down)
-    window.idle()
+    window.settle()
     below = labels(panel)[labels(panel).index("Face") + 1]
     assert selected(panel) == [below] and [obj.Label for obj in Gui.Selection.getSelection()] == [below]
     QTest.keyClick(panel.tree, QtCore.Qt.Key_C, QtCore.Qt.ControlModifier)
-    window.idle()
+    window.settle()
     assert QtGui.QApplication.activeModalWidget() is None
     lines = QtGui.QApplication.clipboard().text().splitlines()
     assert lines[0].split("\t") == FIRST and [line.split("\t")[0] for line in lines[1:]] == [below]
@@ -440,19 +422,119 @@ def test_a_jobs_row_is_another_than_its_first_operations(panel, opened, window):
         assert text_of(panel).startswith(f"{label}:")
 
 
-def test_what_it_is_called_against_what_it_does(panel, opened, window):
-    face, pocket = labelled(opened, "Face"), labelled(opened, "Pocket around island")
-    assert not any("called" in remark for remark in column(panel, "Warnings").values())
-    face.Path, pocket.Path = pocket.Path, face.Path
-    window.click("Analyze toolpaths")
-    window.idle()
-    remarks = column(panel, "Warnings")
-    assert "called ZigZag, but its toolpath is contour-parallel" in remarks["Face"]
-    assert "called Offset, but its toolpath is zigzag" in remarks["Pocket around island"]
-    click_row(window, panel, "Face")
-    assert "called ZigZag" in text_of(panel)
-    window.see_all()
-    window.screenshot("panel-mismatch")
+def save_as(window, action, path):
+    """Choose an export and answer its dialog as a user does."""
+
+    def answer():
+        dialogs = [
+            w for w in QtGui.QApplication.topLevelWidgets() if isinstance(w, QtGui.QFileDialog) and w.isVisible()
+        ]
+        if not dialogs:
+            QtCore.QTimer.singleShot(50, answer)
+            return
+        name = dialogs[0].findChild(QtGui.QLineEdit)
+        name.setText(str(path))
+        window.press(name, QtCore.Qt.Key_Return)
+
+    QtCore.QTimer.singleShot(50, answer)
+    action.trigger()
+    window.settle()
+
+
+def test_exports_hold_the_numbers(panel, opened, window, tmp_path):
+    operations = vkworkbench.analyze(opened).operations
+    save_as(window, panel.csv, tmp_path / "results.csv")
+    save_as(window, panel.json, tmp_path / "results")
+    with open(tmp_path / "results.csv", newline="", encoding="utf-8") as file:
+        rows = list(csv.DictReader(file))
+    data = json.loads((tmp_path / "results.json").read_text(encoding="utf-8"))
+    assert [row["label"] for row in rows] == [o.label for o in operations]
+    assert [o["seconds"] for o in data["operations"]] == [o.estimate.seconds for o in operations]
+
+
+def test_an_export_that_fails_is_said(panel, window, tmp_path):
+    said = []
+
+    def look():
+        said.extend(window.boxes())
+        if not said:
+            QtCore.QTimer.singleShot(100, look)
+            return
+        window.click_on(said[0].buttons()[0])
+
+    folder = tmp_path / "results.csv"
+    folder.mkdir()
+    from vkworkbench.gui import panel_export as module
+
+    name, module.QFileDialog.getSaveFileName = module.QFileDialog.getSaveFileName, lambda *what: (str(folder), "")
+    try:
+        QtCore.QTimer.singleShot(300, look)
+        panel.csv.trigger()
+        window.wait(lambda: said)
+    finally:
+        module.QFileDialog.getSaveFileName = name
+    assert said
+
+
+def test_copy_is_the_tree_as_shown(panel, window):
+    Gui.Selection.clearSelection()
+    window.settle()
+    panel.copy.trigger()
+    lines = [line.split("\t") for line in QtGui.QApplication.clipboard().text().splitlines()]
+    assert lines[0] == FIRST
+    assert [line[0] for line in lines[1:]] == labels(panel)
+    assert all(len(line) == len(lines[0]) for line in lines)
+
+
+def test_the_command_shows_and_hides_it(panel, window):
+    window.click("Toolpath results")
+    window.wait(lambda: not panel.isVisible())
+    window.click("Toolpath results")
+    window.wait(panel.isVisible)
+    window.wait(lambda: window.main.focusWidget() is panel.tree)
+
+
+def test_no_table_in_the_report_view(panel, window):
+    view = window.first(QtGui.QTextEdit, "Report view") or window.first(QtGui.QTextEdit)
+    assert "trajectories" not in view.toPlainText()
+    assert marks.is_marked(FreeCAD.ActiveDocument.getObject("Job"))
+
+
+def test_the_simulation_time_is_that_of_the_marks(panel, opened, window):
+    """Of the simulator of the preferences; the job's is the same number in tree and panel."""
+    try:
+        for name in ("legacy", *(["OpenGL"] if OPENGL else []), "z-buffer"):
+            preferences.write(mark_simulator=name)
+            title = f"{'Simulate toolpaths' if name == 'z-buffer' else user().simulator(name)} time"
+            # In an event of its own, which on a busy computer takes its time.
+            window.wait(lambda title=title: column(panel, "Simulation time") == column(panel, title))
+            shown = column(panel, "Simulation time")
+            if name == "z-buffer" and marks.read(opened.getObject("Job")).cost(name) is None:
+                continue
+            for obj in filter(marks.is_marked, opened.Objects):
+                assert shown[obj.Label] == time_of(marks.read(obj), preferences.read(), user())
+    finally:
+        preferences.write(mark_simulator="own")
+        window.settle()
+
+
+def test_lengths_in_inches(panel, opened, window):
+    """No length of mark, tooltip and page stands in millimetres where FreeCAD shows inches."""
+    schema, units = FreeCAD.Units.getSchema(), FreeCAD.ParamGet("User parameter:BaseApp/Preferences/Units")
+    FreeCAD.Units.setSchema(3)
+    links = ("why", "numbers")
+    try:
+        click_row(window, panel, "Face")
+        for link in links:
+            panel.details.anchorClicked.emit(QtCore.QUrl(link))
+        shown = explanation(marks.read(labelled(opened, "Face")), preferences.read()) + text_of(panel)
+        window.screenshot("panel-inches")
+        assert re.search(r"\d in\b", shown) and not re.search(r"\d mm\b", shown), shown
+    finally:
+        FreeCAD.Units.setSchema(schema)
+        units.SetInt("UserSchema", schema)
+        for link in links:
+            panel.details.anchorClicked.emit(QtCore.QUrl(link))
 
 
 def sign(panel, label):
@@ -467,7 +549,7 @@ def test_what_has_a_sign_in_the_tree_has_one_in_the_results(panel, opened, windo
     try:
         preferences.write(time_budget=0.1, mark_simulator="legacy")
         window.wait(lambda: "100 ms allowed" in (column(panel, "Warnings")["Job"] or ""))
-        window.idle()
+        window.settle()
         for obj in filter(marks.is_marked, opened.Objects):
             assert ("⚠" in obj.Label2) == bool(sign(panel, obj.Label)), obj.Label
             told = column(panel, "Warnings")[obj.Label]
@@ -484,7 +566,7 @@ def test_what_has_a_sign_in_the_tree_has_one_in_the_results(panel, opened, windo
             assert not sign(panel, label)
     finally:
         preferences.write(time_budget=600.0, mark_simulator="own")
-        window.idle()
+        window.settle()
 
 
 def test_a_job_over_the_budget_is_among_the_warnings_alone(panel, opened, window):
@@ -498,7 +580,22 @@ def test_a_job_over_the_budget_is_among_the_warnings_alone(panel, opened, window
         assert labels(panel) == ["Job"]
     finally:
         preferences.write(time_budget=600.0, mark_simulator="own")
-        window.idle()
+        window.settle()
+
+
+def test_what_it_is_called_against_what_it_does(panel, opened, window):
+    face, pocket = labelled(opened, "Face"), labelled(opened, "Pocket around island")
+    assert not any("called" in remark for remark in column(panel, "Warnings").values())
+    face.Path, pocket.Path = pocket.Path, face.Path
+    window.click("Analyze toolpaths")
+    window.settle()
+    remarks = column(panel, "Warnings")
+    assert "called ZigZag, but its toolpath is contour-parallel" in remarks["Face"]
+    assert "called Offset, but its toolpath is zigzag" in remarks["Pocket around island"]
+    click_row(window, panel, "Face")
+    assert "called ZigZag" in text_of(panel)
+    window.see_all()
+    window.screenshot("panel-mismatch")
 
 
 def test_what_is_wrong_is_said(panel, opened, window):
@@ -506,7 +603,7 @@ def test_what_is_wrong_is_said(panel, opened, window):
     bore.ToolController = None
     labelled(opened, "Face").Active = False
     window.click("Analyze toolpaths")
-    window.idle()
+    window.settle()
     remarks = column(panel, "Warnings")
     assert "no tool" in remarks["Bore"]
     assert remarks["Face"].endswith("not in the total: it is switched off")
@@ -559,7 +656,7 @@ def test_an_operation_that_is_switched_off_is_no_error(panel, opened, window):
 def test_an_analysis_fills_the_panel_once_in_an_event_of_its_own(panel, opened, window, monkeypatch):
     """At the end of an analysis the window would stand still for all of it together."""
     panel.hide()
-    window.idle()
+    window.settle()
     find, events = latest.findings, []
 
     def finds(document):
@@ -569,7 +666,7 @@ def test_an_analysis_fills_the_panel_once_in_an_event_of_its_own(panel, opened, 
     monkeypatch.setattr(latest, "findings", finds)
     window.click("Analyze toolpaths")
     window.wait(lambda: panel.isVisible() and events)
-    window.idle()
+    window.settle()
     assert len(events) == 1 and "Activated" not in events[0]
     assert column(panel, "Strategy")["Face"] == "zigzag"
 
@@ -628,7 +725,7 @@ def test_one_operation_analyzed_again_keeps_the_others(panel, opened, window):
     count = len(labels(panel))
     Gui.Selection.addSelection(labelled(opened, "Face"))
     window.click("Analyze toolpaths")
-    window.idle()
+    window.settle()
     assert len(labels(panel)) == count
 
 
@@ -640,36 +737,6 @@ def test_the_total_of_a_part_says_that_it_is_one(opened, window):
     window.dismiss()
     assert column(dock(window), "Strategy")["Job"] == f"1 of {posted} operations"
     assert "not of the whole job" in column(dock(window), "Warnings")["Job"]
-
-
-def save_as(window, action, path):
-    """Choose an export and answer its dialog as a user does."""
-
-    def answer():
-        dialogs = [
-            w for w in QtGui.QApplication.topLevelWidgets() if isinstance(w, QtGui.QFileDialog) and w.isVisible()
-        ]
-        if not dialogs:
-            QtCore.QTimer.singleShot(50, answer)
-            return
-        name = dialogs[0].findChild(QtGui.QLineEdit)
-        name.setText(str(path))
-        window.press(name, QtCore.Qt.Key_Return)
-
-    QtCore.QTimer.singleShot(50, answer)
-    action.trigger()
-    window.idle()
-
-
-def test_exports_hold_the_numbers(panel, opened, window, tmp_path):
-    operations = vkworkbench.analyze(opened).operations
-    save_as(window, panel.csv, tmp_path / "results.csv")
-    save_as(window, panel.json, tmp_path / "results")
-    with open(tmp_path / "results.csv", newline="", encoding="utf-8") as file:
-        rows = list(csv.DictReader(file))
-    data = json.loads((tmp_path / "results.json").read_text(encoding="utf-8"))
-    assert [row["label"] for row in rows] == [o.label for o in operations]
-    assert [o["seconds"] for o in data["operations"]] == [o.estimate.seconds for o in operations]
 
 
 @pytest.mark.parametrize(
@@ -686,48 +753,6 @@ def test_a_name_without_a_suffix_gets_one(chosen, saved):
     assert with_suffix(chosen, ".csv") == saved
 
 
-def test_an_export_that_fails_is_said(panel, window, tmp_path):
-    said = []
-
-    def look():
-        said.extend(window.boxes())
-        if not said:
-            QtCore.QTimer.singleShot(100, look)
-            return
-        window.click_on(said[0].buttons()[0])
-
-    folder = tmp_path / "results.csv"
-    folder.mkdir()
-    from vkworkbench.gui import panel_export as module
-
-    name, module.QFileDialog.getSaveFileName = module.QFileDialog.getSaveFileName, lambda *what: (str(folder), "")
-    try:
-        QtCore.QTimer.singleShot(300, look)
-        panel.csv.trigger()
-        window.wait(lambda: said)
-    finally:
-        module.QFileDialog.getSaveFileName = name
-    assert said
-
-
-def test_copy_is_the_tree_as_shown(panel, window):
-    Gui.Selection.clearSelection()
-    window.idle()
-    panel.copy.trigger()
-    lines = [line.split("\t") for line in QtGui.QApplication.clipboard().text().splitlines()]
-    assert lines[0] == FIRST
-    assert [line[0] for line in lines[1:]] == labels(panel)
-    assert all(len(line) == len(lines[0]) for line in lines)
-
-
-def test_the_command_shows_and_hides_it(panel, window):
-    window.click("Toolpath results")
-    window.wait(lambda: not panel.isVisible())
-    window.click("Toolpath results")
-    window.wait(panel.isVisible)
-    window.wait(lambda: window.main.focusWidget() is panel.tree)
-
-
 def test_beside_the_report_view_it_is_a_tab(opened, window):
     view = window.first(QtGui.QDockWidget, "Report view")
     existing = dock(window)
@@ -740,7 +765,7 @@ def test_beside_the_report_view_it_is_a_tab(opened, window):
     window.main.addDockWidget(QtCore.Qt.BottomDockWidgetArea, view)
     view.show()
     window.main.setGeometry(0, 0, 1024, 700)
-    window.idle(0.3)
+    window.settle()
     try:
         window.click("Analyze toolpaths")
         window.wait(lambda: dock(window) is not None and dock(window).isVisible())
@@ -753,28 +778,22 @@ def test_beside_the_report_view_it_is_a_tab(opened, window):
     finally:
         view.hide()
         window.main.setGeometry(0, 0, 1280, 1000)
-        window.idle(0.3)
-
-
-def test_no_table_in_the_report_view(panel, window):
-    view = window.first(QtGui.QTextEdit, "Report view") or window.first(QtGui.QTextEdit)
-    assert "trajectories" not in view.toPlainText()
-    assert marks.is_marked(FreeCAD.ActiveDocument.getObject("Job"))
+        window.settle()
 
 
 def test_results_and_gauss_map_share_their_place(opened, window):
     window.click("Toolpath results")
     window.click("Gauss map")
-    window.idle(0.5)
+    window.settle()
     results, gauss = (window.first(QtGui.QDockWidget, name) for name in ("VkResults", "VkGaussMap"))
     assert gauss in window.main.tabifiedDockWidgets(results)
     assert gauss.width() > 0.9 * window.main.width() and not gauss.visibleRegion().isEmpty()
     window.click("Toolpath results")  # from behind to the front
-    window.idle()
+    window.settle()
     assert not results.visibleRegion().isEmpty() and gauss.visibleRegion().isEmpty()
     window.click("Toolpath results")
     window.click("Gauss map")
-    window.idle()
+    window.settle()
     assert not results.isVisible()
     if not gauss.visibleRegion().isEmpty():
         window.click("Gauss map")
@@ -791,7 +810,7 @@ def test_a_document_that_is_opened_with_marks_fills_it(panel, opened, window, tm
     again = FreeCAD.openDocument(str(tmp_path / "again.FCStd"))
     try:
         window.wait(lambda: len(labels(panel)) == len(before["Operation"]))
-        window.idle()
+        window.settle()
         assert {title: column(panel, title) for title in FIRST} == before
         click_row(window, panel, label)
         assert (
@@ -808,24 +827,6 @@ def test_a_document_that_is_opened_with_marks_fills_it(panel, opened, window, tm
     finally:
         FreeCAD.closeDocument(again.Name)
         FreeCAD.setActiveDocument(opened.Name)
-
-
-def test_the_simulation_time_is_that_of_the_marks(panel, opened, window):
-    """Of the simulator of the preferences; the job's is the same number in tree and panel."""
-    try:
-        for name in ("legacy", *(["OpenGL"] if OPENGL else []), "z-buffer"):
-            preferences.write(mark_simulator=name)
-            title = f"{'Simulate toolpaths' if name == 'z-buffer' else user().simulator(name)} time"
-            # In an event of its own, which on a busy computer takes its time.
-            window.wait(lambda title=title: column(panel, "Simulation time") == column(panel, title))
-            shown = column(panel, "Simulation time")
-            if name == "z-buffer" and marks.read(opened.getObject("Job")).cost(name) is None:
-                continue
-            for obj in filter(marks.is_marked, opened.Objects):
-                assert shown[obj.Label] == time_of(marks.read(obj), preferences.read(), user())
-    finally:
-        preferences.write(mark_simulator="own")
-        window.idle()
 
 
 def test_the_total_of_the_z_buffer_is_one_number(opened, window, tmp_path):
@@ -850,7 +851,7 @@ def test_the_total_of_the_z_buffer_is_one_number(opened, window, tmp_path):
         opened.saveCopy(str(again))
         again = FreeCAD.openDocument(str(again))
         window.wait(lambda: FreeCAD.ActiveDocument.Name == again.Name and len(labels(results)) > 3)
-        window.idle()
+        window.settle()
         assert column(results, "Simulation time")["Job"] == told
         assert column(results, title)["Job"] == memory
     finally:
@@ -860,7 +861,7 @@ def test_the_total_of_the_z_buffer_is_one_number(opened, window, tmp_path):
             FreeCAD.setActiveDocument(opened.Name)
         if results is not None:
             results.hide()
-        window.idle()
+        window.settle()
 
 
 def test_what_is_cleared_is_not_shown(panel, opened, window):
@@ -874,25 +875,6 @@ def test_many_millimetres_are_metres():
     assert (user().length(9_999.0), user().length(318_629.67)) == ("9,999.00 mm", "319 m")
 
 
-def test_lengths_in_inches(panel, opened, window):
-    """No length of mark, tooltip and page stands in millimetres where FreeCAD shows inches."""
-    schema, units = FreeCAD.Units.getSchema(), FreeCAD.ParamGet("User parameter:BaseApp/Preferences/Units")
-    FreeCAD.Units.setSchema(3)
-    links = ("why", "numbers")
-    try:
-        click_row(window, panel, "Face")
-        for link in links:
-            panel.details.anchorClicked.emit(QtCore.QUrl(link))
-        shown = explanation(marks.read(labelled(opened, "Face")), preferences.read()) + text_of(panel)
-        window.screenshot("panel-inches")
-        assert re.search(r"\d in\b", shown) and not re.search(r"\d mm\b", shown), shown
-    finally:
-        FreeCAD.Units.setSchema(schema)
-        units.SetInt("UserSchema", schema)
-        for link in links:
-            panel.details.anchorClicked.emit(QtCore.QUrl(link))
-
-
 @pytest.mark.parametrize(
     ("title", "name", "told", "sentence"),
     [
@@ -903,3 +885,15 @@ def test_lengths_in_inches(panel, opened, window):
 def test_titles_and_sentences_in_one_line(title, name, told, sentence):
     assert Column("key", title, "", None).name == name
     assert as_sentence(told) == sentence == as_sentence(sentence)
+
+
+def test_the_page_tells_what_to_do_without_a_document(window):
+    assert not FreeCAD.listDocuments()
+    document = FreeCAD.newDocument("Empty")
+    window.activate("VkWorkbench")
+    window.click("Toolpath results")
+    window.wait(lambda: dock(window) is not None and dock(window).isVisible())
+    window.wait(lambda: text_of(dock(window)).startswith("Nothing is analyzed yet"))
+    FreeCAD.closeDocument(document.Name)
+    window.wait(lambda: text_of(dock(window)).startswith("No document is open."))
+    dock(window).hide()

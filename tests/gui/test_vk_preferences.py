@@ -32,7 +32,7 @@ def fresh():
 
 
 @pytest.fixture
-def with_page(opened, window):
+def with_page(window):
     """Open the preferences, let a function work on the page's form, and press a button."""
 
     def open_and(work, button=OK):
@@ -49,7 +49,7 @@ def with_page(opened, window):
     return open_and
 
 
-def test_it_shows_the_defaults_and_keeps_what_is_chosen(with_page, window):
+def test_it_shows_the_defaults_and_keeps_what_is_chosen(opened, with_page, window):
     def look(form):
         assert form.isVisible()
         assert form.image_width.value() == 800 and form.image_height.value() == 600
@@ -138,7 +138,7 @@ def test_calibrate(with_page, window):
         window.click_on(form.calibrate)
         window.wait(lambda: form.calibrated.text() != seen[0])
         seen.append(form.calibrated.text())
-        window.idle(0.2)
+        window.settle()
         window.screenshot("preferences-calibrated")
 
     with_page(click)
@@ -160,7 +160,7 @@ def test_no_field_is_squeezed_in_freecads_own_size(points, with_page, window):
         window.click_on(form.calibrate)
         window.wait(lambda: form.calibrated.text().startswith("Last calibrated on"))
         form.window().resize(819, 500)
-        window.idle(0.3)
+        window.settle()
         window.screenshot(f"preferences-819x500-{points}")
         for widget in form.findChildren(QtGui.QWidget):
             if widget.isVisible() and widget.objectName() in vars(Preferences()):

@@ -3,7 +3,7 @@
 
 import pytest
 from PySide import QtCore, QtGui
-from simulation_window import COMMAND, shown, tabs
+from simulation_window import COMMAND, tabs
 
 from vkworkbench.gui.simulator_warning import Line
 from vkworkbench.gui.widgets import area_of_views
@@ -38,9 +38,9 @@ def test_the_controls_of_the_simulation_have_names(opened, window, small):
     window.click(COMMAND)
     window.wait(lambda: tabs(window))
     (tab,) = tabs(window)
-    player = shown(tab, window)
+    window.wait(lambda: tab.player is not None and tab.player.simulation is not None)
     assert nameless(tab) == []
-    assert player.play_bar.play_button.accessibleName() == "Play or pause (Space)."
+    assert tab.player.play_bar.play_button.accessibleName() == "Play or pause (Space)."
     window.press(tab, QtCore.Qt.Key_Escape)
     window.wait(lambda: not tabs(window))
 

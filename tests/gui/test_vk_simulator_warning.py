@@ -43,7 +43,7 @@ def marked(marked, window):
     for tab in window.find(QtGui.QMdiSubWindow):
         if tab.widget() is not None and tab.widget().metaObject().className() == "SimulationTab":
             tab.close()
-    window.idle(0.5)
+    window.wait(lambda: not lines(window))
 
 
 def _close(window):
@@ -63,7 +63,7 @@ def start(window, name):
     """Start a simulator, and return the lines that are seen a while later."""
     window.start_simulator(name)
     window.wait(lambda: simulator_panel(window) is not None)
-    window.idle(0.3)
+    window.settle()
     return lines(window)
 
 
@@ -134,7 +134,7 @@ def test_it_goes_with_the_panel_with_what_is_unticked_and_when_it_is_closed(mark
     window.click_on(line.close_button)
     assert lines(window) == []
     listed.item(1).setCheckState(QtCore.Qt.Checked)
-    window.idle()
+    window.settle()
     assert lines(window) == []  # the user has closed it
 
 
@@ -146,7 +146,7 @@ def test_a_click_after_the_panel_was_closed_does_nothing(marked, window):
     assert simulator_panel(window) is None and line.isVisible()  # not looked yet
     panel._take()  # what a slot raises does not fail a test
     assert lines(window) == []
-    window.idle(0.5)
+    window.idle()
     assert not Gui.Control.activeDialog() and simulator_panel(window) is None
 
 
@@ -159,7 +159,7 @@ def test_no_panel_is_kept_that_is_closed(marked, window):
     preferences.write(time_budget=0.1)
     gc.collect()
     before = kept()
-    for _ in range(3):
+    for _ in range(2):
         warned(window, "legacy")
         _close(window)
         gc.collect()
@@ -188,7 +188,6 @@ def test_an_operation_that_hangs_it_is_named(marked, window):
             )
         )
     assert not [o for o in marked.Objects if o.Name.startswith("Cut")]  # of the panel that was closed
-    window.idle(0.5)
     window.screenshot("warning-hangs-taken")
 
 

@@ -33,16 +33,16 @@ def test_the_start_loads_nothing_that_is_not_needed_yet():
 
 def test_switching_between_documents_compares_no_marks_again(opened, window, monkeypatch):
     vkworkbench.mark(vkworkbench.analyze(opened))
-    window.idle()
+    window.settle()
     other = FreeCAD.newDocument("Other")
     FreeCAD.setActiveDocument(opened.Name)
-    window.idle()
+    window.settle()
     compared = []
     monkeypatch.setattr(watcher, "comparing", lambda document, *_, **__: iter([compared.append(document.Name)]))
     for _ in range(3):
         FreeCAD.setActiveDocument(other.Name)
         FreeCAD.setActiveDocument(opened.Name)
-        window.idle(0.1)
+        window.settle()
     assert compared == []
     opened.addObject("App::FeaturePython", "New")  # what is new may be a copy of something marked
     FreeCAD.setActiveDocument(other.Name)

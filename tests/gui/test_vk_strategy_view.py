@@ -7,6 +7,7 @@ from collections import Counter
 
 import FreeCAD
 import FreeCADGui as Gui
+import numpy as np
 import Path
 import pytest
 from make_example import cam
@@ -23,10 +24,10 @@ def switched_on(opened, window):
     """The example seen from above, its toolpaths coloured."""
     Gui.activeView().viewTop()
     Gui.SendMsgToActiveView("ViewFit")
-    window.idle(0.3)
+    window.settle()
     window.click(SWITCH)
     window.wait(lambda: drawn(opened))
-    window.idle(0.5)
+    window.settle()
     yield opened
     if strategy_view.is_shown(opened):
         window.click(SWITCH)
@@ -43,10 +44,20 @@ def labelled(document, label):
 
 def seen(tmp_path):
     """How many pixels of the 3D view have which colour."""
+    return counted(picture(tmp_path))
+
+
+def picture(tmp_path):
     path = str(tmp_path / "view.png")
     Gui.activeView().saveImage(path, 700, 600, "#ffffff")
-    image = QtGui.QImage(path)
-    return Counter(image.pixelColor(x, y).name() for x in range(image.width()) for y in range(image.height()))
+    return QtGui.QImage(path)
+
+
+def counted(image):
+    """How many pixels of a picture have which colour."""
+    image = image.convertToFormat(QtGui.QImage.Format_RGB32)
+    colors, counts = np.unique(np.frombuffer(bytes(image.constBits()), np.uint32) & 0xFFFFFF, return_counts=True)
+    return Counter({f"#{color:06x}": count for color, count in zip(colors.tolist(), counts.tolist())})
 
 
 def nodes(document):
@@ -88,7 +99,13 @@ def test_the_colours_are_seen_and_go_again(opened, window, switched_on, tmp_path
     assert gone[Strategy.ZIGZAG.color] == gone[Strategy.ADAPTIVE.color] == 0
 
 
-def test_the_document_is_not_changed(opened, window):
+@pytest.fixture
+def reopened(kept_document):
+    """The example is opened again, so that FreeCAD does not ask whether to save it."""
+    kept_document.close()
+
+
+def test_the_document_is_not_changed(reopened, opened, window):
     before = [(obj.Name, obj.Label2, tuple(obj.PropertiesList), list(obj.State)) for obj in opened.Objects]
     undo = opened.UndoCount
     window.click(SWITCH)
@@ -103,11 +120,11 @@ def test_an_operation_takes_its_colours_along(opened, window, switched_on, tmp_p
     count = nodes(opened)
     assert count >= 8
     labelled(opened, "Adaptive pocket").ViewObject.Visibility = False
-    window.idle()
+    window.settle()
     assert seen(tmp_path)[Strategy.ADAPTIVE.color] == 0
     labelled(opened, "Adaptive pocket").ViewObject.Visibility = True
     opened.removeObject(labelled(opened, "Adaptive pocket").Name)
-    window.idle()
+    window.settle()
     assert nodes(opened) == count - 1
 
 
@@ -115,7 +132,7 @@ def test_the_selected_operation_is_wider(opened, window, switched_on, tmp_path):
     color = Strategy.HELIX.color
     before = seen(tmp_path)[color]
     Gui.Selection.addSelection(labelled(opened, "Bore"))
-    window.idle()
+    window.settle()
     window.screenshot("strategies-selected")
     assert seen(tmp_path)[color] > 1.3 * before > 0
     Gui.Selection.clearSelection()
@@ -133,7 +150,7 @@ def test_a_changed_toolpath_is_coloured_anew(opened, window, switched_on):
     window.wait(lambda: drawn(opened))
     after = strategy_view._shown[opened.Name].lines[drill.Name]
     assert after is not before
-    window.idle()
+    window.settle()
     assert nodes(opened) == len(strategy_view._shown[opened.Name].lines)
 
 
@@ -163,7 +180,7 @@ def test_closing_the_document_forgets_it(example_path, window):
     window.click(SWITCH)
     window.wait(lambda: drawn(document))
     FreeCAD.closeDocument(name)
-    window.idle()
+    window.settle()
     assert name not in strategy_view._shown
 
 
@@ -190,11 +207,11 @@ def test_rapids_are_grey_those_from_the_origin_too(opened, window, tmp_path):
 
     Gui.activeView().viewIsometric()
     Gui.SendMsgToActiveView("ViewFit")
-    window.idle(0.3)
+    window.settle()
     assert red(seen(tmp_path)) > 100
     window.click(SWITCH)
     window.wait(lambda: drawn(opened))
-    window.idle(0.3)
+    window.settle()
     there = seen(tmp_path)
     assert red(there) == 0 and there[colors.RAPID] > 100
 
@@ -209,17 +226,14 @@ def test_a_legend_names_the_colours_that_are_seen(opened, window, tmp_path):
     assert colors.RAPID in found and Strategy.ENGRAVING.color not in found
     labelled(opened, "Adaptive pocket").ViewObject.Visibility = False
     opened.removeObject(labelled(opened, "Bore").Name)
-    window.idle(0.3)
+    window.settle()
     found = legend_colors(tmp_path)
     assert not {Strategy.ADAPTIVE.color, Strategy.HELIX.color} & found and Strategy.ZIGZAG.color in found
 
 
 def legend_colors(tmp_path):
     """The colours in the lower left corner of the 3D view, where the example has no toolpath."""
-    path = str(tmp_path / "view.png")
-    Gui.activeView().saveImage(path, 700, 600, "#ffffff")
-    corner = QtGui.QImage(path).copy(0, 350, 60, 250)
-    return {corner.pixelColor(x, y).name() for x in range(corner.width()) for y in range(corner.height())}
+    return set(counted(picture(tmp_path).copy(0, 350, 60, 250)))
 
 
 def test_the_legend_takes_no_place(opened, window, switched_on):
@@ -238,9 +252,9 @@ def test_the_legend_takes_no_place(opened, window, switched_on):
 
 @pytest.fixture
 def long(opened):
-    """Five operations of the example with 100,000 commands each."""
+    """Five operations of the example with 40,000 commands each, more than what is handed over in one step."""
     lines = ["G0 Z30", "G0 X10 Y10", "G1 Z18 F10"]
-    for number in range(100_000):
+    for number in range(40_000):
         row, step = divmod(number, 500)
         x = 10 + 0.2 * (step if row % 2 == 0 else 499 - step)
         lines.append(f"G1 X{x:.3f} Y{10 + 0.3 * row:.3f}")
@@ -250,7 +264,7 @@ def long(opened):
     return opened
 
 
-def test_the_window_lives_while_half_a_million_commands_are_drawn(long, window):
+def test_the_window_lives_while_200_000_commands_are_drawn(long, window):
     beats, begin = [], time.monotonic()
     timer = QtCore.QTimer()
     timer.timeout.connect(lambda: beats.append(time.monotonic() - begin))
@@ -261,7 +275,7 @@ def test_the_window_lives_while_half_a_million_commands_are_drawn(long, window):
     gaps = [b - a for a, b in zip([0.0, *beats], beats)]
     print(f"drawn after {beats[-1]:.2f} s, in which the window lived {len(beats)} times, the longest pause "
           f"{max(gaps):.3f} s")  # fmt: skip
-    assert len(beats) > 20
+    assert len(beats) > 12
     shown = strategy_view._shown[long.Name].lines
     assert {s for lines in shown.values() for s in lines.strategies} >= {Strategy.ZIGZAG, Strategy.DRILLING}
     window.click(SWITCH)

@@ -33,7 +33,7 @@ def test_a_mark_is_readable(shipped, marked, window):
     (found,) = model.match(model.index(0, 0), QtCore.Qt.DisplayRole, "Face", 1,
                            QtCore.Qt.MatchExactly | QtCore.Qt.MatchRecursive | QtCore.Qt.MatchWrap)  # fmt: skip
     view.scrollTo(found)
-    window.idle()
+    window.settle()
     window.screenshot(f"marks-{shipped.replace(' ', '-')}")
     area = view.visualRect(found.sibling(found.row(), 1)) & view.viewport().rect()
     # Not of the viewport alone: some looks leave its background to what is behind it.
@@ -51,7 +51,7 @@ def test_the_line_over_the_view_is_readable(shipped, marked, window):
     try:
         window.start_simulator(freecad.own_simulator())
         window.wait(lambda: window.first(QtGui.QFrame, "VkSimulatorWarning") is not None)
-        window.idle(0.5)
+        window.settle()
         (line,) = [w for w in window.find(QtGui.QFrame, "VkSimulatorWarning") if w.isVisible()]
         window.screenshot(f"warning-{shipped.replace(' ', '-')}")
         for part in (line.text, line.way):
@@ -59,7 +59,7 @@ def test_the_line_over_the_view_is_readable(shipped, marked, window):
     finally:
         preferences.write(time_budget=600.0)
         simulator_panels.close()
-        window.idle(0.3)
+        window.settle()
 
 
 def test_nothing_is_seen_through_the_simulation(shipped, small, marked, window):
@@ -70,13 +70,13 @@ def test_nothing_is_seen_through_the_simulation(shipped, small, marked, window):
     (tab,) = simulation_window.tabs(window)
     try:
         window.wait(lambda: tab.player is not None, 120)
-        window.idle(0.5)
+        window.settle()
         window.screenshot(f"simulation-{shipped.replace(' ', '-')}")
         # FreeCAD 1.1 may have its Tasks over the tab, which are not what is looked for.
         for dock in window.find(QtGui.QDockWidget):
             if dock.objectName() == "Tasks":
                 dock.hide()
-        window.idle()
+        window.settle()
         bar = tab.player.play_bar.controls
         row = window.main.grab(QtCore.QRect(bar.mapTo(window.main, QtCore.QPoint(0, 0)), bar.size())).toImage()
         # Between the buttons: behind them there is no room in a narrow window.
@@ -86,7 +86,7 @@ def test_nothing_is_seen_through_the_simulation(shipped, small, marked, window):
         assert len({row.pixel(x, y) for x in free for y in range(row.height())}) == 1
     finally:
         tab.window_of().close()
-        window.idle()
+        window.settle()
 
 
 def test_the_moment_is_seen_on_the_time_line(shipped, window):
@@ -96,7 +96,7 @@ def test_the_moment_is_seen_on_the_time_line(shipped, window):
         line.show_job((), 10.0)
         line.show_moment(5.0)
         line.show()
-        window.idle()
+        window.settle()
         image = line.grab().toImage()
         assert contrast_of_text(image) >= 4.5
         assert image.pixelColor(20, 20).getRgb()[:3] == part.background  # one on what the other is

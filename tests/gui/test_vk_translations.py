@@ -37,42 +37,47 @@ LANGUAGES = {
 DOCKS = ("VkResults", "VkGaussMap")
 
 
+def close_docks(window):
+    """Close the add-on's docks for good: a command makes them anew, as after a start."""
+    for dock in window.find(QtGui.QDockWidget):
+        if dock.objectName() in DOCKS:
+            Gui.Selection.removeObserver(dock)
+            FreeCAD.removeDocumentObserver(dock)
+            dock.close()
+            dock.setObjectName("")
+            dock.deleteLater()
+    window.settle()
+
+
 @contextmanager
 def speaking(language, window):
-    """FreeCAD in a language, with the add-on's docks made anew, as after a start."""
-
-    def close_docks():
-        for dock in window.find(QtGui.QDockWidget):
-            if dock.objectName() in DOCKS:
-                Gui.Selection.removeObserver(dock)
-                FreeCAD.removeDocumentObserver(dock)
-                dock.close()
-                dock.setObjectName("")
-                dock.deleteLater()
-        window.idle()
-
-    close_docks()
+    """FreeCAD in a language, with the add-on's docks made anew."""
+    close_docks(window)
     Gui.setLocale(language)
-    window.idle()
+    window.settle()
     yield
     Gui.setLocale("en")  # FreeCAD's own answer to what it was, "C", is none that it takes back
-    close_docks()
+    close_docks(window)
 
 
-@pytest.fixture(params=LANGUAGES)
-def language(request, opened, window):
+@pytest.fixture(scope="module", params=LANGUAGES)
+def language(request, window):
     with speaking(request.param, window):
         yield request.param
 
 
 @pytest.fixture
-def german(opened, window):
+def german(language, window):
     """FreeCAD in German, with German numbers."""
     numbers = QtCore.QLocale()
-    with speaking("de", window):
-        QtCore.QLocale.setDefault(QtCore.QLocale("de"))
-        yield
-        QtCore.QLocale.setDefault(numbers)
+    close_docks(window)
+    QtCore.QLocale.setDefault(QtCore.QLocale("de"))
+    yield
+    QtCore.QLocale.setDefault(numbers)
+    close_docks(window)
+
+
+in_german = pytest.mark.parametrize("language", ["de"], indirect=True)
 
 
 def cut_off(root):
@@ -104,6 +109,28 @@ def dock(window, name):
     return next(d for d in window.find(QtGui.QDockWidget) if d.objectName() == name)
 
 
+def test_shortcuts_are_ours_alone(window):
+    window.activate("VkWorkbench")
+    ours = {"Vk_Analyze", "Vk_Clear", "Vk_GaussMap", "Vk_Results", "Vk_Strategies"}
+    taken = {}
+    for name in Gui.listCommands():
+        command = Gui.Command.get(name)
+        shortcut = command.getShortcut() if command else ""
+        if shortcut:
+            taken.setdefault(shortcut, []).append(name)
+    for names in taken.values():
+        assert len(names) == 1 or not ours & set(names), names
+
+
+def test_every_command_explains_itself(window):
+    window.activate("VkWorkbench")
+    for name in ("Vk_Analyze", "Vk_Clear", "Vk_GaussMap", "Vk_Results", "Vk_Strategies"):
+        info = Gui.Command.get(name).getInfo()
+        assert info["menuText"] and len(info["toolTip"]) > 40 and info["whatsThis"] == info["toolTip"]
+        (action,) = Gui.Command.get(name).getAction()[:1]
+        assert action.statusTip() and not action.icon().isNull()
+
+
 def test_the_window_in_each_language(language, opened, window):
     command, title = LANGUAGES[language]
     menus = {m.title().replace("&", "") for m in window.find(QtGui.QMenu)}
@@ -114,7 +141,7 @@ def test_the_window_in_each_language(language, opened, window):
     window.dismiss()
     Gui.Selection.clearSelection()
     Gui.Selection.addSelection(opened.getObjectsByLabel("Face")[0])
-    window.idle(0.5)
+    window.settle()
     window.screenshot(f"results-{language}")
     results = dock(window, "VkResults")
     assert list(cut_off(results)) == []
@@ -126,7 +153,7 @@ def test_the_window_in_each_language(language, opened, window):
     window.click(FreeCAD.Qt.translate("Vk_GaussMap", "Gauss map"))
     gauss = dock(window, "VkGaussMap")
     window.wait(lambda: gauss.title.text().startswith("Face"))
-    window.idle(0.5)
+    window.settle()
     window.screenshot(f"gauss-map-{language}")
     assert list(cut_off(gauss)) == []
     gauss.close()
@@ -143,7 +170,7 @@ def test_the_preferences_in_each_language(language, window):
     seen = {}
 
     def look(dialog, form):
-        window.idle(0.1)
+        window.settle()
         window.screenshot(f"preferences-{language}")
         seen["cut off"] = list(cut_off(form))
         seen["button"] = form.calibrate.text()
@@ -167,6 +194,7 @@ def test_what_is_compiled_is_what_is_translated(name):
             assert translator.translate(context.findtext("name"), text) == message.findtext("translation")
 
 
+@in_german
 def test_sentences_of_the_example_in_german(opened, german):
     for o in vkworkbench.analyze(opened).operations:
         messages = *o.messages, o.resolution.why, o.accuracy.why
@@ -183,6 +211,7 @@ def test_sentences_of_the_example_in_german(opened, german):
     ]
 
 
+@in_german
 def test_numbers_as_the_user_reads_them(german):
     reader = user()
     assert (reader.count(5752), reader.time(1.42), reader.share(0.98)) == ("5.752", "1,4 s", "98 %")
@@ -203,6 +232,7 @@ def test_numbers_as_the_user_reads_them(german):
         FreeCAD.Units.setSchema(6)
 
 
+@in_german
 def test_a_mark_panel_and_gauss_map_in_german(opened, german, window):
     """Their numbers have German separators, wherever they stand, and no English sentence is left."""
     (face,) = opened.getObjectsByLabel("Face")
@@ -212,7 +242,7 @@ def test_a_mark_panel_and_gauss_map_in_german(opened, german, window):
     window.tree.expandAll()
     Gui.Selection.clearSelection()
     Gui.Selection.addSelection(face)
-    window.idle(0.5)
+    window.settle()
     text = explanation(marks.read(face), preferences.read())
     panel = docks.find(docks.RESULTS)
     shown = text + panel.details.toPlainText()
@@ -237,7 +267,7 @@ def test_a_mark_panel_and_gauss_map_in_german(opened, german, window):
     window.click(FreeCAD.Qt.translate("Vk_GaussMap", "Gauss map"))
     gauss = docks.find(docks.GAUSS_MAP)
     window.wait(lambda: gauss.title.text().startswith("Face"))
-    window.idle(0.5)
+    window.settle()
     window.screenshot("german-gauss-map")
     shown = f"{gauss.title.text()} {gauss.values.text()} {gauss.chooser.currentText()}"
     assert re.search(r"[+-]\d,\d\d", gauss.title.text()) and re.search(r"\d,\d°", gauss.values.text())
@@ -245,6 +275,7 @@ def test_a_mark_panel_and_gauss_map_in_german(opened, german, window):
     gauss.close()
 
 
+@in_german
 def test_pills_have_the_users_numbers(german):
     cost = cost_from_data("z-buffer", {"seconds": 1.4, "memory_bytes": 2e6, "factor": 1.5, "stock_bytes": 0})
     record = Record(Strategy.ZIGZAG, confidence=0.7, costs={"z-buffer": cost}, remarks=(Message("no-tool"),))
@@ -252,25 +283,3 @@ def test_pills_have_the_users_numbers(german):
     (full, *_) = layouts(record, "own words", Preferences(mark_simulator="z-buffer"), metrics, None)
     assert full.pieces[0].text == "Zickzack 70 %" and "▶ 1,4 s" in full.text
     assert full.text.endswith("kein Werkzeug: Der Operation einen Werkzeugcontroller geben  own words")
-
-
-def test_shortcuts_are_ours_alone(window):
-    window.activate("VkWorkbench")
-    ours = {"Vk_Analyze", "Vk_Clear", "Vk_GaussMap", "Vk_Results", "Vk_Strategies"}
-    taken = {}
-    for name in Gui.listCommands():
-        command = Gui.Command.get(name)
-        shortcut = command.getShortcut() if command else ""
-        if shortcut:
-            taken.setdefault(shortcut, []).append(name)
-    for names in taken.values():
-        assert len(names) == 1 or not ours & set(names), names
-
-
-def test_every_command_explains_itself(window):
-    window.activate("VkWorkbench")
-    for name in ("Vk_Analyze", "Vk_Clear", "Vk_GaussMap", "Vk_Results", "Vk_Strategies"):
-        info = Gui.Command.get(name).getInfo()
-        assert info["menuText"] and len(info["toolTip"]) > 40 and info["whatsThis"] == info["toolTip"]
-        (action,) = Gui.Command.get(name).getAction()[:1]
-        assert action.statusTip() and not action.icon().isNull()

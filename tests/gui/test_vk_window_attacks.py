@@ -8,7 +8,6 @@ import sys
 import threading
 import time
 from contextlib import suppress
-from pathlib import Path as File
 
 import FreeCAD
 import FreeCADGui as Gui
@@ -71,15 +70,15 @@ def a_switch_of_nothing(document, window):
 
 def a_second_view(document, window):
     Gui.runCommand("Std_ViewCreate")
-    window.idle(0.2)
+    window.settle()
 
 
 def only_a_second_view(document, window):
     Gui.runCommand("Std_ViewCreate")
-    window.idle(0.2)
+    window.settle()
     views = widgets.area_of_views()
     next(w for w in views.subWindowList() if w.windowTitle().startswith(document.Label)).close()
-    window.idle(0.2)
+    window.settle()
 
 
 def deleted_and_undone(document, window):
@@ -103,7 +102,7 @@ def deleted_in_a_step_given_up(document, window):
 def moved_into_another_document(document, window):
     other = FreeCAD.newDocument("Other")
     other.moveObject(face(document), False)
-    window.idle(0.2)
+    window.settle()
     FreeCAD.closeDocument(other.Name)
     FreeCAD.setActiveDocument(document.Name)
 
@@ -133,7 +132,7 @@ def numbers_beyond_measure(document, window):
 def read_again(document, window):
     """FreeCAD's *Revert*: all objects go, and others of the same names come from the file."""
     document.restore()
-    window.idle(0.2)
+    window.settle()
 
 
 def other_fields(document, window):
@@ -149,20 +148,39 @@ STRANGE = [others_empty_the_groups, others_empty_the_switch, others_replace_the_
            paths_that_change_all_the_time, numbers_beyond_measure, read_again, other_fields]  # fmt: skip
 
 
+@pytest.fixture(scope="module")
+def short_job(example_path, kept_document, tmp_path_factory):
+    """The file of the example with two of its operations and their tools."""
+    kept_document.close()
+    document = FreeCAD.openDocument(str(example_path))
+    for operation in find(document):  # dress-ups before what they dress up
+        if operation.object.Label not in ("Face", "Bore"):
+            document.removeObject(operation.object.Name)
+    used = {document.getObjectsByLabel(label)[0].ToolController.Name for label in ("Face", "Bore")}
+    for controller in document.Job.Tools.Group:
+        if controller.Name not in used:
+            tool = controller.Tool.Name
+            document.removeObject(controller.Name)
+            document.removeObject(tool)
+    path = tmp_path_factory.mktemp("short") / "short.FCStd"
+    document.saveCopy(str(path))
+    FreeCAD.closeDocument(document.Name)
+    return path
+
+
 @pytest.mark.parametrize("strange", STRANGE, ids=lambda one: one.__name__)
 @pytest.mark.parametrize("when", ["meanwhile", "behind"])
-def test_strangers_in_the_3d_view(example_path, window, tmp_path, strange, when):
+def test_strangers_in_the_3d_view(short_job, window, tmp_path, strange, when):
     copy = tmp_path / "attacked.FCStd"
-    copy.write_bytes(File(example_path).read_bytes())
+    copy.write_bytes(short_job.read_bytes())
     document = FreeCAD.openDocument(str(copy))
     window.activate("VkWorkbench")
-    window.idle(0.2)
     window.click(SWITCH)
     if when == "behind":
         window.wait(lambda: drawn(document))
     strange(document, window)
     window.wait(lambda: not strategy_view.is_drawing())
-    window.idle(0.1)
+    window.settle()
     assert window.button(SWITCH).isChecked() == strategy_view.is_shown(document)
     if not strategy_view.is_shown(document):  # FreeCAD reads a file again as another document
         assert strange is read_again
@@ -181,7 +199,7 @@ def test_strangers_in_the_3d_view(example_path, window, tmp_path, strange, when)
     window.click(SWITCH)  # and on
     window.wait(lambda: drawn(document))
     FreeCAD.closeDocument(document.Name)
-    window.idle(0.1)
+    window.settle()
     for name in list(FreeCAD.listDocuments()):
         FreeCAD.closeDocument(name)
 
@@ -243,7 +261,10 @@ def ours(window):
 
 @pytest.fixture
 def html(opened, trap):
-    """The example, whose job, operations, tools, stock, model and the document itself are called by HTML."""
+    """Some of the example, whose job, operations, tools, stock, model and the document itself are called by HTML."""
+    for operation in find(opened):
+        if operation.object.Label in ("Pocket zigzag", "Pocket around island", "Adaptive pocket"):
+            opened.removeObject(operation.object.Name)
     for obj in opened.Objects:
         obj.Label = f"{trap.text} {obj.Name}"
     opened.Label = trap.text
@@ -260,7 +281,7 @@ def test_no_text_of_a_document_is_html_in_results_and_views(html, window, trap):
     found = []
 
     def look():
-        window.idle(0.3)
+        window.settle()
         found.extend(seen_as_html(ours(window), trap))
 
     window.click("Analyze toolpaths")
@@ -279,7 +300,7 @@ def test_no_text_of_a_document_is_html_in_results_and_views(html, window, trap):
         Gui.Selection.clearSelection()
         Gui.Selection.addSelection(operation.object)
         window.click("Gauss map")
-        window.idle(0.5)
+        window.settle()
         look()
         window.click("Gauss map")
     window.click(SWITCH)
@@ -300,10 +321,10 @@ def test_no_text_of_a_document_is_html_in_the_simulation(html, window, small, tr
         point = QtCore.QPoint(where, min(45, widget.height() // 2))
         event = QtGui.QHelpEvent(QtCore.QEvent.ToolTip, point, widget.mapToGlobal(point))
         QtGui.QApplication.sendEvent(widget, event)
-        window.idle(0.1)
+        window.settle()
     for index in range(player.scene_bar.colorings.count()):
         player.scene_bar.colorings.setCurrentIndex(index)
-        window.idle(0.3)
+        window.settle()
         found += seen_as_html(ours(window), trap)
     window.screenshot("html-everywhere")
     window.press(tab, QtCore.Qt.Key_Escape)
@@ -320,7 +341,7 @@ def arcs(moves):
 
 
 @pytest.mark.parametrize("text, trajectories", [
-    (arcs(200), 700_000), (arcs(3_000), None), ("G0 Z5\n" + "G83 X1 Y1 Z-100 R1 Q0.1 F10\nX2\n" * 200, 400_000),
+    (arcs(40), 140_000), (arcs(3_000), None), ("G0 Z5\n" + "G83 X1 Y1 Z-100 R1 Q0.1 F10\nX2\n" * 40, 80_000),
 ], ids=["long arcs", "too many moves", "many pecks"])  # fmt: skip
 def test_few_commands_that_are_a_great_many_moves(opened, window, text, trajectories):
     op = opened.addObject("Path::Feature", "Few")
