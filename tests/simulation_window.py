@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The tab of *Simulate toolpaths* in tests: opened by a click, shared by tests that only look, waited for, dragged in."""
+"""Helpers of the tests that open the tab of *Simulate toolpaths*, share it, wait for it, and drag in it."""
 
 from __future__ import annotations
 
@@ -35,7 +35,7 @@ def shown(tab, window):
 
 
 def finest(player, window):
-    """Wait until the picture is the finest that was asked for."""
+    """Wait until the finest picture of the moment and the view is shown."""
 
     def rests():
         return not player.view._rest.isActive() and not player.is_busy and player.pictures.is_current
@@ -174,14 +174,15 @@ class Desk:
     def close(self):
         """Close the tab and the document."""
         close(self.window)
-        self.window.dismiss()
+        if self.window.boxes():
+            self.window.dismiss()
         if self.document is not None and self._is_open(self._path):
             FreeCAD.closeDocument(self.document.Name)
         self.document = self._path = self._tab = None
         self.window.idle(0.02)
 
     def leave(self):
-        """Close all, and give FreeCAD's window its size of before."""
+        """Close all, and give FreeCAD's window its former size."""
         self.close()
         self.window.main.setGeometry(self._before)
 

@@ -206,7 +206,7 @@ def test_a_click_on_a_trajectory_in_the_time_line_lights_its_cut(whole_from_abov
     window.wait(lambda: player.pictures.is_current)
     assert player.moment.noticed == number == player.moment.done - 1 and not player.moment.plays
     lit = (player.view._scene.image.astype(int) - player.view._scene.image.max(axis=-1, keepdims=True))[..., 2]
-    assert (lit < -100).any()  # much less blue than red: the colour of what is lit
+    assert (lit < -100).any()  # much less blue than red: the colour of a lit cut
     assert "removes" in player.play_bar.text.text()
     window.screenshot("simulation-lit")
 
@@ -323,7 +323,6 @@ def test_colours_and_chips(simulated, window):
     for index in (1, 2):
         simulated.scene_bar.chips.setCurrentIndex(index)
         window.wait(lambda: simulated.pictures.is_current)
-        window.screenshot(f"simulation-small-chips-{index}")
         pictures.add(bytes(simulated.view._scene.image.tobytes()))
     assert len(pictures) == simulated.scene_bar.colorings.count() + 2
 
@@ -486,8 +485,10 @@ def test_what_has_been_read_is_seen_before_all_is_read(desk, window, monkeypatch
     tab = desk.simulate()
     scene, _ = tab.reading.seen
     assert (scene.owner >= 0).any() and len(np.unique(scene.image)) > 20
-    assert tab.player.view._scene is scene  # goes on being seen
-    window.click_at(tab.player.view, tab.player.view.rect().center())  # which has no answer yet
+    assert tab.player.view._scene is scene  # the player begins with the last picture of the reading
+    window.click_at(
+        tab.player.view, tab.player.view.rect().center()
+    )  # the click has no answer before the first simulation
     finest(shown(tab, window), window)
     assert tab.player.view._scene is not scene
 
@@ -511,7 +512,7 @@ def test_the_cost_is_told_before_and_after_the_simulation(desk, window, monkeypa
     told.clear()
     player.look("Top")
     finest(player, window)
-    assert not told  # the coarse picture, which comes sooner, tells how long the finest takes
+    assert not told  # the time of the coarse picture predicts the time of the finest
 
 
 def test_all_that_moments_need_is_made_before_the_picture(desk, window, monkeypatch):
@@ -582,7 +583,7 @@ def test_a_gouge_is_not_forgotten_where_it_is_not_seen(desk, document, window):
 # Widgets, and no job
 
 
-def test_what_grows_with_the_image_and_what_does_not_are_told_apart():
+def test_costs_have_a_part_per_pixel_and_a_fixed_part():
     course, peak = None, Peak(1e6, 5e5, 1e5, 2e4, 120_000, 1000, 1e6)
     for share in (1 / 8, 1 / 3):  # of pictures that take 2 s, and 27 s for all of the pixels
         course = refining._Course(share, 2 + 27 * share**2, peak, course, 1)

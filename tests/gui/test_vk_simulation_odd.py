@@ -95,10 +95,9 @@ def test_a_closed_tab_takes_no_memory_any_more(desk, window):
 
 
 def test_a_closed_tab_gives_its_memory_back_to_the_system(desk, window, monkeypatch):
+    desk.kept(desk.small)  # closes the tab of another test, which gives its memory back later
     given = []
     monkeypatch.setattr("vkworkbench.document.garbage.give_back", lambda: given.append(True))
-    desk.kept(desk.small)
-    given.clear()  # of a tab that another test left
     tab = desk.simulate()
     shown(tab, window)
     assert given == []
@@ -119,11 +118,11 @@ def test_an_operation_is_deleted_or_changed_while_it_is_open(document, window, m
     document.removeObject(document.Job.Operations.Group[0].Name)
     window.wait(tab.again.isVisible)
     player = tab.player
-    if player is not None:  # goes on with what it read
+    if player is not None:  # the player keeps the job that was read
         finest(player, window)
         player.moment.go_to(0.2 * player.clock.total)
         window.wait(lambda: player.pictures.is_current)
-        player.ask(0)  # of the operation that is gone
+        player.ask(0)  # the operation of this surface is gone
         window.idle(0.2)
         player.look("Top")
         player.look(None)
@@ -299,7 +298,7 @@ def only_drilling(document):
 
 
 def all_crashes(document):
-    lone(document, [f"G0 X{10 + 100 * (row % 2)} Y{5 + 0.2 * row} Z{23 - 0.02 * row}" for row in range(300)])
+    lone(document, [f"G0 X{10 + 100 * (row % 2)} Y{5 + 0.6 * row} Z{23 - 0.06 * row}" for row in range(100)])
 
 
 def many_operations(document):
@@ -307,12 +306,12 @@ def many_operations(document):
 
     first, job = lone(document, SLOT), document.Job
     rows = []
-    for row in range(60):  # more than a list of choices or the legend has
+    for row in range(40):  # more than a menu or the legend shows
         op = document.addObject("Path::FeaturePython", f"Row{row}")
         op.addProperty("App::PropertyLink", "ToolController", "Path").ToolController = first.ToolController
         op.addProperty("App::PropertyBool", "Active", "Path").Active = True
         op.Path = Path.Path(
-            [Path.Command(line) for line in ("G0 Z30", f"G0 X5 Y{row}", "G1 Z20 F100", "G1 X150", "G0 Z30")]
+            [Path.Command(line) for line in ("G0 Z30", f"G0 X5 Y{2 * row}", "G1 Z20 F100", "G1 X150", "G0 Z30")]
         )
         rows.append(op)
     job.Operations.Group = rows

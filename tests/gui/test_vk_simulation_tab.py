@@ -69,7 +69,7 @@ def test_a_part_of_the_stock_tells_nothing_of_what_is_beside_it(tab, window, tmp
     assert volumes == pytest.approx(before.tolist(), rel=1e-4)
 
 
-def test_what_is_shown_while_the_whole_is_still_simulated_is_made_up_for(desk, window):
+def test_zooming_in_early_still_simulates_the_whole_stock(desk, window):
     desk.kept(desk.small)
     tab = desk.simulate()
     window.wait(lambda: tab.player.simulation is not None)
@@ -273,7 +273,7 @@ def rect(widget, within):
 
 @pytest.fixture(scope="module", params=[None, 14])
 def low_tab(request, desk):
-    """A tab that shows differences and warnings in letters of the usual size, or of so many points."""
+    """A tab that shows differences and warnings in the usual font, or in a font of 14 points."""
     tab, points = desk.shared(desk.small, direction="Top"), request.param
     player, bar = tab.player, tab.player.scene_bar
     font = player.font()
