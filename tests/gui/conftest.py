@@ -24,7 +24,6 @@ except ImportError:
     from PySide6.QtTest import QTest
 
 from vkworkbench import freecad
-from vkworkbench.core import steady
 from vkworkbench.document import idle
 from vkworkbench.document.known import KNOWN
 from vkworkbench.gui import docks, tree, widgets
@@ -33,10 +32,10 @@ from vkworkbench.gui import docks, tree, widgets
 @pytest.fixture(scope="session", autouse=True)
 def short_measurement():
     """Measuring the computer takes two runs of each piece of work, steady or not: no test here asserts on seconds."""
-    before = steady._EQUAL, steady._TIMES
-    steady._EQUAL, steady._TIMES = math.inf, 2
-    yield
-    steady._EQUAL, steady._TIMES = before
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr("vkworkbench.core.steady._EQUAL", math.inf)
+        patch.setattr("vkworkbench.core.steady._TIMES", 2)
+        yield
 
 
 @pytest.fixture(autouse=True)

@@ -8,7 +8,7 @@ import pytest
 from PySide import QtCore, QtGui
 
 from vkworkbench import preferences
-from vkworkbench.core import measure_speed, steady
+from vkworkbench.core import measure_speed
 from vkworkbench.document import calibration, marks
 from vkworkbench.document.operations import find
 
@@ -82,7 +82,7 @@ def test_other_events_come_between_the_pieces(opened, window, never_measured, mo
         beats[0] += 1
 
     monkeypatch.setattr(calibration, "measure_speed", watched)
-    monkeypatch.setattr(steady, "_TIMES", 3)
+    monkeypatch.setattr("vkworkbench.core.steady._TIMES", 3)
     timer = QtCore.QTimer()
     timer.timeout.connect(beat)
     timer.start(0)
