@@ -11,15 +11,16 @@ from contextlib import contextmanager
 import events
 import FreeCAD
 import FreeCADGui as Gui
-from PySide import QtCore
+from PySide import QtCore, QtGui
 
 from vkworkbench import preferences
+from vkworkbench.gui import docks
 from vkworkbench.gui.simulation.tab import SimulationTab
 
 COMMAND = "Simulate toolpaths"
 # Without a graphics card, each change in FreeCAD's window costs in proportion to all pixels of the window.
 WHOLE = 1024, 700  # px, size of the window for the whole job, as in the documents
-SMALL = 680, 520  # px, size of the window for smaller jobs
+SMALL = 860, 560  # px, size of the window for smaller jobs
 PLAYER = 360, 320  # px, size of the player of smaller jobs, whose finest picture takes a third of a second
 
 
@@ -104,6 +105,7 @@ class Desk:
         if not self._is_active:
             self.window.activate("VkWorkbench")
             self._is_active = True
+        self.window.idle(0.02)  # FreeCAD's tree shows the document's objects
         self.window.tree.expandAll()
         Gui.Selection.clearSelection()
         return self.document
@@ -176,6 +178,8 @@ class Desk:
         close(self.window)
         if self.window.boxes():
             self.window.dismiss()
+        for dock in self.window.find(QtGui.QDockWidget, docks.RESULTS):
+            dock.hide()  # the panel takes room from the tab
         if self.document is not None and self._is_open(self._path):
             FreeCAD.closeDocument(self.document.Name)
         self.document = self._path = self._tab = None
