@@ -168,9 +168,18 @@ def short_job(example_path, kept_document, tmp_path_factory):
     return path
 
 
+@pytest.fixture
+def tiny(window):
+    """A window with a 3D view that is drawn quickly."""
+    before = window.main.geometry()
+    window.main.setGeometry(0, 0, 640, 480)
+    yield
+    window.main.setGeometry(before)
+
+
 @pytest.mark.parametrize("strange", STRANGE, ids=lambda one: one.__name__)
 @pytest.mark.parametrize("when", ["meanwhile", "behind"])
-def test_strangers_in_the_3d_view(short_job, window, tmp_path, strange, when):
+def test_strangers_in_the_3d_view(short_job, window, tiny, tmp_path, strange, when):
     copy = tmp_path / "attacked.FCStd"
     copy.write_bytes(short_job.read_bytes())
     document = FreeCAD.openDocument(str(copy))
