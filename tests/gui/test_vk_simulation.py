@@ -449,8 +449,11 @@ def test_a_changed_toolpath_is_told_and_simulated_again(desk, document, window):
 
 
 def test_closing_ends_the_work(desk, window, monkeypatch):
+    begun = []
+
     def endless(*arguments):
         while True:
+            begun.append(arguments)
             simulate_read(*arguments)
 
     monkeypatch.setattr(refining, "simulate_read", endless)
@@ -458,7 +461,9 @@ def test_closing_ends_the_work(desk, window, monkeypatch):
     tab = desk.simulate()
     window.wait(lambda: tab.player._work.works and "endless" in working())
     window.press(tab, QtCore.Qt.Key_Escape)
+    until_closed = len(begun)
     window.wait(lambda: not tabs(window) and "_run" not in working())
+    assert len(begun) <= until_closed + 1  # the next step ends the work
 
 
 def test_closing_the_document_closes_the_tab(desk, document, window):
