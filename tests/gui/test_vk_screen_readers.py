@@ -3,7 +3,7 @@
 
 import pytest
 from PySide import QtCore, QtGui
-from simulation_window import COMMAND, tabs
+from simulation_window import COMMAND, shown, tabs
 
 from vkworkbench.gui.simulator_warning import Line
 from vkworkbench.gui.widgets import area_of_views
@@ -38,9 +38,9 @@ def test_the_controls_of_the_simulation_have_names(opened, window, small):
     window.click(COMMAND)
     window.wait(lambda: tabs(window))
     (tab,) = tabs(window)
-    window.wait(lambda: tab.player is not None and tab.player.simulation is not None)
+    player = shown(tab, window)
     assert nameless(tab) == []
-    assert tab.player.play_bar.play_button.accessibleName() == "Play or pause (Space)."
+    assert player.play_bar.play_button.accessibleName() == "Play or pause (Space)."
     window.press(tab, QtCore.Qt.Key_Escape)
     window.wait(lambda: not tabs(window))
 
