@@ -3,7 +3,6 @@
 
 from __future__ import annotations
 
-import math
 import os
 import subprocess
 import time
@@ -27,15 +26,6 @@ from vkworkbench import freecad
 from vkworkbench.document import idle
 from vkworkbench.document.known import KNOWN
 from vkworkbench.gui import docks, tree, widgets
-
-
-@pytest.fixture(scope="session", autouse=True)
-def short_measurement():
-    """Measuring the computer takes two runs of each piece of work, steady or not: no test here asserts on seconds."""
-    with pytest.MonkeyPatch.context() as patch:
-        patch.setattr("vkworkbench.core.steady._EQUAL", math.inf)
-        patch.setattr("vkworkbench.core.steady._TIMES", 2)
-        yield
 
 
 @pytest.fixture(autouse=True)

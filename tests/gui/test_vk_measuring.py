@@ -82,7 +82,6 @@ def test_other_events_come_between_the_pieces(opened, window, never_measured, mo
         beats[0] += 1
 
     monkeypatch.setattr(calibration, "measure_speed", watched)
-    monkeypatch.setattr("vkworkbench.core.steady._TIMES", 3)
     timer = QtCore.QTimer()
     timer.timeout.connect(beat)
     timer.start(0)
