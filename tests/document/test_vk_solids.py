@@ -48,8 +48,8 @@ def test_a_wavy_face_has_few_triangles():
 
     `tessellate` bends them ten times less, and takes minutes for a face of thousands of poles.
     """
-    turns = np.linspace(0, 2 * pi, 100, endpoint=False)
-    radius = 20 + 0.01 * np.cos(20 * turns)
+    turns = np.linspace(0, 2 * pi, 500, endpoint=False)
+    radius = 20 + 0.01 * np.cos(100 * turns)
     points = [FreeCAD.Vector(r * np.cos(t), r * np.sin(t), 0) for r, t in zip(radius, turns)]
     curve = Part.BSplineCurve()
     curve.interpolate(points, PeriodicFlag=True)
