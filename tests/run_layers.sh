@@ -24,7 +24,7 @@ for layer in $layers; do
     echo "    ${results##*/} $layer"
     home=$(mktemp -d)
     tests/make_home.sh "$home"
-    limit=(timeout --foreground -k 10 1800) # s; in the foreground, so that Ctrl-C reaches the tests
+    limit=(timeout --foreground -k 10 3600) # s; in the foreground, so that Ctrl-C reaches the tests
     options=(--junit-xml="$results/$layer.xml")
     case $layer in
         core)
