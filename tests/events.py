@@ -5,7 +5,7 @@ import time
 
 from PySide import QtGui
 
-_REST = 0.01  # s; to look again and again would take one processor, and Python's lock, from what is waited for
+_REST = 0.01  # s; without a rest the window would take a processor, and Python's lock, from the awaited work
 
 
 def happen():

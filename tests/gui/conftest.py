@@ -76,14 +76,14 @@ class Window:
             events.happen()
 
     def settle(self):
-        """Handle the events that are there, those that they post, and what the trees and the add-on have put off."""
+        """Handle all pending events, and wait for the timers of the trees and for the deferred work of the add-on."""
         for _ in range(2):
             QtGui.QGuiApplication.sync()
             events.happen()
         self.wait(lambda: not (idle._works or idle._calls or any(timer.isActive() for timer in self._tree_timers())))
 
     def _tree_timers(self):
-        """The timers after which FreeCAD's trees show what was selected or changed."""
+        """The timers after which FreeCAD's trees show a selection or a change."""
         return [timer for view in tree.trees() for timer in view.findChildren(QtCore.QTimer)]
 
     def activate(self, workbench):
