@@ -25,7 +25,7 @@ from inside_freecad import run_and_leave
 
 import vkworkbench
 from vkworkbench import freecad
-from vkworkbench.document.operations import find, jobs_of
+from vkworkbench.document.job.operations import find, jobs_of
 from vkworkbench.language import Unusable
 
 

@@ -25,7 +25,7 @@ from records import operations
 
 from vkworkbench.core import Strategy
 from vkworkbench.core.recognition import recognize
-from vkworkbench.document.intent import contradicts
+from vkworkbench.document.job.intent import contradicts
 
 KINDS = ("Adaptive", "Deburr", "Drilling", "Engrave", "Helix", "Profile", "Slot", "Tapping", "ThreadMilling", "Vcarve")
 

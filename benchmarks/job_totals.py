@@ -30,8 +30,8 @@ from vkworkbench.core import Cut, Tool, View, estimate, simulate_job
 from vkworkbench.core.gcode import linearize
 from vkworkbench.core.simulators import zbuffer
 from vkworkbench.core.zbuffer import Speed, measure_speed
-from vkworkbench.document.job_copy import read_job
-from vkworkbench.document.known import KNOWN
+from vkworkbench.document.job.known import KNOWN
+from vkworkbench.document.simulation.copy import read_job
 
 JOBS, RUNS = 20, 3
 DIRECTIONS = {"from above": (0, 0, -1), "from (1, 1, -1)": (1, 1, -1)}

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Learn which retracts separate two operations, and write vkworkbench/core/recognition/borders.py.
+"""Learn which retracts separate two operations, and write vkworkbench/core/recognition/programs/borders.py.
 
     python3 benchmarks/learn_borders.py PROGRAMS.jsonl.gz OPERATIONS.jsonl.gz ... [--write]
 
@@ -24,16 +24,16 @@ from records import JOINED, Record, joined, operations, programs
 from trees import forest, grow
 
 from vkworkbench.core.paper import monotonous_areas
-from vkworkbench.core.recognition.borders import MEASURES
-from vkworkbench.core.recognition.forest import Forest
+from vkworkbench.core.recognition.programs.borders import MEASURES
+from vkworkbench.core.recognition.programs.visits import compared, find_visits
 from vkworkbench.core.recognition.thresholds import VISITS
-from vkworkbench.core.recognition.visits import compared, find_visits
+from vkworkbench.core.recognition.verdict.forest import Forest
 
 TREES, LEAVES = 32, 100
 MANY = 60  # visits of one operation that are taken at most, so that no raster outweighs all other programs
 FOLDS = 10
 BORDERS_OF_PROGRAMS, OF_JOINED = 4.0, 0.5  # weights: true borders of real programs are rare
-TABLE = HERE.parent / "vkworkbench" / "core" / "recognition" / "borders.py"
+TABLE = HERE.parent / "vkworkbench" / "core" / "recognition" / "programs" / "borders.py"
 
 
 def examples(path, sections) -> tuple[np.ndarray, np.ndarray]:

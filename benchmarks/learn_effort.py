@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What a unit of the z-buffer's work takes: learned from simulations of made-up toolpaths, for `core/zbuffer/effort.py`.
+"""What a unit of the z-buffer's work takes: learned from simulations of made-up toolpaths, for `core/zbuffer/cost/effort.py`.
 
     python3 benchmarks/learn_effort.py
 

@@ -7,7 +7,7 @@
 The operations are those that benchmarks/recognition.py reads; those of toolpaths/synthetic.py, strokes.py and nonsense.py
 join them. Those from which the table in use was learned, docs/recognition.md names. Printed, and the confidence fitted on,
 are verdicts on sources that had no part in the learning: a tenth of the repositories, parts and kinds at a time. --write
-learns from all and writes vkworkbench/core/recognition/learned.py, where the trees stay that learned earlier from other
+learns from all and writes vkworkbench/core/recognition/verdict/learned.py, where the trees stay that learned earlier from other
 programs, some of which are lost: both vote.
 """
 
@@ -30,7 +30,9 @@ from trees import grow
 from toolpaths import nonsense
 from vkworkbench.core.gcode import linearize
 from vkworkbench.core.paper import monotonous_areas, paper_verdict
-from vkworkbench.core.recognition.decide import (
+from vkworkbench.core.recognition.patterns.section import Section
+from vkworkbench.core.recognition.thresholds import VOTES
+from vkworkbench.core.recognition.verdict.decide import (
     STRATEGIES,
     Learned,
     Proposal,
@@ -39,12 +41,10 @@ from vkworkbench.core.recognition.decide import (
     proposal,
     sureness,
 )
-from vkworkbench.core.recognition.forest import Forest
-from vkworkbench.core.recognition.learned import EARLIER, EARLIER_NONSENSE
-from vkworkbench.core.recognition.measures import measures
-from vkworkbench.core.recognition.section import Section
-from vkworkbench.core.recognition.thresholds import VOTES
-from vkworkbench.core.recognition.verdict import judge
+from vkworkbench.core.recognition.verdict.forest import Forest
+from vkworkbench.core.recognition.verdict.learned import EARLIER, EARLIER_NONSENSE
+from vkworkbench.core.recognition.verdict.measures import measures
+from vkworkbench.core.recognition.verdict.rules import judge
 
 OF_STRATEGIES = {"trees": 60, "leaves": 160, "tried": 0.3, "seed": 1}
 OF_NONSENSE = {"trees": 80, "leaves": 160, "tried": 0.3, "seed": 1}
@@ -61,7 +61,7 @@ WEIGHTS = {
     "synthetic": (3.0, 1.0, 0.0),
     "nonsense": (0.0, 3.0, 0.0),
 }
-TABLE = HERE.parent / "vkworkbench" / "core" / "recognition" / "learned.py"
+TABLE = HERE.parent / "vkworkbench" / "core" / "recognition" / "verdict" / "learned.py"
 
 
 def that_machine_nothing() -> Iterator[Record]:

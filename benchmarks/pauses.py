@@ -31,9 +31,12 @@ from inside_freecad import run_and_leave
 from make_example import cam
 
 from vkworkbench import freecad
-from vkworkbench.document import idle, marks
-from vkworkbench.document.known import KNOWN
-from vkworkbench.gui import docks, gauss_map_command, strategy_view
+from vkworkbench.document.computer import idle
+from vkworkbench.document.job.known import KNOWN
+from vkworkbench.document.marks import marks
+from vkworkbench.gui.gauss import command as gauss_map_command
+from vkworkbench.gui.qt import docks
+from vkworkbench.gui.strategies import view as strategy_view
 
 OUT = sys.__stdout__
 COMMANDS = 500_000

@@ -26,7 +26,7 @@ from make_example import cam
 
 import vkworkbench
 from vkworkbench.core import linearize, recognize
-from vkworkbench.document.known import KNOWN
+from vkworkbench.document.job.known import KNOWN
 
 COUNT = 100_000
 RUNS = 7

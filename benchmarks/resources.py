@@ -37,7 +37,6 @@ from vkworkbench.core.zbuffer import (
     Speed,
     best_resolution,
     cauchy_crofton,
-    closed_form,
     estimate,
     fit_speed,
     measure_speed,
@@ -45,6 +44,7 @@ from vkworkbench.core.zbuffer import (
     simulate,
     swept,
 )
+from vkworkbench.core.zbuffer.cost import closed_form
 
 MANY = 1.5e6  # candidate pixels
 ALLOWED = 2e9  # bytes, more `simulate` refuses

@@ -25,8 +25,8 @@ from zbuffer_cases import CASES
 
 from vkworkbench.core import Cut, View, simulate_job
 from vkworkbench.core.zbuffer import shared_seconds
-from vkworkbench.core.zbuffer.cut_image import CutImage
-from vkworkbench.core.zbuffer.cuts import Cuts
+from vkworkbench.core.zbuffer.simulator.cut_image import CutImage
+from vkworkbench.core.zbuffer.sweeps.cuts import Cuts
 from vkworkbench.worker import processes
 
 TURNS = 3

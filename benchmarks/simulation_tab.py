@@ -36,7 +36,7 @@ from make_example import make_example
 
 from vkworkbench import freecad
 from vkworkbench.core.zbuffer import Estimate
-from vkworkbench.document.job_copy import read_job
+from vkworkbench.document.simulation.copy import read_job
 from vkworkbench.gui.simulation.command import open_tab
 from vkworkbench.gui.simulation.state_line import StateLine
 

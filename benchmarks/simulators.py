@@ -37,9 +37,9 @@ from records import with_stock
 from vkworkbench import freecad
 from vkworkbench.core import Tool, linearize
 from vkworkbench.core.simulators import OPENGL, Task, available, legacy_costs
-from vkworkbench.document.calibration import calibrate
-from vkworkbench.document.operations import find
-from vkworkbench.document.setting import read_stock, read_tool
+from vkworkbench.document.computer.calibration import calibrate
+from vkworkbench.document.job.operations import find
+from vkworkbench.document.job.setting import read_stock, read_tool
 
 ACCURACIES = (0.1, 0.5, 1.0)
 MOST = 60

@@ -20,7 +20,7 @@ from PySide import QtCore, QtGui
 from vkworkbench import freecad
 from vkworkbench.core import Tool, linearize
 from vkworkbench.core.simulators import Task, opengl_cost, opengl_speeds
-from vkworkbench.document.calibration import constants
+from vkworkbench.document.computer.calibration import constants
 
 LONGEST = 8.0  # s
 PATIENCE = 60.0  # s

@@ -20,7 +20,7 @@ from vkworkbench import freecad
 from vkworkbench.core import Stock, Tool, linearize
 from vkworkbench.core.gcode import Words
 from vkworkbench.core.simulators import Conditions, Seen, Task, legacy_costs, preflight
-from vkworkbench.document.calibration import constants, learn, load
+from vkworkbench.document.computer.calibration import constants, learn, load
 
 LONGEST = {"fast-forward": 7000, "play": 100}  # commands
 ENOUGH = 5  # runs that teach before a prediction counts

@@ -14,8 +14,10 @@ from records import Record
 from reliability import how_sure, two_class
 
 from vkworkbench.core import Strategy
-from vkworkbench.core.recognition import decide, recognize, visits
-from vkworkbench.core.recognition.decide import STRATEGIES
+from vkworkbench.core.recognition import recognize
+from vkworkbench.core.recognition.programs import visits
+from vkworkbench.core.recognition.verdict import decide
+from vkworkbench.core.recognition.verdict.decide import STRATEGIES
 
 Answers = dict[str, list[tuple[Record, str, float, str]]]
 

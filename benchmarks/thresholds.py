@@ -125,7 +125,7 @@ def moves(value, unit: str) -> list:
 def answer(path, diameter) -> tuple:
     """Return the strategy, and all that is told besides."""
     try:
-        found = sys.modules["vkworkbench.core.recognition.recognize"].recognize(path, tool_diameter=diameter)
+        found = sys.modules["vkworkbench.core.recognition.programs.recognize"].recognize(path, tool_diameter=diameter)
     except Exception as error:  # a threshold at the end of its range may be no sensible number
         return f"error: {error!r}", ()
     return str(found.strategy), tuple(repr(getattr(found, f.name)) for f in fields(found) if f.name != "paper")
@@ -179,6 +179,6 @@ def main(names: list[str], files: list[str]) -> None:
 
 if __name__ == "__main__":
     if "--rules" in sys.argv:
-        sys.modules["vkworkbench.core.recognition.decide"].elect = lambda votes, proposed: proposed.rules
+        sys.modules["vkworkbench.core.recognition.verdict.decide"].elect = lambda votes, proposed: proposed.rules
     chosen = [a for a in sys.argv[1:] if "jsonl" not in a and a != "--rules"]
     main(chosen, [a for a in sys.argv[1:] if "jsonl" in a])

@@ -7,7 +7,7 @@ import heapq
 
 import numpy as np
 
-from vkworkbench.core.recognition.forest import Forest
+from vkworkbench.core.recognition.verdict.forest import Forest
 
 
 def grow(x, y, weight, *, trees: int, leaves: int, seed: int = 0, tried: float = 0.5) -> list[str]:

@@ -24,7 +24,8 @@ from make_example import HEIGHT, LENGTH, WIDTH, cam, faces, operation, plate
 
 import vkworkbench
 from vkworkbench import freecad
-from vkworkbench.document import upkeep, watcher
+from vkworkbench.document import upkeep
+from vkworkbench.document.marks import watcher
 
 OPERATIONS, TURNS = 200, 3
 

@@ -26,8 +26,8 @@ from zbuffer_cases import BALL, BLOCK, CASES, FLAT, PLATE, surface, zigzag
 
 from vkworkbench.core import View, estimate, linearize, simulate
 from vkworkbench.core.zbuffer import Cut, memory_needed
-from vkworkbench.core.zbuffer.cuts import Cuts
-from vkworkbench.core.zbuffer.removal import Removal
+from vkworkbench.core.zbuffer.rays.removal import Removal
+from vkworkbench.core.zbuffer.sweeps.cuts import Cuts
 
 # Pairs of pixel and trajectory that may be tried without culling. Higher: the benchmark takes minutes per toolpath.
 MOST_TRIED = 50e6

@@ -32,7 +32,7 @@ from zbuffer import moments_of
 from zbuffer_cases import CASES
 
 from vkworkbench.core import Cut, View, simulate_job
-from vkworkbench.document.job_copy import read_job
+from vkworkbench.document.simulation.copy import read_job
 
 RUNS = 3
 # FreeCAD writes its progress to the standard output.

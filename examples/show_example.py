@@ -18,7 +18,8 @@ from PySide.QtCore import QPoint, Qt, QTimer
 from PySide.QtGui import QPixmap
 
 import vkworkbench
-from vkworkbench.gui import pills, tree
+from vkworkbench.gui.tree import column as tree
+from vkworkbench.gui.tree import pills
 
 sys.path.insert(0, str(Path(__file__).parent))
 from make_example import make_example

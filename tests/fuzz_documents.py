@@ -34,10 +34,11 @@ from make_example import cam
 
 import vkworkbench
 from vkworkbench import preferences
-from vkworkbench.document import marks, upkeep
-from vkworkbench.document.fingerprint import Settings, path_fingerprint, text_fingerprint
-from vkworkbench.document.known import KNOWN
-from vkworkbench.document.operations import find
+from vkworkbench.document import upkeep
+from vkworkbench.document.job.fingerprint import Settings, path_fingerprint, text_fingerprint
+from vkworkbench.document.job.known import KNOWN
+from vkworkbench.document.job.operations import find
+from vkworkbench.document.marks import marks
 from vkworkbench.language import Unusable
 
 ROOT = str(Path(__file__).parents[1])
@@ -326,7 +327,7 @@ class Session:
         document = FreeCAD.openDocument(path)
         idle()
         if not FreeCAD.GuiUp:  # the window does it
-            from vkworkbench.document import watcher
+            from vkworkbench.document.marks import watcher
 
             watcher.check(document)
         document.UndoMode = 1
@@ -402,7 +403,7 @@ class Session:
         self.click("Vk_Simulate")
         idle(0.3)
         if self.rng.random() < 0.8:
-            from vkworkbench.gui import widgets
+            from vkworkbench.gui.qt import widgets
             from vkworkbench.gui.simulation.tab import SimulationTab
 
             for tab in widgets.find(SimulationTab):
@@ -450,7 +451,7 @@ def idle(seconds=0.05):
 
 
 def waiting():
-    from vkworkbench.document import idle as waits
+    from vkworkbench.document.computer import idle as waits
 
     return bool(waits._works or waits._calls)
 

@@ -9,8 +9,8 @@ import zipfile
 import FreeCAD
 import FreeCADGui as Gui
 
-from vkworkbench.document import simulated_faults
-from vkworkbench.gui import strategy_view
+from vkworkbench.document.simulation import faults as simulated_faults
+from vkworkbench.gui.strategies import view as strategy_view
 
 
 class KeptExample:

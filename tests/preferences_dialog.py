@@ -5,7 +5,7 @@ import dead_widgets
 import FreeCADGui as Gui
 from PySide import QtCore, QtGui
 
-from vkworkbench.gui import widgets
+from vkworkbench.gui.qt import widgets
 
 
 def in_preferences(window, work):

@@ -14,7 +14,7 @@ import FreeCADGui as Gui
 from PySide import QtCore, QtGui
 
 from vkworkbench import preferences
-from vkworkbench.gui import docks
+from vkworkbench.gui.qt import docks
 from vkworkbench.gui.simulation.tab import SimulationTab
 
 COMMAND = "Simulate toolpaths"

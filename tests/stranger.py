@@ -22,7 +22,7 @@ from simulation_window import shown, tabs
 
 import vkworkbench
 from vkworkbench import freecad
-from vkworkbench.document import marks
+from vkworkbench.document.marks import marks
 
 
 def main() -> int:

@@ -151,7 +151,9 @@ def main():
         for name in names:
             importlib.import_module(name)
         from vkworkbench.core.simulators import DEFAULTS, Conditions
-        from vkworkbench.document import calibration, marks, path_prints, watcher
+        from vkworkbench.document.computer import calibration
+        from vkworkbench.document.job import path_prints
+        from vkworkbench.document.marks import marks, watcher
 
         calibration.measured_constants = lambda renderer, going_on: DEFAULTS  # they cut with FreeCAD's simulator
         calibration.measured_speed = lambda going_on: Conditions(version=(0, 21)).speed

@@ -24,9 +24,9 @@ __all__ = ["Cancelled", "Report", "analyze", "clear", "mark", "simulate"]
 _HOMES = {
     "Cancelled": "vkworkbench.report",
     "mark": "vkworkbench.document.upkeep",
-    "clear": "vkworkbench.document.marking",
+    "clear": "vkworkbench.document.marks.marking",
     "Report": "vkworkbench.report",
-    "simulate": "vkworkbench.document.simulation",
+    "simulate": "vkworkbench.document.simulation.simulate",
 }
 
 

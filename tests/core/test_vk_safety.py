@@ -19,7 +19,7 @@ MODULES = {"socket", "ssl", "http", "urllib", "ftplib", "smtplib", "requests", "
            "ctypes", "pickle", "marshal", "shelve", "xmlrpc", "telnetlib", "webbrowser", "QtNetwork",
            "QtWebEngineWidgets"}  # fmt: skip
 # Work is done in processes of this add-on's own; only what these send is unpickled. Only the C library gives memory back.
-ALLOWED = {"vkworkbench/worker.py": {"pickle", "subprocess"}, "vkworkbench/document/garbage.py": {"ctypes"}}
+ALLOWED = {"vkworkbench/worker.py": {"pickle", "subprocess"}, "vkworkbench/document/computer/garbage.py": {"ctypes"}}
 
 
 def named(tree):
@@ -91,14 +91,14 @@ def test_cells_that_begin_like_a_formula_become_text(text, tmp_path):
 @pytest.mark.sources
 def test_boxes_and_tooltips_of_the_window_are_made_in_one_place(parse):
     """Elsewhere a text of a document could be taken for HTML."""
-    for path in (ROOT / "vkworkbench" / "gui").glob("*.py"):
+    for path in (ROOT / "vkworkbench" / "gui").rglob("*.py"):
         named_there = {node.id for node in ast.walk(parse(path)) if isinstance(node, ast.Name)}
         assert {"QMessageBox", "QToolTip"} & named_there == set() or path.name == "plain_text.py", path.name
 
 
 @pytest.mark.sources
 def test_no_widget_of_freecad_is_kept_beyond_its_end():
-    # See vkworkbench/gui/widgets.py: PySide keeps what is found among a window's children or tells of its own end.
+    # See vkworkbench/gui/qt/widgets.py: PySide keeps what is found among a window's children or tells of its own end.
     keeping = re.compile(r"getMainWindow\(\)\.findChild|\bwindow\.findChildren|\.destroyed\b")
     found = {
         path.name: keeping.findall(path.read_text(encoding="utf-8"))

@@ -76,7 +76,7 @@ def test_translations_differ_from_the_source(language):
 def test_no_text_reaches_the_user_unmarked(parse):
     """Titles, tooltips and labels are not given as bare literals."""
     setters = {"setText", "setToolTip", "setWindowTitle", "setTitle", "QPushButton", "QLabel", "showMessage", "addItem"}
-    for path in (ROOT / "vkworkbench" / "gui").glob("*.py"):
+    for path in (ROOT / "vkworkbench" / "gui").rglob("*.py"):
         for node in ast.walk(parse(path)):
             if isinstance(node, ast.Call) and node.args:
                 name = getattr(node.func, "attr", getattr(node.func, "id", ""))

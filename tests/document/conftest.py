@@ -8,7 +8,7 @@ import Path
 import pytest
 from make_example import cam
 
-from vkworkbench.document.known import KNOWN
+from vkworkbench.document.job.known import KNOWN
 
 
 @pytest.fixture(autouse=True)

@@ -19,9 +19,11 @@ import pytest
 import vkworkbench
 from vkworkbench import core, freecad, preferences
 from vkworkbench.core.zbuffer import estimate_job
-from vkworkbench.document import analysis, marking, reading
-from vkworkbench.document.known import KNOWN
-from vkworkbench.document.setting import read_tool
+from vkworkbench.document import analysis
+from vkworkbench.document.job import reading
+from vkworkbench.document.job.known import KNOWN
+from vkworkbench.document.job.setting import read_tool
+from vkworkbench.document.marks import marking
 from vkworkbench.language import Message, render
 from vkworkbench.report import cells_of
 

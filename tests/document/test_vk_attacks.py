@@ -15,8 +15,9 @@ import pytest
 
 import vkworkbench
 from vkworkbench import preferences
-from vkworkbench.document import marks, upkeep, watcher
-from vkworkbench.document.operations import find
+from vkworkbench.document import upkeep
+from vkworkbench.document.job.operations import find
+from vkworkbench.document.marks import marks, watcher
 
 
 def rows(what):

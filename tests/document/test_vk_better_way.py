@@ -8,8 +8,8 @@ import pytest
 from vkworkbench import freecad
 from vkworkbench.core import Stock, Strategy, Tool, linearize
 from vkworkbench.core.simulators import Caution, Task, legacy_costs, opengl_cost
-from vkworkbench.document.better_way import OURS, better_way, too_long
-from vkworkbench.document.record import Record
+from vkworkbench.document.marks.better_way import OURS, better_way, too_long
+from vkworkbench.document.marks.record import Record
 from vkworkbench.language import Message, render
 from vkworkbench.preferences import Preferences
 

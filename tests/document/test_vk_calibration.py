@@ -15,7 +15,7 @@ import vkworkbench
 from vkworkbench import freecad
 from vkworkbench.core import Speed, Stock, Tool, linearize
 from vkworkbench.core.simulators import DEFAULTS, Constants, Seen, Task, legacy_costs, opengl_cost
-from vkworkbench.document import calibration, measuring
+from vkworkbench.document.computer import calibration, measuring
 from vkworkbench.report import Cancelled
 
 

@@ -9,8 +9,8 @@ import FreeCAD
 import pytest
 
 from vkworkbench.core import Stock, Tool
-from vkworkbench.document import fingerprint
-from vkworkbench.document.fingerprint import (
+from vkworkbench.document.job import fingerprint
+from vkworkbench.document.job.fingerprint import (
     Settings,
     finding_path_fingerprint,
     fingerprint_of,
@@ -21,7 +21,7 @@ from vkworkbench.document.fingerprint import (
     text_fingerprint,
     text_of,
 )
-from vkworkbench.document.path_prints import PATH_PRINTS
+from vkworkbench.document.job.path_prints import PATH_PRINTS
 
 NOWHERE = FreeCAD.Placement()
 TEXT = "G0 X0.000000 Y1.000000\nG1 X5.000000\n"

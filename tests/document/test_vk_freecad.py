@@ -10,8 +10,8 @@ import pytest
 
 import vkworkbench
 from vkworkbench import freecad
-from vkworkbench.document import operations, setting
-from vkworkbench.document.fingerprint import read_setting_fingerprints
+from vkworkbench.document.job import operations, setting
+from vkworkbench.document.job.fingerprint import read_setting_fingerprints
 
 PACKAGE = Path(vkworkbench.__file__).parent
 PROPERTIES = {name: entry for name, entry in vars(freecad).items() if isinstance(entry, freecad.Property)}

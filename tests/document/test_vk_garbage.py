@@ -12,7 +12,7 @@ from pathlib import Path
 
 import pytest
 
-from vkworkbench.document import garbage
+from vkworkbench.document.computer import garbage
 
 
 class Ring:

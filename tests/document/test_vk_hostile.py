@@ -16,8 +16,9 @@ import pytest
 from counting import steps
 
 import vkworkbench
-from vkworkbench.document import marks, upkeep, watcher
-from vkworkbench.document.operations import find
+from vkworkbench.document import upkeep
+from vkworkbench.document.job.operations import find
+from vkworkbench.document.marks import marks, watcher
 
 LABELS = [
     "plain 'single' \"double\" `back`", "{0} {label} {{}} %s %d %(x)s", "🙂 👩‍🔧 𝕍ₖ", "<b>bold</b><img src='file:///etc/passwd'>",

@@ -8,7 +8,7 @@ from types import SimpleNamespace
 
 import pytest
 
-from vkworkbench.document import idle
+from vkworkbench.document.computer import idle
 
 
 class Window:

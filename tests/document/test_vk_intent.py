@@ -11,8 +11,8 @@ import pytest
 import vkworkbench
 from vkworkbench.core import Strategy, linearize, recognize
 from vkworkbench.core.recognition import Recognition, Span
-from vkworkbench.document import marks
-from vkworkbench.document.intent import contradicts
+from vkworkbench.document.job.intent import contradicts
+from vkworkbench.document.marks import marks
 from vkworkbench.language import Message
 
 FITS = [("helix", "Adaptive"), ("spiral", "Adaptive"), ("profile", "Offset"), ("contour-parallel", "Profile"), ("one-way", "ZigZag"),

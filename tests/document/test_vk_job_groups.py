@@ -5,8 +5,8 @@ import FreeCAD
 import pytest
 
 import vkworkbench
-from vkworkbench.document import marks, watcher
-from vkworkbench.document.operations import find, job_of, kind, members
+from vkworkbench.document.job.operations import find, job_of, kind, members
+from vkworkbench.document.marks import marks, watcher
 
 
 def in_compound(small, *operations):

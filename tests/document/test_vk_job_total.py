@@ -11,9 +11,12 @@ from vkworkbench import preferences
 from vkworkbench.core import simulate_job
 from vkworkbench.core.simulators import ZBUFFER
 from vkworkbench.core.zbuffer import estimate_job
-from vkworkbench.document import calibration, marks, session, upkeep
-from vkworkbench.document.job_copy import read_job
-from vkworkbench.document.mark_properties import MARK
+from vkworkbench.document import upkeep
+from vkworkbench.document.computer import calibration
+from vkworkbench.document.job import session
+from vkworkbench.document.marks import marks
+from vkworkbench.document.marks.properties import MARK
+from vkworkbench.document.simulation.copy import read_job
 
 
 @pytest.fixture

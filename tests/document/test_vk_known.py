@@ -11,9 +11,10 @@ import pytest
 import vkworkbench
 from vkworkbench import preferences
 from vkworkbench.core import Stock, Tool
-from vkworkbench.document import analysis, calibration
-from vkworkbench.document import recognized as told
-from vkworkbench.document.known import KNOWN, Known, key_of
+from vkworkbench.document import analysis
+from vkworkbench.document.computer import calibration
+from vkworkbench.document.job import recognized as told
+from vkworkbench.document.job.known import KNOWN, Known, key_of
 
 
 @pytest.fixture

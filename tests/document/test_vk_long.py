@@ -9,8 +9,8 @@ import Path
 import pytest
 
 import vkworkbench
-from vkworkbench.document import fingerprint
-from vkworkbench.document.fingerprint import path_fingerprint, text_fingerprint, text_of
+from vkworkbench.document.job import fingerprint
+from vkworkbench.document.job.fingerprint import path_fingerprint, text_fingerprint, text_of
 
 
 def test_one_by_one_or_at_once_is_the_same_fingerprint(example, monkeypatch):

@@ -9,8 +9,8 @@ import pytest
 
 from vkworkbench.core import Stock, Strategy, Tool, linearize
 from vkworkbench.core.simulators import Caution, Task, legacy_costs
-from vkworkbench.document.mark_text import Burden, _shortened, burden, is_unsure, is_warned, text_of, time_of
-from vkworkbench.document.record import Record
+from vkworkbench.document.marks.record import Record
+from vkworkbench.document.marks.text import Burden, _shortened, burden, is_unsure, is_warned, text_of, time_of
 from vkworkbench.language import Message, render
 from vkworkbench.preferences import Preferences
 

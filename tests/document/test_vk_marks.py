@@ -16,7 +16,10 @@ import vkworkbench
 from vkworkbench import freecad, preferences
 from vkworkbench.core import Strategy
 from vkworkbench.core.simulators import Caution
-from vkworkbench.document import fingerprint, mark_properties, mark_text, marking, marks, watcher
+from vkworkbench.document.job import fingerprint
+from vkworkbench.document.marks import marking, marks, watcher
+from vkworkbench.document.marks import properties as mark_properties
+from vkworkbench.document.marks import text as mark_text
 from vkworkbench.language import ENGLISH, Message
 
 refresh = partial(marks.refresh, path_changed=True, setting_changed=True)

@@ -8,8 +8,9 @@ import pytest
 
 import vkworkbench
 from vkworkbench import preferences
-from vkworkbench.document import marks, upkeep, watcher
-from vkworkbench.document.fingerprint import path_fingerprint, text_fingerprint
+from vkworkbench.document import upkeep
+from vkworkbench.document.job.fingerprint import path_fingerprint, text_fingerprint
+from vkworkbench.document.marks import marks, watcher
 
 
 @pytest.fixture

@@ -8,7 +8,7 @@ import Path
 import pytest
 
 import vkworkbench
-from vkworkbench.document import marks, watcher
+from vkworkbench.document.marks import marks, watcher
 
 VALUES = {
     "App::PropertyString": "10 mm/s", "App::PropertyStringList": ["a", "b"], "App::PropertyBool": True,
@@ -134,7 +134,7 @@ def test_jobs(sound, zigzag_commands, name, type_id):
 
 def test_a_failure_of_reading_costs_one_row(sound, zigzag_commands, monkeypatch):
     """Whatever else may be odd: it is said in its row."""
-    from vkworkbench.document import reading
+    from vkworkbench.document.job import reading
 
     sound.add("Odd", zigzag_commands)
     read = reading.rapid_feeds

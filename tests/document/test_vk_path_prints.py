@@ -8,8 +8,8 @@ import Part
 import Path
 import pytest
 
-from vkworkbench.document.of_shapes import OfShapes
-from vkworkbench.document.path_prints import PathPrints
+from vkworkbench.document.job.of_shapes import OfShapes
+from vkworkbench.document.job.path_prints import PathPrints
 
 
 @pytest.fixture

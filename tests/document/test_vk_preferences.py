@@ -10,7 +10,8 @@ import pytest
 import vkworkbench
 from vkworkbench import freecad, preferences
 from vkworkbench.core.simulators import DEFAULTS, LEGACY, OPENGL, ZBUFFER
-from vkworkbench.document import marks, upkeep
+from vkworkbench.document import upkeep
+from vkworkbench.document.marks import marks
 from vkworkbench.language import ENGLISH
 from vkworkbench.preferences import OWN, Preferences
 
@@ -131,7 +132,7 @@ def test_budgets(arc):
 
 
 def test_constants_of_this_computer(arc, monkeypatch):
-    from vkworkbench.document import calibration
+    from vkworkbench.document.computer import calibration
 
     asked = []
 

@@ -12,7 +12,7 @@ import pytest
 from vkworkbench import freecad
 from vkworkbench.core import Strategy
 from vkworkbench.core.simulators import Caution
-from vkworkbench.document.record import Record, as_json, from_json, of_operation, of_total
+from vkworkbench.document.marks.record import Record, as_json, from_json, of_operation, of_total
 from vkworkbench.language import Message, render
 
 HANGS = Caution(

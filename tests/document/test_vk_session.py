@@ -7,7 +7,7 @@ from types import SimpleNamespace
 
 import FreeCAD
 
-from vkworkbench.document import session
+from vkworkbench.document.job import session
 
 
 def row(document, name, fingerprint="f"):

@@ -8,8 +8,8 @@ import FreeCAD
 import Part
 import pytest
 
-from vkworkbench.document.fingerprint import AT_ONCE, Settings, text_of
-from vkworkbench.document.setting import exact_box, rapid_feeds, tool_remark, vertical_feed
+from vkworkbench.document.job.fingerprint import AT_ONCE, Settings, text_of
+from vkworkbench.document.job.setting import exact_box, rapid_feeds, tool_remark, vertical_feed
 
 
 def operation(**controller):

@@ -4,8 +4,8 @@
 from dataclasses import replace
 
 import vkworkbench
-from vkworkbench.document.job_copy import read_job
-from vkworkbench.document.simulated_faults import keep_faults, read_with_faults, with_faults
+from vkworkbench.document.simulation.copy import read_job
+from vkworkbench.document.simulation.faults import keep_faults, read_with_faults, with_faults
 from vkworkbench.language import Message
 
 CRASH = Message("rapid-cuts", volume=22.0)

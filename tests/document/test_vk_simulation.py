@@ -16,9 +16,9 @@ import vkworkbench
 from vkworkbench import preferences, worker
 from vkworkbench.core import View
 from vkworkbench.core.zbuffer import OverBudget, memory_needed
-from vkworkbench.document.job_copy import copy_job, read_job
-from vkworkbench.document.listing import Listing
-from vkworkbench.document.simulation import simulate_read
+from vkworkbench.document.job.listing import Listing
+from vkworkbench.document.simulation.copy import copy_job, read_job
+from vkworkbench.document.simulation.simulate import simulate_read
 from vkworkbench.language import Unusable, render
 from vkworkbench.report import Cancelled
 from vkworkbench.worker import Worker, WorkerDied
@@ -419,7 +419,7 @@ def test_a_long_simulation_of_freecad_is_shared_and_stays_the_same(small, monkey
     monkeypatch.setattr(worker, "processes", lambda: 1)
     alone = vkworkbench.simulate(small.job, view=view).zbuffer.records
     monkeypatch.setattr(worker, "processes", lambda: 2)
-    monkeypatch.setattr("vkworkbench.core.zbuffer.sharing._ALONE", -1.0)
+    monkeypatch.setattr("vkworkbench.core.zbuffer.simulator.sharing._ALONE", -1.0)
     helped, original = [], Worker.__call__
     monkeypatch.setattr(Worker, "__call__", lambda self, region: helped.append(region) or original(self, region))
     began = time.monotonic()

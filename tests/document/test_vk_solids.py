@@ -11,9 +11,9 @@ import pytest
 
 import vkworkbench
 from vkworkbench.core import Cylinder, Mesh, Stock, View, linearize
-from vkworkbench.document.of_shapes import OfShapes
-from vkworkbench.document.setting import placed, read_stock, read_tool, tool_remark
-from vkworkbench.document.solids import form_of_stock, model_shapes, model_solid, stock_solid
+from vkworkbench.document.job.of_shapes import OfShapes
+from vkworkbench.document.job.setting import placed, read_stock, read_tool, tool_remark
+from vkworkbench.document.job.solids import form_of_stock, model_shapes, model_solid, stock_solid
 from vkworkbench.language import Unusable, render
 
 VIEW = View((1, 1, -1), 200, 150)

@@ -8,9 +8,11 @@ import pytest
 
 import vkworkbench
 from vkworkbench import preferences
-from vkworkbench.document import idle, marks, upkeep, watcher
-from vkworkbench.document.fingerprint import setting_fingerprint
-from vkworkbench.document.setting import read_stock
+from vkworkbench.document import upkeep
+from vkworkbench.document.computer import idle
+from vkworkbench.document.job.fingerprint import setting_fingerprint
+from vkworkbench.document.job.setting import read_stock
+from vkworkbench.document.marks import marks, watcher
 
 
 @pytest.fixture

@@ -23,9 +23,10 @@ except ImportError:
     from PySide6.QtTest import QTest
 
 from vkworkbench import freecad
-from vkworkbench.document import idle
-from vkworkbench.document.known import KNOWN
-from vkworkbench.gui import docks, tree, widgets
+from vkworkbench.document.computer import idle
+from vkworkbench.document.job.known import KNOWN
+from vkworkbench.gui.qt import docks, widgets
+from vkworkbench.gui.tree import column as tree
 
 
 @pytest.fixture(autouse=True)

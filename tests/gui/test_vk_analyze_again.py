@@ -8,7 +8,8 @@ import pytest
 from PySide import QtCore, QtGui
 
 from vkworkbench import preferences
-from vkworkbench.document import idle, marks
+from vkworkbench.document.computer import idle
+from vkworkbench.document.marks import marks
 from vkworkbench.report import Cancelled
 
 

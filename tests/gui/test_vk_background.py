@@ -6,7 +6,7 @@ import threading
 
 from PySide import QtCore
 
-from vkworkbench.gui.background import Background, Busy
+from vkworkbench.gui.qt.background import Background, Busy
 
 
 class Tells:

@@ -8,10 +8,11 @@ from PySide import QtCore, QtGui
 
 import vkworkbench
 from vkworkbench import freecad
-from vkworkbench.document import marks
-from vkworkbench.gui import progress, tree
-from vkworkbench.gui.latest import findings
-from vkworkbench.gui.panel_rows import rows_of
+from vkworkbench.document.marks import marks
+from vkworkbench.gui.qt import progress
+from vkworkbench.gui.results.latest import findings
+from vkworkbench.gui.results.rows import rows_of
+from vkworkbench.gui.tree import column as tree
 
 CAM = "PathWorkbench" if freecad.version() < (1, 0) else "CAMWorkbench"
 

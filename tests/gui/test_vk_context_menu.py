@@ -10,7 +10,7 @@ import pytest
 from PySide import QtCore, QtGui
 
 from vkworkbench import freecad
-from vkworkbench.document import marks
+from vkworkbench.document.marks import marks
 
 CAM = "PathWorkbench" if freecad.version() < (1, 0) else "CAMWorkbench"
 OURS = {"Analyze toolpaths", "Clear analysis", "Toolpath results", "Show strategies", "Gauss map"}

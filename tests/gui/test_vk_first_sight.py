@@ -7,8 +7,9 @@ import pytest
 from PySide import QtCore, QtGui
 
 from vkworkbench import freecad
-from vkworkbench.document import marks
-from vkworkbench.gui import tree, widgets
+from vkworkbench.document.marks import marks
+from vkworkbench.gui.qt import widgets
+from vkworkbench.gui.tree import column as tree
 
 
 @pytest.fixture

@@ -17,8 +17,9 @@ from PySide import QtCore, QtGui
 
 import vkworkbench
 from vkworkbench import freecad
-from vkworkbench.gui import background, gauss_map
-from vkworkbench.gui.readability import contrast
+from vkworkbench.gui.gauss import dock as gauss_map
+from vkworkbench.gui.qt import background
+from vkworkbench.gui.qt.readability import contrast
 from vkworkbench.language import ENGLISH
 
 try:  # in this order: where FreeCAD runs on PySide2, loading PySide6 beside it crashes

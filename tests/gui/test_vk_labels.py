@@ -9,8 +9,9 @@ from PySide import QtCore, QtGui
 
 import vkworkbench
 from vkworkbench import preferences
-from vkworkbench.document import calibration
-from vkworkbench.gui import plain_text, preferences_page, progress
+from vkworkbench.document.computer import calibration
+from vkworkbench.gui import preferences_page
+from vkworkbench.gui.qt import plain_text, progress
 
 HTML = "<b>bold</b><img src='x.png'>"
 

@@ -8,7 +8,7 @@ import Path
 import pytest
 from PySide import QtCore, QtGui
 
-from vkworkbench.document.known import KNOWN
+from vkworkbench.document.job.known import KNOWN
 
 OPERATIONS, COMMANDS = 5, 30_000
 

@@ -9,8 +9,9 @@ from PySide import QtCore, QtGui
 
 from vkworkbench import preferences
 from vkworkbench.core import measure_speed
-from vkworkbench.document import calibration, marks
-from vkworkbench.document.operations import find
+from vkworkbench.document.computer import calibration
+from vkworkbench.document.job.operations import find
+from vkworkbench.document.marks import marks
 
 
 @pytest.fixture

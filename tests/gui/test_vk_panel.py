@@ -19,14 +19,15 @@ except ImportError:
 
 import vkworkbench
 from vkworkbench import freecad, preferences
-from vkworkbench.document import marks
-from vkworkbench.document.mark_text import Burden, burden, is_warned, time_of
-from vkworkbench.gui import colors, latest
-from vkworkbench.gui.mark_explanation import explanation
-from vkworkbench.gui.panel_columns import Column
-from vkworkbench.gui.readability import readable
-from vkworkbench.gui.saving import with_suffix
-from vkworkbench.gui.sentences import as_sentence, user
+from vkworkbench.document.marks import marks
+from vkworkbench.document.marks.text import Burden, burden, is_warned, time_of
+from vkworkbench.gui.qt import colors
+from vkworkbench.gui.qt.readability import readable
+from vkworkbench.gui.qt.saving import with_suffix
+from vkworkbench.gui.qt.sentences import as_sentence, user
+from vkworkbench.gui.results import latest
+from vkworkbench.gui.results.columns import Column
+from vkworkbench.gui.tree.explanation import explanation
 
 OPENGL = freecad.version() >= (1, 0)
 
@@ -464,7 +465,7 @@ def test_an_export_that_fails_is_said(panel, window, tmp_path):
 
     folder = tmp_path / "results.csv"
     folder.mkdir()
-    from vkworkbench.gui import panel_export as module
+    from vkworkbench.gui.results import export as module
 
     name, module.QFileDialog.getSaveFileName = module.QFileDialog.getSaveFileName, lambda *what: (str(folder), "")
     try:
@@ -678,7 +679,7 @@ def test_rows_live_with_the_document(panel, opened, window):
     window.wait(lambda: "Top" in labels(panel))
     top = labelled(opened, "Top")
     top.ToolpathMark = top.ToolpathMark.replace(marks.read(top).fingerprint, "of:another")
-    from vkworkbench.document import watcher
+    from vkworkbench.document.marks import watcher
 
     watcher.check(opened)
     assert shown(panel) == FIRST

@@ -15,14 +15,16 @@ from PySide import QtCore, QtGui
 import vkworkbench
 from vkworkbench import freecad, preferences
 from vkworkbench.core import Strategy
-from vkworkbench.document import marks
-from vkworkbench.document.record import Record, as_json
-from vkworkbench.gui import colors, pills, tree
-from vkworkbench.gui.mark_explanation import explanation
-from vkworkbench.gui.mark_layout import layouts
-from vkworkbench.gui.panel_columns import columns
-from vkworkbench.gui.panel_rows import Row
-from vkworkbench.gui.sentences import plainly, said, user
+from vkworkbench.document.marks import marks
+from vkworkbench.document.marks.record import Record, as_json
+from vkworkbench.gui.qt import colors
+from vkworkbench.gui.qt.sentences import plainly, said, user
+from vkworkbench.gui.results.columns import columns
+from vkworkbench.gui.results.rows import Row
+from vkworkbench.gui.tree import column as tree
+from vkworkbench.gui.tree import pills
+from vkworkbench.gui.tree.explanation import explanation
+from vkworkbench.gui.tree.layout import layouts
 from vkworkbench.language import Message
 from vkworkbench.preferences import Preferences
 
@@ -229,7 +231,7 @@ def test_pills_have_their_strategys_colour(marked, window, theme):
     labelled(marked, "Face").Label2 = "rough first " + labelled(marked, "Face").Label2
     drill = labelled(marked, "Drill holes")
     drill.ToolpathMark = drill.ToolpathMark.replace(marks.read(drill).fingerprint, "of:another")
-    from vkworkbench.document import watcher
+    from vkworkbench.document.marks import watcher
 
     watcher.check(marked)
     Gui.Selection.addSelection(labelled(marked, "Bore"))

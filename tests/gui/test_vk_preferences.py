@@ -10,7 +10,7 @@ from preferences_dialog import in_preferences
 from PySide import QtCore, QtGui
 
 from vkworkbench import freecad, preferences
-from vkworkbench.document import calibration
+from vkworkbench.document.computer import calibration
 from vkworkbench.preferences import Preferences
 
 CANCEL, OK = "Cancel", "OK"
@@ -120,7 +120,8 @@ def test_units_follow_freecad(with_page, window):
 
 
 def test_pills_can_be_switched_off(with_page, window, opened):
-    from vkworkbench.gui import pills, tree
+    from vkworkbench.gui.tree import column as tree
+    from vkworkbench.gui.tree import pills
 
     pills.show()
     delegates = lambda: [type(v.itemDelegateForColumn(tree.DESCRIPTION)).__name__ for v in tree.trees()]  # noqa: E731

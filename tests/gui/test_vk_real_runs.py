@@ -11,10 +11,11 @@ from PySide import QtCore, QtGui
 
 from vkworkbench import freecad, preferences
 from vkworkbench.core.simulators import DEFAULTS, opengl_speeds
-from vkworkbench.document import calibration
-from vkworkbench.gui import real_runs, simulator_panels
-from vkworkbench.gui.real_runs import OpenGLRun, _played
-from vkworkbench.gui.sentences import user
+from vkworkbench.document.computer import calibration
+from vkworkbench.gui.qt.sentences import user
+from vkworkbench.gui.simulators import panels as simulator_panels
+from vkworkbench.gui.simulators import real_runs
+from vkworkbench.gui.simulators.real_runs import OpenGLRun, _played
 
 OLD = freecad.version() < (1, 0, 0)
 

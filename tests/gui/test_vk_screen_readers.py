@@ -5,8 +5,8 @@ import pytest
 from PySide import QtCore, QtGui
 from simulation_window import COMMAND, shown, tabs
 
-from vkworkbench.gui.simulator_warning import Line
-from vkworkbench.gui.widgets import area_of_views
+from vkworkbench.gui.qt.widgets import area_of_views
+from vkworkbench.gui.simulators.warning import Line
 
 CONTROLS = QtGui.QAbstractButton, QtGui.QComboBox, QtGui.QAbstractSpinBox, QtGui.QAbstractSlider, QtGui.QLineEdit
 

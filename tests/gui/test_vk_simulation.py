@@ -17,8 +17,8 @@ from simulation_window import COMMAND, Desk, close, drag, finest, shown, tabs, w
 import vkworkbench
 from vkworkbench.core import linearize
 from vkworkbench.core.zbuffer import Peak
-from vkworkbench.document.simulation import simulate_read
-from vkworkbench.gui.plain_text import OneLine
+from vkworkbench.document.simulation.simulate import simulate_read
+from vkworkbench.gui.qt.plain_text import OneLine
 from vkworkbench.gui.simulation import controls, exports, refining
 from vkworkbench.gui.simulation import player as playing
 from vkworkbench.gui.simulation.drawing import Drawing, Picture

@@ -12,8 +12,8 @@ import pytest
 
 from vkworkbench.core import Cut, Stock, Strategy, Tool, View, linearize, simulate_job
 from vkworkbench.core.zbuffer import OverBudget, SeenModel, Speed, memory_needed
-from vkworkbench.document.simulated_job import SimulatedJob, SimulatedOperation
-from vkworkbench.document.simulation import simulate_read
+from vkworkbench.document.simulation.job import SimulatedJob, SimulatedOperation
+from vkworkbench.document.simulation.simulate import simulate_read
 from vkworkbench.gui.simulation import coloring, exports
 from vkworkbench.gui.simulation.clock import Clock
 from vkworkbench.gui.simulation.drawing import Drawing

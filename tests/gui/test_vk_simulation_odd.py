@@ -97,7 +97,7 @@ def test_a_closed_tab_takes_no_memory_any_more(desk, window):
 def test_a_closed_tab_gives_its_memory_back_to_the_system(desk, window, monkeypatch):
     desk.kept(desk.small)  # closes the tab of another test, which gives its memory back later
     given = []
-    monkeypatch.setattr("vkworkbench.document.garbage.give_back", lambda: given.append(True))
+    monkeypatch.setattr("vkworkbench.document.computer.garbage.give_back", lambda: given.append(True))
     tab = desk.simulate()
     shown(tab, window)
     assert given == []

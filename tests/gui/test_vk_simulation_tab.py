@@ -13,7 +13,7 @@ from simulation_window import COMMAND, Desk, close, finest, make_small, shown, t
 
 import vkworkbench
 from vkworkbench.core.zbuffer import removed_volumes
-from vkworkbench.gui import widgets
+from vkworkbench.gui.qt import widgets
 from vkworkbench.gui.simulation import exports
 from vkworkbench.gui.simulation.known_faults import KnownFaults
 
@@ -241,7 +241,7 @@ def test_an_error_while_the_job_is_copied_is_told(desk, window, monkeypatch):
     def copied(*_):
         raise RuntimeError("no path")
 
-    monkeypatch.setattr("vkworkbench.document.job_copy._copied", copied)
+    monkeypatch.setattr("vkworkbench.document.simulation.copy._copied", copied)
     desk.kept(desk.small)
     window.click(COMMAND)
     window.wait(window.boxes)

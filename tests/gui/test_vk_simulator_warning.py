@@ -11,9 +11,9 @@ import pytest
 from PySide import QtCore, QtGui
 
 from vkworkbench import freecad, preferences
-from vkworkbench.document import marks, watcher
-from vkworkbench.gui import simulator_panels
-from vkworkbench.gui.simulator_warning import OpenPanel
+from vkworkbench.document.marks import marks, watcher
+from vkworkbench.gui.simulators import panels as simulator_panels
+from vkworkbench.gui.simulators.warning import OpenPanel
 
 OLD = freecad.version() < (1, 0, 0)
 needs_opengl = pytest.mark.skipif(OLD, reason="FreeCAD 0.20 has no OpenGL simulator")

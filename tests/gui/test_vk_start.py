@@ -7,7 +7,7 @@ import FreeCAD
 import FreeCADGui
 
 import vkworkbench
-from vkworkbench.document import watcher
+from vkworkbench.document.marks import watcher
 
 
 def test_window_is_there():
@@ -17,8 +17,8 @@ def test_window_is_there():
 # All that FreeCAD's start may load of the add-on; none of it loads numpy.
 AT_START = {
     "vkworkbench", "vkworkbench.freecad", "vkworkbench.preferences", "vkworkbench.document",
-    "vkworkbench.document.idle", "vkworkbench.document.mark_properties", "vkworkbench.document.operations", "vkworkbench.gui", "vkworkbench.gui.plain_text", "vkworkbench.gui.preferences_page",
-    "vkworkbench.gui.qt", "vkworkbench.gui.selection", "vkworkbench.gui.sentences", "vkworkbench.gui.simulator_panels", "vkworkbench.gui.simulator_watch", "vkworkbench.gui.text", "vkworkbench.gui.widgets", "vkworkbench.gui.workbench",
+    "vkworkbench.document.computer", "vkworkbench.document.computer.idle", "vkworkbench.document.marks", "vkworkbench.document.job", "vkworkbench.document.marks.properties", "vkworkbench.document.job.operations", "vkworkbench.gui", "vkworkbench.gui.qt.plain_text", "vkworkbench.gui.preferences_page",
+    "vkworkbench.gui.qt", "vkworkbench.gui.simulators", "vkworkbench.gui.qt.names", "vkworkbench.gui.qt.document_command", "vkworkbench.gui.qt.sentences", "vkworkbench.gui.simulators.panels", "vkworkbench.gui.simulators.watch", "vkworkbench.gui.qt.text", "vkworkbench.gui.qt.widgets", "vkworkbench.gui.workbench",
 }  # fmt: skip
 
 

@@ -14,7 +14,9 @@ from make_example import cam
 from PySide import QtCore, QtGui
 
 from vkworkbench.core import Strategy, linearize, recognize
-from vkworkbench.gui import colors, strategy_lines, strategy_view
+from vkworkbench.gui.qt import colors
+from vkworkbench.gui.strategies import lines as strategy_lines
+from vkworkbench.gui.strategies import view as strategy_view
 
 SWITCH = "Show strategies"
 

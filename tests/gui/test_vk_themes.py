@@ -9,10 +9,10 @@ from PySide import QtCore, QtGui
 
 from vkworkbench import freecad, preferences
 from vkworkbench.core import Stock
-from vkworkbench.document import marks
-from vkworkbench.gui import simulator_panels
+from vkworkbench.document.marks import marks
 from vkworkbench.gui.simulation.part_view import PartView
 from vkworkbench.gui.simulation.time_line import TimeLine
+from vkworkbench.gui.simulators import panels as simulator_panels
 
 
 def luminance(color):

@@ -17,12 +17,12 @@ import vkworkbench
 from vkworkbench import freecad, preferences
 from vkworkbench.core import Strategy
 from vkworkbench.core.simulators import cost_from_data
-from vkworkbench.document import marks
-from vkworkbench.document.record import Record
-from vkworkbench.gui import docks
-from vkworkbench.gui.mark_explanation import explanation
-from vkworkbench.gui.mark_layout import layouts
-from vkworkbench.gui.sentences import said, user
+from vkworkbench.document.marks import marks
+from vkworkbench.document.marks.record import Record
+from vkworkbench.gui.qt import docks
+from vkworkbench.gui.qt.sentences import said, user
+from vkworkbench.gui.tree.explanation import explanation
+from vkworkbench.gui.tree.layout import layouts
 from vkworkbench.language import Message, render
 from vkworkbench.preferences import Preferences
 

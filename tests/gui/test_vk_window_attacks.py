@@ -17,9 +17,10 @@ from PySide import QtCore, QtGui
 from simulation_window import COMMAND, shown, tabs
 
 import vkworkbench
-from vkworkbench.document import marks
-from vkworkbench.document.operations import find
-from vkworkbench.gui import strategy_view, widgets
+from vkworkbench.document.job.operations import find
+from vkworkbench.document.marks import marks
+from vkworkbench.gui.qt import widgets
+from vkworkbench.gui.strategies import view as strategy_view
 
 SWITCH = "Show strategies"
 

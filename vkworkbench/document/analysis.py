@@ -17,17 +17,18 @@ from vkworkbench.core import Solid, Strategy, Tool, Toolpath, linearize, machini
 from vkworkbench.core.gcode import Words, in_seconds, used_up
 from vkworkbench.core.simulators import ZBUFFER, Conditions, Cost, Task, predict, preflight, together
 from vkworkbench.core.zbuffer import cuts_surely, may_cut
-from vkworkbench.document import calibration, garbage, session
-from vkworkbench.document.fingerprint import (
+from vkworkbench.document.computer import calibration, garbage
+from vkworkbench.document.job import session
+from vkworkbench.document.job.fingerprint import (
     AT_ONCE,
     fingerprint_of,
     path_and_setting,
     text_fingerprint,
     text_of,
 )
-from vkworkbench.document.intent import contradicts
-from vkworkbench.document.known import KNOWN, key_of
-from vkworkbench.document.operations import (
+from vkworkbench.document.job.intent import contradicts
+from vkworkbench.document.job.known import KNOWN, key_of
+from vkworkbench.document.job.operations import (
     find,
     fixtures_of,
     is_there,
@@ -35,11 +36,11 @@ from vkworkbench.document.operations import (
     names_of,
     or_active_document,
 )
-from vkworkbench.document.path_prints import PATH_PRINTS
-from vkworkbench.document.reading import READ, WHOSE, Reading, read
-from vkworkbench.document.recognized import recognized
-from vkworkbench.document.setting import placed
-from vkworkbench.document.simulated_faults import with_faults
+from vkworkbench.document.job.path_prints import PATH_PRINTS
+from vkworkbench.document.job.reading import READ, WHOSE, Reading, read
+from vkworkbench.document.job.recognized import recognized
+from vkworkbench.document.job.setting import placed
+from vkworkbench.document.simulation.faults import with_faults
 from vkworkbench.language import Message, Unusable
 from vkworkbench.preferences import Preferences
 from vkworkbench.report import Cancelled, OperationReport, Report, without_results

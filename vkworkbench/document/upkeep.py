@@ -9,10 +9,11 @@ from contextlib import suppress
 import FreeCAD
 
 from vkworkbench import preferences
-from vkworkbench.document import idle, marking, marks
-from vkworkbench.document.mark_properties import may_have_mark
-from vkworkbench.document.operations import find
-from vkworkbench.document.watcher import Watcher
+from vkworkbench.document.computer import idle
+from vkworkbench.document.job.operations import find
+from vkworkbench.document.marks import marking, marks
+from vkworkbench.document.marks.properties import may_have_mark
+from vkworkbench.document.marks.watcher import Watcher
 from vkworkbench.report import Cancelled, Report
 
 

@@ -8,16 +8,18 @@ import FreeCADGui as Gui
 
 import vkworkbench
 from vkworkbench import preferences
-from vkworkbench.document import marks
-from vkworkbench.document.mark_text import is_warned
-from vkworkbench.document.operations import is_gone
-from vkworkbench.document.simulated_faults import read_with_faults
-from vkworkbench.gui import panel_command, pills, progress, tree
-from vkworkbench.gui.document_command import DocumentCommand
-from vkworkbench.gui.plain_text import tell
-from vkworkbench.gui.selection import selected_operations
-from vkworkbench.gui.sentences import plural
-from vkworkbench.gui.text import QT_TRANSLATE_NOOP, translate
+from vkworkbench.document.job.operations import is_gone
+from vkworkbench.document.marks import marks
+from vkworkbench.document.marks.text import is_warned
+from vkworkbench.document.simulation.faults import read_with_faults
+from vkworkbench.gui.qt import progress
+from vkworkbench.gui.qt.document_command import DocumentCommand, selected_operations
+from vkworkbench.gui.qt.plain_text import tell
+from vkworkbench.gui.qt.sentences import plural
+from vkworkbench.gui.qt.text import QT_TRANSLATE_NOOP, translate
+from vkworkbench.gui.results import command as panel_command
+from vkworkbench.gui.tree import column as tree
+from vkworkbench.gui.tree import pills
 from vkworkbench.preferences import GROUP
 
 

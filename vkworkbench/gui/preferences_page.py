@@ -10,10 +10,10 @@ import FreeCAD
 import FreeCADGui as Gui
 
 from vkworkbench import freecad, preferences
-from vkworkbench.gui.plain_text import WholeText, as_plain, warn
-from vkworkbench.gui.qt import QDate, QLocale, Qt
-from vkworkbench.gui.sentences import user
-from vkworkbench.gui.text import QT_TRANSLATE_NOOP, translate
+from vkworkbench.gui.qt.names import QDate, QLocale, Qt
+from vkworkbench.gui.qt.plain_text import WholeText, as_plain, warn
+from vkworkbench.gui.qt.sentences import user
+from vkworkbench.gui.qt.text import QT_TRANSLATE_NOOP, translate
 from vkworkbench.preferences import Preferences
 
 UI = Path(__file__).resolve().parents[2] / "resources" / "ui" / "preferences.ui"
@@ -64,7 +64,7 @@ class PreferencesPage:
         now = self._chosen()
         preferences.write(**{name: value for name, value in now.items() if value != self._shown[name]})
         self._shown = now
-        from vkworkbench.gui import pills
+        from vkworkbench.gui.tree import pills
 
         pills.show()
 
@@ -102,7 +102,7 @@ class PreferencesPage:
                 yield preference.name, widget
 
     def _calibrate(self) -> None:
-        from vkworkbench.gui import progress
+        from vkworkbench.gui.qt import progress
         from vkworkbench.report import Cancelled
 
         try:
@@ -119,7 +119,7 @@ class PreferencesPage:
 
     def _last_calibration(self) -> str:
         from vkworkbench.core.simulators import LEGACY
-        from vkworkbench.document import calibration
+        from vkworkbench.document.computer import calibration
 
         known = calibration.load(preferences.read().renderer)
         if known is None:

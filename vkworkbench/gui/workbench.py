@@ -10,12 +10,13 @@ import FreeCAD
 import FreeCADGui as Gui
 
 from vkworkbench import freecad, preferences
-from vkworkbench.document import idle
-from vkworkbench.document.mark_properties import may_have_mark
-from vkworkbench.gui import preferences_page, simulator_watch
-from vkworkbench.gui.qt import QApplication, QTimer
-from vkworkbench.gui.selection import selected_operations
-from vkworkbench.gui.text import QT_TRANSLATE_NOOP, translate
+from vkworkbench.document.computer import idle
+from vkworkbench.document.marks.properties import may_have_mark
+from vkworkbench.gui import preferences_page
+from vkworkbench.gui.qt.document_command import selected_operations
+from vkworkbench.gui.qt.names import QApplication, QTimer
+from vkworkbench.gui.qt.text import QT_TRANSLATE_NOOP, translate
+from vkworkbench.gui.simulators import watch as simulator_watch
 
 ROOT = Path(__file__).resolve().parents[2]
 ICONS = ROOT / "resources" / "icons"
@@ -115,8 +116,8 @@ class _OpenedDocuments:
         self._later(document.Name)
 
     def slotCommitTransaction(self, document) -> None:
-        if "vkworkbench.document.marking" in sys.modules:  # then there may be marks, also by a macro
-            from vkworkbench.gui import pills
+        if "vkworkbench.document.marks.marking" in sys.modules:  # then there may be marks, also by a macro
+            from vkworkbench.gui.tree import pills
 
             pills.show()
 
@@ -134,8 +135,9 @@ class _OpenedDocuments:
         self._opened.discard(name)
         if any(map(may_have_mark, document.Objects)):
             # These load numpy: only for a document with marks.
-            from vkworkbench.document import upkeep, watcher
-            from vkworkbench.gui import pills
+            from vkworkbench.document import upkeep
+            from vkworkbench.document.marks import watcher
+            from vkworkbench.gui.tree import pills
 
             pills.show()
             upkeep.watch()
@@ -147,13 +149,13 @@ class _Recomputes:
     """Analyses again after a recompute, if the user wishes: when FreeCAD is idle, with progress, and Esc cancels."""
 
     def slotRecomputedDocument(self, document) -> None:
-        if "vkworkbench.document.marking" in sys.modules and preferences.read().analyze_after_recompute:
+        if "vkworkbench.document.marks.marking" in sys.modules and preferences.read().analyze_after_recompute:
             name = document.Name
             idle.later(f"analysis of {name}", lambda: self._analyze(name))
 
     def _analyze(self, name: str) -> None:
         from vkworkbench.document import upkeep
-        from vkworkbench.gui import progress
+        from vkworkbench.gui.qt import progress
 
         if name in FreeCAD.listDocuments():  # behind the work that compares its marks
             idle.work(upkeep.analyzing_again(FreeCAD.getDocument(name), progress.analyze))
@@ -162,13 +164,13 @@ class _Recomputes:
 def _focus_changed(window) -> None:
     """Notice that the user opens the OpenGL simulator, which has a window of its own."""
     if window is not None and "CAMSim" in window.metaObject().className():
-        from vkworkbench.gui import real_runs
+        from vkworkbench.gui.simulators import real_runs
 
         real_runs.watch_opengl(window)
 
 
 def _load_commands() -> None:
-    from vkworkbench.gui import commands, gauss_map_command, panel_command, strategy_command  # noqa: F401
+    from vkworkbench.gui import commands  # noqa: F401
     from vkworkbench.gui.simulation import command  # noqa: F401
 
 

@@ -12,8 +12,8 @@ from drawings import arc
 
 from vkworkbench.core import linearize
 from vkworkbench.core.paper import monotonous_areas
-from vkworkbench.core.recognition.pieces import STROKE, cut_pieces
-from vkworkbench.core.recognition.strokes import relate_strokes
+from vkworkbench.core.recognition.patterns.pieces import STROKE, cut_pieces
+from vkworkbench.core.recognition.patterns.strokes import relate_strokes
 
 
 def wavy(x):

@@ -9,10 +9,10 @@ import pytest
 
 from vkworkbench.core import Family, Strategy, linearize
 from vkworkbench.core.paper import monotonous_areas
-from vkworkbench.core.recognition.concentric import find_arcs
-from vkworkbench.core.recognition.decide import NO_LETTER, STRATEGIES, Proposal, grounds, standing
-from vkworkbench.core.recognition.pieces import cut_pieces
+from vkworkbench.core.recognition.patterns.concentric import find_arcs
+from vkworkbench.core.recognition.patterns.pieces import cut_pieces
 from vkworkbench.core.recognition.thresholds import VOTES
+from vkworkbench.core.recognition.verdict.decide import NO_LETTER, STRATEGIES, Proposal, grounds, standing
 
 QUARTER, CHORDS = np.pi / 2, 60
 

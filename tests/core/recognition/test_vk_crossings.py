@@ -11,7 +11,7 @@ import pytest
 
 from vkworkbench.core import linearize
 from vkworkbench.core.paper import monotonous_areas
-from vkworkbench.core.recognition.crossings import FROM_THE_MIDDLE, NAMES, Sample, _cross, scan
+from vkworkbench.core.recognition.verdict.crossings import FROM_THE_MIDDLE, NAMES, Sample, _cross, scan
 
 EXTENT = 60.0
 ROWS, STEP = 10, 3.0

@@ -9,9 +9,9 @@ from drawings import polygon
 
 from vkworkbench.core import Strategy, linearize, recognize
 from vkworkbench.core.paper import monotonous_areas
-from vkworkbench.core.recognition.evidence import gather, sentence
-from vkworkbench.core.recognition.section import Section
-from vkworkbench.core.recognition.verdict import Verdict
+from vkworkbench.core.recognition.patterns.section import Section
+from vkworkbench.core.recognition.verdict.evidence import gather, sentence
+from vkworkbench.core.recognition.verdict.rules import Verdict
 from vkworkbench.language import Message
 
 TOOL = 6.0

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from vkworkbench.core import Strategy
-from vkworkbench.core.recognition.finishing import Cut, within_operations
+from vkworkbench.core.recognition.programs.finishing import Cut, within_operations
 
 CLEARED = (0.0, 0.0, 30.0, 40.0)  # its diagonal is 50 mm
 AROUND = (-2.0, -2.0, 32.0, 42.0)

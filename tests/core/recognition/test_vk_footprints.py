@@ -10,8 +10,8 @@ from drawings import polygon
 
 from vkworkbench.core import linearize
 from vkworkbench.core.paper import monotonous_areas
-from vkworkbench.core.recognition.footprints import come_again, count_depths, footprints, number_depths
-from vkworkbench.core.recognition.pieces import cut_pieces
+from vkworkbench.core.recognition.patterns.footprints import come_again, count_depths, footprints, number_depths
+from vkworkbench.core.recognition.patterns.pieces import cut_pieces
 
 SQUARE = {"side": 20.0}
 OTHERS = [

@@ -12,9 +12,9 @@ from drawings import polygon, winding
 
 from vkworkbench.core import linearize
 from vkworkbench.core.paper import monotonous_areas
-from vkworkbench.core.recognition.measures import FLAGS, measures
-from vkworkbench.core.recognition.section import Section
+from vkworkbench.core.recognition.patterns.section import Section
 from vkworkbench.core.recognition.thresholds import WATERLINES
+from vkworkbench.core.recognition.verdict.measures import FLAGS, measures
 
 TOOL = 6.0
 NO_RINGS = {

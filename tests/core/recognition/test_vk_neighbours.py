@@ -9,8 +9,8 @@ import pytest
 
 from vkworkbench.core import linearize
 from vkworkbench.core.paper import monotonous_areas
-from vkworkbench.core.recognition.neighbours import find_neighbours
-from vkworkbench.core.recognition.pieces import cut_pieces
+from vkworkbench.core.recognition.patterns.neighbours import find_neighbours
+from vkworkbench.core.recognition.patterns.pieces import cut_pieces
 
 TOOL = 4.0
 

@@ -6,7 +6,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from vkworkbench.core.recognition.nesting import Inward, evenness, middle, reach
+from vkworkbench.core.recognition.patterns.nesting import Inward, evenness, middle, reach
 
 
 def inward(*sides, aside=0.0, enclosed=None, slack=1.0):

@@ -11,7 +11,7 @@ import pytest
 pytestmark = pytest.mark.sources
 
 CORE = Path(__file__).parents[3] / "vkworkbench" / "core"
-SOURCES = [*(p for room in ("gcode", "paper", "recognition") for p in (CORE / room).glob("*.py")), *CORE.glob("*.py")]
+SOURCES = [*(p for room in ("gcode", "paper", "recognition") for p in (CORE / room).rglob("*.py")), *CORE.glob("*.py")]
 BLAS = {"dot", "vdot", "inner", "matmul", "tensordot", "linalg", "polyfit", "corrcoef", "cov", "convolve", "correlate"}
 # Solids and views are no part of recognising; the products there are of three numbers.
 OTHER = {"solids.py", "stocks.py", "view.py"}

@@ -12,7 +12,7 @@ from drawings import polygon
 
 from vkworkbench.core import linearize
 from vkworkbench.core.paper import TURN, monotonous_areas
-from vkworkbench.core.recognition.pieces import LOOP, STROKE, WINDING, ZIGZAG, cut_pieces
+from vkworkbench.core.recognition.patterns.pieces import LOOP, STROKE, WINDING, ZIGZAG, cut_pieces
 
 
 def pieces_of(*strokes):

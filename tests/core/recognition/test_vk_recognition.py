@@ -17,7 +17,7 @@ from toolpaths import synthetic
 from vkworkbench.core import Strategy, Toolpath
 from vkworkbench.core.gcode import linearize
 from vkworkbench.core.recognition import Span, unknown
-from vkworkbench.core.recognition.recognize import recognize
+from vkworkbench.core.recognition.programs.recognize import recognize
 from vkworkbench.language import Message
 
 

@@ -12,8 +12,10 @@ import pytest
 from toolpaths import nonsense, synthetic
 from vkworkbench.core import Family, Strategy, linearize, recognize
 from vkworkbench.core.paper import monotonous_areas
-from vkworkbench.core.recognition import learned
-from vkworkbench.core.recognition.decide import (
+from vkworkbench.core.recognition.patterns.section import Section
+from vkworkbench.core.recognition.thresholds import VOTES
+from vkworkbench.core.recognition.verdict import learned
+from vkworkbench.core.recognition.verdict.decide import (
     CLASS,
     LEARNED,
     NO_LETTER,
@@ -26,11 +28,9 @@ from vkworkbench.core.recognition.decide import (
     standing,
     sureness,
 )
-from vkworkbench.core.recognition.measures import measures
-from vkworkbench.core.recognition.section import Section
-from vkworkbench.core.recognition.thresholds import VOTES
-from vkworkbench.core.recognition.unknown import unknown
-from vkworkbench.core.recognition.verdict import Verdict
+from vkworkbench.core.recognition.verdict.measures import measures
+from vkworkbench.core.recognition.verdict.rules import Verdict
+from vkworkbench.core.recognition.verdict.unknown import unknown
 from vkworkbench.language import Message
 
 # Seeds of nonsense toolpaths, which have 182 to 801 points in most kinds; some retract. Longer paths show no more.

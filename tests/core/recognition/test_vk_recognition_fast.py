@@ -6,12 +6,12 @@ import pytest
 
 from vkworkbench.core.gcode import linearize
 from vkworkbench.core.paper import monotonous_areas
-from vkworkbench.core.recognition.crossings import _median
-from vkworkbench.core.recognition.entries import find_entry, without_entries
-from vkworkbench.core.recognition.footprints import count_depths
-from vkworkbench.core.recognition.forest import Forest
-from vkworkbench.core.recognition.neighbours import _percentiles
+from vkworkbench.core.recognition.patterns.entries import find_entry, without_entries
+from vkworkbench.core.recognition.patterns.footprints import count_depths
+from vkworkbench.core.recognition.patterns.neighbours import _percentiles
 from vkworkbench.core.recognition.thresholds import SAME
+from vkworkbench.core.recognition.verdict.crossings import _median
+from vkworkbench.core.recognition.verdict.forest import Forest
 
 
 @pytest.mark.parametrize("number", [1, 2, 3, 8, 101, 1000])

@@ -13,8 +13,8 @@ from drawings import winding
 from vkworkbench.core import Strategy
 from vkworkbench.core.gcode import linearize
 from vkworkbench.core.paper import TURN, monotonous_areas
-from vkworkbench.core.recognition.entries import _first, _way_out, find_entry, without_entries
-from vkworkbench.core.recognition.recognize import recognize
+from vkworkbench.core.recognition.patterns.entries import _first, _way_out, find_entry, without_entries
+from vkworkbench.core.recognition.programs.recognize import recognize
 
 ABOVE = [("G0", {"X": 0.0, "Y": 0.0, "Z": 2.0})]
 DEEP = -5.0

@@ -16,8 +16,7 @@ from hypothesis import strategies as st
 
 from vkworkbench.core import Strategy, linearize, recognize
 from vkworkbench.core.paper import monotonous_areas
-from vkworkbench.core.recognition.operation import _runs, cutting_length
-from vkworkbench.core.recognition.parts import (
+from vkworkbench.core.recognition.programs.parts import (
     _agree,
     _differing,
     _differs,
@@ -26,8 +25,9 @@ from vkworkbench.core.recognition.parts import (
     _short,
     find_borders,
 )
-from vkworkbench.core.recognition.recognition import Recognition, Span
-from vkworkbench.core.recognition.unknown import unknown
+from vkworkbench.core.recognition.verdict.operation import _runs, cutting_length
+from vkworkbench.core.recognition.verdict.recognition import Recognition, Span
+from vkworkbench.core.recognition.verdict.unknown import unknown
 from vkworkbench.language import Message
 
 TOOL = 5.0

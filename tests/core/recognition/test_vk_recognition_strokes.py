@@ -13,7 +13,7 @@ import pytest
 from toolpaths.strokes import SAMPLES, dogbones, entered, open_adaptive, open_offsets, ramps
 from vkworkbench.core import Strategy, linearize, recognize
 from vkworkbench.core.paper import TURN, monotonous_areas
-from vkworkbench.core.recognition.spurs import without_spurs
+from vkworkbench.core.recognition.patterns.spurs import without_spurs
 
 SEEDS = 8
 

@@ -11,7 +11,7 @@ import pytest
 
 from vkworkbench.core import Strategy
 from vkworkbench.core.gcode import linearize
-from vkworkbench.core.recognition.recognize import recognize
+from vkworkbench.core.recognition.programs.recognize import recognize
 
 START = [("G0", {"X": 0.0, "Y": 0.0, "Z": 5.0}), ("G1", {"Z": -1.0, "F": 5.0})]
 

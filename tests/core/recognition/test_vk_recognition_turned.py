@@ -6,7 +6,7 @@ from __future__ import annotations
 import pytest
 
 from vkworkbench.core import Strategy, linearize, recognize
-from vkworkbench.core.recognition.turned import is_turned
+from vkworkbench.core.recognition.patterns.turned import is_turned
 
 SAFE = 5.0
 

@@ -13,11 +13,11 @@ from drawings import winding
 
 from vkworkbench.core import Strategy, linearize, recognize
 from vkworkbench.core.paper import monotonous_areas
-from vkworkbench.core.recognition.borders import MEASURES
-from vkworkbench.core.recognition.forest import Forest
-from vkworkbench.core.recognition.parts import Sections, _differing, told_apart
+from vkworkbench.core.recognition.programs.borders import MEASURES
+from vkworkbench.core.recognition.programs.parts import Sections, _differing, told_apart
+from vkworkbench.core.recognition.programs.visits import Visits, begun, compared, find_visits
 from vkworkbench.core.recognition.thresholds import VISITS
-from vkworkbench.core.recognition.visits import Visits, begun, compared, find_visits
+from vkworkbench.core.recognition.verdict.forest import Forest
 
 TOOL = 5.0
 
@@ -126,7 +126,7 @@ def test_a_program_that_certain_borders_divide_too_often_is_not_looked_at_for_ot
         commands += [("G1", {"X": x + 5 + dx, "Y": y + dy}) for dx, dy in ((10, 0), (10, 10), (0, 10), (0, 0))]
         commands += [("G0", {"Z": 5.0})]
     looked_at = []
-    monkeypatch.setattr(sys.modules["vkworkbench.core.recognition.recognize"], "begun", looked_at.append)
+    monkeypatch.setattr(sys.modules["vkworkbench.core.recognition.programs.recognize"], "begun", looked_at.append)
     assert len(recognize(linearize(commands), tool_diameter=3.0, program=True).spans) == 1 and not looked_at
 
 

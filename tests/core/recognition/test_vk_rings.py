@@ -12,9 +12,9 @@ from drawings import polygon, winding
 
 from vkworkbench.core import linearize
 from vkworkbench.core.paper import monotonous_areas
-from vkworkbench.core.recognition.nesting import evenness
-from vkworkbench.core.recognition.pieces import LOOP, STROKE, WINDING, ZIGZAG, cut_pieces
-from vkworkbench.core.recognition.rings import _equal, _shapes, relate_rings
+from vkworkbench.core.recognition.patterns.nesting import evenness
+from vkworkbench.core.recognition.patterns.pieces import LOOP, STROKE, WINDING, ZIGZAG, cut_pieces
+from vkworkbench.core.recognition.patterns.rings import _equal, _shapes, relate_rings
 
 TOOL = 6.0
 RELATIONS = ("nested", "deeper", "repeated", "moved", "crossing")

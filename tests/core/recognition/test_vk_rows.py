@@ -13,7 +13,7 @@ from counting import memory
 
 from vkworkbench.core import linearize
 from vkworkbench.core.paper import monotonous_areas
-from vkworkbench.core.recognition.rows import Rows, filling, find_rows, weighted_median
+from vkworkbench.core.recognition.patterns.rows import Rows, filling, find_rows, weighted_median
 
 ZIGZAG = [(x, 3.0 * row) for row in range(6) for x in ((0.0, 50.0), (50.0, 0.0))[row % 2]]
 

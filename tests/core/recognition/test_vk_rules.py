@@ -15,9 +15,9 @@ from drawings import arc, polygon, winding
 
 from vkworkbench.core import linearize
 from vkworkbench.core.paper import monotonous_areas
-from vkworkbench.core.recognition.entries import share_rising
-from vkworkbench.core.recognition.section import Section
-from vkworkbench.core.recognition.verdict import judge
+from vkworkbench.core.recognition.patterns.entries import share_rising
+from vkworkbench.core.recognition.patterns.section import Section
+from vkworkbench.core.recognition.verdict.rules import judge
 
 TOOL = 6.0
 

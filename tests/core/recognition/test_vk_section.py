@@ -12,9 +12,9 @@ from drawings import polygon
 
 from vkworkbench.core import Strategy, linearize
 from vkworkbench.core.paper import TURN, monotonous_areas
-from vkworkbench.core.recognition.pieces import LOOP, ZIGZAG, cut_pieces
-from vkworkbench.core.recognition.section import Section, _absorbed
-from vkworkbench.core.recognition.verdict import judge
+from vkworkbench.core.recognition.patterns.pieces import LOOP, ZIGZAG, cut_pieces
+from vkworkbench.core.recognition.patterns.section import Section, _absorbed
+from vkworkbench.core.recognition.verdict.rules import judge
 
 TOOL = 6.0
 

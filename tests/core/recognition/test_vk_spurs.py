@@ -9,7 +9,7 @@ import pytest
 
 from vkworkbench.core import linearize
 from vkworkbench.core.paper import TURN, monotonous_areas
-from vkworkbench.core.recognition.spurs import some_moves, without_spurs
+from vkworkbench.core.recognition.patterns.spurs import some_moves, without_spurs
 
 
 def areas(*strokes):

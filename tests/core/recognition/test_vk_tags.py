@@ -11,7 +11,7 @@ import pytest
 
 from vkworkbench.core import Strategy, linearize, recognize
 from vkworkbench.core.paper import TURN, monotonous_areas
-from vkworkbench.core.recognition.tags import _goes_on, joined_over_tags
+from vkworkbench.core.recognition.patterns.tags import _goes_on, joined_over_tags
 
 CORNERS = [(0.0, 0.0), (120.0, 0.0), (120.0, 80.0), (0.0, 80.0)]
 TAG = 6.0

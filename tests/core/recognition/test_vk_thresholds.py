@@ -51,7 +51,7 @@ UNITS = [
 FACTS = {0, 0.5, 1, 2, 3, 4}
 # Learned tables, and hashes.
 NUMBERS = {"borders.py", "learned.py"}
-FILES = sorted(set((CORE / "recognition").glob("*.py")) - set(HOMES))
+FILES = sorted(set((CORE / "recognition").rglob("*.py")) - set(HOMES))
 
 
 def declared(home, parse):
@@ -68,7 +68,7 @@ def declared(home, parse):
 
 def used():
     """Return all names with one dot in the files that use thresholds."""
-    rooms = [file for room in ("paper", "recognition") for file in (CORE / room).glob("*.py") if file not in HOMES]
+    rooms = [file for room in ("paper", "recognition") for file in (CORE / room).rglob("*.py") if file not in HOMES]
     return {name for file in rooms for name in re.findall(r"\b[A-Z]\w*\.\w+", file.read_text(encoding="utf-8"))}
 
 

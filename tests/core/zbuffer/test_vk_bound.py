@@ -8,7 +8,8 @@ import pytest
 
 from toolpaths.synthetic import SAMPLES
 from vkworkbench.core import Cylinder, Mesh, Stock, Tool, View, linearize, simulate
-from vkworkbench.core.zbuffer import bound, cuts_surely, may_cut, most_bytes
+from vkworkbench.core.zbuffer import cuts_surely, may_cut, most_bytes
+from vkworkbench.core.zbuffer.cost import bound
 
 TOOLS = [Tool("endmill", 5), Tool("ballend", 6), Tool("vbit", 8, tip_angle=np.pi / 2)]
 

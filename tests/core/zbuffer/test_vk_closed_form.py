@@ -15,7 +15,7 @@ from zbuffer_inputs import toolpath as of_points
 from vkworkbench.core import Stock, Strategy, Tool, View
 from vkworkbench.core.gcode import linearize
 from vkworkbench.core.recognition import Recognition
-from vkworkbench.core.zbuffer.closed_form import cauchy_crofton, closed_form, swept
+from vkworkbench.core.zbuffer.cost.closed_form import cauchy_crofton, closed_form, swept
 from vkworkbench.language import Message
 
 STOCK = Stock((0, 0, 0), (80, 60, 20))

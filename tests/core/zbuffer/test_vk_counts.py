@@ -8,11 +8,12 @@ import pytest
 from zbuffer_inputs import BOX, toolpath
 
 from vkworkbench.core import Cut, Tool, View
-from vkworkbench.core.zbuffer import chains, counts
-from vkworkbench.core.zbuffer.cuts import Cuts
-from vkworkbench.core.zbuffer.dexels import UNCUT, Pieces
-from vkworkbench.core.zbuffer.records import GAP
-from vkworkbench.core.zbuffer.removal import Removal
+from vkworkbench.core.zbuffer.memory import counts
+from vkworkbench.core.zbuffer.rays import chains
+from vkworkbench.core.zbuffer.rays.dexels import UNCUT, Pieces
+from vkworkbench.core.zbuffer.rays.records import GAP
+from vkworkbench.core.zbuffer.rays.removal import Removal
+from vkworkbench.core.zbuffer.sweeps.cuts import Cuts
 
 
 @pytest.mark.parametrize(

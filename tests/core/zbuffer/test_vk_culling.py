@@ -8,10 +8,19 @@ import pytest
 from zbuffer_inputs import BOX, toolpath
 
 from vkworkbench.core import Cut, Tool, View
-from vkworkbench.core.zbuffer.culling import TILE, Region, Tiles, culled, deeper, fine_enough, first_tiles, quartered
-from vkworkbench.core.zbuffer.cuts import Cuts
-from vkworkbench.core.zbuffer.trajectories import Trajectories
-from vkworkbench.core.zbuffer.upright import Upright
+from vkworkbench.core.zbuffer.culling.tiles import (
+    TILE,
+    Region,
+    Tiles,
+    culled,
+    deeper,
+    fine_enough,
+    first_tiles,
+    quartered,
+)
+from vkworkbench.core.zbuffer.culling.upright import Upright
+from vkworkbench.core.zbuffer.sweeps.cuts import Cuts
+from vkworkbench.core.zbuffer.sweeps.trajectories import Trajectories
 
 # Three tiles with two, none and three trajectories.
 SOME = Tiles(8, np.array([0, 8, 16]), np.array([24, 32, 40]), np.array([0, 2, 2, 5]), np.array([3, 5, 1, 3, 4]))

@@ -20,7 +20,7 @@ from vkworkbench.core.zbuffer import (
     simulate_job,
     worst_places,
 )
-from vkworkbench.core.zbuffer.seen_model import _open, around
+from vkworkbench.core.zbuffer.findings.seen_model import _open, around
 
 FLAT = Tool("endmill", 6)
 WIDTH, HEIGHT, PIXEL = 200, 150, 0.2

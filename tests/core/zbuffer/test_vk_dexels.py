@@ -6,7 +6,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from vkworkbench.core.zbuffer.dexels import THINNEST, UNCUT, Pieces, first_cuts, without_thin
+from vkworkbench.core.zbuffer.rays.dexels import THINNEST, UNCUT, Pieces, first_cuts, without_thin
 
 
 @pytest.mark.parametrize("cuts", [0, 1, 2, 15])

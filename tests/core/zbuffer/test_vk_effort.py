@@ -10,14 +10,14 @@ import pytest
 from zbuffer_inputs import BOX, toolpath
 
 from vkworkbench.core import Cut, Stock, Tool, View
-from vkworkbench.core.zbuffer import effort
-from vkworkbench.core.zbuffer.counts import count as counted
-from vkworkbench.core.zbuffer.culling import PAIRS_AT_ONCE, TILE, Tiles
-from vkworkbench.core.zbuffer.cuts import Cuts
-from vkworkbench.core.zbuffer.effort import CELLS, KINDS, RECORDS, SORTED, TESTS, Work
-from vkworkbench.core.zbuffer.removal import Removal
-from vkworkbench.core.zbuffer.speed import Speed, _loops, _rows, _surface, fit_speed
-from vkworkbench.core.zbuffer.trajectories import Kind
+from vkworkbench.core.zbuffer.cost import effort
+from vkworkbench.core.zbuffer.cost.effort import CELLS, KINDS, RECORDS, SORTED, TESTS, Work
+from vkworkbench.core.zbuffer.cost.speed import Speed, _loops, _rows, _surface, fit_speed
+from vkworkbench.core.zbuffer.culling.tiles import PAIRS_AT_ONCE, TILE, Tiles
+from vkworkbench.core.zbuffer.memory.counts import count as counted
+from vkworkbench.core.zbuffer.rays.removal import Removal
+from vkworkbench.core.zbuffer.sweeps.cuts import Cuts
+from vkworkbench.core.zbuffer.sweeps.trajectories import Kind
 
 FLAT = Tool("endmill", 6)
 

@@ -6,8 +6,8 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from vkworkbench.core.zbuffer import records as module
-from vkworkbench.core.zbuffer.records import GAP, Records, Writer, side_by_side
+from vkworkbench.core.zbuffer.rays import records as module
+from vkworkbench.core.zbuffer.rays.records import GAP, Records, Writer, side_by_side
 
 TRAJECTORIES = 3  # of the number 3 is what stays
 # Pixels 0 to 5: cut, stays, cut; nothing; stays, a gap, stays, stays; one piece, cut; one of each; one that stays.

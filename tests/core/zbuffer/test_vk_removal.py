@@ -8,10 +8,10 @@ import pytest
 from zbuffer_inputs import BOX, PATHS, TOOLS, toolpath
 
 from vkworkbench.core import Cut, Tool, View
-from vkworkbench.core.zbuffer import removal as module
-from vkworkbench.core.zbuffer.cuts import Cuts
-from vkworkbench.core.zbuffer.dexels import UNCUT
-from vkworkbench.core.zbuffer.removal import GROUP, Removal
+from vkworkbench.core.zbuffer.rays import removal as module
+from vkworkbench.core.zbuffer.rays.dexels import UNCUT
+from vkworkbench.core.zbuffer.rays.removal import GROUP, Removal
+from vkworkbench.core.zbuffer.sweeps.cuts import Cuts
 
 
 def random_removal(seed, direction):

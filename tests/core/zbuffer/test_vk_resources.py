@@ -15,21 +15,21 @@ from zbuffer_inputs import ConvexStock
 from vkworkbench.core import Stock, Strategy, Tool, Toolpath, View
 from vkworkbench.core.gcode import linearize
 from vkworkbench.core.recognition import Recognition, recognize
-from vkworkbench.core.zbuffer.closed_form import cauchy_crofton, closed_form, swept
-from vkworkbench.core.zbuffer.culling import TILE
-from vkworkbench.core.zbuffer.cuts import Cut, Cuts
-from vkworkbench.core.zbuffer.dexels import UNCUT
-from vkworkbench.core.zbuffer.estimate import estimate, estimate_job
-from vkworkbench.core.zbuffer.memory import memory_needed
-from vkworkbench.core.zbuffer.removal import Removal
-from vkworkbench.core.zbuffer.resolution import best_resolution, heaviest
-from vkworkbench.core.zbuffer.sampling import sample
-from vkworkbench.core.zbuffer.silhouette import seen_areas
-from vkworkbench.core.zbuffer.simulate import simulate, simulate_job
-from vkworkbench.core.zbuffer.speed import Speed, fit_speed, measure_speed
-from vkworkbench.core.zbuffer.tilted import Tilted
-from vkworkbench.core.zbuffer.trajectories import Trajectories
-from vkworkbench.core.zbuffer.upright import Upright
+from vkworkbench.core.zbuffer.cost.closed_form import cauchy_crofton, closed_form, swept
+from vkworkbench.core.zbuffer.cost.estimate import estimate, estimate_job
+from vkworkbench.core.zbuffer.cost.resolution import best_resolution, heaviest
+from vkworkbench.core.zbuffer.cost.speed import Speed, fit_speed, measure_speed
+from vkworkbench.core.zbuffer.culling.tiles import TILE
+from vkworkbench.core.zbuffer.culling.tilted import Tilted
+from vkworkbench.core.zbuffer.culling.upright import Upright
+from vkworkbench.core.zbuffer.memory.memory import memory_needed
+from vkworkbench.core.zbuffer.memory.sampling import sample
+from vkworkbench.core.zbuffer.memory.silhouette import seen_areas
+from vkworkbench.core.zbuffer.rays.dexels import UNCUT
+from vkworkbench.core.zbuffer.rays.removal import Removal
+from vkworkbench.core.zbuffer.simulator.simulate import simulate, simulate_job
+from vkworkbench.core.zbuffer.sweeps.cuts import Cut, Cuts
+from vkworkbench.core.zbuffer.sweeps.trajectories import Trajectories
 from vkworkbench.language import Message
 
 STOCK = Stock((0, 0, 0), (80, 60, 20))
@@ -427,8 +427,8 @@ def test_a_speed_is_found_in_times():
 def test_the_speed_is_measured_in_runs_of_less_than_a_tenth_of_a_second_on_a_usual_computer(monkeypatch):
     """Each by this process alone, in an image of whole tiles, and of the work that is told of it."""
     runs, works = [], []
-    monkeypatch.setattr("vkworkbench.core.zbuffer.speed.steady_seconds", lambda pieces, **_: runs.extend(pieces))
-    monkeypatch.setattr("vkworkbench.core.zbuffer.speed.fit_speed", lambda amounts, _: works.extend(amounts))
+    monkeypatch.setattr("vkworkbench.core.zbuffer.cost.speed.steady_seconds", lambda pieces, **_: runs.extend(pieces))
+    monkeypatch.setattr("vkworkbench.core.zbuffer.cost.speed.fit_speed", lambda amounts, _: works.extend(amounts))
     measure_speed()
     assert len(runs) == len(works) == 6
     for run, work in zip(runs, works):

@@ -8,11 +8,11 @@ import pytest
 from zbuffer_inputs import ConvexStock, toolpath
 
 from vkworkbench.core import Stock, Tool, View
-from vkworkbench.core.zbuffer.counts import count
-from vkworkbench.core.zbuffer.cuts import Cut, Cuts
-from vkworkbench.core.zbuffer.removal import Removal
-from vkworkbench.core.zbuffer.sampling import _CELLS, _ORDER, Sample, sample
-from vkworkbench.core.zbuffer.simulate import simulate
+from vkworkbench.core.zbuffer.memory.counts import count
+from vkworkbench.core.zbuffer.memory.sampling import _CELLS, _ORDER, Sample, sample
+from vkworkbench.core.zbuffer.rays.removal import Removal
+from vkworkbench.core.zbuffer.simulator.simulate import simulate
+from vkworkbench.core.zbuffer.sweeps.cuts import Cut, Cuts
 
 STOCK, TOP = Stock((0, 0, 0), (40, 30, 10)), (0, 0, -1)
 VIEW = View(TOP, 80, 60)

@@ -16,12 +16,13 @@ from zbuffer_inputs import BOX, PATHS, TOOLS, toolpath
 
 from vkworkbench import worker
 from vkworkbench.core import Cut, Mesh, Speed, View, estimate, simulate
-from vkworkbench.core.zbuffer import memory_needed, shared_seconds, sharing, unshared_seconds
-from vkworkbench.core.zbuffer.cut_image import CutImage
-from vkworkbench.core.zbuffer.cuts import Cuts
-from vkworkbench.core.zbuffer.memory import helpers_within
-from vkworkbench.core.zbuffer.records import side_by_side
-from vkworkbench.core.zbuffer.removal import Removal
+from vkworkbench.core.zbuffer import memory_needed, shared_seconds, unshared_seconds
+from vkworkbench.core.zbuffer.memory.memory import helpers_within
+from vkworkbench.core.zbuffer.rays.records import side_by_side
+from vkworkbench.core.zbuffer.rays.removal import Removal
+from vkworkbench.core.zbuffer.simulator import sharing
+from vkworkbench.core.zbuffer.simulator.cut_image import CutImage
+from vkworkbench.core.zbuffer.sweeps.cuts import Cuts
 from vkworkbench.worker import Worker
 
 ROOT = Path(__file__).resolve().parents[3]
@@ -310,9 +311,11 @@ from bisect import bisect_left
 from pathlib import Path
 sys.path[:0] = [{root!r}, {root!r} + "/tests"]
 from vkworkbench.core import View
-from vkworkbench.core.zbuffer import Cut, memory as needs, sharing, simulate
-from vkworkbench.core.zbuffer.cuts import Cuts
-from vkworkbench.core.zbuffer.removal import Removal
+from vkworkbench.core.zbuffer import Cut, simulate
+from vkworkbench.core.zbuffer.memory import memory as needs
+from vkworkbench.core.zbuffer.simulator import sharing
+from vkworkbench.core.zbuffer.sweeps.cuts import Cuts
+from vkworkbench.core.zbuffer.rays.removal import Removal
 from zbuffer_inputs import BOX, TOOLS, surface, toolpath
 
 def memory(line):

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 from zbuffer_inputs import close
 
-from vkworkbench.core.zbuffer.slots import ball_slot, level_slot, sloped_slot
+from vkworkbench.core.zbuffer.sweeps.slots import ball_slot, level_slot, sloped_slot
 
 RADIUS, PLACES, RAYS = 3.0, 1001, 60
 # Across the ray, along it, down and up, short, long, and straight down.

@@ -6,8 +6,8 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from vkworkbench.core.zbuffer import surface_distance
-from vkworkbench.core.zbuffer.surface_distance import _circles, farthest
+from vkworkbench.core.zbuffer.findings import surface_distance
+from vkworkbench.core.zbuffer.findings.surface_distance import _circles, farthest
 
 
 def every_pair(front, behind, pixel):

@@ -10,9 +10,9 @@ import pytest
 from zbuffer_inputs import FORMS
 
 from vkworkbench.core import Tool
-from vkworkbench.core.zbuffer import sweeps
-from vkworkbench.core.zbuffer.rounded import rounded_sides
-from vkworkbench.core.zbuffer.sweeps import headings, intervals, lowest
+from vkworkbench.core.zbuffer.sweeps import intervals as sweeps
+from vkworkbench.core.zbuffer.sweeps.intervals import headings, intervals, lowest
+from vkworkbench.core.zbuffer.sweeps.rounded import rounded_sides
 
 RAYS, FAR = 1000, 30.0
 

@@ -10,10 +10,10 @@ import pytest
 from zbuffer_inputs import BOX, DIRECTIONS, TOOLS, toolpath
 
 from vkworkbench.core import Cut, Stock, Tool, View
-from vkworkbench.core.zbuffer.culling import QUARTERS
-from vkworkbench.core.zbuffer.cuts import Cuts
-from vkworkbench.core.zbuffer.tilted import Tilted, _Growth, _not_yet_open, _TileChords
-from vkworkbench.core.zbuffer.trajectories import Trajectories
+from vkworkbench.core.zbuffer.culling.tiles import QUARTERS
+from vkworkbench.core.zbuffer.culling.tilted import Tilted, _Growth, _not_yet_open, _TileChords
+from vkworkbench.core.zbuffer.sweeps.cuts import Cuts
+from vkworkbench.core.zbuffer.sweeps.trajectories import Trajectories
 
 REACH = 0.4
 TOOLS = [*TOOLS, Tool("vbit", 6, tip_angle=pi / 2, tip_diameter=2), Tool("vbit", 6, tip_angle=2.6, tip_diameter=5.5)]

@@ -11,10 +11,11 @@ from counting import memory
 from zbuffer_inputs import BOX, DIRECTIONS, toolpath
 
 from vkworkbench.core import Cut, Tool, View
-from vkworkbench.core.zbuffer import sampling, trajectories
-from vkworkbench.core.zbuffer.cuts import Cuts
-from vkworkbench.core.zbuffer.removal import Removal
-from vkworkbench.core.zbuffer.trajectories import Kind, Trajectories
+from vkworkbench.core.zbuffer.memory import sampling
+from vkworkbench.core.zbuffer.rays.removal import Removal
+from vkworkbench.core.zbuffer.sweeps import trajectories
+from vkworkbench.core.zbuffer.sweeps.cuts import Cuts
+from vkworkbench.core.zbuffer.sweeps.trajectories import Kind, Trajectories
 
 FLAT, BALL = Tool("endmill", 6), Tool("ballend", 4)  # the block is 40 x 30 x 10 mm
 ABOVE, BELOW = (0, 0, -1), (0, 0, 1)

@@ -11,10 +11,10 @@ import pytest
 from zbuffer_inputs import BOX, FORMS, PATHS, toolpath
 
 from vkworkbench.core import Cut, Stock, Tool, View, simulate
-from vkworkbench.core.zbuffer.culling import QUARTERS
-from vkworkbench.core.zbuffer.cuts import Cuts
-from vkworkbench.core.zbuffer.trajectories import Trajectories
-from vkworkbench.core.zbuffer.upright import Slopes, Upright, bounds
+from vkworkbench.core.zbuffer.culling.tiles import QUARTERS
+from vkworkbench.core.zbuffer.culling.upright import Slopes, Upright, bounds
+from vkworkbench.core.zbuffer.sweeps.cuts import Cuts
+from vkworkbench.core.zbuffer.sweeps.trajectories import Trajectories
 
 SLOPES = [0.0, 0.3, -0.3, 1.2, -1.2]
 DEPTH = 2.0

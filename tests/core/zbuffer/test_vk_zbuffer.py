@@ -10,8 +10,8 @@ import pytest
 from zbuffer_inputs import ConvexStock
 
 from vkworkbench.core import Stock, Tool, Toolpath, View
-from vkworkbench.core.zbuffer.records import DEXEL, INDEX, TRACE
-from vkworkbench.core.zbuffer.simulate import simulate
+from vkworkbench.core.zbuffer.rays.records import DEXEL, INDEX, TRACE
+from vkworkbench.core.zbuffer.simulator.simulate import simulate
 
 STOCK = Stock((0, 0, 0), (40, 30, 10))
 TOOLS = [

@@ -18,15 +18,15 @@ from vkworkbench.core.zbuffer import (
     engagement,
     facts,
     fast_plunges,
-    records,
     removal_rates,
     removed_volumes,
     simulate,
     simulate_job,
     trajectory_table,
 )
-from vkworkbench.core.zbuffer.cuts import Cuts
-from vkworkbench.core.zbuffer.faults import _displaced
+from vkworkbench.core.zbuffer.findings.faults import _displaced
+from vkworkbench.core.zbuffer.rays import records
+from vkworkbench.core.zbuffer.sweeps.cuts import Cuts
 
 FLAT = Tool("endmill", 6)
 STOCK = Stock((0, 0, 0), (40, 30, 10))

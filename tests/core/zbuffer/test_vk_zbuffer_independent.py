@@ -16,11 +16,11 @@ import pytest
 from zbuffer_inputs import BOX, CHAMFERS, DIRECTIONS, PATHS, ROUND, TOOLS, close, free, surface, toolpath, zigzag
 
 from vkworkbench.core import Tool, View
-from vkworkbench.core.zbuffer.chains import cut_rays
-from vkworkbench.core.zbuffer.cuts import Cut
-from vkworkbench.core.zbuffer.dexels import THINNEST, first_cuts
-from vkworkbench.core.zbuffer.removal import Removal
-from vkworkbench.core.zbuffer.simulate import simulate, simulate_job
+from vkworkbench.core.zbuffer.rays.chains import cut_rays
+from vkworkbench.core.zbuffer.rays.dexels import THINNEST, first_cuts
+from vkworkbench.core.zbuffer.rays.removal import Removal
+from vkworkbench.core.zbuffer.simulator.simulate import simulate, simulate_job
+from vkworkbench.core.zbuffer.sweeps.cuts import Cut
 
 # Distance between a piece's end and the probe beside it, mm.
 BESIDE = 5e-4

@@ -11,12 +11,12 @@ import pytest
 from zbuffer_inputs import BOX, toolpath
 
 from vkworkbench.core import Stock, Tool, View
-from vkworkbench.core.zbuffer.cuts import Cut, Cuts, Source
-from vkworkbench.core.zbuffer.estimate import estimate, estimate_job
-from vkworkbench.core.zbuffer.facts import removed_volumes
-from vkworkbench.core.zbuffer.memory import OverBudget, memory_needed
-from vkworkbench.core.zbuffer.simulate import simulate, simulate_job
-from vkworkbench.core.zbuffer.speed import Speed
+from vkworkbench.core.zbuffer.cost.estimate import estimate, estimate_job
+from vkworkbench.core.zbuffer.cost.speed import Speed
+from vkworkbench.core.zbuffer.findings.facts import removed_volumes
+from vkworkbench.core.zbuffer.memory.memory import OverBudget, memory_needed
+from vkworkbench.core.zbuffer.simulator.simulate import simulate, simulate_job
+from vkworkbench.core.zbuffer.sweeps.cuts import Cut, Cuts, Source
 
 
 def slot(*heights, y):

@@ -14,12 +14,13 @@ import pytest
 from zbuffer_inputs import BOX, TOOLS, surface, toolpath
 
 from vkworkbench.core import View
-from vkworkbench.core.zbuffer import OverBudget, best_resolution, estimate, memory, memory_needed
-from vkworkbench.core.zbuffer.counts import Counts
-from vkworkbench.core.zbuffer.cuts import Cut, Cuts
-from vkworkbench.core.zbuffer.memory import helpers_within, peak_bytes
-from vkworkbench.core.zbuffer.removal import Removal
-from vkworkbench.core.zbuffer.simulate import simulate, simulate_job
+from vkworkbench.core.zbuffer import OverBudget, best_resolution, estimate, memory_needed
+from vkworkbench.core.zbuffer.memory import memory
+from vkworkbench.core.zbuffer.memory.counts import Counts
+from vkworkbench.core.zbuffer.memory.memory import helpers_within, peak_bytes
+from vkworkbench.core.zbuffer.rays.removal import Removal
+from vkworkbench.core.zbuffer.simulator.simulate import simulate, simulate_job
+from vkworkbench.core.zbuffer.sweeps.cuts import Cut, Cuts
 
 ROOT = Path(__file__).resolve().parents[3]
 # Runs in a process of its own, so that nothing from before is given back or used again.

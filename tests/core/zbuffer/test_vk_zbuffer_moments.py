@@ -8,9 +8,9 @@ import pytest
 from zbuffer_inputs import BOX, DIRECTIONS, PATHS, ROUND, TOOLS, toolpath
 
 from vkworkbench.core import Tool, View
-from vkworkbench.core.zbuffer import surface
-from vkworkbench.core.zbuffer.simulate import simulate
-from vkworkbench.core.zbuffer.surface import STOCK, Surface
+from vkworkbench.core.zbuffer.rays import surface
+from vkworkbench.core.zbuffer.rays.surface import STOCK, Surface
+from vkworkbench.core.zbuffer.simulator.simulate import simulate
 
 
 def simulated(seed):

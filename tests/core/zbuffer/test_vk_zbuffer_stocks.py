@@ -13,14 +13,14 @@ from zbuffer_inputs import BOX, DIRECTIONS, PATHS, TOOLS, ConvexStock, close, to
 
 from vkworkbench.core import Cylinder, Mesh, Stock, Tool, View, estimate, stocks
 from vkworkbench.core.zbuffer import OverBudget, deviations, memory_needed
-from vkworkbench.core.zbuffer.cuts import Cut, Cuts
-from vkworkbench.core.zbuffer.dexels import Pieces, first_cuts
-from vkworkbench.core.zbuffer.facts import removed_volumes
-from vkworkbench.core.zbuffer.records import GAP
-from vkworkbench.core.zbuffer.removal import Removal
-from vkworkbench.core.zbuffer.silhouette import seen_areas
-from vkworkbench.core.zbuffer.simulate import simulate
-from vkworkbench.core.zbuffer.surface import STOCK
+from vkworkbench.core.zbuffer.findings.facts import removed_volumes
+from vkworkbench.core.zbuffer.memory.silhouette import seen_areas
+from vkworkbench.core.zbuffer.rays.dexels import Pieces, first_cuts
+from vkworkbench.core.zbuffer.rays.records import GAP
+from vkworkbench.core.zbuffer.rays.removal import Removal
+from vkworkbench.core.zbuffer.rays.surface import STOCK
+from vkworkbench.core.zbuffer.simulator.simulate import simulate
+from vkworkbench.core.zbuffer.sweeps.cuts import Cut, Cuts
 from vkworkbench.language import Unusable
 
 NOISE = 1e-5  # mm

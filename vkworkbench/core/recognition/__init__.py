@@ -5,9 +5,9 @@ In: `Toolpath` and the tool's diameter, where it is known.
 Out: `Recognition`, the strategy with its confidence, its reason, the numbers behind it, and the spans of the parts.
 """
 
-from vkworkbench.core.recognition.inches import recognize_inches
-from vkworkbench.core.recognition.recognition import Recognition, Span
-from vkworkbench.core.recognition.recognize import recognize
-from vkworkbench.core.recognition.unknown import unknown
+from vkworkbench.core.recognition.programs.inches import recognize_inches
+from vkworkbench.core.recognition.programs.recognize import recognize
+from vkworkbench.core.recognition.verdict.recognition import Recognition, Span
+from vkworkbench.core.recognition.verdict.unknown import unknown
 
 __all__ = ["Recognition", "Span", "recognize", "recognize_inches", "unknown"]

@@ -7,29 +7,35 @@ Out: `ZBuffer`, exact dexels and traces at any moment, and what they tell; `Esti
 `Speed`, how fast this computer is.
 """
 
-from vkworkbench.core.zbuffer.bound import cuts_surely, may_cut, most_bytes
-from vkworkbench.core.zbuffer.closed_form import cauchy_crofton, closed_form, swept
-from vkworkbench.core.zbuffer.cuts import Cut, Cuts, Source
-from vkworkbench.core.zbuffer.deviations import (
+from vkworkbench.core.zbuffer.cost.bound import cuts_surely, may_cut, most_bytes
+from vkworkbench.core.zbuffer.cost.closed_form import cauchy_crofton, closed_form, swept
+from vkworkbench.core.zbuffer.cost.effort import WORK_UNITS
+from vkworkbench.core.zbuffer.cost.estimate import Estimate, estimate, estimate_job
+from vkworkbench.core.zbuffer.cost.resolution import Resolution, best_resolution, heaviest, passes_apart
+from vkworkbench.core.zbuffer.cost.speed import Speed, fit_speed, measure_speed
+from vkworkbench.core.zbuffer.findings.deviations import (
     TOLERANCE,
     Deviation,
     gouges,
     material_left,
     worst_places,
 )
-from vkworkbench.core.zbuffer.effort import WORK_UNITS
-from vkworkbench.core.zbuffer.estimate import Estimate, estimate, estimate_job
-from vkworkbench.core.zbuffer.facts import cuts_air, engagement, removal_rates, removed_volumes, trajectory_table
-from vkworkbench.core.zbuffer.faults import Crash, Plunge, crashes, fast_plunges
-from vkworkbench.core.zbuffer.job_facts import FACT_COLUMNS, CutFacts, JobFacts, facts
-from vkworkbench.core.zbuffer.memory import OverBudget, Peak, memory_needed
-from vkworkbench.core.zbuffer.moments import ZBuffer
-from vkworkbench.core.zbuffer.records import DEXEL, RECORD_BYTES, TRACE
-from vkworkbench.core.zbuffer.resolution import Resolution, best_resolution, heaviest, passes_apart
-from vkworkbench.core.zbuffer.seen_model import Deviations, SeenModel, deviations
-from vkworkbench.core.zbuffer.sharing import shared_seconds, unshared_seconds
-from vkworkbench.core.zbuffer.simulate import simulate, simulate_job
-from vkworkbench.core.zbuffer.speed import Speed, fit_speed, measure_speed
+from vkworkbench.core.zbuffer.findings.facts import (
+    cuts_air,
+    engagement,
+    removal_rates,
+    removed_volumes,
+    trajectory_table,
+)
+from vkworkbench.core.zbuffer.findings.faults import Crash, Plunge, crashes, fast_plunges
+from vkworkbench.core.zbuffer.findings.job_facts import FACT_COLUMNS, CutFacts, JobFacts, facts
+from vkworkbench.core.zbuffer.findings.seen_model import Deviations, SeenModel, deviations
+from vkworkbench.core.zbuffer.memory.memory import OverBudget, Peak, memory_needed
+from vkworkbench.core.zbuffer.rays.records import DEXEL, RECORD_BYTES, TRACE
+from vkworkbench.core.zbuffer.simulator.moments import ZBuffer
+from vkworkbench.core.zbuffer.simulator.sharing import shared_seconds, unshared_seconds
+from vkworkbench.core.zbuffer.simulator.simulate import simulate, simulate_job
+from vkworkbench.core.zbuffer.sweeps.cuts import Cut, Cuts, Source
 
 __all__ = [
     "DEXEL", "FACT_COLUMNS", "RECORD_BYTES", "TOLERANCE", "TRACE", "WORK_UNITS", "Crash", "Cut", "CutFacts", "Cuts", "Deviation",

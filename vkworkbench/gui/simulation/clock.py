@@ -6,7 +6,7 @@ from __future__ import annotations
 import numpy as np
 
 from vkworkbench.core.zbuffer import Cuts
-from vkworkbench.document.simulated_job import SimulatedJob
+from vkworkbench.document.simulation.job import SimulatedJob
 
 # Where no speed at all is known, mm/s: something has to move.
 _USUAL_SPEED = 1000 / 60

@@ -25,9 +25,9 @@ from vkworkbench.core.rendering import (
     scale_colors,
 )  # fmt: skip
 from vkworkbench.core.zbuffer import SeenModel
-from vkworkbench.gui.sentences import strategy_name, user
+from vkworkbench.gui.qt.sentences import strategy_name, user
+from vkworkbench.gui.qt.text import QT_TRANSLATE_NOOP, translate
 from vkworkbench.gui.simulation.clock import Clock
-from vkworkbench.gui.text import QT_TRANSLATE_NOOP, translate
 
 # Of surfaces by who made them, (n + 1, 3) or (2, 3) uint8; or what returns those of the pixels at a moment.
 Colors = Union[np.ndarray, Callable[[ZBuffer], np.ndarray]]

@@ -6,15 +6,14 @@ from __future__ import annotations
 import FreeCAD
 import FreeCADGui as Gui
 
-from vkworkbench.document.job_copy import JobCopy, copy_job
-from vkworkbench.document.operations import find, jobs_of, posted
-from vkworkbench.gui import widgets
-from vkworkbench.gui.document_command import DocumentCommand
-from vkworkbench.gui.plain_text import tell
-from vkworkbench.gui.qt import QInputDialog, Qt
-from vkworkbench.gui.selection import selected_operations
-from vkworkbench.gui.sentences import as_sentence, said
-from vkworkbench.gui.text import QT_TRANSLATE_NOOP, translate
+from vkworkbench.document.job.operations import find, jobs_of, posted
+from vkworkbench.document.simulation.copy import JobCopy, copy_job
+from vkworkbench.gui.qt import widgets
+from vkworkbench.gui.qt.document_command import DocumentCommand, selected_operations
+from vkworkbench.gui.qt.names import QInputDialog, Qt
+from vkworkbench.gui.qt.plain_text import tell
+from vkworkbench.gui.qt.sentences import as_sentence, said
+from vkworkbench.gui.qt.text import QT_TRANSLATE_NOOP, translate
 from vkworkbench.language import Unusable
 
 

@@ -6,9 +6,8 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 
 from vkworkbench.core.zbuffer import TOLERANCE
-from vkworkbench.gui.menu_button import MenuButton
-from vkworkbench.gui.plain_text import OneLine, as_html
-from vkworkbench.gui.qt import (
+from vkworkbench.gui.qt.menu_button import MenuButton
+from vkworkbench.gui.qt.names import (
     QAction,
     QComboBox,
     QDoubleSpinBox,
@@ -23,13 +22,14 @@ from vkworkbench.gui.qt import (
     QWidget,
     Signal,
 )  # fmt: skip
-from vkworkbench.gui.sentences import user
+from vkworkbench.gui.qt.plain_text import OneLine, as_html
+from vkworkbench.gui.qt.sentences import user
+from vkworkbench.gui.qt.text import QT_TRANSLATE_NOOP, explain, translate
 from vkworkbench.gui.simulation import exports
 from vkworkbench.gui.simulation.coloring import COLORINGS, by_difference
 from vkworkbench.gui.simulation.faults import Fault
 from vkworkbench.gui.simulation.legend import Legend
 from vkworkbench.gui.simulation.symbols import PAUSE, PLAY, SymbolButton
-from vkworkbench.gui.text import QT_TRANSLATE_NOOP, explain, translate
 
 # How many times as fast as the machine a play is; the whole job in half a minute for None.
 _SPEEDS = (1, 10, 100, 1000, None)

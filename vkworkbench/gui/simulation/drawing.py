@@ -12,8 +12,8 @@ import numpy as np
 from vkworkbench.core import Frame, Strategy, ZBuffer
 from vkworkbench.core.rendering import CUT, Scene, palette, scene
 from vkworkbench.core.zbuffer import SeenModel
-from vkworkbench.document.simulated_job import SimulatedJob
-from vkworkbench.document.simulation import Simulation
+from vkworkbench.document.simulation.job import SimulatedJob
+from vkworkbench.document.simulation.simulate import Simulation
 from vkworkbench.gui.simulation.clock import Clock
 from vkworkbench.gui.simulation.coloring import COLORINGS, Coloring, Entries, Job
 from vkworkbench.gui.simulation.controls import CHIPS, PART, SceneBar

@@ -14,12 +14,12 @@ import FreeCAD
 import FreeCADGui as Gui
 import numpy as np
 
-from vkworkbench.gui import progress
-from vkworkbench.gui.plain_text import warn
-from vkworkbench.gui.qt import QApplication, QEventLoop, QFileDialog
-from vkworkbench.gui.saving import proposed, with_suffix
-from vkworkbench.gui.sentences import user
-from vkworkbench.gui.text import translate
+from vkworkbench.gui.qt import progress
+from vkworkbench.gui.qt.names import QApplication, QEventLoop, QFileDialog
+from vkworkbench.gui.qt.plain_text import warn
+from vkworkbench.gui.qt.saving import proposed, with_suffix
+from vkworkbench.gui.qt.sentences import user
+from vkworkbench.gui.qt.text import translate
 from vkworkbench.report import as_cell
 
 _FRAMES = 120  # of the whole job

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from vkworkbench.gui.qt import QEvent, QWidget
+from vkworkbench.gui.qt.names import QEvent, QWidget
 
 
 class KeyedWidget(QWidget):

@@ -3,14 +3,15 @@
 
 from __future__ import annotations
 
-from vkworkbench.document.simulated_faults import keep_faults
-from vkworkbench.document.simulated_job import SimulatedJob
-from vkworkbench.gui import docks, pills
-from vkworkbench.gui.sentences import said, user
+from vkworkbench.document.simulation.faults import keep_faults
+from vkworkbench.document.simulation.job import SimulatedJob
+from vkworkbench.gui.qt import docks
+from vkworkbench.gui.qt.sentences import said, user
+from vkworkbench.gui.qt.text import translate
 from vkworkbench.gui.simulation.clock import Clock
 from vkworkbench.gui.simulation.faults import Fault
 from vkworkbench.gui.simulation.time_line import Warned
-from vkworkbench.gui.text import translate
+from vkworkbench.gui.tree import pills
 
 _SERIOUS, _FAST = "#d32f2f", "#e08000"  # crashes and gouges, fast plunges
 

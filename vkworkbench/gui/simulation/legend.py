@@ -3,8 +3,8 @@
 
 from __future__ import annotations
 
-from vkworkbench.gui.plain_text import as_html
-from vkworkbench.gui.qt import QColor, QPainter, QRectF, QSize, QSizePolicy, Qt, QWidget
+from vkworkbench.gui.qt.names import QColor, QPainter, QRectF, QSize, QSizePolicy, Qt, QWidget
+from vkworkbench.gui.qt.plain_text import as_html
 
 _GAP = 12  # px between two entries
 _BESIDE = 4  # px between a colour and its name

@@ -8,7 +8,7 @@ from functools import cached_property
 
 import numpy as np
 
-from vkworkbench.gui.qt import QObject, Signal
+from vkworkbench.gui.qt.names import QObject, Signal
 from vkworkbench.gui.simulation.clock import Clock
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import FreeCAD
 
-from vkworkbench.gui.qt import Qt
+from vkworkbench.gui.qt.names import Qt
 
 TURN, PAN = "turn", "pan"
 _LEFT, _MIDDLE, _RIGHT = Qt.LeftButton, Qt.MiddleButton, Qt.RightButton

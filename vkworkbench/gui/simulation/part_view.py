@@ -9,7 +9,7 @@ import numpy as np
 
 from vkworkbench.core import Frame, Stock, Tool, View
 from vkworkbench.core.rendering import Points, Scene, project, tool_outline, turned
-from vkworkbench.gui.qt import (
+from vkworkbench.gui.qt.names import (
     QApplication,
     QColor,
     QEvent,
@@ -27,9 +27,9 @@ from vkworkbench.gui.qt import (
     Signal,
     single_shot,
 )  # fmt: skip
-from vkworkbench.gui.readability import paper
+from vkworkbench.gui.qt.readability import paper
+from vkworkbench.gui.qt.text import translate
 from vkworkbench.gui.simulation.navigation import PAN, TURN, action
-from vkworkbench.gui.text import translate
 
 _REST = 200  # ms after which a view that was changed is drawn finely
 _TURN = 0.008  # rad for each pixel of the mouse

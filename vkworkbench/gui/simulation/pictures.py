@@ -8,8 +8,8 @@ from functools import partial
 
 import numpy as np
 
-from vkworkbench.gui.background import Background
-from vkworkbench.gui.qt import QObject, Signal
+from vkworkbench.gui.qt.background import Background
+from vkworkbench.gui.qt.names import QObject, Signal
 from vkworkbench.gui.simulation.coloring import Entries
 from vkworkbench.gui.simulation.drawing import Drawing, Drawn
 from vkworkbench.gui.simulation.moment import Moment

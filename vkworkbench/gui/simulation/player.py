@@ -12,12 +12,13 @@ from vkworkbench import preferences
 from vkworkbench.core import Frame, Strategy
 from vkworkbench.core.rendering import Scene, direction_of
 from vkworkbench.core.zbuffer import Estimate
-from vkworkbench.document.calibration import known_speed
-from vkworkbench.document.simulated_job import SimulatedJob
-from vkworkbench.document.simulation import Simulation
-from vkworkbench.gui.background import Background
-from vkworkbench.gui.qt import QEvent, QTimer, QVBoxLayout, QWidget, Signal
-from vkworkbench.gui.sentences import strategy_name, user
+from vkworkbench.document.computer.calibration import known_speed
+from vkworkbench.document.simulation.job import SimulatedJob
+from vkworkbench.document.simulation.simulate import Simulation
+from vkworkbench.gui.qt.background import Background
+from vkworkbench.gui.qt.names import QEvent, QTimer, QVBoxLayout, QWidget, Signal
+from vkworkbench.gui.qt.sentences import strategy_name, user
+from vkworkbench.gui.qt.text import translate
 from vkworkbench.gui.simulation.clock import Clock
 from vkworkbench.gui.simulation.controls import GAP, PlayBar, SceneBar
 from vkworkbench.gui.simulation.drawing import Drawing
@@ -29,7 +30,6 @@ from vkworkbench.gui.simulation.pictures import Pictures
 from vkworkbench.gui.simulation.refining import Refined, Refining, Told
 from vkworkbench.gui.simulation.state_line import StateLine
 from vkworkbench.gui.simulation.time_line import Block, TimeLine
-from vkworkbench.gui.text import translate
 
 _PART = 120  # px in height that the part keeps before anything is told beside it
 _TICK = 20  # ms between two looks at the work, and two pictures of a play

@@ -10,13 +10,13 @@ from contextlib import suppress
 from vkworkbench import preferences
 from vkworkbench.core import Frame, View
 from vkworkbench.core.rendering import CUT, Scene, palette, scene
-from vkworkbench.document.job_copy import JobCopy, ReadCut
-from vkworkbench.document.simulated_job import SimulatedJob
-from vkworkbench.document.simulation import Simulation, simulate_read
-from vkworkbench.gui.background import Background, Busy
-from vkworkbench.gui.qt import QTimer, QVBoxLayout, QWidget, Signal
+from vkworkbench.document.simulation.copy import JobCopy, ReadCut
+from vkworkbench.document.simulation.job import SimulatedJob
+from vkworkbench.document.simulation.simulate import Simulation, simulate_read
+from vkworkbench.gui.qt.background import Background, Busy
+from vkworkbench.gui.qt.names import QTimer, QVBoxLayout, QWidget, Signal
+from vkworkbench.gui.qt.text import translate
 from vkworkbench.gui.simulation.part_view import PartView
-from vkworkbench.gui.text import translate
 from vkworkbench.language import Unusable
 
 _ABOVE = (0.0, 0.0, -1.0)

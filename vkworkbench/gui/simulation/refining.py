@@ -30,8 +30,8 @@ from vkworkbench.core.zbuffer import (
     shared_seconds,
     unshared_seconds,
 )
-from vkworkbench.document.simulated_job import SimulatedJob
-from vkworkbench.document.simulation import GOOD_ENOUGH, Simulation, coarser, simulate_read
+from vkworkbench.document.simulation.job import SimulatedJob
+from vkworkbench.document.simulation.simulate import GOOD_ENOUGH, Simulation, coarser, simulate_read
 from vkworkbench.language import Message, Unusable
 
 # Of the image's side: the first picture is there at once, the last is the finest.

@@ -8,11 +8,11 @@ import traceback
 import FreeCAD
 
 from vkworkbench.core.zbuffer import Estimate
-from vkworkbench.gui.plain_text import OneLine
-from vkworkbench.gui.qt import QWidget
-from vkworkbench.gui.sentences import said, user
+from vkworkbench.gui.qt.names import QWidget
+from vkworkbench.gui.qt.plain_text import OneLine
+from vkworkbench.gui.qt.sentences import said, user
+from vkworkbench.gui.qt.text import translate
 from vkworkbench.gui.simulation.refining import Refined, Refining
-from vkworkbench.gui.text import translate
 from vkworkbench.language import Message, Unusable
 
 

@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from vkworkbench.gui.qt import QPainter, QPen, QPointF, QPolygonF, QRectF, Qt, QToolButton, QWidget
+from vkworkbench.gui.qt.names import QPainter, QPen, QPointF, QPolygonF, QRectF, Qt, QToolButton, QWidget
 
 PLAY, PAUSE = "play", "pause"
 # Lines in a square from -1 to 1, those on by one, two and three; a closed one is filled. Back is their mirror image.

@@ -9,18 +9,18 @@ import FreeCAD
 import FreeCADGui as Gui
 
 from vkworkbench import freecad
-from vkworkbench.document import garbage, idle
-from vkworkbench.document.job_copy import JobCopy
-from vkworkbench.document.simulated_job import SimulatedJob
-from vkworkbench.gui import widgets
-from vkworkbench.gui.plain_text import tell
-from vkworkbench.gui.qt import QPainter, QPushButton, Qt, QTimer, QVBoxLayout, QWidget, Signal, single_shot
-from vkworkbench.gui.sentences import as_sentence
+from vkworkbench.document.computer import garbage, idle
+from vkworkbench.document.simulation.copy import JobCopy
+from vkworkbench.document.simulation.job import SimulatedJob
+from vkworkbench.gui.qt import widgets
+from vkworkbench.gui.qt.names import QPainter, QPushButton, Qt, QTimer, QVBoxLayout, QWidget, Signal, single_shot
+from vkworkbench.gui.qt.plain_text import tell
+from vkworkbench.gui.qt.sentences import as_sentence
+from vkworkbench.gui.qt.text import translate
 from vkworkbench.gui.simulation.keys import KeyedWidget
 from vkworkbench.gui.simulation.player import Player
 from vkworkbench.gui.simulation.reading import Reading
 from vkworkbench.gui.simulation.state_line import told
-from vkworkbench.gui.text import translate
 from vkworkbench.report import Cancelled
 
 _ON_OPERATION = freecad.names_in_fingerprint("path")

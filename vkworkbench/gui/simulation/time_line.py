@@ -9,8 +9,7 @@ from functools import partial
 
 import numpy as np
 
-from vkworkbench.gui.plain_text import lines, show_tooltip
-from vkworkbench.gui.qt import (
+from vkworkbench.gui.qt.names import (
     QApplication,
     QColor,
     QPainter,
@@ -26,9 +25,10 @@ from vkworkbench.gui.qt import (
     QWidget,
     Signal,
 )  # fmt: skip
-from vkworkbench.gui.readability import paper
+from vkworkbench.gui.qt.plain_text import lines, show_tooltip
+from vkworkbench.gui.qt.readability import paper
+from vkworkbench.gui.qt.text import translate
 from vkworkbench.gui.simulation.keys import KeyedWidget
-from vkworkbench.gui.text import translate
 
 _CURVE, _AIR, _BLOCKS, _BELOW = 34, 4, 20, 8  # px, from top to bottom; the curve is lower where there is little room
 _LOWEST = 12  # px of the curve

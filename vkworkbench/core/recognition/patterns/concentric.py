@@ -1,0 +1,117 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Arcs around one centre: circles that the boundary cuts open, rows that are bent."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from vkworkbench.core.paper import TURN, Areas
+from vkworkbench.core.recognition.patterns.pieces import Pieces
+from vkworkbench.core.recognition.patterns.rows import dot, steps_between
+from vkworkbench.core.recognition.thresholds import ARCS
+
+
+@dataclass(frozen=True)
+class ConcentricArcs:
+    """Arcs around one centre.
+
+    Attributes
+    ----------
+    count : int
+        Number of different radii. An open contour made of arcs has few, at however many depths it is cut.
+    length : float
+        Length of all arcs, mm.
+    opposite, same : float
+        Length of the arcs whose neighbour runs the other way, and the same way, mm.
+    spiral : float
+        Length of the arcs whose radius changes steadily, mm.
+    step : float
+        Distance between arcs cut one after the other (median by length), mm.
+    even : float
+        Share of the steps that are about as long as the usual one.
+    """
+
+    count: int
+    length: float
+    opposite: float
+    same: float
+    spiral: float
+    step: float
+    even: float
+
+
+def find_arcs(moves: Areas, pieces: Pieces, index: np.ndarray) -> ConcentricArcs | None:
+    """Find the arcs around a common centre.
+
+    Every move d of a circle around c is at a right angle to the ray from c to its middle m. The centre is the point c
+    with the least squares of d (m - c). Straight rows have none.
+
+    Parameters
+    ----------
+    moves : Areas
+    pieces : Pieces
+    index : (k,) int
+        The pieces that may be arcs.
+
+    Returns
+    -------
+    ConcentricArcs or None
+        None where there are no three arcs around one centre.
+    """
+    chosen = np.zeros(len(pieces), bool)
+    chosen[index] = True
+    on = np.repeat(chosen, pieces.end - pieces.start)
+    of = np.repeat(np.arange(len(pieces)), pieces.end - pieces.start)[on]
+    dx, dy, length = moves.dx[on], moves.dy[on], moves.length[on]
+    rays = _rays(moves.x[on] + dx / 2, moves.y[on] + dy / 2, dx, dy, length)
+    if rays is None:
+        return None
+    rx, ry, r, square = rays
+    begin = np.flatnonzero(np.concatenate([[True], of[1:] != of[:-1]]))
+    whole = np.add.reduceat(length, begin)
+    arc = np.add.reduceat(length * square, begin) > ARCS.ARC * whole
+    radius = (np.add.reduceat(length * r, begin) / whole)[arc]
+    angle = np.add.reduceat((rx * dy - ry * dx) / np.maximum(r * r, 1e-12), begin)[arc]
+    last = np.append(begin[1:], len(of)) - 1
+    climbed = (r[last] - r[begin])[arc]
+    whole = whole[arc]
+    steps = steps_between(radius, whole)
+    if steps is None or steps.aside.sum() < 2:
+        return None
+    turned = angle[1:] * angle[:-1] < 0
+    pitch = np.abs(climbed) * TURN / np.maximum(np.abs(angle), 1e-9)
+    return ConcentricArcs(
+        count=1 + int((np.diff(np.sort(radius)) > ARCS.RADIUS * steps.usual).sum()),
+        length=float(whole.sum()),
+        opposite=float(steps.shorter[steps.neighbour & turned].sum()),
+        same=float(steps.shorter[steps.neighbour & ~turned].sum()),
+        spiral=float(whole[pitch > ARCS.DRIFT * steps.usual].sum()),
+        step=steps.usual,
+        even=steps.even,
+    )
+
+
+def _rays(
+    x: np.ndarray, y: np.ndarray, dx: np.ndarray, dy: np.ndarray, length: np.ndarray
+) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray] | None:
+    """Return the rays from the common centre of moves to their middles, (k,) mm each, and which moves are square to them.
+
+    None where there is no such centre: of a ray its way in x, in y, and its length.
+    """
+    weight = 1 / length
+    for _ in range(3):  # again and again without links and pieces of the boundary, which have other centres
+        xx, xy, yy = dot(weight * dx, dx), dot(weight * dx, dy), dot(weight * dy, dy)
+        if xx * yy - xy * xy < ARCS.STRAIGHT_ROWS * (xx + yy) ** 2:
+            return None
+        along = weight * (dx * x + dy * y)
+        bx, by = dot(along, dx), dot(along, dy)
+        cx, cy = (yy * bx - xy * by) / (xx * yy - xy * xy), (xx * by - xy * bx) / (xx * yy - xy * xy)
+        rx, ry = x - cx, y - cy
+        r = np.hypot(rx, ry)
+        square = np.abs(dx * rx + dy * ry) < ARCS.SQUARE * length * r
+        weight = np.where(square, 1 / length, 0.0)
+        if not square.any():
+            return None
+    return rx, ry, r, square

@@ -1,0 +1,150 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""How the tool enters the material before the pattern of an area begins, and the pattern without that."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from vkworkbench.core.paper import TURN, Areas
+from vkworkbench.core.recognition.patterns.spurs import some_moves
+from vkworkbench.core.recognition.thresholds import ENOUGH, ENTRY, SAME
+
+LEVEL = 1e-6  # mm; a move that descends by more is no level one
+ENTRIES = ("plunge", "ramp", "zigzag ramp", "helix")
+
+
+def find_entry(moves: Areas) -> str | None:
+    """Return how most of the depth is entered: one of `ENTRIES`; None where nothing level follows.
+
+    An entry is what descends at the start of an area, before the first level move, or behind a level way out on which it
+    comes back: it winds (helix), goes to and fro (zigzag ramp), or does neither (ramp). Other areas that begin level were
+    plunged into. Where most of what follows goes on descending, that is the operation, and no entry: a helical bore, a
+    surface.
+
+    Parameters
+    ----------
+    moves : Areas
+        At least one move.
+    """
+    if not moves.climbs:
+        return ENTRIES[0]
+    begin, first = _ways_in(moves)
+    after = np.arange(len(moves)) >= np.repeat(first, moves.end - moves.start)
+    level = np.where(after & (np.abs(moves.dz) < LEVEL), moves.length, 0.0)
+    following = np.where(after, moves.length, 0.0).sum()
+    if level.sum() <= ENOUGH.SHARE * following:
+        return None
+    followed = np.add.reduceat(level, moves.start) > 0
+    entry = followed & (first > begin)
+    if not entry.any():
+        return ENTRIES[0]
+    begin, last = begin[entry], first[entry] - 1
+    drop = moves.z[begin] - moves.dz[begin] - moves.z[last]
+    if drop.max() < SAME.HEIGHT:
+        return ENTRIES[0]
+    turned = np.abs(moves.phi[last])
+    reversed_ = np.cumsum(np.bincount(moves.unsigned, minlength=len(moves)))
+    to_and_fro = reversed_[last] > reversed_[begin]
+    kind = np.where(turned > ENTRY.WINDS * TURN, 3, np.where(to_and_fro, 2, 1))
+    return ENTRIES[int(np.argmax(np.bincount(kind, weights=drop, minlength=len(ENTRIES))))]
+
+
+def without_entries(moves: Areas) -> tuple[Areas, float]:
+    """Take the ways in and out from the areas: what descends at their starts, and what climbs at their ends.
+
+    They are taken out where most of what is left of their area is level, and leads farther than they do. A helix that
+    ends by one flat turn leads nowhere: it is the operation, as the ramp along a contour is a part of that contour.
+
+    Parameters
+    ----------
+    moves : Areas
+        At least one move.
+
+    Returns
+    -------
+    Areas
+        The pattern, and in it at least one move of every area.
+    float
+        Share of the length in ways in that wind.
+    """
+    if not moves.climbs:
+        return moves, 0.0
+    down, up = _ways_in(moves)[1] - moves.start, _way_out(moves)
+    chosen = np.flatnonzero(down + up > 0)
+    if not len(chosen):
+        return moves, 0.0
+    start, end = moves.start[chosen], moves.end[chosen]
+    first, last = start + down[chosen], end - up[chosen]
+    way = np.append(0.0, np.cumsum(moves.length))
+    level = np.append(0.0, np.cumsum(np.where(np.abs(moves.dz) < LEVEL, moves.length, 0.0)))
+    mostly = level[last] - level[first] > ENOUGH.SHARE * (way[last] - way[first])
+    pattern, gone = _boxes(moves, first, last), np.zeros(len(moves) + 1, np.int64)
+    leads = []
+    for begin, stop in ((start, first), (last, end)):
+        some = np.flatnonzero(mostly & (stop > begin))
+        box = _boxes(moves, begin[some], stop[some])
+        beyond = (pattern[some] - box).max(axis=1, initial=-np.inf)
+        some = some[beyond > ENTRY.LEADS * np.hypot(*(box[:, :2] + box[:, 2:]).T)]
+        np.add.at(gone, begin[some], 1)
+        np.add.at(gone, stop[some], -1)
+        leads.append(some)
+    into = leads[0]
+    winds = np.abs(moves.phi[first[into] - 1]) > ENTRY.WINDS * TURN
+    wound = float((way[first] - way[start])[into[winds]].sum() / way[-1])
+    kept = np.cumsum(gone[:-1]) == 0
+    return (moves if kept.all() else some_moves(moves, kept)), wound
+
+
+def share_rising(moves: Areas) -> float:
+    """Return the share of the length along which areas climb to their ends, as the strokes of V-carving do in corners.
+
+    Parameters
+    ----------
+    moves : Areas
+        At least one move.
+    """
+    if not moves.climbs:
+        return 0.0
+    way = np.append(0.0, np.cumsum(moves.length))
+    return float((way[moves.end] - way[moves.end - _way_out(moves)]).sum() / way[-1])
+
+
+def _ways_in(moves: Areas) -> tuple[np.ndarray, np.ndarray]:
+    """Return where the descent at the start of each area begins and where it has ended, (a,) moves; its start twice where none is.
+
+    Some ramps first go out level, at the height from which they come back on the same way to where they began.
+    """
+    x, y, dx, dy, length = moves.x, moves.y, moves.dx, moves.dy, moves.length
+    begin = _first(moves.start, moves.end, np.abs(moves.dz) >= LEVEL)
+    end = _first(begin, moves.end, moves.dz >= -LEVEL)
+    turns = np.minimum(begin, len(moves) - 1)
+    ahead = dx[turns] * dx[turns - 1] + dy[turns] * dy[turns - 1]
+    back = (begin > moves.start) & (end > begin) & (ahead < -ENTRY.BACK * length[turns] * length[turns - 1])
+    gap_x, gap_y = x[end - 1] + dx[end - 1] - x[moves.start], y[end - 1] + dy[end - 1] - y[moves.start]
+    back &= np.hypot(gap_x, gap_y) < SAME.PLACE
+    return np.where(back, begin, moves.start), np.where(back | (begin == moves.start), end, moves.start)
+
+
+def _first(start: np.ndarray, end: np.ndarray, which: np.ndarray) -> np.ndarray:
+    """Return the first of these moves in each stretch start[i] .. end[i] - 1, end[i] where there is none, (a,)."""
+    at = np.append(np.flatnonzero(which), len(which))
+    first: np.ndarray = np.minimum(at[np.searchsorted(at, start)], end)
+    return first
+
+
+def _way_out(moves: Areas) -> np.ndarray:
+    """Return how many moves at the end of each area climb, (a,)."""
+    at = np.append(-1, np.flatnonzero(moves.dz <= LEVEL))
+    climbing: np.ndarray = moves.end - 1 - np.maximum(at[np.searchsorted(at, moves.end) - 1], moves.start - 1)
+    return climbing
+
+
+def _boxes(moves: Areas, first: np.ndarray, end: np.ndarray) -> np.ndarray:
+    """Return how far the moves first[i] .. end[i] - 1 reach to the left, down, right and up, (k, 4) mm."""
+    between = np.column_stack([first, end]).ravel()
+    reach = []
+    for sign in (-1, 1):
+        for at, step in ((moves.x, moves.dx), (moves.y, moves.dy)):
+            farthest = np.maximum.reduceat(np.append(sign * at, -np.inf), between)[::2]
+            reach.append(np.maximum(farthest, sign * (at[end - 1] + step[end - 1])))
+    return np.column_stack(reach)

@@ -1,0 +1,134 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Open strokes side by side: offsets of an open wall, and the passes of adaptive clearing between two walls."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from vkworkbench.core.paper import Areas
+from vkworkbench.core.recognition.patterns.pieces import Pieces
+from vkworkbench.core.recognition.thresholds import NEIGHBOURS, NESTS, ROWS, SAME
+
+
+@dataclass(frozen=True)
+class Neighbours:
+    """Strokes that lie beside the next but one, two or three.
+
+    Attributes
+    ----------
+    count : int
+        Number of strokes with a neighbour.
+    share : float
+        Share of the strokes' length that has one.
+    even : float
+        Share of that length whose neighbour keeps its distance, as an offset does.
+    onward : float
+        Share of that length whose neighbour runs the same way.
+    step : float
+        Distance between neighbours (median), mm.
+    """
+
+    count: int
+    share: float
+    even: float
+    onward: float
+    step: float
+
+
+def find_neighbours(moves: Areas, pieces: Pieces, index: np.ndarray, tool: float) -> Neighbours | None:
+    """Compare every stroke with the next three at its height: whether they lie side by side, a step apart.
+
+    Two curves lie side by side where the foot of the perpendicular from most points of the one lies on the other.
+    Offsets keep their distance; passes of constant engagement come from one wall to another, and do not.
+
+    Parameters
+    ----------
+    moves : Areas
+    pieces : Pieces
+    index : (k,) int
+        The pieces that are open strokes; the first thousand are looked at.
+    tool : float
+        Tool diameter, mm; 0 where unknown.
+
+    Returns
+    -------
+    Neighbours or None
+        None where there are none.
+    """
+    index = index[: ROWS.SAMPLE]
+    k = len(index)
+    if k < 2:
+        return None
+    x, y = _sampled(moves, pieces, index)
+    length, z, flat = pieces.length[index], pieces.z[index], pieces.flat[index]
+    step, spread = np.full(k, np.inf), np.zeros(k)
+    same = np.zeros(k, bool)
+    for lag in range(1, min(NESTS.NEXT, k - 1) + 1):
+        a, b = slice(None, -lag), slice(lag, None)
+        distance, on = _distances(x[a], y[a], x[b], y[b])
+        enough = on.mean(axis=1) > NEIGHBOURS.FACING
+        enough &= (np.abs(z[a] - z[b]) < SAME.HEIGHT) | ~flat[a] | ~flat[b]
+        low, middle, high = spans = np.zeros((3, len(enough)))
+        spans[:, enough] = _percentiles(distance[enough], on[enough], (10, 50, 90))
+        enough &= (middle > SAME.RING) & (high < np.minimum(length[a], length[b]) / ROWS.LONG)
+        if tool:
+            enough &= high < NESTS.REACH * tool
+        nearer = enough & (middle < step[b])
+        at = np.flatnonzero(nearer) + lag
+        step[at], spread[at] = middle[nearer], (high - low)[nearer]
+        along = (x[a, -1] - x[a, 0]) * (x[b, -1] - x[b, 0]) + (y[a, -1] - y[a, 0]) * (y[b, -1] - y[b, 0])
+        same[at] = along[nearer] > 0
+    beside = np.isfinite(step)
+    if beside.sum() < 2:
+        return None
+    usual = float(np.median(step[beside]))
+    beside &= step < NEIGHBOURS.FARTHER * usual
+    total = length[beside].sum()
+    even = beside & (spread < NEIGHBOURS.EVEN * step)
+    # The first of each row of neighbours has none before it.
+    first = np.append(~beside[:-1] & beside[1:], False)
+    return Neighbours(
+        count=int((beside | first).sum()),
+        share=float(length[beside | first].sum() / pieces.length[index].sum()),
+        even=float(length[even].sum() / total),
+        onward=float(length[beside & same].sum() / total),
+        step=usual,
+    )
+
+
+def _sampled(moves: Areas, pieces: Pieces, index: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Return points at equal distances along each stroke, x and y (k, POINTS), ends included."""
+    walked = np.append(0.0, np.cumsum(moves.length))
+    at = walked[pieces.start[index], None] + pieces.length[index, None] * np.linspace(0, 1, NEIGHBOURS.POINTS)
+    first, last = pieces.start[index, None], pieces.end[index, None] - 1
+    move = np.clip(np.searchsorted(walked, at, side="right") - 1, first, last)
+    along = np.clip((at - walked[move]) / moves.length[move], 0, 1)
+    return moves.x[move] + along * moves.dx[move], moves.y[move] + along * moves.dy[move]
+
+
+def _percentiles(values: np.ndarray, of: np.ndarray, percent: tuple[float, ...]) -> np.ndarray:
+    """Return percentiles (p, rows) of those values (rows, k) in each row that are chosen, of (rows, k) bool, at least one.
+
+    numpy's `nanpercentile` takes the rows one after the other; here those with as many values go together.
+    """
+    ascending, count = np.sort(np.where(of, values, np.inf), axis=1), of.sum(axis=1)
+    found = np.empty((len(percent), len(values)))
+    for some in np.unique(count).tolist():
+        found[:, count == some] = np.percentile(ascending[count == some, :some], percent, axis=1)
+    return found
+
+
+def _distances(ax: np.ndarray, ay: np.ndarray, bx: np.ndarray, by: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Return the distance of each point of b from the polyline a, (k, points), and whether it lies beside it."""
+    dx, dy = np.diff(ax)[:, None], np.diff(ay)[:, None]
+    px, py = bx[:, :, None] - ax[:, None, :-1], by[:, :, None] - ay[:, None, :-1]
+    t = (px * dx + py * dy) / np.maximum(dx * dx + dy * dy, 1e-12)
+    foot = np.clip(t, 0, 1)
+    squared = (px - foot * dx) ** 2 + (py - foot * dy) ** 2
+    nearest = squared.argmin(axis=2)[:, :, None]
+    t = np.take_along_axis(t, nearest, 2)[:, :, 0]
+    nearest = nearest[:, :, 0]
+    beyond = ((nearest == 0) & (t < 0)) | ((nearest == dx.shape[2] - 1) & (t > 1))
+    return np.sqrt(squared.min(axis=2)), ~beyond

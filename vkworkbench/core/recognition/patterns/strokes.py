@@ -1,0 +1,90 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Open strokes: the bites of adaptive clearing, open contours, letters."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from vkworkbench.core.paper import TURN
+from vkworkbench.core.recognition.patterns.footprints import count_depths, footprints
+from vkworkbench.core.recognition.patterns.pieces import Pieces
+from vkworkbench.core.recognition.patterns.rows import weighted_median
+from vkworkbench.core.recognition.thresholds import BITES, SAME, WINDINGS
+
+
+@dataclass(frozen=True)
+class Strokes:
+    """What k open strokes have in common.
+
+    Attributes
+    ----------
+    index : (k,) int
+        Piece of each stroke.
+    length : (k,) float
+        mm.
+    bite : (k,) bool
+        Bends by more than a quarter turn in the sense that most do, and overlaps the stroke before or after it at the
+        same depth: the arcs that an adaptive tool bites out of the stock one after the other.
+    against : (k,) bool
+        Bends as much the other way.
+    sloped : (k,) bool
+        Changes its height on the way.
+    distinct, depths : int
+        Number of footprints, and of depths of the strokes that stay at one.
+    typical : float
+        Length of a stroke (median by length), mm.
+    """
+
+    index: np.ndarray
+    length: np.ndarray
+    bite: np.ndarray
+    against: np.ndarray
+    sloped: np.ndarray
+    distinct: int
+    depths: int
+    typical: float
+
+    def __len__(self) -> int:
+        """Return the number of strokes."""
+        return len(self.index)
+
+
+def relate_strokes(pieces: Pieces, index: np.ndarray) -> Strokes:
+    """Measure the open strokes.
+
+    Parameters
+    ----------
+    pieces : Pieces
+    index : (k,) int
+        The pieces that are open strokes.
+    """
+    length = pieces.length[index]
+    if not len(index):
+        none = np.zeros(0, bool)
+        return Strokes(index, length, none, none, none, 0, 0, 0.0)
+    bends = np.abs(pieces.net[index]) > BITES.BENT * TURN
+    bent = np.flatnonzero(bends & (pieces.back[index] < WINDINGS.WAVERING * TURN))
+    sense = np.sign(pieces.net[index[bent]])
+    common = np.sign((length[bent] * sense).sum())
+    box, z = pieces.box[index[bent]], pieces.z[index]
+    meets = (box[:-1, :2] < box[1:, 2:]) & (box[1:, :2] < box[:-1, 2:])
+    meets = meets.all(axis=1) & (np.abs(np.diff(z[bent])) < SAME.HEIGHT)
+    beside = np.zeros(len(bent), bool)
+    beside[:-1] |= meets
+    beside[1:] |= meets
+    bite, against = np.zeros(len(index), bool), np.zeros(len(index), bool)
+    bite[bent[(sense == common) & beside]] = True
+    against[bent[sense == -common]] = True
+    _, distinct = footprints(pieces, index)
+    return Strokes(
+        index=index,
+        length=length,
+        bite=bite,
+        against=against,
+        sloped=~pieces.flat[index],
+        distinct=distinct,
+        depths=count_depths(z[pieces.flat[index]]),
+        typical=weighted_median(length, length),
+    )

@@ -1,0 +1,49 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Recognising what was read 25.4 times too small: thresholds in mm need it in its own size."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from typing import Any
+
+from vkworkbench.core.gcode import INCH
+from vkworkbench.core.recognition.programs.recognize import recognize
+from vkworkbench.core.recognition.verdict.recognition import Recognition
+from vkworkbench.core.toolpath import Toolpath
+from vkworkbench.language import Message
+
+
+def recognize_inches(toolpath: Toolpath, *, tool_diameter: float | None = None, program: bool = False) -> Recognition:
+    """Recognise a toolpath of inches that were read as millimetres.
+
+    Parameters
+    ----------
+    toolpath : Toolpath
+        As it was read.
+    tool_diameter : float, optional
+        mm, the tool's true one.
+    program : bool
+        As `recognize` takes it.
+
+    Returns
+    -------
+    Recognition
+        The verdict on 25.4 times the size; lengths in it are those of the toolpath as it was read.
+    """
+    found = recognize(replace(toolpath, points=INCH * toolpath.points), tool_diameter=tool_diameter, program=program)
+    paper = found.paper and replace(found.paper, v=(found.paper.v[0] / INCH, found.paper.v[1] / INCH))
+    stepover = found.stepover and found.stepover / INCH
+    return replace(found, why=_as_read(found.why), stepover=stepover, paper=paper)
+
+
+def _as_read(value: Any) -> Any:
+    """Return a message whose steps are those of the toolpath as it was read."""
+    if isinstance(value, tuple):
+        return tuple(map(_as_read, value))
+    if not isinstance(value, Message):
+        return value
+    given: dict[str, Any] = value.arguments
+    arguments = {
+        name: one / INCH if name == "step" and one is not None else _as_read(one) for name, one in given.items()
+    }
+    return type(value)(value.code, **arguments)

@@ -1,0 +1,63 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""From a toolpath to the machining strategy it uses, with the evidence in the paper's terms."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from vkworkbench.core.paper import monotonous_areas
+from vkworkbench.core.recognition.patterns.turned import is_turned
+from vkworkbench.core.recognition.programs.parts import Sections, find_borders, recognize_parts, told_apart
+from vkworkbench.core.recognition.programs.visits import begun
+from vkworkbench.core.recognition.thresholds import PARTS
+from vkworkbench.core.recognition.verdict.operation import recognize_one
+from vkworkbench.core.recognition.verdict.recognition import Recognition
+from vkworkbench.core.recognition.verdict.unknown import unknown
+from vkworkbench.core.strategy import Strategy
+from vkworkbench.core.toolpath import Toolpath, check_toolpath
+from vkworkbench.given import number
+from vkworkbench.language import Message
+
+
+def recognize(toolpath: Toolpath, *, tool_diameter: float | None = None, program: bool = False) -> Recognition:
+    """Recognise the machining strategy of an operation (paper, section 3; docs/recognition.md).
+
+    Parameters
+    ----------
+    toolpath : Toolpath
+        The linearised trajectories.
+    tool_diameter : float, optional
+        mm. Where it is unknown (None, 0, nan) the usual step between passes takes its place.
+    program : bool
+        Whether it may hold several operations that nothing parts but a retract, as an imported program does. One
+        operation must not be divided so: it retracts, too.
+
+    Returns
+    -------
+    Recognition
+        With Strategy.EMPTY where nothing cuts. No toolpath raises.
+
+    Raises
+    ------
+    TypeError
+        If `toolpath` is something else, as commands are, or the diameter is nothing like a number.
+    ValueError
+        If the diameter is a text that is no number.
+    """
+    check_toolpath(toolpath)
+    rapid = toolpath.rapid
+    if rapid.all():
+        return Recognition(Strategy.EMPTY, 1.0, Message("only-rapids") if len(toolpath) else Message("no-moves"))
+    if is_turned(toolpath):
+        return unknown(toolpath, Message("like-a-lathe", strategy=Strategy.UNKNOWN))
+    tool = number("tool_diameter", tool_diameter or 0.0, "a number of mm, or None")
+    tool = tool if 0 < tool < np.inf else 0.0
+    moves = monotonous_areas(toolpath)
+    first, last = int(np.argmin(rapid)), len(rapid) - 1 - int(np.argmin(rapid[::-1]))
+    whole = recognize_one(toolpath, moves, first, last, tool)
+    borders, sections = find_borders(toolpath, moves), Sections(toolpath, tool)
+    if program and len(borders) <= PARTS.BORDERS:
+        borders.update(dict.fromkeys(told_apart(sections, borders, begun(toolpath, moves)), True))
+    if not 0 < len(borders) <= PARTS.BORDERS:
+        return whole
+    return recognize_parts(sections, borders, whole, program)

@@ -1,0 +1,95 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""One operation: its layers, the pattern judged, and the numbers behind the verdict."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from vkworkbench.core.paper import Areas, paper_verdict
+from vkworkbench.core.recognition.patterns.entries import find_entry
+from vkworkbench.core.recognition.patterns.section import Section
+from vkworkbench.core.recognition.thresholds import VOTES
+from vkworkbench.core.recognition.verdict.decide import decide
+from vkworkbench.core.recognition.verdict.evidence import gather, sentence
+from vkworkbench.core.recognition.verdict.recognition import Recognition, Span
+from vkworkbench.core.recognition.verdict.rules import Verdict, judge
+from vkworkbench.core.strategy import Family, Strategy
+from vkworkbench.core.toolpath import Toolpath
+from vkworkbench.language import Message
+
+ENTERED = {
+    "ramp": Message("entered-by-ramp"),
+    "zigzag ramp": Message("entered-by-zigzag-ramp"),
+    "helix": Message("entered-by-helix"),
+}
+
+
+def recognize_one(toolpath: Toolpath, moves: Areas, first: int, last: int, tool: float) -> Recognition:
+    """Recognise the trajectories first .. last as one operation."""
+    if not len(moves):
+        holes = len(moves.holes)
+        strategy = Strategy.DRILLING
+        why = (
+            Message("vertical", count=holes, strategy=strategy)
+            if holes
+            else Message("vertical-somewhere", strategy=strategy)
+        )
+        spans = spans_of(toolpath, [(first, last, strategy)])
+        return Recognition(strategy, VOTES.SUREST, why, spans, passes=holes or None)
+    section = Section(moves, tool)
+    paper = paper_verdict(moves)
+    verdict, confidence = decide(section, judge(section), paper)
+    evidence = gather(section, verdict)
+    why = sentence(section, verdict, evidence)
+    runs = _runs(section, verdict, first, last) if verdict.parts else [(first, last, verdict.strategy)]
+    spans = spans_of(toolpath, runs)
+    strategy = verdict.strategy
+    entered = strategy.is_answer and strategy not in (Strategy.MIXED, Strategy.HELIX)
+    entry = find_entry(moves) if entered else None
+    finishing = verdict.finished and strategy.family is Family.ROWS
+    numbers = {**vars(evidence), "entry": entry, "finishing": finishing}
+    why = _with_layers(why, entry, finishing)
+    return Recognition(strategy, confidence, why, spans, **numbers, paper=paper)
+
+
+def _with_layers(why: Message, entry: str | None, finishing: bool) -> Message:
+    """Add how the pattern is entered, but for a plunge, and how its walls are finished."""
+    way = ENTERED.get(entry or "")
+    around = Message("finished-by-contour") if finishing else None
+    return Message("with-layers", told=why, entry=way, finishing=around) if way or around else why
+
+
+def _runs(section: Section, verdict: Verdict, first: int, last: int) -> list[tuple[int, int, Strategy]]:
+    """Return the stretches of loops and of rows in a mixed operation, first .. last.
+
+    A link belongs to what it follows, a way in to what follows it.
+    """
+    of_rings, of_rows = verdict.parts
+    is_ring = section.ring_pieces.copy()
+    known = is_ring | section.row_pieces
+    held = np.maximum.accumulate(np.where(known, np.arange(len(known)), np.argmax(known)))
+    is_ring = is_ring[held]
+    begin = np.flatnonzero(np.concatenate([[True], is_ring[1:] != is_ring[:-1]]))
+    index, pieces = section.moves.index, section.pieces
+    firsts = [first, *index[pieces.start[begin[1:]]].tolist()]
+    lasts = [*index[pieces.start[begin[1:]] - 1].tolist(), last]
+    return [
+        (a, b, of_rings.strategy if ring else of_rows.strategy) for a, b, ring in zip(firsts, lasts, is_ring[begin])
+    ]
+
+
+def cutting_length(toolpath: Toolpath, first: int, last: int) -> float:
+    """Cutting length of the trajectories first .. last, mm."""
+    steps = np.diff(toolpath.points[first : last + 2], axis=0)[~toolpath.rapid[first : last + 1]]
+    return float(np.sqrt((steps * steps).sum(axis=1)).sum())
+
+
+def spans_of(toolpath: Toolpath, runs: list[tuple[int, int, Strategy]]) -> tuple[Span, ...]:
+    """Return runs of trajectories, first, last and strategy, as spans with their shares."""
+    length = [cutting_length(toolpath, first, last) for first, last, _ in runs] if len(runs) > 1 else [1.0]
+    total = sum(length) or 1.0
+    command = toolpath.command
+    return tuple(
+        Span(first, last, int(command[first]), int(command[last]), strategy, part / total)
+        for (first, last, strategy), part in zip(runs, length)
+    )

@@ -1,0 +1,317 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Counts of a simulation in closed form: by the strategy, blind to it, and by Cauchy and Crofton's formula.
+
+None of them looks at the sequence. The strategy stands for it: with the stepover and the tool it tells how
+much new material each trajectory meets (the paper's thesis, sections 1 and 2.1).
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from vkworkbench.core.paper import directions
+from vkworkbench.core.recognition import Recognition
+from vkworkbench.core.stocks import Solid, fitted
+from vkworkbench.core.strategy import Strategy
+from vkworkbench.core.tool import Tool
+from vkworkbench.core.toolpath import Toolpath, check_toolpath
+from vkworkbench.core.view import Frame, View
+from vkworkbench.core.zbuffer.memory.silhouette import clip, polygon_area
+from vkworkbench.given import number
+
+# Heights closer than this, mm, are one level.
+_LEVEL = 1e-3
+# Share of a level's length in one direction that is rows and not links.
+_FAMILY = 0.15
+# Least distance of two rows, mm.
+_APART = 0.05
+# What is mixed is mostly rows with a contour around them.
+_ROWS = {Strategy.ZIGZAG, Strategy.ONE_WAY, Strategy.MIXED}
+_LOOPS = {Strategy.CONTOUR_PARALLEL, Strategy.SPIRAL, Strategy.ADAPTIVE}
+
+
+@dataclass(frozen=True, eq=False)
+class _Trajectories:
+    """The trajectories below the top of the stock, one value each.
+
+    run : horizontal length, mm; rise : end height - start height, mm; low : lowest height, mm;
+    share : part of its sweep that lies over the stock, 0..1; heading : direction, rad; turn : angle of the arc that it
+    is a chord of, rad, 0 where it is none.
+    """
+
+    start: np.ndarray
+    end: np.ndarray
+    run: np.ndarray
+    rise: np.ndarray
+    low: np.ndarray
+    share: np.ndarray
+    heading: np.ndarray
+    turn: np.ndarray
+
+
+def _in_stock(toolpath: Toolpath, tool: Tool, stock: Solid) -> _Trajectories:
+    start, end = toolpath.points[:-1], toolpath.points[1:]
+    low = np.minimum(start[:, 2], end[:, 2])
+    inside = np.flatnonzero(low < stock.upper[2] - _LEVEL)
+    start, end = start[inside], end[inside]
+    left, right = np.minimum(start, end)[:, :2] - tool.radius, np.maximum(start, end)[:, :2] + tool.radius
+    over = np.minimum(right, stock.upper[:2]) - np.maximum(left, stock.lower[:2])
+    share = np.prod(np.maximum(over / (right - left), 0), axis=1)
+    move = end - start
+    return _Trajectories(
+        start,
+        end,
+        np.hypot(move[:, 0], move[:, 1]),
+        move[:, 2],
+        low[inside],
+        share,
+        directions(move[:, 0], move[:, 1]),
+        toolpath.sweep[inside],
+    )
+
+
+def cauchy_crofton(toolpath: Toolpath, *, stock: Solid, view: View, direction: float | None = None) -> float:
+    """Crossings of the toolpath with parallel lines a pixel apart, M(epsilon, theta) of the paper's section 2.1.
+
+    M is the length of the toolpath's projection on a line of direction theta, each point as often as it is passed,
+    divided by epsilon, the distance of the lines; these run in the direction theta + pi / 2 (Tricot 1995).
+
+    The baseline the paper rejects: it sees neither the tool's width nor the sequence.
+
+    Parameters
+    ----------
+    toolpath : Toolpath
+        Its trajectories that go below the top of the stock are counted, whole, also beside the stock.
+    stock : Solid
+    view : View
+        Its pixel is epsilon.
+    direction : float, optional
+        Theta, rad from the image's right upwards; 0 counts crossings with the pixels' columns, pi / 2 with their rows.
+
+    Returns
+    -------
+    float
+        For that direction; without one the mean over all of them, 2 / pi of the length in the image by epsilon.
+
+    Raises
+    ------
+    ValueError, TypeError
+        Where an argument is something else.
+    """
+    check_toolpath(toolpath)
+    frame = fitted(view, stock)
+    move = np.diff(toolpath.points, axis=0)
+    move = move[np.minimum(toolpath.points[:-1, 2], toolpath.points[1:, 2]) < stock.upper[2]]
+    right, up = move @ frame.right, move @ frame.up
+    if direction is None:
+        return float(np.hypot(right, up).sum() * 2 / np.pi / frame.pixel)
+    direction = number("direction", direction, "an angle in rad, a finite number", np.isfinite)
+    return float(np.abs(right * np.cos(direction) + up * np.sin(direction)).sum() / frame.pixel)
+
+
+def swept(toolpath: Toolpath, *, tool: Tool, stock: Solid, view: View) -> float:
+    """Strategy-blind count of trace elements, top view: every trajectory cuts its whole width.
+
+    Parameters
+    ----------
+    toolpath : Toolpath
+    tool : Tool
+    stock : Solid
+    view : View
+    """
+    t = _in_stock(toolpath, tool, stock)
+    # The foot where a move begins is new in a plunge only.
+    area = np.where(t.run > 0, tool.diameter * t.run, np.pi * tool.radius**2)
+    return float((area * t.share).sum() / view.frame(stock).pixel ** 2)
+
+
+def closed_form(toolpath: Toolpath, recognition: Recognition, *, tool: Tool, stock: Solid, view: View) -> float:
+    """Number of trace elements expected from the strategy, the stepover and the tool.
+
+    Parameters
+    ----------
+    toolpath : Toolpath
+    recognition : Recognition
+        Its strategy, stepover (the tool's whole width where there is none), passes and depths are used.
+    tool : Tool
+    stock : Solid
+    view : View
+    """
+    frame = view.frame(stock)
+    t = _in_stock(toolpath, tool, stock)
+    if len(t.run) == 0:
+        return 0.0
+    stepover = recognition.stepover
+    if stepover is None and recognition.strategy in _ROWS | _LOOPS:
+        # One layer of passes: its area divided by their length.
+        room, _ = _grown_hull(np.concatenate((t.start, t.end))[:, :2], tool.radius, stock)
+        stepover = room / max(float((t.run * t.share).sum()), 1e-9)
+    stepover = min(stepover or tool.diameter, tool.diameter)
+    pointed = tool.rounding > tool.radius / 2 or tool.steepness > 0
+    top = _recut(t, tool, stock, stepover) if pointed else _levels(t, recognition, tool, stock, stepover)
+    cosine, sine, azimuth = _tilt(frame)
+    return (cosine * top + sine * _walls(t, tool, stock, stepover, azimuth)) / frame.pixel**2
+
+
+def _tilt(frame: Frame) -> tuple[float, float, float]:
+    x, y, z = frame.direction
+    return abs(float(z)), float(np.hypot(x, y)), float(np.arctan2(y, x))
+
+
+def _levels(t: _Trajectories, recognition: Recognition, tool: Tool, stock: Solid, stepover: float) -> float:
+    """Area a flat tool cuts, mm^2: each level once, and its whole foot again wherever it descends."""
+    radius = tool.radius
+    level = np.flatnonzero((np.abs(t.rise) < _LEVEL) & (t.run > 0))
+    key = np.rint(t.low / _LEVEL).astype(np.int64)
+    # What reaches a level belongs to it; what descends between levels cuts its foot besides.
+    between = ~np.isin(key, key[level])
+    descents = _descents(t, tool) * t.share
+    if recognition.strategy is Strategy.HELIX:
+        descents *= _beside_last_helix(t, tool)
+    total = float(descents[between].sum())
+    passes = max(1.0, (recognition.passes or 1) / max(1, recognition.depths))
+    for z in np.unique(key[level]):
+        here = level[key[level] == z]
+        weight = (t.run * t.share)[here]
+        length = float(weight.sum())
+        points = np.concatenate((t.start[here], t.end[here]))[:, :2]
+        room, outline = _grown_hull(points, radius, stock)
+        if room <= 0:
+            continue  # beside the stock
+        if recognition.strategy in _ROWS:
+            # Rows of several directions cross without regard to each other.
+            shares = [_rows_area(t, rows, tool, stepover) / room for rows in _row_families(t, here)]
+            area = room * (1 - np.prod(1 - np.minimum(shares, 1)))
+        elif recognition.strategy in _LOOPS:
+            area = stepover * length + (radius - stepover / 2) * outline
+        else:
+            area = stepover * length + (2 * radius - stepover) * length / passes
+        total += min(area, room)
+    return total
+
+
+def _descents(t: _Trajectories, tool: Tool) -> np.ndarray:
+    """Area each descending trajectory of a flat tool cuts: every step down cuts the whole foot anew."""
+    down = np.flatnonzero(t.rise < -_LEVEL)
+    # A plunge only counts where it goes deeper than earlier ones at the same place.
+    place = np.rint(t.end[down, :2] / _LEVEL).astype(np.int64)
+    _, group = np.unique(place, axis=0, return_inverse=True)
+    group = group.ravel()
+    order = np.argsort(group, kind="stable")
+    depth = t.low[down][order]
+    span = np.ptp(depth) + 1 if len(depth) else 1.0
+    lowest = np.minimum.accumulate(depth - group[order] * span)
+    deeper = np.ones(len(down), bool)
+    deeper[1:] = lowest[1:] < lowest[:-1] - _LEVEL
+    areas = np.zeros(len(t.run))
+    reached = down[order[deeper]]
+    areas[reached] = np.pi * tool.radius**2 + 2 * tool.radius * t.run[reached]
+    return areas
+
+
+def _beside_last_helix(t: _Trajectories, tool: Tool) -> np.ndarray:
+    """Part of the tool's foot beside the ring that the helix before it in the same hole has cut, 0..1."""
+    arc = np.flatnonzero(t.turn)
+    half = t.turn[arc] / 2
+    chord = (t.end - t.start)[arc, :2]
+    to_centre = np.column_stack((-chord[:, 1], chord[:, 0])) / (2 * np.tan(half))[:, None]
+    hole = np.rint(((t.start + t.end)[arc, :2] / 2 + to_centre) / _APART).astype(np.int64)
+    helix = np.rint(t.run[arc] / (2 * np.abs(np.sin(half))) / _APART).astype(np.int64)
+    _, first, which = np.unique(np.column_stack((hole, helix)), axis=0, return_index=True, return_inverse=True)
+    foot = np.pi * tool.radius**2
+    part = np.ones(len(first))
+    last: dict[tuple[int, ...], float] = {}
+    for k in np.argsort(first):
+        place, radius = tuple(hole[first[k]]), float(helix[first[k]] * _APART)
+        if place in last:
+            outer, inner = last[place] + tool.radius, max(last[place] - tool.radius, 0.0)
+            in_ring = _common_area(tool.radius, outer, radius) - _common_area(tool.radius, inner, radius)
+            part[k] = 1 - in_ring / foot
+        last[place] = radius
+    beside = np.ones(len(t.run))
+    beside[arc] = part[which.ravel()]
+    return beside
+
+
+def _common_area(a: float, b: float, apart: float) -> float:
+    """Area that two circles of these radii have in common."""
+    if apart >= a + b:
+        return 0.0
+    if apart <= abs(a - b):
+        return np.pi * min(a, b) ** 2
+    x = (apart**2 + a**2 - b**2) / (2 * apart)
+    return float(a**2 * np.arccos(x / a) + b**2 * np.arccos((apart - x) / b) - apart * np.sqrt(a**2 - x**2))
+
+
+def _row_families(t: _Trajectories, here: np.ndarray) -> list[np.ndarray]:
+    """The trajectories of a level by direction, those directions that make up a good part of its length."""
+    bins = np.rint(t.heading[here] / np.pi * 36).astype(np.int64) % 36
+    length = np.bincount(bins, t.run[here], minlength=36)
+    return [here[bins == b] for b in np.flatnonzero(length > _FAMILY * length.sum())]
+
+
+def _rows_area(t: _Trajectories, rows: np.ndarray, tool: Tool, stepover: float) -> float:
+    """Area of parallel rows with round ends: the first as wide as the tool, the others as their step."""
+    heading = float(np.angle((t.run[rows] * np.exp(2j * t.heading[rows])).sum()) / 2)
+    offset = t.start[rows, 1] * np.cos(heading) - t.start[rows, 0] * np.sin(heading)
+    in_order, sorted_ = np.abs(np.diff(offset)), np.diff(np.sort(offset))
+    passes = np.count_nonzero(in_order > _APART) + 1
+    # Rows of several pockets mix when sorted, those of a lattice jump to and fro in order: both only lower
+    # the step.
+    steps = [s.mean() for s in (x[(x > _APART) & (x <= tool.diameter + _APART)] for x in (in_order, sorted_)) if len(s)]
+    step = min(float(max(steps)), tool.diameter) if steps else stepover
+    along = float((t.run * t.share)[rows].sum())
+    # The tool's circle where the row is its own, |y| < step / 2.
+    ends = step * np.sqrt(tool.radius**2 - step**2 / 4) + 2 * tool.radius**2 * np.arcsin(step / tool.diameter)
+    return float(step * along + passes * ends + (tool.diameter - step) * along / passes)
+
+
+def _grown_hull(points: np.ndarray, radius: float, stock: Solid) -> tuple[float, float]:
+    """Area of the points' convex hull grown by the radius, cut to the stock, and the hull's perimeter."""
+    angles = 2 * np.pi * np.arange(64) / 64
+    normals = np.column_stack((np.cos(angles), np.sin(angles)))
+    reach = (points @ normals.T).max(axis=0)
+    step = angles[1]
+    # Support lines k and k + 1 meet in a corner; the perimeter is the mean width times pi (Cauchy).
+    grown = reach + radius
+    along = (np.roll(grown, -1) - grown * np.cos(step)) / np.sin(step)
+    tangents = np.column_stack((-normals[:, 1], normals[:, 0]))
+    outline = (grown[:, None] * normals + along[:, None] * tangents).tolist()
+    for axis in (0, 1):
+        outline = clip(outline, axis, 1, float(stock.upper[axis]))
+        outline = clip(outline, axis, -1, -float(stock.lower[axis]))
+    return polygon_area(outline), float(reach.mean() * 2 * np.pi)
+
+
+def _recut(t: _Trajectories, tool: Tool, stock: Solid, stepover: float) -> float:
+    """Area a ball or a cone cuts, mm^2: it deepens what lies ahead of it at every trajectory.
+
+    Ahead of the tool a pixel is cut again by each trajectory until the axis has passed, as far as the tool is
+    lower there than the previous pass left it.
+    """
+    depth = stock.upper[2] - t.low
+    if tool.steepness > 0:
+        reach = np.minimum(tool.radius, depth / tool.steepness)
+    else:
+        reach = np.where(depth < tool.radius, np.sqrt(np.maximum(2 * tool.radius * depth - depth**2, 0)), tool.radius)
+    side = np.minimum(reach, stepover / 2)
+    y = -side + np.linspace(0, 1, 33)[:, None] * (reach + side)
+    ahead = np.sqrt(np.maximum(np.minimum(reach, np.abs(y + stepover)) ** 2 - y**2, 0))
+    front = (ahead[:-1] + ahead[1:]).sum(axis=0) / 2 * (reach + side) / 32
+    steep = np.sin(np.arctan2(t.rise, np.maximum(t.run, 1e-9)))
+    new = np.maximum(1 - steep, 0) * front + (reach + side) * t.run
+    return float((new * t.share).sum())
+
+
+def _walls(t: _Trajectories, tool: Tool, stock: Solid, stepover: float, azimuth: float) -> float:
+    """Area of the walls the trajectories cut, seen from the side, mm^2."""
+    key = np.rint(t.low / _LEVEL).astype(np.int64)
+    levels, which = np.unique(key, return_inverse=True)
+    ceiling = np.append(levels[1:] * _LEVEL, stock.upper[2])
+    depth = (ceiling - levels * _LEVEL)[which.ravel()]
+    engaged = np.arccos(1 - stepover / tool.radius)
+    front = tool.radius * engaged * 2 / np.pi
+    seen = depth * (front + t.run * np.abs(np.sin(t.heading - azimuth)))
+    return float((seen * t.share).sum())

@@ -1,0 +1,201 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Which trajectories can cut tiles of an image seen obliquely.
+
+A tile's rays are the ray through its middle, moved aside by up to half a tile. So what a tool grown by that much
+removes from the middle ray holds what the tool removes from any ray of the tile, and what a tool that much smaller
+removes from the middle ray the tool removes from all of them. The rays are compared where they pass one horizontal
+plane, so that a level floor is at one depth for all of them; where all tools are balls, which have no floor, and in views
+from the side where they pass a plane across the view.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from math import hypot, sqrt
+
+import numpy as np
+
+from vkworkbench.core.stocks import Solid
+from vkworkbench.core.tool import Tool
+from vkworkbench.core.view import Frame
+from vkworkbench.core.zbuffer.culling.tiles import NOISE, QUARTERS, Removals, Tiles
+from vkworkbench.core.zbuffer.rays.chains import removing
+from vkworkbench.core.zbuffer.rays.dexels import THINNEST, before_in_group, beginnings
+from vkworkbench.core.zbuffer.sweeps.slots import ROUNDING
+from vkworkbench.core.zbuffer.sweeps.trajectories import Trajectories
+
+# Views less steep than this cosine are compared across the view.
+_LEVEL = 0.3
+# What is left of a tool to be certain, mm.
+_LESS = 1e-6
+
+
+class Tilted:
+    """Bounds for an oblique view; see `culling.Bounds`."""
+
+    def __init__(self, trajectories: Trajectories) -> None:
+        self.trajectories, self.sine, self.cosine = trajectories, trajectories.sine, trajectories.cosine
+        # The rays of a tile share what depends on their row or column alone.
+        self.frame, self.slow = trajectories.frame, np.ones(len(trajectories.index), bool)
+        tools = [kind.tool for kind in trajectories.kinds]
+        level = abs(self.cosine) > _LEVEL and not all(tool.rounding == tool.radius for tool in tools)
+        self.growths = [_Growth(tool, level, self.sine, self.cosine) for tool in tools]
+        self.chords = _TileChords(trajectories.stock, trajectories.frame, self.sine / self.cosine if level else 0.0)
+
+    def quarters(
+        self, column: np.ndarray, row: np.ndarray, tile: np.ndarray, item: np.ndarray, child: int
+    ) -> Iterator[np.ndarray]:
+        """See `culling.Bounds.quarters`."""
+        middle = (child - 1) / 2
+        reach = middle * self.frame.pixel * (1 + NOISE)
+        both = np.array([[middle], [child + middle]])
+        x, y = self.frame.pixel_centres(column + both, row + both)
+        places = x.take(tile, axis=1)[None], y.take(tile, axis=1)[:, None], item
+        enter, leave = self.trajectories.intervals(*places, [growth.grown(reach) for growth in self.growths])
+        opens = self.trajectories.intervals(*places, [growth.shrunk(reach) for growth in self.growths])
+        for across, up in QUARTERS:
+            near, far = self.chords.over(x[across], y[up], reach)
+            first = np.maximum(enter[up, across], near.take(tile))
+            last = np.minimum(leave[up, across], far.take(tile))
+            met = np.flatnonzero(last - first > 0.9 * THINNEST)
+            all_enter, all_leave = (of[up, across].take(met) for of in opens)
+            yield met[_not_yet_open(tile[met], first[met], last[met], all_enter, all_leave, near, far)]
+
+    def removals(self, tiles: Tiles, tile: np.ndarray, near: np.ndarray, far: np.ndarray) -> Removals:
+        """See `culling.Bounds.removals`."""
+        column, row = tiles.pixels()
+        x, y = self.frame.pixel_centres(column, row)
+        pixels, item = tiles.side**2, tiles.item
+        px, py = x.take(tile, axis=1)[None], y.take(tile, axis=1)[:, None]
+        enter, leave = self.trajectories.intervals(px, py, item)
+        # On the rim of a sweep rounding decides: as it does for any other ray. Most are within it with all of the tile.
+        corners = self.trajectories.passing(px[:, [0, -1]], py[[0, -1]], item)
+        doubtful = np.flatnonzero(~corners.all(axis=(0, 1)))
+        passing = self.trajectories.passing(px[..., doubtful], py[..., doubtful], item[doubtful])
+        enter[..., doubtful] = np.where(passing, enter[..., doubtful], np.inf)
+        enter, leave = enter.reshape(pixels, len(item)), leave.reshape(pixels, len(item))
+        hit = removing(tile, enter, leave, near, far)
+        return Removals(hit, enter.ravel()[hit], leave.ravel()[hit])
+
+
+class _TileChords:
+    """Depths between which the stock lies, for all rays of a tile.
+
+    `shear` is how much the depth counts from further down the image, mm per mm.
+    """
+
+    def __init__(self, stock: Solid, frame: Frame, shear: float) -> None:
+        slope = stock.normals @ frame.direction
+        room = stock.offsets - stock.normals @ frame.centre
+        right, up = stock.normals @ frame.right, stock.normals @ frame.up
+        # Depth at which a plane is met: constant and gradient; planes along the rays bound no depth.
+        met = np.abs(slope) >= 1e-12
+        self.entered, self.left = met & (slope < 0), met & (slope > 0)
+        slope = np.where(met, slope, 1)
+        self.planes = np.array([room, -right, -up]) / slope
+        self.shear = shear
+
+    def over(self, x: np.ndarray, y: np.ndarray, reach: float) -> tuple[np.ndarray, np.ndarray]:
+        """Least and greatest depth (t,) for squares of rays about (x, y) (t,), `reach` to each side."""
+        near, far = np.full(len(x), -np.inf), np.full(len(x), np.inf)
+        for constant, gx, gy in self.planes[:, self.entered].T:
+            np.maximum(near, constant - (abs(gx) + abs(gy - self.shear)) * reach + gx * x + gy * y, out=near)
+        for constant, gx, gy in self.planes[:, self.left].T:
+            np.minimum(far, constant + (abs(gx) + abs(gy - self.shear)) * reach + gx * x + gy * y, out=far)
+        return near, far
+
+
+class _Bound(Tool):
+    """A tool that bounds another one: nobody's, so it may be wider than a tool can be."""
+
+    def __post_init__(self) -> None:
+        pass
+
+
+class _Growth:
+    """Tools that hold, and that are held by, a tool wherever it is moved with the rays of a tile."""
+
+    def __init__(self, tool: Tool, level: bool, sine: float, cosine: float) -> None:
+        self.tool, self.level, self.sine, self.cosine = tool, level, sine, cosine
+        self.ball = tool.rounding == tool.radius
+        # A bull-nose lies between two flat ends, and rays go on by this much below their floors (see `sweeps`).
+        self.flat = ROUNDING if 0 < tool.rounding < tool.radius else 0.0
+
+    def _moved(self, reach: float) -> tuple[float, float]:
+        """How far rays up to `reach` aside in the image are aside horizontally, and in space, mm."""
+        if self.level:
+            aside = reach * hypot(1, 1 / self.cosine)
+            return aside, aside if self.ball else 0.0
+        return reach * hypot(1, self.cosine), reach * sqrt(2)
+
+    def grown(self, reach: float) -> tuple[Tool, float]:
+        """Return a tool that holds this one, and how much higher its tip is, mm."""
+        aside, away = self._moved(reach)
+        tool = self.tool
+        if self.ball:
+            return _Bound("ballend", tool.diameter + 2 * away), -away
+        lower = 0.0 if self.level else away * self.sine
+        if self.flat:
+            return _Bound("endmill", tool.diameter + 2 * aside), self.flat - lower
+        return self._wider(aside), -lower
+
+    def shrunk(self, reach: float) -> tuple[Tool | None, float]:
+        """Return a tool that this one holds, None where there is none, and how much higher its tip is, mm."""
+        aside, away = self._moved(reach)
+        tool = self.tool
+        # What only touches a surface is decided by rounding: a little less is certain.
+        aside, away = aside + _LESS, away + (0 if self.level and not self.ball else _LESS)
+        diameter = tool.diameter - 2 * (away if self.ball else aside + tool.rounding)
+        if diameter <= _LESS:
+            return None, 0.0
+        if self.flat:
+            return _Bound("endmill", diameter), self.flat + away
+        if self.ball:
+            return _Bound("ballend", diameter), away
+        # Of a tip that is narrower than that, its cone is left above it.
+        return self._wider(-aside), away + tool.steepness * max(aside - tool.tip, 0.0)
+
+    def _wider(self, aside: float) -> Tool:
+        """Return the end mill or cone wider by so much all around: its flat tip as well."""
+        tool = self.tool
+        tip = max(tool.tip + aside, 0.0) if tool.steepness else 0.0
+        return _Bound(tool.shape, tool.diameter + 2 * aside, tool.corner_radius, tool.tip_angle, 2 * tip)
+
+
+def _not_yet_open(
+    tile: np.ndarray,
+    enter: np.ndarray,
+    leave: np.ndarray,
+    all_enter: np.ndarray,
+    all_leave: np.ndarray,
+    near: np.ndarray,
+    far: np.ndarray,
+) -> np.ndarray:
+    """Positions of the pairs that reach beyond what earlier ones opened from the near or from the far end.
+
+    Parameters
+    ----------
+    tile : (p,) ndarray of int
+        Ascending.
+    enter, leave : (p,) ndarray
+        Between these depths the trajectory passes the tile, if at all.
+    all_enter, all_leave : (p,) ndarray
+        Between these it opens all rays of the tile; nowhere where the first is greater.
+    near, far : (t,) ndarray
+        Of the tiles' stock.
+    """
+    if len(tile) == 0:
+        return tile
+    start = beginnings(tile)
+    near, far = near.take(tile), far.take(tile)
+    # So far apart that a running extreme starts anew in each tile.
+    offset = tile * (far.max() - near.min() + 1)
+    holds = all_enter <= all_leave
+    all_enter, all_leave = np.maximum(all_enter, near), np.minimum(all_leave, far)
+    open_near, open_far = near, far
+    for _ in range(2):  # what is open grows by what meets it
+        opens = np.where(holds & (all_enter <= open_near), all_leave, near) + offset
+        open_near = before_in_group(np.maximum.accumulate(opens), start, (near + offset)[start]) - offset
+        opens = np.where(holds & (all_leave >= open_far), all_enter, far) - offset
+        open_far = before_in_group(np.minimum.accumulate(opens), start, (far - offset)[start]) + offset
+    return np.flatnonzero((leave > open_near + NOISE) & (enter < open_far - NOISE) & (open_near < open_far))

@@ -1,0 +1,152 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Random pixels where a toolpath passes: a stratified sample of an image and the totals it stands for."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from vkworkbench.core.zbuffer.memory.silhouette import seen_box
+from vkworkbench.core.zbuffer.rays.removal import Removal
+from vkworkbench.core.zbuffer.sweeps.trajectories import AT_ONCE
+
+_CELLS = 32  # a power of two, for the Morton order
+_CORNERS = _CELLS + 1  # of these in a row
+# Rays drawn where the trajectories are few, and at least; between them, as many as meet that many
+# trajectories.
+_RAYS = 450
+_FEWEST = 100
+_MEETINGS = 150_000
+
+
+@dataclass(frozen=True, eq=False)
+class Sample:
+    """Pixels' rays of an image with the areas they stand for, in the order of their strata.
+
+    Attributes
+    ----------
+    x, y : (k,) float64
+        Image coordinates of the rays, the centres of pixels, mm.
+    area : (k,) float64
+        Area of the image each ray stands for, mm^2; a sum of values times areas estimates an integral
+        over the image.
+    """
+
+    x: np.ndarray
+    y: np.ndarray
+    area: np.ndarray
+
+    def total(self, values: np.ndarray) -> tuple[float, float]:
+        """Integral of a quantity over the image and its standard error.
+
+        Each stratum holds one ray, so its variance is taken from the difference to the next stratum; this
+        counts the difference of their means as noise and errs on the safe side.
+
+        Parameters
+        ----------
+        values : (k,) ndarray
+            The quantity at the rays.
+
+        Returns
+        -------
+        total, error : float
+            In mm^2 times the unit of the values.
+        """
+        shares = values * self.area
+        k = len(shares)
+        if k < 2:
+            return float(shares.sum()), float(np.abs(shares).sum())
+        return float(shares.sum()), float(np.sqrt((np.diff(shares) ** 2).sum() / 2 * k / (k - 1)))
+
+
+def _neighbours_together() -> np.ndarray:
+    """Flat indices of the cells in Morton order: the bits of row and column interleaved."""
+    row, column = np.divmod(np.arange(_CELLS**2), _CELLS)
+    key = np.zeros(_CELLS**2, np.int64)
+    for bit in range(_CELLS.bit_length() - 1):
+        key |= ((column >> bit) & 1) << (2 * bit) | ((row >> bit) & 1) << (2 * bit + 1)
+    return np.argsort(key)
+
+
+_ORDER = _neighbours_together()
+_NOWHERE = Sample(*np.empty((3, 0)))
+
+
+def sample(removal: Removal, rng: np.random.Generator) -> Sample:
+    """Draw up to 450 rays where the trajectories pass, one in each of as many strata.
+
+    The part of the image the trajectories reach is divided into 32 x 32 cells. A cell's weight grows with the
+    square root of the number of trajectories that pass it, because where more pass the count varies more. The
+    strata are stretches of equal weight along a curve through the cells that keeps neighbours together
+    (Morton 1966). In each a random point is drawn, and the ray is that of the pixel it is in: a slot that is narrower
+    than a pixel is wide counts as the image shows it.
+
+    Parameters
+    ----------
+    removal : Removal
+    rng : numpy.random.Generator
+
+    Returns
+    -------
+    Sample
+        Empty where no trajectory reaches the image.
+    """
+    frame = removal.frame
+    if len(removal.index) == 0:
+        return _NOWHERE
+    half = np.array([frame.width, frame.height]) * frame.pixel / 2
+    margin = frame.pixel / 2  # the pixels whose centres are reached
+    low, high = seen_box(removal.stock, frame)
+    low = np.maximum(-half, np.maximum(low, removal.box[::2].min(axis=1)) - margin)
+    high = np.minimum(half, np.minimum(high, removal.box[1::2].max(axis=1)) + margin)
+    if not (low < high).all():
+        return _NOWHERE
+    side = (high - low) / _CELLS
+    passes = _passes(removal, low, side).ravel()
+    weight = np.sqrt(passes)
+    if not weight.any():
+        return _NOWHERE
+    running = np.cumsum(weight[_ORDER])
+    rays = int(np.clip(_MEETINGS * running[-1] / (weight @ passes), _FEWEST, _RAYS))
+    at = (np.arange(rays) + rng.random(rays)) / rays * running[-1]
+    cell = _ORDER[np.searchsorted(running[:-1], at, side="right")]
+    row, column = np.divmod(cell, _CELLS)
+    x = low[0] + (column + rng.random(rays)) * side[0]
+    y = low[1] + (row + rng.random(rays)) * side[1]
+    x, y = frame.pixel_centres(
+        np.floor(x / frame.pixel + frame.width / 2), np.floor(y / frame.pixel + frame.height / 2)
+    )
+    area = side.prod() * running[-1] / (rays * weight[cell])
+    return Sample(x, y, area)
+
+
+def _passes(removal: Removal, low: np.ndarray, side: np.ndarray) -> np.ndarray:
+    """How many bounding boxes of trajectories, half a pixel wider, touch each cell, long ones cut up: (rows, columns)."""
+    total = len(removal.index)
+    counts = np.zeros(_CORNERS**2)
+    for begin in range(0, total, AT_ONCE):
+        corner, sign = _corners(removal, np.arange(begin, min(begin + AT_ONCE, total)), low[:, None], side[:, None])
+        counts += np.bincount(corner, sign, _CORNERS**2)
+    result: np.ndarray = np.rint(counts.reshape(_CORNERS, _CORNERS).cumsum(axis=0).cumsum(axis=1)[:-1, :-1])
+    return result
+
+
+def _corners(removal: Removal, item: np.ndarray, low: np.ndarray, side: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Corners of these trajectories' boxes: which, and by how much each changes the number of boxes over the cells behind it."""
+    move = removal.move.take(item, axis=1)
+    seen = np.array((move[0], removal.cosine * move[1] + removal.sine * move[2]))
+    parts = np.ceil((np.abs(seen) / side).max(axis=0) / 4).astype(np.int64)
+    parts = np.minimum(np.maximum(parts, 1), _CELLS)
+    place = np.arange(parts.sum()) - np.repeat(np.cumsum(parts) - parts, parts)
+    item, parts = np.repeat(item, parts), np.repeat(parts, parts)
+    box = removal.boxes(item, place / parts, (place + 1) / parts)
+    lower, upper = box[::2] - removal.frame.pixel / 2, box[1::2] + removal.frame.pixel / 2
+    first, last = np.floor((lower - low) / side), np.floor((upper - low) / side)
+    # Seen from the side, the box of a part above the stock ends before it begins.
+    inside = ((last >= np.maximum(first, 0)) & (first < _CELLS)).all(axis=0)
+    c0, r0 = np.maximum(first[:, inside], 0).astype(np.int64)
+    c1, r1 = np.minimum(last[:, inside], _CELLS - 1).astype(np.int64) + 1
+    # Summed up twice, they are the number of boxes over each cell.
+    corner = np.concatenate((r0 * _CORNERS + c0, r1 * _CORNERS + c1, r0 * _CORNERS + c1, r1 * _CORNERS + c0))
+    return corner, np.repeat([1.0, 1.0, -1.0, -1.0], len(c0))

@@ -1,0 +1,325 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Where rays pass through the volume a tool sweeps along a straight move.
+
+A tool (a convex solid of revolution, unbounded upwards) moved along a straight line sweeps a convex volume,
+so a ray meets it in one interval. Everything here is in ray coordinates: x to the right of the image, y the
+horizontal direction the rays go, z up; a ray at (x, y, z) runs along (0, sine, -cosine) of the view's tilt.
+
+For flat and ball ends the interval has a closed form, see slots.py. For the others its ends are extremes over the move's
+parameter t of the tool's own interval at the position t. The extremes lie at an end of the move, or where the ray touches a
+side face of the swept volume, or on the edge between two faces; these few t are known in closed form (bull-nose: by
+bisection of a monotone function) and the tool's interval is taken at each of them. Of short moves most extremes lie at an
+end, which the surface of a bull-nose tells there.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from vkworkbench.core.tool import Tool
+from vkworkbench.core.zbuffer.sweeps.rounded import divide, rounded_chord, rounded_sides
+from vkworkbench.core.zbuffer.sweeps.slots import FROM_THE_SIDE, RIM, ROUNDING, ball_slot, level_slot, sloped_slot
+
+
+def lowest(
+    tool: Tool, start: np.ndarray, heading: np.ndarray, x: np.ndarray, y: np.ndarray
+) -> tuple[np.ndarray, np.ndarray]:
+    """Height of the lower surface of the swept volume above points of the plane.
+
+    Parameters
+    ----------
+    tool : Tool
+    start : (3, k) ndarray
+        Where the tip starts, mm.
+    heading : (4, k) ndarray
+        Unit direction in the plane (x, y), length in the plane, mm, and slope; see :func:`headings`.
+    x, y : ndarray
+        The points, of any shape that goes with (k,).
+
+    Returns
+    -------
+    height : ndarray
+        z, mm; not a number where the tool does not pass.
+    inner : ndarray
+        How far inside the rim of the sweep the point is, mm, along the move or, of a ball, along its shortest chord;
+        about 0 at the rim, negative or not a number outside.
+    """
+    ux, uy, run, slope = heading
+    px, py = x - start[0], y - start[1]
+    along, aside2 = px * ux + py * uy, py * ux - px * uy
+    aside2 *= aside2
+    half = tool.radius**2 - aside2
+    with np.errstate(invalid="ignore"):
+        np.sqrt(half, out=half)  # not a number beside the tool
+        if tool.rounding == tool.radius:
+            return _lowest_of_ball(tool.radius, start[2], run, slope, along, half)
+        ahead = run - along
+        # The tool's axis moves from -along to ahead, seen from the foot of the point; half is how far the tool reaches.
+        at = along + _lowest_position(tool, slope, aside2, half)
+        np.minimum(np.maximum(at, 0, out=at), run, out=at)
+        np.minimum(along, ahead, out=ahead)
+        np.minimum(ahead, 0, out=ahead)
+        inner = np.add(ahead, half, out=half)
+        missed = ~(inner >= 0)
+        if tool.rounding or tool.steepness:
+            along -= at
+            along *= along
+            along += aside2
+            at *= slope
+            at += tool.profile(np.sqrt(along))
+        else:
+            at *= slope
+    at += start[2]
+    np.copyto(at, np.nan, where=missed)
+    return at, inner
+
+
+def _lowest_of_ball(
+    radius: float, start: np.ndarray, run: np.ndarray, slope: np.ndarray, along: np.ndarray, half: np.ndarray
+) -> tuple[np.ndarray, np.ndarray]:
+    """`lowest` of a ball whose tip starts at the height `start`; `along` and `half` are overwritten.
+
+    What is left of its radius beside the path and before or behind it is not a number outside: no mask is needed.
+    """
+    at = half * (-slope / np.sqrt(1 + slope**2))
+    at += along
+    np.minimum(np.maximum(at, 0, out=at), run, out=at)
+    along -= at
+    left = half - along
+    along += half
+    left *= along
+    np.sqrt(left, out=left)
+    at *= slope
+    at -= left
+    at += start + radius
+    return at, left
+
+
+def headings(move: np.ndarray) -> np.ndarray:
+    """Direction (x, y), length in the plane and slope (4, k) of moves (3, k), vertical ones upwards only."""
+    run = np.sqrt(move[0] ** 2 + move[1] ** 2)
+    moving = run > 0
+    safe_run = np.where(moving, run, 1.0)
+    ux, uy = np.where(moving, move[0] / safe_run, 1.0), move[1] / safe_run
+    return np.array([ux, uy, run, np.where(moving, move[2] / safe_run, 0.0)])
+
+
+def _lowest_position(tool: Tool, slope: np.ndarray, aside2: np.ndarray, half: np.ndarray) -> np.ndarray:
+    """Where on the move the tool is lowest above a point: the minimum of slope * v + profile(r(v)) for v in +-half."""
+    if not slope.any():
+        return np.zeros_like(slope)
+    position: np.ndarray
+    if tool.rounding == 0 and tool.steepness == 0:
+        position = half * -np.sign(slope)
+        return position
+    if tool.rounding == 0:
+        steeper = tool.steepness**2 - slope**2
+        inner = np.abs(slope) * np.sqrt(aside2 / np.where(steeper > 0, steeper, 1))
+        # Where that is on the flat tip, its edge is lower.
+        inner = np.minimum(np.maximum(inner, np.sqrt(np.maximum(tool.tip**2 - aside2, 0))), half)
+        position = -np.sign(slope) * np.where(steeper > 0, inner, half)
+        return position
+    position = np.zeros(half.shape)
+    sloped = np.flatnonzero(slope)
+    position[..., sloped] = _bisected(tool, slope[sloped], aside2[..., sloped], half[..., sloped])
+    return position
+
+
+def _bisected(tool: Tool, slope: np.ndarray, aside2: np.ndarray, half: np.ndarray) -> np.ndarray:
+    """`_lowest_position` of a bull-nose on sloped moves."""
+    low, high = -half, half
+    flat = tool.radius - tool.rounding
+    for _ in range(48):
+        middle = (low + high) / 2
+        r = np.sqrt(aside2 + middle**2)
+        beyond = np.clip(r - flat, 0, tool.rounding)
+        # d/dv of the profile, multiplied by its positive denominator; on the flat, and on its axis, any will do.
+        rising = beyond * middle + slope * np.maximum(r, flat) * np.sqrt(tool.rounding**2 - beyond**2) > 0
+        high = np.where(rising, middle, high)
+        low = np.where(rising, low, middle)
+    result: np.ndarray = (low + high) / 2
+    return result
+
+
+def intervals(
+    tool: Tool, start: np.ndarray, move: np.ndarray, ray: Sequence[np.ndarray], sine: float, cosine: float
+) -> tuple[np.ndarray, np.ndarray]:
+    """Where tilted rays enter and leave the swept volume.
+
+    Parameters
+    ----------
+    tool : Tool
+    start, move : (3, k) ndarray
+        Where the tip starts and how it moves, in ray coordinates, mm.
+    ray : three ndarrays
+        A point of each ray, in ray coordinates; of shapes that go together and with (k,).
+    sine, cosine : float
+        Of the view's tilt from the vertical; ``sine > 0``.
+
+    Returns
+    -------
+    near, far : ndarray
+        Depths along the ray, mm; ``near > far``, or not a number, where it misses.
+    """
+    x, y, z = (along - begin for along, begin in zip(ray, start))
+    corner = tool.rounding
+    if corner == tool.radius:
+        return ball_slot(corner, (x, y, z - corner), move, sine, cosine)
+    if corner == 0 and tool.steepness == 0:
+        if not move[2].any():
+            return level_slot(tool.radius, (x, y, z), move, sine, cosine)
+        if abs(cosine) > FROM_THE_SIDE:
+            return sloped_slot(tool.radius, (x, y, z), move, sine, cosine)
+    everything = np.array(np.broadcast_arrays(x, y, z, *move))
+    offsets, moves = everything.reshape(2, 3, -1)
+    near, far = _general(tool, offsets, moves, sine, cosine)
+    return near.reshape(everything.shape[1:]), far.reshape(everything.shape[1:])
+
+
+def _general(
+    tool: Tool, offset: np.ndarray, move: np.ndarray, sine: float, cosine: float
+) -> tuple[np.ndarray, np.ndarray]:
+    """`intervals` of any tool, for offsets and moves (3, k)."""
+    nothing = np.full(offset.shape[1], np.inf)
+    near, far = nothing, -nothing
+    between = np.ones((2, len(near)), bool)
+    for at, away in ((offset, move), (offset - move, -move)):
+        enter, leave = _chord(tool, at, sine, cosine)
+        near, far = _joined(near, far, enter, leave)
+        if tool.rounding:
+            # A bull nose has no edges: where its surface does not face the way it goes from this end of the move, the ray
+            # enters it first, or leaves it last, here. Where the ray only touches it, rounding would decide.
+            touched = ~(leave - enter > ROUNDING)
+            if abs(cosine) <= FROM_THE_SIDE:
+                touched |= np.abs(at[2]) < ROUNDING  # the floor
+            for entered_or_left, depth in zip(between, (enter, leave)):
+                depth = np.where(touched, 0, depth)
+                entered_or_left &= touched | (_facing(tool, at, depth, away, sine, cosine) > 0)
+    some: np.ndarray | slice = slice(None)
+    if tool.rounding:
+        rays = np.flatnonzero(between.any(axis=0))
+        if abs(cosine) > FROM_THE_SIDE:
+            # Most of them miss the flat end around it, too.
+            enter, leave = sloped_slot(tool.radius + ROUNDING, tuple(offset[:, rays]), move[:, rays], sine, cosine)
+            rays = rays[enter <= leave + ROUNDING]
+        some = rays
+    offset, move, first, last = offset[:, some], move[:, some], near[some], far[some]
+    for t in _straight_sides(tool, offset, move, sine, cosine):
+        chord = _straight_chord(tool, offset - np.clip(t, 0, 1) * move, sine, cosine)
+        first, last = _joined(first, last, *chord)
+    if tool.rounding:
+        offset = _from_corner(tool, offset)
+        for t in rounded_sides(tool, offset, move, sine, cosine):
+            chord = rounded_chord(tool, offset - np.clip(t, 0, 1) * move, sine, cosine, first, last)
+            first, last = _joined(first, last, *chord)
+    near[some], far[some] = first, last
+    return near, far
+
+
+def _joined(near: np.ndarray, far: np.ndarray, enter: np.ndarray, leave: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """First entries and last exits: of intervals that may be none, and of others where they are some."""
+    hit = enter <= leave + ROUNDING
+    return np.where(hit, np.minimum(near, enter), near), np.where(hit, np.maximum(far, leave), far)
+
+
+def _chord(tool: Tool, at: np.ndarray, sine: float, cosine: float) -> tuple[np.ndarray, np.ndarray]:
+    """Depths at which a ray passes a standing tool."""
+    near, far = _straight_chord(tool, at, sine, cosine)
+    if not tool.rounding:
+        return near, far
+    near, far = _joined(np.full(len(near), np.inf), np.full(len(far), -np.inf), near, far)
+    return _joined(near, far, *rounded_chord(tool, _from_corner(tool, at), sine, cosine, near, far))
+
+
+def _facing(tool: Tool, at: np.ndarray, depth: np.ndarray, move: np.ndarray, sine: float, cosine: float) -> np.ndarray:
+    """Whether the surface of a standing bull nose, where a ray meets it at a depth, faces a move: positive where it does."""
+    x, y, z = _from_corner(tool, at)
+    y, z = y + depth * sine, z - depth * cosine
+    r = np.sqrt(x * x + y * y)
+    outwards = divide(np.maximum(r - (tool.radius - tool.rounding), 0), r)
+    facing: np.ndarray = outwards * (x * move[0] + y * move[1]) + np.minimum(z, 0) * move[2]
+    return facing
+
+
+def _from_corner(tool: Tool, offset: np.ndarray) -> np.ndarray:
+    """Offsets from the centre of the rounding."""
+    moved: np.ndarray = offset - np.array([[0.0], [0.0], [tool.rounding]])
+    return moved
+
+
+def _straight_chord(tool: Tool, at: np.ndarray, sine: float, cosine: float) -> tuple[np.ndarray, np.ndarray]:
+    """Depths at which a ray passes a standing cylinder that starts above the rounding or ends in a cone."""
+    x, y, z = at
+    tangent = cosine / sine if abs(cosine) > FROM_THE_SIDE else 0.0
+    half2 = tool.radius**2 - x**2
+    half = np.sqrt(np.maximum(half2, 0))
+    low = np.where(half2 >= -RIM, -half, np.inf)
+    # Along the ray height = level - tangent * y, y measured from the tool's axis.
+    level = z + tangent * y - tool.rounding + ROUNDING
+    if tool.steepness > 0:
+        # The cone's apex lies below a flat tip.
+        cone_low, cone_high = _cone_chord(tool.steepness, tangent, x, level + tool.steepness * tool.tip)
+        low, high = np.maximum(low, cone_low), np.minimum(half, cone_high)
+    else:
+        high = half
+    if tool.steepness == 0 or tool.tip > 0:
+        if tangent > 0:
+            high = np.minimum(high, level / tangent)
+        elif tangent < 0:
+            low = np.maximum(low, level / tangent)
+        else:
+            high = np.where(level >= 0, high, -np.inf)
+    return (low - y) / sine, (high - y) / sine
+
+
+def _cone_chord(k: float, tangent: float, x: np.ndarray, level: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Interval of y with ``k * hypot(x, y) <= level - tangent * y``."""
+    steep = abs(tangent)
+    square = (k - steep) * (k + steep)
+    root2 = level**2 - square * x**2
+    root = k * np.sqrt(np.maximum(root2, 0))
+    # Of the two solutions that on the side where the ray goes down, from their product: where the ray is about parallel to
+    # the cone, the other one is far away, and a difference would leave rounding alone.
+    reach = level * steep + root
+    down = divide((level - k * np.abs(x)) * (level + k * np.abs(x)), reach)
+    if square > 0:
+        up = np.where((root2 >= 0) & (level >= 0), reach / square, -np.inf)
+    else:  # the ray stays inside once inside, on the side where it goes up
+        up = np.full_like(x, np.inf)
+        below = (root - level * steep) / square if square else -np.inf
+        down = np.where(level >= 0, down, below)
+    return (-up, down) if tangent >= 0 else (-down, up)
+
+
+def _straight_sides(tool: Tool, offset: np.ndarray, move: np.ndarray, sine: float, cosine: float) -> list[np.ndarray]:
+    """Parameters at which a ray may enter or leave a swept cylinder or cone between the move's ends."""
+    x, y, z = offset
+    ux, uy, uz = move
+    run = np.sqrt(ux**2 + uy**2)
+    safe_run = np.where(run > 0, run, 1)
+    # The two vertical side faces.
+    reach = tool.radius * uy / safe_run
+    sides = [divide(x + reach, ux), divide(x - reach, ux)]
+    # The swept rims, where cylinder and bottom (or cone) meet, and cone and flat tip.
+    k = tool.steepness
+    tilted_move = cosine * uy + sine * uz
+    square = (cosine * ux) ** 2 + tilted_move**2
+    for radius, height in ((tool.radius, k * (tool.radius - tool.tip)), (tool.tip, 0.0))[: 2 if tool.tip else 1]:
+        tilted = cosine * y + sine * (z - tool.rounding - height)
+        middle = cosine**2 * x * ux + tilted * tilted_move
+        rest = cosine**2 * (x**2 - radius**2) + tilted**2
+        root = np.sqrt(np.maximum(middle**2 - square * rest, 0))
+        sides += [divide(middle - root, square), divide(middle + root, square)]
+    if k > 0:
+        # The two planes that touch the cone all along the move.
+        cos_touch = np.clip(uz / (k * safe_run), -1, 1)
+        sin_touch = np.sqrt(1 - cos_touch**2)
+        tilted = cosine * y + sine * (z + k * tool.tip)
+        for sign in (1, -1):
+            ex = (cos_touch * ux - sign * sin_touch * uy) / safe_run
+            ey = (cos_touch * uy + sign * sin_touch * ux) / safe_run
+            e2 = cosine * ey + sine * k
+            sides.append(divide(x * e2 - tilted * ex, ux * e2 - tilted_move * ex))
+    return sides

@@ -1,0 +1,275 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Toolpaths as the volumes they sweep, made ready for the rays of one view."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Sequence
+from functools import cached_property
+from typing import NamedTuple
+
+import numpy as np
+
+from vkworkbench.core.solids import SMALLEST, Spans
+from vkworkbench.core.stocks import Solid, spans_in
+from vkworkbench.core.tool import Tool
+from vkworkbench.core.view import Frame
+from vkworkbench.core.zbuffer.sweeps.cuts import Cuts
+from vkworkbench.core.zbuffer.sweeps.intervals import headings, intervals, lowest
+
+# What a level move may rise or fall by, mm: rounding, less than the noise of the rays.
+_LEVEL = 1e-9
+# Trajectories, or pairs of them and rays, worked on at once, so that they stay in the processor's cache.
+AT_ONCE = 16_384
+# Pairs of a trajectory and a part of the image that are looked at together.
+_PAIRS_HELD = 1_000_000
+
+
+class Kind(NamedTuple):
+    """What trajectories have in common that are worked on together."""
+
+    tool: Tool
+    level: bool
+
+
+class Trajectories:
+    """The swept volumes that can meet the stock.
+
+    Parameters
+    ----------
+    cuts : Cuts
+    stock : Solid
+    frame : Frame
+        The view of this stock.
+
+    Attributes
+    ----------
+    index : (m,) int64
+        The trajectories that can meet the stock, in order; the others are above it or beside it.
+    kinds : tuple of Kind
+        The different tools, and whether they move on one level, but for rounding; a vertical move stands at its lowest
+        point.
+    kind : (m,) int64
+        Which of these each trajectory is.
+    tools : tuple of Tool
+        The different tools.
+    tool : (m,) int64
+        Which of these moves each trajectory.
+    heading : (4, m) float64
+        Direction in the plane, length in the plane and slope of each one, see ``sweeps.headings``.
+    box : (4, m) float64
+        Left, right, bottom and top of each one's bounding box in the image, mm.
+    strip : (4, m) float64
+        The strip along each one's image that holds it: its unit normal (x, y) and its two distances from the
+        image's centre, mm.
+    """
+
+    def __init__(self, cuts: Cuts, stock: Solid, frame: Frame) -> None:
+        self.stock, self.frame = stock, frame
+        self.sine = float(np.hypot(frame.direction[0], frame.direction[1]))
+        self.cosine = float(-frame.direction[2])
+
+        radius = np.array([cut.tool.radius for cut in cuts.cuts])
+        met = [_may_meet(start, end, radius[cut], stock) for cut, start, end in cuts.blocks(AT_ONCE)]
+        self.index = np.flatnonzero(np.concatenate((np.empty(0, bool), *met)))
+        self.radius = radius[cuts.cut[self.index]]
+        m = len(self.index)
+        self.start, self.move = np.empty((2, 3, m))
+        self.heading, self.box, self.strip = np.empty((3, 4, m))
+        self.ceiling = float(stock.upper[2] - frame.centre[2])
+        axes = np.array([frame.right, [-frame.right[1], frame.right[0], 0], [0, 0, 1]])
+        filled = 0
+        for (_, start, end), chosen in zip(cuts.blocks(AT_ONCE), met):
+            start, end = as_cut(start[chosen], end[chosen])
+            part = slice(filled, filled + len(start))
+            self.start[:, part] = axes @ (start - frame.centre).T
+            self.move[:, part] = axes @ (end - start).T
+            self.heading[:, part] = headings(self.move[:, part])
+            self.box[:, part] = self.boxes(np.arange(part.start, part.stop), 0.0, 1.0)
+            self.strip[:, part] = self._strips(part)
+            filled = part.stop
+        self.kinds, self.kind = self._kinds(cuts)
+        self.tools = tuple(dict.fromkeys(kind.tool for kind in self.kinds))
+        self.tool = np.array([self.tools.index(kind.tool) for kind in self.kinds], np.int64)[self.kind]
+
+    def _kinds(self, cuts: Cuts) -> tuple[tuple[Kind, ...], np.ndarray]:
+        tools = list(dict.fromkeys(cut.tool for cut in cuts.cuts))
+        of_cut = np.array([tools.index(cut.tool) for cut in cuts.cuts], np.int64)
+        number = 2 * of_cut[cuts.cut[self.index]] + (self.move[2] == 0)
+        # Few numbers, so that nothing need be sorted: of a million trajectories that took longer than all else here.
+        found = np.flatnonzero(np.bincount(number))
+        place = np.zeros(2 * len(tools), np.int64)
+        place[found] = np.arange(len(found))
+        return tuple(Kind(tools[n // 2], bool(n % 2)) for n in found), place[number]
+
+    @cached_property
+    def spans(self) -> Callable[[np.ndarray, np.ndarray], Spans]:
+        """Where rays of image coordinates (k,) and (k,) are inside the stock."""
+        return spans_in(self.stock, self.frame)
+
+    def by_kind(self, item: np.ndarray) -> Iterator[tuple[int, slice | np.ndarray]]:
+        """Divide positions in `index` (k,) by their kinds: numbers of kinds, and which of the positions."""
+        return _divided(self.kind, len(self.kinds), item)
+
+    def by_tool(self, item: np.ndarray) -> Iterator[tuple[Tool, slice | np.ndarray]]:
+        """Divide positions in `index` (k,) by their tools: tools, and which of the positions."""
+        return ((self.tools[number], own) for number, own in _divided(self.tool, len(self.tools), item))
+
+    def boxes(self, item: np.ndarray, begin: np.ndarray | float, end: np.ndarray | float) -> np.ndarray:
+        """Bounds in the image of parts of moves: left, right, bottom, top (4, k), mm.
+
+        Parameters
+        ----------
+        item : (k,) ndarray of int
+        begin, end : (k,) ndarray or float
+            Where each part begins and ends, 0 to 1.
+        """
+        start, move, reach = self.start.take(item, axis=1), self.move.take(item, axis=1), self.radius.take(item)
+        first, last = start + begin * move, start + end * move
+        low, high = np.minimum(first, last), np.maximum(first, last)
+        a, b = self.cosine * low[1], self.cosine * high[1]
+        return np.array(
+            [
+                low[0] - reach,
+                high[0] + reach,
+                np.minimum(a, b) - abs(self.cosine) * reach + self.sine * low[2],
+                np.maximum(a, b) + abs(self.cosine) * reach + self.sine * self.ceiling,
+            ]
+        )
+
+    def _strips(self, part: slice) -> np.ndarray:
+        """Return the strips (4, k) of these positions in `index`."""
+        start, move, radius = self.start[:, part], self.move[:, part], self.radius[part]
+        across, along = move[0], self.cosine * move[1] + self.sine * move[2]
+        length = np.hypot(across, along)
+        moving = length > 0
+        length = np.where(moving, length, 1)
+        nx, ny = np.where(moving, -along / length, 1.0), across / length
+        middle = nx * start[0] + ny * (self.cosine * start[1] + self.sine * start[2])
+        reach = radius * np.hypot(nx, self.cosine * ny)
+        depth = self.ceiling - start[2] - np.minimum(move[2], 0)
+        rise = ny * self.sine * np.maximum(depth, 0)
+        return np.array([nx, ny, middle - reach + np.minimum(rise, 0), middle + reach + np.maximum(rise, 0)])
+
+    def meeting(
+        self, left: np.ndarray, right: np.ndarray, bottom: np.ndarray, top: np.ndarray
+    ) -> tuple[np.ndarray, np.ndarray]:
+        """Pairs of a rectangle of the image (g,) and a position in `index` that may meet, by rectangle."""
+        pairs = [(np.empty(0, np.int64), np.empty(0, np.int64))]
+        few = max(1, _PAIRS_HELD // max(1, len(self.index)))
+        for begin in range(0, len(left), few):
+            some = slice(begin, begin + few)
+            rectangle, item = self._meeting(left[some], right[some], bottom[some], top[some])
+            pairs.append((rectangle + begin, item))
+        rectangle, item = (np.concatenate(columns) for columns in zip(*pairs))
+        return rectangle, item
+
+    def _meeting(
+        self, left: np.ndarray, right: np.ndarray, bottom: np.ndarray, top: np.ndarray
+    ) -> tuple[np.ndarray, np.ndarray]:
+        box = self.box
+        rectangle, item = np.nonzero(
+            (box[0] <= right[:, None])
+            & (box[1] >= left[:, None])
+            & (box[2] <= top[:, None])
+            & (box[3] >= bottom[:, None])
+        )
+        nx, ny, low, high = self.strip.take(item, axis=1)
+        centre = nx * ((left + right) / 2)[rectangle] + ny * ((bottom + top) / 2)[rectangle]
+        reach = np.abs(nx) * ((right - left) / 2)[rectangle] + np.abs(ny) * ((top - bottom) / 2)[rectangle]
+        met = np.flatnonzero((centre + reach >= low) & (centre - reach <= high))
+        return rectangle[met], item[met]
+
+    def passing(self, x: np.ndarray, y: np.ndarray, item: np.ndarray) -> np.ndarray:
+        """Where a ray of `x`, `y` (k,) lies within its trajectory's bounding box and strip, bool of their shape."""
+        left, right, bottom, top = self.box.take(item, axis=1)
+        nx, ny, low, high = self.strip.take(item, axis=1)
+        across = nx * x + ny * y
+        result: np.ndarray = (
+            (left <= x) & (x <= right) & (bottom <= y) & (y <= top) & (low <= across) & (across <= high)
+        )
+        return result
+
+    def intervals(
+        self, x: np.ndarray, y: np.ndarray, item: np.ndarray, tools: Sequence[tuple[Tool | None, float]] | None = None
+    ) -> tuple[np.ndarray, np.ndarray]:
+        """Depths at which rays enter and leave the volumes swept.
+
+        Parameters
+        ----------
+        x, y : ndarray
+            Image coordinates of the rays, mm, of shapes that go together and with (k,).
+        item : (k,) ndarray of int
+            Positions in `index`.
+        tools : sequence of (Tool or None, float), optional
+            In the place of each kind's tool another one, and how much higher it is, mm; None meets nothing.
+
+        Returns
+        -------
+        near, far : ndarray
+            Depths, mm, unbounded where they are; ``near > far``, or not a number, where a ray misses.
+        """
+        if tools is None:
+            tools = [(kind.tool, 0.0) for kind in self.kinds]
+        near, far = np.empty((2, *np.broadcast(x, y).shape))
+        for begin in range(0, len(item), AT_ONCE):
+            part = slice(begin, begin + AT_ONCE)
+            px, py, own_item, own_near, own_far = (
+                x[..., part],
+                y[..., part],
+                item[part],
+                near[..., part],
+                far[..., part],
+            )
+            for number, own in self.by_kind(own_item):
+                tool, raised = tools[number]
+                if tool is None:
+                    own_near[..., own], own_far[..., own] = np.inf, -np.inf
+                    continue
+                own_near[..., own], own_far[..., own] = self._of_tool(
+                    tool, raised, px[..., own], py[..., own], own_item[own]
+                )
+        return near, far
+
+    def _of_tool(
+        self, tool: Tool, raised: float, x: np.ndarray, y: np.ndarray, item: np.ndarray
+    ) -> tuple[np.ndarray, np.ndarray]:
+        start = self.start.take(item, axis=1)
+        start[2] += raised
+        if self.sine == 0:
+            opened = -lowest(tool, start, self.heading.take(item, axis=1), x, self.cosine * y)[0]
+            everywhere = np.full(opened.shape, np.inf)
+            return (-everywhere, opened) if self.cosine > 0 else (-opened, everywhere)
+        return intervals(
+            tool, start, self.move.take(item, axis=1), (x, self.cosine * y, self.sine * y), self.sine, self.cosine
+        )
+
+
+def _may_meet(start: np.ndarray, end: np.ndarray, radius: np.ndarray, stock: Solid) -> np.ndarray:
+    """Whether the boxes of tools of these radii (k,) that move from `start` to `end` (k, 3) meet the stock's, (k,), mm."""
+    low, high = np.minimum(start, end), np.maximum(start, end)
+    low[:, :2] -= radius[:, None]
+    high[:, :2] += radius[:, None]
+    met: np.ndarray = (low < stock.upper).all(axis=1) & (high[:, :2] > stock.lower[:2]).all(axis=1)
+    return met
+
+
+def as_cut(start: np.ndarray, end: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Return the ends (n, 3) of the moves by which trajectories from `start` to `end` (n, 3) are cut, mm."""
+    # The tool is unbounded upwards: a vertical move removes what it removes at its lowest point.
+    vertical = np.hypot(*(end - start)[:, :2].T) < SMALLEST
+    bottom = np.where((start[:, 2] < end[:, 2])[:, None], start, end)
+    start, end = np.where(vertical[:, None], bottom, start), np.where(vertical[:, None], bottom, end)
+    # Rounding is no slope: what is level takes a tenth of the time.
+    end[:, 2] = np.where(np.abs(end[:, 2] - start[:, 2]) < _LEVEL, start[:, 2], end[:, 2])
+    return start, end
+
+
+def _divided(group: np.ndarray, groups: int, item: np.ndarray) -> Iterator[tuple[int, slice | np.ndarray]]:
+    """Numbers of the groups that occur among the items (k,), and which of the items are theirs."""
+    if groups == 1:
+        yield 0, slice(None)
+        return
+    group = group.take(item)
+    counts = np.bincount(group, minlength=groups)
+    for number in np.flatnonzero(counts).tolist():
+        yield number, slice(None) if counts[number] == len(item) else np.flatnonzero(group == number)

@@ -1,0 +1,293 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""How fast this computer simulates: measured once, learned from real runs, kept in FreeCAD's user data folder."""
+
+from __future__ import annotations
+
+import json
+import os
+import platform
+import sys
+from collections.abc import Callable
+from contextlib import suppress
+from dataclasses import asdict, dataclass, fields, replace
+from datetime import date
+from pathlib import Path
+
+import FreeCAD
+import numpy as np
+
+from vkworkbench import freecad
+from vkworkbench.core import processor_clock
+from vkworkbench.core.simulators import DEFAULTS, SIMULATORS, Constants, Cost, Seen
+from vkworkbench.core.zbuffer import WORK_UNITS, Speed, measure_speed
+from vkworkbench.document.computer.measuring import as_slow_here, measure_legacy
+from vkworkbench.worker import processes
+
+# Names of OpenGL renderers that draw on the processor and wait for no screen, and the times of a frame and of a draw
+# call as measured with them, s.
+_SOFTWARE = ("llvmpipe", "softpipe", "swr", "swiftshader", "gdi generic", "microsoft basic render")
+_SOFTWARE_OPENGL = {"frame": 42e-3, "draw": 15e-6}
+# Times with them to show a command of a play and a new percent of a fast-forward, s. Qt 6, with which FreeCAD 1.1
+# comes, paints the window on the processor, too.
+_SOFTWARE_PANEL = {"redraw": 40e-3}
+_SOFTWARE_PANEL_QT6 = {"redraw": 56e-3, "repaint": 30e-3}
+# Making meshes takes this many times longer where pictures between them are drawn on the same processor.
+_SOFTWARE_MESH = 1.5
+# The kinds of real runs to learn from, and how many of each are kept.
+_LESSONS = {lesson.kind: lesson for simulator in SIMULATORS for lesson in simulator.lessons}
+_LAST_RUNS = 15
+# Of a speed, what is measured.
+_MEASURED = [field.name for field in fields(Speed) if field.name != "processes"]
+# What a damaged file raises where it holds other things than a calibration, numbers too large or lists nested too deep.
+_UNREADABLE = (TypeError, LookupError, ValueError, AttributeError, ArithmeticError, RecursionError)
+# No constant and no number of a run is larger; these constants may be 0 as they are measured, or by default.
+_LARGEST = 1e15
+_MAYBE_NOTHING = frozenset(["repaint", "call", "ring", "line", "cap", "refresh"])
+
+
+@dataclass(frozen=True)
+class Calibration:
+    """Constants measured on one computer with one FreeCAD.
+
+    Attributes
+    ----------
+    constants : Constants
+        What the unit work costs there.
+    date : str
+        Day of the measurement, ISO 8601.
+    freecad, processor, renderer : str
+        With what it was measured: it holds for nothing else.
+    runs : dict of str to tuple
+        What is kept of the last real runs, by their kind: see the simulators' lessons.
+    """
+
+    constants: Constants
+    date: str
+    freecad: str
+    processor: str
+    renderer: str
+    runs: dict[str, tuple]
+
+
+def processor() -> str:
+    """Return the name of this computer's processor."""
+    try:
+        for line in Path("/proc/cpuinfo").read_text().splitlines():
+            if line.startswith("model name"):
+                return line.split(":", 1)[1].strip()
+    except OSError:
+        pass
+    return platform.processor() or platform.machine()
+
+
+def constants(renderer: str = "") -> Constants:
+    """Return the constants of this computer, measured ones where there are any.
+
+    Parameters
+    ----------
+    renderer : str
+        OpenGL's name of its renderer; empty where there is no window.
+    """
+    known = load(renderer)
+    return known.constants if known else _for_renderer(DEFAULTS, renderer)
+
+
+def measured_constants(renderer: str = "", going_on: Callable[[], object] = lambda: None) -> Constants:
+    """Return the constants of this computer; if there is a window and they never were measured, measure them now.
+
+    Without a window FreeCAD would write the progress of the calibration's meshes into a macro's output.
+
+    Parameters
+    ----------
+    renderer : str
+        OpenGL's name of its renderer; empty where there is no window.
+    going_on : callable
+        Called every tenth of a second while it is measured; it may raise to end the measurement.
+    """
+    if FreeCAD.GuiUp and load(renderer) is None:
+        with suppress(OSError):  # a calibration that cannot be saved is made again the next time
+            return calibrate(renderer, going_on=going_on).constants
+    return constants(renderer)
+
+
+def measured_speed(going_on: Callable[[], object] = lambda: None) -> Speed:
+    """Return how fast this computer simulates in the extended z-buffer, measured now if it never was.
+
+    Parameters
+    ----------
+    going_on : callable
+        Called every tenth of a second while it is measured; it may raise to end the measurement.
+    """
+    known = _speed()
+    if known is None:
+        known = measure_speed(going_on=going_on)
+        with suppress(OSError):
+            _write(_kept(known))
+    return _on_all_cores(known)
+
+
+def known_speed() -> Speed:
+    """Return how fast this computer simulates in the extended z-buffer, or the usual speed where it never was measured."""
+    return _on_all_cores(_speed() or Speed())
+
+
+def _on_all_cores(speed: Speed) -> Speed:
+    """The measured speed of one process, for as many as can work at once."""
+    return replace(speed, processes=processes())
+
+
+def _kept(speed: Speed) -> dict[str, dict[str, float]]:
+    return {_speed_key(): {name: getattr(speed, name) for name in _MEASURED}}
+
+
+def _speed() -> Speed | None:
+    record = _records().get(_speed_key())
+    try:
+        values = {name: float(record[name]) for name in _MEASURED}
+    except _UNREADABLE:
+        return None
+    return Speed(**values) if all(0 < value <= _LARGEST for value in values.values()) else None
+
+
+def load(renderer: str = "") -> Calibration | None:
+    """Return the calibration of this FreeCAD, processor and renderer; None without a readable one."""
+    record = _records().get(_key(renderer))
+    try:
+        values = {field.name: float(record["constants"][field.name]) for field in fields(Constants)}
+        if not all(_least(name) <= value <= _LARGEST for name, value in values.items()):
+            return None
+        runs = {kind: tuple(map(lesson.read, record["runs"].get(kind, ()))) for kind, lesson in _LESSONS.items()}
+        if not all((np.abs(run) <= _LARGEST).all() for some in runs.values() for run in some):
+            return None
+        words = (str(record[name]) for name in ("date", "freecad", "processor", "renderer"))
+        return Calibration(Constants(**values), *words, runs)
+    except _UNREADABLE:
+        return None
+
+
+def _least(name: str) -> float:
+    """The least that a constant can be: a factor is at least 1, and what is always measured is never nothing."""
+    if name.endswith("factor"):
+        return 1.0
+    return 0.0 if name in _MAYBE_NOTHING else sys.float_info.min
+
+
+def calibrate(
+    renderer: str = "",
+    *,
+    clock: Callable[[], float] = processor_clock,
+    going_on: Callable[[], object] = lambda: None,
+) -> Calibration:
+    """Measure the extended z-buffer and the legacy simulator on this computer, until it is steady, and remember it.
+
+    What takes a timer or a display cannot be measured without a window: :func:`learn` finds it from real runs.
+
+    Parameters
+    ----------
+    renderer : str
+        OpenGL's name of its renderer; empty where there is no window.
+    clock : callable
+        Tells the time, s.
+    going_on : callable
+        Called every tenth of a second; it may raise to end the measurement: what was known stays.
+
+    Returns
+    -------
+    Calibration
+
+    Raises
+    ------
+    OSError
+        If the user data folder cannot be written.
+    """
+    speed = measure_speed(clock, going_on)
+    measured = _for_renderer(measure_legacy(clock, going_on), renderer)
+    _write(_kept(speed))
+    known = load(renderer)
+    runs = known.runs if known else dict.fromkeys(_LESSONS, ())
+    version = ".".join(map(str, freecad.version()))
+    return _remember(Calibration(measured, date.today().isoformat(), version, processor(), renderer, runs))
+
+
+def learn(kind: str, cost: Cost, seen: Seen, *, renderer: str = "") -> Calibration | None:
+    """Learn from a simulation that the user ran.
+
+    The last fifteen runs count, and an odd one among them does no harm. One that took far longer than the processor
+    worked for it and timers waited teaches nothing.
+
+    Parameters
+    ----------
+    kind : {"fast-forward", "play", "draw"}
+        Kind of the run, as the simulators' lessons name it; "draw" are the last frames of a play in the OpenGL one.
+    cost : Cost
+        The cost that was predicted for the run with :func:`constants`.
+    seen : Seen
+        The run.
+    renderer : str
+        OpenGL's name of its renderer.
+
+    Returns
+    -------
+    Calibration or None
+        The new calibration; None where the run teaches nothing, or nothing was calibrated yet.
+    """
+    known = load(renderer)
+    run = known and _LESSONS[kind].kept(cost, seen, known.constants)
+    if run is None:
+        return None
+    return _remember(replace(known, runs={**known.runs, kind: (*known.runs[kind], run)[-_LAST_RUNS:]}))
+
+
+def _remember(calibration: Calibration) -> Calibration:
+    """Apply what runs taught, write the calibration to the file, and return it."""
+    learned = {}
+    for kind, runs in calibration.runs.items():
+        learned.update(_LESSONS[kind].taught(runs, calibration.constants))
+    calibration = replace(calibration, constants=replace(calibration.constants, **learned))
+    _write({_key(calibration.renderer): asdict(calibration)})
+    return calibration
+
+
+def _write(new: dict) -> None:
+    """Put records into the file."""
+    path = _path()
+    path.parent.mkdir(parents=True, exist_ok=True)
+    # Another FreeCAD may read it at this moment: it sees the old file or the new one.
+    fresh = path.with_suffix(f".{os.getpid()}")
+    try:
+        fresh.write_text(json.dumps({**_records(), **new}, indent=1))
+        fresh.replace(path)
+    finally:
+        with suppress(OSError):  # where it took the place of the old one it is no longer there
+            fresh.unlink()
+
+
+def _path() -> Path:
+    return Path(FreeCAD.getUserAppDataDir()) / "ToolpathAnalysis" / "calibration.json"
+
+
+def _records() -> dict:
+    try:
+        records = json.loads(_path().read_text())
+        json.dumps(records)  # what cannot be written again, nested too deep, is lost
+    except (OSError, *_UNREADABLE):
+        return {}
+    return records if isinstance(records, dict) else {}
+
+
+def _key(renderer: str) -> str:
+    return "; ".join((".".join(map(str, freecad.version())), processor(), renderer))
+
+
+def _speed_key() -> str:
+    """Return the key of the z-buffer's speed, which depends on its units, numpy and the processor but not on FreeCAD."""
+    return f"z-buffer; {WORK_UNITS}; {np.__version__}; {processor()}"
+
+
+def _for_renderer(base: Constants, renderer: str) -> Constants:
+    if any(name in renderer.lower() for name in _SOFTWARE):
+        panel = _SOFTWARE_PANEL_QT6 if freecad.version() >= freecad.QT6_SINCE else _SOFTWARE_PANEL
+        pictures = {name: as_slow_here(seconds, base.cell) for name, seconds in {**_SOFTWARE_OPENGL, **panel}.items()}
+        mesh = {"cell": base.cell * _SOFTWARE_MESH, "facet": base.facet * _SOFTWARE_MESH}
+        return replace(base, opengl_factor=DEFAULTS.legacy_factor, refresh=0.0, **mesh, **pictures)
+    return base

@@ -1,0 +1,172 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Fingerprints that tell whether a mark still describes the operation it stands on.
+
+They hold what the analysis depends on and nothing else, to the digits a file keeps: so they survive renaming,
+saving, reopening, and another FreeCAD version.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import sys
+from collections.abc import Callable, Iterable, Iterator
+from itertools import islice
+
+from vkworkbench import freecad
+from vkworkbench.core import Stock, Tool
+from vkworkbench.core.gcode import used_up
+from vkworkbench.document.job.operations import job_of, names_of, through_bases
+from vkworkbench.document.job.path_prints import PATH_PRINTS
+from vkworkbench.document.job.setting import rapid_feeds, read_stock, read_tool
+from vkworkbench.document.job.solids import form_of_stock
+
+# mm, added before a stock's corners are rounded to hundredths: no measure in mm or inches is then on a border between
+# two of them, where another version's last digit would decide.
+_ASIDE = 3.7e-4
+
+#: Commands whose text is written in a tenth of a second, during which no other thread runs.
+AT_ONCE = 50_000
+_PIECE = 10_000  # commands written between two looks at the time
+
+# A computer that allows no SHA-1 for secrets allows it here; Python 3.8 does not know the difference.
+_NO_SECRET = {"usedforsecurity": False} if sys.version_info >= (3, 9) else {}
+
+
+def path_fingerprint(obj) -> str:
+    """Return the fingerprint of an object's path and where it is placed."""
+    for _ in finding_path_fingerprint(obj):
+        pass
+    return PATH_PRINTS.of(obj)
+
+
+def finding_path_fingerprint(obj) -> Iterator[None]:
+    """Find the fingerprint of an object's path in steps of milliseconds; only a copy of the path takes longer."""
+    while PATH_PRINTS.of(obj) is None:  # found by an analysis, or changed while it was being found
+        token = PATH_PRINTS.begin(obj)
+        path, placement, whose = obj.Path, obj.Placement, names_of(obj)
+        yield
+        digest = hashlib.sha1(**_NO_SECRET)
+        for text in _texts(path, None):
+            digest.update(_without_comments(text).encode())
+            yield
+            if PATH_PRINTS.of(obj) is not None:
+                return
+        digest.update(_place(placement).encode())
+        PATH_PRINTS.end(whose, token, digest.hexdigest()[:16])
+
+
+def text_of(path, commands: list | None = None) -> str:
+    """Return the text of a path; of a long one, `commands` may be a copy of its commands that is at hand."""
+    return "".join(_texts(path, commands))
+
+
+def _texts(path, commands: list | None) -> Iterator[str]:
+    """The text of a path in pieces: FreeCAD writes it faster at once, but holds up all other threads meanwhile."""
+    if path.Size <= AT_ONCE:
+        yield path.toGCode()
+        return
+    lines = (f"{command.toGCode()}\n" for command in (used_up(path.Commands) if commands is None else commands))
+    while piece := "".join(islice(lines, _PIECE)):
+        yield piece
+
+
+def fingerprint_of(path: str, setting: str) -> str:
+    """Return the fingerprint of an operation from those of its path, "" where it could not be read, and its setting."""
+    return f"{path}:{setting}"
+
+
+def path_and_setting(fingerprint: str) -> tuple[str, str]:
+    """Return the fingerprints of an operation's path and setting from the operation's."""
+    path, _, setting = fingerprint.partition(":")
+    return path, setting
+
+
+def text_fingerprint(text: str, placement) -> str:
+    """Return the fingerprint of a path's text and where it is placed."""
+    return _digest(_without_comments(text) + _place(placement))
+
+
+def _without_comments(text: str) -> str:
+    text = text.replace("-0.000000", "0.000000")
+    if "(" in text:
+        text = "\n".join([line for line in text.split("\n") if not line.startswith("(")])
+    return text
+
+
+def _place(placement) -> str:
+    if placement.isIdentity():
+        return ""
+    return repr([round(value, 6) for value in (*placement.Base, *placement.Rotation.Q)])
+
+
+def setting_fingerprint(
+    tool: Tool | None, stock: Stock | None, form: Iterable = (), rapids: tuple[float, float] = (0.0, 0.0)
+) -> str:
+    """Return the fingerprint of tool, stock and rapid speeds.
+
+    Parameters
+    ----------
+    tool : Tool or None
+        None where it cannot be read.
+    stock : Stock or None
+        The exact box around it, likewise.
+    form : iterable
+        What the box does not tell, as `form_of_stock` returns it.
+    rapids : tuple of float
+        As `rapid_feeds` returns them, mm/s.
+    """
+    parts = [None, None]
+    if tool is not None:
+        angle = None if tool.tip_angle is None else round(tool.tip_angle, 4)
+        parts[0] = (tool.shape, round(tool.diameter, 4), round(tool.corner_radius, 4), angle)
+        if tool.tip:
+            parts[0] += (round(tool.tip, 4),)
+    if stock is not None:
+        parts[1] = [round(float(value) + _ASIDE, 2) + 0.0 for value in (*stock.lower, *stock.upper)]
+        parts[1] += form
+    if any(rapids):
+        parts.append([round(speed, 3) for speed in rapids])
+    return _digest(repr(parts))
+
+
+def read_setting_fingerprints(obj, job) -> tuple[str, str]:
+    """Return the fingerprint of the tool and the stock that an operation and its job have now, and of the tool alone."""
+    tool, stock = _or_none(read_tool, obj), _or_none(read_stock, job)
+    form = form_of_stock(job, stock) if stock else ()
+    rapids = rapid_feeds(obj)
+    return setting_fingerprint(tool, stock, form, rapids), setting_fingerprint(tool, None, (), rapids)
+
+
+class Settings:
+    """The fingerprints that fit the settings of operations as they are now; each tool with its stock is read once.
+
+    Parameters
+    ----------
+    opened : bool
+        Whether the document has just been opened: FreeCAD then gives a stock to a job that had none, which is no change
+        of the user's.
+    """
+
+    def __init__(self, *, opened: bool = False) -> None:
+        self._opened = opened
+        self._known: dict[tuple, tuple[str, ...]] = {}
+
+    def of(self, obj) -> tuple[str, ...]:
+        """Return the fingerprints that fit an operation's tool and stock."""
+        job, controller = job_of(obj), through_bases(obj, freecad.CONTROLLER)
+        key = tuple(getattr(one, "Name", None) for one in (job, controller))
+        if key not in self._known:
+            whole, of_tool = read_setting_fingerprints(obj, job)
+            self._known[key] = (whole, of_tool) if self._opened else (whole,)
+        return self._known[key]
+
+
+def _or_none(read: Callable, source):
+    try:
+        return read(source)
+    except ValueError:
+        return None
+
+
+def _digest(text: str) -> str:
+    return hashlib.sha1(text.encode(), **_NO_SECRET).hexdigest()[:16]

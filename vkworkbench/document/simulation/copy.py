@@ -1,0 +1,268 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What is to be simulated, read from a document: copied operation by operation, and linearised in whatever thread."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Container, Generator, Iterable, Iterator
+from dataclasses import dataclass, replace
+from queue import Empty, SimpleQueue
+
+import FreeCAD
+
+from vkworkbench import preferences
+from vkworkbench.core import Cut, Stock, Tool, Toolpath, linearize
+from vkworkbench.core.gcode import in_seconds, used_up
+from vkworkbench.document.job.fingerprint import (
+    finding_path_fingerprint,
+    fingerprint_of,
+    path_and_setting,
+    path_fingerprint,
+    read_setting_fingerprints,
+    setting_fingerprint,
+    text_fingerprint,
+    text_of,
+)
+from vkworkbench.document.job.listing import Listing
+from vkworkbench.document.job.operations import (
+    Operation,
+    find,
+    is_imported,
+    is_object,
+    jobs_of,
+    or_active_document,
+    posted,
+)
+from vkworkbench.document.job.recognized import turns
+from vkworkbench.document.job.setting import (
+    placed,
+    rapid_feeds,
+    read_stock,
+    read_tool,
+    tool_remark,
+    vertical_feed,
+)
+from vkworkbench.document.job.solids import alike, form_of_stock, model_shapes, shapes_of_model, stock_solid
+from vkworkbench.document.simulation.job import SimulatedJob, SimulatedOperation
+from vkworkbench.language import Message, Unusable
+
+_PATIENCE = 0.05  # s between two looks whether an operation is still waited for
+
+
+@dataclass(frozen=True)
+class _Copied:
+    """Copies of what a document says of one operation, whose path has no fingerprint yet."""
+
+    operation: SimulatedOperation
+    path: object
+    placement: object
+    tool: Tool | None
+    vertical_feed: float
+    remark: Message | None  # on the tool
+
+
+@dataclass(frozen=True, eq=False)
+class ReadCut:
+    """An operation that was read.
+
+    Attributes
+    ----------
+    operation : SimulatedOperation
+    cut : Cut or None
+        None where it has nothing to simulate.
+    as_read : Toolpath or None
+    listing : Listing or None
+        As of `SimulatedJob`.
+    remarks : tuple of Message
+    """
+
+    operation: SimulatedOperation
+    cut: Cut | None
+    as_read: Toolpath | None
+    listing: Listing | None
+    remarks: tuple[Message, ...]
+
+
+class JobCopy:
+    """Copies of what a document says of a job, one operation after the other, which another thread reads.
+
+    Attributes
+    ----------
+    document : str
+        Internal name of the document.
+    names, labels : tuple of str
+        Internal names of the operations, and their labels.
+    """
+
+    def __init__(self, objects: list, job, asked: list) -> None:
+        self._asked = tuple(obj.Name for obj in asked if is_object(obj))
+        self.document = objects[0].Document.Name
+        self.names = tuple(obj.Name for obj in objects)
+        self.labels = tuple(obj.Label for obj in objects)
+        self._objects = objects
+        self._box = read_stock(job)
+        self._form = form_of_stock(job, self._box)
+        self._stock, told = stock_solid(job, self._box)
+        self._model_shapes = model_shapes(job)
+        self._model = shapes_of_model(job)
+        self._settings: dict[str, str] = {}  # fingerprints, by the names of operations
+        self._paths: dict[str, str] = {}
+        self._tolerance = preferences.read().tolerance
+        self._remarks = (told,) if told else ()
+        self._copied: SimpleQueue = SimpleQueue()
+
+    def copying(self) -> Iterator[None]:
+        """Copy one operation after the other: FreeCAD copies a path whole, and may do other things between two.
+
+        Raises
+        ------
+        ReferenceError
+            Where an operation is gone meanwhile.
+        """
+        for obj in self._objects:
+            copied = _copied(obj, self._box, self._form)
+            self._settings[obj.Name] = copied.operation.fingerprint
+            self._copied.put(copied)
+            yield
+
+    def read(self, going_on: Callable[[], None] = lambda: None) -> Iterator[ReadCut]:
+        """Linearise one operation after the other, as they are copied; what `going_on` raises ends the work."""
+        for name in self.names:
+            read = _linearized(self._next(going_on), self._tolerance)
+            path, setting = path_and_setting(read.operation.fingerprint)
+            if setting:
+                self._paths[name] = path
+            yield read
+
+    def asked(self):
+        """Return what was to be simulated, as the document has it now; all of it where nothing of that is left."""
+        document = FreeCAD.getDocument(self.document)
+        return [obj for obj in map(document.getObject, self._asked) if obj is not None] or document
+
+    def comparing(self, changed: Container[str]) -> Generator[None, None, bool]:
+        """Find whether the document still says what was copied and read, in steps of milliseconds; return that.
+
+        Parameters
+        ----------
+        changed : container of str
+            Names of the operations whose path may be another one.
+        """
+        try:
+            objects, job = _posted(self.asked())
+            model = shapes_of_model(job)
+            same = len(model) == len(self._model) and all(map(alike, model, self._model))
+        except Unusable:  # operations of several jobs, a model without volume
+            return False
+        if not same or tuple(obj.Name for obj in objects) != self.names:
+            return False
+        for obj in objects:
+            if read_setting_fingerprints(obj, job)[0] != self._settings[obj.Name]:
+                return False
+            yield
+            if obj.Name in changed and obj.Name in self._paths:
+                yield from finding_path_fingerprint(obj)
+                if path_fingerprint(obj) != self._paths[obj.Name]:
+                    return False
+        return True
+
+    def job(self, read: Iterable[ReadCut]) -> SimulatedJob:
+        """Put together what was read.
+
+        Raises
+        ------
+        Unusable
+            Where there is nothing to simulate.
+        """
+        read = tuple(read)
+        cuts = [one for one in read if one.cut is not None]
+        remarks = tuple(remark for one in read for remark in one.remarks)
+        if not cuts:
+            raise Unusable(remarks[0] if remarks else Message("nothing-to-simulate"))
+        return SimulatedJob(
+            tuple(one.operation for one in cuts),
+            tuple(one.cut for one in cuts),
+            tuple(one.as_read for one in cuts),
+            tuple(one.listing for one in cuts),
+            self._stock,
+            self._model_shapes,
+            remarks + self._remarks,
+        )
+
+    def _next(self, going_on: Callable[[], None]) -> _Copied:
+        while True:
+            going_on()
+            try:
+                copied: _Copied = self._copied.get(timeout=_PATIENCE)
+            except Empty:
+                continue
+            return copied
+
+
+def read_job(what=None) -> SimulatedJob:
+    """Read what is to be simulated; see :func:`vkworkbench.simulate`."""
+    copy = copy_job(what)
+    for _ in copy.copying():
+        pass
+    return copy.job(copy.read())
+
+
+def copy_job(what=None) -> JobCopy:
+    """Find what is to be simulated, to be copied; see :func:`vkworkbench.simulate`."""
+    what = or_active_document(what)
+    asked = list(what) if isinstance(what, Iterable) else [what]
+    objects, job = _posted(asked)
+    if not objects:
+        raise Unusable(Message("nothing-to-simulate"))
+    return JobCopy(objects, job, asked)
+
+
+def _copied(obj, box: Stock, form: tuple) -> _Copied:
+    try:
+        tool, remark = read_tool(obj), tool_remark(obj)
+    except Unusable as error:
+        tool, remark = None, error.what
+    rapids = rapid_feeds(obj)
+    setting = setting_fingerprint(tool, box, form, rapids)
+    operation = SimulatedOperation(obj.Document.Name, obj.Name, obj.Label, rapids, is_imported(obj), setting)
+    return _Copied(operation, obj.Path, obj.Placement, tool, vertical_feed(obj), remark)
+
+
+def _linearized(copied: _Copied, tolerance: float) -> ReadCut:
+    operation, told = copied.operation, [copied.remark]
+    cut = toolpath = listing = None
+    if copied.tool is not None:
+        try:
+            commands = copied.path.Commands
+            text = text_of(copied.path, commands)
+            listing = Listing(text, commands)
+            path = text_fingerprint(text, copied.placement)
+            operation = replace(operation, fingerprint=fingerprint_of(path, operation.fingerprint))
+            toolpath = placed(linearize(used_up(commands), tolerance=tolerance), copied.placement)
+        except Unusable as error:
+            told = [error.what]
+        else:
+            feeding, minutes = in_seconds(toolpath) if operation.imported else (toolpath, None)
+            listing.in_minutes = minutes is not None
+            unread = [problem.remark for problem in toolpath.problems if not problem.of_time]
+            if turns(toolpath) or not len(toolpath):
+                told = unread
+            else:
+                cut = Cut(feeding, copied.tool, copied.vertical_feed)
+                told = [*told, minutes, *unread]
+    remarks = tuple(Message("of", label=operation.label, sentence=remark) for remark in told if remark)
+    return ReadCut(operation, cut, toolpath, listing, remarks)
+
+
+def _posted(what) -> tuple[list, object]:
+    """Return the objects that are simulated, in the order of their job, and that; None without one."""
+    operations = _chosen(find(what))
+    return [operation.object for operation in operations], operations[0].job if operations else None
+
+
+def _chosen(found: list[Operation]) -> list[Operation]:
+    """Return the operations that are posted, in the order of their one job."""
+    operations = posted(found)
+    jobs = jobs_of(operations)
+    if len(jobs) > 1:
+        raise Unusable(Message("several-jobs", labels=[job.Label for job in jobs.values()]))
+    order = [o.object for job in jobs.values() for o in find(job)]
+    return sorted(operations, key=lambda o: order.index(o.object) if o.object in order else len(order))

@@ -1,0 +1,210 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""From operations of a document to a simulation of them; reads documents, and writes nothing in them."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+from pathlib import Path
+
+import numpy as np
+
+from vkworkbench import preferences
+from vkworkbench.core import Solid, View, ZBuffer, simulate_job
+from vkworkbench.core.rendering import CUT, colors_of, palette, png, shade
+from vkworkbench.core.zbuffer import TOLERANCE, OverBudget, facts, trajectory_table
+from vkworkbench.document.simulation.copy import read_job
+from vkworkbench.document.simulation.job import SimulatedJob, SimulatedOperation
+from vkworkbench.given import check_file_name, of_kind
+from vkworkbench.language import Message
+from vkworkbench.report import SimulationFacts, how_many
+
+# Of the side of the image that is wanted: one so coarse is good enough to look at.
+GOOD_ENOUGH = 1 / 3
+
+
+def simulate(
+    what=None,
+    *,
+    view: View | str | None = None,
+    memory_budget: float | None = None,
+    going_on: Callable[[float], None] = lambda _: None,
+) -> Simulation:
+    """Simulate operations in the extended z-buffer, one after the other. Writes nothing in a document.
+
+    Parameters
+    ----------
+    what : Document, DocumentObject, or iterable of them, optional
+        A document with one job, a job, or some of its operations; the active document if None.
+    view : View or str, optional
+        The image, or the name of a direction, e.g. ``"Isometric"``; that of the preferences if None. Without a View, the image
+        is made coarser where it would take too much memory, and a remark of the job says so.
+    memory_budget : float, optional
+        Bytes that it may take; those of the preferences if None.
+    going_on : callable, optional
+        Called many times a second with the share that is done, 0 to 1; what it raises ends the simulation.
+
+    Returns
+    -------
+    Simulation
+        At its last moment.
+
+    Raises
+    ------
+    Unusable
+        Where there is nothing to simulate, or no stock; its message tells what to do.
+    OverBudget
+        If it would take more memory; nothing was simulated. Its message names an image that fits.
+    ValueError
+        If `what` is None and no document is open, there is no such direction, or the budget is no number of bytes.
+    ReferenceError
+        If an object of it was deleted, or its document closed.
+    TypeError
+        If an argument is something else.
+    """
+    job, chosen = read_job(what), preferences.read()
+    budget = chosen.memory_budget_bytes if memory_budget is None else memory_budget
+    of_kind("view", view, (View, str, type(None)), "a View or the name of a direction")
+    if isinstance(view, View):
+        return simulate_read(job, view, budget, going_on)
+    wanted = chosen.view
+    if view is not None:
+        if view not in preferences.DIRECTIONS:
+            raise ValueError(f"there is no direction {view!r}: choose among {', '.join(preferences.DIRECTIONS)}")
+        wanted = replace(wanted, direction=preferences.DIRECTIONS[view])
+    image, said = wanted, job.remarks
+    while True:
+        try:
+            return simulate_read(replace(job, remarks=said), image, budget, going_on)
+        except OverBudget as refused:
+            image = coarser(wanted, refused)
+            said = (*job.remarks, _coarser_image(image, job.stock))
+
+
+def _coarser_image(image: View, stock: Solid) -> Message:
+    pixel, limit = image.frame(stock).pixel, Message("limit-memory")
+    return Message("image", width=image.width, height=image.height, pixel=pixel, limit=limit, passes=None)
+
+
+def coarser(view: View, refused: OverBudget) -> View:
+    """Return the finest image of a view that fits in memory.
+
+    Raises
+    ------
+    OverBudget
+        The one given, where the image would be too coarse to look at.
+    """
+    if refused.size is None or refused.size[0] < GOOD_ENOUGH * view.width:
+        raise refused
+    return view.of_size(*refused.size)
+
+
+def simulate_read(
+    job: SimulatedJob, view: View, memory_budget: float, going_on: Callable[[float], None] = lambda _: None
+) -> Simulation:
+    """Simulate a job that was read; see :func:`simulate`. Any thread may do it: it asks FreeCAD for nothing."""
+    return Simulation(
+        job, simulate_job(job.cuts, stock=job.stock, view=view, memory_budget=memory_budget, going_on=going_on)
+    )
+
+
+@dataclass(frozen=True, eq=False)
+class Simulation:
+    """A job that was simulated, at one moment.
+
+    Attributes
+    ----------
+    job : SimulatedJob
+    zbuffer : ZBuffer
+        Tells depth and owner of every pixel, dexels and traces.
+    """
+
+    job: SimulatedJob
+    zbuffer: ZBuffer
+
+    def __repr__(self) -> str:
+        return f"<Simulation of {how_many(len(self.job.operations), 'operation')}, {self.step} of {self.trajectories} trajectories>"
+
+    @property
+    def step(self) -> int:
+        """The moment: that many trajectories have been simulated."""
+        return self.zbuffer.step
+
+    @property
+    def trajectories(self) -> int:
+        """How many trajectories there are."""
+        return self.zbuffer.trajectories
+
+    def at(self, step: int) -> Simulation:
+        """Return it at another moment, after so many trajectories.
+
+        Raises
+        ------
+        ValueError
+            Where there is no such moment.
+        TypeError
+            Where it is no whole number.
+        """
+        return replace(self, zbuffer=self.zbuffer.at(step))
+
+    def image(self) -> np.ndarray:
+        """Return the shaded part as it is seen, (height, width, 3) uint8, row 0 at the top."""
+        frame, picture = self.zbuffer.frame, self.zbuffer.picture
+        size = frame.height, frame.width
+        return shade(picture.depth.reshape(size), frame.pixel, colors_of(picture.owner.reshape(size), palette(CUT)))
+
+    def save_png(self, path: str | os.PathLike[str]) -> None:
+        """Write the picture to a PNG file.
+
+        Raises
+        ------
+        ValueError
+            If the file's name does not end with ``.png``.
+        TypeError
+            If it is no name at all.
+        OSError
+            If the file cannot be written.
+        """
+        check_file_name(path)
+        if Path(path).suffix.lower() != ".png":
+            raise ValueError(f"the picture is a PNG file, so its name must end with .png, unlike {str(path)!r}")
+        Path(path).write_bytes(png(self.image()))
+
+    def facts(self, *, tolerance: float = TOLERANCE) -> SimulationFacts:
+        """Tell what each operation and the job remove, where they cut air, crash, plunge too fast, gouge or leave material.
+
+        Passes closer than a pixel are not told apart; what has walls is best seen from above.
+
+        Parameters
+        ----------
+        tolerance : float
+            Deviations from the job's model up to this, mm, are none.
+
+        Raises
+        ------
+        ValueError
+            If the tolerance is no number of at least 0.
+        TypeError
+            If it is nothing like a number.
+        """
+        labels = [operation.label for operation in self.job.operations]
+        names = tuple((operation.document, operation.name) for operation in self.job.operations)
+        zbuffer = self.at(self.trajectories).zbuffer
+        found = facts(zbuffer, model=self.job.model, tolerance=tolerance)
+        fingerprints = tuple(operation.fingerprint for operation in self.job.operations)
+        operations = tuple(zip(labels, found.cuts))
+        return SimulationFacts(operations, found.job, names, fingerprints, trajectory_table(zbuffer), self.job.remarks)
+
+    def source(self, trajectory: int) -> tuple[SimulatedOperation, int]:
+        """Return the operation of a trajectory and the index of its command in the operation's Path.
+
+        Raises
+        ------
+        IndexError
+            Where there is no such trajectory.
+        TypeError
+            Where it is no whole number.
+        """
+        source = self.zbuffer.cuts.source(trajectory)
+        return self.job.operations[source.cut], source.command

@@ -1,0 +1,46 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The command that shows the Gauss map view, which is loaded when it is first shown."""
+
+from __future__ import annotations
+
+import FreeCADGui as Gui
+
+from vkworkbench.gui.qt import docks
+from vkworkbench.gui.qt.document_command import DocumentCommand
+from vkworkbench.gui.qt.text import QT_TRANSLATE_NOOP
+
+_HEIGHT = 420  # px
+
+
+class GaussMapCommand(DocumentCommand):
+    """Show the Gauss map view, or hide it."""
+
+    name = "Vk_GaussMap"
+    menu = QT_TRANSLATE_NOOP("Vk_GaussMap", "Gauss map")
+    tooltip = QT_TRANSLATE_NOOP(
+        "Vk_GaussMap",
+        "Shows why the selected operation has its strategy: its toolpath, the Gauss map of its directions and "
+        "of the vector V_k, and the cumulative angular function.",
+    )
+    keys = "V, G"
+
+    def Activated(self) -> None:
+        dock = docks.find(docks.GAUSS_MAP)
+        if dock is not None and docks.is_seen(dock):
+            dock.hide()
+        else:
+            show()
+
+
+def show() -> None:
+    """Show the Gauss map view."""
+    dock = docks.find(docks.GAUSS_MAP)
+    if dock is None:
+        from vkworkbench.gui.gauss.dock import GaussMapDock
+
+        docks.add(GaussMapDock(Gui.getMainWindow()), _HEIGHT)
+    else:
+        docks.show(dock)
+
+
+GaussMapCommand.add()

@@ -1,0 +1,156 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""One plot: a window on data, in a place of the picture, with axes; zoomed and moved."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+
+import numpy as np
+
+from vkworkbench.gui.qt.names import QFontMetrics, QLineF, QPainter, QPen, QPointF, QRectF, Qt
+
+_NICE = (1, 2, 5, 10)
+_LEAST, _MOST = 1e-6, 4.0  # of the whole window, that are shown
+
+
+class Plot:
+    """A window on data.
+
+    Attributes
+    ----------
+    place : QRectF
+        Where it is in the picture, px, without the labels of its axes.
+    lower, upper : (2,) float64
+        Corners of the window in the data's units.
+    """
+
+    def __init__(self, lower, upper, *, equal: bool) -> None:
+        self.place = QRectF()
+        self._equal = equal
+        self._home = np.array([lower, upper], float)
+        self.home()
+
+    def home(self) -> None:
+        """Show everything."""
+        self.lower, self.upper = self._home.copy()
+
+    def put(self, place: QRectF) -> None:
+        """Draw it in this place from now on."""
+        self.place = place
+
+    @property
+    def share(self) -> float:
+        """Which share of the whole is seen, the longer side counts."""
+        return float(((self.upper - self.lower) / (self._home[1] - self._home[0])).max())
+
+    @property
+    def window(self) -> tuple[np.ndarray, np.ndarray]:
+        """The corners of what is seen: where both axes have the same unit, more than was asked for."""
+        size = self.upper - self.lower
+        if not self._equal or self.place.isEmpty():
+            return self.lower, self.upper
+        pixels = np.array([self.place.width(), self.place.height()])
+        seen = pixels * (size / pixels).max()
+        middle = (self.lower + self.upper) / 2
+        return middle - seen / 2, middle + seen / 2
+
+    def pixels(self, points: np.ndarray) -> np.ndarray:
+        """Where points (n, 2) are in the picture, (n, 2) px."""
+        lower, upper = self.window
+        corner = np.array([self.place.left(), self.place.bottom()])
+        extent = np.array([self.place.width(), -self.place.height()])
+        return corner + (np.asarray(points, float) - lower) / (upper - lower) * extent
+
+    def data(self, at: QPointF) -> np.ndarray:
+        """What point of the data is at a pixel, (2,)."""
+        lower, upper = self.window
+        right, up = at.x() - self.place.left(), self.place.bottom() - at.y()
+        return lower + (upper - lower) * (right / self.place.width(), up / self.place.height())
+
+    def zoom(self, factor: float, at: QPointF) -> None:
+        """Show `factor` times as much, with what is at a pixel staying there."""
+        lower, upper = self.window
+        factor = min(max(factor, _LEAST / self.share), _MOST / self.share)
+        fixed = self.data(at)
+        self.lower, self.upper = fixed + (lower - fixed) * factor, fixed + (upper - fixed) * factor
+
+    def move(self, begin: QPointF, end: QPointF) -> None:
+        """Drag what is at one pixel to another."""
+        by = self.data(begin) - self.data(end)
+        self.lower, self.upper = self.lower + by, self.upper + by
+
+    # Drawing.
+
+    def polyline(self, painter: QPainter, points: np.ndarray) -> None:
+        """Draw a polyline (n, 2), broken where it is NaN."""
+        self.segments(painter, points[:-1], points[1:])
+
+    def segments(self, painter: QPainter, a: np.ndarray, b: np.ndarray) -> None:
+        """Draw segments from the points `a` to the points `b`, both (n, 2)."""
+        lines = np.column_stack([self.pixels(a), self.pixels(b)])
+        lines = lines[np.isfinite(lines).all(axis=1)]
+        # Beyond some thousand pixels Qt's renderers are slow, or wrong.
+        lines = np.clip(lines, -1e4, 1e4).tolist()
+        if lines:
+            painter.drawLines([QLineF(*line) for line in lines])
+
+    def dots(self, painter: QPainter, points: np.ndarray, radius: float) -> None:
+        """Fill a circle at each point (n, 2), `radius` px."""
+        for x, y in self.pixels(points).tolist():
+            painter.drawEllipse(QPointF(x, y), radius, radius)
+
+    def crosses(self, painter: QPainter, points: np.ndarray, size: float) -> None:
+        """Draw a cross at each point (n, 2), `size` px to each side."""
+        for x, y in self.pixels(points).tolist():
+            painter.drawLine(QPointF(x - size, y - size), QPointF(x + size, y + size))
+            painter.drawLine(QPointF(x - size, y + size), QPointF(x + size, y - size))
+
+    def clipped(self, painter: QPainter) -> QPainter:
+        """Draw nothing outside the place."""
+        painter.setClipRect(self.place)
+        return painter
+
+    def frame(self, painter: QPainter, x_ticks: list, y_ticks: list, color, right: list = ()) -> None:
+        """Draw the border, and ticks with labels: (value, text) below, on the left and on the right."""
+        painter.setClipping(False)
+        painter.setPen(QPen(color, 1))
+        painter.setBrush(Qt.NoBrush)
+        painter.drawRect(self.place)
+        text = QFontMetrics(painter.font())
+        height, lower = text.height(), self.window[0]
+        for value, name in x_ticks:
+            x = float(self.pixels([(value, lower[1])])[0, 0])
+            painter.drawLine(QPointF(x, self.place.bottom()), QPointF(x, self.place.bottom() + 3))
+            box = QRectF(x - 60, self.place.bottom() + 4, 120, height)
+            painter.drawText(box, int(Qt.AlignHCenter | Qt.AlignTop), name)
+        for ticks, x, way in ((y_ticks, self.place.left(), -1), (right, self.place.right(), 1)):
+            for value, name in ticks:
+                y = float(self.pixels([(lower[0], value)])[0, 1])
+                painter.drawLine(QPointF(x, y), QPointF(x + 3 * way, y))
+                box = QRectF(x - 66 if way < 0 else x + 6, y - height / 2, 60, height)
+                painter.drawText(box, int((Qt.AlignRight if way < 0 else Qt.AlignLeft) | Qt.AlignVCenter), name)
+
+
+def ticks(
+    low: float, high: float, count: int, name: Callable[[float], str], unit: float = 1.0, whole: bool = False
+) -> list[tuple[float, str]]:
+    """Return some values between `low` and `high` that are round in a unit, with their names.
+
+    Parameters
+    ----------
+    low, high : float
+    count : int
+        About how many.
+    name : callable
+        Returns the text of a value.
+    unit : float
+    whole : bool
+        Whether only whole multiples of the unit are asked for.
+    """
+    rough = (high - low) / unit / max(count, 1)
+    power = 10.0 ** math.floor(math.log10(rough))
+    step = next(nice * power for nice in _NICE if nice * power >= rough * 0.999)
+    step = max(step, 1.0) if whole else step
+    first, last = math.ceil(low / unit / step - 1e-9), math.floor(high / unit / step + 1e-9)
+    return [(i * step * unit, name(i * step * unit)) for i in range(first, last + 1)]

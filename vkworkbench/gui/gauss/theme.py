@@ -1,0 +1,42 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The colours of the Gauss map, readable on what is seen behind it."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from vkworkbench.gui.qt.names import QColor
+from vkworkbench.gui.qt.readability import LINE, TEXT, readable
+
+
+@dataclass(frozen=True)
+class Theme:
+    """Names of colours.
+
+    Attributes
+    ----------
+    back : str
+        Of the window behind the picture.
+    text : str
+        Also of the area that is shown.
+    faint : str
+        Of levels and of the rest of the toolpath.
+    v : str
+        Of V_k and its angle.
+    counter_clockwise, clockwise : str
+        Told apart also by the colour-blind.
+    """
+
+    back: str
+    text: str
+    faint: str
+    v: str
+    counter_clockwise: str
+    clockwise: str
+
+
+def theme_on(back: QColor) -> Theme:
+    """Return the colours for a background."""
+    inks = ("#303030", "#808080", "#009e73", "#0072b2", "#d55e00")
+    least = (TEXT + 2, LINE, TEXT, TEXT, TEXT)
+    return Theme(back.name(), *(readable(QColor(ink), back, contrast) for ink, contrast in zip(inks, least)))

@@ -1,0 +1,48 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Commands on the active document, and the selection that they work on. Loads no numpy: the context menus ask for it."""
+
+from __future__ import annotations
+
+import FreeCAD
+import FreeCADGui as Gui
+
+from vkworkbench.document.job.operations import is_job_group, is_operation, kind
+
+
+class DocumentCommand:
+    """A command in menus and toolbars, with an icon of its name; offered while a document is open.
+
+    Attributes
+    ----------
+    name : str
+    menu, tooltip : str
+        What FreeCAD translates, in the context of the name.
+    keys : str
+        Its shortcut, empty without one.
+    """
+
+    name: str
+    menu: str
+    tooltip: str
+    keys = ""
+
+    def GetResources(self) -> dict:
+        texts = {"MenuText": self.menu, "ToolTip": self.tooltip, "WhatsThis": self.tooltip}
+        return {**texts, "Pixmap": self.name, **({"Accel": self.keys} if self.keys else {})}
+
+    def IsActive(self) -> bool:
+        return FreeCAD.ActiveDocument is not None
+
+    @classmethod
+    def add(cls) -> None:
+        """Add it to FreeCAD's commands."""
+        Gui.addCommand(cls.name, cls())
+
+
+def selected_operations() -> list:
+    """Return the selected jobs, groups of a job's operations, and operations."""
+    return [obj for obj in Gui.Selection.getSelection() if _has_operations(obj)]
+
+
+def _has_operations(obj) -> bool:
+    return kind(obj) in ("job", "group") or is_operation(obj) or is_job_group(obj)

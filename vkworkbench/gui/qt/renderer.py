@@ -1,0 +1,37 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""OpenGL's name of what draws on this computer: a graphics card, or software on the processor."""
+
+from __future__ import annotations
+
+from vkworkbench import preferences
+from vkworkbench.gui.qt.names import QOffscreenSurface, QOpenGLContext
+
+_GL_RENDERER = 0x1F01
+
+
+def opengl_renderer() -> str:
+    """Return the renderer's name, e.g. ``"llvmpipe (LLVM 15.0.6, 256 bits)"``; empty without OpenGL."""
+    surface = QOffscreenSurface()
+    surface.create()
+    context = QOpenGLContext()
+    if not context.create() or not context.makeCurrent(surface):
+        return ""
+    name = context.functions().glGetString(_GL_RENDERER)
+    context.doneCurrent()
+    return name or ""
+
+
+def note_renderer(*, again: bool = False) -> str:
+    """Keep the renderer's name in the preferences, where an analysis finds it, and return it.
+
+    Parameters
+    ----------
+    again : bool
+        Whether to ask OpenGL even if the name is known already.
+    """
+    known = preferences.read().renderer
+    if known and not again:
+        return known
+    name = opengl_renderer()
+    preferences.write(renderer=name)
+    return name

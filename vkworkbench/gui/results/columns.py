@@ -1,0 +1,187 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The columns of the results: six that are seen at first, and the others, which the user chooses."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from functools import partial
+
+import FreeCAD
+
+from vkworkbench.core.simulators import ZBUFFER, Simulator, available
+from vkworkbench.gui.qt.sentences import is_chinese, user
+from vkworkbench.gui.qt.text import translate
+from vkworkbench.gui.results.rows import Row
+from vkworkbench.language import ROUGH
+
+OPERATION, STRATEGY, WARNINGS, STATE, LENGTH = "operation", "strategy", "warnings", "state", "length"
+
+
+@dataclass(frozen=True)
+class Column:
+    """One column: its title and explanation, how it is sorted and shown.
+
+    Attributes
+    ----------
+    key : str
+        Its name in the preferences.
+    title, tooltip : str
+    value : callable
+        The number or text of a row, None where there is none.
+    shown : callable
+        What the user reads of that value.
+    factor : callable or None
+        For a time that is estimated: the true one is between it divided and multiplied by this factor of the row.
+    least : callable
+        Whether the value of a row is a lower bound.
+    learns : bool
+        Whether runs of the simulator make the factor smaller.
+    """
+
+    key: str
+    title: str
+    tooltip: str
+    value: Callable[[Row], object]
+    shown: Callable[[object], str] = str
+    factor: Callable[[Row], float] | None = None
+    least: Callable[[Row], bool] = lambda row: False
+    learns: bool = False
+
+    @property
+    def name(self) -> str:
+        """The title in one line, without the hyphen at the end of its first; Chinese has no spaces, either."""
+        first, _, second = self.title.replace("-\n", "").partition("\n")
+        together = not second or (is_chinese(first[-1:]) and is_chinese(second[:1]))
+        return first + second if together else f"{first} {second}"
+
+    def text(self, row: Row) -> str:
+        """Return what the user reads in a row, empty where there is nothing."""
+        value = self.value(row)
+        if value is None:
+            return ""
+        text = user().estimated_time(value, self.factor(row)) if self.factor else self.shown(value)
+        return ("≥ " if self.least(row) else "") + text
+
+    def range(self, row: Row) -> str:
+        """Return between which numbers a rough one lies, empty where it is not rough."""
+        value, factor = self.value(row), self.factor(row) if self.factor else 1.0
+        if value is None or factor < ROUGH:
+            return ""
+        low, high = user().time(value / factor, factor), user().time(value * factor, factor)
+        if self.learns:
+            text = translate(
+                "Vk_Results", "Between {} and {}, until this simulator has run a few times on this computer"
+            )
+            return text.format(low, high)
+        return user().between(low, high)
+
+
+def columns(version: tuple[int, ...], marked: str) -> tuple[list[Column], list[Column]]:
+    """Return the columns that are seen at first and the others.
+
+    Parameters
+    ----------
+    version : tuple of int
+        The FreeCAD, which says what simulators there are.
+    marked : str
+        Name of the simulator whose time the marks show.
+    """
+    there_are = available(version)
+    (simulator,) = [s for s in there_are if s.name == marked]
+    time = translate("Vk_Results", "How long the {simulator} takes, as the marks show it")
+    first = [
+        Column(OPERATION, translate("Vk_Results", "Operation"), "", lambda row: row.label),
+        Column(STRATEGY, translate("Vk_Results", "Strategy"),
+               translate("Vk_Results", "The machining strategy recognized from the toolpath alone"),
+               lambda row: row.kind),
+        Column("machining_time", translate("Vk_Results", "Machining\ntime"),
+               translate("Vk_Results", "Time on the machine at the programmed feeds; rapids where the tool "
+                                       "controller gives their speed"),
+               lambda row: row.found.machining_seconds or None, _as("time"), least=lambda row: not row.machining_complete),
+        Column("simulation_time", translate("Vk_Results", "Simulation\ntime"),
+               time.format(simulator=user().simulator(marked)),
+               partial(_seconds, marked), factor=partial(_factor, marked), least=_is_bound, learns=bool(simulator.lessons)),
+        Column(STATE, translate("Vk_Results", "State"),
+               translate("Vk_Results", "Outdated: toolpath, tool or stock have changed since; analyze it again"),
+               lambda row: translate("Vk_Results", "outdated") if row.outdated else None),
+        Column(WARNINGS, translate("Vk_Results", "Warnings"),
+               translate("Vk_Results", "What is wrong with the operation, or will be with its simulation"),
+               lambda row: "; ".join(notice.text for notice in row.notices) or None),
+    ]  # fmt: skip
+    longest = translate(
+        "Vk_Results",
+        "The longest that the {simulator} should take: its estimate times the factor by which estimates are off",
+    )
+    others = [
+        Column("longest", translate("Vk_Results", "Simulation time\nat most"), longest.format(simulator=user().simulator(marked)),
+               partial(_longest, marked), _as("time")),
+        Column("sure", translate("Vk_Results", "Sure"), translate("Vk_Results", "How sure the recognition is"),
+               _confidence, _as("share")),
+        Column("moves", translate("Vk_Results", "Moves"),
+               translate("Vk_Results", "Number of straight moves; an arc counts as several"),
+               lambda row: row.found.trajectories, _as("count")),
+        Column(LENGTH, translate("Vk_Results", "Length"), translate("Vk_Results", "Length of the cutting moves"),
+               lambda row: row.found.length, _as("length")),
+        *(column for simulator in there_are for column in _of_simulator(simulator)),
+        *(_of_advice(simulator) for simulator in there_are if simulator.advice),
+    ]  # fmt: skip
+    return first, others
+
+
+def _as(kind: str) -> Callable[[object], str]:
+    """Return how the user reads numbers of a kind, by the name of the reader's method."""
+    return lambda value: getattr(user(), kind)(value)  # noqa: PLW0108 - the user of that moment
+
+
+def _seconds(simulator: str, row: Row) -> float | None:
+    cost = row.found.cost(simulator)
+    return cost and cost[0]
+
+
+def _longest(simulator: str, row: Row) -> float | None:
+    cost = row.found.cost(simulator)
+    return None if cost is None or _is_bound(row) else cost[0] * row.found.factor(simulator)
+
+
+def _bytes(simulator: str, row: Row) -> float | None:
+    cost = row.found.cost(simulator)
+    return cost and cost[1]
+
+
+def _factor(simulator: str, row: Row) -> float:
+    return row.found.factor(simulator)
+
+
+def _is_bound(row: Row) -> bool:
+    return row.is_total and row.found.incomplete
+
+
+def _of_simulator(simulator: Simulator) -> tuple[Column, Column]:
+    """Time and memory that a simulator takes for an operation, or for all of a job together."""
+    name, text = simulator.name, partial(FreeCAD.Qt.translate, "Vk_Results")
+    # The user knows the z-buffer as the command.
+    called = translate("Vk_Simulate", "Simulate toolpaths") if simulator is ZBUFFER else user().simulator(name)
+    time, memory = translate("Vk_Results", "{simulator}\ntime"), translate("Vk_Results", "{simulator}\nmemory")
+    return (
+        Column(f"{name} time", time.format(simulator=called), text(simulator.time_tooltip),
+               partial(_seconds, name), factor=partial(_factor, name), least=_is_bound, learns=bool(simulator.lessons)),
+        Column(f"{name} memory", memory.format(simulator=called), text(simulator.memory_tooltip),
+               partial(_bytes, name), _as("memory")),
+    )  # fmt: skip
+
+
+def _of_advice(simulator: Simulator) -> Column:
+    """The finest setting of a simulator within the budgets; numbers of 0 where there is none."""
+    advice, text = simulator.advice, partial(FreeCAD.Qt.translate, "Vk_Results")
+
+    def numbers(row: Row) -> tuple[int, ...] | None:
+        chosen = row.found.advice.get(simulator.name)
+        return chosen and advice.numbers(chosen)
+
+    return Column(f"{simulator.name} advice", text(advice.title), text(advice.tooltip), numbers,
+                  lambda found: advice.form.format(*map(user().count, found)) if all(found) else text(advice.none))  # fmt: skip
+
+
+def _confidence(row: Row) -> float | None:
+    return row.found.confidence if row.strategy is not None and row.strategy.is_answer else None

@@ -1,0 +1,48 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The command that shows the results panel."""
+
+from __future__ import annotations
+
+import FreeCADGui as Gui
+
+from vkworkbench.gui.qt import docks
+from vkworkbench.gui.qt.document_command import DocumentCommand
+from vkworkbench.gui.qt.text import QT_TRANSLATE_NOOP
+
+_HEIGHT = 300  # px
+
+
+class ResultsCommand(DocumentCommand):
+    """Show the results panel, or hide it."""
+
+    name = "Vk_Results"
+    menu = QT_TRANSLATE_NOOP("Vk_Results", "Toolpath results")
+    tooltip = QT_TRANSLATE_NOOP(
+        "Vk_Results",
+        "Shows the analyzed operations: strategy, machining and simulation time, and what is wrong with them.",
+    )
+    keys = "V, R"
+
+    def Activated(self) -> None:
+        dock = docks.find(docks.RESULTS)
+        if dock is not None and docks.is_seen(dock):
+            dock.hide()
+        else:
+            show()
+            docks.find(docks.RESULTS).setFocus()
+
+
+def show() -> None:
+    """Show the results panel, and soon in it what is known now; the focus stays where it is."""
+    from vkworkbench.gui.results.panel import ResultsDock
+
+    dock = docks.find(docks.RESULTS)
+    if dock is None:
+        dock = ResultsDock(Gui.getMainWindow())
+        docks.add(dock, _HEIGHT)
+    else:
+        docks.show(dock)
+    dock.refresh_soon()
+
+
+ResultsCommand.add()

@@ -1,0 +1,37 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Results that leave the panel: as a file with all numbers, or as the text of what is shown."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+
+from vkworkbench.gui.qt.names import QFileDialog, QWidget
+from vkworkbench.gui.qt.plain_text import warn
+from vkworkbench.gui.qt.saving import proposed, with_suffix
+from vkworkbench.gui.qt.text import translate
+from vkworkbench.gui.results.columns import Column
+from vkworkbench.gui.results.rows import Row
+from vkworkbench.report import Report, as_cell
+
+
+def save(report: Report, document, ending: str, parent: QWidget) -> None:
+    """Ask for a file, and save a report of a document there as ``"csv"`` or ``"json"``."""
+    title, filter_ = {
+        "csv": (translate("Vk_Results", "Export CSV"), "CSV (*.csv)"),
+        "json": (translate("Vk_Results", "Export JSON"), "JSON (*.json)"),
+    }[ending]
+    path, _ = QFileDialog.getSaveFileName(parent, title, proposed(document, f"{document.Name}.{ending}"), filter_)
+    path = with_suffix(path, f".{ending}")
+    if not path:
+        return
+    try:
+        report.to_csv(path) if ending == "csv" else report.to_json(path)
+    except OSError as error:
+        warn(title, str(error), parent)
+
+
+def as_text(columns: Sequence[Column], rows: Iterable[Row]) -> str:
+    """Return rows as tabulated text with a line of titles, with the numbers and units that are shown."""
+    lines = [[column.name for column in columns]]
+    lines += [[" ".join(as_cell(column.text(row)).split()) for column in columns] for row in rows]
+    return "\n".join("\t".join(line) for line in lines) + "\n"

@@ -1,0 +1,76 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The line above the results: what to show of them, and the panel's menus."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+
+from vkworkbench.core import Strategy
+from vkworkbench.gui.qt.menu_button import MenuButton
+from vkworkbench.gui.qt.names import QCheckBox, QComboBox, QHBoxLayout, QLineEdit, QMenu, QWidget
+from vkworkbench.gui.qt.sentences import strategy_name
+from vkworkbench.gui.qt.text import explain, translate
+
+
+class Filter(QWidget):
+    """Asks for a text, a strategy, and whether only operations with warnings are shown.
+
+    Attributes
+    ----------
+    changed : callable
+        Called after each change.
+    """
+
+    def __init__(self, menus: Sequence[QMenu]) -> None:
+        super().__init__()
+        self.changed: Callable[[], None] = lambda: None
+        self.words = QLineEdit()
+        self.words.setPlaceholderText(translate("Vk_Results", "Filter"))
+        explain(self.words, translate("Vk_Results", "Shows operations with this text in name, strategy or warnings"))
+        self.words.setClearButtonEnabled(True)
+        self.words.setMinimumWidth(80)
+        self.words.textChanged.connect(lambda text: self.changed())
+        self.strategies = QComboBox()
+        explain(self.strategies, translate("Vk_Results", "Shows operations of this strategy"))
+        self.strategies.setSizeAdjustPolicy(QComboBox.AdjustToContents)
+        self.strategies.currentIndexChanged.connect(lambda number: self.changed())
+        self.warnings = QCheckBox(translate("Vk_Results", "&Warnings only"))
+        self.warnings.setToolTip(translate("Vk_Results", "Shows operations with warnings, and outdated ones"))
+        self.warnings.toggled.connect(lambda on: self.changed())
+        row = QHBoxLayout(self)
+        row.setContentsMargins(0, 0, 0, 0)
+        for widget in (self.words, self.strategies, self.warnings):
+            row.addWidget(widget)
+        row.addStretch()
+        for menu in menus:
+            row.addWidget(MenuButton(menu.title(), menu))
+        self.offer(set())
+
+    @property
+    def text(self) -> str:
+        return self.words.text().strip()
+
+    @property
+    def strategy(self) -> Strategy | None:
+        """The strategy that is asked for, None for all."""
+        chosen = self.strategies.currentData()
+        return Strategy(chosen) if chosen else None
+
+    @property
+    def warned(self) -> bool:
+        return self.warnings.isChecked()
+
+    def offer(self, there_are: set[Strategy]) -> None:
+        """List the strategies that there are; one that is asked for stays in the list."""
+        chosen = self.strategy
+        offered = [strategy for strategy in Strategy if strategy in there_are or strategy is chosen]
+        listed = [self.strategies.itemData(i) for i in range(self.strategies.count())]
+        if listed == ["", *(strategy.value for strategy in offered)]:
+            return
+        self.strategies.blockSignals(True)
+        self.strategies.clear()
+        self.strategies.addItem(translate("Vk_Results", "All strategies"), "")
+        for strategy in offered:
+            self.strategies.addItem(strategy_name(strategy), strategy.value)
+        self.strategies.setCurrentIndex(1 + offered.index(chosen) if chosen else 0)
+        self.strategies.blockSignals(False)

@@ -1,0 +1,115 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""A tree whose first column stays in sight while the others are scrolled, as in Qt's own example of a frozen column."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+from vkworkbench.gui.qt.names import QAbstractItemView, QEvent, QFrame, QHeaderView, QKeySequence, Qt, QTreeView
+
+_LEAST_ROWS = 2  # that are seen below the titles
+
+
+class FrozenTree(QTreeView):
+    """Shows the first column a second time over itself as soon as it is scrolled sideways.
+
+    Parameters
+    ----------
+    model : QAbstractItemModel
+    copy, enter : callable
+        What Ctrl+C does, and the Enter key or a double click.
+    """
+
+    def __init__(self, model, copy: Callable[[], None], enter: Callable[[], None]) -> None:
+        super().__init__()
+        self._copy, self._enter = copy, enter
+        self._above = QTreeView(self)
+        self._above.setObjectName("frozen")
+        self._above.setFocusPolicy(Qt.NoFocus)
+        self._above.setFrameShape(QFrame.NoFrame)
+        self._above.setStyleSheet("#frozen { border: none; margin: 0; padding: 0 }")  # as many themes give every tree
+        self._above.setHorizontalScrollBarPolicy(Qt.ScrollBarAlwaysOff)
+        self._above.setVerticalScrollBarPolicy(Qt.ScrollBarAlwaysOff)
+        self._above.hide()
+        for view in (self, self._above):
+            view.setModel(model)
+            view.setUniformRowHeights(True)
+            view.setAlternatingRowColors(True)
+            view.setExpandsOnDoubleClick(False)
+            view.setSelectionMode(QAbstractItemView.ExtendedSelection)
+            view.setVerticalScrollMode(QAbstractItemView.ScrollPerPixel)
+            view.doubleClicked.connect(lambda index: self._enter())
+        self._above.setSelectionModel(self.selectionModel())
+        self.setHorizontalScrollMode(QAbstractItemView.ScrollPerPixel)
+        self.setAllColumnsShowFocus(True)
+        self.setTabKeyNavigation(False)
+        for one, other in ((self, self._above), (self._above, self)):
+            one.expanded.connect(other.expand)
+            one.collapsed.connect(other.collapse)
+            one.verticalScrollBar().valueChanged.connect(other.verticalScrollBar().setValue)
+        header = self.header()
+        header.setDefaultAlignment(Qt.AlignCenter)
+        header.sectionResized.connect(lambda *what: self._place())
+        self.horizontalScrollBar().valueChanged.connect(lambda value: self._place())
+        for column in range(1, model.columnCount()):
+            self._above.hideColumn(column)
+        self._above.header().setDefaultAlignment(Qt.AlignCenter)
+        self._above.header().setSectionResizeMode(QHeaderView.Fixed)
+        self._above.header().setSectionsClickable(True)
+        self._above.header().sectionClicked.connect(self._sort)
+
+    def show_headers_menu(self, menu: Callable) -> None:
+        """Show a menu, made by a function, where a title is clicked with the right button."""
+        for header in (self.header(), self._above.header()):
+            header.setContextMenuPolicy(Qt.CustomContextMenu)
+            header.customContextMenuRequested.connect(lambda at, h=header: menu().exec_(h.mapToGlobal(at)))
+
+    def drawRow(self, painter, option, index) -> None:
+        """Paint no row below the first column: FreeCAD 1.1's own theme gives trees no background, so it shines through."""
+        if not self._above.isHidden():
+            painter.setClipRect(self.viewport().rect().adjusted(self.columnWidth(0), 0, 0, 0))
+        super().drawRow(painter, option, index)
+
+    def scrollTo(self, index, hint=QAbstractItemView.EnsureVisible) -> None:
+        """Scroll up and down only: what the user reads beside the name stays where it is."""
+        sideways = self.horizontalScrollBar().value()
+        super().scrollTo(index, hint)
+        self.horizontalScrollBar().setValue(sideways)
+
+    def event(self, event) -> bool:
+        # Else FreeCAD's own Ctrl+C comes first, which asks what of the document is to be copied.
+        if event.type() == QEvent.ShortcutOverride and event.matches(QKeySequence.Copy):
+            event.accept()
+            return True
+        return super().event(event)
+
+    def keyPressEvent(self, event) -> None:
+        if event.matches(QKeySequence.Copy):
+            self._copy()
+        elif event.key() in (Qt.Key_Return, Qt.Key_Enter):
+            self._enter()
+        else:
+            super().keyPressEvent(event)
+
+    def resizeEvent(self, event) -> None:
+        super().resizeEvent(event)
+        # On a low screen the titles would leave no room for a row.
+        around = self.header().sizeHint().height() + self.horizontalScrollBar().sizeHint().height()
+        self.header().setVisible(self.height() - around >= _LEAST_ROWS * self.fontMetrics().lineSpacing())
+        self._place()
+
+    def _sort(self, section: int) -> None:
+        header = self.header()
+        again = header.sortIndicatorSection() == section and header.sortIndicatorOrder() == Qt.AscendingOrder
+        self.sortByColumn(section, Qt.DescendingOrder if again else Qt.AscendingOrder)
+
+    def _place(self) -> None:
+        scrolled = self.horizontalScrollBar().value() > 0
+        if scrolled:
+            width, header = self.columnWidth(0), 0 if self.header().isHidden() else self.header().height()
+            self._above.setColumnWidth(0, width)
+            self._above.header().setFixedHeight(header)
+            seen = self.viewport().geometry()  # a theme may give the tree a border or a padding
+            self._above.setGeometry(seen.left(), seen.top() - header, width, header + seen.height())
+            self._above.verticalScrollBar().setValue(self.verticalScrollBar().value())
+        self._above.setVisible(scrolled)

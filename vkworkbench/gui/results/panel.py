@@ -1,0 +1,305 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The results panel: a dock with the tree of jobs and operations, a filter, and a page on the selected row."""
+
+from __future__ import annotations
+
+import FreeCAD
+import FreeCADGui as Gui
+
+from vkworkbench import preferences
+from vkworkbench.document.job import session
+from vkworkbench.document.marks.properties import MARK
+from vkworkbench.gui.qt import colors, docks, progress
+from vkworkbench.gui.qt.names import (
+    QAction,
+    QApplication,
+    QColor,
+    QDockWidget,
+    QItemSelectionModel,
+    QMenu,
+    QSplitter,
+    Qt,
+    QTextBrowser,
+    QVBoxLayout,
+    QWidget,
+    single_shot,
+)  # fmt: skip
+from vkworkbench.gui.qt.plain_text import lines, unbroken
+from vkworkbench.gui.qt.readability import readable
+from vkworkbench.gui.qt.text import translate
+from vkworkbench.gui.results import latest
+from vkworkbench.gui.results.columns import STATE
+from vkworkbench.gui.results.details import GAUSS_MAP, page
+from vkworkbench.gui.results.export import as_text, save
+from vkworkbench.gui.results.filter import Filter
+from vkworkbench.gui.results.frozen_tree import FrozenTree
+from vkworkbench.gui.results.model import VALUE, ResultsModel, ResultsOrder
+from vkworkbench.gui.results.rows import Row, rows_of
+from vkworkbench.report import Cancelled, is_switched_off
+
+_WIDEST = {"operation": 260, "warnings": 420}  # px; the tooltip shows the end of a longer text
+
+_LEAST_LINES = 3  # of text, which the tree and the page are high at least
+
+
+class ResultsDock(QDockWidget):
+    """Shows what was found in the active document; a selection in its tree is one in FreeCAD, and the reverse."""
+
+    def __init__(self, parent: QWidget) -> None:
+        super().__init__(translate("Vk_Results", "Toolpath results"), parent)
+        self.setObjectName(docks.RESULTS)
+        self._findings: list[latest.Finding] = []
+        self._following = False  # whether the tree's selection is being moved by FreeCAD's
+        self._opened: set[str] = set()  # links of the page
+        self._stale = single_shot(self.refresh, self)
+        self._selected = single_shot(self._follow, self)
+
+        self.model = ResultsModel(self)
+        self.order = ResultsOrder(self)
+        self.order.setSourceModel(self.model)
+        self.order.setSortRole(VALUE)
+        self.tree = FrozenTree(self.order, copy=self._copy, enter=self._look_at)
+        self.tree.setSortingEnabled(True)
+        self.tree.sortByColumn(-1, Qt.AscendingOrder)  # as posted, until the user sorts
+        self.tree.selectionModel().selectionChanged.connect(self._select)
+        self.tree.show_headers_menu(lambda: self.columns)
+
+        self.details = QTextBrowser()
+        self.details.setOpenLinks(False)
+        self.details.anchorClicked.connect(lambda url: self._open(url.toString()))
+        self.csv = self._action(translate("Vk_Results", "Export &CSV…"), lambda: self._export("csv"))
+        self.json = self._action(translate("Vk_Results", "Export &JSON…"), lambda: self._export("json"))
+        self.copy = self._action(translate("Vk_Results", "C&opy to clipboard"), self._copy)
+        self._choices: list[QAction] = []  # for each column but the first whether it is chosen
+        self.columns = self._columns_menu()
+        self._show_columns()
+        self.export = QMenu(translate("Vk_Results", "E&xport"), self)
+        for action in (self.csv, self.json, self.copy):
+            self.export.addAction(action)
+
+        self.filter = Filter([self.columns, self.export])
+        self.filter.changed = self._filter
+        self._parts = QSplitter(Qt.Horizontal)
+        self._parts.addWidget(self.tree)
+        self._parts.addWidget(self.details)
+        # Qt's own minimum would make the window higher than a low screen. Of the parts a theme's style sheet takes it away.
+        self._parts.setMinimumHeight(_LEAST_LINES * self.tree.fontMetrics().height())
+        self._parts.setStretchFactor(0, 3)
+        self._parts.setStretchFactor(1, 2)
+        body = QWidget()
+        column = QVBoxLayout(body)
+        column.setContentsMargins(4, 2, 4, 2)
+        column.addWidget(self.filter)
+        column.addWidget(self._parts, 1)
+        self.setWidget(body)
+        self.setFocusProxy(self.tree)
+
+        Gui.Selection.addObserver(self)
+        FreeCAD.addDocumentObserver(self)
+        preferences.observe(lambda name: self._stale.start())
+        self.visibilityChanged.connect(lambda visible: self._stale.start())
+
+    def _action(self, text: str, work) -> QAction:
+        action = QAction(text, self)
+        action.triggered.connect(lambda checked=False: work())
+        return action
+
+    def _columns_menu(self) -> QMenu:
+        """Return the menu in which the user chooses columns, and goes back to the order of posting."""
+        menu = QMenu(translate("Vk_Results", "Col&umns"), self)
+        chosen = preferences.read().result_columns.split(",")
+        for column in self.model.columns[1:]:
+            action = menu.addAction(column.name)
+            action.setCheckable(True)
+            action.setToolTip(column.tooltip)
+            action.setChecked((column in self.model.first) != (column.key in chosen))
+            action.toggled.connect(lambda on: self._keep_columns())
+            self._choices.append(action)
+        menu.addSeparator()
+        as_posted = menu.addAction(translate("Vk_Results", "Sort as &posted"))
+        as_posted.triggered.connect(lambda checked=False: self.tree.sortByColumn(-1, Qt.AscendingOrder))
+        return menu
+
+    def _keep_columns(self) -> None:
+        self._show_columns()
+        choices = zip(self.model.columns[1:], self._choices)
+        changed = [column.key for column, action in choices if (column in self.model.first) != action.isChecked()]
+        preferences.write(result_columns=",".join(changed))
+
+    def _show_columns(self) -> None:
+        """Show the columns that are chosen; the state takes no room while nothing is outdated."""
+        outdated = any(row.outdated for job in self.model.rows for row in (job, *job.rows))
+        for number, action in enumerate(self._choices, 1):
+            shown = action.isChecked() and (outdated or self.model.columns[number].key != STATE)
+            self.tree.setColumnHidden(number, not shown)
+        self._fit_columns()
+
+    def _fit_columns(self) -> None:
+        for number, column in enumerate(self.model.columns):
+            if self.tree.isColumnHidden(number):  # its costs may have to be computed first
+                continue
+            self.tree.resizeColumnToContents(number)
+            self.tree.setColumnWidth(number, min(self.tree.columnWidth(number), _WIDEST.get(column.key, 1000)))
+
+    def resizeEvent(self, event) -> None:
+        """Put the page below the tree where the dock is higher than wide."""
+        self._parts.setOrientation(Qt.Horizontal if self.width() > self.height() else Qt.Vertical)
+        super().resizeEvent(event)
+
+    # FreeCAD calls these when the selection changes.
+
+    def addSelection(self, *what) -> None:
+        self._selected.start()
+
+    setSelection = removeSelection = clearSelection = addSelection
+
+    # FreeCAD calls these when documents change.
+
+    def slotChangedObject(self, obj, name: str) -> None:
+        if name in ("Label", "Label2", "Group", MARK):
+            self._stale.start()
+
+    def slotActivateDocument(self, document) -> None:
+        self._stale.start()
+
+    slotDeletedObject = slotDeletedDocument = slotActivateDocument
+
+    def refresh_soon(self) -> None:
+        """Show what is known of the active document in an event of its own, after all that begin before."""
+        self._stale.start()
+
+    def refresh(self) -> None:
+        """Show what is known of the active document now."""
+        if not self.isVisible():
+            return
+        self._findings = latest.findings(FreeCAD.ActiveDocument)
+        closed = {row.name for index, row in self._indexes() if row.rows and not self.tree.isExpanded(index)}
+        self._following = True
+        self.model.show(rows_of(self._findings))
+        self.tree.expandAll()
+        for index, row in self._indexes():
+            self.tree.setExpanded(index, row.name not in closed)
+        self._following = False
+        operations = (row for _, row in self._indexes() if not row.is_total and not is_switched_off(row.found))
+        self.filter.offer({row.strategy for row in operations})
+        self._show_columns()
+        for action in (self.csv, self.json, self.copy):
+            action.setEnabled(bool(self._findings))
+        self._follow()
+
+    def _filter(self) -> None:
+        self._following = True
+        self.order.choose(self.filter.text, self.filter.strategy, self.filter.warned)
+        self.tree.expandAll()
+        self._following = False
+        self._follow()
+
+    def _indexes(self, parent=None):
+        """Indexes and rows of what the filter lets through, from above."""
+        above = () if parent is None else (parent,)
+        for number in range(self.order.rowCount(*above)):
+            index = self.order.index(number, 0, *above)
+            yield index, self.order.row(index)
+            if parent is None:
+                yield from self._indexes(index)
+
+    def _follow(self) -> None:
+        """Select the rows of what is selected in FreeCAD."""
+        if not self.isVisible():
+            return
+        names = {obj.Name for obj in Gui.Selection.getSelection()}
+        chosen = [index for index, row in self._indexes() if row.name in names]
+        model = self.tree.selectionModel()
+        self._following = True
+        if len(chosen) != len(model.selectedRows()) or not all(map(model.isSelected, chosen)):
+            model.clearSelection()
+            for index in chosen:
+                model.select(index, QItemSelectionModel.Select | QItemSelectionModel.Rows)
+        if chosen and not model.isSelected(model.currentIndex()):
+            model.setCurrentIndex(chosen[0], QItemSelectionModel.NoUpdate)
+            self.tree.scrollTo(chosen[0])
+        self._following = False
+        self._explain()
+
+    def _select(self) -> None:
+        """Select in FreeCAD what is selected in the tree, and show it in FreeCAD's."""
+        if self._following:
+            return
+        document = FreeCAD.ActiveDocument.Name
+        Gui.Selection.clearSelection()
+        for row in self._selected_rows():
+            Gui.Selection.addSelection(document, row.name)
+        Gui.runCommand("Std_TreeSelection")
+        self._explain()
+
+    def _look_at(self) -> None:
+        Gui.SendMsgToActiveView("ViewSelection")
+
+    def _selected_rows(self) -> list[Row]:
+        return [self.order.row(index) for index in self.tree.selectionModel().selectedRows()]
+
+    def _explain(self) -> None:
+        """Say what is known of the selected operation, or of several together."""
+        rows = self._selected_rows()
+        first, others = self.model.first, self.model.others
+        if FreeCAD.ActiveDocument is None:
+            text = lines(translate("Vk_Analyze", "No document is open. Open one with a job or a toolpath first."))
+        elif not self.model.rows:
+            text = lines(translate("Vk_Results", "Nothing is analyzed yet in this document: click Analyze toolpaths."))
+        elif not self.order.rowCount():
+            text = lines(translate("Vk_Results", "The filter lets no operation through."))
+        elif not rows:
+            text = lines(translate("Vk_Results", "Select an operation to read what it does and why."))
+        elif len(rows) == 1:
+            text = page(rows[0], first, others, self._opened)
+        else:
+            text = "".join(page(row, first, others, self._opened) for row in self._together(rows))
+        # By what is drawn behind: a style sheet leaves the palette, and with it the colour of links, as it was.
+        viewport = self.details.viewport()
+        behind = viewport.grab(viewport.rect().adjusted(1, 1, 2 - viewport.width(), 2 - viewport.height()))
+        color = readable(QColor(colors.LINK), behind.toImage().pixelColor(0, 0))
+        self.details.document().setDefaultStyleSheet(f"a {{ color: {color} }}")
+        self.details.setHtml(unbroken(text))
+
+    def _together(self, rows: list[Row]) -> list[Row]:
+        """One total for each job of the rows, which says that it is one of a selection."""
+        names = {row.name for row in rows if not row.is_total}
+        chosen = [finding for finding in self._findings if finding.operation.object.Name in names]
+        text = translate("Vk_Results", "Selection in {job}")
+        return [
+            Row(row.found, row.name, text.format(job=row.label), posted=row.posted)
+            for row in rows_of(chosen) if row.is_total
+        ]  # fmt: skip
+
+    def _open(self, link: str) -> None:
+        if link == GAUSS_MAP:
+            from vkworkbench.gui.gauss import command as gauss_map_command
+
+            gauss_map_command.show()
+            return
+        self._opened ^= {link}
+        where = self.details.verticalScrollBar().value()
+        self._explain()
+        self.details.verticalScrollBar().setValue(where)
+
+    def _export(self, ending: str) -> None:
+        """Save all numbers, which takes an analysis of what has only its mark."""
+        report = latest.report_of(self._findings)
+        if report is None:
+            try:
+                report = progress.analyze(FreeCAD.ActiveDocument)
+            except Cancelled:
+                return
+            session.remember(report.operations)
+            self.refresh()
+        save(report, FreeCAD.ActiveDocument, ending, self)
+
+    def _copy(self) -> None:
+        """Copy the selected rows, all without a selection, as they are shown."""
+        selected = {row.name for row in self._selected_rows()}
+        rows = [row for _, row in self._indexes() if not selected or row.name in selected]
+        header = self.tree.header()
+        shown = sorted(
+            (n for n in range(len(self.model.columns)) if not header.isSectionHidden(n)), key=header.visualIndex
+        )
+        QApplication.clipboard().setText(as_text([self.model.columns[n] for n in shown], rows))

@@ -1,0 +1,131 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The rows of the results: jobs as branches with their total, operations below them, and what is to be known of each."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Iterable
+from dataclasses import dataclass, replace
+
+from vkworkbench import preferences
+from vkworkbench.core import Strategy
+from vkworkbench.document.job.operations import find, fixtures_of
+from vkworkbench.document.marks import marks
+from vkworkbench.document.marks.record import Record, of_total
+from vkworkbench.gui.qt.sentences import plural
+from vkworkbench.gui.qt.text import translate
+from vkworkbench.gui.results.latest import Finding
+from vkworkbench.gui.tree.notices import Level, Notice, kind_of, notices_of
+from vkworkbench.preferences import Preferences
+from vkworkbench.report import OperationReport, Total, is_switched_off, total_of
+
+
+@dataclass(frozen=True)
+class Row:
+    """One operation or one total.
+
+    Attributes
+    ----------
+    found : OperationReport, Record or Total
+        Its numbers; those of a mark where the operation was not analysed since the document was opened.
+    name, label : str
+        Internal name of the operation or the job, and its label as it is now.
+    notices : tuple of Notice
+        The worst first.
+    outdated : bool
+        Whether the toolpath, the tool or the stock have changed since.
+    mark : Record or None
+        What the mark of an operation says; None for a total.
+    posted : int
+        How many operations the job has that are posted; 0 for an operation.
+    rows : tuple of Row
+        The operations of a job.
+    """
+
+    found: OperationReport | Record | Total
+    name: str
+    label: str
+    notices: tuple[Notice, ...] = ()
+    outdated: bool = False
+    mark: Record | None = None
+    posted: int = 0
+    rows: tuple[Row, ...] = ()
+
+    @property
+    def is_total(self) -> bool:
+        return isinstance(self.found, Total)
+
+    @property
+    def strategy(self) -> Strategy | None:
+        return None if self.is_total else self.found.strategy
+
+    @property
+    def kind(self) -> str:
+        """What it does: the name of the strategy, or that it is switched off; of a job how many operations its total has."""
+        return in_total(self) if self.is_total else kind_of(self.found)
+
+    @property
+    def machining_complete(self) -> bool:
+        """Whether the machining time is that of all moves; else it is the least that they take."""
+        return self.found.machining_complete if self.is_total else not self.found.left_out
+
+    @property
+    def level(self) -> Level:
+        return max((notice.level for notice in self.notices), default=Level.NOTE)
+
+    @property
+    def is_warned(self) -> bool:
+        """Whether its mark has a sign in the tree."""
+        return self.level > Level.NOTE
+
+
+def rows_of(findings: Iterable[Finding]) -> list[Row]:
+    """Return the jobs with their operations, then operations without a job."""
+    jobs, below = {}, {}
+    for finding in findings:
+        job = finding.operation.job
+        if job is not None:
+            jobs[job.Name] = job
+        below.setdefault(job and job.Name, []).append(finding)
+    chosen = preferences.read()
+    alone = [_operation(finding, chosen) for finding in below.get(None, [])]
+    return [_job(job, below[name], chosen) for name, job in jobs.items()] + alone
+
+
+def _operation(finding: Finding, chosen: Preferences) -> Row:
+    obj, notices = finding.operation.object, notices_of(finding.mark, chosen)
+    if not finding.operation.counted and finding.operation.job is not None and not is_switched_off(finding.mark):
+        dressed = translate("Vk_Results", "not in the total: its dress-up is counted instead")
+        inactive = translate("Vk_Results", "not in the total: it is switched off")
+        notices.append(Notice(Level.NOTE, dressed if finding.operation.active else inactive))
+    found = finding.report or finding.mark
+    return Row(found, obj.Name, obj.Label, tuple(notices), finding.mark.outdated, finding.mark)
+
+
+def _job(job, findings: list[Finding], chosen: Preferences) -> Row:
+    counted = [finding for finding in findings if finding.operation.counted]
+    # What is advised needs all numbers, which a mark does not keep.
+    budget = None if any(finding.report is None for finding in counted) else chosen.budget
+    numbers = [finding.report or finding.mark for finding in counted]
+    total = total_of(job.Document.Name, job.Name, job.Label, numbers, budget, fixtures_of(job))
+    posted = Counter(o.job.Name for o in find(job.Document) if o.counted and o.job is not None)[job.Name]
+    if budget is None and len(counted) == posted:
+        mark = marks.read_total(job)  # it was written when more was known
+        total = replace(total, costs={**total.costs, **mark.costs}) if mark else total
+    outdated = marks.is_outdated(job) or any(finding.mark.outdated for finding in counted)
+    # What its mark says, but without computing what it takes in simulators that nobody asks for.
+    told = replace(of_total(replace(total, costs={}), [f.mark for f in counted], ""), costs=total.costs)
+    notices = notices_of(told, chosen)
+    if total.operations < posted:
+        text = translate("Vk_Results", "the total of what was analyzed, not of the whole job")
+        notices.append(Notice(Level.NOTE, text))
+    rows = tuple(_operation(finding, chosen) for finding in findings)
+    return Row(total, job.Name, job.Label, tuple(notices), outdated, posted=posted, rows=rows)
+
+
+def in_total(row: Row) -> str:
+    """Return how many operations a job's total has, and of how many where it has not all."""
+    count = row.found.operations
+    if count < row.posted:
+        return translate("Vk_Results", "{count} of {all} operations").format(count=count, all=row.posted)
+    return plural(translate("Vk_Results", "{count} operation"), translate("Vk_Results", "{count} operations"), count)

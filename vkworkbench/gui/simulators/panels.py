@@ -1,0 +1,64 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The task panels of FreeCAD's simulators: what is chosen in them. Loads no numpy."""
+
+from __future__ import annotations
+
+import FreeCAD
+
+from vkworkbench import freecad
+from vkworkbench.document.job.operations import is_active
+from vkworkbench.gui.qt import widgets
+from vkworkbench.gui.qt.names import QComboBox, QDialogButtonBox, QListWidget, QSlider, Qt, QToolButton, QWidget
+
+_PARTS = {
+    "comboJobs": QComboBox,
+    "listOperations": QListWidget,
+    "sliderAccuracy": QSlider,
+    "toolButtonPlay": QToolButton,
+}
+
+
+def panels() -> list[QWidget]:
+    """Return the simulators' panels that are open and work; all of them have one name.
+
+    FreeCAD 1.x keeps each that was closed, and PySide may take parts of the next for what was at their address: then
+    FreeCAD says that its command failed, and the panel is nowhere, or they are not found.
+    """
+    return [
+        panel
+        for panel in widgets.find(QWidget, "TaskPathSimulator")
+        if not panel.isWindow() and all(panel.findChild(kind, name) is not None for name, kind in _PARTS.items())
+    ]
+
+
+def simulator_of(panel: QWidget) -> str:
+    """Return the name of the simulator that has this panel: the legacy one alone has a fast-forward."""
+    return "OpenGL" if panel.findChild(QToolButton, "toolButtonFF") is None else "legacy"
+
+
+def chosen_in(panel: QWidget) -> tuple[object, list]:
+    """Return the job that is chosen in a simulator's panel and its operations that are ticked; none where they are not known."""
+    jobs = FreeCAD.ActiveDocument.findObjects("Path::FeaturePython", "Job.*")
+    job = jobs[panel.findChild(QComboBox, "comboJobs").currentIndex()]
+    operations = [obj for obj in freecad.OPERATIONS.of(job).OutList if is_active(obj)]
+    listed = panel.findChild(QListWidget, "listOperations")
+    if len(operations) != listed.count():
+        return job, []
+    return job, [obj for row, obj in enumerate(operations) if listed.item(row).checkState() == Qt.Checked]
+
+
+def tick(panel: QWidget, operations: list) -> None:
+    """Tick these operations in a simulator's panel, and no others."""
+    job, _ = chosen_in(panel)
+    listed = panel.findChild(QListWidget, "listOperations")
+    for row, obj in enumerate(filter(is_active, freecad.OPERATIONS.of(job).OutList)):
+        listed.item(row).setCheckState(Qt.Checked if obj in operations else Qt.Unchecked)
+
+
+def close() -> None:
+    """Close a simulator's panel as its own button does: it takes away what it has put into the document."""
+    docks = [dock for dock in widgets.docks() if dock.objectName() in freecad.TASK_DOCKS]
+    for buttons in widgets.find(QDialogButtonBox):
+        if any(dock.isAncestorOf(buttons) for dock in docks):
+            (buttons.button(QDialogButtonBox.Cancel) or buttons.button(QDialogButtonBox.Close)).click()
+            return

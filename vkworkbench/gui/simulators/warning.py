@@ -1,0 +1,179 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""A line over the view when one of FreeCAD's simulators is started that would hang or take too long.
+
+It blocks nothing, and says and offers the better way. What it says is from marks that are not outdated.
+"""
+
+from __future__ import annotations
+
+import FreeCAD
+import FreeCADGui as Gui
+
+from vkworkbench import freecad, preferences
+from vkworkbench.document.marks import better_way, marks
+from vkworkbench.document.marks.better_way import BetterWay
+from vkworkbench.gui.qt import widgets
+from vkworkbench.gui.qt.names import (
+    QComboBox,
+    QEvent,
+    QFrame,
+    QHBoxLayout,
+    QLabel,
+    QListWidget,
+    QMdiArea,
+    QObject,
+    QPushButton,
+    QTimer,
+    QToolButton,
+    QWidget,
+    single_shot,
+)  # fmt: skip
+from vkworkbench.gui.qt.plain_text import as_plain, unbroken
+from vkworkbench.gui.qt.sentences import said, user
+from vkworkbench.gui.qt.text import explain, translate
+from vkworkbench.gui.simulators import panels as simulator_panels
+
+NAME = "VkSimulatorWarning"
+_MARGIN = 8  # px, from the view's edges
+_LOOK = 200  # ms between two looks whether the panel is still open
+# A style of its own: it stands over the 3D view, whatever the theme.
+_STYLE = """
+QFrame#VkSimulatorWarning { background-color: #fff4ce; border: 1px solid #c77700; border-radius: 4px; }
+QLabel { background-color: transparent; color: #1a1a1a; border: none; }
+QPushButton { background-color: #9c5d00; color: #ffffff; border: none; border-radius: 3px; padding: 4px 10px; }
+QPushButton:hover, QPushButton:focus { background-color: #7a4900; }
+QToolButton { background-color: transparent; color: #1a1a1a; border: none; padding: 2px 6px; }
+QToolButton:hover, QToolButton:focus { background-color: #f0dca0; }
+"""
+
+
+class Line(QFrame):
+    """The line: what is to be known, a button for the better way, and one to close it."""
+
+    def __init__(self, area: QMdiArea) -> None:
+        super().__init__(area)
+        self.setObjectName(NAME)
+        self.setStyleSheet(_STYLE)
+        self.text = as_plain(QLabel())
+        self.text.setWordWrap(True)
+        self.way = QPushButton()
+        self.close_button = QToolButton()
+        self.close_button.setText("\u2715")
+        explain(self.close_button, translate("Vk_Warning", "Close"))
+        row = QHBoxLayout(self)
+        row.setContentsMargins(10, 4, 4, 4)
+        row.addWidget(self.text, 1)
+        row.addWidget(self.way)
+        row.addWidget(self.close_button)
+        area.installEventFilter(self)
+
+    def eventFilter(self, area, event) -> bool:
+        if event.type() == QEvent.Resize and self.isVisible():
+            self.place()
+        return False
+
+    def place(self) -> None:
+        """Put it across the top of the views, as high as its text needs."""
+        area = self.parentWidget()
+        width = area.width() - 2 * _MARGIN
+        self.setGeometry(_MARGIN, area.viewport().y() + _MARGIN, width, self.heightForWidth(width))
+        self.raise_()
+
+    def end(self) -> None:
+        self.hide()
+        self.deleteLater()
+
+
+class OpenPanel(QObject):
+    """What is said while a panel of a simulator is open; it follows what is ticked there.
+
+    It belongs to its line and keeps nothing of the panel, see `widgets`.
+    """
+
+    def __init__(self, panel: QWidget, simulator: str) -> None:
+        line = Line(widgets.area_of_views())
+        super().__init__(line)
+        self._line, self._simulator = line, simulator
+        self._document = FreeCAD.ActiveDocument.Name
+        self._found: BetterWay | None = None
+        self._line.hide()
+        self._line.way.clicked.connect(self._take)
+        self._line.close_button.clicked.connect(self._end)
+        self._changed = single_shot(self._say, self)  # all of a list's ticks change at once
+        self._open = QTimer(self)  # looks: a widget that tells of its own end PySide keeps beyond it
+        self._open.timeout.connect(self._look)
+        self._open.start(_LOOK)
+        panel.findChild(QListWidget, "listOperations").itemChanged.connect(lambda item: self._changed.start())
+        panel.findChild(QComboBox, "comboJobs").currentIndexChanged.connect(lambda index: self._changed.start())
+        self._say()
+
+    def _look(self) -> None:
+        if not simulator_panels.panels():
+            self._line.end()
+
+    def _say(self) -> None:
+        panels = simulator_panels.panels()
+        if not panels or FreeCAD.ActiveDocument is None or FreeCAD.ActiveDocument.Name != self._document:
+            return
+        _, operations = simulator_panels.chosen_in(panels[0])
+        self._found = better_way.better_way(self._simulator, list(map(marks.read, operations)), preferences.read())
+        if self._found is None:
+            self._line.hide()
+            return
+        self._line.text.setText(unbroken(f"{said(self._found.wrong)} {said(self._found.better)}"))
+        self._line.way.setText(_title(self._found.way, self._simulator))
+        self._line.show()
+        self._line.place()
+
+    def _end(self) -> None:
+        self._changed.blockSignals(True)
+        self._line.hide()
+
+    def _take(self) -> None:
+        """Take the better way."""
+        way, panel = self._found.way, next(iter(simulator_panels.panels()), None)
+        self._end()
+        if panel is None:  # closed since the last look
+            return
+        if way == self._simulator:
+            panel.findChild(QToolButton, "toolButtonFF").click()
+            return
+        job, operations = simulator_panels.chosen_in(panel)
+        simulator_panels.close()
+        # Once the panel is gone.
+        QTimer.singleShot(0, lambda: _start(way, job, operations))
+
+
+def watch(panel: QWidget, simulator: str) -> None:
+    """Say what is to be known of what is ticked in a simulator's panel, as long as it is open."""
+    for line in widgets.find(Line):
+        line.end()
+    OpenPanel(panel, simulator)
+
+
+def _title(way: str, simulator: str) -> str:
+    if way == better_way.OURS:
+        return translate("Vk_Simulate", "Simulate toolpaths")
+    if way == simulator:
+        return translate("Vk_Warning", "Fast-forward")
+    return translate("Vk_Warning", "Use the {simulator}").format(simulator=user().simulator(way))
+
+
+def _start(way: str, job, operations: list) -> None:
+    """Simulate a job's operations in one of FreeCAD's simulators, the legacy one in fast-forward, or in ours."""
+    if way == better_way.OURS:
+        from vkworkbench.gui.simulation.command import open_tab
+
+        open_tab(operations)
+        return
+    Gui.Selection.clearSelection()
+    Gui.Selection.addSelection(job)
+    command = freecad.simulator_command(way)
+    Gui.runCommand(command)
+    if not Gui.Control.activeDialog():
+        Gui.runCommand(command)  # FreeCAD 1.0 fails to open a panel now and then (benchmarks/freecad_dead_widgets.py)
+    for panel in simulator_panels.panels():
+        simulator_panels.tick(panel, operations)
+        button = panel.findChild(QToolButton, "toolButtonFF")
+        if button is not None:
+            button.click()

@@ -1,0 +1,66 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The switch that shows strategies as colours in the 3D view."""
+
+from __future__ import annotations
+
+import FreeCAD
+import FreeCADGui as Gui
+
+from vkworkbench.document.job.operations import find
+from vkworkbench.gui.qt.document_command import DocumentCommand
+from vkworkbench.gui.qt.plain_text import tell
+from vkworkbench.gui.qt.text import QT_TRANSLATE_NOOP, translate
+from vkworkbench.gui.strategies import view as strategy_view
+
+
+class StrategiesCommand(DocumentCommand):
+    """Colour the toolpaths of the active document by strategy, or no longer."""
+
+    name = "Vk_Strategies"
+    menu = QT_TRANSLATE_NOOP("Vk_Strategies", "Show strategies")
+    tooltip = QT_TRANSLATE_NOOP(
+        "Vk_Strategies",
+        "Colors the toolpaths in the 3D view by their machining strategy, rapid moves grey. The document is not "
+        "changed.",
+    )
+    keys = "V, C"
+
+    def GetResources(self) -> dict:
+        return {**super().GetResources(), "Checkable": False}  # not checked at first
+
+    def Activated(self, checked: int) -> None:
+        document = FreeCAD.ActiveDocument
+        if document is None or bool(checked) == strategy_view.is_shown(document):
+            return
+        if not checked:
+            strategy_view.hide(document)
+            return
+        if not find(document):
+            follow_document(document)
+            text = translate(
+                "Vk_Strategies",
+                "There is no toolpath to color in this document. Create a job with operations, or import G-code.",
+            )
+            tell(translate("Vk_Strategies", "Show strategies"), text, Gui.getMainWindow())
+            return
+        strategy_view.show(document, lambda: follow_document(FreeCAD.ActiveDocument))
+
+
+def follow_document(document) -> None:
+    """Show the switch as it stands for a document."""
+    for action in Gui.Command.get(StrategiesCommand.name).getAction():
+        action.setChecked(strategy_view.is_shown(document))
+
+
+class _ActiveDocument:
+    """Follows the active document with the switch."""
+
+    def slotActivateDocument(self, document) -> None:
+        follow_document(document)
+
+    def slotDeletedDocument(self, document) -> None:
+        follow_document(FreeCAD.ActiveDocument)
+
+
+StrategiesCommand.add()
+FreeCAD.addDocumentObserver(_ActiveDocument())

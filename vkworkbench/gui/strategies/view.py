@@ -1,0 +1,255 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Toolpaths in the 3D view in the colours of their strategies, rapids grey; no document is changed.
+
+Each operation's lines hang below its own view provider, so they are placed, hidden and freed with it. They are worked
+out in a thread, a few operations at a time, while the window lives on.
+"""
+
+from __future__ import annotations
+
+import time
+import traceback
+from collections.abc import Callable, Iterator
+
+import FreeCAD
+import FreeCADGui as Gui
+from pivy import coin
+
+from vkworkbench import freecad
+from vkworkbench.document.job.operations import find, is_operation, names_of
+from vkworkbench.document.job.recognized import Source, source_of
+from vkworkbench.gui.qt.background import Background, Busy
+from vkworkbench.gui.qt.names import single_shot
+from vkworkbench.gui.qt.text import translate
+from vkworkbench.gui.strategies.legend import Legend
+from vkworkbench.gui.strategies.lines import Drawing, Lines, drawings
+from vkworkbench.report import Cancelled
+
+_READING = 0.03  # s for copying paths out of a document, then other events come
+
+Key = tuple[str, str]  # the names of document and object
+
+
+def _groups(obj) -> list[coin.SoGroup]:
+    """The groups below which FreeCAD draws an object as they are now; none where it draws nothing.
+
+    Others may take them away, and Coin ends FreeCAD where a node is used that is gone: they are asked for each time.
+    """
+    switch = obj.ViewObject.SwitchNode
+    children = map(switch.getChild, range(switch.getNumChildren()))
+    return [child for child in children if isinstance(child, coin.SoGroup)]
+
+
+class _Shown:
+    """What is shown of one document: lines by the names of operations."""
+
+    def __init__(self, document_name: str) -> None:
+        self._document = document_name
+        self.lines: dict[str, Lines] = {}
+        self.legend = Legend(document_name)
+
+    def put(self, obj, lines: Lines) -> None:
+        self.take_away(obj.Name)
+        for group in _groups(obj)[:1]:
+            group.addChild(lines.root)
+            self.lines[obj.Name] = lines
+            self.name_colors()
+
+    def take_away(self, name: str) -> None:
+        if name in self.lines:
+            self._take_away(name)
+            self.name_colors()
+
+    def _take_away(self, name: str) -> None:
+        root = self.lines.pop(name).root
+        for group in _groups(FreeCAD.getDocument(self._document).getObject(name)):
+            if group.findChild(root) >= 0:
+                group.removeChild(root)
+
+    def forget(self, name: str) -> None:
+        """Pass over an operation that is gone, and its lines with it."""
+        if self.lines.pop(name, None) is not None:
+            self.name_colors()
+
+    def end(self) -> None:
+        """Take all away."""
+        for name in list(self.lines):
+            self._take_away(name)
+        self.legend.remove()
+
+    def name_colors(self) -> None:
+        """Show in the legend what is visible."""
+        document = FreeCAD.getDocument(self._document)
+        visible = [lines for name, lines in self.lines.items() if document.getObject(name).Visibility]
+        self.legend.show(strategy for lines in visible for strategy in lines.strategies)
+
+
+class _Drawer:
+    """Draws what is pending, a few operations at a time."""
+
+    def __init__(self, cancelled: Callable) -> None:
+        self._cancelled = cancelled
+        self._background = Background()
+        self.busy = Busy(self._background)
+        self.busy.button.clicked.connect(self._give_up)
+        Gui.getMainWindow().statusBar().addPermanentWidget(self.busy)
+        self._pending: dict[Key, None] = {}
+        self._at_work: list[Key] = []
+        self._later = single_shot(self._read)
+
+    @property
+    def works(self) -> bool:
+        return bool(self._pending) or self._background.works
+
+    def draw(self, objects) -> None:
+        self._pending.update(dict.fromkeys(map(names_of, objects)))
+        if self._pending and not self._background.works:
+            self._later.start()
+
+    def forget(self, document_name: str) -> None:
+        """Draw nothing more of a document."""
+        self._background.give_up()
+        keys = [key for key in (*self._at_work, *self._pending) if key[0] != document_name]
+        self._pending, self._at_work = dict.fromkeys(keys), []
+        self.draw(())
+
+    def _give_up(self) -> None:
+        """Draw nothing more where the button was pressed between two pieces of the work."""
+        if self.works:
+            self._ended(Cancelled("given up"))
+
+    def _read(self) -> None:
+        until = time.monotonic() + _READING
+        batch: list[tuple[Key, Source]] = []
+        while self._pending and (not batch or time.monotonic() < until):
+            key = next(iter(self._pending))
+            del self._pending[key]
+            obj = _object(key)
+            if obj is not None and _groups(obj):  # else FreeCAD draws nothing either
+                batch.append((key, source_of(obj)))
+        self._at_work = [key for key, _ in batch]
+        if batch:
+            text = translate("Vk_Strategies", "Drawing strategies, operations to go: {}")
+            self._background.start(text.format(len(batch) + len(self._pending)), _work(batch), self._show, self._ended)
+
+    def _show(self, result: tuple[Key, Drawing | None]) -> None:
+        key, drawing = result
+        obj = _object(key)
+        if obj is None:
+            return
+        shown = _shown[key[0]]
+        if drawing is None:
+            shown.take_away(key[1])
+            return
+        lines = Lines(drawing)
+        lines.emphasize(obj in Gui.Selection.getSelection("*"))
+        shown.put(obj, lines)
+
+    def _ended(self, error: Exception | None) -> None:
+        self._at_work = []
+        if error is None:
+            self.draw(())
+            return
+        for name in list(_shown):
+            hide(FreeCAD.getDocument(name))
+        self._cancelled()
+
+
+def _work(batch: list[tuple[Key, Source]]) -> Callable:
+    def work(going_on: Callable) -> Iterator[tuple[Key, Drawing | None]]:
+        for key, source in batch:
+            found = False
+            try:
+                for drawing in drawings(source, going_on):
+                    found = True
+                    yield key, drawing
+            except Cancelled:
+                raise
+            except Exception:  # one operation must not stop the others; the analysis says what is wrong with it
+                FreeCAD.Console.PrintLog(traceback.format_exc())
+            if not found:
+                yield key, None
+
+    return work
+
+
+def _object(key: Key):
+    """Return an operation of a document that is shown; None where either is gone."""
+    document = FreeCAD.listDocuments().get(key[0])
+    return document.getObject(key[1]) if document is not None and key[0] in _shown else None
+
+
+_shown: dict[str, _Shown] = {}
+_drawer: _Drawer | None = None
+
+
+def show(document, cancelled: Callable) -> None:
+    """Colour the toolpaths of a document; they keep their colours up to date by themselves.
+
+    Parameters
+    ----------
+    document : Document
+    cancelled : callable
+        Called when the user gave up the drawing; then nothing is shown any more.
+    """
+    global _drawer
+    if _drawer is None:
+        _drawer = _Drawer(cancelled)
+        watcher = _Watcher()
+        FreeCAD.addDocumentObserver(watcher)
+        Gui.Selection.addObserver(watcher)
+    _shown[document.Name] = _Shown(document.Name)
+    # What a link in a job's group links to is drawn where that is; FreeCAD draws the link as a copy of it.
+    _drawer.draw(filter(is_operation, (operation.object for operation in find(document))))
+
+
+def hide(document) -> None:
+    """Take the colours away."""
+    if is_shown(document):
+        _shown.pop(document.Name).end()
+        _drawer.forget(document.Name)
+
+
+def is_shown(document) -> bool:
+    return document is not None and document.Name in _shown
+
+
+def is_drawing() -> bool:
+    """Whether there is more to come."""
+    return _drawer is not None and _drawer.works
+
+
+class _Watcher:
+    """Draws toolpaths anew that changed, and forgets those that are gone."""
+
+    def __init__(self) -> None:
+        self._changed: set[Key] = set()
+
+    def slotChangedObject(self, obj, name: str) -> None:
+        if name in freecad.PATH.names and obj.Document.Name in _shown and is_operation(obj):
+            self._changed.add(names_of(obj))
+        elif name == "Visibility" and obj.Document.Name in _shown and obj.Name in _shown[obj.Document.Name].lines:
+            _shown[obj.Document.Name].name_colors()
+
+    def slotRecomputedDocument(self, document) -> None:
+        here = {key for key in self._changed if key[0] == document.Name}
+        self._changed -= here
+        _drawer.draw(filter(None, map(_object, here)))
+
+    slotUndoDocument = slotRedoDocument = slotRecomputedDocument
+
+    def addSelection(self, *what) -> None:
+        selected = set(map(names_of, Gui.Selection.getSelection("*")))
+        for document, shown in _shown.items():
+            for name, lines in shown.lines.items():
+                lines.emphasize((document, name) in selected)
+
+    setSelection = removeSelection = clearSelection = addSelection
+
+    def slotDeletedObject(self, obj) -> None:
+        if obj.Document.Name in _shown:
+            _shown[obj.Document.Name].forget(obj.Name)
+
+    def slotDeletedDocument(self, document) -> None:
+        if _shown.pop(document.Name, None) is not None:
+            _drawer.forget(document.Name)

@@ -1,0 +1,73 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What a mark means, for its tooltip: why, how long on the machine, how long in each simulator, what to know."""
+
+from __future__ import annotations
+
+from vkworkbench.document.marks.record import Record
+from vkworkbench.gui.qt.plain_text import lines
+from vkworkbench.gui.qt.sentences import as_sentence, plainly, strategy_name, user
+from vkworkbench.gui.qt.text import translate
+from vkworkbench.gui.tree.layout import pill_text
+from vkworkbench.gui.tree.notices import Level, Notice, notices_of
+from vkworkbench.language import ROUGH
+from vkworkbench.preferences import Preferences
+from vkworkbench.report import is_switched_off
+
+
+def explanation(record: Record, chosen: Preferences) -> str:
+    """Return what a mark means, as a part of HTML."""
+    told = [f"<b>{lines(_title(record))}</b>"]
+    if not is_switched_off(record):
+        told += [lines(as_sentence(plainly(reason))) for reason in record.reason]
+    if record.trajectories:
+        told.append(lines(_machining(record)))
+    names = sorted(record.costs, key=lambda name: name != chosen.simulator)
+    told += [lines(_simulation(record, name)) for name in names]
+    told += map(_notice, notices_of(record, chosen))
+    if chosen.simulator not in record.costs and record.costs:
+        text = translate("Pills", "The time in the {simulator} is not known: analyze it again.")
+        told.append(f"<i>{lines(text.format(simulator=user().simulator(chosen.simulator)))}</i>")
+    if record.outdated:
+        text = translate("Pills", "Outdated: toolpath, tool or stock have changed since. Analyze it again.")
+        told.append(f"<i>{lines(text)}</i>")
+    return "<br>".join(told)
+
+
+def _notice(notice: Notice) -> str:
+    text = lines(notice.text)
+    return text if notice.level is Level.NOTE else f"<b>⚠ {text}</b>"
+
+
+def _title(record: Record) -> str:
+    if record.strategy is None or not record.strategy.is_answer:
+        return pill_text(record)
+    text = translate("Pills", "{strategy}, {share} sure")
+    return text.format(strategy=strategy_name(record.strategy), share=user().share(record.confidence))
+
+
+def _machining(record: Record) -> str:
+    length = user().length(record.length)
+    if not record.machining_seconds:  # at least 0 s tells nothing
+        return translate("Pills", "On the machine: {length} of cutting").format(length=length)
+    time = user().time(record.machining_seconds)
+    text = translate("Pills", "On the machine: {time}, {length} of cutting")
+    if record.left_out:
+        text = translate("Pills", "On the machine: at least {time}, {length} of cutting")
+    return text.format(time=time, length=length)
+
+
+def _simulation(record: Record, name: str) -> str:
+    """Return time and memory of one simulator; the time as a range where it is only a rough estimate."""
+    seconds, memory = record.cost(name)
+    factor, reader = record.factor(name), user()
+    time = (
+        reader.time(seconds, factor)
+        if factor < ROUGH
+        else reader.between(reader.time(seconds / factor, factor), reader.time(seconds * factor, factor))
+    )
+    text = translate("Pills", "Simulating it alone in the {simulator}: {time}, {memory}")
+    if record.strategy is None:
+        text = translate("Pills", "Simulating it in the {simulator}: {time}, {memory}")
+    if record.incomplete:
+        text = translate("Pills", "Simulating it in the {simulator}: at least {time}, {memory}")
+    return text.format(simulator=reader.simulator(name), time=time, memory=reader.memory(memory))
