@@ -30,7 +30,7 @@ from vkworkbench.core import Cut, Tool, View, estimate, simulate_job
 from vkworkbench.core.gcode import linearize
 from vkworkbench.core.simulators import zbuffer
 from vkworkbench.core.zbuffer import Speed, measure_speed
-from vkworkbench.document.job.known import KNOWN
+from vkworkbench.document.job.results import RESULTS
 from vkworkbench.document.simulation.copy import read_job
 
 JOBS, RUNS = 20, 3
@@ -120,7 +120,7 @@ def analyses(document) -> None:
     """How long an analysis of the example takes, without its z-buffer costs, with them, and with the total."""
     least = [np.inf] * 3
     for _ in range(RUNS):
-        KNOWN.forget()
+        RESULTS.clear()
         begin = time.process_time()
         report = vkworkbench.analyze(document)
         analysed = time.process_time()

@@ -32,7 +32,7 @@ from make_example import cam
 
 from vkworkbench import freecad
 from vkworkbench.document.computer import idle
-from vkworkbench.document.job.known import KNOWN
+from vkworkbench.document.job.results import RESULTS
 from vkworkbench.document.marks import marks
 from vkworkbench.gui.gauss import command as gauss_map_command
 from vkworkbench.gui.qt import docks
@@ -127,7 +127,7 @@ def measure(count: int) -> None:
     done = {
         "a changed path is recomputed, no marks": (
             lambda: change(operations[0]), document.recompute, lambda: True),
-        "Analyze toolpaths": (KNOWN.forget, analyze, is_marked),
+        "Analyze toolpaths": (RESULTS.clear, analyze, is_marked),
         "Analyze toolpaths, nothing changed": (lambda: None, analyze, is_marked),
         "a changed path is recomputed, marked": (
             lambda: change(operations[0]), document.recompute, lambda: is_idle() and marks.is_outdated(operations[0])),

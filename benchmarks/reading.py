@@ -26,7 +26,7 @@ from make_example import cam
 
 import vkworkbench
 from vkworkbench.core import linearize, recognize
-from vkworkbench.document.job.known import KNOWN
+from vkworkbench.document.job.results import RESULTS
 
 COUNT = 100_000
 RUNS = 7
@@ -243,7 +243,7 @@ def a_job():
 
 def analyzed(document):
     """The report of an analysis that knows nothing from before."""
-    KNOWN.forget()
+    RESULTS.clear()
     return vkworkbench.analyze(document)
 
 

@@ -36,8 +36,8 @@ import vkworkbench
 from vkworkbench import preferences
 from vkworkbench.document import upkeep
 from vkworkbench.document.job.fingerprint import Settings, path_fingerprint, text_fingerprint
-from vkworkbench.document.job.known import KNOWN
 from vkworkbench.document.job.operations import find
+from vkworkbench.document.job.results import RESULTS
 from vkworkbench.document.marks import marks
 from vkworkbench.language import Unusable
 
@@ -90,7 +90,7 @@ class Session:
         self.done, self.folder = [], tempfile.TemporaryDirectory()
 
     def run(self):
-        KNOWN.forget()
+        RESULTS.clear()
         upkeep.watch()
         self.do_new_document()
         for _ in range(ACTIONS):

@@ -8,13 +8,13 @@ import Path
 import pytest
 from make_example import cam
 
-from vkworkbench.document.job.known import KNOWN
+from vkworkbench.document.job.results import RESULTS
 
 
 @pytest.fixture(autouse=True)
 def nothing_known():
     """No test finds what another one's analysis found."""
-    KNOWN.forget()
+    RESULTS.clear()
 
 
 class JobDocument:

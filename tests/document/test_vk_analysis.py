@@ -21,7 +21,7 @@ from vkworkbench import core, freecad, preferences
 from vkworkbench.core.zbuffer import estimate_job
 from vkworkbench.document import analysis
 from vkworkbench.document.job import reading
-from vkworkbench.document.job.known import KNOWN
+from vkworkbench.document.job.results import RESULTS
 from vkworkbench.document.job.setting import read_tool
 from vkworkbench.document.marks import marking
 from vkworkbench.language import Message, render
@@ -468,7 +468,7 @@ def rows_of_a_failure(report):
 def test_an_error_of_our_own_costs_one_row_only(small, zigzag_commands, monkeypatch):
     small.add("First", zigzag_commands)
     small.add("Second", zigzag_commands[:-4])
-    recognized = analysis.recognized
+    recognized = analysis.recognize_operation
 
     def broken(toolpath, *rest):
         if len(toolpath) == len(first):
@@ -476,7 +476,7 @@ def test_an_error_of_our_own_costs_one_row_only(small, zigzag_commands, monkeypa
         return recognized(toolpath, *rest)
 
     first = core.linearize(zigzag_commands)
-    monkeypatch.setattr(analysis, "recognized", broken)
+    monkeypatch.setattr(analysis, "recognize_operation", broken)
     report = vkworkbench.analyze(small.document)
     rows = rows_of_a_failure(report)
     assert "please report" in rows[0].error and rows[1].error is None
@@ -507,7 +507,7 @@ def test_everything_is_read_and_made_once(small, zigzag_commands):
     arc = ("G2", {"X": 30.0, "Y": 20.0, "I": -5.0, "J": 0.0})  # so that what goes wrong with arcs is looked at
     small.add("Rows", [*zigzag_commands, ("G1", {"X": 40.0, "Y": 20.0, "Z": 15.0}), arc])
     vkworkbench.analyze(small.document)  # measures the computer where nobody has
-    KNOWN.forget()
+    RESULTS.clear()
     counted = dict.fromkeys(["words.__init__", "motions.motions", "setting.read_tool", "setting.read_stock"], 0)
 
     def count(frame, event, argument):
@@ -603,7 +603,7 @@ def test_a_tool_is_too_wide_beyond_the_longer_side_of_the_stock(small, zigzag_co
 def test_what_is_given_up_is_not_waited_for(small, zigzag_commands, monkeypatch):
     small.add("Rows", zigzag_commands)
     vkworkbench.analyze(small.document)  # measures the computer where nobody has
-    KNOWN.forget()
+    RESULTS.clear()
     begun, go_on, ended = Event(), Event(), Event()
 
     def slow(*_):

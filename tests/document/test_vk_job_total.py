@@ -13,7 +13,7 @@ from vkworkbench.core.simulators import ZBUFFER
 from vkworkbench.core.zbuffer import estimate_job
 from vkworkbench.document import upkeep
 from vkworkbench.document.computer import calibration
-from vkworkbench.document.job import session
+from vkworkbench.document.job import results
 from vkworkbench.document.marks import marks
 from vkworkbench.document.marks.properties import MARK
 from vkworkbench.document.simulation.copy import read_job
@@ -107,7 +107,7 @@ def test_the_total_survives_its_file_and_is_a_sum_where_the_session_knows_too_li
     try:
         (job,) = [obj for obj in again.Objects if obj.Name == twice.job.Name]
         first = job.Operations.Group[0]
-        assert session.row_of(first, marks.read(first).fingerprint) is None
+        assert results.latest_row(first, marks.read(first).fingerprint) is None
         assert marks.read_total(job).cost(ZBUFFER.name) == total
         vkworkbench.mark(vkworkbench.analyze(first))
         assert marks.read(job).cost(ZBUFFER.name)[0] == pytest.approx(summed(report))
@@ -137,9 +137,9 @@ def test_what_cuts_nothing_is_no_unknown_cost(twice):
 def test_a_closed_document_is_forgotten(twice):
     vkworkbench.mark(vkworkbench.analyze(twice.document))
     name = twice.document.Name
-    assert any(document == name for document, _ in session.rows_with(()))
+    assert any(document == name for document, _ in results.latest_rows(()))
     FreeCAD.closeDocument(name)
-    assert not any(document == name for document, _ in session.rows_with(()))
+    assert not any(document == name for document, _ in results.latest_rows(()))
 
 
 @pytest.fixture

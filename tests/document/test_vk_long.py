@@ -40,8 +40,8 @@ def test_a_thread_that_takes_long_is_waited_for_by_any_python(small, zigzag_comm
 
     small.add("Zigzag", zigzag_commands)
     monkeypatch.setattr(concurrent.futures._base, "TimeoutError", type("TimeoutError", (Exception,), {}))
-    asked, recognized = threading.Event(), analysis.recognized
-    monkeypatch.setattr(analysis, "recognized", lambda *what: asked.wait() and recognized(*what))
+    asked, recognized = threading.Event(), analysis.recognize_operation
+    monkeypatch.setattr(analysis, "recognize_operation", lambda *what: asked.wait() and recognized(*what))
     (row,) = vkworkbench.analyze(small.document, cancelled=asked.set).operations
     assert row.strategy == "zigzag" and row.error is None
 

@@ -8,8 +8,8 @@ import Part
 import Path
 import pytest
 
-from vkworkbench.document.job.of_shapes import OfShapes
 from vkworkbench.document.job.path_prints import PathPrints
+from vkworkbench.document.job.setting import ShapeCache
 
 
 @pytest.fixture
@@ -85,7 +85,7 @@ def test_a_document_that_is_closed_is_forgotten(small, zigzag_commands, prints):
 
 def test_what_was_found_of_the_shapes_asked_for_last_is_kept():
     shapes, made = [Part.makeBox(1, 1, height) for height in (1, 2, 3)], []
-    kept = OfShapes(2)
+    kept = ShapeCache(2)
 
     def of(which):
         return kept.of(shapes[which], lambda: made.append(which) or which)

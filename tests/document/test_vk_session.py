@@ -7,7 +7,7 @@ from types import SimpleNamespace
 
 import FreeCAD
 
-from vkworkbench.document.job import session
+from vkworkbench.document.job import results
 
 
 def row(document, name, fingerprint="f"):
@@ -16,30 +16,30 @@ def row(document, name, fingerprint="f"):
 
 def test_the_last_row_of_an_operation_is_remembered_while_its_fingerprint_holds(small):
     op = small.add("Op", [])
-    assert session.row_of(op, "f") is None
+    assert results.latest_row(op, "f") is None
     before, after = row(small.name, op.Name), row(small.name, op.Name, "g")
-    session.remember([before, row(small.name, "Other", "g")])
-    assert session.row_of(op, "f") is before and session.row_of(op, "g") is None
-    session.remember([after])
-    assert session.row_of(op, "g") is after and session.row_of(op, "f") is None
+    results.remember([before, row(small.name, "Other", "g")])
+    assert results.latest_row(op, "f") is before and results.latest_row(op, "g") is None
+    results.remember([after])
+    assert results.latest_row(op, "g") is after and results.latest_row(op, "f") is None
 
 
 def test_a_document_of_the_same_name_starts_anew(small):
     op = small.add("Op", [])
-    session.remember([row(small.name, op.Name)])
+    results.remember([row(small.name, op.Name)])
     FreeCAD.closeDocument(small.name)
     again = FreeCAD.newDocument(small.name)
     try:
         assert again.Name == small.name
-        assert session.row_of(again.addObject("Path::Feature", "Op"), "f") is None
+        assert results.latest_row(again.addObject("Path::Feature", "Op"), "f") is None
     finally:
         FreeCAD.closeDocument(again.Name)
 
 
 def test_new_rows_take_the_place_of_those_that_were_remembered(small):
     old = [row(small.name, "A"), row(small.name, "B")]
-    session.remember(old)
+    results.remember(old)
     new = row(small.name, "B", "g")
-    known = session.rows_with([new])
+    known = results.latest_rows([new])
     assert (known[small.name, "A"], known[small.name, "B"]) == (old[0], new)
-    assert session.rows_with([])[small.name, "B"] is old[1]  # nothing is kept of them
+    assert results.latest_rows([])[small.name, "B"] is old[1]  # nothing is kept of them

@@ -11,8 +11,7 @@ import pytest
 
 import vkworkbench
 from vkworkbench.core import Cylinder, Mesh, Stock, View, linearize
-from vkworkbench.document.job.of_shapes import OfShapes
-from vkworkbench.document.job.setting import placed, read_stock, read_tool, tool_remark
+from vkworkbench.document.job.setting import ShapeCache, placed, read_stock, read_tool, tool_remark
 from vkworkbench.document.job.solids import form_of_stock, model_shapes, model_solid, stock_solid
 from vkworkbench.language import Unusable, render
 
@@ -180,7 +179,7 @@ def test_what_is_not_simulated_exactly_is_said(shape, simulated, told):
 
 
 def test_what_was_found_of_the_shapes_asked_for_last_is_not_found_again():
-    kept, asked = OfShapes(3), []
+    kept, asked = ShapeCache(3), []
 
     def found(number):
         return kept.of(shapes[number], lambda: asked.append(number) or f"of {number}")

@@ -24,7 +24,7 @@ except ImportError:
 
 from vkworkbench import freecad
 from vkworkbench.document.computer import idle
-from vkworkbench.document.job.known import KNOWN
+from vkworkbench.document.job.results import RESULTS
 from vkworkbench.gui.qt import docks, widgets
 from vkworkbench.gui.tree import column as tree
 
@@ -33,7 +33,7 @@ from vkworkbench.gui.tree import column as tree
 def nothing_known(request):
     """No test finds what another one's analysis found, but in `marked` what the analysis of its document found."""
     if not ("marked" in request.fixturenames and request.getfixturevalue("kept_document").is_marked):
-        KNOWN.forget()
+        RESULTS.clear()
 
 
 @pytest.fixture(autouse=True)

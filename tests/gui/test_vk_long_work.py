@@ -8,7 +8,7 @@ import Path
 import pytest
 from PySide import QtCore, QtGui
 
-from vkworkbench.document.job.known import KNOWN
+from vkworkbench.document.job.results import RESULTS
 
 OPERATIONS, COMMANDS = 5, 30_000
 
@@ -78,7 +78,7 @@ def cancel(window, order, number, beats):
     timer = QtCore.QTimer()
     timer.timeout.connect(beat)
     timer.start(10)
-    KNOWN.forget()
+    RESULTS.clear()
     window.click("Analyze toolpaths")
     timer.stop()
     assert pressed, "the analysis was over before Esc"

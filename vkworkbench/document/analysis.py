@@ -18,7 +18,7 @@ from vkworkbench.core.gcode import Words, in_seconds, used_up
 from vkworkbench.core.simulators import ZBUFFER, Conditions, Cost, Task, predict, preflight, together
 from vkworkbench.core.zbuffer import cuts_surely, may_cut
 from vkworkbench.document.computer import calibration, garbage
-from vkworkbench.document.job import session
+from vkworkbench.document.job import results
 from vkworkbench.document.job.fingerprint import (
     AT_ONCE,
     fingerprint_of,
@@ -27,7 +27,6 @@ from vkworkbench.document.job.fingerprint import (
     text_of,
 )
 from vkworkbench.document.job.intent import contradicts
-from vkworkbench.document.job.known import KNOWN, key_of
 from vkworkbench.document.job.operations import (
     find,
     fixtures_of,
@@ -37,8 +36,9 @@ from vkworkbench.document.job.operations import (
     or_active_document,
 )
 from vkworkbench.document.job.path_prints import PATH_PRINTS
-from vkworkbench.document.job.reading import READ, WHOSE, Reading, read
-from vkworkbench.document.job.recognized import recognized
+from vkworkbench.document.job.reading import IDENTITY, SETTINGS, Reading, read
+from vkworkbench.document.job.recognition import recognize_operation
+from vkworkbench.document.job.results import RESULTS, key_of
 from vkworkbench.document.job.setting import placed
 from vkworkbench.document.simulation.faults import with_faults
 from vkworkbench.language import Message, Unusable
@@ -123,7 +123,7 @@ def analyze(
             row = _patiently(lambda going_on, reading=reading: _row(reading, chosen, conditions, going_on), cancelled)
             reports.append(row)
             PATH_PRINTS.end((row.document, row.name), token, path_and_setting(row.fingerprint)[0])
-    known = session.rows_with(reports)
+    known = results.latest_rows(reports)
     wholes = [[known[key] for key in of_job if key in known] for of_job in posted]
     _patiently(lambda going_on: _estimate_shown(reports, wholes, chosen.simulators, going_on), cancelled)
     return Report(tuple(reports), job_labels, chosen.budget, fixtures, simulator=chosen.simulator)
@@ -188,16 +188,16 @@ def _work(reading: Reading, chosen: Preferences, conditions: Conditions, going_o
     commands = None if reading.path.Size <= AT_ONCE else reading.path.Commands
     text = text_of(reading.path, commands)
     going_on()
-    key = key_of(text, *reading.placement.toMatrix().A, *(getattr(reading, name) for name in READ), chosen.tolerance,
+    key = key_of(text, *reading.placement.toMatrix().A, *(getattr(reading, name) for name in SETTINGS), chosen.tolerance,
                  conditions)  # fmt: skip
-    known = KNOWN.find(key)
+    known = RESULTS.find(key)
     if known is None:
         words = Words(used_up(commands or reading.path.Commands))  # a million take half a GB, read twice that
         known = _analysed(reading, words, chosen, conditions, going_on)
-        KNOWN.keep(key, known)
+        RESULTS.keep(key, known)
     row = replace(
         known,
-        **{name: getattr(reading, name) for name in WHOSE},
+        **{name: getattr(reading, name) for name in IDENTITY},
         fingerprint=fingerprint_of(text_fingerprint(text, reading.placement), reading.setting_fingerprint),
     )
     return with_faults(row, row.document, row.name)
@@ -213,7 +213,7 @@ def _analysed(
     except Unusable as error:
         return _unknown(reading, error.what)
     going_on()
-    found, inches = recognized(toolpath, tool and tool.diameter, reading.imported)
+    found, inches = recognize_operation(toolpath, tool and tool.diameter, reading.imported)
     if inches:
         remarks.append(Message("inches-as-millimetres"))
     cuts = found.strategy is not Strategy.EMPTY
@@ -234,7 +234,7 @@ def _analysed(
         remarks += [told] if told else []
     horizontal, vertical = reading.rapid_feeds
     return OperationReport(
-        **{name: getattr(reading, name) for name in WHOSE},
+        **{name: getattr(reading, name) for name in IDENTITY},
         recognition=found,
         trajectories=len(toolpath),
         machining=machining(toolpath, horizontal_rapid=horizontal, vertical_rapid=vertical,
@@ -277,4 +277,4 @@ def _failed(reading: Reading, error: Exception) -> OperationReport:
 def _unknown(reading: Reading, why: Message) -> OperationReport:
     """Return the row of an operation of which nothing is known, and why."""
     fingerprint = fingerprint_of("", reading.setting_fingerprint)
-    return without_results(why, fingerprint=fingerprint, **{name: getattr(reading, name) for name in WHOSE})
+    return without_results(why, fingerprint=fingerprint, **{name: getattr(reading, name) for name in IDENTITY})

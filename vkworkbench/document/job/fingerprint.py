@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Fingerprints that tell whether a mark still describes the operation it stands on.
+"""Fingerprints of operations: a mark is outdated when its operation has another fingerprint.
 
-They hold what the analysis depends on and nothing else, to the digits a file keeps: so they survive renaming,
-saving, reopening, and another FreeCAD version.
+A fingerprint covers only what the analysis depends on, with the digits that a file keeps. It stays the same after renaming,
+saving, reopening, and in another FreeCAD version.
 """
 
 from __future__ import annotations
@@ -20,32 +20,32 @@ from vkworkbench.document.job.path_prints import PATH_PRINTS
 from vkworkbench.document.job.setting import rapid_feeds, read_stock, read_tool
 from vkworkbench.document.job.solids import form_of_stock
 
-# mm, added before a stock's corners are rounded to hundredths: no measure in mm or inches is then on a border between
-# two of them, where another version's last digit would decide.
-_ASIDE = 3.7e-4
+# mm, added before the corners of a stock are rounded to 0.01 mm. Without it a usual length in mm or inches would lie halfway
+# between two rounded values, and the last digit, which differs between FreeCAD versions, would decide.
+_OFFSET = 3.7e-4
 
-#: Commands whose text is written in a tenth of a second, during which no other thread runs.
+#: Number of commands that FreeCAD writes as text in a tenth of a second, during which no other thread runs.
 AT_ONCE = 50_000
-_PIECE = 10_000  # commands written between two looks at the time
+_PIECE = 10_000  # commands written at a time
 
-# A computer that allows no SHA-1 for secrets allows it here; Python 3.8 does not know the difference.
-_NO_SECRET = {"usedforsecurity": False} if sys.version_info >= (3, 9) else {}
+# Systems that forbid SHA-1 for security accept it with this argument, which Python 3.8 does not have.
+_NOT_FOR_SECURITY = {"usedforsecurity": False} if sys.version_info >= (3, 9) else {}
 
 
 def path_fingerprint(obj) -> str:
-    """Return the fingerprint of an object's path and where it is placed."""
+    """Return the fingerprint of an object's path and placement."""
     for _ in finding_path_fingerprint(obj):
         pass
     return PATH_PRINTS.of(obj)
 
 
 def finding_path_fingerprint(obj) -> Iterator[None]:
-    """Find the fingerprint of an object's path in steps of milliseconds; only a copy of the path takes longer."""
-    while PATH_PRINTS.of(obj) is None:  # found by an analysis, or changed while it was being found
+    """Compute the fingerprint of an object's path in steps of milliseconds; only copying the path takes longer."""
+    while PATH_PRINTS.of(obj) is None:  # until it is known, also if the path changes meanwhile
         token = PATH_PRINTS.begin(obj)
         path, placement, whose = obj.Path, obj.Placement, names_of(obj)
         yield
-        digest = hashlib.sha1(**_NO_SECRET)
+        digest = hashlib.sha1(**_NOT_FOR_SECURITY)
         for text in _texts(path, None):
             digest.update(_without_comments(text).encode())
             yield
@@ -56,12 +56,12 @@ def finding_path_fingerprint(obj) -> Iterator[None]:
 
 
 def text_of(path, commands: list | None = None) -> str:
-    """Return the text of a path; of a long one, `commands` may be a copy of its commands that is at hand."""
+    """Return the text of a path. `commands` may be a copy of its commands, which saves time for a long path."""
     return "".join(_texts(path, commands))
 
 
 def _texts(path, commands: list | None) -> Iterator[str]:
-    """The text of a path in pieces: FreeCAD writes it faster at once, but holds up all other threads meanwhile."""
+    """Yield the text of a path in pieces. FreeCAD is faster when it writes the whole text, but no other thread runs meanwhile."""
     if path.Size <= AT_ONCE:
         yield path.toGCode()
         return
@@ -71,18 +71,18 @@ def _texts(path, commands: list | None) -> Iterator[str]:
 
 
 def fingerprint_of(path: str, setting: str) -> str:
-    """Return the fingerprint of an operation from those of its path, "" where it could not be read, and its setting."""
+    """Return the fingerprint of an operation from the fingerprints of its path ("" for an unreadable path) and its setting."""
     return f"{path}:{setting}"
 
 
 def path_and_setting(fingerprint: str) -> tuple[str, str]:
-    """Return the fingerprints of an operation's path and setting from the operation's."""
+    """Split the fingerprint of an operation into the fingerprints of its path and setting."""
     path, _, setting = fingerprint.partition(":")
     return path, setting
 
 
 def text_fingerprint(text: str, placement) -> str:
-    """Return the fingerprint of a path's text and where it is placed."""
+    """Return the fingerprint of a path's text and placement."""
     return _digest(_without_comments(text) + _place(placement))
 
 
@@ -107,13 +107,13 @@ def setting_fingerprint(
     Parameters
     ----------
     tool : Tool or None
-        None where it cannot be read.
+        None for an unreadable tool.
     stock : Stock or None
-        The exact box around it, likewise.
+        The exact box around the stock; None for an unreadable stock.
     form : iterable
-        What the box does not tell, as `form_of_stock` returns it.
+        The form of a stock that is not a box, from `form_of_stock`.
     rapids : tuple of float
-        As `rapid_feeds` returns them, mm/s.
+        The speeds from `rapid_feeds`, mm/s.
     """
     parts = [None, None]
     if tool is not None:
@@ -122,7 +122,7 @@ def setting_fingerprint(
         if tool.tip:
             parts[0] += (round(tool.tip, 4),)
     if stock is not None:
-        parts[1] = [round(float(value) + _ASIDE, 2) + 0.0 for value in (*stock.lower, *stock.upper)]
+        parts[1] = [round(float(value) + _OFFSET, 2) + 0.0 for value in (*stock.lower, *stock.upper)]
         parts[1] += form
     if any(rapids):
         parts.append([round(speed, 3) for speed in rapids])
@@ -130,7 +130,7 @@ def setting_fingerprint(
 
 
 def read_setting_fingerprints(obj, job) -> tuple[str, str]:
-    """Return the fingerprint of the tool and the stock that an operation and its job have now, and of the tool alone."""
+    """Return the fingerprint of an operation's present tool and stock, and the fingerprint of the tool alone."""
     tool, stock = _or_none(read_tool, obj), _or_none(read_stock, job)
     form = form_of_stock(job, stock) if stock else ()
     rapids = rapid_feeds(obj)
@@ -138,13 +138,13 @@ def read_setting_fingerprints(obj, job) -> tuple[str, str]:
 
 
 class Settings:
-    """The fingerprints that fit the settings of operations as they are now; each tool with its stock is read once.
+    """Fingerprints of the present settings of operations; each pair of tool and stock is read once.
 
     Parameters
     ----------
     opened : bool
-        Whether the document has just been opened: FreeCAD then gives a stock to a job that had none, which is no change
-        of the user's.
+        Whether the document was just opened. FreeCAD then adds a stock to a job without one, so a fingerprint
+        without a stock is accepted, too.
     """
 
     def __init__(self, *, opened: bool = False) -> None:
@@ -152,7 +152,7 @@ class Settings:
         self._known: dict[tuple, tuple[str, ...]] = {}
 
     def of(self, obj) -> tuple[str, ...]:
-        """Return the fingerprints that fit an operation's tool and stock."""
+        """Return the fingerprints that are valid for an operation's tool and stock."""
         job, controller = job_of(obj), through_bases(obj, freecad.CONTROLLER)
         key = tuple(getattr(one, "Name", None) for one in (job, controller))
         if key not in self._known:
@@ -169,4 +169,4 @@ def _or_none(read: Callable, source):
 
 
 def _digest(text: str) -> str:
-    return hashlib.sha1(text.encode(), **_NO_SECRET).hexdigest()[:16]
+    return hashlib.sha1(text.encode(), **_NOT_FOR_SECURITY).hexdigest()[:16]

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The G-code of a toolpath, any line of it at once: FreeCAD gives a path's commands only all together."""
+"""Random access to the G-code lines of a path. FreeCAD returns the commands of a path only all together."""
 
 from __future__ import annotations
 
@@ -8,24 +8,24 @@ from collections.abc import Sequence
 
 import numpy as np
 
-# FreeCAD writes six decimals of every number.
+# FreeCAD writes every number with six decimals.
 _NUMBER = re.compile(r"([A-Z])(-?\d+\.\d+)")
 
 
 class Listing:
-    """The G-code of a path's commands, by their numbers.
+    """The G-code of a path, one line for each command number.
 
     Parameters
     ----------
     text : str
         A line for each command.
     commands : sequence of Command
-        For a path in whose comments there are ends of lines.
+        Needed if comments of the path contain line breaks.
 
     Attributes
     ----------
     in_minutes : bool
-        Whether its feeds are mm/min, as programs have them; those of FreeCAD's own operations are mm/s.
+        Whether feeds are mm/min, as in programs. FreeCAD's own operations have mm/s.
     """
 
     def __init__(self, text: str, commands: Sequence = ()) -> None:
@@ -42,12 +42,12 @@ class Listing:
         return len(self._ends)
 
     def __getitem__(self, command: int) -> str:
-        """The G-code of a command as programs have it: feeds in mm/min, three decimals at most.
+        """Return the G-code of a command as in a program: feeds in mm/min, at most three decimals.
 
         Raises
         ------
         IndexError
-            Where there is none with this number.
+            If no command has this number.
         """
         begin = self._ends[command - 1] + 1 if command else 0
         code = self._text[begin : self._ends[command]].decode()

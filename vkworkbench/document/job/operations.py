@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The operations of a document, told apart by properties and TypeId.
+"""Find the operations of a document, by their properties and TypeId.
 
-Proxies and class names differ between FreeCAD versions, and a file from another version may have none.
+Proxies and class names differ between FreeCAD versions and may be missing in a file of another version.
 """
 
 from __future__ import annotations
@@ -21,13 +21,13 @@ class Operation:
     Attributes
     ----------
     object : DocumentObject
-        The object with the Path; in a job's group it may be a link to one, whose mark is that of the linked object.
+        The object with the Path. In a job's group it may be a link; its mark is then on the linked object.
     job : DocumentObject or None
-        Its job; None for a toolpath imported without one.
+        The job of the operation; None for a toolpath that was imported without a job.
     counted : bool
-        Whether the job's total counts it: the total has what is posted, and nothing twice.
+        Whether the job's total includes the operation. The total includes everything that is posted once.
     active : bool
-        Whether FreeCAD posts it, by its own switch or that of the operation it dresses up.
+        Whether FreeCAD posts the operation: neither it nor its dressed-up base is switched off.
     """
 
     object: object
@@ -37,9 +37,9 @@ class Operation:
 
 
 def kind(obj) -> str | None:
-    """Return "job", "group", "controller", "dressup", "array", "operation", or None for what has no toolpath.
+    """Return "job", "group", "controller", "dressup", "array", "operation", or None for an object without a toolpath.
 
-    A group has the toolpaths of its members once more: before FreeCAD 0.20 a job kept its operations in one.
+    A group repeats the toolpaths of its members. Before FreeCAD 0.20 a job kept its operations in a group.
     """
     if not has_toolpath(obj):
         return None
@@ -50,38 +50,38 @@ def kind(obj) -> str | None:
     if freecad.TOOL_NUMBER.is_in(obj) and freecad.SPINDLE_SPEED.is_in(obj):
         return "controller"
     if _bases(obj):
-        beside = freecad.COPIES.is_in(obj) or freecad.operation_name(obj) == "Copy"  # its base is posted, too
+        beside = freecad.COPIES.is_in(obj) or freecad.operation_name(obj) == "Copy"  # whose base is posted, too
         return "array" if beside else "dressup"
     return "operation"
 
 
 def is_operation(obj) -> bool:
-    """Whether it is an operation, or what stands for one: a dress-up or an array."""
+    """Return whether an object is an operation, a dress-up or an array."""
     return kind(obj) in ("operation", "dressup", "array")
 
 
 def names_of(obj) -> tuple[str, str]:
-    """Return the internal names of an object's document and of the object, by which it is found again."""
+    """Return the internal names of an object's document and of the object."""
     return obj.Document.Name, obj.Name
 
 
 def has_toolpath(obj) -> bool:
-    """Whether it is an object with a toolpath: an operation, a dress-up, a job."""
+    """Return whether an object has a toolpath, as operations, dress-ups and jobs have."""
     return obj.isDerivedFrom(freecad.TOOLPATH)
 
 
 def _links_operation(obj) -> bool:
-    """Whether it is a link to an operation: in the group of a job FreeCAD posts it as one more operation."""
+    """Return whether an object is a link to an operation. FreeCAD posts a link in a job's group as another operation."""
     return obj.isDerivedFrom(freecad.LINK) and is_operation(obj.getLinkedObject())
 
 
 def is_object(what) -> bool:
-    """Whether it is an object of a document; a property of a file may hold anything."""
+    """Return whether a value is an object of a document. A property of a file may hold any value."""
     return hasattr(what, "isDerivedFrom") and hasattr(what, "InList")
 
 
 def is_there(obj) -> bool:
-    """Whether an object is still in its document: one whose deletion can be undone lives on outside, without a name."""
+    """Return whether an object is still in its document. While its deletion can be undone, an object exists without a name."""
     try:
         return obj.Document.getObject(obj.Name) is not None
     except (ReferenceError, RuntimeError, TypeError):
@@ -89,15 +89,15 @@ def is_there(obj) -> bool:
 
 
 def is_gone(what) -> bool:
-    """Whether it is a document that was closed, or an object that was deleted, which a macro may still hold."""
+    """Return whether a value is a closed document or a deleted object. A macro may still hold one."""
     try:
         return not is_document(what) and is_object(what) and not is_there(what)
-    except ReferenceError:  # FreeCAD tells nothing of it any more
+    except ReferenceError:  # FreeCAD raises it for every attribute of a closed document
         return True
 
 
 def is_document(what) -> bool:
-    """Whether it is a document."""
+    """Return whether a value is a document."""
     return hasattr(what, "Objects") and hasattr(what, "getObject")
 
 
@@ -110,12 +110,12 @@ def _is_job(obj) -> bool:
 
 
 def is_job_group(obj) -> bool:
-    """Whether it is the group in which a job keeps its operations, of whatever type."""
+    """Return whether an object is the group of a job's operations, whatever its type."""
     return freecad.GROUP.is_in(obj) and any(_is_job(user) and freecad.OPERATIONS.of(user) is obj for user in obj.InList)
 
 
 def members(group) -> Iterator:
-    """Yield the members of a group or of a list, those of groups among them in their place."""
+    """Yield the members of a group or a list. A nested group is replaced by its members."""
     seen = set()
     pending = _listed(group)
     while pending:
@@ -134,17 +134,17 @@ def _listed(group) -> list:
 
 
 def is_group(obj) -> bool:
-    """Whether it only holds other objects together: a folder of the tree, a part, or a compound of toolpaths."""
+    """Return whether an object only groups others: a folder of the tree, a part, or a compound of toolpaths."""
     return any(map(obj.isDerivedFrom, ("App::DocumentObjectGroup", "App::Part"))) or kind(obj) == "group"
 
 
 def or_active_document(what):
-    """Return what somebody asked for, the active document where that is None.
+    """Return `what`, or the active document if it is None.
 
     Raises
     ------
     ValueError
-        Where no document is open.
+        If no document is open.
     """
     if what is None:
         what = FreeCAD.ActiveDocument
@@ -154,31 +154,31 @@ def or_active_document(what):
 
 
 def find(what) -> list[Operation]:
-    """Return the operations of a document, a job, an operation, or of several of these.
+    """Return the operations of a document, a job, an operation, or a list of documents and objects.
 
     Parameters
     ----------
     what : Document, DocumentObject, or iterable of them
-        A document stands for all its jobs and the toolpaths outside them, a job (or its group of operations)
-        for all that is in it, a folder for its members. Other objects have no toolpath.
+        A document stands for all its jobs and the toolpaths outside the jobs; a job, or its group of operations, for all
+        operations in it; a folder for its members. Other objects have no toolpath.
 
     Returns
     -------
     list of Operation
-        Each object once, in the order of posting, a dress-up before what it dresses up.
+        Each object once, in the order of posting, a dress-up before its base.
 
     Raises
     ------
     ReferenceError
-        If one of them was deleted, or its document closed.
+        If an object was deleted, or a document closed.
     TypeError
-        If something else is given.
+        If `what` is of another type.
     """
     return list(_once(_find(what, {})).values())
 
 
 def _once(operations: Iterable[Operation]) -> dict[tuple[str, str], Operation]:
-    """Return the first operation of each object, by its names."""
+    """Return the first operation of each object, by the names of document and object."""
     found: dict[tuple[str, str], Operation] = {}
     for operation in operations:
         found.setdefault(names_of(operation.object), operation)
@@ -186,31 +186,13 @@ def _once(operations: Iterable[Operation]) -> dict[tuple[str, str], Operation]:
 
 
 def _find(what, jobs: dict) -> Iterator[Operation]:
-    """Find the operations; `jobs` keeps those of each job, so that a selection searches no job twice."""
+    """Yield the operations. `jobs` caches the operations of each job, so that no job is searched twice."""
     if is_gone(what):
         raise ReferenceError("what is asked for was deleted, or its document closed: take it from the document again")
     if is_document(what):
-        for obj in what.Objects:
-            if kind(obj) == "job":
-                yield from _of_job(obj)
-        for obj in what.Objects:
-            if is_operation(obj):
-                job = job_of(obj)
-                yield from _with_bases(obj, job, counted=job is None)  # a job posts what is in its group
+        yield from _of_document(what)
     elif is_object(what):
-        if kind(what) == "job":
-            yield from _of_job(what)
-        elif is_operation(what):
-            job = job_of(what)
-            if job is not None and names_of(job) not in jobs:
-                jobs[names_of(job)] = _once(_of_job(job))
-            listed = jobs[names_of(job)].get(names_of(what)) if job is not None else None
-            yield listed or next(_with_bases(what, job, counted=job is None))
-        elif is_job_group(what):
-            yield from _of_job(job_of(what))
-        elif is_group(what):
-            for obj in members(what):
-                yield from _find(obj, jobs)
+        yield from _of_object(what, jobs)
     elif isinstance(what, Iterable) and not isinstance(what, (str, bytes)):
         for one in what:
             yield from _find(one, jobs)
@@ -218,8 +200,36 @@ def _find(what, jobs: dict) -> Iterator[Operation]:
         raise TypeError(f"only a document, a job or operations have toolpaths, not {type(what).__name__}")
 
 
+def _of_document(document) -> Iterator[Operation]:
+    """Yield the operations of all jobs, then the other toolpaths."""
+    for obj in document.Objects:
+        if kind(obj) == "job":
+            yield from _of_job(obj)
+    for obj in document.Objects:
+        if is_operation(obj):
+            job = job_of(obj)
+            yield from _with_bases(obj, job, counted=job is None)  # a job posts the operations of its group
+
+
+def _of_object(obj, jobs: dict) -> Iterator[Operation]:
+    """Yield the operations of a job, an operation or a group."""
+    if kind(obj) == "job":
+        yield from _of_job(obj)
+    elif is_operation(obj):
+        job = job_of(obj)
+        if job is not None and names_of(job) not in jobs:
+            jobs[names_of(job)] = _once(_of_job(job))
+        listed = jobs[names_of(job)].get(names_of(obj)) if job is not None else None
+        yield listed or next(_with_bases(obj, job, counted=job is None))
+    elif is_job_group(obj):
+        yield from _of_job(job_of(obj))
+    elif is_group(obj):
+        for member in members(obj):
+            yield from _find(member, jobs)
+
+
 def _of_job(job) -> Iterator[Operation]:
-    """Find what is in the group of a job, and what that is made from."""
+    """Yield the operations in the group of a job, and their bases."""
     posted = list(members(freecad.OPERATIONS.of(job)))
     # A file made without a window lists a dress-up and its base side by side.
     dressed = {base.Name for obj in posted if kind(obj) == "dressup" for base in _dressed(obj)}
@@ -230,7 +240,7 @@ def _of_job(job) -> Iterator[Operation]:
             active = is_active(obj)
             yield Operation(obj, job, active, active)
     for obj in posted:
-        if kind(obj) == "array":  # one that dresses up has taken what it copies out of the group
+        if kind(obj) == "array":  # if a dress-up has an array as base, the array's bases are no longer in the group
             for base in _bases(obj):
                 yield from _with_bases(base, job, counted=False)
 
@@ -244,7 +254,7 @@ def _with_bases(obj, job, counted: bool) -> Iterator[Operation]:
 
 
 def _bases(obj) -> list:
-    """What a dress-up or an array is made from (an ordinary operation's Base lists faces of the model)."""
+    """Return the bases of a dress-up or an array. The Base of an ordinary operation lists faces of the model."""
     base = freecad.BASE.of(obj)
     candidates = base if isinstance(base, (list, tuple)) else [base]
     return [b for b in candidates if is_object(b) and has_toolpath(b)]
@@ -262,7 +272,7 @@ def _all_bases(obj) -> Iterator:
 
 
 def _dressed(obj) -> Iterator:
-    """What is not posted because a dress-up stands for it; what an array copies is posted beside it."""
+    """Yield the bases that are not posted because a dress-up replaces them. The bases of an array are posted."""
     for base in _all_bases(obj):
         yield base
         if kind(base) == "array":
@@ -270,23 +280,23 @@ def _dressed(obj) -> Iterator:
 
 
 def posted(found: Sequence[Operation]) -> list[Operation]:
-    """Return the operations of some that are posted; of what no job posts, those that are switched on."""
+    """Return the operations that are posted; if no job posts any, the active operations."""
     return [o for o in found if o.counted] or [o for o in found if o.active]
 
 
 def jobs_of(operations: Iterable[Operation]) -> dict[tuple[str, str], object]:
-    """Return the jobs that operations belong to, by their names, each once."""
+    """Return the jobs of operations, each once, by the names of document and job."""
     return {names_of(o.job): o.job for o in operations if o.job is not None}
 
 
 def fixtures_of(job) -> int:
-    """Return how often a job's operations are posted: once for each fixture it lists."""
+    """Return how often a job's operations are posted: once for each fixture of the job."""
     listed = freecad.FIXTURES.of(job)
     return max(len(listed), 1) if isinstance(listed, list) else 1
 
 
 def job_of(obj):
-    """Return the job of an operation, also where only a dress-up of it is in the job's group."""
+    """Return the job of an operation, also if only a dress-up of the operation is in the job's group."""
     seen = set()
     pending = [obj]
     while pending:
@@ -303,7 +313,7 @@ def job_of(obj):
 
 
 def through_bases(obj, wanted: freecad.Property):
-    """Return a property of an operation, or of the operation it dresses up; None where none has it."""
+    """Return a property of an operation, or of its dressed-up base; None if neither has the property."""
     for one in (obj, *_all_bases(obj)):
         value = wanted.of(one)
         if value is not None:
@@ -312,12 +322,12 @@ def through_bases(obj, wanted: freecad.Property):
 
 
 def takes_tool(obj) -> bool:
-    """Whether an operation, or what it dresses up, is one that a tool follows, be its controller set or not."""
+    """Return whether an operation or its base needs a tool, even if its tool controller is not set."""
     return any(map(freecad.CONTROLLER.is_in, (obj, *_all_bases(obj))))
 
 
 def is_active(obj, _above: tuple[str, ...] = ()) -> bool:
-    """Whether FreeCAD posts the operation: neither it nor what it dresses up is switched off, of an array not all."""
+    """Return whether FreeCAD posts an operation: it is switched on, and so are its bases (for an array, one base)."""
     if not freecad.ACTIVE.of(obj, True):
         return False
     of_bases = [is_active(base, (*_above, obj.Name)) for base in _bases(obj) if base.Name not in _above]
@@ -327,5 +337,5 @@ def is_active(obj, _above: tuple[str, ...] = ()) -> bool:
 
 
 def is_imported(obj) -> bool:
-    """Whether a toolpath may come from a file: its own, or one that it dresses up or copies."""
+    """Return whether a toolpath, or the toolpath of a base, may come from a file."""
     return any(map(freecad.is_imported, (obj, *_all_bases(obj))))

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The fingerprints of the paths as they are now, kept until FreeCAD tells that one changed. Loads no numpy.
+"""A cache of the fingerprints of paths. Loads no numpy.
 
-To take that of a long path takes its time; and whether a path changed since it was read is known by whether its
-fingerprint is still kept.
+Computing the fingerprint of a long path takes long. A fingerprint is dropped when FreeCAD reports a change of its path, so a
+fingerprint that is still in the cache also proves that the path has not changed.
 """
 
 from __future__ import annotations
@@ -15,22 +15,22 @@ _ON_PATH = freecad.names_in_fingerprint("path")
 
 
 class PathPrints:
-    """An observer of all documents, from the first fingerprint on."""
+    """Fingerprints of paths; observes all documents as soon as it holds one fingerprint."""
 
     def __init__(self) -> None:
         self._watches = False
-        # By the names of documents and objects: a fingerprint, or the token of one that is being found.
+        # By the names of document and object: a fingerprint, or a token while the fingerprint is being computed.
         self._kept: dict[str, dict[str, str | object]] = {}
 
     def of(self, obj) -> str | None:
-        """Return the fingerprint of an object's path as it is now; None where it is not known."""
+        """Return the fingerprint of an object's present path, None if it is not in the cache."""
         kept = self._kept.get(obj.Document.Name, {}).get(obj.Name)
         return kept if isinstance(kept, str) else None
 
     def begin(self, obj) -> object:
-        """Return the token of a fingerprint that is to be found of an object's path as it is now.
+        """Return the token for a fingerprint that the caller is about to compute.
 
-        Several may look for the same one: the first that has it finds it for all.
+        Several callers may compute the same fingerprint; the first result serves all.
         """
         if not self._watches:
             FreeCAD.addDocumentObserver(self)
@@ -38,7 +38,7 @@ class PathPrints:
         return self._kept.setdefault(obj.Document.Name, {}).setdefault(obj.Name, object())
 
     def end(self, whose: tuple[str, str], token: object, fingerprint: str) -> None:
-        """Keep a fingerprint, unless none was found or the path has changed since `begin`."""
+        """Store a fingerprint, unless it is empty or the path has changed since `begin`."""
         document, name = whose
         if fingerprint and self._kept.get(document, {}).get(name) is token:
             self._kept[document][name] = fingerprint
@@ -54,5 +54,5 @@ class PathPrints:
         self._kept.pop(document.Name, None)
 
 
-#: Those of all open documents.
+#: The fingerprints of all open documents.
 PATH_PRINTS = PathPrints()

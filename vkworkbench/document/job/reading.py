@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What an analysis reads of one operation: copies of what the document says."""
+"""Read the properties of one operation that an analysis needs."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ from vkworkbench.language import Message, Unusable
 
 @dataclass(frozen=True)
 class Reading:
-    """Copies of what the document says of one operation, which another thread may read."""
+    """Copies of one operation's properties, which another thread may read."""
 
     document: str
     document_id: str
@@ -44,18 +44,18 @@ class Reading:
     error: Exception | None = None
 
 
-# What of a reading says whose row it is; and what the results follow from, beside the path and its placement.
-WHOSE = ("document", "document_id", "name", "label", "job", "counted")
-READ = tuple(
+# Fields that identify the operation; and the inputs of the results, besides path and placement.
+IDENTITY = ("document", "document_id", "name", "label", "job", "counted")
+SETTINGS = tuple(
     field.name for field in fields(Reading)
-    if field.name not in (*WHOSE, "path", "placement", "setting_fingerprint")
+    if field.name not in (*IDENTITY, "path", "placement", "setting_fingerprint")
 )  # fmt: skip
 
 
 def read(operation: Operation) -> Reading:
-    """Read an operation; an error in it must not cost the other operations their rows."""
+    """Read an operation. An error is stored in the reading, so that the other operations are still analysed."""
     obj, job = operation.object, operation.job
-    job = job if job is not None and is_there(job) else None  # deleted meanwhile, its operations kept
+    job = job if job is not None and is_there(job) else None  # a deleted job leaves its operations
     reading = Reading(
         document=obj.Document.Name,
         document_id=obj.Document.Uid,
@@ -68,8 +68,8 @@ def read(operation: Operation) -> Reading:
     remarks: list[Message] = []
     try:
         tool, box = _or_remark(remarks, read_tool, obj), _or_remark(remarks, read_stock, job)
-        stock, told = stock_solid(job, box) if box else (None, None)
-        remarks += [remark for remark in (told, tool and tool_remark(obj)) if remark]
+        stock, remark = stock_solid(job, box) if box else (None, None)
+        remarks += [one for one in (remark, tool and tool_remark(obj)) if one]
         form, rapids = form_of_stock(job, box) if box else (), rapid_feeds(obj)
         return replace(
             reading,
@@ -94,7 +94,7 @@ def read(operation: Operation) -> Reading:
 
 
 def _or_remark(remarks: list[Message], reader: Callable, source):
-    """Return what `reader` reads from `source`, or None with the reason among the remarks."""
+    """Return ``reader(source)``; if that fails, return None and add the reason to the remarks."""
     try:
         return reader(source)
     except Unusable as error:

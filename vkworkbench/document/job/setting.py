@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What an operation is simulated with: its tool, its stock and its placement, read from the document."""
+"""Read the tool, stock, placement and feeds of an operation."""
 
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 from dataclasses import replace
 from pathlib import PureWindowsPath
 
@@ -12,41 +13,69 @@ import Part
 
 from vkworkbench import freecad
 from vkworkbench.core import COORDINATE_LIMIT, Stock, Tool, Toolpath
-from vkworkbench.document.job.of_shapes import OfShapes
 from vkworkbench.document.job.operations import through_bases
 from vkworkbench.language import Message, Unusable
 
-# FreeCAD's names of tool shapes, in small letters only, and the shapes that stand for them in a simulation.
+# FreeCAD's names of tool shapes, in small letters, and the shapes that a simulation uses for them.
 _SHAPES = {
     "endmill": "endmill", "ballend": "ballend", "ballnose": "ballend", "bullnose": "bullnose", "torus": "bullnose",
     "vbit": "vbit", "chamfer": "vbit", "engraver": "vbit", "taperedballnose": "ballend", "drill": "drill",
     "countersink": "vbit", "tap": "drill", "reamer": "endmill", "threadmill": "endmill", "slittingsaw": "endmill",
     "slotcutter": "endmill", "dovetail": "endmill", "radius": "endmill",
 }  # fmt: skip
-# Those of them that these only stand for, as an end mill does for all others: what is not convex is simulated by its hull, a
-# taper above a ball is left out.
+# Shapes that are simulated by a simpler one. A shape that is not convex is simulated by its hull, and the taper above a ball is
+# left out. Shapes that are not in this table are simulated as end mills.
 _AS_END_MILL, _AS_BALL_END, _AS_DRILL = Message("as-end-mill"), Message("as-ball-end"), Message("as-drill")
 _SIMPLIFIED = {
     "taperedballnose": _AS_BALL_END, "tap": _AS_DRILL, "threadmill": _AS_END_MILL, "slittingsaw": _AS_END_MILL,
     "slotcutter": _AS_END_MILL, "dovetail": _AS_END_MILL, "radius": _AS_END_MILL,
 }  # fmt: skip
 
-_exact_boxes = OfShapes(16)  # of the stocks read last: one with many curved faces takes 0.1 s
+
+class ShapeCache:
+    """The results for the shapes that were used last.
+
+    The shapes are stored, too. Otherwise a new shape could get the memory address of a deleted one and be taken for it.
+
+    Parameters
+    ----------
+    size : int
+        Number of results that are stored.
+    """
+
+    def __init__(self, size: int) -> None:
+        self._size = size
+        self._found: list[tuple] = []
+
+    def of(self, shape, find: Callable):
+        """Return the result for a shape; ``find()`` computes a missing one."""
+        for at, (kept, _) in enumerate(self._found):
+            if kept.isSame(shape):
+                self._found.append(self._found.pop(at))
+                break
+        else:
+            found = find()
+            self._found[: 1 - self._size] = []
+            self._found.append((shape, found))
+        return self._found[-1][1]
+
+
+_exact_boxes = ShapeCache(16)  # the box of a stock with many curved faces takes 0.1 s
 
 
 def controller_of(operation):
-    """Return the tool controller of an operation, or of what it dresses up; None without one."""
+    """Return the tool controller of an operation or of its dressed-up base; None without one."""
     controller = through_bases(operation, freecad.CONTROLLER)
     return controller if hasattr(controller, "Label") else None
 
 
 def read_tool(operation) -> Tool:
-    """Return the tool of an operation, of whatever FreeCAD version.
+    """Return the tool of an operation, in any FreeCAD version.
 
     Raises
     ------
     Unusable
-        Where there is no tool or its measures are impossible.
+        If the operation has no tool, or the tool has impossible dimensions.
     """
     controller = controller_of(operation)
     if controller is None:
@@ -64,7 +93,7 @@ def read_tool(operation) -> Tool:
 
 
 def tool_remark(operation) -> Message | None:
-    """Return what of its tool is not simulated; None where all of it is, and where it has none."""
+    """Return a remark if the operation's tool is simulated by a simpler shape, else None."""
     controller = controller_of(operation)
     bit = freecad.TOOL.of(controller)
     name = _shape_name(bit) if bit else "endmill"
@@ -73,10 +102,10 @@ def tool_remark(operation) -> Message | None:
 
 
 def _shape_name(bit) -> str:
-    """Return FreeCAD's name of a tool's shape, in small letters only."""
+    """Return FreeCAD's name of a tool's shape, in small letters."""
     name = next((n for n in freecad.TOOL_SHAPE.values(bit) if isinstance(n, str) and n), "endmill")
     file = freecad.TOOL_SHAPE_FILE.of(bit)
-    # So 1.1 calls what it does not find where the computer had it that made the document, e.g. in C:\Program Files.
+    # FreeCAD 1.1 says "custom" if the shape file is not at the path of the computer that made the document.
     if name.lower() == "custom" and isinstance(file, str):
         name = PureWindowsPath(file).stem or name
     return "".join(c for c in name.lower() if c.isalpha())
@@ -108,7 +137,7 @@ def read_stock(job) -> Stock:
     Raises
     ------
     Unusable
-        Where there is no job, no stock, or a stock without volume.
+        If there is no job, no stock, or a stock without volume.
     """
     if job is None:
         raise Unusable(Message("no-job"))
@@ -124,8 +153,8 @@ def read_stock(job) -> Stock:
 def exact_box(shape) -> tuple[tuple, tuple]:
     """Return the lower and the upper corner of a shape's exact bounding box, mm.
 
-    The shape's own `BoundBox` depends on the mesh by which a window displays it, and so does its optimal box before
-    FreeCAD 1.0: a copy without the mesh has none.
+    The shape's own `BoundBox` depends on its display mesh, and before FreeCAD 1.0 its optimal box does, too. Therefore the box
+    of a copy without the mesh is computed.
     """
     return _exact_boxes.of(shape, lambda: _corners(shape.copy(False, False)))
 
@@ -155,7 +184,7 @@ def placed(toolpath: Toolpath, placement) -> Toolpath:
     Raises
     ------
     Unusable
-        Where the placement is no numbers, or beyond a kilometre.
+        If the placement is not finite, or farther away than a kilometre.
     """
     if placement is None or placement.isIdentity():
         return toolpath

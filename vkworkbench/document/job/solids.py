@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Shapes of FreeCAD as the solids of a simulation: a job's stock, and the model that it is to become."""
+"""Convert a job's stock and model from FreeCAD's shapes to the solids of a simulation."""
 
 from __future__ import annotations
 
@@ -13,31 +13,34 @@ import Part
 
 from vkworkbench import freecad
 from vkworkbench.core import Cylinder, Mesh, Solid, Stock
-from vkworkbench.document.job.of_shapes import OfShapes
-from vkworkbench.document.job.setting import exact_box
+from vkworkbench.document.job.setting import ShapeCache, exact_box
 from vkworkbench.language import Message, Unusable
 
-# A curved face lies so far from its triangles, mm: at least, and as a share of the shape's diagonal.
-_FINEST, _SHARE = 0.01, 1e-4
-# rad between neighbouring triangles of a face. `tessellate` takes a tenth of it, and minutes for a spline of 2,000 poles.
+# Allowed distance between a curved face and its triangles: a minimum in mm, and a share of the shape's diagonal.
+_MIN_DEVIATION, _DEVIATION = 0.01, 1e-4
+# Largest angle between neighbouring triangles of a face, rad. `tessellate` uses a tenth of it, and needs minutes for a spline
+# of 2,000 poles.
 _BEND = 0.5
-_AT_ONCE, _TURN = 0.01, 0.001  # s of meshing, and s in which other threads, the window's first of all, get their turn
-# Shapes are what they seem up to this share of their volume.
-_ALIKE = 1e-6
-_solids = OfShapes(8)  # of the shapes read last: triangles take their time
-_forms = OfShapes(16)
-_measures = OfShapes(16)  # every operation of a job asks whether its stock is the model
-_FACTOR = 1.0037  # volumes of measures in mm or inches are then not on a border between two roundings
+# After this time of meshing, s, other threads, above all the window's, get this time, s.
+_MESHING, _PAUSE = 0.01, 0.001
+# Two measures are equal if they differ by at most this share.
+_ROUNDING = 1e-6
+_solids = ShapeCache(8)  # triangles take long
+_forms = ShapeCache(16)
+_measures = ShapeCache(16)  # every operation of a job compares the stock with the model
+# Factor before rounding. Without it the volume of a stock with usual lengths would lie halfway between two rounded values.
+_FACTOR = 1.0037
 
 
 def stock_solid(job, box: Stock) -> tuple[Solid, Message | None]:
-    """Return a job's stock as it is, or its box and what prevents that.
+    """Return a job's stock as a solid; or its box, with the reason why the shape cannot be used.
 
     Parameters
     ----------
     job : DocumentObject
+        A job with a stock.
     box : Stock
-        The box around it, which it has.
+        The box around the stock.
     """
     shape = freecad.SHAPE.of(freecad.STOCK.of(job))
     solid, reason = _solids.of(shape, lambda: _solid_or_reason(shape, box))
@@ -45,18 +48,19 @@ def stock_solid(job, box: Stock) -> tuple[Solid, Message | None]:
 
 
 def form_of_stock(job, box: Stock) -> tuple:
-    """Return what the box of a job's stock does not tell, whatever mesh displays it: nothing of a box.
+    """Return the form of a job's stock that is not a box; empty for a box. The display mesh has no influence.
 
     Parameters
     ----------
     job : DocumentObject
+        A job with a stock.
     box : Stock
-        The box around its stock, which it has.
+        The box around the stock.
 
     Returns
     -------
     tuple
-        A fingerprint's part: a name, volume, area and centre, to five digits.
+        Part of a fingerprint: a name, volume, area and centre, with five digits.
     """
     shape = freecad.SHAPE.of(freecad.STOCK.of(job))
     return _forms.of(shape, lambda: _form(shape, box))
@@ -71,12 +75,12 @@ def _form(shape, box: Stock) -> tuple:
         return () if kind is Stock else (kind.__name__,)
     volumes = np.array([solid.Volume for solid in shape.Solids])
     centres = np.array([tuple(solid.CenterOfMass) for solid in shape.Solids]) - box.lower
-    measures = volumes.sum(), shape.Area, *np.average(centres, axis=0, weights=np.abs(volumes) + _ALIKE)
+    measures = volumes.sum(), shape.Area, *np.average(centres, axis=0, weights=np.abs(volumes) + _ROUNDING)
     return ("Mesh", *(f"{_FACTOR * measure:.4e}" for measure in measures))
 
 
-def alike(one, other) -> bool:
-    """Whether shapes are the same, or as large in the same place, as an undo brings a copy back."""
+def are_equal(one, other) -> bool:
+    """Return whether shapes are identical, or copies of each other. An undo restores a copy."""
     return one.isSame(other) or (
         np.allclose(exact_box(one), exact_box(other)) and np.allclose(_measures_of(one), _measures_of(other))
     )
@@ -87,13 +91,13 @@ def _measures_of(shape) -> tuple[float, float]:
 
 
 def stock_is_model(job) -> bool:
-    """Whether a job's stock is the model that it is to become: nothing is left to cut."""
+    """Return whether a job's stock equals its model, so that nothing is left to cut."""
     stock, model = freecad.SHAPE.of(freecad.STOCK.of(job)), shapes_of_model(job)
-    return len(model) == 1 and alike(stock, model[0])
+    return len(model) == 1 and are_equal(stock, model[0])
 
 
 def shapes_of_model(job) -> list:
-    """Return the shapes of a job's model, as the document has them; sketches and wires have no faces and are none of it."""
+    """Return the shapes of a job's model. Sketches and wires have no faces and do not belong to the model."""
     group = freecad.GROUP.of(freecad.MODEL.of(job)) or []
     return [shape for shape in map(freecad.SHAPE.of, group) if shape is not None and not shape.isNull() and shape.Faces]
 
@@ -104,7 +108,7 @@ def model_shapes(job) -> tuple:
 
 
 def model_solid(shapes: tuple) -> Mesh | None:
-    """Return shapes as one solid; None where there are none, or where they are not closed."""
+    """Return the shapes as one solid; None without shapes, or if one is not closed."""
     try:
         return _mesh(shapes) if shapes else None
     except Unusable:
@@ -129,39 +133,39 @@ def _solid(shape, box: Stock) -> Solid:
 
 
 def _kind(shape, box: Stock) -> type:
-    """Return as what a shape is simulated."""
+    """Return the class of solid that represents a shape."""
     if not shape.Solids:
         raise Unusable(Message("solid-not-closed"))
     size = box.upper - box.lower
-    if _alike(shape.Volume, float(size.prod())):
+    if _equal(shape.Volume, float(size.prod())):
         return Stock
-    if _is_cylinder(shape) and _alike(shape.Volume, pi / 4 * float(size.prod())) and _alike(*size[:2]):
+    if _is_cylinder(shape) and _equal(shape.Volume, pi / 4 * float(size.prod())) and _equal(*size[:2]):
         return Cylinder
     return Mesh
 
 
-def _alike(one: float, other: float) -> bool:
-    return abs(one - other) <= _ALIKE * abs(other)
+def _equal(one: float, other: float) -> bool:
+    return abs(one - other) <= _ROUNDING * abs(other)
 
 
 def _is_cylinder(shape) -> bool:
-    """Whether all faces are planes but one, which is an upright cylinder."""
+    """Return whether all faces are planes, except for one upright cylinder."""
     curved = [face.Surface for face in shape.Faces if not isinstance(face.Surface, Part.Plane)]
-    return len(curved) == 1 and isinstance(curved[0], Part.Cylinder) and abs(abs(curved[0].Axis.z) - 1) < _ALIKE
+    return len(curved) == 1 and isinstance(curved[0], Part.Cylinder) and abs(abs(curved[0].Axis.z) - 1) < _ROUNDING
 
 
 def _mesh(shapes: Sequence) -> Mesh:
     triangles = []
     for shape in shapes:
         lower, upper = map(np.array, exact_box(shape))
-        deviation = max(_FINEST, _SHARE * float(np.linalg.norm(upper - lower)))
-        own = shape.copy(True, False)  # the mesh by which a window displays the shape stays as it is
+        deviation = max(_MIN_DEVIATION, _DEVIATION * float(np.linalg.norm(upper - lower)))
+        own = shape.copy(True, False)  # so that the display mesh of the shape does not change
         begun = time.monotonic()
-        for face in own.Faces:  # nothing else happens meanwhile: a face is sooner done than the shape
+        for face in own.Faces:  # face by face, because no other thread runs during one call
             MeshPart.meshFromShape(face, LinearDeflection=deviation, AngularDeflection=_BEND)
-            if time.monotonic() - begun > _AT_ONCE:
-                time.sleep(_TURN)
+            if time.monotonic() - begun > _MESHING:
+                time.sleep(_PAUSE)
                 begun = time.monotonic()
-        points, corners = own.tessellate(deviation)  # the meshes that its faces have now
+        points, corners = own.tessellate(deviation)  # tessellate returns the existing meshes of the faces
         triangles.append(np.array([tuple(point) for point in points])[np.array(corners, int).reshape(-1, 3)])
     return Mesh(np.concatenate(triangles))

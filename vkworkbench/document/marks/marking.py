@@ -9,7 +9,7 @@ from contextlib import contextmanager, nullcontext
 import FreeCAD
 
 from vkworkbench import preferences
-from vkworkbench.document.job import session
+from vkworkbench.document.job import results
 from vkworkbench.document.job.fingerprint import Settings, path_and_setting, path_fingerprint
 from vkworkbench.document.job.operations import (
     find,
@@ -63,7 +63,7 @@ def mark(report: Report, *, undo_step: bool = True) -> int:
 
 def _mark(document, operations: list[OperationReport]) -> int:
     chosen, settings = preferences.read(), Settings()
-    session.remember(operations)
+    results.remember(operations)
     marked = set()
     for operation in operations:
         obj = document.getObject(operation.name)

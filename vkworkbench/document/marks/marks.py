@@ -15,7 +15,7 @@ from typing import Any
 from vkworkbench import preferences
 from vkworkbench.core import Strategy
 from vkworkbench.core.simulators import ZBUFFER
-from vkworkbench.document.job import session
+from vkworkbench.document.job import results
 from vkworkbench.document.job.fingerprint import path_and_setting, path_fingerprint, text_fingerprint
 from vkworkbench.document.job.operations import find, fixtures_of, is_active
 from vkworkbench.document.marks import properties as mark_properties
@@ -121,7 +121,7 @@ def _is_outdated(parts: dict[Any, Record | None]) -> bool:
 
 def _with_estimate(obj, part: Record) -> Record:
     """Return what a mark says, its z-buffer's cost with what a job's is estimated from, where this session has that."""
-    row = session.row_of(obj, part.fingerprint) if ZBUFFER.name in part.costs else None
+    row = results.latest_row(obj, part.fingerprint) if ZBUFFER.name in part.costs else None
     return replace(part, costs={**part.costs, ZBUFFER.name: row.estimate}) if row and row.estimate else part
 
 

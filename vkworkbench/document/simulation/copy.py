@@ -32,7 +32,7 @@ from vkworkbench.document.job.operations import (
     or_active_document,
     posted,
 )
-from vkworkbench.document.job.recognized import turns
+from vkworkbench.document.job.recognition import rotary_cut
 from vkworkbench.document.job.setting import (
     placed,
     rapid_feeds,
@@ -41,7 +41,7 @@ from vkworkbench.document.job.setting import (
     tool_remark,
     vertical_feed,
 )
-from vkworkbench.document.job.solids import alike, form_of_stock, model_shapes, shapes_of_model, stock_solid
+from vkworkbench.document.job.solids import are_equal, form_of_stock, model_shapes, shapes_of_model, stock_solid
 from vkworkbench.document.simulation.job import SimulatedJob, SimulatedOperation
 from vkworkbench.language import Message, Unusable
 
@@ -149,7 +149,7 @@ class JobCopy:
         try:
             objects, job = _posted(self.asked())
             model = shapes_of_model(job)
-            same = len(model) == len(self._model) and all(map(alike, model, self._model))
+            same = len(model) == len(self._model) and all(map(are_equal, model, self._model))
         except Unusable:  # operations of several jobs, a model without volume
             return False
         if not same or tuple(obj.Name for obj in objects) != self.names:
@@ -243,7 +243,7 @@ def _linearized(copied: _Copied, tolerance: float) -> ReadCut:
             feeding, minutes = in_seconds(toolpath) if operation.imported else (toolpath, None)
             listing.in_minutes = minutes is not None
             unread = [problem.remark for problem in toolpath.problems if not problem.of_time]
-            if turns(toolpath) or not len(toolpath):
+            if rotary_cut(toolpath) or not len(toolpath):
                 told = unread
             else:
                 cut = Cut(feeding, copied.tool, copied.vertical_feed)

@@ -11,7 +11,7 @@ import numpy as np
 
 from vkworkbench.core import Cut, Solid, Strategy, Toolpath, trajectory_seconds
 from vkworkbench.document.job.listing import Listing
-from vkworkbench.document.job.recognized import recognized
+from vkworkbench.document.job.recognition import recognize_operation
 from vkworkbench.document.job.solids import model_solid
 from vkworkbench.language import Message
 
@@ -86,5 +86,5 @@ class SimulatedJob:
     def strategies(self) -> Iterator[Strategy]:
         """Tell the strategy of each operation, as its mark does."""
         for operation, cut, toolpath in zip(self.operations, self.cuts, self.as_read):
-            found, _ = recognized(toolpath, cut.tool.diameter, operation.imported)
+            found, _ = recognize_operation(toolpath, cut.tool.diameter, operation.imported)
             yield found.strategy

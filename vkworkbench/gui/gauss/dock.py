@@ -12,7 +12,7 @@ import FreeCADGui as Gui
 
 from vkworkbench import freecad
 from vkworkbench.document.job.operations import is_active, is_operation, names_of
-from vkworkbench.document.job.recognized import Source, source_of
+from vkworkbench.document.job.recognition import Source, source_of
 from vkworkbench.gui.gauss.canvas import GaussCanvas
 from vkworkbench.gui.gauss.figure import TRAIL, GaussFigure
 from vkworkbench.gui.gauss.reading import Reading, read

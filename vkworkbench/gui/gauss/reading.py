@@ -11,7 +11,7 @@ import numpy as np
 from vkworkbench.core import Family, Recognition, linearize
 from vkworkbench.core.gcode import used_up
 from vkworkbench.core.paper import Areas, distinct, links, monotonous_areas, outline, overlapping, proof
-from vkworkbench.document.job.recognized import Source, recognized
+from vkworkbench.document.job.recognition import Source, recognize_operation
 from vkworkbench.document.job.setting import placed
 
 _CELLS = 1000  # of a toolpath's plot
@@ -82,7 +82,7 @@ def read(source: Source, going_on: Callable) -> Iterator[Reading | None]:
         yield None
         return
     going_on()
-    recognition, _ = recognized(toolpath, source.tool_diameter, source.imported)
+    recognition, _ = recognize_operation(toolpath, source.tool_diameter, source.imported)
     going_on()
     main = max(recognition.spans, key=lambda span: span.share)
     index = proof(areas, main.first, main.last, around=main.strategy.family is Family.AROUND)

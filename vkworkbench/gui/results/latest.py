@@ -6,7 +6,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from vkworkbench import preferences
-from vkworkbench.document.job import session
+from vkworkbench.document.job import results
 from vkworkbench.document.job.operations import Operation, find, fixtures_of, jobs_of
 from vkworkbench.document.marks.record import Record
 from vkworkbench.document.simulation.faults import read_with_faults, with_faults
@@ -37,7 +37,7 @@ def findings(document) -> list[Finding]:
     for operation in find(document) if document is not None else ():
         obj, mark = operation.object, read_with_faults(operation.object)
         if mark is not None:
-            report = session.row_of(obj, mark.fingerprint)
+            report = results.latest_row(obj, mark.fingerprint)
             known.append(Finding(operation, mark, report and with_faults(report, document.Name, obj.Name)))
     return known
 

@@ -7,7 +7,7 @@ import FreeCAD
 import FreeCADGui as Gui
 
 from vkworkbench import preferences
-from vkworkbench.document.job import session
+from vkworkbench.document.job import results
 from vkworkbench.document.marks.properties import MARK
 from vkworkbench.gui.qt import colors, docks, progress
 from vkworkbench.gui.qt.names import (
@@ -290,7 +290,7 @@ class ResultsDock(QDockWidget):
                 report = progress.analyze(FreeCAD.ActiveDocument)
             except Cancelled:
                 return
-            session.remember(report.operations)
+            results.remember(report.operations)
             self.refresh()
         save(report, FreeCAD.ActiveDocument, ending, self)
 

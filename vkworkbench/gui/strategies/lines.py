@@ -11,7 +11,7 @@ from pivy import coin
 
 from vkworkbench.core import Strategy, Toolpath, linearize
 from vkworkbench.core.paper import distinct
-from vkworkbench.document.job.recognized import Source, recognized
+from vkworkbench.document.job.recognition import Source, recognize_operation
 from vkworkbench.document.job.setting import placed
 from vkworkbench.gui.qt.colors import RAPID
 from vkworkbench.gui.qt.names import QColor
@@ -66,7 +66,7 @@ def drawings(source: Source, going_on: Callable) -> Iterator[Drawing]:
         shown = distinct(toolpath.points, np.arange(len(toolpath)), cells=_CELLS, most=_SKETCHED)
         yield replace(_drawing(toolpath, approach, (), shown, going_on), strategies=frozenset())
         going_on()
-    found, _ = recognized(placed(toolpath, source.placement), source.tool_diameter, source.imported)
+    found, _ = recognize_operation(placed(toolpath, source.placement), source.tool_diameter, source.imported)
     going_on()
     yield _drawing(toolpath, approach, found.spans, np.arange(len(toolpath)), going_on)
 

@@ -17,7 +17,7 @@ from pivy import coin
 
 from vkworkbench import freecad
 from vkworkbench.document.job.operations import find, is_operation, names_of
-from vkworkbench.document.job.recognized import Source, source_of
+from vkworkbench.document.job.recognition import Source, source_of
 from vkworkbench.gui.qt.background import Background, Busy
 from vkworkbench.gui.qt.names import single_shot
 from vkworkbench.gui.qt.text import translate

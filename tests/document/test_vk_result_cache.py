@@ -13,20 +13,20 @@ from vkworkbench import preferences
 from vkworkbench.core import Stock, Tool
 from vkworkbench.document import analysis
 from vkworkbench.document.computer import calibration
-from vkworkbench.document.job import recognized as told
-from vkworkbench.document.job.known import KNOWN, Known, key_of
+from vkworkbench.document.job import recognition as recognition_module
+from vkworkbench.document.job.results import RESULTS, ResultCache, key_of
 
 
 @pytest.fixture
 def recognized(monkeypatch):
     """The lengths of the toolpaths that were recognised."""
-    lengths, recognize = [], told.recognize
+    lengths, recognize = [], recognition_module.recognize
 
     def noting(toolpath, **more):
         lengths.append(len(toolpath))
         return recognize(toolpath, **more)
 
-    monkeypatch.setattr(told, "recognize", noting)
+    monkeypatch.setattr(recognition_module, "recognize", noting)
     return lengths
 
 
@@ -127,7 +127,7 @@ def test_whatever_changes_is_analysed_anew(small, zigzag_commands, recognized, m
     change(small, op, monkeypatch)
     changed = vkworkbench.analyze(small.document)
     assert len(recognized) == 2
-    KNOWN.forget()
+    RESULTS.clear()
     assert vkworkbench.analyze(small.document) == changed and len(recognized) == 3
 
 
@@ -148,7 +148,7 @@ def test_an_error_is_not_kept(small, zigzag_commands, monkeypatch):
         raise ZeroDivisionError("a bug")
 
     with monkeypatch.context() as broken:
-        broken.setattr(told, "recognize", fail)
+        broken.setattr(recognition_module, "recognize", fail)
         assert "please report" in vkworkbench.analyze(small.document).operations[0].error
     assert vkworkbench.analyze(small.document).operations[0].error is None
 
@@ -160,7 +160,7 @@ def test_long_paths_are_known_too(small, zigzag_commands, recognized, monkeypatc
 
 
 def test_it_is_bounded():
-    known = Known(most_rows=3, most_trajectories=100)
+    known = ResultCache(max_rows=3, max_trajectories=100)
     rows = [SimpleNamespace(trajectories=10, number=k) for k in range(6)]
     for k, row in enumerate(rows):
         known.keep(("key", k), row)
@@ -175,11 +175,11 @@ def test_it_is_bounded():
 
 
 def test_after_all_was_forgotten_there_is_room_for_as_much_as_before():
-    known, row = Known(most_trajectories=100), SimpleNamespace(trajectories=100)
+    known, row = ResultCache(max_trajectories=100), SimpleNamespace(trajectories=100)
     for _ in range(2):
         known.keep("key", row)
         assert known.find("key") is row
-        known.forget()
+        known.clear()
         assert len(known) == 0
 
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The strategy of an operation, told in one place: mark, Gauss map and 3D view show the same numbers."""
+"""Recognise the strategy of an operation of a document; mark, Gauss map and 3D view all use this."""
 
 from __future__ import annotations
 
@@ -15,18 +15,18 @@ from vkworkbench.document.job.setting import read_tool
 
 @dataclass(frozen=True)
 class Source:
-    """Copies of what an operation's strategy is told from, which another thread may read.
+    """Copies of the properties that determine an operation's strategy. Another thread may read them.
 
     Attributes
     ----------
     path : Path
     placement : Placement
     tool_diameter : float or None
-        mm; None where no tool can be read.
+        mm; None for an unreadable tool.
     imported : bool
         Whether the toolpath may come from a file.
     tolerance : float
-        mm between an arc and its chords.
+        Largest distance between an arc and its chords, mm.
     """
 
     path: object
@@ -37,7 +37,7 @@ class Source:
 
 
 def source_of(obj) -> Source:
-    """Copy what an operation's strategy is told from."""
+    """Return copies of the properties that determine an operation's strategy."""
     try:
         diameter = read_tool(obj).diameter
     except ValueError:
@@ -45,25 +45,25 @@ def source_of(obj) -> Source:
     return Source(obj.Path, obj.Placement, diameter, is_imported(obj), preferences.read().tolerance)
 
 
-def turns(toolpath: Toolpath) -> Problem | None:
-    """Return that a rotary axis turns while the tool cuts, where one does: nobody knows what is cut then."""
+def rotary_cut(toolpath: Toolpath) -> Problem | None:
+    """Return the problem that a rotary axis turns while the tool cuts, or None. The shape that is cut is then unknown."""
     turning = (problem for problem in toolpath.problems if problem.what.code == "rotary-cuts")
     return next(turning, None) if len(toolpath) else None
 
 
-def recognized(toolpath: Toolpath, tool_diameter: float | None, imported: bool) -> tuple[Recognition, bool]:
-    """Return what a toolpath of a document does, and whether its inches were read as millimetres.
+def recognize_operation(toolpath: Toolpath, tool_diameter: float | None, imported: bool) -> tuple[Recognition, bool]:
+    """Return the strategy of a document's toolpath, and whether its inches were read as millimetres.
 
     Parameters
     ----------
     toolpath : Toolpath
-        Where its operation's placement puts it.
+        Moved by the placement of its operation.
     tool_diameter : float or None
         mm.
     imported : bool
-        Whether it may come from a file: FreeCAD's importer drops G20.
+        Whether the toolpath may come from a file; FreeCAD's importer drops G20.
     """
-    turning = turns(toolpath)
+    turning = rotary_cut(toolpath)
     if turning:
         return unknown(toolpath, turning.remark), False
     if imported and looks_like_inches(toolpath, tool_diameter=tool_diameter, imported=True):

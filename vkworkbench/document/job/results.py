@@ -1,0 +1,131 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The results of this session, found again by the inputs of the analysis, or by the operation.
+
+`RESULTS` finds a result by everything that an analysis reads, so an unchanged operation is not analysed again: the text of its
+path, placement, tool, stock, feeds, preferences and calibration, unrounded. A changed operation has another key, so no
+change needs to be reported. `remember` and `latest_row` find the last result of an operation of an open document. Results have
+all numbers; marks keep fewer.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import threading
+from collections import OrderedDict
+from collections.abc import Hashable, Iterable
+
+import FreeCAD
+import numpy as np
+
+from vkworkbench.report import OperationReport
+
+# Largest numbers of rows, and of their trajectories in all, that are stored; about half a GB.
+_MAX_ROWS = 5_000
+_MAX_TRAJECTORIES = 10_000_000
+
+
+class ResultCache:
+    """Rows by keys. Above the limits, the rows that were used longest ago are dropped.
+
+    Parameters
+    ----------
+    max_rows, max_trajectories : int
+        Largest number of rows, and of trajectories of all rows together.
+    """
+
+    def __init__(self, max_rows: int = _MAX_ROWS, max_trajectories: int = _MAX_TRAJECTORIES) -> None:
+        self.max_rows, self.max_trajectories = max_rows, max_trajectories
+        self._rows: OrderedDict[Hashable, OperationReport] = OrderedDict()
+        self._trajectories = 0
+        self._lock = threading.Lock()  # an analysis runs in its own thread
+
+    def __len__(self) -> int:
+        return len(self._rows)
+
+    def find(self, key: Hashable | None) -> OperationReport | None:
+        """Return the row of a key; None for an unknown key and for None."""
+        with self._lock:
+            if key in self._rows:
+                self._rows.move_to_end(key)
+            return self._rows.get(key)
+
+    def keep(self, key: Hashable | None, row: OperationReport) -> None:
+        """Store a row under a key; do nothing if the key is None."""
+        if key is None:
+            return
+        with self._lock:
+            if key not in self._rows:
+                self._trajectories += row.trajectories
+                self._rows[key] = row
+            while len(self._rows) > self.max_rows or self._trajectories > self.max_trajectories:
+                _, dropped = self._rows.popitem(last=False)
+                self._trajectories -= dropped.trajectories
+
+    def clear(self) -> None:
+        """Drop all rows."""
+        with self._lock:
+            self._rows.clear()
+            self._trajectories = 0
+
+
+#: The results of this session.
+RESULTS = ResultCache()
+
+
+def key_of(text: str, *parts) -> Hashable | None:
+    """Return the key for a path's text and all other inputs of an analysis; None if an input has no exact text."""
+    try:
+        exact = repr([_exactly(part) for part in parts])
+    except TypeError:
+        return None
+    return hashlib.sha256(text.encode("utf-8", "surrogatepass")).digest(), exact
+
+
+def _exactly(part):
+    """Return a value as plain data that determines it: an object by its type and attributes."""
+    if part is None or isinstance(part, (bool, int, float, str)):
+        return part
+    if isinstance(part, np.ndarray):
+        return part.shape, part.tolist()
+    if isinstance(part, (tuple, list)):
+        return [_exactly(one) for one in part]
+    if isinstance(part, dict):
+        return sorted((str(name), _exactly(value)) for name, value in part.items())
+    if hasattr(part, "__dict__"):
+        return type(part).__name__, _exactly(vars(part))
+    raise TypeError(f"{type(part).__name__} has no exact text")
+
+
+_latest: dict[str, dict[str, OperationReport]] = {}  # by the names of document and operation
+
+
+class _ClosedDocuments:
+    """Drops the rows of a closed document: another document may get its name."""
+
+    def slotDeletedDocument(self, document) -> None:
+        _latest.pop(document.Name, None)
+
+
+_closed_documents: _ClosedDocuments | None = None
+
+
+def remember(rows: Iterable[OperationReport]) -> None:
+    """Store the latest rows of some operations; other operations keep their rows."""
+    global _closed_documents
+    if _closed_documents is None:
+        _closed_documents = _ClosedDocuments()
+        FreeCAD.addDocumentObserver(_closed_documents)
+    for row in rows:
+        _latest.setdefault(row.document, {})[row.name] = row
+
+
+def latest_row(obj, fingerprint: str) -> OperationReport | None:
+    """Return the latest row of an operation; None without one, or if the operation had another fingerprint then."""
+    row = _latest.get(obj.Document.Name, {}).get(obj.Name)
+    return row if row is not None and row.fingerprint == fingerprint else None
+
+
+def latest_rows(rows: Iterable[OperationReport]) -> dict[tuple[str, str], OperationReport]:
+    """Return all latest rows by the names of document and operation, updated by the given rows."""
+    known = {(document, name): row for document, own in _latest.items() for name, row in own.items()}
+    return {**known, **{(row.document, row.name): row for row in rows}}
