@@ -543,7 +543,7 @@ def test_an_analysis_ends_where_cancelled_raises(small, zigzag_commands, monkeyp
             raise KeyboardInterrupt
         return False
 
-    monkeypatch.setattr(analysis, "_work", work)
+    monkeypatch.setattr(analysis, "_analysed_or_known", work)
     with pytest.raises(KeyboardInterrupt):
         vkworkbench.analyze(small.document, cancelled=cancelled)
     asked.set()

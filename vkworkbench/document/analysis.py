@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""From operations of a document to a report; reads documents, and writes nothing in them."""
+"""Analyse operations of a document. Writes nothing in the document."""
 
 from __future__ import annotations
 
@@ -45,7 +45,7 @@ from vkworkbench.language import Message, Unusable
 from vkworkbench.preferences import Preferences
 from vkworkbench.report import Cancelled, OperationReport, Report, without_results
 
-_PATIENCE = 0.02  # s between two calls of `cancelled`
+_WAIT = 0.02  # s between two calls of `cancelled`
 
 
 def analyze(
@@ -54,36 +54,35 @@ def analyze(
     progress: Callable[[int, int, str], None] | None = None,
     cancelled: Callable[[], bool] | None = None,
 ) -> Report:
-    """Analyse operations: strategy, lengths and what simulating them costs. Writes nothing in a document.
+    """Analyse operations: strategy, lengths, and the cost of simulating them. Writes nothing in a document.
 
-    The first time it also measures this computer, in one to two seconds. An operation that is as it was when it was
-    analysed before in this session, with the same preferences and calibration, is not analysed again.
+    The first analysis also measures this computer, which takes one to two seconds. An operation that was analysed before in this
+    session, and has not changed since, is not analysed again, unless preferences or calibration have changed.
 
     Parameters
     ----------
-    what : Document, DocumentObject, or iterable of them, optional
+    what : Document, DocumentObject, or iterable of these objects, optional
         A document (all its jobs and imported toolpaths), a job, or operations; the active document if None.
     progress : callable, optional
-        Called before each operation with how many are done, how many there are, and its label.
+        Called before each operation with the number of finished operations, the number of all, and the operation's label.
     cancelled : callable, optional
-        Called before each operation, every 20 ms while a thread of its own analyses one, and every tenth of a second
-        while this computer is measured; True ends the analysis. It may process the window's events, but none of these
-        may change the documents.
+        Called before each operation, every 20 ms during an operation, and every 0.1 s while this computer is measured. True ends
+        the analysis. The function may process the window's events, if no event changes the documents.
 
     Returns
     -------
     Report
-        One row for each operation. An error in one is told in its row and stops no other. An operation
-        that is deleted during the analysis has no row.
+        One row for each operation. An error in an operation is reported in its row, and the others are still analysed. An
+        operation that is deleted during the analysis has no row.
 
     Raises
     ------
     ValueError
         If `what` is None and no document is open.
     ReferenceError
-        If an object of it was deleted, or its document closed.
+        If an object was deleted, or a document closed.
     TypeError
-        If `what` is something else.
+        If `what` is of another type.
     Cancelled
         If `cancelled` returned True.
     """
@@ -114,25 +113,25 @@ def analyze(
         going_on()
         if progress is not None:
             progress(done, len(operations), labels[done])
-        with suppress(ReferenceError):  # deleted meanwhile, or its document closed
+        with suppress(ReferenceError):  # the operation was deleted meanwhile, or its document closed
             if not is_there(operation.object):
                 continue
             token = PATH_PRINTS.begin(operation.object)
             reading = read(operation)
-            going_on()  # FreeCAD has copied the path, and is going to copy the commands: other events come between
-            row = _patiently(lambda going_on, reading=reading: _row(reading, chosen, conditions, going_on), cancelled)
+            going_on()  # handles events between copying the path and copying its commands
+            row = _in_thread(lambda going_on, reading=reading: _row(reading, chosen, conditions, going_on), cancelled)
             reports.append(row)
             PATH_PRINTS.end((row.document, row.name), token, path_and_setting(row.fingerprint)[0])
     known = results.latest_rows(reports)
     wholes = [[known[key] for key in of_job if key in known] for of_job in posted]
-    _patiently(lambda going_on: _estimate_shown(reports, wholes, chosen.simulators, going_on), cancelled)
+    _in_thread(lambda going_on: _estimate_shown(reports, wholes, chosen.simulators, going_on), cancelled)
     return Report(tuple(reports), job_labels, chosen.budget, fixtures, simulator=chosen.simulator)
 
 
 def _estimate_shown(
     rows: list[OperationReport], wholes: list[list[OperationReport]], simulators: tuple[str, ...], going_on: Callable
 ) -> None:
-    """Compute what is seen of operations and jobs, which is computed when it is asked for: a window would wait."""
+    """Compute the costs that are shown now. Costs are computed at the first use, and a window would have to wait."""
     of_jobs = [
         together([o.costs for o in whole], labels=[o.label for o in whole], stepover=None)[0] for whole in wholes
     ]
@@ -142,10 +141,10 @@ def _estimate_shown(
             costs.get(simulator)
 
 
-def _patiently(work: Callable, cancelled: Callable[[], bool] | None):
-    """Do the work in a thread of its own and call `cancelled` meanwhile; do it in this thread where there is none.
+def _in_thread(work: Callable, cancelled: Callable[[], bool] | None):
+    """Run `work` in its own thread and call `cancelled` meanwhile; without `cancelled`, run it in this thread.
 
-    `work` is given a function that raises Cancelled once the work has been given up.
+    The argument of `work` is a function that raises Cancelled after the work was cancelled.
     """
     given_up = threading.Event()
 
@@ -159,24 +158,24 @@ def _patiently(work: Callable, cancelled: Callable[[], bool] | None):
     garbage.hold()
     try:
         done = threads.submit(work, going_on)
-        while not wait([done], _PATIENCE).done:
+        while not wait([done], _WAIT).done:
             garbage.collect()
             if cancelled():
                 given_up.set()
                 going_on()
         return done.result()
     finally:
-        given_up.set()  # also where `cancelled` raised an error
+        given_up.set()  # also if `cancelled` raised an error
         garbage.release()
         threads.shutdown(wait=False)
 
 
 def _row(reading: Reading, chosen: Preferences, conditions: Conditions, going_on: Callable) -> OperationReport:
-    """Return the row of one operation; an error of this add-on must not cost the other operations theirs."""
+    """Return the row of one operation. An unexpected error is reported in the row, so that other operations keep their rows."""
     if reading.error is not None:
         return _failed(reading, reading.error)
     try:
-        return _work(reading, chosen, conditions, going_on)
+        return _analysed_or_known(reading, chosen, conditions, going_on)
     except Cancelled:
         raise
     except Exception as error:
@@ -184,7 +183,9 @@ def _row(reading: Reading, chosen: Preferences, conditions: Conditions, going_on
         return _failed(reading, error)
 
 
-def _work(reading: Reading, chosen: Preferences, conditions: Conditions, going_on: Callable) -> OperationReport:
+def _analysed_or_known(
+    reading: Reading, chosen: Preferences, conditions: Conditions, going_on: Callable
+) -> OperationReport:
     commands = None if reading.path.Size <= AT_ONCE else reading.path.Commands
     text = text_of(reading.path, commands)
     going_on()
@@ -192,7 +193,9 @@ def _work(reading: Reading, chosen: Preferences, conditions: Conditions, going_o
                  conditions)  # fmt: skip
     known = RESULTS.find(key)
     if known is None:
-        words = Words(used_up(commands or reading.path.Commands))  # a million take half a GB, read twice that
+        words = Words(
+            used_up(commands or reading.path.Commands)
+        )  # a million commands take half a GB, so read them only if needed
         known = _analysed(reading, words, chosen, conditions, going_on)
         RESULTS.keep(key, known)
     row = replace(
@@ -230,8 +233,8 @@ def _analysed(
         remarks += _misfits(toolpath, tool, stock, costs, finished=reading.stock_is_model)
     going_on()
     if reading.imported:
-        toolpath, told = in_seconds(toolpath)
-        remarks += [told] if told else []
+        toolpath, minutes = in_seconds(toolpath)
+        remarks += [minutes] if minutes else []
     horizontal, vertical = reading.rapid_feeds
     return OperationReport(
         **{name: getattr(reading, name) for name in IDENTITY},
@@ -249,7 +252,7 @@ def _analysed(
 
 
 def _why_empty(reading: Reading, toolpath: Toolpath) -> list[Message]:
-    """Return why nothing cuts; a stop, a comment or a fixture needs no toolpath, other operations lack theirs."""
+    """Return why an operation does not cut. For a stop, a comment or a fixture that is normal, and nothing is returned."""
     silent = toolpath.commands <= len(toolpath.comments)
     if not reading.takes_tool and toolpath.commands and not len(toolpath):
         return []
@@ -261,10 +264,10 @@ def _why_empty(reading: Reading, toolpath: Toolpath) -> list[Message]:
 def _misfits(
     toolpath: Toolpath, tool: Tool, stock: Solid, costs: Mapping[str, Cost], *, finished: bool
 ) -> list[Message]:
-    """Return how tool and stock, which is perhaps the finished part, do not fit the toolpath."""
+    """Return remarks if tool or stock do not fit the toolpath. `finished`: the stock equals the model."""
     too_wide = tool.diameter > max(stock.upper[0] - stock.lower[0], stock.upper[1] - stock.lower[1])
     at_it = cuts_surely(toolpath, stock) or (too_wide and may_cut(toolpath, tool, stock))
-    if not at_it and costs[ZBUFFER.name].traces == 0:  # which takes an estimate
+    if not at_it and costs[ZBUFFER.name].traces == 0:  # the last condition, because it computes an estimate
         return [Message("stock-is-model") if finished else Message("not-touching")]
     return [Message("tool-wider-than-stock")] if too_wide else []
 
@@ -275,6 +278,6 @@ def _failed(reading: Reading, error: Exception) -> OperationReport:
 
 
 def _unknown(reading: Reading, why: Message) -> OperationReport:
-    """Return the row of an operation of which nothing is known, and why."""
+    """Return the row of an operation without results, with the reason."""
     fingerprint = fingerprint_of("", reading.setting_fingerprint)
     return without_results(why, fingerprint=fingerprint, **{name: getattr(reading, name) for name in IDENTITY})

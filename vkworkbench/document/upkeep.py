@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Marks kept up to date: all documents are watched from the first mark on, and analysed again if the user wishes."""
+"""Keep marks up to date: watch all documents after the first mark, and analyse again if the preferences say so."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ from vkworkbench.report import Cancelled, Report
 
 
 class Upkeep(Watcher):
-    """An observer that also analyses again, once the watcher has found what is outdated; a window does that itself."""
+    """A watcher that also analyses outdated operations again after a recompute. In a window, the workbench does this."""
 
     def slotRecomputedDocument(self, document) -> None:
         super().slotRecomputedDocument(document)
@@ -29,22 +29,22 @@ class Upkeep(Watcher):
 
 
 _upkeep: Upkeep | None = None
-# Preferences on which the text of a mark depends.
+# Preferences that change the text of a mark.
 IN_MARKS = frozenset({"mark_simulator", "time_budget"})
 
 
 def watch() -> None:
-    """Keep the marks of all documents up to date from now on; called again it does nothing."""
+    """Start to keep the marks of all documents up to date. Further calls do nothing."""
     global _upkeep
     if _upkeep is None:
         _upkeep = Upkeep()
         FreeCAD.addDocumentObserver(_upkeep)
-        if not FreeCAD.GuiUp:  # the window waits until all preferences are changed
+        if not FreeCAD.GuiUp:  # a window follows after all preferences were changed
             preferences.observe(lambda name: name in IN_MARKS and follow_preferences())
 
 
 def follow_preferences() -> None:
-    """Let the marks of all open documents say what the preferences ask for."""
+    """Update the marks of all open documents after a change of the preferences."""
     chosen = preferences.read()
     for document in FreeCAD.listDocuments().values():
         for obj in filter(may_have_mark, document.Objects):
@@ -52,27 +52,27 @@ def follow_preferences() -> None:
 
 
 def mark(report: Report) -> int:
-    """Write a report's findings on its operations and the totals on their jobs, and keep them up to date.
+    """Mark the operations of a report, and their jobs with totals; keep the marks up to date.
 
-    One undo step a document.
+    The marks are one undo step for each document.
 
     Returns
     -------
     int
-        How many operations were marked; one that was deleted since the analysis is passed over.
+        Number of marked operations. Operations deleted since the analysis are skipped.
     """
     watch()
     return marking.mark(report)
 
 
 def analyzing_again(document, analyze: Callable) -> Iterator[None]:
-    """Analyse the operations whose marks are outdated, and mark them: work for when FreeCAD is idle.
+    """Analyse and mark the operations with outdated marks. Runs in steps when FreeCAD is idle.
 
     Parameters
     ----------
     document : Document
     analyze : callable
-        Does what ``vkworkbench.analyze`` does; what the user cancels stays outdated.
+        A function like ``vkworkbench.analyze``. If the user cancels it, the marks stay outdated.
     """
     outdated = [o.object for o in find(document) if marks.is_outdated(o.object)]
     if outdated:

@@ -1,9 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Python's garbage, which the window's thread alone collects while other threads work.
+"""Python's garbage collection, limited to the window's thread while other threads work.
 
-Python collects cycles in whatever thread makes objects. A closed tab is such a cycle, and what is of Qt must not be
-destroyed beside the window: PySide's tables have no lock, and FreeCAD ends. These functions are called in the window's
-thread.
+Python collects cycles in any thread that creates objects. A closed tab is a cycle, and destroying a Qt object outside the
+window's thread crashes FreeCAD, because PySide's tables have no lock. Call the functions here in the window's thread.
 """
 
 from __future__ import annotations
@@ -17,7 +16,7 @@ _was_on = False
 
 
 def hold() -> None:
-    """Collect nothing by itself from now on, until as many calls of `release`."""
+    """Disable automatic collection until `release` was called once for each call of `hold`."""
     global _holders, _was_on
     if not _holders:
         _was_on = gc.isenabled()
@@ -26,7 +25,7 @@ def hold() -> None:
 
 
 def release() -> None:
-    """Collect by itself again."""
+    """Enable automatic collection again after the last `hold`."""
     global _holders
     _holders -= 1
     if not _holders and _was_on:
@@ -34,16 +33,15 @@ def release() -> None:
 
 
 def collect() -> None:
-    """Collect what is young, if it is time; what is old, which takes longer, waits for the end."""
+    """Collect young objects, if there are many. Old objects, which take longer, wait for the end."""
     if _was_on and gc.get_count()[0] > gc.get_threshold()[0]:
         gc.collect(1)
 
 
 def give_back() -> None:
-    """Give the system the memory that is free in this process.
+    """Return free memory of this process to the system.
 
-    What a thread has freed, Linux's C library keeps for other threads: ten simulations of 100,000 moves, closed one after the
-    other, kept 750 MB, two thirds of which were free.
+    Without it, the C library of Linux keeps memory that a thread has freed: hundreds of MB after some large simulations.
     """
     gc.collect()
     with suppress(OSError, AttributeError, TypeError):  # another C library

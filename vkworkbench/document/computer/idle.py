@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Work that may wait until FreeCAD is idle: in a window it is done piece by piece, without one at once."""
+"""Do work while FreeCAD is idle: piece by piece in a window, at once without a window."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ import time
 from collections import deque
 from collections.abc import Callable, Iterator
 
-_AT_ONCE = 0.03  # s of work, then other events come
+_SLICE = 0.03  # s of work between other events
 
 _soon: Callable[[Callable[[], None]], None] | None = None
 _works: deque[Iterator] = deque()
@@ -16,15 +16,15 @@ _calls: dict[str, Callable[[], None]] = {}
 
 
 def use(soon: Callable[[Callable[[], None]], None]) -> None:
-    """Work in a window from now on; `soon` has a function called by the window's event loop."""
+    """Start to work piece by piece. `soon` is a function that makes the window's event loop call its argument."""
     global _soon
     _soon = soon
 
 
 def work(steps: Iterator) -> None:
-    """Do what an iterator does: at once what takes a moment, the rest when FreeCAD is idle, one after the other.
+    """Run an iterator: the first steps now, the rest when FreeCAD is idle, after the iterators that wait already.
 
-    It ends where it meets a document or an object that is gone.
+    The iterator is dropped if it meets a deleted document or object.
     """
     _works.append(steps)
     if len(_works) == 1:
@@ -32,20 +32,20 @@ def work(steps: Iterator) -> None:
 
 
 def later(name: str, call: Callable[[], None]) -> None:
-    """Call a function when FreeCAD is idle, once for all calls of that name until then; never without a window."""
+    """Call a function when FreeCAD is idle, only once for several calls of the same name. Without a window, do nothing."""
     if _soon is not None:
         if name not in _calls:
-            _soon(lambda: _calls.pop(name)())  # noqa: PLW0108 - what is waiting then, not now
+            _soon(lambda: _calls.pop(name)())  # noqa: PLW0108 - looks the call up when it runs
         _calls[name] = call
 
 
 def _go_on() -> None:
-    until = math.inf if _soon is None else time.monotonic() + _AT_ONCE
+    until = math.inf if _soon is None else time.monotonic() + _SLICE
     try:
         while _works and time.monotonic() < until:
             _step()
     finally:
-        if _works:  # the moment is over; or one has failed, which ends no other
+        if _works:  # the time is over; or a step failed, and the other iterators go on
             _go_on() if _soon is None else _soon(_go_on)
 
 

@@ -158,7 +158,7 @@ def find(what) -> list[Operation]:
 
     Parameters
     ----------
-    what : Document, DocumentObject, or iterable of them
+    what : Document, DocumentObject, or iterable of these objects
         A document stands for all its jobs and the toolpaths outside the jobs; a job, or its group of operations, for all
         operations in it; a folder for its members. Other objects have no toolpath.
 

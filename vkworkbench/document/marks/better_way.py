@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What marks say of a simulation that hangs or takes long, and the better way: in the results, and where one is started."""
+"""Warn of a simulation that hangs or takes too long, and suggest a faster one. Reads marks only."""
 
 from __future__ import annotations
 
@@ -14,21 +14,21 @@ from vkworkbench.language import Message
 from vkworkbench.preferences import Preferences
 from vkworkbench.report import HANGS
 
-OURS = "ours"  # the tab of this add-on that simulates toolpaths
+OURS = "ours"  # the simulation tab of this add-on
 
 
 @dataclass(frozen=True)
 class BetterWay:
-    """What is to be known of a simulation that the user is about to play, and how to simulate better.
+    """A warning of a simulation that the user is about to start, with a faster way.
 
     Attributes
     ----------
     wrong : Message
-        What goes wrong.
+        The problem.
     better : Message
-        How long the better way takes.
+        The time of the faster way.
     way : str
-        The better way: the name of one of FreeCAD's simulators, the legacy one runs in fast-forward; or `OURS`.
+        The name of one of FreeCAD's simulators (the legacy one runs in fast-forward), or `OURS`.
     """
 
     wrong: Message
@@ -37,14 +37,14 @@ class BetterWay:
 
 
 def better_way(simulator: str, records: Sequence[Record | None], chosen: Preferences) -> BetterWay | None:
-    """Return what to say when a simulator is started on operations; None where it plays them within the budget of time.
+    """Return the warning for a simulator that is started on operations; None if it plays them within the time budget.
 
     Parameters
     ----------
     simulator : str
         Name of one of FreeCAD's simulators.
     records : sequence of Record or None
-        The marks of the operations, None for one without. One that is outdated says nothing.
+        The marks of the operations, None for an operation without a mark. Outdated marks are ignored.
     chosen : Preferences
     """
     fresh = [record for record in records if record is not None and not record.outdated]
@@ -59,7 +59,7 @@ def better_way(simulator: str, records: Sequence[Record | None], chosen: Prefere
 
 
 def too_long(record: Record, chosen: Preferences) -> Message | None:
-    """Return what to say where the time that a mark shows is over the budget, with the better way; None where it is not."""
+    """Return a warning, with a faster way, if the time that a mark shows is over the budget; else None."""
     if burden(record, chosen) is not Burden.OVER:
         return None
     seconds, _ = record.cost(chosen.simulator)
@@ -86,10 +86,10 @@ def _hangs(simulator: str, fresh: list[Record]) -> Message | None:
 
 
 def _way(simulator: str, fresh: list[Record], operations: int, chosen: Preferences) -> tuple[str, Message]:
-    """Return the first way that ends within the budget, and what to say of it: FreeCAD's simulators, then ours."""
+    """Return the first way within the budget, with its message. FreeCAD's simulators come before ours."""
     for name in sorted(freecad.own_simulators(), key=lambda name: name != simulator):
         cost, bound = _together(name, fresh, operations)
-        slow = name == simulator != LEGACY.name  # the legacy one has its fast-forward
+        slow = name == simulator != LEGACY.name  # the legacy simulator has fast-forward
         if slow or cost is None or cost.seconds > chosen.time_budget or _hangs(name, fresh):
             continue
         if name == simulator:
@@ -101,7 +101,7 @@ def _way(simulator: str, fresh: list[Record], operations: int, chosen: Preferenc
 
 
 def _together(simulator: str, fresh: list[Record], operations: int) -> tuple[Cost | None, Message]:
-    """Return what operations take in a simulator one after another, and whether that is about or at least the time."""
+    """Return the cost of operations in a simulator, and the message "about", or "at least" if some costs are unknown."""
     (entry,) = [entry for entry in SIMULATORS if entry.name == simulator]
     costs = [record.costs[simulator] for record in fresh if simulator in record.costs]
     without_moves = sum(record.trajectories == 0 for record in fresh)
@@ -110,5 +110,5 @@ def _together(simulator: str, fresh: list[Record], operations: int) -> tuple[Cos
 
 
 def _seconds_of_play(simulator: str, cost: Cost) -> float:
-    """The time of "play", which a click starts; a mark tells that of fast-forward in the legacy simulator."""
+    """Return the time of "play", which a click starts. For the legacy simulator a mark shows the time of fast-forward."""
     return cost.play_seconds if simulator == LEGACY.name else cost.seconds

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Write what a report found as marks, and clear marks again: one undo step for each document."""
+"""Write the results of a report as marks, and clear marks: one undo step for each document."""
 
 from __future__ import annotations
 
@@ -27,25 +27,25 @@ from vkworkbench.report import OperationReport, Report
 
 
 def mark(report: Report, *, undo_step: bool = True) -> int:
-    """Write a report's findings on its operations and the totals on their jobs, one undo step a document.
+    """Mark the operations of a report, and their jobs with totals, as one undo step for each document.
 
-    What has changed since the analysis is marked as outdated.
+    Operations that have changed since the analysis are marked as outdated.
 
     Parameters
     ----------
     report : Report
     undo_step : bool
-        Whether it is a step that the user can undo; else he can still redo what he has undone.
+        Whether the user can undo the marks as one step. If False, earlier steps can still be redone.
 
     Returns
     -------
     int
-        How many operations were marked; one that was deleted or closed since the analysis is passed over.
+        Number of marked operations. Operations deleted or closed since the analysis are skipped.
 
     Raises
     ------
     TypeError
-        If `report` is no report.
+        If `report` is not a Report.
     """
     of_kind("report", report, Report, "the Report that analyze returns")
     marked = 0
@@ -67,9 +67,9 @@ def _mark(document, operations: list[OperationReport]) -> int:
     marked = set()
     for operation in operations:
         obj = document.getObject(operation.name)
-        if obj is not None and has_toolpath(obj):  # a link has the mark of what it links to
+        if obj is not None and has_toolpath(obj):  # the mark of a link is on the linked object
             path, setting = path_and_setting(operation.fingerprint)
-            # A path that could not be read, as one for which memory does not suffice, is not read here.
+            # The fingerprint of a path is empty if the path could not be read, for example for lack of memory.
             fits = setting in settings.of(obj) and (not path or path_fingerprint(obj) == path)
             marks.write(obj, operation, chosen, outdated=not fits)
             marked.add(obj.Name)
@@ -79,26 +79,26 @@ def _mark(document, operations: list[OperationReport]) -> int:
 
 
 def clear(what=None) -> int:
-    """Remove all marks of a document, a job or operations, one undo step a document; nothing else changes.
+    """Remove all marks of a document, a job or operations, as one undo step for each document.
 
     Parameters
     ----------
-    what : Document, DocumentObject, or iterable of them, optional
-        The active document if None.
+    what : Document, DocumentObject, or iterable of these objects, optional
+        None stands for the active document.
 
     Returns
     -------
     int
-        How many objects lost a mark.
+        Number of objects that had a mark.
 
     Raises
     ------
     ValueError
         If `what` is None and no document is open.
     ReferenceError
-        If an object of it was deleted, or its document closed.
+        If an object was deleted, or a document closed.
     TypeError
-        If `what` is something else.
+        If `what` is of another type.
     """
     marked: dict[str, dict] = {}
     for obj in _with_jobs(or_active_document(what)):
@@ -113,7 +113,7 @@ def clear(what=None) -> int:
 
 @contextmanager
 def transaction(document, name: str):
-    """Make changes as one undo step, undone if one fails; where a step is open already they become part of it."""
+    """Make changes as one undo step, or as part of a step that is open. If a change fails, the step is undone."""
     if document.HasPendingTransaction or FreeCAD.getActiveTransaction():
         yield
         return
@@ -123,8 +123,8 @@ def transaction(document, name: str):
     except BaseException:
         FreeCAD.closeActiveTransaction(True)
         raise
-    # The document's own commit would leave the step open where nothing changed or the document keeps no undo steps;
-    # the user's next changes, in any document, would then be part of it.
+    # document.commitTransaction() would leave the step open if nothing changed or the document keeps no undo steps. The user's
+    # next changes, in any document, would then join the step.
     FreeCAD.closeActiveTransaction()
 
 
@@ -133,7 +133,7 @@ def _jobs(document) -> list:
 
 
 def _with_jobs(what) -> Iterator:
-    """The operations that `what` stands for and their jobs, also a job without operations."""
+    """Yield the operations of `what` and their jobs, also jobs without operations."""
     chosen = list(what) if isinstance(what, Iterable) else [what]
     operations = find(chosen)
     for one in chosen:

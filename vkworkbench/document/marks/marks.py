@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""One mark: what an analysis found, written on an operation or on its job.
+"""Read, write and refresh the mark of one operation or job.
 
-The text goes into Label2, the tree's Description column, in brackets beside the user's own words; a hidden property
-holds the whole mark and says which of that text is ours. A file so marked opens in a FreeCAD without this add-on.
+The text of a mark stands in Label2, the tree's Description column, in brackets beside the user's own words. A hidden property
+holds the whole mark, and which part of the text the mark has written. FreeCAD opens a marked file without this add-on, too.
 """
 
 from __future__ import annotations
@@ -26,7 +26,7 @@ from vkworkbench.preferences import Preferences
 from vkworkbench.report import OperationReport, total_of
 
 _BRACKETS = re.compile(f" ?{OPENING}([^{OPENING}{CLOSING}]*){CLOSING}")
-# What a mark of any version and language looks like: how sure it is, or a time; or one of our words and nothing else.
+# The text of a mark in any version: a confidence, a time, or only a strategy.
 _LIKE_A_MARK = re.compile(
     rf"\S.*?(?: \d{{1,3}} ?%|{SEPARATOR}{PLAY} .+)(?:{SEPARATOR}.*|$)|"
     rf"(?:{'|'.join(strategy.value for strategy in Strategy)}|{SWITCHED_OFF}|\d+ operations?)(?:{SEPARATOR}.*)?"
@@ -34,29 +34,29 @@ _LIKE_A_MARK = re.compile(
 
 
 def read(obj) -> Record | None:
-    """Return what a mark says, None where an object has none that this version understands."""
+    """Return the mark of an object; None without a mark, or with a mark of an unknown format."""
     known = _kept(obj)
     return known and replace(known, label=obj.Label).shown
 
 
 def _kept(obj) -> Record | None:
-    """Return what a mark keeps: of an operation that was switched off, what it says when that is switched on again."""
-    return record.from_json(mark_properties.kept(obj))
+    """Return the stored mark. For an operation that was switched off, it is the earlier mark."""
+    return record.from_json(mark_properties.mark_data(obj))
 
 
 def is_marked(obj) -> bool:
-    """Whether an object has a mark, or what is left of one."""
+    """Return whether an object has a mark, or remains of one."""
     return bool(mark_properties.ours(obj))
 
 
 def is_outdated(obj) -> bool:
-    """Whether a mark says that it no longer fits."""
+    """Return whether the mark of an object is outdated."""
     known = read(obj)
     return known is not None and known.outdated
 
 
 def is_shown(obj) -> bool:
-    """Whether the description has the mark's text, or is kept from us; else somebody has taken the text away."""
+    """Return whether the description contains the mark's text, or is locked. Else the user has deleted the text."""
     return any(_segments(obj)) or _is_locked(obj)
 
 
@@ -69,13 +69,13 @@ def words_of(obj) -> str:
 
 
 def with_words(obj, words: str) -> str:
-    """Return an object's description with other words of the user's before its mark."""
+    """Return an object's description with new words before its mark."""
     segments = [obj.Label2[start:end].strip() for start, end in _segments(obj)]
     return " ".join(filter(None, [words.strip(), *segments[-1:]]))
 
 
 def _segments(obj) -> Iterator[tuple[int, int]]:
-    """Where in an object's description its mark stands; the user's own brackets are no marks, whatever they say."""
+    """Yield the positions of the mark in an object's description. Brackets that the user wrote do not count."""
     if not (mark_properties.may_have_mark(obj) or is_marked(obj)):
         return
     written, own = mark_properties.text_written(obj), mark_properties.own_brackets(obj)
@@ -86,28 +86,28 @@ def _segments(obj) -> Iterator[tuple[int, int]]:
 
 
 def write(obj, report: OperationReport, chosen: Preferences, *, outdated: bool) -> None:
-    """Write what was found on an operation, and say of it what the preferences ask for."""
+    """Mark an operation with its report, showing the simulator of the preferences."""
     made = record.of_operation(report, chosen.simulator)
-    _keep(obj, replace(made, outdated=outdated), chosen, anew=True)
+    _keep(obj, replace(made, outdated=outdated), chosen, new=True)
 
 
 def write_total(job, chosen: Preferences) -> None:
-    """Mark a job with the total of its operations' marks; a job with an unmarked operation has none."""
+    """Mark a job with the total of its operations' marks. A job with an unmarked operation gets no mark."""
     parts = _parts(job)
     if not parts or None in parts.values():
         if is_marked(job):
             erase(job)
         return
-    _keep(job, _total(job, parts), chosen, anew=True)
+    _keep(job, _total(job, parts), chosen, new=True)
 
 
 def _parts(job) -> dict[Any, Record | None]:
-    """What is marked on the operations that a job posts, by these."""
+    """Return the marks of the operations that a job posts, by operation."""
     return {o.object: read(o.object) for o in find(job) if o.counted}
 
 
 def _total(job, parts: dict[Any, Record | None]) -> Record:
-    """Return the total of what is marked; it is outdated where that is, or where a part has no mark."""
+    """Return the total of the marks. The total is outdated if a mark is outdated or missing."""
     marked = {obj: part for obj, part in parts.items() if part is not None}
     known = [_with_estimate(obj, part) for obj, part in marked.items()]
     total = total_of(job.Document.Name, job.Name, job.Label, known, None, fixtures_of(job))
@@ -120,13 +120,13 @@ def _is_outdated(parts: dict[Any, Record | None]) -> bool:
 
 
 def _with_estimate(obj, part: Record) -> Record:
-    """Return what a mark says, its z-buffer's cost with what a job's is estimated from, where this session has that."""
+    """Return a mark with the z-buffer's full estimate of this session, if there is one. The total of a job needs it."""
     row = results.latest_row(obj, part.fingerprint) if ZBUFFER.name in part.costs else None
     return replace(part, costs={**part.costs, ZBUFFER.name: row.estimate}) if row and row.estimate else part
 
 
 def read_total(job) -> Record | None:
-    """Return what a job's mark says of the operations that it has now; None where it speaks of others."""
+    """Return the mark of a job; None if the job has other operations than when it was marked."""
     known = read(job)
     return known if known and known.fingerprint == _total_fingerprint(job, _parts(job)) else None
 
@@ -138,19 +138,19 @@ def _total_fingerprint(job, parts: dict[Any, Record | None]) -> str:
 
 
 def refresh(obj, settings_of: Callable, *, path_changed: bool, setting_changed: bool) -> bool:
-    """Add "outdated" to a mark that no longer fits its operation, and take it away where it fits again.
+    """Add "outdated" to a mark if its operation has changed, and remove it if the change was undone.
 
-    One whose operation lost its toolpath because it was switched off is not outdated: it says that.
+    If an operation has no toolpath because it was switched off, its mark says so and is not outdated.
 
     Parameters
     ----------
     obj : DocumentObject
-        An operation; one without a mark is passed over.
+        An operation. Nothing happens without a mark.
     settings_of : callable
-        Returns the fingerprints that fit an operation's setting.
+        Returns the valid fingerprints of an operation's setting.
     path_changed, setting_changed : bool
-        What may have changed since the mark was last compared; one that is outdated or of an operation that was
-        switched off is compared as a whole.
+        What may have changed since the last comparison. If the mark is outdated, or the operation was switched off, both
+        are compared.
 
     Returns
     -------
@@ -172,12 +172,12 @@ def refresh(obj, settings_of: Callable, *, path_changed: bool, setting_changed: 
 
 
 def _is_switched_off(obj) -> bool:
-    """Whether an operation has no toolpath because it is switched off; until it is recomputed it has that of before."""
+    """Return whether an operation has no toolpath because it is switched off. Before its recompute it has its old path."""
     return not is_active(obj) and path_fingerprint(obj) == text_fingerprint("", obj.Placement)
 
 
 def refresh_total(job) -> None:
-    """Let a job's mark be the total of what it has now, and say "outdated" while an operation's mark says it or is missing."""
+    """Update the total in a job's mark. The mark is outdated while an operation's mark is outdated or missing."""
     known = read(job)
     if known is None:
         return
@@ -189,36 +189,36 @@ def refresh_total(job) -> None:
 
 
 def follow(obj, chosen: Preferences) -> None:
-    """Let a mark say what the preferences ask for; an object without a mark is passed over."""
+    """Update the text of a mark after a change of the preferences. Nothing happens without a mark."""
     known = _kept(obj)
     if known is not None and known.text and known.text != text_of(known.shown, chosen):
         _keep(obj, known, chosen)
 
 
-def _keep(obj, known: Record, chosen: Preferences, *, anew: bool = False) -> None:
-    """Write a mark: its properties, and its text where that stands already or the mark is made anew."""
-    told = known.shown
-    known = replace(known, text=text_of(told, chosen))
+def _keep(obj, known: Record, chosen: Preferences, *, new: bool = False) -> None:
+    """Write the properties of a mark. Write its text if the description has it already, or if the mark is new."""
+    visible = known.shown
+    known = replace(known, text=text_of(visible, chosen))
     spans = list(_segments(obj))
     values = {
-        "Strategy": told.strategy and told.strategy.value,
-        "Confidence": told.strategy and round(100 * told.confidence),
-        "Reason": told.english_reason or None,
-        "Remarks": told.english_remarks,
-        "CuttingLength": told.length,
-        "MachiningTime": told.machining_seconds,
-        "SimulationTime": (told.cost(chosen.simulator) or (None,))[0],
+        "Strategy": visible.strategy and visible.strategy.value,
+        "Confidence": visible.strategy and round(100 * visible.confidence),
+        "Reason": visible.english_reason or None,
+        "Remarks": visible.english_remarks,
+        "CuttingLength": visible.length,
+        "MachiningTime": visible.machining_seconds,
+        "SimulationTime": (visible.cost(chosen.simulator) or (None,))[0],
     }
     shown = mark_properties.may_show(obj, values)
     values = {name: value for name, value in values.items() if value is not None and name in shown}
     own = [bracket.group(1) for bracket in _BRACKETS.finditer(obj.Label2) if bracket.span() not in spans]
     mark_properties.set_values(obj, {mark_properties.MARK: record.as_json(known, values, own), **values})
-    if spans or anew:
+    if spans or new:
         _describe(obj, spans, f"{OPENING}{known.text}{CLOSING}")
 
 
 def _describe(obj, spans: list[tuple[int, int]], text: str) -> None:
-    """Put a text in the place of the first span of a description, or behind the user's own words."""
+    """Replace the first span of a description by a text, and remove other spans. Without a span, append the text."""
     label2 = obj.Label2
     for start, end in reversed(spans[1:]):
         label2 = label2[:start] + label2[end:]
@@ -236,13 +236,13 @@ def _set_description(obj, label2: str) -> None:
 
 
 def _is_locked(obj) -> bool:
-    """Whether somebody keeps the description from us: a mark is then in its properties alone."""
+    """Return whether the description cannot be written. A mark then has its properties only."""
     driven = any(path.lstrip(".") == "Label2" for path, _ in obj.ExpressionEngine)
     return driven or "Immutable" in obj.getPropertyStatus("Label2")
 
 
 def erase(obj) -> None:
-    """Remove the mark and what is left of others; the user's own words stay."""
+    """Remove the mark and any remains of one; keep the user's own words."""
     _set_description(obj, words_of(obj))
     for name in mark_properties.ours(obj):
         mark_properties.remove(obj, name)

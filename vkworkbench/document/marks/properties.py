@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The properties of a mark: one that says what is ours, and those that show it. Loads no numpy.
+"""The properties of a mark: a hidden one with all data, and visible ones. Loads no numpy.
 
-All of them are read-only outputs: an ordinary property would touch its object, and FreeCAD would recompute it.
+All properties are read-only outputs. An ordinary property would touch its object, and FreeCAD would recompute the object.
 """
 
 from __future__ import annotations
@@ -17,11 +17,11 @@ from vkworkbench.language import ENGLISH
 QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP
 
 GROUP = "Toolpath analysis"
-# Holds the whole mark, hidden.
+# The hidden property with all data of the mark.
 MARK = "ToolpathMark"
-# Attributes: Output (8) keeps a change from touching the object, ReadOnly (1) keeps the user from it, Hidden is 4.
+# Attributes: with Output (8) a change does not touch the object, with ReadOnly (1) the user cannot change it, Hidden is 4.
 _SHOWN, _HIDDEN = 9, 13
-# "Length" alone is what FreeCAD's lead-in dress-up calls a property of its own.
+# Not "Length": FreeCAD's lead-in dress-up has a property of that name.
 _TYPES = {
     MARK: ("App::PropertyString", QT_TRANSLATE_NOOP("App::Property", "What the mark in the description says")),
     "Strategy": ("App::PropertyString", QT_TRANSLATE_NOOP(
@@ -39,18 +39,18 @@ _TYPES = {
 
 
 def may_have_mark(obj) -> bool:
-    """Whether an object has the property of a mark itself: a link answers for what it links to."""
+    """Return whether an object itself has the property of a mark. A link shows the property of its linked object."""
     return hasattr(obj, MARK) and not obj.isDerivedFrom(freecad.LINK)
 
 
-def kept(obj) -> str:
-    """Return the text of the property that holds the mark; empty where there is none, or one of another type."""
+def mark_data(obj) -> str:
+    """Return the text of the property with the mark; empty without one, or if it has another type."""
     text = getattr(obj, MARK, "")
     return text if isinstance(text, str) else ""
 
 
 def ours(obj) -> list[str]:
-    """Return the names of an object's properties that are a mark's: those in its group, and those it says it wrote."""
+    """Return the names of an object's properties that belong to a mark: by their group, or because the mark lists them."""
     written = _written(obj)
     return [
         name
@@ -60,12 +60,12 @@ def ours(obj) -> list[str]:
 
 
 def text_written(obj) -> str | None:
-    """Return the text that a mark wrote into the description, also one of a newer version; None where it is not known."""
+    """Return the text that a mark of any version wrote into the description; None if unknown."""
     return _part(obj, "text")
 
 
 def own_brackets(obj) -> list:
-    """Return what stood in brackets beside the mark when it was written: the user's own, whatever it says."""
+    """Return the user's own texts in brackets that the description had when the mark was written."""
     own = _part(obj, "own")
     return own if isinstance(own, list) else []
 
@@ -77,7 +77,7 @@ def _written(obj) -> set[str]:
 
 def _part(obj, name: str):
     try:
-        return json.loads(kept(obj))[name]
+        return json.loads(mark_data(obj))[name]
     except (LookupError, TypeError, ValueError, RecursionError):
         return None
 
@@ -87,13 +87,13 @@ def _group(obj, name: str) -> str:
 
 
 def may_show(obj, names: Iterable[str]) -> set[str]:
-    """Return the names of the properties that may show a mark: an object's own of such a name stay."""
+    """Return the names that a mark may use: properties of the same name that an object already had are not overwritten."""
     present = {name for name in names if hasattr(obj, name)}
     return set(names) - (present - set(ours(obj)) if present else set())
 
 
 def set_values(obj, values: dict) -> None:
-    """Give the mark's properties these values, and no others; what is there and not as we write it is made anew."""
+    """Set the mark's properties to these values. Remove its other properties, and replace any of another type or attribute."""
     for name in ours(obj):
         if name not in values or not _is_as_written(obj, name):
             remove(obj, name)
@@ -101,7 +101,7 @@ def set_values(obj, values: dict) -> None:
         if not hasattr(obj, name):
             obj.addProperty(_type(name), name, GROUP, _TYPES[name][1], _HIDDEN if name == MARK else _SHOWN)
         if _type(name) == "App::PropertyString" and not isinstance(value, str):
-            value = ENGLISH.time(value)  # in 0.20
+            value = ENGLISH.time(value)  # FreeCAD 0.20 has no property for a time
         if getattr(getattr(obj, name), "Value", getattr(obj, name)) != value:
             setattr(obj, name, value)
 
@@ -117,14 +117,14 @@ def _is_as_written(obj, name: str) -> bool:
 
 
 def _type(name: str) -> str:
-    """Return a property's type in this FreeCAD."""
+    """Return the type of a property in this FreeCAD version."""
     type_id = _TYPES[name][0]
     has_times = freecad.version() >= freecad.TIME_PROPERTY_SINCE
     return "App::PropertyString" if type_id == "App::PropertyTime" and not has_times else type_id
 
 
 def remove(obj, name: str) -> None:
-    """Remove a property, also one that somebody locked."""
+    """Remove a property, even if it is locked."""
     if any(path.lstrip(".") == name for path, _ in obj.ExpressionEngine):
         obj.setExpression(name, None)
     if not obj.removeProperty(name):

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What a mark keeps of an analysis: enough to explain it, to follow the preferences and to add up a job's total."""
+"""The data of a mark: enough to explain the result, to follow the preferences, and to compute a job's total."""
 
 from __future__ import annotations
 
@@ -15,13 +15,13 @@ from vkworkbench.core.simulators import SIMULATORS, Caution, Cost, Costs, cost_a
 from vkworkbench.language import Message, render
 from vkworkbench.report import HANGS, SERIOUS, OperationReport, Total, has_unknown_cost
 
-_FORMAT = 2  # 1 was never released
-_LARGEST = 1e15  # of what an analysis finds, in any unit
+_FORMAT = 2  # format 1 was never released
+_LARGEST = 1e15  # largest plausible number, in any unit; a larger one comes from a damaged file
 
 
 @dataclass(frozen=True)
 class Record(Costs):
-    """What is known of a marked operation, or of a job: the sum of its operations.
+    """The results of a marked operation, or the total of a job.
 
     Attributes
     ----------
@@ -29,33 +29,34 @@ class Record(Costs):
         None for a job.
     confidence : float
     reason, remarks : tuple of Message
-        Why it has its strategy; what is wrong or unknown.
+        The reason for the strategy; problems and unknowns.
     cautions : tuple of Caution
-        What goes wrong or takes long in FreeCAD's simulators.
+        Problems in FreeCAD's simulators.
     operations, trajectories : int
     length : float
         Cutting length, mm.
     machining_seconds : float or None
         Time of the moves whose speed is known, s.
     left_out : tuple of Message
-        What that time leaves out.
+        Parts of the machining time that are not included.
     stepover : float or None
         mm.
     called : str or None
-        What the operation is called where its toolpath does something else; FreeCAD's name of its kind or its pattern.
+        FreeCAD's name of the operation's kind or pattern, if the toolpath contradicts it.
     incomplete : bool
-        Whether the costs of some operation are unknown, so that those of the job are lower bounds.
+        Whether the cost of an operation is unknown, so that the costs of the job are lower bounds.
     costs : dict of str to Cost
-        By the simulators' names.
+        Costs by name of the simulator.
     fingerprint : str
-        Of path, tool and stock; of a job, those of its operations.
+        Fingerprint of path, tool and stock; for a job, the fingerprints of its operations.
     outdated : bool
     off : bool
-        Whether the operation lost its toolpath because it was switched off since: the rest holds again when it is switched on.
+        Whether the operation lost its toolpath because it was switched off. The other data becomes valid again with the
+        toolpath.
     text : str
-        The mark as it stands in the description.
+        Text of the mark in the description.
     label : str
-        Of the operation as it is now; not kept.
+        Present label of the operation; not stored.
     """
 
     strategy: Strategy | None
@@ -77,11 +78,11 @@ class Record(Costs):
     off: bool = False
     text: str = ""
     label: str = ""
-    advice: ClassVar[dict] = {}  # is not kept
+    advice: ClassVar[dict] = {}  # not stored
 
     @property
     def shown(self) -> Record:
-        """What is told of it: of an operation that is switched off what an analysis tells of one, and nothing of before."""
+        """The visible results. An operation that was switched off shows that it is, and no earlier results."""
         if not self.off:
             return self
         why = {"confidence": 1.0, "reason": (Message("no-moves"),), "remarks": (Message("inactive"),)}
@@ -93,14 +94,14 @@ class Record(Costs):
 
     @property
     def english_remarks(self) -> str:
-        """What is wrong and what is to be known, sentences with semicolons between them."""
+        """Remarks and serious cautions in English, separated by semicolons."""
         return "; ".join([*map(render, self.remarks), *(c.message for c in self.cautions if c.code in SERIOUS)])
 
 
 def of_operation(report: OperationReport, simulator: str) -> Record:
-    """Return what is kept of an operation's report; the costs are those of FreeCAD's simulators and of `simulator`.
+    """Return the record of an operation's report, with the costs of FreeCAD's simulators and of `simulator`.
 
-    A cost of another simulator is kept if it has been computed: to ask for it would compute it.
+    A cost of another simulator is included if it was computed already.
     """
     names = {simulator, *freecad.own_simulators(), *_computed(report.costs)}
     costs = {name: report.costs[name] for name in sorted(names) if name in report.costs}
@@ -126,7 +127,7 @@ def _computed(costs: Mapping[str, Cost]) -> Iterable[str]:
 
 
 def of_total(total: Total, parts: list[Record], fingerprint: str) -> Record:
-    """Return what is kept of a job's total, which was made of these parts."""
+    """Return the record of a job's total, made of the records of its operations."""
     unknown = [part.label for part in parts if has_unknown_cost(part)]
     return Record(
         strategy=None,
@@ -144,7 +145,7 @@ def of_total(total: Total, parts: list[Record], fingerprint: str) -> Record:
 
 
 def as_json(record: Record, shown: Iterable[str] = (), own: Iterable[str] = ()) -> str:
-    """Return a record as text, with the properties that show parts of it and what is the user's own in brackets beside it."""
+    """Return a record as JSON, with the names of its visible properties and the user's own texts in brackets."""
     return json.dumps({
         "format": _FORMAT,
         "text": record.text,
@@ -172,10 +173,10 @@ def as_json(record: Record, shown: Iterable[str] = (), own: Iterable[str] = ()) 
 
 @lru_cache(1024)
 def from_json(text: str) -> Record | None:
-    """Return the record that `as_json` made this of; None where it did not, or a newer version did."""
+    """Return the record of a text from `as_json`; None for any other text, or one of a newer format."""
     try:
         data = json.loads(text)
-        json.dumps(data, ensure_ascii=False).encode()  # half a character in a property ends FreeCAD
+        json.dumps(data, ensure_ascii=False).encode()  # FreeCAD crashes on a property with an unpaired surrogate
         return Record(
             strategy=None if data["strategy"] is None else Strategy(data["strategy"]),
             confidence=_share(data["confidence"]),
@@ -206,7 +207,7 @@ def _costs(data: dict) -> dict[str, Cost]:
 
 
 def _messages(data: Any) -> tuple[Message, ...]:
-    """Return messages that can be rendered; those of a newer version cannot."""
+    """Return messages; raise for a message that this version cannot render."""
     messages = tuple(map(Message.from_data, data))
     for message in messages:
         render(message)
@@ -224,11 +225,11 @@ def _or_none(data: Any) -> float | None:
 
 def _number(data: Any) -> float:
     if isinstance(data, bool) or not isinstance(data, (int, float)) or not 0 <= data <= _LARGEST:
-        raise ValueError(f"no measure: {data!r:.40}")
+        raise ValueError(f"not a measure: {data!r:.40}")
     return data
 
 
 def _share(data: Any) -> float:
     if _number(data) > 1:
-        raise ValueError(f"no share: {data!r:.40}")
+        raise ValueError(f"not a share: {data!r:.40}")
     return data

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""A mark in words: the strategy, the time of one simulator, and what the user must know."""
+"""The text of a mark: the strategy, the time of one simulator, and warnings."""
 
 from __future__ import annotations
 
@@ -14,9 +14,9 @@ from vkworkbench.report import SERIOUS, how_many, is_switched_off
 OPENING, CLOSING, SEPARATOR, OUTDATED = "⟦", "⟧", " · ", "outdated"
 SWITCHED_OFF = "switched off"
 PLAY, WARNING = "▶", "⚠"
-UNSURE = 0.8  # below that confidence a mark says how sure it is
-_NEAR = 0.5  # of the budget
-_LONGEST_REMARK = 120  # characters in a document; the window shows all that it has room for
+UNSURE = 0.8  # a mark shows a confidence below this
+_NEAR = 0.5  # share of the time budget from which a time is "near"
+_LONGEST_REMARK = 120  # characters in a document; the window shows all that fits
 
 
 class Burden(IntEnum):
@@ -26,27 +26,27 @@ class Burden(IntEnum):
 
 
 def burden(record: Record, chosen: Preferences) -> Burden:
-    """Return whether simulating it in the simulator of the preferences stays within the budget of time."""
+    """Compare the time in the simulator of the preferences with the time budget."""
     cost = record.cost(chosen.simulator)
     share = cost[0] / chosen.time_budget if cost else 0.0
     return Burden.OVER if share > 1 else Burden.NEAR if share > _NEAR else Burden.FINE
 
 
 def is_serious(caution: Caution, chosen: Preferences) -> bool:
-    """Whether that simulator hangs, or takes more than is allowed."""
+    """Return whether a caution says that the simulator of the preferences hangs or needs more than the budgets."""
     return caution.code in SERIOUS and caution.what.arguments.get("simulator") == chosen.simulator
 
 
 def is_warned(record: Record, chosen: Preferences) -> bool:
-    """Whether the user must know something before starting that simulator: what is a warning, in tree, tooltip and results."""
-    if is_switched_off(record):  # the user did it
+    """Return whether tree, tooltip and results show a warning for the simulator of the preferences."""
+    if is_switched_off(record):  # the user has done it
         return False
     known = record.remarks or record.called or any(is_serious(caution, chosen) for caution in record.cautions)
     return burden(record, chosen) is Burden.OVER or bool(known)
 
 
 def time_of(record: Record, chosen: Preferences, reader: Reader = ENGLISH) -> str:
-    """Return the time of that simulator in words, empty where it is not known."""
+    """Return the time in the simulator of the preferences as text; empty if unknown."""
     cost = record.cost(chosen.simulator)
     if not cost:
         return ""
@@ -55,7 +55,7 @@ def time_of(record: Record, chosen: Preferences, reader: Reader = ENGLISH) -> st
 
 
 def text_of(record: Record, chosen: Preferences) -> str:
-    """Return the text that stands between the brackets in a description, in English, the same for all its readers."""
+    """Return the text between the brackets of a description, in English for all readers."""
     if record.strategy is None:
         first = how_many(record.operations, "operation")
     elif is_switched_off(record):
@@ -71,7 +71,7 @@ def text_of(record: Record, chosen: Preferences) -> str:
 
 
 def is_unsure(record: Record) -> bool:
-    """Whether the strategy of a mark is an answer that is not to be relied on."""
+    """Return whether a mark names a strategy with a low confidence."""
     return record.strategy is not None and record.strategy.is_answer and record.confidence < UNSURE
 
 

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Marks that stay true: a mark says "outdated" when its operation's path, tool or stock changed.
+"""Watch documents: a mark becomes outdated when its operation's path, tool or stock changes.
 
-FreeCAD tells of every changed property. Those that matter are noted, and the marks are compared when the recompute,
-undo or redo that changed them is over. Nothing is noted while a document is being restored, but what is copied or moved
-into one: its mark speaks of another job.
+FreeCAD reports every changed property. The watcher notes relevant changes, and compares the marks when the recompute, undo or
+redo is over. Changes while a document is being restored are ignored. Objects that are copied or moved into a document are
+compared, because they may belong to another job now.
 """
 
 from __future__ import annotations
@@ -20,7 +20,7 @@ from vkworkbench.document.marks import marks
 from vkworkbench.document.marks.properties import MARK, may_have_mark
 
 _ON_OPERATION = freecad.names_in_fingerprint("path")
-# Changes that reach operations and jobs by way of their tool, stock or group.
+# Changes of a tool, stock or group concern operations and jobs that use it.
 _ON_SETTING = freecad.names_in_fingerprint("setting")
 
 
@@ -33,14 +33,14 @@ class Watcher:
         self._new: dict[str, set[str]] = {}
 
     def slotCreatedObject(self, obj) -> None:
-        # A document that is opened restores without importing.
+        # An opened document is restoring and not importing.
         if has_toolpath(obj) and obj.Document.Restoring == obj.Document.Importing:
             name = obj.Document.Name
             self._new.setdefault(name, set()).add(obj.Name)
             idle.later(f"copies in {name}", lambda: self._look_at_new(name))
 
     def slotChangedObject(self, obj, name: str) -> None:
-        # An undo or a step given up may bring back what a mark said before, of a path and a setting of before.
+        # An undo, or an aborted step, may restore the mark of an earlier path and setting.
         brought_back = name == MARK and obj.Document.Transacting
         if name in _ON_OPERATION or brought_back:
             if may_have_mark(obj) and not obj.Document.Restoring:
@@ -72,7 +72,7 @@ class Watcher:
             idle.work(comparing(document, changed | new, settings=setting_changed))
 
     def _copies(self, document) -> set[str]:
-        """Return the names of what has been copied into a document with its mark."""
+        """Return the names of marked objects that were copied into a document."""
         new = map(document.getObject, self._new.pop(document.Name, ()))
         return {obj.Name for obj in new if obj is not None and may_have_mark(obj)}
 
@@ -90,18 +90,18 @@ def check(document) -> None:
 def comparing(
     document, paths: set[str] | None = None, *, settings: bool = True, opened: bool = False
 ) -> Iterator[None]:
-    """Compare marks with their operations in steps of milliseconds, and say "outdated" where they differ.
+    """Compare marks with their operations in steps of milliseconds; a mark that differs becomes outdated.
 
     Parameters
     ----------
     document : Document
     paths : set of str, optional
-        Operations whose path may differ; all of them if None.
+        Names of operations whose path may differ; None for all operations.
     settings : bool
         Whether tools, stocks or groups may differ.
     opened : bool
-        Whether the document has just been opened: FreeCAD then gives a stock to a job that had none, which is no change
-        of the user's.
+        Whether the document was just opened. FreeCAD then adds a stock to a job without one, which does not make a mark
+        outdated.
     """
     settings_of = Settings(opened=opened).of
     if settings or paths is None:

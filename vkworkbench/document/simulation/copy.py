@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What is to be simulated, read from a document: copied operation by operation, and linearised in whatever thread."""
+"""Copy the operations of a job from a document, and linearise the copies in any thread."""
 
 from __future__ import annotations
 
@@ -45,12 +45,12 @@ from vkworkbench.document.job.solids import are_equal, form_of_stock, model_shap
 from vkworkbench.document.simulation.job import SimulatedJob, SimulatedOperation
 from vkworkbench.language import Message, Unusable
 
-_PATIENCE = 0.05  # s between two looks whether an operation is still waited for
+_WAIT = 0.05  # s between two calls of `going_on` while waiting for a copy
 
 
 @dataclass(frozen=True)
 class _Copied:
-    """Copies of what a document says of one operation, whose path has no fingerprint yet."""
+    """Copies of one operation's properties; its path has no fingerprint yet."""
 
     operation: SimulatedOperation
     path: object
@@ -62,16 +62,16 @@ class _Copied:
 
 @dataclass(frozen=True, eq=False)
 class ReadCut:
-    """An operation that was read.
+    """An operation that was copied and linearised.
 
     Attributes
     ----------
     operation : SimulatedOperation
     cut : Cut or None
-        None where it has nothing to simulate.
+        None if there is nothing to simulate.
     as_read : Toolpath or None
     listing : Listing or None
-        As of `SimulatedJob`.
+        See `SimulatedJob`.
     remarks : tuple of Message
     """
 
@@ -83,7 +83,7 @@ class ReadCut:
 
 
 class JobCopy:
-    """Copies of what a document says of a job, one operation after the other, which another thread reads.
+    """Copies of a job's operations, made one after the other, which another thread reads.
 
     Attributes
     ----------
@@ -101,22 +101,22 @@ class JobCopy:
         self._objects = objects
         self._box = read_stock(job)
         self._form = form_of_stock(job, self._box)
-        self._stock, told = stock_solid(job, self._box)
+        self._stock, remark = stock_solid(job, self._box)
         self._model_shapes = model_shapes(job)
         self._model = shapes_of_model(job)
         self._settings: dict[str, str] = {}  # fingerprints, by the names of operations
         self._paths: dict[str, str] = {}
         self._tolerance = preferences.read().tolerance
-        self._remarks = (told,) if told else ()
+        self._remarks = (remark,) if remark else ()
         self._copied: SimpleQueue = SimpleQueue()
 
     def copying(self) -> Iterator[None]:
-        """Copy one operation after the other: FreeCAD copies a path whole, and may do other things between two.
+        """Copy one operation in each step; FreeCAD can handle events between two steps.
 
         Raises
         ------
         ReferenceError
-            Where an operation is gone meanwhile.
+            If an operation was deleted meanwhile.
         """
         for obj in self._objects:
             copied = _copied(obj, self._box, self._form)
@@ -125,7 +125,7 @@ class JobCopy:
             yield
 
     def read(self, going_on: Callable[[], None] = lambda: None) -> Iterator[ReadCut]:
-        """Linearise one operation after the other, as they are copied; what `going_on` raises ends the work."""
+        """Yield each copied operation linearised. An exception from `going_on` ends the work."""
         for name in self.names:
             read = _linearized(self._next(going_on), self._tolerance)
             path, setting = path_and_setting(read.operation.fingerprint)
@@ -134,17 +134,17 @@ class JobCopy:
             yield read
 
     def asked(self):
-        """Return what was to be simulated, as the document has it now; all of it where nothing of that is left."""
+        """Return the objects that were asked for and still exist; the whole document if none exists."""
         document = FreeCAD.getDocument(self.document)
         return [obj for obj in map(document.getObject, self._asked) if obj is not None] or document
 
     def comparing(self, changed: Container[str]) -> Generator[None, None, bool]:
-        """Find whether the document still says what was copied and read, in steps of milliseconds; return that.
+        """Compare the document with the copies, in steps of milliseconds; return whether they are the same.
 
         Parameters
         ----------
         changed : container of str
-            Names of the operations whose path may be another one.
+            Names of the operations whose path may have changed.
         """
         try:
             objects, job = _posted(self.asked())
@@ -165,12 +165,12 @@ class JobCopy:
         return True
 
     def job(self, read: Iterable[ReadCut]) -> SimulatedJob:
-        """Put together what was read.
+        """Return the job made of the operations that were read.
 
         Raises
         ------
         Unusable
-            Where there is nothing to simulate.
+            If there is nothing to simulate.
         """
         read = tuple(read)
         cuts = [one for one in read if one.cut is not None]
@@ -191,14 +191,14 @@ class JobCopy:
         while True:
             going_on()
             try:
-                copied: _Copied = self._copied.get(timeout=_PATIENCE)
+                copied: _Copied = self._copied.get(timeout=_WAIT)
             except Empty:
                 continue
             return copied
 
 
 def read_job(what=None) -> SimulatedJob:
-    """Read what is to be simulated; see :func:`vkworkbench.simulate`."""
+    """Return the job to simulate; see :func:`vkworkbench.simulate`."""
     copy = copy_job(what)
     for _ in copy.copying():
         pass
@@ -206,7 +206,7 @@ def read_job(what=None) -> SimulatedJob:
 
 
 def copy_job(what=None) -> JobCopy:
-    """Find what is to be simulated, to be copied; see :func:`vkworkbench.simulate`."""
+    """Return the job to simulate, not copied yet; see :func:`vkworkbench.simulate`."""
     what = or_active_document(what)
     asked = list(what) if isinstance(what, Iterable) else [what]
     objects, job = _posted(asked)
@@ -227,7 +227,7 @@ def _copied(obj, box: Stock, form: tuple) -> _Copied:
 
 
 def _linearized(copied: _Copied, tolerance: float) -> ReadCut:
-    operation, told = copied.operation, [copied.remark]
+    operation, found = copied.operation, [copied.remark]
     cut = toolpath = listing = None
     if copied.tool is not None:
         try:
@@ -238,22 +238,22 @@ def _linearized(copied: _Copied, tolerance: float) -> ReadCut:
             operation = replace(operation, fingerprint=fingerprint_of(path, operation.fingerprint))
             toolpath = placed(linearize(used_up(commands), tolerance=tolerance), copied.placement)
         except Unusable as error:
-            told = [error.what]
+            found = [error.what]
         else:
             feeding, minutes = in_seconds(toolpath) if operation.imported else (toolpath, None)
             listing.in_minutes = minutes is not None
             unread = [problem.remark for problem in toolpath.problems if not problem.of_time]
             if rotary_cut(toolpath) or not len(toolpath):
-                told = unread
+                found = unread
             else:
                 cut = Cut(feeding, copied.tool, copied.vertical_feed)
-                told = [*told, minutes, *unread]
-    remarks = tuple(Message("of", label=operation.label, sentence=remark) for remark in told if remark)
+                found = [*found, minutes, *unread]
+    remarks = tuple(Message("of", label=operation.label, sentence=remark) for remark in found if remark)
     return ReadCut(operation, cut, toolpath, listing, remarks)
 
 
 def _posted(what) -> tuple[list, object]:
-    """Return the objects that are simulated, in the order of their job, and that; None without one."""
+    """Return the objects to simulate, in the order of their job, and the job; None without a job."""
     operations = _chosen(find(what))
     return [operation.object for operation in operations], operations[0].job if operations else None
 

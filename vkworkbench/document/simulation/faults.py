@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What simulations of this session showed to be wrong with operations, for as long as it is true.
+"""Faults of operations that simulations of this session have found.
 
-An operation's faults hold for its toolpath, tool and stock, which its fingerprint tells, and for all that is cut before
-it: when a toolpath of the document, or the order of the operations, changes, they are forgotten.
+A fault is valid for the toolpath, tool and stock of its operation, which the fingerprint covers, and for all operations before
+it. All faults of a document are dropped when a toolpath or the order of its operations changes.
 """
 
 from __future__ import annotations
@@ -22,18 +22,18 @@ from vkworkbench.report import OperationReport
 
 _Found = TypeVar("_Found", OperationReport, Record)
 _CHANGES = freecad.names_in_fingerprint("path") | freecad.names_in_fingerprint("setting")
-# By document and operation: the fingerprint that the fault is of.
+# By document and operation: the fingerprint of the operation, and its fault.
 _found: dict[str, dict[str, tuple[str, Message]]] = {}
 _observer: _Observer | None = None
 
 
 def keep_faults(faults: Mapping[SimulatedOperation, list[tuple[int, Message]]]) -> bool:
-    """Keep what is wrong with operations, instead of what was known of them; return whether that is something else.
+    """Replace the faults of operations; return whether any has changed.
 
     Parameters
     ----------
     faults : mapping
-        Commands and what is wrong with them, by operation; empty where nothing is.
+        Lists of commands with their faults, by operation; an empty list if there is no fault.
     """
     global _observer
     if _observer is None:
@@ -46,30 +46,30 @@ def keep_faults(faults: Mapping[SimulatedOperation, list[tuple[int, Message]]]) 
         if wrong:
             command, fault = wrong[0]
             count = len({command for command, _ in wrong})
-            told = Message("simulated", count=count, command=command + 1, fault=fault)
-            known[operation.name] = operation.fingerprint, told
+            remark = Message("simulated", count=count, command=command + 1, fault=fault)
+            known[operation.name] = operation.fingerprint, remark
         changed |= known.get(operation.name) != before
     return changed
 
 
 def with_faults(found: _Found, document: str, name: str) -> _Found:
-    """Return what is known of an operation, with what simulations showed to be wrong with just this toolpath and setting.
+    """Return the results of an operation with its fault, if its toolpath and setting are as they were simulated.
 
     Parameters
     ----------
     found : OperationReport or Record
     document, name : str
-        Of the document and the operation, FreeCAD's internal ones.
+        Internal names of the document and the operation.
     """
-    fingerprint, told = _found.get(document, {}).get(name, ("", None))
+    fingerprint, fault = _found.get(document, {}).get(name, ("", None))
     remarks = tuple(remark for remark in found.remarks if remark.code != "simulated")
-    if told is not None and fingerprint == found.fingerprint:
-        remarks += (told,)
+    if fault is not None and fingerprint == found.fingerprint:
+        remarks += (fault,)
     return found if remarks == found.remarks else replace(found, remarks=remarks)
 
 
 def read_with_faults(obj: FreeCAD.DocumentObject) -> Record | None:
-    """Return the mark of an object as it is shown: with what simulations showed; None without a mark."""
+    """Return the mark of an object with its fault from a simulation; None without a mark."""
     record = marks.read(obj)
     return None if record is None else with_faults(record, obj.Document.Name, obj.Name)
 

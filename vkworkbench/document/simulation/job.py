@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""A job that is simulated: what its operations are, with what they cut, and what the part is to be."""
+"""A job to simulate: its operations with toolpaths and tools, its stock and its model."""
 
 from __future__ import annotations
 
@@ -18,18 +18,18 @@ from vkworkbench.language import Message
 
 @dataclass(frozen=True)
 class SimulatedOperation:
-    """An operation that is simulated.
+    """An operation to simulate.
 
     Attributes
     ----------
     document, name, label : str
         Internal names of the document and of the object, and the object's label.
     rapid_feeds : tuple of float
-        Horizontal and vertical rapid speed of its tool controller, mm/s; 0 where unset.
+        Horizontal and vertical rapid speed of its tool controller, mm/s; 0 if unset.
     imported : bool
         Whether the toolpath may come from a file.
     fingerprint : str
-        Of path, tool and stock, as an analysis has it; of the setting alone until the path was read.
+        Fingerprint of path, tool and stock; of the setting alone until the path was read.
     """
 
     document: str
@@ -42,7 +42,7 @@ class SimulatedOperation:
 
 @dataclass(frozen=True, eq=False)
 class SimulatedJob:
-    """What is to be simulated.
+    """A job to simulate.
 
     Attributes
     ----------
@@ -51,14 +51,14 @@ class SimulatedJob:
     cuts : tuple of Cut
         Their toolpaths and tools.
     as_read : tuple of Toolpath
-        The toolpaths with the feeds that FreeCAD took for mm/s: their strategies are told from these.
+        The toolpaths with the feeds as FreeCAD reads them, mm/s. The recognition uses these.
     listings : tuple of Listing
-        Their G-code.
+        G-code of the operations.
     stock : Solid
     model_shapes : tuple of Shape
-        Of what the part is to be.
+        Shapes of the job's model.
     remarks : tuple of Message
-        What is left out or not simulated exactly, and why.
+        What the simulation leaves out or simplifies, and why.
     """
 
     operations: tuple[SimulatedOperation, ...]
@@ -71,12 +71,12 @@ class SimulatedJob:
 
     @cached_property
     def model(self) -> Solid | None:
-        """What the part is to be; None where the job has no closed model. Made when it is first asked for."""
+        """The model of the job; None without a closed model. Computed at the first use."""
         return model_solid(self.model_shapes)
 
     @cached_property
     def seconds(self) -> np.ndarray:
-        """Time of every trajectory, numbered through, (n,) float64 s; not a number where its speed is unknown."""
+        """Times of the trajectories of all operations, (n,) float64 s; NaN for an unknown speed."""
         return np.concatenate([
             trajectory_seconds(cut.toolpath, horizontal_rapid=operation.rapid_feeds[0],
                                vertical_rapid=operation.rapid_feeds[1])
@@ -84,7 +84,7 @@ class SimulatedJob:
         ])  # fmt: skip
 
     def strategies(self) -> Iterator[Strategy]:
-        """Tell the strategy of each operation, as its mark does."""
+        """Yield the strategy of each operation, the same as in its mark."""
         for operation, cut, toolpath in zip(self.operations, self.cuts, self.as_read):
             found, _ = recognize_operation(toolpath, cut.tool.diameter, operation.imported)
             yield found.strategy

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""From operations of a document to a simulation of them; reads documents, and writes nothing in them."""
+"""Simulate operations of a document. Writes nothing in the document."""
 
 from __future__ import annotations
 
@@ -20,8 +20,8 @@ from vkworkbench.given import check_file_name, of_kind
 from vkworkbench.language import Message
 from vkworkbench.report import SimulationFacts, how_many
 
-# Of the side of the image that is wanted: one so coarse is good enough to look at.
-GOOD_ENOUGH = 1 / 3
+# Minimum size of an image, as a share of the requested size. A smaller image shows too little.
+MIN_SIZE = 1 / 3
 
 
 def simulate(
@@ -35,33 +35,33 @@ def simulate(
 
     Parameters
     ----------
-    what : Document, DocumentObject, or iterable of them, optional
+    what : Document, DocumentObject, or iterable of these objects, optional
         A document with one job, a job, or some of its operations; the active document if None.
     view : View or str, optional
-        The image, or the name of a direction, e.g. ``"Isometric"``; that of the preferences if None. Without a View, the image
-        is made coarser where it would take too much memory, and a remark of the job says so.
+        The image, or the name of a direction, e.g. ``"Isometric"``. None stands for the direction in the preferences. Without a
+        View, the image is made coarser if it would need too much memory, and a remark of the job says so.
     memory_budget : float, optional
-        Bytes that it may take; those of the preferences if None.
+        Largest memory, bytes. None stands for the budget in the preferences.
     going_on : callable, optional
-        Called many times a second with the share that is done, 0 to 1; what it raises ends the simulation.
+        Called many times a second with the completed share, 0 to 1. An exception from it ends the simulation.
 
     Returns
     -------
     Simulation
-        At its last moment.
+        The simulation at its last moment.
 
     Raises
     ------
     Unusable
-        Where there is nothing to simulate, or no stock; its message tells what to do.
+        If there is nothing to simulate, or no stock. The message says what to do.
     OverBudget
-        If it would take more memory; nothing was simulated. Its message names an image that fits.
+        If the simulation would need more memory. Nothing was simulated; the message names an image that fits.
     ValueError
-        If `what` is None and no document is open, there is no such direction, or the budget is no number of bytes.
+        If `what` is None and no document is open, if the direction is unknown, or if the budget is not a number of bytes.
     ReferenceError
-        If an object of it was deleted, or its document closed.
+        If an object was deleted, or a document closed.
     TypeError
-        If an argument is something else.
+        If an argument has another type.
     """
     job, chosen = read_job(what), preferences.read()
     budget = chosen.memory_budget_bytes if memory_budget is None else memory_budget
@@ -73,13 +73,13 @@ def simulate(
         if view not in preferences.DIRECTIONS:
             raise ValueError(f"there is no direction {view!r}: choose among {', '.join(preferences.DIRECTIONS)}")
         wanted = replace(wanted, direction=preferences.DIRECTIONS[view])
-    image, said = wanted, job.remarks
+    image, remarks = wanted, job.remarks
     while True:
         try:
-            return simulate_read(replace(job, remarks=said), image, budget, going_on)
+            return simulate_read(replace(job, remarks=remarks), image, budget, going_on)
         except OverBudget as refused:
             image = coarser(wanted, refused)
-            said = (*job.remarks, _coarser_image(image, job.stock))
+            remarks = (*job.remarks, _coarser_image(image, job.stock))
 
 
 def _coarser_image(image: View, stock: Solid) -> Message:
@@ -93,9 +93,9 @@ def coarser(view: View, refused: OverBudget) -> View:
     Raises
     ------
     OverBudget
-        The one given, where the image would be too coarse to look at.
+        The given error, if the image would be smaller than `MIN_SIZE`.
     """
-    if refused.size is None or refused.size[0] < GOOD_ENOUGH * view.width:
+    if refused.size is None or refused.size[0] < MIN_SIZE * view.width:
         raise refused
     return view.of_size(*refused.size)
 
@@ -103,7 +103,7 @@ def coarser(view: View, refused: OverBudget) -> View:
 def simulate_read(
     job: SimulatedJob, view: View, memory_budget: float, going_on: Callable[[float], None] = lambda _: None
 ) -> Simulation:
-    """Simulate a job that was read; see :func:`simulate`. Any thread may do it: it asks FreeCAD for nothing."""
+    """Simulate a job that was read; see :func:`simulate`. Runs in any thread, because it uses nothing of FreeCAD."""
     return Simulation(
         job, simulate_job(job.cuts, stock=job.stock, view=view, memory_budget=memory_budget, going_on=going_on)
     )
@@ -111,13 +111,13 @@ def simulate_read(
 
 @dataclass(frozen=True, eq=False)
 class Simulation:
-    """A job that was simulated, at one moment.
+    """A simulated job at one moment.
 
     Attributes
     ----------
     job : SimulatedJob
     zbuffer : ZBuffer
-        Tells depth and owner of every pixel, dexels and traces.
+        Depth and owner of every pixel, dexels and traces.
     """
 
     job: SimulatedJob
@@ -128,28 +128,28 @@ class Simulation:
 
     @property
     def step(self) -> int:
-        """The moment: that many trajectories have been simulated."""
+        """Number of trajectories that have been simulated at this moment."""
         return self.zbuffer.step
 
     @property
     def trajectories(self) -> int:
-        """How many trajectories there are."""
+        """Number of all trajectories."""
         return self.zbuffer.trajectories
 
     def at(self, step: int) -> Simulation:
-        """Return it at another moment, after so many trajectories.
+        """Return the simulation at another moment, after `step` trajectories.
 
         Raises
         ------
         ValueError
-            Where there is no such moment.
+            If `step` is negative or larger than the number of trajectories.
         TypeError
-            Where it is no whole number.
+            If `step` is not an integer.
         """
         return replace(self, zbuffer=self.zbuffer.at(step))
 
     def image(self) -> np.ndarray:
-        """Return the shaded part as it is seen, (height, width, 3) uint8, row 0 at the top."""
+        """Return the shaded image of the part, (height, width, 3) uint8, row 0 at the top."""
         frame, picture = self.zbuffer.frame, self.zbuffer.picture
         size = frame.height, frame.width
         return shade(picture.depth.reshape(size), frame.pixel, colors_of(picture.owner.reshape(size), palette(CUT)))
@@ -162,7 +162,7 @@ class Simulation:
         ValueError
             If the file's name does not end with ``.png``.
         TypeError
-            If it is no name at all.
+            If `path` is not a file name.
         OSError
             If the file cannot be written.
         """
@@ -172,21 +172,21 @@ class Simulation:
         Path(path).write_bytes(png(self.image()))
 
     def facts(self, *, tolerance: float = TOLERANCE) -> SimulationFacts:
-        """Tell what each operation and the job remove, where they cut air, crash, plunge too fast, gouge or leave material.
+        """Return what each operation and the job remove, and where they cut air, crash, plunge too fast, gouge or leave material.
 
-        Passes closer than a pixel are not told apart; what has walls is best seen from above.
+        Passes closer than a pixel cannot be distinguished. For a part with walls, the view from above is best.
 
         Parameters
         ----------
         tolerance : float
-            Deviations from the job's model up to this, mm, are none.
+            Allowed deviation from the job's model, mm.
 
         Raises
         ------
         ValueError
-            If the tolerance is no number of at least 0.
+            If the tolerance is negative or not a number.
         TypeError
-            If it is nothing like a number.
+            If the tolerance has no numeric type.
         """
         labels = [operation.label for operation in self.job.operations]
         names = tuple((operation.document, operation.name) for operation in self.job.operations)
@@ -202,9 +202,9 @@ class Simulation:
         Raises
         ------
         IndexError
-            Where there is no such trajectory.
+            If there is no trajectory of this number.
         TypeError
-            Where it is no whole number.
+            If `trajectory` is not an integer.
         """
         source = self.zbuffer.cuts.source(trajectory)
         return self.job.operations[source.cut], source.command

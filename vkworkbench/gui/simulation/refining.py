@@ -31,11 +31,11 @@ from vkworkbench.core.zbuffer import (
     unshared_seconds,
 )
 from vkworkbench.document.simulation.job import SimulatedJob
-from vkworkbench.document.simulation.simulate import GOOD_ENOUGH, Simulation, coarser, simulate_read
+from vkworkbench.document.simulation.simulate import MIN_SIZE, Simulation, coarser, simulate_read
 from vkworkbench.language import Message, Unusable
 
 # Of the image's side: the first picture is there at once, the last is the finest.
-_SHARES = (1 / 8, GOOD_ENOUGH, 1.0)
+_SHARES = (1 / 8, MIN_SIZE, 1.0)
 _FEWEST = 40  # pixels; a coarser picture shows nothing
 # Of a pixel; the image that just holds the stock is as large as it but for that.
 _ROUNDING = 1e-6
