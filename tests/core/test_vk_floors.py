@@ -224,7 +224,7 @@ def test_no_import_goes_wrong():
         ("core.gcode.arcs", "def f():\n    from vkworkbench.core import recognize", "stands above"),
         ("language.message", "from vkworkbench import report", "stands above"),
         ("report.report", "from vkworkbench.document import marks", "stands above"),
-        ("document.marks.marks", "from vkworkbench.gui.qt.sentences import said", "stands above"),
+        ("document.marks.marks", "from vkworkbench.gui.qt.sentences import sentence", "stands above"),
         ("document.marks.marks", "import vkworkbench", "stands above"),
         ("core.recognition.patterns.rows", "from vkworkbench.core.recognition.verdict import rules", "stands above"),
         ("gui.gauss.dock", "def f():\n    from vkworkbench.gui.results import panel", "stands above"),

@@ -19,7 +19,7 @@ import vkworkbench
 from vkworkbench import freecad
 from vkworkbench.gui.gauss import dock as gauss_map
 from vkworkbench.gui.qt import background
-from vkworkbench.gui.qt.readability import contrast
+from vkworkbench.gui.qt.colors import contrast
 from vkworkbench.language import ENGLISH
 
 try:  # in this order: where FreeCAD runs on PySide2, loading PySide6 beside it crashes
@@ -458,7 +458,7 @@ def test_100_000_trajectories_stay_usable(view, opened, window):
         taken.append((time.perf_counter() - begin) / 2)
     print(f"a step takes {min(taken) * 1e3:.0f} ms; while it was read, the window lived {len(beats)} times, the longest "
           f"pause {max(b - a for a, b in zip([0.0, *beats], beats)):.3f} s")  # fmt: skip
-    busy._later.setInterval(background._PATIENCE)
+    busy._later.setInterval(background._DELAY)
     assert len(beats) > 5
 
 

@@ -84,7 +84,7 @@ def test_tooltips_show_labels_as_text(opened, window, trap):
 
 
 def test_boxes_show_texts_as_they_are(window, trap):
-    for show in (plain_text.tell, plain_text.warn):
+    for show in (plain_text.inform, plain_text.warn):
         box = show("Title", trap, window.main)
         assert (box.text(), box.textFormat(), box.isModal()) == (trap, QtCore.Qt.PlainText, False)
     assert window.dismiss() == [trap, trap]

@@ -22,7 +22,7 @@ from vkworkbench import freecad, preferences
 from vkworkbench.document.marks import marks
 from vkworkbench.document.marks.text import Burden, burden, is_warned, time_of
 from vkworkbench.gui.qt import colors
-from vkworkbench.gui.qt.readability import readable
+from vkworkbench.gui.qt.colors import readable
 from vkworkbench.gui.qt.saving import with_suffix
 from vkworkbench.gui.qt.sentences import as_sentence, user
 from vkworkbench.gui.results import latest

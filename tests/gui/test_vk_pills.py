@@ -18,7 +18,7 @@ from vkworkbench.core import Strategy
 from vkworkbench.document.marks import marks
 from vkworkbench.document.marks.record import Record, as_json
 from vkworkbench.gui.qt import colors
-from vkworkbench.gui.qt.sentences import plainly, said, user
+from vkworkbench.gui.qt.sentences import plain_sentence, sentence, user
 from vkworkbench.gui.results.columns import columns
 from vkworkbench.gui.results.rows import Row
 from vkworkbench.gui.tree import column as tree
@@ -136,7 +136,7 @@ def test_the_strategy_comes_first_then_the_time():
 def test_an_error_is_no_pill():
     record = Record(Strategy.EMPTY, remarks=(Message("no-toolpath"),))
     (sign,) = layout(record).pieces
-    assert sign.kind == "error" and said(record.remarks[0]) in layout(record).text
+    assert sign.kind == "error" and sentence(record.remarks[0]) in layout(record).text
 
 
 def test_a_least_time_of_nothing_is_not_told():
@@ -155,7 +155,7 @@ def test_what_is_wrong_beside_a_strategy_is_seen_in_every_width():
     record = Record(Strategy.ZIGZAG, confidence=0.95, remarks=(Message("no-job"),))
     for room in (10_000, 120, 40):
         assert [piece.kind for piece in layout(record, room=room).pieces] == ["error", "filled"]
-    assert said(record.remarks[0]) in layout(record).text
+    assert sentence(record.remarks[0]) in layout(record).text
 
 
 def test_a_total_and_an_outdated_mark():
@@ -205,7 +205,7 @@ def test_tooltip_tells_why_and_how_much(marked, window):
     assert not re.search(r"\d (?:ms|s|min|h|mm|m|kB|MB)\b", QtGui.QToolTip.text())  # in one line
     known = marks.read(obj)
     (reason,) = known.reason
-    assert plainly(reason)[1:].replace("<", "&lt;").replace(">", "&gt;") in text and "φ" not in text
+    assert plain_sentence(reason)[1:].replace("<", "&lt;").replace(">", "&gt;") in text and "φ" not in text
     assert (
         "On the machine: " in text
         and f"{user().time(known.machining_seconds)}, {user().length(known.length)} of cutting" in text
@@ -261,7 +261,7 @@ def test_tooltip_says_nothing_that_may_be_anothers(marked, window):
     FreeCAD.closeDocument(other.Name)
     window.settle()
     (reason,) = marks.read(labelled(marked, "Face")).reason
-    assert plainly(reason)[1:20] in QtGui.QTextDocumentFragment.fromHtml(
+    assert plain_sentence(reason)[1:20] in QtGui.QTextDocumentFragment.fromHtml(
         tooltip(window, "Face")).toPlainText()  # fmt: skip
 
 

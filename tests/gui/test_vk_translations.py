@@ -20,7 +20,7 @@ from vkworkbench.core.simulators import cost_from_data
 from vkworkbench.document.marks import marks
 from vkworkbench.document.marks.record import Record
 from vkworkbench.gui.qt import docks
-from vkworkbench.gui.qt.sentences import said, user
+from vkworkbench.gui.qt.sentences import sentence, user
 from vkworkbench.gui.tree.explanation import explanation
 from vkworkbench.gui.tree.layout import layouts
 from vkworkbench.language import Message, render
@@ -199,13 +199,13 @@ def test_sentences_of_the_example_in_german(opened, german):
     for o in vkworkbench.analyze(opened).operations:
         messages = *o.messages, o.resolution.why, o.accuracy.why
         for message in messages:
-            shown = said(message)
+            shown = sentence(message)
             assert shown != render(message) and not re.search(r"\b(the|of|and|turns|is)\b|[{}]", shown), shown
     two = (
         Message("no-tool"),
         Message("in-commands", sentence=Message("words-without-motion"), count=7, command=3),
     )
-    assert list(map(said, two)) == [
+    assert list(map(sentence, two)) == [
         "kein Werkzeug: Der Operation einen Werkzeugcontroller geben",
         "Wörter ohne Bewegung davor übergangen (7-mal, zuerst bei Befehl 3)",
     ]
@@ -221,12 +221,12 @@ def test_numbers_as_the_user_reads_them(german):
     apart, rows = Message("passes-need", step=2.54, cell=0.635), Message("apart-at-depths", step=2.4, depths=3)
     try:
         FreeCAD.Units.setSchema(3)  # inches
-        assert said(apart) == "; Bahnen im Abstand von 0,1 in verlangen 0,025 in"
-        assert said(rows) == " im Abstand von 0,0945 in auf 3 Tiefen"  # not "in in"
+        assert sentence(apart) == "; Bahnen im Abstand von 0,1 in verlangen 0,025 in"
+        assert sentence(rows) == " im Abstand von 0,0945 in auf 3 Tiefen"  # not "in in"
         assert reader.length(25.4) == "1,00 in"
         for schema in range(9):  # whatever unit a schema takes
             FreeCAD.Units.setSchema(schema)
-            assert not re.search("nan|inf|[{}]", said(apart))
+            assert not re.search("nan|inf|[{}]", sentence(apart))
             assert reader.measure(float("nan"), 6).startswith("nan") and reader.measure(0.0, 6).startswith("0 ")
     finally:
         FreeCAD.Units.setSchema(6)

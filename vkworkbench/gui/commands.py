@@ -14,7 +14,7 @@ from vkworkbench.document.marks.text import is_warned
 from vkworkbench.document.simulation.faults import read_with_faults
 from vkworkbench.gui.qt import progress
 from vkworkbench.gui.qt.document_command import DocumentCommand, selected_operations
-from vkworkbench.gui.qt.plain_text import tell
+from vkworkbench.gui.qt.plain_text import inform
 from vkworkbench.gui.qt.sentences import plural
 from vkworkbench.gui.qt.text import QT_TRANSLATE_NOOP, translate
 from vkworkbench.gui.results import command as panel_command
@@ -137,7 +137,7 @@ def _show_description() -> None:
 
 
 def _tell(text: str) -> None:
-    tell(translate("Vk_Analyze", "Toolpath analysis"), text, Gui.getMainWindow())
+    inform(translate("Vk_Analyze", "Toolpath analysis"), text, Gui.getMainWindow())
 
 
 def _status(text: str) -> None:

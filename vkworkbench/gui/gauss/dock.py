@@ -43,7 +43,7 @@ from vkworkbench.gui.qt.names import (
 )  # fmt: skip
 from vkworkbench.gui.qt.plain_text import WholeText, as_plain, warn
 from vkworkbench.gui.qt.saving import proposed
-from vkworkbench.gui.qt.sentences import said, strategy_name, user
+from vkworkbench.gui.qt.sentences import sentence, strategy_name, user
 from vkworkbench.gui.qt.text import explain, translate
 from vkworkbench.language import Message, Unusable
 from vkworkbench.report import Cancelled
@@ -176,7 +176,7 @@ class GaussMapDock(QDockWidget):
 
     def _ended(self, error: Exception | None) -> None:
         if isinstance(error, Unusable):
-            self._say(said(Message("of", label=self._label, sentence=error.what)))
+            self._say(sentence(Message("of", label=self._label, sentence=error.what)))
         elif isinstance(error, Cancelled):
             self._say_nothing()
         elif error is not None:
@@ -185,7 +185,7 @@ class GaussMapDock(QDockWidget):
 
     def _show(self, drawn: tuple[Reading, GaussFigure] | None) -> None:
         if drawn is None and not self._active:
-            self._say(said(Message("of", label=self._label, sentence=Message("inactive"))))
+            self._say(sentence(Message("of", label=self._label, sentence=Message("inactive"))))
             return
         if drawn is None:
             text = translate("Vk_GaussMap", "{}: no move cuts sideways, so there is no direction to show")
@@ -231,7 +231,7 @@ class GaussMapDock(QDockWidget):
         self.canvas.show_figure(figure)
         reached = _reached(found.phi_range, found.level, found.reversals)
         here = _reached(signature.phi_range, signature.top_level, len(signature.reversals))
-        told = [f"{self._label}: {self._verdict()}, {said(found.why)}", reached]
+        told = [f"{self._label}: {self._verdict()}, {sentence(found.why)}", reached]
         if here != reached:
             told.append(translate("Vk_GaussMap", "This area: {}").format(here))
         self.title.setText("\n".join(told))

@@ -16,8 +16,8 @@ from vkworkbench.core.paper import image_arcs, level_of, thinned, turns_of
 from vkworkbench.gui.gauss.plot import Plot, ticks
 from vkworkbench.gui.gauss.reading import Polyline, Reading
 from vkworkbench.gui.gauss.theme import Theme
+from vkworkbench.gui.qt.colors import readable
 from vkworkbench.gui.qt.names import QColor, QFontMetrics, QPainter, QPen, QPointF, QPolygonF, QRectF, Qt
-from vkworkbench.gui.qt.readability import readable
 from vkworkbench.gui.qt.sentences import strategy_name, user
 
 TRAIL = 1000  # trajectories up to k that are drawn strongly and on the Gauss map

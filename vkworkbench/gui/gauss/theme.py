@@ -5,8 +5,8 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+from vkworkbench.gui.qt.colors import LINE_CONTRAST, TEXT_CONTRAST, readable
 from vkworkbench.gui.qt.names import QColor
-from vkworkbench.gui.qt.readability import LINE, TEXT, readable
 
 
 @dataclass(frozen=True)
@@ -38,5 +38,5 @@ class Theme:
 def theme_on(back: QColor) -> Theme:
     """Return the colours for a background."""
     inks = ("#303030", "#808080", "#009e73", "#0072b2", "#d55e00")
-    least = (TEXT + 2, LINE, TEXT, TEXT, TEXT)
+    least = (TEXT_CONTRAST + 2, LINE_CONTRAST, *3 * (TEXT_CONTRAST,))
     return Theme(back.name(), *(readable(QColor(ink), back, contrast) for ink, contrast in zip(inks, least)))

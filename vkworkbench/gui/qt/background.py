@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Work in a thread of its own while the window lives on: progress, results piece by piece, and a way out."""
+"""Work in a background thread that shows progress and results in the window and can be cancelled."""
 
 from __future__ import annotations
 
@@ -24,26 +24,26 @@ from vkworkbench.gui.qt.plain_text import as_plain
 from vkworkbench.gui.qt.text import translate
 from vkworkbench.report import Cancelled
 
-_AT_ONCE = 0.03  # s for showing results, then other events come
-_WATCH = 50  # ms between two looks whether a thread has ended
-_PATIENCE = 300  # ms; shorter work shows no progress
-_LINGER = 200  # ms between two works that are pieces of one
+_SLICE = 0.03  # s for showing results between other events
+_WATCH = 50  # ms between two checks whether a thread has ended
+_DELAY = 300  # ms; shorter work shows no progress
+_LINGER = 200  # ms for which the line stays, so that it does not flicker between two related works
 
 
 class Background(QObject):
-    """Does one work at a time; a new one takes the place of the one before.
+    """Does one work at a time. A new work replaces the one that is running.
 
     Parameters
     ----------
     look : int
-        ms between two looks at what the thread has done.
+        Time between two reads of the thread's results, ms.
 
     Attributes
     ----------
     began : Signal of str
-        A work began; what it does.
+        A work has begun; its description.
     over : Signal
-        It has ended, or was given up.
+        The work has ended or was cancelled.
     """
 
     began = Signal(str)
@@ -66,34 +66,34 @@ class Background(QObject):
         Parameters
         ----------
         text : str
-            What is being done.
+            Description of the work.
         work : callable
-            Given a function that raises `Cancelled` once the work has been given up; yields results, in a thread of
-            its own that sees neither documents nor the window.
+            Generator function that yields results. Its argument is a function that raises `Cancelled` after a cancel. It runs in
+            another thread, so it must use neither documents nor the window.
         show : callable
-            Called with each result, in the window's thread.
+            Called in the window's thread with each result.
         ended : callable
-            Called when the work is over, with None, with `Cancelled` where the user gave it up, or with the exception
-            that ended it; not called where it was given up otherwise.
+            Called at the end with None, with `Cancelled` if the user cancelled, or with the exception that ended the work. Not
+            called after `give_up`.
         """
         self.give_up()
         given_up, results = threading.Event(), SimpleQueue()
         self._given_up, self._results = given_up, results
         self._show, self._ended = show, ended
         thread = threading.Thread(target=_run, args=(work, given_up, results), daemon=True)
-        # After a ms, so that what waited while FreeCAD copied a path comes before.
+        # After 1 ms, so that events that waited while FreeCAD copied a path are handled first.
         QTimer.singleShot(1, lambda: _threads.begin(thread, work))
         self.began.emit(text)
         self._timer.start()
 
     def give_up(self) -> None:
-        """End the work, if there is one: its thread ends at its next step."""
+        """End the running work without calling `ended`. Its thread ends at its next step."""
         if self._given_up is not None:
             self._given_up.set()
             self._end()
 
     def cancel(self) -> None:
-        """Give the work up because the user wants it."""
+        """End the running work because the user cancelled it."""
         if self.works:
             self.give_up()
             self._ended(Cancelled("given up"))
@@ -104,7 +104,7 @@ class Background(QObject):
         self.over.emit()
 
     def _look(self) -> None:
-        until = time.monotonic() + _AT_ONCE
+        until = time.monotonic() + _SLICE
         while self.works and time.monotonic() < until:
             try:
                 is_result, what = self._results.get_nowait()
@@ -119,10 +119,10 @@ class Background(QObject):
 
 
 class _Threads:
-    """The threads that work; nothing of Qt is destroyed in them, see `garbage`.
+    """The running threads. No Qt object may be destroyed in them, see `garbage`.
 
-    A thread destroys what it is the last to let go of, such as the tab that its work belongs to: so that is kept until the
-    thread has ended.
+    A thread destroys objects to which it holds the last reference, such as the tab of its work. Therefore a reference to the work
+    is kept until the thread has ended.
     """
 
     def __init__(self) -> None:
@@ -159,16 +159,16 @@ def _run(work: Callable, given_up: threading.Event, results: SimpleQueue) -> Non
             going_on()
         results.put((False, None))
     except Exception as error:
-        results.put((False, error))  # nobody looks where it was given up
+        results.put((False, error))  # ignored after `give_up`
 
 
 class Busy(QWidget):
-    """A line that says what is being done, after a while in which nothing needs to be said, with a button to cancel.
+    """A line with the running work and a button to cancel it. It appears after a delay.
 
     Parameters
     ----------
     background : Background
-        What is shown of; hidden where it does nothing.
+        The work to show. The line is hidden while nothing runs.
     """
 
     def __init__(self, background: Background) -> None:
@@ -184,7 +184,7 @@ class Busy(QWidget):
             row.addWidget(widget)
         row.addStretch(1)
         self.hide()
-        self._later, self._at_last = single_shot(self.show, self, _PATIENCE), single_shot(self.hide, self, _LINGER)
+        self._later, self._at_last = single_shot(self.show, self, _DELAY), single_shot(self.hide, self, _LINGER)
         background.began.connect(self._announce)
         background.over.connect(self._end)
         self.button.clicked.connect(background.cancel)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The add-on's docks at the bottom of the window, as tabs of what is there: side by side there is no room."""
+"""The add-on's docks at the bottom of the window. They become tabs of other docks there, because there is no room side by side."""
 
 from __future__ import annotations
 
@@ -12,28 +12,28 @@ RESULTS, GAUSS_MAP = "VkResults", "VkGaussMap"
 
 
 def find(name: str) -> QDockWidget | None:
-    """Return the dock of that name, None until it is first shown."""
+    """Return the dock with this object name; None before it is first shown."""
     return next((dock for dock in widgets.docks() if dock.objectName() == name), None)
 
 
 def add(dock: QDockWidget, height: int) -> None:
-    """Put a new dock at the bottom, as a tab where another dock is there, and show it `height` px high.
+    """Show a new dock at the bottom, as a tab if another dock is there.
 
-    That is at most a third of the window, most of which is the 3D view's.
+    Its height is `height` px, but at most a third of the window, to leave room for the 3D view.
     """
     window = Gui.getMainWindow()
     others = _at_the_bottom(dock)
     window.addDockWidget(Qt.BottomDockWidgetArea, dock)
     _join(dock, others)
     for other in others:
-        if other.objectName() in (RESULTS, GAUSS_MAP) and other.isHidden():  # once it is shown, it is a tab, too
+        if other.objectName() in (RESULTS, GAUSS_MAP) and other.isHidden():  # becomes a tab when it is shown
             window.tabifyDockWidget(dock, other)
     show(dock)
     window.resizeDocks([dock], [min(height, window.height() // 3)], Qt.Vertical)
 
 
 def show(dock: QDockWidget) -> None:
-    """Show a dock in front of those it shares its place with; what was opened since it was closed is one of them."""
+    """Show a dock in front of the other tabs, including docks that were opened after it was closed."""
     window = Gui.getMainWindow()
     if dock.isHidden() and not dock.isFloating() and window.dockWidgetArea(dock) == Qt.BottomDockWidgetArea:
         _join(dock, _at_the_bottom(dock))
@@ -42,7 +42,7 @@ def show(dock: QDockWidget) -> None:
 
 
 def _at_the_bottom(dock: QDockWidget) -> list[QDockWidget]:
-    """Return the other docks at the bottom, hidden ones too."""
+    """Return the other docks at the bottom, including hidden ones."""
     window = Gui.getMainWindow()
     return [
         other for other in widgets.docks()
@@ -51,12 +51,12 @@ def _at_the_bottom(dock: QDockWidget) -> list[QDockWidget]:
 
 
 def _join(dock: QDockWidget, others: list[QDockWidget]) -> None:
-    """Make a dock a tab of one that is seen, of several that with the most room: FreeCAD's report view, for example."""
+    """Make a dock a tab of the widest visible dock, for example FreeCAD's report view."""
     seen = [other for other in others if not other.isHidden()]
     if seen and not set(seen) & set(Gui.getMainWindow().tabifiedDockWidgets(dock)):
         Gui.getMainWindow().tabifyDockWidget(max(seen, key=lambda other: other.width()), dock)
 
 
 def is_seen(dock: QDockWidget) -> bool:
-    """Whether the user sees the dock: it is neither closed nor behind another one."""
+    """Return whether a dock is visible: neither closed nor behind another tab."""
     return dock.isVisible() and not dock.visibleRegion().isEmpty()

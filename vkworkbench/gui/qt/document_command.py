@@ -10,15 +10,16 @@ from vkworkbench.document.job.operations import is_job_group, is_operation, kind
 
 
 class DocumentCommand:
-    """A command in menus and toolbars, with an icon of its name; offered while a document is open.
+    """A command in menus and toolbars, active while a document is open.
 
     Attributes
     ----------
     name : str
+        Name of the command, of its icon, and of the context of its translations.
     menu, tooltip : str
-        What FreeCAD translates, in the context of the name.
+        English texts, which FreeCAD translates.
     keys : str
-        Its shortcut, empty without one.
+        Keyboard shortcut; empty without one.
     """
 
     name: str
@@ -35,7 +36,7 @@ class DocumentCommand:
 
     @classmethod
     def add(cls) -> None:
-        """Add it to FreeCAD's commands."""
+        """Register the command in FreeCAD."""
         Gui.addCommand(cls.name, cls())
 
 

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""All Qt names of the add-on, from FreeCAD's own wrapper, and what takes several of Qt's calls.
+"""All Qt names that the add-on uses, from FreeCAD's own PySide package, and small helpers for Qt.
 
-FreeCAD 0.20's wrapper has no QtWidgets, but QtGui holds the widgets in every version.
+In FreeCAD 0.20 this package has no QtWidgets, but its QtGui contains the widgets in every version.
 """
 
 from __future__ import annotations
@@ -83,21 +83,83 @@ from PySide.QtGui import (
 )  # fmt: skip
 
 __all__ = [
-    "QAbstractItemModel", "QAbstractItemView", "QAction", "QApplication", "QCheckBox", "QColor", "QComboBox",
-    "QDate", "QDialogButtonBox", "QDockWidget", "QDoubleSpinBox", "QEvent", "QEventLoop", "QFileDialog",
-    "QFont", "QFontMetrics", "QFrame", "QHBoxLayout",
-    "QHeaderView", "QImage", "QInputDialog", "QItemSelectionModel", "QKeySequence", "QLabel", "QLineEdit", "QLineF", "QListWidget",
-    "QLocale", "QMdiArea", "QMenu", "QMessageBox", "QModelIndex", "QObject", "QOffscreenSurface", "QOpenGLContext",
-    "QPainter", "QPalette", "QPen", "QPixmap", "QPoint", "QPointF", "QPolygonF", "QProgressBar", "QProgressDialog",
-    "QPushButton", "QRectF", "QRegion", "QScrollArea", "QSize", "QSizePolicy", "QSlider", "QSortFilterProxyModel", "QSpinBox",
-    "QSplitter", "QStyle", "QStyleOptionComboBox", "QStyleOptionViewItem", "QStylePainter", "QStyledItemDelegate",
-    "QTabWidget", "QTextBrowser", "QTimer", "QToolButton", "QToolTip", "QTreeView", "QVBoxLayout", "QWidget", "Qt", "Signal",
-    "single_shot", "svg_generator",
+    "MenuButton",
+    "QAbstractItemModel",
+    "QAbstractItemView",
+    "QAction",
+    "QApplication",
+    "QCheckBox",
+    "QColor",
+    "QComboBox",
+    "QDate",
+    "QDialogButtonBox",
+    "QDockWidget",
+    "QDoubleSpinBox",
+    "QEvent",
+    "QEventLoop",
+    "QFileDialog",
+    "QFont",
+    "QFontMetrics",
+    "QFrame",
+    "QHBoxLayout",
+    "QHeaderView",
+    "QImage",
+    "QInputDialog",
+    "QItemSelectionModel",
+    "QKeySequence",
+    "QLabel",
+    "QLineEdit",
+    "QLineF",
+    "QListWidget",
+    "QLocale",
+    "QMdiArea",
+    "QMenu",
+    "QMessageBox",
+    "QModelIndex",
+    "QObject",
+    "QOffscreenSurface",
+    "QOpenGLContext",
+    "QPainter",
+    "QPalette",
+    "QPen",
+    "QPixmap",
+    "QPoint",
+    "QPointF",
+    "QPolygonF",
+    "QProgressBar",
+    "QProgressDialog",
+    "QPushButton",
+    "QRectF",
+    "QRegion",
+    "QScrollArea",
+    "QSize",
+    "QSizePolicy",
+    "QSlider",
+    "QSortFilterProxyModel",
+    "QSpinBox",
+    "QSplitter",
+    "QStyle",
+    "QStyleOptionComboBox",
+    "QStyleOptionViewItem",
+    "QStylePainter",
+    "QStyledItemDelegate",
+    "QTabWidget",
+    "QTextBrowser",
+    "QTimer",
+    "QToolButton",
+    "QToolTip",
+    "QTreeView",
+    "QVBoxLayout",
+    "QWidget",
+    "Qt",
+    "Signal",
+    "single_shot",
+    "svg_generator",
 ]  # fmt: skip
 
 
 def single_shot(work: Callable[[], object] | Signal, parent: QObject | None = None, ms: int = 0) -> QTimer:
-    """Return a timer that does the work, or emits the signal, once for many starts: as soon as other events are done."""
+    """Return a timer that calls `work`, or emits the signal, once for several starts, after pending events."""
     timer = QTimer(parent)
     timer.setSingleShot(True)
     timer.setInterval(ms)
@@ -106,7 +168,7 @@ def single_shot(work: Callable[[], object] | Signal, parent: QObject | None = No
 
 
 def svg_generator(path: str, width: int, height: int, title: str):
-    """Return what a painter writes into an SVG file."""
+    """Return a paint device that writes an SVG file."""
     from PySide.QtCore import QRect, QSize
     from PySide.QtSvg import QSvgGenerator
 
@@ -116,3 +178,19 @@ def svg_generator(path: str, width: int, height: int, title: str):
     generator.setViewBox(QRect(0, 0, width, height))
     generator.setTitle(title)
     return generator
+
+
+class MenuButton(QToolButton):
+    """A button that opens a menu. It is wide enough for the arrow, which FreeCAD 1.1's theme would draw over the text."""
+
+    def __init__(self, text: str, menu: QMenu | None = None) -> None:
+        super().__init__()
+        self.setText(text)
+        self.setPopupMode(QToolButton.InstantPopup)
+        self.setMenu(menu or QMenu(self))
+
+    def sizeHint(self) -> QSize:
+        arrow = self.style().pixelMetric(
+            QStyle.PM_MenuButtonIndicator
+        )  # without a widget: for this one the theme returns 0
+        return super().sizeHint() + QSize(arrow, 0)

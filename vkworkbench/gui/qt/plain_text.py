@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Texts of documents and files as plain text, in every tooltip, label and box.
+"""Show texts from documents and files as plain text, in every tooltip, label and message box.
 
-Qt takes a text that begins like HTML for HTML: a label such as ``<img src='file:...'>`` would load the file.
+Qt interprets a text that looks like HTML: a label such as ``<img src='file:...'>`` would load the file.
 """
 
 from __future__ import annotations
@@ -27,33 +27,33 @@ _UNBROKEN = "\u00a0"
 
 
 def as_html(text: str) -> str:
-    """Return HTML that shows a text as it is, for Qt to take as such: tooltips of models and widgets."""
+    """Return HTML that shows a text literally, for tooltips."""
     return in_paragraph(lines(text))
 
 
 def lines(text: str) -> str:
-    """Return a text as a part of HTML, with its line breaks."""
+    """Return a text as HTML without a paragraph, with its line breaks."""
     return escape(text).replace("\n", "<br>")
 
 
 def in_paragraph(html: str) -> str:
-    """Return a part of HTML as a tooltip that keeps its spaces, and a number and its unit in one line."""
+    """Return HTML as a paragraph that keeps spaces, and keeps a number and its unit in one line."""
     return f"<p style='white-space: pre-wrap'>{unbroken(html)}</p>" if html else ""
 
 
 def unbroken(text: str) -> str:
-    """Return a text, or HTML, in which no line ends between a number and its unit."""
+    """Return a text or HTML with unbreakable spaces between numbers and units."""
     return _BEFORE_UNIT.sub(_UNBROKEN, text)
 
 
 def as_plain(label: QLabel) -> QLabel:
-    """Make a label show every text as it is, and return it."""
+    """Make a label show its text literally, and return the label."""
     label.setTextFormat(Qt.PlainText)
     return label
 
 
 class OneLine(QLabel):
-    """A text as it is, in a line as wide as there is room: what is too long ends with "…", and is whole in the tooltip."""
+    """A label of one line that shows its text literally. A long text is shortened with "…"; the tooltip has all of it."""
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -67,7 +67,7 @@ class OneLine(QLabel):
     def paintEvent(self, event) -> None:
         place = self.contentsRect()
         shown = self.fontMetrics().elidedText(self.text(), Qt.ElideRight, place.width())
-        if shown == self.text() or self.hasSelectedText():  # what is selected Qt's own shows, without the dots
+        if shown == self.text() or self.hasSelectedText():  # Qt shows selected text, without the dots
             super().paintEvent(event)
             return
         painter = QStylePainter(self)
@@ -76,10 +76,9 @@ class OneLine(QLabel):
 
 
 class WholeText(QObject):
-    """Keeps a label that wraps as high as its text is in its width.
+    """Keeps a wrapping label high enough for its text.
 
-    A layout asks how high it is at least in a width of its own; where there is less, lines are cut off, or what stands
-    beside is squeezed.
+    A layout computes the minimum height of a label for another width than the real one. In a narrower label, lines would be cut.
     """
 
     def __init__(self, label: QLabel) -> None:
@@ -93,23 +92,23 @@ class WholeText(QObject):
         return False
 
     def fit(self) -> None:
-        """Follow another text."""
-        self._label.setMinimumHeight(0)  # else a label tells no less than it had
+        """Adapt the height after a change of the text."""
+        self._label.setMinimumHeight(0)  # otherwise the hint never shrinks
         self._label.setMinimumHeight(max(0, self._label.heightForWidth(self._label.width())))  # -1 without a text
 
 
 def show_tooltip(where: QPoint, html: str, widget: QWidget) -> None:
-    """Show a part of HTML as a tooltip; what it takes from documents has gone through `lines`."""
+    """Show HTML as a tooltip. Texts from documents in it must come from `lines`."""
     QToolTip.showText(where, in_paragraph(html), widget)
 
 
-def tell(title: str, text: str, parent: QWidget) -> QMessageBox:
-    """Tell something in a box that does not block."""
+def inform(title: str, text: str, parent: QWidget) -> QMessageBox:
+    """Show a message in a box that does not block."""
     return _box(QMessageBox.Information, title, text, parent)
 
 
 def warn(title: str, text: str, parent: QWidget) -> QMessageBox:
-    """Tell what went wrong in a box that does not block."""
+    """Show a warning in a box that does not block."""
     return _box(QMessageBox.Warning, title, text, parent)
 
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Analyses and calibrations with a progress dialog: the window stays alive, Esc cancels."""
+"""Analyse and calibrate with a progress dialog: the window responds, and Esc cancels."""
 
 from __future__ import annotations
 
@@ -13,16 +13,16 @@ from vkworkbench.gui.qt.text import translate
 from vkworkbench.report import Cancelled, Report
 
 _DELAY = 300  # ms; a shorter analysis shows no dialog
-_WIDTH = 400  # px; a width that changed with every label would make FreeCAD draw the 3D view behind it anew
+_WIDTH = 400  # px; if the width changed with every label, FreeCAD would redraw the 3D view behind the dialog
 
 
 def analyze(what) -> Report:
-    """Do what ``vkworkbench.analyze`` does, and show how far it is.
+    """Call ``vkworkbench.analyze`` and show its progress.
 
     Raises
     ------
     Cancelled
-        If the user pressed Esc or the button.
+        If the user pressed Esc or Cancel.
     """
     note_renderer()
     progress = _Progress(translate("Vk_Analyze", "Analyze toolpaths"), Gui.getMainWindow())
@@ -33,12 +33,12 @@ def analyze(what) -> Report:
 
 
 def calibrate(parent: QWidget) -> None:
-    """Measure this computer as ``calibration.calibrate`` does.
+    """Call ``calibration.calibrate`` and show its progress.
 
     Raises
     ------
     Cancelled
-        If the user pressed Esc or the button.
+        If the user pressed Esc or Cancel.
     OSError
         If the user data folder cannot be written.
     """
@@ -52,7 +52,7 @@ def calibrate(parent: QWidget) -> None:
 
 
 def dialog_of(title: str, text: str, parent: QWidget, delay: int) -> QProgressDialog:
-    """Return a dialog that keeps clicks from the window, is shown after so many ms, and that Esc cancels."""
+    """Return a modal progress dialog that appears after `delay` ms. Esc cancels it."""
     dialog = QProgressDialog(parent)
     dialog.setWindowTitle(title)
     dialog.setWindowModality(Qt.WindowModal)
@@ -60,18 +60,18 @@ def dialog_of(title: str, text: str, parent: QWidget, delay: int) -> QProgressDi
     as_plain(dialog.findChild(QLabel))
     dialog.setLabelText(text)
     dialog.setCancelButtonText(translate("Vk_Analyze", "Cancel"))
-    dialog.rejected.connect(dialog.cancel)  # whichever part of the dialog takes Esc
+    dialog.rejected.connect(dialog.cancel)  # Esc may reach any part of the dialog
     return dialog
 
 
 class _Progress:
-    """A dialog that says that this computer is being measured, which comes first, then what is analysed."""
+    """A dialog that shows first that this computer is being measured, then the operations being analysed."""
 
     def __init__(self, title: str, parent: QWidget) -> None:
         text = translate("Vk_Analyze", "Measuring how fast this computer simulates…")
         self._dialog = dialog_of(title, text, parent, delay=_DELAY)
         self._dialog.setMinimumWidth(_WIDTH)
-        self._dialog.setMaximum(0)  # how long that takes is not known
+        self._dialog.setMaximum(0)  # an unknown time
         self._dialog.setValue(0)
 
     def close(self) -> None:
@@ -84,7 +84,7 @@ class _Progress:
         self._dialog.setValue(done)
 
     def cancelled(self) -> bool:
-        # Clicks have to wait until the dialog is visible and keeps them from the window.
+        # Until the dialog is visible it does not block the window, so clicks have to wait.
         waiting = QEventLoop.AllEvents if self._dialog.isVisible() else QEventLoop.ExcludeUserInputEvents
         QApplication.processEvents(waiting)
         return self._dialog.wasCanceled()

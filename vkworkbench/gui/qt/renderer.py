@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""OpenGL's name of what draws on this computer: a graphics card, or software on the processor."""
+"""The name of the OpenGL renderer of this computer: a graphics card or software rendering."""
 
 from __future__ import annotations
 
@@ -22,12 +22,12 @@ def opengl_renderer() -> str:
 
 
 def note_renderer(*, again: bool = False) -> str:
-    """Keep the renderer's name in the preferences, where an analysis finds it, and return it.
+    """Store the renderer's name in the preferences for analyses, and return it.
 
     Parameters
     ----------
     again : bool
-        Whether to ask OpenGL even if the name is known already.
+        Whether to ask OpenGL even if the preferences have a name.
     """
     known = preferences.read().renderer
     if known and not again:

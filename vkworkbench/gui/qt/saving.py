@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Where what the user saves of a document goes: beside it, unless he chooses otherwise."""
+"""Paths of files that the user saves."""
 
 from __future__ import annotations
 
@@ -7,13 +7,13 @@ from pathlib import Path
 
 
 def proposed(document, name: str) -> str:
-    """Return the path that a dialog proposes for a file: beside the document, at home if that has no file yet."""
+    """Return the default path of a file: in the folder of the document, or at home if the document was never saved."""
     return str((Path(document.FileName).parent if document.FileName else Path.home()) / name)
 
 
 def with_suffix(path: str, suffix: str) -> str:
-    """Return the path that the user chose, with this suffix if he left it out; a cancelled dialog's is empty.
+    """Return a chosen path, with this suffix if it has none. An empty path of a cancelled dialog stays empty.
 
-    A name may have dots of its own: the ``.2`` of "Bracket V1.2" is no suffix.
+    A name may contain dots: the ``.2`` of "Bracket V1.2" is not a suffix.
     """
     return path if not path or Path(path).suffix[1:].isalpha() else path + suffix

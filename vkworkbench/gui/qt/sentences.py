@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""How the user reads: in FreeCAD's language and units, with the number format of its window.
+"""Texts for the user, in FreeCAD's language and units, with the number format of the window.
 
-Documents, CSV and JSON keep English sentences and millimetres, the same for every user of a file.
+Documents, CSV and JSON have English sentences and millimetres, the same for every user of a file.
 """
 
 from __future__ import annotations
@@ -16,26 +16,26 @@ from vkworkbench import freecad
 from vkworkbench.gui.qt.names import QLocale
 from vkworkbench.language import Message, Reader, render
 
-# The English sentences keep to ASCII, for files and terminals; a window shows what every translation has.
+# The English sentences are ASCII, for files and terminals. A window shows the typographic characters of the translations.
 _TYPESET = (("phi ", "φ "), ("} x {", "} × {"))
 
 
 class User(Reader):
-    """Who sits before this FreeCAD, as its preferences are now."""
+    """The reader with the present preferences of this FreeCAD."""
 
     def __init__(self) -> None:
         locale = QLocale()
         self.decimal, self.thousands = locale.decimalPoint(), locale.groupSeparator()
 
     def translate(self, context: str, text: str) -> str:
-        told = FreeCAD.Qt.translate(context, text)
-        if context == "Sentences" and told == text:
+        translated = FreeCAD.Qt.translate(context, text)
+        if context == "Sentences" and translated == text:
             for ascii_text, letter in _TYPESET:
-                told = told.replace(ascii_text, letter)
-        return told
+                translated = translated.replace(ascii_text, letter)
+        return translated
 
     def simulator(self, name: str) -> str:
-        """Return what this FreeCAD's menu calls a simulator; the words of documents where it has none."""
+        """Return the name of a simulator in this FreeCAD's menu; its name in documents if the menu has none."""
         return freecad.simulator_title(name) or super().simulator(name)
 
     def length_unit(self, millimetres: float) -> tuple[float, str]:
@@ -43,7 +43,7 @@ class User(Reader):
         return factor, unit
 
     def length(self, millimetres: float) -> str:
-        """Return a length with the decimals of FreeCAD's preferences, e.g. ``"12.50 mm"`` or ``"0.49 in"``; m from 10 m on."""
+        """Return a length with the decimals of FreeCAD's preferences, e.g. ``"12.50 mm"`` or ``"0.49 in"``; from 10 m in metres."""
         if millimetres >= 10_000 and self.length_unit(millimetres)[1] == "mm":
             return super().length(millimetres)
         text = _quantity(millimetres).UserString  # without separators of thousands
@@ -54,39 +54,39 @@ class User(Reader):
 
 
 def user() -> User:
-    """Return the reader of all that is shown."""
+    """Return the reader for all texts of the window."""
     return User()
 
 
-def said(message: Message) -> str:
-    """Return the sentence of a message as the user reads it."""
+def sentence(message: Message) -> str:
+    """Return the sentence of a message for the user."""
     return render(message, user())
 
 
-def plainly(message: Message) -> str:
-    """Return the sentence of a message as the user reads it, in a machinist's words where it has such."""
+def plain_sentence(message: Message) -> str:
+    """Return the sentence of a message for the user, in a machinist's words if the message has them."""
     return render(message, user(), plain=True)
 
 
 def as_sentence(text: str) -> str:
-    """Return what is told with a capital and a full stop; several sentences have both already."""
+    """Return a text with a capital letter and a full stop. Several sentences have both already."""
     full_stop = "。" if is_chinese(text[-1:]) else "."
     return f"{text[:1].upper()}{text[1:]}" + ("" if text.endswith((".", "。")) else full_stop)
 
 
 def is_chinese(text: str) -> bool:
-    """Whether it is one Chinese character, beside which there are no spaces."""
+    """Return whether a text is one Chinese character, which is written without spaces."""
     return "\u4e00" <= text <= "\u9fff"
 
 
 def plural(one: str, more: str, count: int) -> str:
-    """Return the text for one or that for more, with the count in its place ``{count}``."""
+    """Return the singular or plural text, with the count in place of ``{count}``."""
     reader = user()
     return (one if reader.is_one(count) else more).format(count=reader.count(count))
 
 
 def strategy_name(strategy: Enum) -> str:
-    """Return the name of a member of `Strategy` in the user's language; loads no numpy, as its table would."""
+    """Return the name of a member of `Strategy` in the user's language. Does not load numpy."""
     return user().translate("Strategy", strategy.label)
 
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Translation of what the user reads, under the name that Qt's lupdate looks for; and widgets without a text of their own."""
+"""Translation of texts, by the function name that Qt's lupdate searches, and descriptions of widgets without a text."""
 
 from __future__ import annotations
 
@@ -11,10 +11,10 @@ if TYPE_CHECKING:
     from vkworkbench.gui.qt.names import QWidget
 
 translate = FreeCAD.Qt.translate
-QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP  # for texts that FreeCAD translates itself
+QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP  # marks texts that FreeCAD translates
 
 
 def explain(widget: QWidget, text: str) -> None:
-    """Say what a widget without a text of its own is for: by its tool tip, and to screen readers, which take no name from that."""
+    """Describe a widget without a text, by its tooltip and for screen readers, which do not read tooltips."""
     widget.setToolTip(text)
     widget.setAccessibleName(text)

@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Widgets of FreeCAD, found without keeping them.
+"""Find widgets of FreeCAD without keeping them alive.
 
-What PySide finds among a widget's children it keeps until that widget is gone, and the main window never goes: the panel
-of a simulator found there would be kept after it is closed, what Qt makes at its address later would be taken for it,
-and FreeCAD could not open its simulator any more. So only what lives as long as the window is looked for among its
-children, and nothing of FreeCAD's is asked for its parent. All widgets are some hundreds: to go through them takes 1 ms.
+PySide keeps every widget that `findChild` returns until the parent is deleted, and the main window is never deleted. A
+simulator's panel that was found this way would be kept after it is closed; a later widget at the same address would be taken for
+it, and FreeCAD could not open its simulator again. Therefore `findChild` is used only for widgets that live as long as the window,
+and no widget of FreeCAD is asked for its parent. Searching all widgets takes about 1 ms.
 
-The other way round, what a widget was asked for is gone for Python when Python lets go of the widget: keep it meanwhile.
+Conversely, PySide deletes the wrapper of a child when the wrapper of its parent is deleted: keep a reference to the parent.
 """
 
 from __future__ import annotations
@@ -17,7 +17,7 @@ from vkworkbench.gui.qt.names import QApplication, QDockWidget, QMdiArea, QWidge
 
 
 def find(kind: type[QWidget], name: str | None = None) -> list:
-    """Return the widgets of a kind that there are, of this object name if one is given."""
+    """Return all widgets of a class, or only the ones with this object name."""
     return [
         widget
         for widget in QApplication.allWidgets()
@@ -26,10 +26,10 @@ def find(kind: type[QWidget], name: str | None = None) -> list:
 
 
 def docks() -> list[QDockWidget]:
-    """Return the docks of FreeCAD's window, which live as long."""
+    """Return the docks of FreeCAD's window, which live as long as the window."""
     return Gui.getMainWindow().findChildren(QDockWidget)
 
 
 def area_of_views() -> QMdiArea:
-    """Return what FreeCAD shows its 3D views in."""
+    """Return the area in which FreeCAD shows its 3D views."""
     return Gui.getMainWindow().findChild(QMdiArea)

@@ -8,7 +8,7 @@ import FreeCAD
 from vkworkbench.core.simulators import SIMULATORS
 from vkworkbench.gui.qt import colors
 from vkworkbench.gui.qt.plain_text import lines
-from vkworkbench.gui.qt.sentences import as_sentence, plainly, said, user
+from vkworkbench.gui.qt.sentences import as_sentence, plain_sentence, sentence, user
 from vkworkbench.gui.qt.text import translate
 from vkworkbench.gui.results.columns import LENGTH, OPERATION, STATE, STRATEGY, WARNINGS
 from vkworkbench.gui.results.rows import Row
@@ -45,7 +45,7 @@ def page(row: Row, first: list, others: list, opened: set[str]) -> str:
     if NUMBERS not in opened:
         return html + "<p>" + _link(NUMBERS, translate("Vk_Results", "All numbers")) + "</p>"
     html += _table(_cells(row, others) + _moves(row))
-    html += "".join(f"<p>{lines(sentence)}</p>" for sentence in _advice(row))
+    html += "".join(f"<p>{lines(advice)}</p>" for advice in _advice(row))
     return html + "<p>" + _link(NUMBERS, translate("Vk_Results", "Fewer numbers")) + "</p>"
 
 
@@ -55,11 +55,11 @@ def _title(row: Row) -> str:
 
 def _strategy(row: Row, why: bool) -> str:
     link = _link(WHY, translate("Vk_Results", "Why?"))
-    seen = "; ".join(map(plainly, row.mark.reason))
+    seen = "; ".join(map(plain_sentence, row.mark.reason))
     text = f"{lines(as_sentence(seen))} {link}"
     if not why:
         return text
-    more = [lines(said(reason)) for reason in row.mark.reason]
+    more = [lines(sentence(reason)) for reason in row.mark.reason]
     if row.strategy.is_answer:
         sure = translate("Vk_Results", "Sure: {share}").format(share=user().share(row.found.confidence))
         more.append(lines(sure))
@@ -89,7 +89,7 @@ def _machining(row: Row) -> list[tuple[str, str, str]]:
         told.append((translate("Vk_Results", "Rapids"), length(machining.rapid_length), ""))
         if machining.depth is not None:
             told.append((translate("Vk_Results", "Depth"), length(machining.depth), ""))
-    return told + [("", said(message), "") for message in row.found.left_out]
+    return told + [("", sentence(message), "") for message in row.found.left_out]
 
 
 def _moves(row: Row) -> list[tuple[str, str, str]]:
@@ -107,8 +107,8 @@ def _advice(row: Row):
     for simulator in SIMULATORS:
         chosen = row.found.advice.get(simulator.name)
         if chosen is not None:
-            sentence = FreeCAD.Qt.translate("Vk_Results", simulator.advice.sentence)
-            yield sentence.format(said(chosen.why), simulator=user().simulator(simulator.name))
+            text = FreeCAD.Qt.translate("Vk_Results", simulator.advice.sentence)
+            yield text.format(sentence(chosen.why), simulator=user().simulator(simulator.name))
 
 
 def _table(cells: list[tuple[str, str, str]]) -> str:

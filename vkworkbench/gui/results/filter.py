@@ -6,8 +6,7 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 
 from vkworkbench.core import Strategy
-from vkworkbench.gui.qt.menu_button import MenuButton
-from vkworkbench.gui.qt.names import QCheckBox, QComboBox, QHBoxLayout, QLineEdit, QMenu, QWidget
+from vkworkbench.gui.qt.names import MenuButton, QCheckBox, QComboBox, QHBoxLayout, QLineEdit, QMenu, QWidget
 from vkworkbench.gui.qt.sentences import strategy_name
 from vkworkbench.gui.qt.text import explain, translate
 

@@ -10,6 +10,7 @@ from vkworkbench import preferences
 from vkworkbench.document.job import results
 from vkworkbench.document.marks.properties import MARK
 from vkworkbench.gui.qt import colors, docks, progress
+from vkworkbench.gui.qt.colors import readable
 from vkworkbench.gui.qt.names import (
     QAction,
     QApplication,
@@ -25,7 +26,6 @@ from vkworkbench.gui.qt.names import (
     single_shot,
 )  # fmt: skip
 from vkworkbench.gui.qt.plain_text import lines, unbroken
-from vkworkbench.gui.qt.readability import readable
 from vkworkbench.gui.qt.text import translate
 from vkworkbench.gui.results import latest
 from vkworkbench.gui.results.columns import STATE

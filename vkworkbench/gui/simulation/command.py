@@ -11,8 +11,8 @@ from vkworkbench.document.simulation.copy import JobCopy, copy_job
 from vkworkbench.gui.qt import widgets
 from vkworkbench.gui.qt.document_command import DocumentCommand, selected_operations
 from vkworkbench.gui.qt.names import QInputDialog, Qt
-from vkworkbench.gui.qt.plain_text import tell
-from vkworkbench.gui.qt.sentences import as_sentence, said
+from vkworkbench.gui.qt.plain_text import inform
+from vkworkbench.gui.qt.sentences import as_sentence, sentence
 from vkworkbench.gui.qt.text import QT_TRANSLATE_NOOP, translate
 from vkworkbench.language import Unusable
 
@@ -60,7 +60,7 @@ def open_tab(what):
     try:
         copy = copy_job(what)
     except Unusable as error:
-        tell(translate("Vk_Simulate", "Simulate toolpaths"), as_sentence(said(error.what)), window)
+        inform(translate("Vk_Simulate", "Simulate toolpaths"), as_sentence(sentence(error.what)), window)
         return None
     tab = SimulationTab(copy)
     tab.setWindowTitle(translate("Vk_Simulate", "Simulation: {}").format(_title(copy)))

@@ -6,8 +6,8 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 
 from vkworkbench.core.zbuffer import TOLERANCE
-from vkworkbench.gui.qt.menu_button import MenuButton
 from vkworkbench.gui.qt.names import (
+    MenuButton,
     QAction,
     QComboBox,
     QDoubleSpinBox,

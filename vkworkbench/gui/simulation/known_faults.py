@@ -6,7 +6,7 @@ from __future__ import annotations
 from vkworkbench.document.simulation.faults import keep_faults
 from vkworkbench.document.simulation.job import SimulatedJob
 from vkworkbench.gui.qt import docks
-from vkworkbench.gui.qt.sentences import said, user
+from vkworkbench.gui.qt.sentences import sentence, user
 from vkworkbench.gui.qt.text import translate
 from vkworkbench.gui.simulation.clock import Clock
 from vkworkbench.gui.simulation.faults import Fault
@@ -35,10 +35,10 @@ class KnownFaults:
     def text(self, fault: Fault) -> str:
         """Return where and what a fault is."""
         if fault.cut is None:
-            return translate("Vk_Simulate", "raw stock: {}").format(said(fault.what))
+            return translate("Vk_Simulate", "raw stock: {}").format(sentence(fault.what))
         text = translate("Vk_Simulate", "{}, command {}: {} ({})")
         label, code = self.job.operations[fault.cut].label, self.job.listings[fault.cut][fault.command]
-        return text.format(label, fault.command + 1, said(fault.what), code)
+        return text.format(label, fault.command + 1, sentence(fault.what), code)
 
     def text_with_place(self, fault: Fault) -> str:
         """Return where and what a fault is, and at which point: one command, or the raw stock, may have several."""

@@ -9,6 +9,7 @@ import numpy as np
 
 from vkworkbench.core import Frame, Stock, Tool, View
 from vkworkbench.core.rendering import Points, Scene, project, tool_outline, turned
+from vkworkbench.gui.qt.colors import paper
 from vkworkbench.gui.qt.names import (
     QApplication,
     QColor,
@@ -27,7 +28,6 @@ from vkworkbench.gui.qt.names import (
     Signal,
     single_shot,
 )  # fmt: skip
-from vkworkbench.gui.qt.readability import paper
 from vkworkbench.gui.qt.text import translate
 from vkworkbench.gui.simulation.navigation import PAN, TURN, action
 

@@ -10,7 +10,7 @@ import FreeCAD
 from vkworkbench.core.zbuffer import Estimate
 from vkworkbench.gui.qt.names import QWidget
 from vkworkbench.gui.qt.plain_text import OneLine
-from vkworkbench.gui.qt.sentences import said, user
+from vkworkbench.gui.qt.sentences import sentence, user
 from vkworkbench.gui.qt.text import translate
 from vkworkbench.gui.simulation.refining import Refined, Refining
 from vkworkbench.language import Message, Unusable
@@ -51,7 +51,7 @@ class StateLine(OneLine):
     def show_end(self, remarks: tuple[Message, ...], error: Exception | None) -> None:
         """Say what is to be known of the simulation, and what ended it before its finest picture."""
         self._expected = ""
-        self._say(self._shown, *map(said, remarks), *([told(error)] if error else []))
+        self._say(self._shown, *map(sentence, remarks), *([told(error)] if error else []))
 
     def show_error(self, error: Exception) -> None:
         """Say what went wrong beside the simulation."""
@@ -64,6 +64,6 @@ class StateLine(OneLine):
 def told(error: Exception) -> str:
     """Return what is told of an error that ended the work."""
     if isinstance(error, Unusable):
-        return said(error.what)
+        return sentence(error.what)
     FreeCAD.Console.PrintLog("".join(traceback.format_exception(type(error), error, error.__traceback__)))
-    return said(Message("not-analysed", error=f"{type(error).__name__}: {error}"))
+    return sentence(Message("not-analysed", error=f"{type(error).__name__}: {error}"))

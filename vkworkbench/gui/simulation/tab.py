@@ -14,7 +14,7 @@ from vkworkbench.document.simulation.copy import JobCopy
 from vkworkbench.document.simulation.job import SimulatedJob
 from vkworkbench.gui.qt import widgets
 from vkworkbench.gui.qt.names import QPainter, QPushButton, Qt, QTimer, QVBoxLayout, QWidget, Signal, single_shot
-from vkworkbench.gui.qt.plain_text import tell
+from vkworkbench.gui.qt.plain_text import inform
 from vkworkbench.gui.qt.sentences import as_sentence
 from vkworkbench.gui.qt.text import translate
 from vkworkbench.gui.simulation.keys import KeyedWidget
@@ -84,7 +84,7 @@ class SimulationTab(KeyedWidget):
             return
         self.window_of().close()
         if not isinstance(error, Cancelled):
-            tell(translate("Vk_Simulate", "Simulate toolpaths"), as_sentence(told(error)), Gui.getMainWindow())
+            inform(translate("Vk_Simulate", "Simulate toolpaths"), as_sentence(told(error)), Gui.getMainWindow())
 
     def _show(self, player: Player) -> None:
         self.player = player

@@ -9,6 +9,7 @@ from functools import partial
 
 import numpy as np
 
+from vkworkbench.gui.qt.colors import paper
 from vkworkbench.gui.qt.names import (
     QApplication,
     QColor,
@@ -26,7 +27,6 @@ from vkworkbench.gui.qt.names import (
     Signal,
 )  # fmt: skip
 from vkworkbench.gui.qt.plain_text import lines, show_tooltip
-from vkworkbench.gui.qt.readability import paper
 from vkworkbench.gui.qt.text import translate
 from vkworkbench.gui.simulation.keys import KeyedWidget
 

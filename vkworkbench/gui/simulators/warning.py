@@ -29,7 +29,7 @@ from vkworkbench.gui.qt.names import (
     single_shot,
 )  # fmt: skip
 from vkworkbench.gui.qt.plain_text import as_plain, unbroken
-from vkworkbench.gui.qt.sentences import said, user
+from vkworkbench.gui.qt.sentences import sentence, user
 from vkworkbench.gui.qt.text import explain, translate
 from vkworkbench.gui.simulators import panels as simulator_panels
 
@@ -120,7 +120,7 @@ class OpenPanel(QObject):
         if self._found is None:
             self._line.hide()
             return
-        self._line.text.setText(unbroken(f"{said(self._found.wrong)} {said(self._found.better)}"))
+        self._line.text.setText(unbroken(f"{sentence(self._found.wrong)} {sentence(self._found.better)}"))
         self._line.way.setText(_title(self._found.way, self._simulator))
         self._line.show()
         self._line.place()

@@ -8,7 +8,7 @@ import FreeCADGui as Gui
 
 from vkworkbench.document.job.operations import find
 from vkworkbench.gui.qt.document_command import DocumentCommand
-from vkworkbench.gui.qt.plain_text import tell
+from vkworkbench.gui.qt.plain_text import inform
 from vkworkbench.gui.qt.text import QT_TRANSLATE_NOOP, translate
 from vkworkbench.gui.strategies import view as strategy_view
 
@@ -41,7 +41,7 @@ class StrategiesCommand(DocumentCommand):
                 "Vk_Strategies",
                 "There is no toolpath to color in this document. Create a job with operations, or import G-code.",
             )
-            tell(translate("Vk_Strategies", "Show strategies"), text, Gui.getMainWindow())
+            inform(translate("Vk_Strategies", "Show strategies"), text, Gui.getMainWindow())
             return
         strategy_view.show(document, lambda: follow_document(FreeCAD.ActiveDocument))
 

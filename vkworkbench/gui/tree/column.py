@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The Description column of FreeCAD's tree, where the marks are read."""
+"""The Description column of FreeCAD's tree, which shows the marks."""
 
 from __future__ import annotations
 
@@ -15,12 +15,13 @@ from vkworkbench.gui.qt.names import QEvent, QHeaderView, QObject, Qt, QTabWidge
 
 DESCRIPTION = 1
 _TREE_PREFERENCES = "User parameter:BaseApp/Preferences/TreeView"
-_DOCK_WIDTH = 36  # lines of the tree's letters, 500 px of the usual ones; in FreeCAD's 260 the column is out of sight
-_NAMES_WIDTH = 18  # lines, half of it
-_BOUND = "VkNamesBound"  # the property of a tree whose first column follows its contents no longer
-_MOST_OF_WINDOW = 0.45  # the rest is the 3D view's
+# Widths in line heights of the tree's font. 36 lines are about 500 px; in FreeCAD's default of 260 px the column is not visible.
+_DOCK_WIDTH = 36
+_NAMES_WIDTH = 18
+_LIMITED = "VkNamesBound"  # property of a tree whose first column no longer follows its contents
+_MAX_SHARE = 0.45  # of the window's width, to leave room for the 3D view
 
-_trees: list[QTreeView] = []  # kept, and with them what they were asked for
+_trees: list[QTreeView] = []  # references that keep the wrappers of the trees' children alive
 
 
 def trees() -> list[QTreeView]:
@@ -30,17 +31,17 @@ def trees() -> list[QTreeView]:
 
 
 class _Sight(QObject):
-    """Waits until one of the trees is painted, and does then what it was asked to, once."""
+    """Calls a function once, as soon as one of the trees is painted."""
 
     def __init__(self, work: Callable[[], object]) -> None:
         super().__init__(Gui.getMainWindow())
         self._work = work
-        self._seen = single_shot(self._do, self)  # its dock has its size then
+        self._seen = single_shot(self._do, self)  # later, when its dock has its size
         for view in trees():
             view.viewport().installEventFilter(self)
 
     def eventFilter(self, viewport, event) -> bool:
-        if event.type() == QEvent.Paint:  # one that is shown behind a tab is not painted
+        if event.type() == QEvent.Paint:  # a tree behind another tab is not painted
             self._seen.start()
         return False
 
@@ -52,12 +53,12 @@ class _Sight(QObject):
 
 
 def is_seen(view: QTreeView) -> bool:
-    """Whether the user sees a tree: it is in no closed dock and behind no tab."""
+    """Return whether a tree is visible: neither in a closed dock nor behind a tab."""
     return view.isVisible() and not view.visibleRegion().isEmpty()
 
 
 def when_seen(work: Callable[[], object]) -> None:
-    """Do something as soon as a tree is seen: after this event, or where all are hidden when one is shown."""
+    """Call a function after this event if a tree is visible, otherwise as soon as one becomes visible."""
     if any(map(is_seen, trees())):
         QTimer.singleShot(0, work)
     else:
@@ -65,9 +66,9 @@ def when_seen(work: Callable[[], object]) -> None:
 
 
 def show_description() -> bool:
-    """Make the Description column visible and wide enough to read; return whether it was hidden."""
+    """Show the Description column, wide enough to read; return whether it was hidden."""
     preferences = FreeCAD.ParamGet(_TREE_PREFERENCES)
-    # Before 1.0 there was no such preference: the column was always visible.
+    # Before FreeCAD 1.0 there was no preference, and the column was always visible.
     can_hide = freecad.version() >= freecad.DESCRIPTION_HIDDEN_SINCE
     was_hidden = can_hide and preferences.GetBool("HideColumn", True)
     if was_hidden:
@@ -77,7 +78,7 @@ def show_description() -> bool:
         tree.header().setVisible(True)
     window = Gui.getMainWindow()
     line = max((tree.fontMetrics().lineSpacing() for tree in trees()), default=0)
-    width = min(_DOCK_WIDTH * line, int(_MOST_OF_WINDOW * window.width()))
+    width = min(_DOCK_WIDTH * line, int(_MAX_SHARE * window.width()))
     for dock in widgets.docks():
         if dock.objectName() in freecad.TREE_DOCKS and dock.isVisible() and dock.width() < width:
             if dock.isFloating():
@@ -88,7 +89,7 @@ def show_description() -> bool:
 
 
 def bring_to_view() -> None:
-    """Bring a tree that a tab hides before it; a task that is being edited stays, and so does a closed dock."""
+    """Bring a tree in front of other tabs. Does nothing while a task is being edited, or if the dock is closed."""
     if Gui.Control.activeDialog() or any(map(is_seen, trees())):
         return
     for dock in widgets.docks():
@@ -102,41 +103,42 @@ def bring_to_view() -> None:
 
 
 def fit_description(least: int) -> None:
-    """Fit the columns of the trees to the visible rows, the Description to at least so many px; 1.x does it by itself.
+    """Fit the columns of the trees to the visible rows; the Description column gets at least `least` px.
 
-    A very long name gives way: FreeCAD makes the first column as wide as it, and the marks would be out of sight.
+    FreeCAD 1.x fits columns automatically. It also makes the first column as wide as the longest name, which would hide the
+    marks; therefore the first column is limited.
     """
     for tree in trees():
         header = tree.header()
         precision = header.resizeContentsPrecision()
         for column in (0, DESCRIPTION):
             if header.sectionResizeMode(column) != QHeaderView.ResizeToContents:
-                # Only for now: columns that follow their contents would follow the visible rows then, which change with the
-                # scroll bar that they need or not, without end.
+                # Only during this call. Otherwise automatic columns would follow the visible rows, which change with the scroll
+                # bar, and the layout would never end.
                 header.setResizeContentsPrecision(0)
                 tree.resizeColumnToContents(column)
                 header.setResizeContentsPrecision(precision)
                 if column == DESCRIPTION and tree.columnWidth(column) < least:
                     tree.setColumnWidth(column, least)
-        _bound_names(tree, least)
+        _limit_names(tree, least)
 
 
-def _bound_names(tree: QTreeView, least: int) -> None:
-    """Leave the Description so many px of a tree, as long as there is room for names as usual; wider the user may make it."""
+def _limit_names(tree: QTreeView, least: int) -> None:
+    """Limit the column of names so that the Description gets `least` px, if the names keep their usual width."""
     header, line = tree.header(), tree.fontMetrics().lineSpacing()
     most = max(tree.viewport().width() - least, _NAMES_WIDTH * line)
     if tree.sizeHintForColumn(0) > most:
         if header.sectionResizeMode(0) == QHeaderView.ResizeToContents:
             header.setSectionResizeMode(0, QHeaderView.Interactive)
-            tree.setProperty(_BOUND, True)
+            tree.setProperty(_LIMITED, True)
         tree.setColumnWidth(0, most)
-    elif tree.property(_BOUND):
+    elif tree.property(_LIMITED):
         header.setSectionResizeMode(0, QHeaderView.ResizeToContents)
-        tree.setProperty(_BOUND, False)
+        tree.setProperty(_LIMITED, False)
 
 
 def expand(label: str, document: str) -> None:
-    """Open the branch of a job in a document, by their labels, and that of its operations, which is the first in it."""
+    """Expand the job with this label, and its first branch, the operations."""
     for view in trees():
         model = view.model()
         for index in model.match(model.index(0, 0), Qt.DisplayRole, label, -1, Qt.MatchExactly | Qt.MatchRecursive):
@@ -150,7 +152,7 @@ def expand(label: str, document: str) -> None:
 
 @contextmanager
 def steady_columns():
-    """Keep the trees from a new layout after each changed text, which takes 1 s for 200 marks in 1.x."""
+    """Prevent a new layout of the trees after each changed text, which takes 1 s for 200 marks in FreeCAD 1.x."""
     views = trees()
     modes = [[view.header().sectionResizeMode(i) for i in range(view.header().count())] for view in views]
     uniform = [view.uniformRowHeights() for view in views]

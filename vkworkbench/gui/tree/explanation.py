@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What a mark means, for its tooltip: why, how long on the machine, how long in each simulator, what to know."""
+"""The tooltip of a mark: the reason, the time on the machine, the time in each simulator, and warnings."""
 
 from __future__ import annotations
 
 from vkworkbench.document.marks.record import Record
 from vkworkbench.gui.qt.plain_text import lines
-from vkworkbench.gui.qt.sentences import as_sentence, plainly, strategy_name, user
+from vkworkbench.gui.qt.sentences import as_sentence, plain_sentence, strategy_name, user
 from vkworkbench.gui.qt.text import translate
 from vkworkbench.gui.tree.layout import pill_text
 from vkworkbench.gui.tree.notices import Level, Notice, notices_of
@@ -15,22 +15,22 @@ from vkworkbench.report import is_switched_off
 
 
 def explanation(record: Record, chosen: Preferences) -> str:
-    """Return what a mark means, as a part of HTML."""
-    told = [f"<b>{lines(_title(record))}</b>"]
+    """Return the explanation of a mark, as HTML without a paragraph."""
+    texts = [f"<b>{lines(_title(record))}</b>"]
     if not is_switched_off(record):
-        told += [lines(as_sentence(plainly(reason))) for reason in record.reason]
+        texts += [lines(as_sentence(plain_sentence(reason))) for reason in record.reason]
     if record.trajectories:
-        told.append(lines(_machining(record)))
+        texts.append(lines(_machining(record)))
     names = sorted(record.costs, key=lambda name: name != chosen.simulator)
-    told += [lines(_simulation(record, name)) for name in names]
-    told += map(_notice, notices_of(record, chosen))
+    texts += [lines(_simulation(record, name)) for name in names]
+    texts += map(_notice, notices_of(record, chosen))
     if chosen.simulator not in record.costs and record.costs:
         text = translate("Pills", "The time in the {simulator} is not known: analyze it again.")
-        told.append(f"<i>{lines(text.format(simulator=user().simulator(chosen.simulator)))}</i>")
+        texts.append(f"<i>{lines(text.format(simulator=user().simulator(chosen.simulator)))}</i>")
     if record.outdated:
         text = translate("Pills", "Outdated: toolpath, tool or stock have changed since. Analyze it again.")
-        told.append(f"<i>{lines(text)}</i>")
-    return "<br>".join(told)
+        texts.append(f"<i>{lines(text)}</i>")
+    return "<br>".join(texts)
 
 
 def _notice(notice: Notice) -> str:
@@ -47,7 +47,7 @@ def _title(record: Record) -> str:
 
 def _machining(record: Record) -> str:
     length = user().length(record.length)
-    if not record.machining_seconds:  # at least 0 s tells nothing
+    if not record.machining_seconds:  # "at least 0 s" says nothing
         return translate("Pills", "On the machine: {length} of cutting").format(length=length)
     time = user().time(record.machining_seconds)
     text = translate("Pills", "On the machine: {time}, {length} of cutting")
@@ -57,7 +57,7 @@ def _machining(record: Record) -> str:
 
 
 def _simulation(record: Record, name: str) -> str:
-    """Return time and memory of one simulator; the time as a range where it is only a rough estimate."""
+    """Return time and memory of one simulator. A rough estimate of the time is shown as a range."""
     seconds, memory = record.cost(name)
     factor, reader = record.factor(name), user()
     time = (

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""How a mark is laid out in a cell of the tree: what is shown of it in how much room.
+"""Lay out a mark in a cell of the tree.
 
-First comes the strategy, then the time; the rest gives way.
+The strategy has the highest priority, then the time. The rest is shown as far as there is room.
 """
 
 from __future__ import annotations
@@ -19,29 +19,29 @@ from vkworkbench.document.marks.text import (
     time_of,
 )  # fmt: skip
 from vkworkbench.gui.qt.colors import BURDEN, ERROR, TEXT, TOTAL, WARNING
-from vkworkbench.gui.qt.sentences import said, user
+from vkworkbench.gui.qt.sentences import sentence, user
 from vkworkbench.gui.qt.text import translate
 from vkworkbench.gui.tree.notices import Level, kind_of, level_of_remarks
 from vkworkbench.preferences import Preferences
 from vkworkbench.report import is_switched_off
 
 _PADDING = 6  # px within a pill, left and right
-_SPACE = "\u00a0"  # is not stretched or cut off at a line's end
+_SPACE = "\u00a0"  # Qt neither stretches nor drops it
 
 
 @dataclass(frozen=True)
 class Piece:
-    """What is painted over a gap in the text: a pill, the outline of one, or a sign.
+    """A pill, an outlined pill or a sign, which is painted over a gap in the text.
 
     Attributes
     ----------
     kind : {"filled", "outlined", "warning", "error"}
     text : str
-        On a pill.
+        The text on the pill.
     color, ink : str
-        Of the pill and of what is on it.
+        Colours of the pill and of the text or sign on it.
     left, width : int
-        px from the begin of the text.
+        Position and size in px, from the beginning of the text.
     """
 
     kind: str
@@ -58,10 +58,10 @@ class Layout:
     Attributes
     ----------
     text : str
-        What the style paints, with gaps.
+        The text that the style paints, with gaps.
     pieces : list of Piece
     needed : int
-        px that must not be cut off.
+        Minimum width, px. What is behind it may be cut off.
     """
 
     def __init__(self, metrics) -> None:
@@ -69,10 +69,10 @@ class Layout:
         self._metrics = metrics
 
     def add(self, kind: str, text: str, color: str, ink: str = TEXT) -> None:
-        """Add something that is painted over a gap."""
+        """Add a piece, and a gap for it in the text."""
         self._part()
         left, metrics = self._metrics.horizontalAdvance(self.text), self._metrics
-        if kind == "outlined":  # not filled, so its text has the usual colour
+        if kind == "outlined":  # its text has the usual colour, so the style paints it
             padding = _SPACE * math.ceil(_PADDING / metrics.horizontalAdvance(_SPACE))
             self.text += f"{padding}{text}{padding}"
         else:
@@ -88,7 +88,7 @@ class Layout:
         self.needed = self._metrics.horizontalAdvance(self.text)
 
     def say_more(self, text: str) -> None:
-        """Add a text of which the style may leave out the end."""
+        """Add a text that the style may shorten."""
         if text:
             self._part()
             self.text += _SPACE + text
@@ -98,17 +98,17 @@ class Layout:
 
 
 def layouts(record: Record, words: str, chosen: Preferences, metrics, most_of_remark: int | None) -> list[Layout]:
-    """Return the ways to show a mark, the one that tells most first.
+    """Return the layouts of a mark, from the most detailed to the shortest.
 
     Parameters
     ----------
     record : Record
     words : str
-        The user's own, behind the mark.
+        The user's own description, shown behind the mark.
     chosen : Preferences
     metrics : QFontMetrics
     most_of_remark : int or None
-        Characters of a remark, all of it if None.
+        Maximum number of characters of a remark; None for all.
     """
     reader = user()
     about, (seconds, _) = time_of(record, chosen, reader), record.cost(chosen.simulator) or (None, None)
@@ -116,7 +116,9 @@ def layouts(record: Record, words: str, chosen: Preferences, metrics, most_of_re
     name = pill_text(record)
     is_error = _is_error(record)
     has_pill = not is_error or record.strategy is None or record.strategy.is_answer
-    remark = "" if is_switched_off(record) else "; ".join(map(said, record.remarks))  # the pill says it
+    remark = (
+        "" if is_switched_off(record) else "; ".join(map(sentence, record.remarks))
+    )  # the pill says that it is switched off
     if most_of_remark is not None:
         remark = remark[:most_of_remark]
     outdated = translate("Pills", "outdated") if record.outdated else ""
@@ -142,7 +144,7 @@ def layouts(record: Record, words: str, chosen: Preferences, metrics, most_of_re
 
 
 def _is_error(record: Record) -> bool:
-    """Whether nothing is known of an operation's simulation."""
+    """Return whether an operation cannot be simulated."""
     return bool(record.remarks) and level_of_remarks(record) is Level.ERROR
 
 
@@ -160,7 +162,7 @@ def _add_time(layout: Layout, record: Record, chosen: Preferences, time: str) ->
 
 
 def pill_text(record: Record) -> str:
-    """Return what stands in a mark's pill, in the user's language."""
+    """Return the text of a mark's pill, in the user's language."""
     if record.strategy is None:
         one, more = translate("Pills", "{} operation"), translate("Pills", "{} operations")
         return (one if record.operations == 1 else more).format(user().count(record.operations))

@@ -1,9 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Marks as pills in the tree's Description column: the strategy on its colour, the time of simulating it beside it.
+"""Show marks as pills in the tree's Description column: the strategy on its colour, with the simulation time beside it.
 
-A delegate makes them out of what an object's mark keeps, and has no state: recompute, undo, renaming, reopening and a
-changed preference need no special care. The style still paints all text, and leaves a gap for what is painted on a
-colour: themes know the colours of their text best.
+A delegate without state paints the pills from the data of the marks, so that recompute, undo, renaming, reopening and changed
+preferences need no special care. The style still paints the text, in the colours of its theme, with gaps for the pills.
 """
 
 from __future__ import annotations
@@ -33,20 +32,20 @@ from vkworkbench.gui.qt.names import (
     single_shot,
 )  # fmt: skip
 from vkworkbench.gui.qt.plain_text import show_tooltip
-from vkworkbench.gui.tree import column as tree
+from vkworkbench.gui.tree import column
 from vkworkbench.gui.tree.explanation import explanation
 from vkworkbench.gui.tree.layout import Layout, layouts
 
 _MARGINS = 16  # px; of a cell's text, left and right
-_MOST_OF_REMARK = 40  # characters for which the column makes room; in a wider one more of a remark is seen
+_REMARK_LENGTH = 40  # characters of a remark that fit in the default width of the column
 
 
 class PillDelegate(QStyledItemDelegate):
-    """Paints marks as pills, explains them, and lets the user edit only his own words."""
+    """Paints marks as pills, shows their tooltips, and lets the user edit only the own words."""
 
     def initStyleOption(self, option, index) -> None:
         super().initStyleOption(option, index)
-        found = _layouts(option, index, _MOST_OF_REMARK)
+        found = _layouts(option, index, _REMARK_LENGTH)
         if found:
             option.text = found[0].text
 
@@ -98,7 +97,7 @@ class PillDelegate(QStyledItemDelegate):
 
 
 def _layouts(option, index, most_of_remark: int | None) -> list[Layout]:
-    """The ways to show a cell's mark, the one that tells most first; none where it has no mark."""
+    """Return the layouts of a cell's mark, the most detailed first; empty without a mark."""
     if not index.data():
         return []
     found = _objects_of(index)
@@ -123,7 +122,7 @@ def _paint_outlined(painter, where: QRectF, piece) -> None:
 
 
 def _paint_warning(painter, where: QRectF, piece) -> None:
-    """A triangle with an exclamation mark; a font may have none, or one in colours of its own."""
+    """Paint a triangle with an exclamation mark. The sign of a font may be missing or coloured."""
     side = where.height() - 3
     box = QRectF(where.center().x() - side / 2, where.center().y() - side / 2, side, side)
     painter.setPen(Qt.NoPen)
@@ -136,7 +135,7 @@ def _paint_warning(painter, where: QRectF, piece) -> None:
 
 
 def _paint_error(painter, where: QRectF, piece) -> None:
-    """A disc with a cross."""
+    """Paint a disc with a cross."""
     side = where.height() - 3
     box = QRectF(where.center().x() - side / 2, where.center().y() - side / 2, side, side)
     painter.setPen(Qt.NoPen)
@@ -154,10 +153,10 @@ _PAINTERS = {
 
 
 def _objects_of(index) -> list:
-    """Return the objects with a mark that a cell of the tree may stand for, by the labels of object and document."""
+    """Return the marked objects that a cell of the tree may show, by the labels of object and document."""
     root = index.sibling(index.row(), 0)
     label, description = root.data(), index.data()
-    above = []  # in 0.20 documents stand below "Application", later at the top
+    above = []  # FreeCAD 0.20 has a root item "Application" above the documents
     while root.isValid():
         above.append(root.data())
         root = root.parent()
@@ -170,7 +169,7 @@ def _objects_of(index) -> list:
 
 
 def _object_of(index):
-    """Return the marked object of a cell of the tree; None unless one fits."""
+    """Return the marked object of a cell of the tree; None unless exactly one fits."""
     found = _objects_of(index)
     return found[0] if len(found) == 1 else None
 
@@ -179,31 +178,31 @@ _delegate: PillDelegate | None = None  # views do not keep their delegates alive
 
 
 def _follow_preferences() -> None:
-    with tree.steady_columns():
+    with column.steady_columns():
         upkeep.follow_preferences()
     show()
 
 
-_changes = single_shot(_follow_preferences)  # of preferences: they are followed once all of them are written
+_changes = single_shot(_follow_preferences)  # after all preferences were written
 
 
 def show() -> None:
-    """Show pills in all trees, or no longer if the user does not want them; called again it paints them anew."""
+    """Show or hide the pills in all trees, following the preferences, and repaint the trees."""
     global _delegate
     wanted = preferences.read().show_pills
     if _delegate is None:
         _delegate = PillDelegate(Gui.getMainWindow())
         preferences.observe(lambda name: _changes.start())
-    for view in tree.trees():
-        if (view.itemDelegateForColumn(tree.DESCRIPTION) is _delegate) != wanted:
-            view.setItemDelegateForColumn(tree.DESCRIPTION, _delegate if wanted else None)
+    for view in column.trees():
+        if (view.itemDelegateForColumn(column.DESCRIPTION) is _delegate) != wanted:
+            view.setItemDelegateForColumn(column.DESCRIPTION, _delegate if wanted else None)
         view.viewport().update()
 
 
 def fit_column() -> None:
-    """Fit the Description column: also to strategy and time of operations that come to view when a branch is opened."""
+    """Fit the Description column to strategy and time of all operations, including the ones in closed branches."""
     document, chosen = FreeCAD.ActiveDocument, preferences.read()
     records = [read_with_faults(obj) for obj in document.Objects if may_have_mark(obj)] if document else []
     metrics = QFontMetrics(QApplication.font("QTreeView"))
     needed = [layouts(record, "", chosen, metrics, 0)[0].needed for record in records if record is not None]
-    tree.fit_description(max(needed, default=0) + _MARGINS)
+    column.fit_description(max(needed, default=0) + _MARGINS)
