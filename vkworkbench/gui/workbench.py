@@ -170,8 +170,11 @@ def _focus_changed(window) -> None:
 
 
 def _load_commands() -> None:
-    from vkworkbench.gui import commands  # noqa: F401
-    from vkworkbench.gui.simulation import command  # noqa: F401
+    import vkworkbench.gui.commands
+    import vkworkbench.gui.gauss.command
+    import vkworkbench.gui.results.command
+    import vkworkbench.gui.simulation.command
+    import vkworkbench.gui.strategies.command  # noqa: F401
 
 
 def _append_to_context_menu(workbench) -> None:
