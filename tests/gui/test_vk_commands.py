@@ -10,7 +10,7 @@ import vkworkbench
 from vkworkbench import freecad
 from vkworkbench.document.marks import marks
 from vkworkbench.gui.qt import progress
-from vkworkbench.gui.results.latest import findings
+from vkworkbench.gui.results.findings import findings
 from vkworkbench.gui.results.rows import rows_of
 from vkworkbench.gui.tree import column as tree
 

@@ -506,7 +506,7 @@ def test_the_picture_of_the_area_before_is_not_saved_as_that_of_the_one_being_re
     select(labelled(opened, "Pocket around island"))
     window.wait(lambda: view.title.text().startswith("Pocket around island") and view.dock.saver.isEnabled())
     monkeypatch.setattr(gauss_map, "GaussFigure", slowly)
-    monkeypatch.setattr(gauss_map, "_AT_ONCE", 0)
+    monkeypatch.setattr(gauss_map, "_QUICK", 0)
     before = view.canvas.figure
     view.chooser.setCurrentIndex(1)
     assert view.dock._background.works and not view.dock.saver.isEnabled() and view.chooser.isEnabled()

@@ -25,7 +25,7 @@ from vkworkbench.gui.qt import colors
 from vkworkbench.gui.qt.colors import readable
 from vkworkbench.gui.qt.saving import with_suffix
 from vkworkbench.gui.qt.sentences import as_sentence, user
-from vkworkbench.gui.results import latest
+from vkworkbench.gui.results import findings
 from vkworkbench.gui.results.columns import Column
 from vkworkbench.gui.tree.explanation import explanation
 
@@ -660,13 +660,13 @@ def test_an_analysis_fills_the_panel_once_in_an_event_of_its_own(panel, opened, 
     """At the end of an analysis the window would stand still for all of it together."""
     panel.hide()
     window.settle()
-    find, events = latest.findings, []
+    find, events = findings.read_findings, []
 
     def finds(document):
         events.append([frame.name for frame in traceback.extract_stack()])
         return find(document)
 
-    monkeypatch.setattr(latest, "findings", finds)
+    monkeypatch.setattr(findings, "read_findings", finds)
     window.click("Analyze toolpaths")
     window.wait(lambda: panel.isVisible() and events)
     window.settle()

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The widget that shows the picture of the method: the wheel zooms, dragging pans, a double click shows all again."""
+"""The widget with the three plots: the wheel zooms, dragging pans, a double click shows everything."""
 
 from __future__ import annotations
 
@@ -18,13 +18,13 @@ from vkworkbench.gui.qt.names import (
     svg_generator,
 )  # fmt: skip
 
-_NOTCH = 120  # eighths of a degree, of a wheel
-_STEP = 0.8  # window that is left after one notch
-_SCALE = 2  # of a saved image's resolution
+_NOTCH = 120  # turn of a wheel by one notch, in eighths of a degree
+_STEP = 0.8  # share of the window that is visible after zooming in by one notch
+_SCALE = 2  # resolution of a saved image, relative to the screen
 
 
 class GaussCanvas(QWidget):
-    """Paints a figure; what does not change with the step k is painted once."""
+    """Paints a figure. The parts that do not depend on the step k are painted once."""
 
     def __init__(self) -> None:
         super().__init__()
@@ -35,15 +35,15 @@ class GaussCanvas(QWidget):
         self._from = QPointF()
 
     def set_background(self, color: QColor) -> None:
-        """Take the colours that are readable on what is behind the widget."""
+        """Use colours that are readable on this background."""
         theme = theme_on(color)
         if theme != self.theme:
             self.theme = theme
-            self._paint_anew()
+            self._repaint()
 
     def show_figure(self, figure: GaussFigure) -> None:
         self.figure = figure
-        self._paint_anew()
+        self._repaint()
 
     def step(self, k: int) -> None:
         """Show the state after trajectory `k`, counted from 0."""
@@ -51,12 +51,12 @@ class GaussCanvas(QWidget):
         self.update()
 
     def save(self, path: str, title: str) -> None:
-        """Write the picture as it stands, with a title; the suffix says the format.
+        """Save the plots as shown, with a title, in the format of the path's suffix.
 
         Raises
         ------
         OSError
-            Where it cannot be written.
+            If the file cannot be written.
         """
         line = 1.6 * QFontMetrics(self.font()).height()
         width, height = self.width(), int(self.height() + line)
@@ -76,11 +76,11 @@ class GaussCanvas(QWidget):
         self.figure.paint_still(painter, self.theme)
         self.figure.paint_moving(painter, self.theme)
         painter.end()
-        self._paint_anew()
+        self._repaint()
         if isinstance(target, QImage) and not target.save(path):
             raise OSError(f"{path} cannot be written")
 
-    def _paint_anew(self) -> None:
+    def _repaint(self) -> None:
         self._still = None
         self.update()
 
@@ -104,14 +104,14 @@ class GaussCanvas(QWidget):
         painter.end()
 
     def resizeEvent(self, event) -> None:
-        self._paint_anew()
+        self._repaint()
 
     def wheelEvent(self, event) -> None:
         at = QPointF(event.position()) if hasattr(event, "position") else QPointF(event.pos())
         plot = self.figure and self.figure.plot_at(at)
         if plot:
             plot.zoom(_STEP ** (event.angleDelta().y() / _NOTCH), at)
-            self._paint_anew()
+            self._repaint()
         event.accept()
 
     def mousePressEvent(self, event) -> None:
@@ -124,7 +124,7 @@ class GaussCanvas(QWidget):
             at = QPointF(event.pos())
             self._dragged.move(self._from, at)
             self._from = at
-            self._paint_anew()
+            self._repaint()
 
     def mouseReleaseEvent(self, event) -> None:
         self._dragged = None
@@ -133,4 +133,4 @@ class GaussCanvas(QWidget):
         plot = self.figure and self.figure.plot_at(QPointF(event.pos()))
         if plot:
             plot.home()
-            self._paint_anew()
+            self._repaint()

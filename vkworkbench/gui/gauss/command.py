@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The command that shows the Gauss map view, which is loaded when it is first shown."""
+"""The command that shows or hides the Gauss map panel."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ _HEIGHT = 420  # px
 
 
 class GaussMapCommand(DocumentCommand):
-    """Show the Gauss map view, or hide it."""
+    """Show the Gauss map panel, or hide it."""
 
     name = "Vk_GaussMap"
     menu = QT_TRANSLATE_NOOP("Vk_GaussMap", "Gauss map")
@@ -33,7 +33,7 @@ class GaussMapCommand(DocumentCommand):
 
 
 def show() -> None:
-    """Show the Gauss map view."""
+    """Show the Gauss map panel."""
     dock = docks.find(docks.GAUSS_MAP)
     if dock is None:
         from vkworkbench.gui.gauss.dock import GaussMapDock

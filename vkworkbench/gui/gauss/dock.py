@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The Gauss map view: the picture of the method for the selected operation, in a dock."""
+"""The Gauss map panel: three plots that explain the strategy of the selected operation."""
 
 from __future__ import annotations
 
@@ -48,14 +48,14 @@ from vkworkbench.gui.qt.text import explain, translate
 from vkworkbench.language import Message, Unusable
 from vkworkbench.report import Cancelled
 
-_LISTED = 50  # areas in the chooser, the longest ones
-_LEAST_LINES = 7  # of text, which the picture is high at least
-_AT_ONCE = 20_000  # trajectories of an area that are made a picture in some hundredths of a second
+_LISTED = 50  # number of areas in the chooser; the longest ones
+_MIN_LINES = 7  # minimum height of the plots, in lines of text
+_QUICK = 20_000  # trajectories; a shorter area is drawn without a background thread
 _NOT_IN_NAMES = '\\/:*?"<>|'
 
 
 class GaussMapDock(QDockWidget):
-    """Follows the selection while it is visible; shows the longest monotonous area of the operation first."""
+    """Shows the selected operation while visible, beginning with the area that explains its strategy best."""
 
     def __init__(self, parent: QWidget) -> None:
         super().__init__(translate("Vk_GaussMap", "Gauss map"), parent)
@@ -92,7 +92,7 @@ class GaussMapDock(QDockWidget):
         self.slider.valueChanged.connect(self._step)
 
         self.canvas = GaussCanvas()
-        self.canvas.setMinimumSize(300, _LEAST_LINES * self.canvas.fontMetrics().height())
+        self.canvas.setMinimumSize(300, _MIN_LINES * self.canvas.fontMetrics().height())
         self.canvas.setToolTip(translate(
             "Vk_GaussMap",
             "<p>Left the toolpath with the vector V<sub>k</sub> from the area's first point. On the unit circle "
@@ -110,7 +110,7 @@ class GaussMapDock(QDockWidget):
         self.visibilityChanged.connect(lambda visible: self._later.start())
 
     def _laid_out(self) -> QWidget:
-        """Return the dock's parts, to be scrolled: a window as high as a small screen has not the room for all of them."""
+        """Return the dock's widgets in a scroll area, because not all of them fit on a small screen."""
         self._body = QWidget()
         column = QVBoxLayout(self._body)
         column.setContentsMargins(4, 2, 4, 2)
@@ -154,7 +154,7 @@ class GaussMapDock(QDockWidget):
             self._say_nothing()
 
     def refresh(self) -> None:
-        """Show the selected operation; where none is selected, what is shown of the document stays."""
+        """Show the selected operation. Without a selection, keep the operation that is shown."""
         if not self.isVisible():
             return
         chosen = list(filter(is_operation, Gui.Selection.getSelection()))
@@ -168,7 +168,7 @@ class GaussMapDock(QDockWidget):
             return
         self._shown = names_of(obj)
         self._label, self._active = obj.Label, is_active(obj)
-        self.chooser.setEnabled(False)  # its areas are those of the operation before, and so is the picture
+        self.chooser.setEnabled(False)  # until the operation is read, it lists the areas of the previous one
         self.saver.setEnabled(False)
         source = source_of(obj)
         text = translate("Vk_GaussMap", "Reading {}…").format(obj.Label)
@@ -206,12 +206,12 @@ class GaussMapDock(QDockWidget):
         self._show_figure(figure)
 
     def _choose_area(self, row: int) -> None:
-        self._background.give_up()  # the area before
+        self._background.give_up()  # stop drawing the previous area
         reading, area = self._reading, self.chooser.itemData(row)
-        if reading.areas.end[area] - reading.areas.start[area] < _AT_ONCE:
+        if reading.areas.end[area] - reading.areas.start[area] < _QUICK:
             self._show_figure(GaussFigure(reading, area))
             return
-        self.saver.setEnabled(False)  # the picture is that of the area before
+        self.saver.setEnabled(False)  # until the area is drawn, the plots show the previous one
         text = translate("Vk_GaussMap", "Reading {}…").format(self._label)
         self._background.start(text, lambda going_on: [GaussFigure(reading, area)], self._show_figure, self._chosen)
 
@@ -231,10 +231,10 @@ class GaussMapDock(QDockWidget):
         self.canvas.show_figure(figure)
         reached = _reached(found.phi_range, found.level, found.reversals)
         here = _reached(signature.phi_range, signature.top_level, len(signature.reversals))
-        told = [f"{self._label}: {self._verdict()}, {sentence(found.why)}", reached]
+        texts = [f"{self._label}: {self._verdict()}, {sentence(found.why)}", reached]
         if here != reached:
-            told.append(translate("Vk_GaussMap", "This area: {}").format(here))
-        self.title.setText("\n".join(told))
+            texts.append(translate("Vk_GaussMap", "This area: {}").format(here))
+        self.title.setText("\n".join(texts))
         self._show_notes()
         count = len(signature)
         for widget in (self.slider, self.number):
@@ -254,7 +254,7 @@ class GaussMapDock(QDockWidget):
         self.legend.setText(text)
 
     def _verdict(self) -> str:
-        """The strategy and how sure it is, as the mark says it."""
+        """Return the strategy and the confidence, as in the mark."""
         found = self._reading.recognition
         name = strategy_name(found.strategy)
         return f"{name} {user().share(found.confidence)}" if found.strategy.is_answer else name
@@ -280,10 +280,10 @@ class GaussMapDock(QDockWidget):
             text.fit()
 
     def _behind(self) -> QColor:
-        """Return the colour that is seen behind the picture, whether a palette or a style sheet made it."""
+        """Return the colour behind the plots as painted, because it may come from a palette or a style sheet."""
         image = QImage(1, 1, QImage.Format_RGB32)
         image.fill(self._body.palette().color(QPalette.Window))
-        corner = self._body.mapTo(self, QPoint(2, 2))  # in the margin, where nothing else is
+        corner = self._body.mapTo(self, QPoint(2, 2))  # in the empty margin
         self.render(image, QPoint(0, 0), QRegion(corner.x(), corner.y(), 1, 1))
         return image.pixelColor(0, 0)
 
@@ -303,15 +303,15 @@ class GaussMapDock(QDockWidget):
         self._say(translate("Vk_GaussMap", "Select an operation in the tree."))
 
     def _say(self, text: str) -> None:
-        """Show a sentence instead of a picture."""
+        """Show a sentence instead of the plots."""
         self.title.setText(text)
         self._enable(False)
         self.values.clear()
         self._fit_texts()
 
-    def _enable(self, there_is_a_picture: bool) -> None:
+    def _enable(self, has_plots: bool) -> None:
         for widget in (self.chooser, self.saver, self.slider, self.number, self.legend, self.canvas):
-            widget.setVisible(there_is_a_picture)
+            widget.setVisible(has_plots)
         self.chooser.setEnabled(True)
         self.saver.setEnabled(True)
 
@@ -331,13 +331,13 @@ class GaussMapDock(QDockWidget):
 
 
 def _drawn(source: Source, going_on: Callable) -> Iterator[tuple[Reading, GaussFigure] | None]:
-    """Read an operation and draw the area that proves its strategy, in any thread."""
+    """Read an operation, and draw the area that explains its strategy best. Runs in any thread."""
     for reading in read(source, going_on):
         yield reading and (reading, GaussFigure(reading, reading.proof))
 
 
 def _row(*widgets: QWidget) -> QHBoxLayout:
-    """Lay widgets side by side; labels and sliders take the space there is."""
+    """Return a row of widgets in which labels and sliders take the free space."""
     row = QHBoxLayout()
     for widget in widgets:
         row.addWidget(widget, int(isinstance(widget, (QLabel, QSlider))))
@@ -345,7 +345,7 @@ def _row(*widgets: QWidget) -> QHBoxLayout:
 
 
 def _reached(phi_range: tuple[float, float], level: int, reversals: int) -> str:
-    """Return the range of phi and the level in words."""
+    """Return the range of phi, the level and the reversals as text."""
     text = translate("Vk_GaussMap", "φ between {} and {} turns, level n = {}, exact reversals: {}")
     return text.format(*map(user().turns, phi_range), level, user().count(reversals))
 

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The picture of the method: toolpath, Gauss map and angular functions of one area, painted with Qt.
+"""Paint the three plots of one area: toolpath, Gauss map and angular functions.
 
-What depends on the step k is painted over the rest, which may be kept as an image. The words on it are the paper's
-symbols and the names of strategies.
+The parts that depend on the step k are painted over the others, which may be stored as an image. Texts on the plots are the
+paper's symbols and the names of strategies.
 """
 
 from __future__ import annotations
@@ -20,19 +20,19 @@ from vkworkbench.gui.qt.colors import readable
 from vkworkbench.gui.qt.names import QColor, QFontMetrics, QPainter, QPen, QPointF, QPolygonF, QRectF, Qt
 from vkworkbench.gui.qt.sentences import strategy_name, user
 
-TRAIL = 1000  # trajectories up to k that are drawn strongly and on the Gauss map
-_COLUMNS = 1000  # stretches of the graph, see thinned()
+TRAIL = 1000  # number of trajectories before k that are highlighted and drawn on the Gauss map
+_COLUMNS = 1000  # number of stretches of the graph, see thinned()
 _MARKERS = 500
-_WIDE = 1.8  # width over height from which the three plots stand in a row
-_GROWTH = 0.5  # how much the arcs' radius grows or shrinks along the trail
+_WIDE = 1.8  # minimum ratio of width to height for three plots in one row
+_GROWTH = 0.5  # change of the arcs' radius along the trail
 _GAP = 10  # px
 _FULL, _HALF = 2 * np.pi, np.pi
 _ROUNDING = 1e-6  # rad
-_EDGE = 0.04  # of a plot's size around what it shows
+_EDGE = 0.04  # margin in a plot, as a share of its data's size
 
 
 class GaussFigure:
-    """The three plots of one area, to be painted in any size."""
+    """The three plots of one area, in any size."""
 
     def __init__(self, reading: Reading, area: int) -> None:
         self.reading, self.area = reading, area
@@ -58,11 +58,11 @@ class GaussFigure:
         return self.path, self.graph
 
     def plot_at(self, at: QPointF) -> Plot | None:
-        """Return the plot at a pixel that can be zoomed and moved."""
+        """Return the zoomable plot at a pixel, or None."""
         return next((plot for plot in self.zoomable if plot.place.contains(at)), None)
 
     def lay_out(self, width: float, height: float, text: QFontMetrics, top: float = 0.0) -> None:
-        """Put the plots side by side, or the graph below the others where there is no room."""
+        """Arrange the plots side by side, or the graph below the other two in a narrow widget."""
         self._width = width
         line = text.height()
         left, right, below = 62.0, 36.0, line + 6.0
@@ -81,7 +81,7 @@ class GaussFigure:
             self.circle.put(QRectF(width / 2 + _GAP, top, width / 2 - _GAP, half))
             self.graph.put(QRectF(left, top + half + above, width - left - right, half - above - below - line))
 
-    # What stays while k changes.
+    # Parts that do not depend on k.
 
     def paint_still(self, painter: QPainter, theme: Theme) -> None:
         painter.setRenderHint(QPainter.Antialiasing)
@@ -161,14 +161,14 @@ class GaussFigure:
         self._paint_names(painter, theme)
 
     def _seen(self, values: np.ndarray) -> np.ndarray:
-        """Indices of the values that are drawn in the graph's window, (m,)."""
+        """Return the indices of the values to draw in the graph's window, (m,)."""
         lower, upper = self.graph.window
         first = int(np.clip(math.floor(lower[0]) - 2, 0, len(values) - 1))
         last = int(np.clip(math.ceil(upper[0]) + 1, first + 1, len(values)))
         return first + thinned(values[first:last], _COLUMNS)
 
     def _paint_thresholds(self, painter: QPainter, theme: Theme) -> None:
-        """Draw what phi is compared with, the paper's +-pi and +-2 pi; what decides here strongly."""
+        """Draw the bounds of phi, +-pi and +-2 pi, and highlight the one that decides."""
         plot = self.graph
         plot.clipped(painter)
         deciding, _ = self._threshold()
@@ -181,7 +181,7 @@ class GaussFigure:
                 painter.drawLine(QPointF(*ends[0]), QPointF(*ends[1]))
 
     def _strong(self, theme: Theme) -> str:
-        """The colour of the bound that decides: the strategy's, as far as it can be read."""
+        """Return the colour of the deciding bound: the colour of the strategy, made readable."""
         return readable(QColor(self._strategy.color), QColor(theme.back))
 
     @property
@@ -189,9 +189,9 @@ class GaussFigure:
         return self.reading.recognition.strategy
 
     def _threshold(self) -> tuple[float | None, str]:
-        """Return the bound of phi that decides for this strategy, with its name; None where phi does not decide.
+        """Return the bound of phi that decides for this strategy, with its name; None if phi does not decide.
 
-        Rows are within +-pi, or at least on level 0: the bound depends on the area's first direction. Loops reach 2 pi.
+        Rows stay within +-pi, or within 2 pi (level 0), depending on the area's first direction. Loops reach 2 pi.
         """
         reached = float(np.abs(self.phi).max())
         name = strategy_name(self._strategy)
@@ -204,7 +204,7 @@ class GaussFigure:
         return None, ""
 
     def _paint_names(self, painter: QPainter, theme: Theme) -> None:
-        """Name the curves above the graph, and above them the bound that decides; in a narrow picture they begin before it."""
+        """Write the names of the curves above the graph, and the deciding bound above them. They are moved left if room is short."""
         text = QFontMetrics(painter.font())
         entries = [("2π n", theme.faint), ("θ + 2π n", theme.v), ("φ", theme.counter_clockwise)]
         if len(self.signature.reversals):
@@ -220,7 +220,7 @@ class GaussFigure:
         painter.setPen(QColor(self._strong(theme)))
         painter.drawText(QPointF(min(left, self._width - text.horizontalAdvance(bound)), y - text.descent()), bound)
 
-    # What moves with k.
+    # Parts that depend on k.
 
     def paint_moving(self, painter: QPainter, theme: Theme) -> None:
         painter.setRenderHint(QPainter.Antialiasing)
@@ -269,7 +269,7 @@ class GaussFigure:
             plot.segments(painter, np.zeros((1, 2)), image)
             painter.setBrush(QColor(color))
             plot.dots(painter, image, 3.5)
-            # Two names side by side where both point the same way.
+            # The names of two equal directions stand side by side.
             _name(painter, plot.pixels([_polar(0.8, at + aside)])[0], letter, "k", color)
 
     def _paint_now(self, painter: QPainter, theme: Theme) -> None:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""One plot: a window on data, in a place of the picture, with axes; zoomed and moved."""
+"""One plot with axes: a window on data that can be zoomed and moved."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ import numpy as np
 from vkworkbench.gui.qt.names import QFontMetrics, QLineF, QPainter, QPen, QPointF, QRectF, Qt
 
 _NICE = (1, 2, 5, 10)
-_LEAST, _MOST = 1e-6, 4.0  # of the whole window, that are shown
+_MIN_SHARE, _MAX_SHARE = 1e-6, 4.0  # limits of zooming: visible share of the data
 
 
 class Plot:
@@ -20,9 +20,9 @@ class Plot:
     Attributes
     ----------
     place : QRectF
-        Where it is in the picture, px, without the labels of its axes.
+        Rectangle of the plot in the widget, px, without the labels of the axes.
     lower, upper : (2,) float64
-        Corners of the window in the data's units.
+        Corners of the window, in the units of the data.
     """
 
     def __init__(self, lower, upper, *, equal: bool) -> None:
@@ -36,17 +36,17 @@ class Plot:
         self.lower, self.upper = self._home.copy()
 
     def put(self, place: QRectF) -> None:
-        """Draw it in this place from now on."""
+        """Move the plot to this rectangle."""
         self.place = place
 
     @property
     def share(self) -> float:
-        """Which share of the whole is seen, the longer side counts."""
+        """Visible share of the data, along the side with the larger share."""
         return float(((self.upper - self.lower) / (self._home[1] - self._home[0])).max())
 
     @property
     def window(self) -> tuple[np.ndarray, np.ndarray]:
-        """The corners of what is seen: where both axes have the same unit, more than was asked for."""
+        """The visible corners. With equal units of both axes, more than the window is visible."""
         size = self.upper - self.lower
         if not self._equal or self.place.isEmpty():
             return self.lower, self.upper
@@ -56,47 +56,47 @@ class Plot:
         return middle - seen / 2, middle + seen / 2
 
     def pixels(self, points: np.ndarray) -> np.ndarray:
-        """Where points (n, 2) are in the picture, (n, 2) px."""
+        """Return the pixels of data points (n, 2), (n, 2)."""
         lower, upper = self.window
         corner = np.array([self.place.left(), self.place.bottom()])
         extent = np.array([self.place.width(), -self.place.height()])
         return corner + (np.asarray(points, float) - lower) / (upper - lower) * extent
 
     def data(self, at: QPointF) -> np.ndarray:
-        """What point of the data is at a pixel, (2,)."""
+        """Return the data point at a pixel, (2,)."""
         lower, upper = self.window
         right, up = at.x() - self.place.left(), self.place.bottom() - at.y()
         return lower + (upper - lower) * (right / self.place.width(), up / self.place.height())
 
     def zoom(self, factor: float, at: QPointF) -> None:
-        """Show `factor` times as much, with what is at a pixel staying there."""
+        """Show `factor` times as much data; the data point at this pixel stays there."""
         lower, upper = self.window
-        factor = min(max(factor, _LEAST / self.share), _MOST / self.share)
+        factor = min(max(factor, _MIN_SHARE / self.share), _MAX_SHARE / self.share)
         fixed = self.data(at)
         self.lower, self.upper = fixed + (lower - fixed) * factor, fixed + (upper - fixed) * factor
 
     def move(self, begin: QPointF, end: QPointF) -> None:
-        """Drag what is at one pixel to another."""
+        """Move the data point at one pixel to another."""
         by = self.data(begin) - self.data(end)
         self.lower, self.upper = self.lower + by, self.upper + by
 
     # Drawing.
 
     def polyline(self, painter: QPainter, points: np.ndarray) -> None:
-        """Draw a polyline (n, 2), broken where it is NaN."""
+        """Draw a polyline (n, 2), interrupted at NaN."""
         self.segments(painter, points[:-1], points[1:])
 
     def segments(self, painter: QPainter, a: np.ndarray, b: np.ndarray) -> None:
         """Draw segments from the points `a` to the points `b`, both (n, 2)."""
         lines = np.column_stack([self.pixels(a), self.pixels(b)])
         lines = lines[np.isfinite(lines).all(axis=1)]
-        # Beyond some thousand pixels Qt's renderers are slow, or wrong.
+        # Qt's renderers are slow or wrong for coordinates far outside.
         lines = np.clip(lines, -1e4, 1e4).tolist()
         if lines:
             painter.drawLines([QLineF(*line) for line in lines])
 
     def dots(self, painter: QPainter, points: np.ndarray, radius: float) -> None:
-        """Fill a circle at each point (n, 2), `radius` px."""
+        """Draw a filled circle at each point (n, 2); `radius` in px."""
         for x, y in self.pixels(points).tolist():
             painter.drawEllipse(QPointF(x, y), radius, radius)
 
@@ -107,7 +107,7 @@ class Plot:
             painter.drawLine(QPointF(x - size, y + size), QPointF(x + size, y - size))
 
     def clipped(self, painter: QPainter) -> QPainter:
-        """Draw nothing outside the place."""
+        """Limit painting to the plot's rectangle."""
         painter.setClipRect(self.place)
         return painter
 
@@ -135,18 +135,19 @@ class Plot:
 def ticks(
     low: float, high: float, count: int, name: Callable[[float], str], unit: float = 1.0, whole: bool = False
 ) -> list[tuple[float, str]]:
-    """Return some values between `low` and `high` that are round in a unit, with their names.
+    """Return round values between `low` and `high`, with their names.
 
     Parameters
     ----------
     low, high : float
     count : int
-        About how many.
+        Approximate number of values.
     name : callable
         Returns the text of a value.
     unit : float
+        Values are round multiples of this unit.
     whole : bool
-        Whether only whole multiples of the unit are asked for.
+        Whether values must be integer multiples of the unit.
     """
     rough = (high - low) / unit / max(count, 1)
     power = 10.0 ** math.floor(math.log10(rough))

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What the Gauss map shows of one operation, worked out in any thread."""
+"""Compute the data of the Gauss map for one operation, in any thread."""
 
 from __future__ import annotations
 
@@ -14,46 +14,46 @@ from vkworkbench.core.paper import Areas, distinct, links, monotonous_areas, out
 from vkworkbench.document.job.recognition import Source, recognize_operation
 from vkworkbench.document.job.setting import placed
 
-_CELLS = 1000  # of a toolpath's plot
-_MOST = 8_000  # segments of it that are drawn
-_CLOSE = 0.25  # of the whole; in a smaller window more than these may be told apart
+_CELLS = 1000  # cells of the toolpath's plot along its side
+_MAX_SEGMENTS = 8_000  # segments to draw
+_CLOSE = 0.25  # visible share below which segments are selected again for the window
 
 
 class Polyline:
-    """A polyline of which as much is drawn as can be told apart.
+    """A polyline, reduced to segments that differ on the screen.
 
     Attributes
     ----------
     points : (n+1, 2) float64
-        mm, NaN where it is broken.
+        Points in mm, with NaN at interruptions.
     """
 
     def __init__(self, points: np.ndarray) -> None:
         self.points = points
         everywhere = np.full(2, np.inf)
-        self._sketch = distinct(points, overlapping(points, -everywhere, everywhere), cells=_CELLS, most=_MOST)
+        self._sketch = distinct(points, overlapping(points, -everywhere, everywhere), cells=_CELLS, most=_MAX_SEGMENTS)
 
     def seen(self, lower: np.ndarray, upper: np.ndarray, share: float) -> np.ndarray:
-        """Return the segments to draw in a window, (m,) int64, which is that share of the whole."""
-        if share > _CLOSE or len(self._sketch) < _MOST // 4:
+        """Return the segments to draw in a window, (m,) int64. `share` is the visible share of the data."""
+        if share > _CLOSE or len(self._sketch) < _MAX_SEGMENTS // 4:
             return self._sketch
-        return distinct(self.points, overlapping(self.points, lower, upper), cells=_CELLS, most=_MOST)
+        return distinct(self.points, overlapping(self.points, lower, upper), cells=_CELLS, most=_MAX_SEGMENTS)
 
 
 @dataclass(frozen=True)
 class Reading:
-    """An operation as the Gauss map shows it.
+    """The data of the Gauss map for one operation.
 
     Attributes
     ----------
     recognition : Recognition
-        The same that an analysis finds: mark, table and CSV have its numbers.
+        The same recognition as in an analysis, so that mark, table and CSV show the same numbers.
     areas : Areas
         All monotonous areas of the toolpath.
     outline, links : Polyline
-        The areas, and how the tool gets from one to the next.
+        The areas, and the moves between them.
     proof : int
-        Index of the area that shows best why.
+        Index of the area that explains the strategy best.
     """
 
     recognition: Recognition
@@ -64,14 +64,14 @@ class Reading:
 
 
 def read(source: Source, going_on: Callable) -> Iterator[Reading | None]:
-    """Yield what is shown; None where no cutting move has a direction.
+    """Yield the data; None if no cutting move has a direction.
 
     Raises
     ------
     Unusable
-        Where the commands are too many trajectories.
+        If the operation has too many trajectories.
     Cancelled
-        By `going_on`, which is called between two steps.
+        Raised by `going_on`, which is called between steps.
     """
     commands = source.path.Commands
     going_on()
@@ -88,7 +88,7 @@ def read(source: Source, going_on: Callable) -> Iterator[Reading | None]:
     index = proof(areas, main.first, main.last, around=main.strategy.family is Family.AROUND)
     going_on()
     signature = areas.signature(index)
-    _ = signature.theta_level, signature.length  # not in the window's thread
+    _ = signature.theta_level, signature.length  # computed here and not in the window's thread
     drawn = [Polyline(points(areas)) for points in (outline, links)]
     going_on()
     yield Reading(recognition, areas, *drawn, index)

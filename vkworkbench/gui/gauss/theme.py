@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The colours of the Gauss map, readable on what is seen behind it."""
+"""The colours of the Gauss map, readable on its background."""
 
 from __future__ import annotations
 
@@ -16,15 +16,15 @@ class Theme:
     Attributes
     ----------
     back : str
-        Of the window behind the picture.
+        Background.
     text : str
-        Also of the area that is shown.
+        Texts and the shown area.
     faint : str
-        Of levels and of the rest of the toolpath.
+        Levels and the rest of the toolpath.
     v : str
-        Of V_k and its angle.
+        V_k and its angle.
     counter_clockwise, clockwise : str
-        Told apart also by the colour-blind.
+        Senses of rotation, distinguishable for colour-blind users.
     """
 
     back: str

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The columns of the results: six that are seen at first, and the others, which the user chooses."""
+"""The columns of the results: six that are visible by default, and others that the user can choose."""
 
 from __future__ import annotations
 
@@ -20,21 +20,21 @@ OPERATION, STRATEGY, WARNINGS, STATE, LENGTH = "operation", "strategy", "warning
 
 @dataclass(frozen=True)
 class Column:
-    """One column: its title and explanation, how it is sorted and shown.
+    """One column: its title, tooltip, values and text.
 
     Attributes
     ----------
     key : str
-        Its name in the preferences.
+        Name in the preferences.
     title, tooltip : str
     value : callable
-        The number or text of a row, None where there is none.
+        Returns the number or text of a row, or None.
     shown : callable
-        What the user reads of that value.
+        Returns the text for a value.
     factor : callable or None
-        For a time that is estimated: the true one is between it divided and multiplied by this factor of the row.
+        For an estimated time: returns the factor of a row. The true time is between time / factor and time * factor.
     least : callable
-        Whether the value of a row is a lower bound.
+        Returns whether the value of a row is a lower bound.
     learns : bool
         Whether runs of the simulator make the factor smaller.
     """
@@ -50,13 +50,13 @@ class Column:
 
     @property
     def name(self) -> str:
-        """The title in one line, without the hyphen at the end of its first; Chinese has no spaces, either."""
+        """The title in one line, without a hyphen at the line break, and without a space in Chinese."""
         first, _, second = self.title.replace("-\n", "").partition("\n")
         together = not second or (is_chinese(first[-1:]) and is_chinese(second[:1]))
         return first + second if together else f"{first} {second}"
 
     def text(self, row: Row) -> str:
-        """Return what the user reads in a row, empty where there is nothing."""
+        """Return the text of a row; empty without a value."""
         value = self.value(row)
         if value is None:
             return ""
@@ -64,7 +64,7 @@ class Column:
         return ("≥ " if self.least(row) else "") + text
 
     def range(self, row: Row) -> str:
-        """Return between which numbers a rough one lies, empty where it is not rough."""
+        """Return the range of a rough estimate as text; empty for other values."""
         value, factor = self.value(row), self.factor(row) if self.factor else 1.0
         if value is None or factor < ROUGH:
             return ""
@@ -78,17 +78,17 @@ class Column:
 
 
 def columns(version: tuple[int, ...], marked: str) -> tuple[list[Column], list[Column]]:
-    """Return the columns that are seen at first and the others.
+    """Return the default columns and the other columns.
 
     Parameters
     ----------
     version : tuple of int
-        The FreeCAD, which says what simulators there are.
+        Version of FreeCAD, which determines the simulators.
     marked : str
         Name of the simulator whose time the marks show.
     """
-    there_are = available(version)
-    (simulator,) = [s for s in there_are if s.name == marked]
+    simulators = available(version)
+    (simulator,) = [s for s in simulators if s.name == marked]
     time = translate("Vk_Results", "How long the {simulator} takes, as the marks show it")
     first = [
         Column(OPERATION, translate("Vk_Results", "Operation"), "", lambda row: row.label),
@@ -123,15 +123,15 @@ def columns(version: tuple[int, ...], marked: str) -> tuple[list[Column], list[C
                lambda row: row.found.trajectories, _as("count")),
         Column(LENGTH, translate("Vk_Results", "Length"), translate("Vk_Results", "Length of the cutting moves"),
                lambda row: row.found.length, _as("length")),
-        *(column for simulator in there_are for column in _of_simulator(simulator)),
-        *(_of_advice(simulator) for simulator in there_are if simulator.advice),
+        *(column for simulator in simulators for column in _of_simulator(simulator)),
+        *(_of_advice(simulator) for simulator in simulators if simulator.advice),
     ]  # fmt: skip
     return first, others
 
 
 def _as(kind: str) -> Callable[[object], str]:
-    """Return how the user reads numbers of a kind, by the name of the reader's method."""
-    return lambda value: getattr(user(), kind)(value)  # noqa: PLW0108 - the user of that moment
+    """Return a function that formats numbers by a method of the reader, given by its name."""
+    return lambda value: getattr(user(), kind)(value)  # noqa: PLW0108 - the user at the time of the call
 
 
 def _seconds(simulator: str, row: Row) -> float | None:
@@ -158,9 +158,9 @@ def _is_bound(row: Row) -> bool:
 
 
 def _of_simulator(simulator: Simulator) -> tuple[Column, Column]:
-    """Time and memory that a simulator takes for an operation, or for all of a job together."""
+    """Return the columns with time and memory of a simulator, for an operation or a whole job."""
     name, text = simulator.name, partial(FreeCAD.Qt.translate, "Vk_Results")
-    # The user knows the z-buffer as the command.
+    # The name of the command for our simulator.
     called = translate("Vk_Simulate", "Simulate toolpaths") if simulator is ZBUFFER else user().simulator(name)
     time, memory = translate("Vk_Results", "{simulator}\ntime"), translate("Vk_Results", "{simulator}\nmemory")
     return (
@@ -172,7 +172,7 @@ def _of_simulator(simulator: Simulator) -> tuple[Column, Column]:
 
 
 def _of_advice(simulator: Simulator) -> Column:
-    """The finest setting of a simulator within the budgets; numbers of 0 where there is none."""
+    """Return the column with the finest setting of a simulator within the budgets; zeros if no setting is within them."""
     advice, text = simulator.advice, partial(FreeCAD.Qt.translate, "Vk_Results")
 
     def numbers(row: Row) -> tuple[int, ...] | None:

@@ -33,7 +33,7 @@ class ResultsCommand(DocumentCommand):
 
 
 def show() -> None:
-    """Show the results panel, and soon in it what is known now; the focus stays where it is."""
+    """Show the results panel and refresh it after pending events, without moving the focus."""
     from vkworkbench.gui.results.panel import ResultsDock
 
     dock = docks.find(docks.RESULTS)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The page beside the results: all that is known of one row, plain words first; the paper's terms behind "Why?"."""
+"""The details of a row as HTML: plain words first, the paper's terms behind the link "Why?"."""
 
 from __future__ import annotations
 
@@ -15,23 +15,23 @@ from vkworkbench.gui.results.rows import Row
 from vkworkbench.gui.tree.notices import Level
 from vkworkbench.report import OperationReport, is_switched_off
 
-WHY, NUMBERS, GAUSS_MAP = "why", "numbers", "gauss-map"  # what the page's links open
+WHY, NUMBERS, GAUSS_MAP = "why", "numbers", "gauss-map"  # targets of links
 _SIGNS = {
     Level.NOTE: ("i", colors.NOTE_SIGN), Level.WARNING: ("\u26a0", colors.WARNING_SIGN), Level.ERROR: ("\u2716", colors.ERROR_SIGN),
 }  # fmt: skip
-_APART = {OPERATION, STRATEGY, WARNINGS, STATE, LENGTH}  # columns that the page tells otherwise
+_APART = {OPERATION, STRATEGY, WARNINGS, STATE, LENGTH}  # columns that have their own place in the details
 
 
 def page(row: Row, first: list, others: list, opened: set[str]) -> str:
-    """Return what is known of a row as HTML.
+    """Return the details of a row as HTML.
 
     Parameters
     ----------
     row : Row
     first, others : list of Column
-        The columns that are seen at first and the others.
+        The default columns and the other columns.
     opened : set of str
-        Which of the page's links are open.
+        Links that were opened.
     """
     parts = [_title(row)]
     if row.strategy is not None and not is_switched_off(row.mark):
@@ -77,23 +77,23 @@ def _cells(row: Row, columns: list) -> list[tuple[str, str, str]]:
 
 
 def _machining(row: Row) -> list[tuple[str, str, str]]:
-    """Lengths, and what the machining time leaves out."""
+    """Return lengths, and remarks on moves that the machining time does not include."""
     if not row.found.trajectories:
         return []
     length = user().length
-    told = [(translate("Vk_Results", "Cutting"), length(row.found.length), "")]
+    cells = [(translate("Vk_Results", "Cutting"), length(row.found.length), "")]
     if row.is_total:
-        return told
-    if isinstance(row.found, OperationReport):  # a mark does not keep these
+        return cells
+    if isinstance(row.found, OperationReport):  # a mark does not store these
         machining = row.found.machining
-        told.append((translate("Vk_Results", "Rapids"), length(machining.rapid_length), ""))
+        cells.append((translate("Vk_Results", "Rapids"), length(machining.rapid_length), ""))
         if machining.depth is not None:
-            told.append((translate("Vk_Results", "Depth"), length(machining.depth), ""))
-    return told + [("", sentence(message), "") for message in row.found.left_out]
+            cells.append((translate("Vk_Results", "Depth"), length(machining.depth), ""))
+    return cells + [("", sentence(message), "") for message in row.found.left_out]
 
 
 def _moves(row: Row) -> list[tuple[str, str, str]]:
-    """How long the moves at feed are, by the program's lines: thousands of tiny ones tell why all takes long."""
+    """Return the shortest and the median length of moves at feed. Thousands of tiny moves explain a long time."""
     if row.is_total or not isinstance(row.found, OperationReport) or row.found.machining.median is None:
         return []
     machining, measure = row.found.machining, user().measure
@@ -115,10 +115,10 @@ def _table(cells: list[tuple[str, str, str]]) -> str:
     rows = []
     for title, text, range_ in cells:
         if text:
-            told = lines(text) + (f"<br><small>{lines(range_)}</small>" if range_ else "")
+            cell = lines(text) + (f"<br><small>{lines(range_)}</small>" if range_ else "")
             name = lines(title)
-            rows.append(f"<tr><td style='padding-right: 12px'>{name}</td><td>{told}</td></tr>" if name
-                        else f"<tr><td colspan='2'><small>{told}</small></td></tr>")  # fmt: skip
+            rows.append(f"<tr><td style='padding-right: 12px'>{name}</td><td>{cell}</td></tr>" if name
+                        else f"<tr><td colspan='2'><small>{cell}</small></td></tr>")  # fmt: skip
     return f"<table cellspacing='1'>{''.join(rows)}</table>"
 
 

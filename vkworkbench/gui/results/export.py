@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Results that leave the panel: as a file with all numbers, or as the text of what is shown."""
+"""Export results: to a file with all numbers, or as text for the clipboard."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from vkworkbench.report import Report, as_cell
 
 
 def save(report: Report, document, ending: str, parent: QWidget) -> None:
-    """Ask for a file, and save a report of a document there as ``"csv"`` or ``"json"``."""
+    """Ask for a file name and save a report as ``"csv"`` or ``"json"``."""
     title, filter_ = {
         "csv": (translate("Vk_Results", "Export CSV"), "CSV (*.csv)"),
         "json": (translate("Vk_Results", "Export JSON"), "JSON (*.json)"),
@@ -31,7 +31,7 @@ def save(report: Report, document, ending: str, parent: QWidget) -> None:
 
 
 def as_text(columns: Sequence[Column], rows: Iterable[Row]) -> str:
-    """Return rows as tabulated text with a line of titles, with the numbers and units that are shown."""
+    """Return rows as tab-separated text with a line of titles, with the numbers and units as shown."""
     lines = [[column.name for column in columns]]
     lines += [[" ".join(as_cell(column.text(row)).split()) for column in columns] for row in rows]
     return "\n".join("\t".join(line) for line in lines) + "\n"

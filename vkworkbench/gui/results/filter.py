@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The line above the results: what to show of them, and the panel's menus."""
+"""The line above the results: the filter and the panel's menus."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from vkworkbench.gui.qt.text import explain, translate
 
 
 class Filter(QWidget):
-    """Asks for a text, a strategy, and whether only operations with warnings are shown.
+    """A filter by text, strategy and warnings.
 
     Attributes
     ----------
@@ -51,7 +51,7 @@ class Filter(QWidget):
 
     @property
     def strategy(self) -> Strategy | None:
-        """The strategy that is asked for, None for all."""
+        """The chosen strategy; None for all strategies."""
         chosen = self.strategies.currentData()
         return Strategy(chosen) if chosen else None
 
@@ -59,10 +59,10 @@ class Filter(QWidget):
     def warned(self) -> bool:
         return self.warnings.isChecked()
 
-    def offer(self, there_are: set[Strategy]) -> None:
-        """List the strategies that there are; one that is asked for stays in the list."""
+    def offer(self, present: set[Strategy]) -> None:
+        """List these strategies, and the chosen one."""
         chosen = self.strategy
-        offered = [strategy for strategy in Strategy if strategy in there_are or strategy is chosen]
+        offered = [strategy for strategy in Strategy if strategy in present or strategy is chosen]
         listed = [self.strategies.itemData(i) for i in range(self.strategies.count())]
         if listed == ["", *(strategy.value for strategy in offered)]:
             return

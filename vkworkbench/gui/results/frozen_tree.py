@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""A tree whose first column stays in sight while the others are scrolled, as in Qt's own example of a frozen column."""
+"""A tree whose first column stays visible while the others are scrolled, as in Qt's example of a frozen column."""
 
 from __future__ import annotations
 
@@ -7,17 +7,17 @@ from collections.abc import Callable
 
 from vkworkbench.gui.qt.names import QAbstractItemView, QEvent, QFrame, QHeaderView, QKeySequence, Qt, QTreeView
 
-_LEAST_ROWS = 2  # that are seen below the titles
+_MIN_ROWS = 2  # visible rows; if there is less room, the titles are hidden
 
 
 class FrozenTree(QTreeView):
-    """Shows the first column a second time over itself as soon as it is scrolled sideways.
+    """A tree that shows its first column in a second tree above itself while it is scrolled sideways.
 
     Parameters
     ----------
     model : QAbstractItemModel
     copy, enter : callable
-        What Ctrl+C does, and the Enter key or a double click.
+        Called for Ctrl+C; called for the Enter key or a double click.
     """
 
     def __init__(self, model, copy: Callable[[], None], enter: Callable[[], None]) -> None:
@@ -27,7 +27,9 @@ class FrozenTree(QTreeView):
         self._above.setObjectName("frozen")
         self._above.setFocusPolicy(Qt.NoFocus)
         self._above.setFrameShape(QFrame.NoFrame)
-        self._above.setStyleSheet("#frozen { border: none; margin: 0; padding: 0 }")  # as many themes give every tree
+        self._above.setStyleSheet(
+            "#frozen { border: none; margin: 0; padding: 0 }"
+        )  # many themes set these for every tree
         self._above.setHorizontalScrollBarPolicy(Qt.ScrollBarAlwaysOff)
         self._above.setVerticalScrollBarPolicy(Qt.ScrollBarAlwaysOff)
         self._above.hide()
@@ -59,25 +61,25 @@ class FrozenTree(QTreeView):
         self._above.header().sectionClicked.connect(self._sort)
 
     def show_headers_menu(self, menu: Callable) -> None:
-        """Show a menu, made by a function, where a title is clicked with the right button."""
+        """Show the menu that a function returns when a title is clicked with the right button."""
         for header in (self.header(), self._above.header()):
             header.setContextMenuPolicy(Qt.CustomContextMenu)
             header.customContextMenuRequested.connect(lambda at, h=header: menu().exec_(h.mapToGlobal(at)))
 
     def drawRow(self, painter, option, index) -> None:
-        """Paint no row below the first column: FreeCAD 1.1's own theme gives trees no background, so it shines through."""
+        """Do not paint below the first column, because trees are transparent in FreeCAD 1.1's theme."""
         if not self._above.isHidden():
             painter.setClipRect(self.viewport().rect().adjusted(self.columnWidth(0), 0, 0, 0))
         super().drawRow(painter, option, index)
 
     def scrollTo(self, index, hint=QAbstractItemView.EnsureVisible) -> None:
-        """Scroll up and down only: what the user reads beside the name stays where it is."""
+        """Scroll vertically only, so that the visible columns stay."""
         sideways = self.horizontalScrollBar().value()
         super().scrollTo(index, hint)
         self.horizontalScrollBar().setValue(sideways)
 
     def event(self, event) -> bool:
-        # Else FreeCAD's own Ctrl+C comes first, which asks what of the document is to be copied.
+        # Otherwise FreeCAD's Ctrl+C opens its dialog for copying objects.
         if event.type() == QEvent.ShortcutOverride and event.matches(QKeySequence.Copy):
             event.accept()
             return True
@@ -93,9 +95,9 @@ class FrozenTree(QTreeView):
 
     def resizeEvent(self, event) -> None:
         super().resizeEvent(event)
-        # On a low screen the titles would leave no room for a row.
+        # On a low screen the titles would leave no room for rows.
         around = self.header().sizeHint().height() + self.horizontalScrollBar().sizeHint().height()
-        self.header().setVisible(self.height() - around >= _LEAST_ROWS * self.fontMetrics().lineSpacing())
+        self.header().setVisible(self.height() - around >= _MIN_ROWS * self.fontMetrics().lineSpacing())
         self._place()
 
     def _sort(self, section: int) -> None:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The results as Qt asks for them: a tree of jobs and operations, and its order and filter."""
+"""Qt models of the results: a tree of jobs and operations, and its order and filter."""
 
 from __future__ import annotations
 
@@ -19,8 +19,8 @@ from vkworkbench.gui.results.columns import OPERATION, STRATEGY, WARNINGS, colum
 from vkworkbench.gui.results.rows import Row
 from vkworkbench.gui.tree.notices import Level
 
-VALUE = Qt.UserRole  # what a column is sorted by
-_LEFT, _RIGHT = 0x81, 0x82  # with Qt.AlignVCenter; as numbers, which every PySide takes
+VALUE = Qt.UserRole  # role of the value by which a column is sorted
+_LEFT, _RIGHT = 0x81, 0x82  # with Qt.AlignVCenter; numbers, because some PySide versions refuse the flags
 _ICONS = {
     Level.WARNING: QStyle.SP_MessageBoxWarning,
     Level.ERROR: QStyle.SP_MessageBoxCritical,
@@ -28,7 +28,7 @@ _ICONS = {
 
 
 class ResultsModel(QAbstractItemModel):
-    """The rows of the results; an index carries 0 for a branch, else one more than the number of its branch."""
+    """The rows of the results. The internal id of an index is 0 for a job, else 1 + the number of the job."""
 
     def __init__(self, parent=None) -> None:
         super().__init__(parent)
@@ -42,7 +42,7 @@ class ResultsModel(QAbstractItemModel):
         self.endResetModel()
 
     def _choose_columns(self) -> None:
-        """Take the columns as the preferences are now; there are always as many, with the same keys."""
+        """Create the columns for the present preferences. Their number and keys never change."""
         self.first, self.others = columns(freecad.version(), preferences.read().simulator)
         self.columns = [*self.first, *self.others]
 
@@ -51,8 +51,8 @@ class ResultsModel(QAbstractItemModel):
         branch = index.internalId()
         return self.rows[branch - 1].rows[index.row()] if branch else self.rows[index.row()]
 
-    def index(self, row: int, column: int, parent=QModelIndex()):  # noqa: B008, Qt's own default
-        # Qt's own `hasIndex` would ask for both counts through Python, for every cell that is measured.
+    def index(self, row: int, column: int, parent=QModelIndex()):  # noqa: B008 - Qt's default
+        # Faster than Qt's `hasIndex`, which calls both counts in Python for every cell.
         if not (0 <= row < self.rowCount(parent) and 0 <= column < len(self.columns)):
             return QModelIndex()
         return self.createIndex(row, column, parent.row() + 1 if parent.isValid() else 0)
@@ -106,14 +106,14 @@ def _tooltip(row: Row, column) -> str:
 
 
 class ResultsOrder(QSortFilterProxyModel):
-    """Sorts within each job, empty cells last, and leaves out what the user filters away."""
+    """Sorts the operations of each job, empty cells last, and hides rows that do not match the filter."""
 
     def __init__(self, parent=None) -> None:
         super().__init__(parent)
         self._text, self._strategy, self._warned = "", None, False
 
     def choose(self, text: str, strategy, warned: bool) -> None:
-        """Show the operations that have a text in their name, strategy or warnings, a strategy, and warnings if asked."""
+        """Show operations with this text in name, strategy or warnings, with this strategy, and with warnings if `warned`."""
         self._text, self._strategy, self._warned = text.casefold(), strategy, warned
         self.invalidateFilter()
 
@@ -141,6 +141,6 @@ class ResultsOrder(QSortFilterProxyModel):
         model = self.sourceModel()
         column = model.columns[index.column()]
         value = column.value(model.row(index))
-        # Qt reverses a descending order; what has to stay below must then come first.
+        # Qt reverses a descending order, so empty cells must then come first to stay at the bottom.
         empty = (value is None) == (self.sortOrder() == Qt.AscendingOrder)
         return empty, value.casefold() if isinstance(value, str) else value if value is not None else 0

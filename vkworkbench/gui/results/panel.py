@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The results panel: a dock with the tree of jobs and operations, a filter, and a page on the selected row."""
+"""The results panel: a dock with a tree of jobs and operations, a filter, and details of the selected row."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ from vkworkbench.gui.qt.names import (
 )  # fmt: skip
 from vkworkbench.gui.qt.plain_text import lines, unbroken
 from vkworkbench.gui.qt.text import translate
-from vkworkbench.gui.results import latest
+from vkworkbench.gui.results import findings
 from vkworkbench.gui.results.columns import STATE
 from vkworkbench.gui.results.details import GAUSS_MAP, page
 from vkworkbench.gui.results.export import as_text, save
@@ -37,20 +37,19 @@ from vkworkbench.gui.results.model import VALUE, ResultsModel, ResultsOrder
 from vkworkbench.gui.results.rows import Row, rows_of
 from vkworkbench.report import Cancelled, is_switched_off
 
-_WIDEST = {"operation": 260, "warnings": 420}  # px; the tooltip shows the end of a longer text
-
-_LEAST_LINES = 3  # of text, which the tree and the page are high at least
+_MAX_WIDTH = {"operation": 260, "warnings": 420}  # px; the tooltip shows all of a longer text
+_MIN_LINES = 3  # minimum height of tree and details, in lines of text
 
 
 class ResultsDock(QDockWidget):
-    """Shows what was found in the active document; a selection in its tree is one in FreeCAD, and the reverse."""
+    """Shows the results of the active document. Its selection and FreeCAD's selection follow each other."""
 
     def __init__(self, parent: QWidget) -> None:
         super().__init__(translate("Vk_Results", "Toolpath results"), parent)
         self.setObjectName(docks.RESULTS)
-        self._findings: list[latest.Finding] = []
-        self._following = False  # whether the tree's selection is being moved by FreeCAD's
-        self._opened: set[str] = set()  # links of the page
+        self._findings: list[findings.Finding] = []
+        self._following = False  # whether the tree is being changed to follow FreeCAD
+        self._opened: set[str] = set()  # opened links of the details
         self._stale = single_shot(self.refresh, self)
         self._selected = single_shot(self._follow, self)
 
@@ -70,7 +69,7 @@ class ResultsDock(QDockWidget):
         self.csv = self._action(translate("Vk_Results", "Export &CSV…"), lambda: self._export("csv"))
         self.json = self._action(translate("Vk_Results", "Export &JSON…"), lambda: self._export("json"))
         self.copy = self._action(translate("Vk_Results", "C&opy to clipboard"), self._copy)
-        self._choices: list[QAction] = []  # for each column but the first whether it is chosen
+        self._choices: list[QAction] = []  # one for each column except the first
         self.columns = self._columns_menu()
         self._show_columns()
         self.export = QMenu(translate("Vk_Results", "E&xport"), self)
@@ -82,8 +81,8 @@ class ResultsDock(QDockWidget):
         self._parts = QSplitter(Qt.Horizontal)
         self._parts.addWidget(self.tree)
         self._parts.addWidget(self.details)
-        # Qt's own minimum would make the window higher than a low screen. Of the parts a theme's style sheet takes it away.
-        self._parts.setMinimumHeight(_LEAST_LINES * self.tree.fontMetrics().height())
+        # With Qt's default minimum the window would not fit on a low screen. Themes reset this minimum on the child widgets.
+        self._parts.setMinimumHeight(_MIN_LINES * self.tree.fontMetrics().height())
         self._parts.setStretchFactor(0, 3)
         self._parts.setStretchFactor(1, 2)
         body = QWidget()
@@ -105,7 +104,7 @@ class ResultsDock(QDockWidget):
         return action
 
     def _columns_menu(self) -> QMenu:
-        """Return the menu in which the user chooses columns, and goes back to the order of posting."""
+        """Return the menu for choosing columns and restoring the order of posting."""
         menu = QMenu(translate("Vk_Results", "Col&umns"), self)
         chosen = preferences.read().result_columns.split(",")
         for column in self.model.columns[1:]:
@@ -127,7 +126,7 @@ class ResultsDock(QDockWidget):
         preferences.write(result_columns=",".join(changed))
 
     def _show_columns(self) -> None:
-        """Show the columns that are chosen; the state takes no room while nothing is outdated."""
+        """Show the chosen columns, the state only if a row is outdated."""
         outdated = any(row.outdated for job in self.model.rows for row in (job, *job.rows))
         for number, action in enumerate(self._choices, 1):
             shown = action.isChecked() and (outdated or self.model.columns[number].key != STATE)
@@ -136,13 +135,13 @@ class ResultsDock(QDockWidget):
 
     def _fit_columns(self) -> None:
         for number, column in enumerate(self.model.columns):
-            if self.tree.isColumnHidden(number):  # its costs may have to be computed first
+            if self.tree.isColumnHidden(number):  # computing its costs may take long
                 continue
             self.tree.resizeColumnToContents(number)
-            self.tree.setColumnWidth(number, min(self.tree.columnWidth(number), _WIDEST.get(column.key, 1000)))
+            self.tree.setColumnWidth(number, min(self.tree.columnWidth(number), _MAX_WIDTH.get(column.key, 1000)))
 
     def resizeEvent(self, event) -> None:
-        """Put the page below the tree where the dock is higher than wide."""
+        """Put the details below the tree if the dock is higher than wide."""
         self._parts.setOrientation(Qt.Horizontal if self.width() > self.height() else Qt.Vertical)
         super().resizeEvent(event)
 
@@ -165,14 +164,14 @@ class ResultsDock(QDockWidget):
     slotDeletedObject = slotDeletedDocument = slotActivateDocument
 
     def refresh_soon(self) -> None:
-        """Show what is known of the active document in an event of its own, after all that begin before."""
+        """Show the results of the active document after pending events."""
         self._stale.start()
 
     def refresh(self) -> None:
-        """Show what is known of the active document now."""
+        """Show the results of the active document now."""
         if not self.isVisible():
             return
-        self._findings = latest.findings(FreeCAD.ActiveDocument)
+        self._findings = findings.read_findings(FreeCAD.ActiveDocument)
         closed = {row.name for index, row in self._indexes() if row.rows and not self.tree.isExpanded(index)}
         self._following = True
         self.model.show(rows_of(self._findings))
@@ -195,7 +194,7 @@ class ResultsDock(QDockWidget):
         self._follow()
 
     def _indexes(self, parent=None):
-        """Indexes and rows of what the filter lets through, from above."""
+        """Yield indexes and rows that match the filter, from top to bottom."""
         above = () if parent is None else (parent,)
         for number in range(self.order.rowCount(*above)):
             index = self.order.index(number, 0, *above)
@@ -204,7 +203,7 @@ class ResultsDock(QDockWidget):
                 yield from self._indexes(index)
 
     def _follow(self) -> None:
-        """Select the rows of what is selected in FreeCAD."""
+        """Select the rows of the objects that are selected in FreeCAD."""
         if not self.isVisible():
             return
         names = {obj.Name for obj in Gui.Selection.getSelection()}
@@ -222,7 +221,7 @@ class ResultsDock(QDockWidget):
         self._explain()
 
     def _select(self) -> None:
-        """Select in FreeCAD what is selected in the tree, and show it in FreeCAD's."""
+        """Select the objects of the selected rows in FreeCAD, and show them in FreeCAD's tree."""
         if self._following:
             return
         document = FreeCAD.ActiveDocument.Name
@@ -239,7 +238,7 @@ class ResultsDock(QDockWidget):
         return [self.order.row(index) for index in self.tree.selectionModel().selectedRows()]
 
     def _explain(self) -> None:
-        """Say what is known of the selected operation, or of several together."""
+        """Show the details of the selected row, or of several rows together."""
         rows = self._selected_rows()
         first, others = self.model.first, self.model.others
         if FreeCAD.ActiveDocument is None:
@@ -254,7 +253,7 @@ class ResultsDock(QDockWidget):
             text = page(rows[0], first, others, self._opened)
         else:
             text = "".join(page(row, first, others, self._opened) for row in self._together(rows))
-        # By what is drawn behind: a style sheet leaves the palette, and with it the colour of links, as it was.
+        # Adapt the colour of links to the painted background, because a style sheet does not change the palette.
         viewport = self.details.viewport()
         behind = viewport.grab(viewport.rect().adjusted(1, 1, 2 - viewport.width(), 2 - viewport.height()))
         color = readable(QColor(colors.LINK), behind.toImage().pixelColor(0, 0))
@@ -262,7 +261,7 @@ class ResultsDock(QDockWidget):
         self.details.setHtml(unbroken(text))
 
     def _together(self, rows: list[Row]) -> list[Row]:
-        """One total for each job of the rows, which says that it is one of a selection."""
+        """Return a total for each job of the rows, labelled as a selection."""
         names = {row.name for row in rows if not row.is_total}
         chosen = [finding for finding in self._findings if finding.operation.object.Name in names]
         text = translate("Vk_Results", "Selection in {job}")
@@ -283,8 +282,8 @@ class ResultsDock(QDockWidget):
         self.details.verticalScrollBar().setValue(where)
 
     def _export(self, ending: str) -> None:
-        """Save all numbers, which takes an analysis of what has only its mark."""
-        report = latest.report_of(self._findings)
+        """Save all numbers. Operations that have only a mark are analysed first."""
+        report = findings.report_of(self._findings)
         if report is None:
             try:
                 report = progress.analyze(FreeCAD.ActiveDocument)
@@ -295,7 +294,7 @@ class ResultsDock(QDockWidget):
         save(report, FreeCAD.ActiveDocument, ending, self)
 
     def _copy(self) -> None:
-        """Copy the selected rows, all without a selection, as they are shown."""
+        """Copy the selected rows as shown, or all rows without a selection."""
         selected = {row.name for row in self._selected_rows()}
         rows = [row for _, row in self._indexes() if not selected or row.name in selected]
         header = self.tree.header()

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The rows of the results: jobs as branches with their total, operations below them, and what is to be known of each."""
+"""The rows of the results: jobs with their totals, and their operations, each with notices."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from vkworkbench.document.marks import marks
 from vkworkbench.document.marks.record import Record, of_total
 from vkworkbench.gui.qt.sentences import plural
 from vkworkbench.gui.qt.text import translate
-from vkworkbench.gui.results.latest import Finding
+from vkworkbench.gui.results.findings import Finding
 from vkworkbench.gui.tree.notices import Level, Notice, kind_of, notices_of
 from vkworkbench.preferences import Preferences
 from vkworkbench.report import OperationReport, Total, is_switched_off, total_of
@@ -27,17 +27,17 @@ class Row:
     Attributes
     ----------
     found : OperationReport, Record or Total
-        Its numbers; those of a mark where the operation was not analysed since the document was opened.
+        The numbers. They come from the mark if the operation was not analysed since the document was opened.
     name, label : str
-        Internal name of the operation or the job, and its label as it is now.
+        Internal name of the operation or job, and its present label.
     notices : tuple of Notice
-        The worst first.
+        Notices, the most severe first.
     outdated : bool
-        Whether the toolpath, the tool or the stock have changed since.
+        Whether toolpath, tool or stock have changed since the analysis.
     mark : Record or None
-        What the mark of an operation says; None for a total.
+        The mark of an operation; None for a total.
     posted : int
-        How many operations the job has that are posted; 0 for an operation.
+        Number of the job's operations that are posted; 0 for an operation.
     rows : tuple of Row
         The operations of a job.
     """
@@ -61,12 +61,12 @@ class Row:
 
     @property
     def kind(self) -> str:
-        """What it does: the name of the strategy, or that it is switched off; of a job how many operations its total has."""
+        """The name of the strategy, or "switched off"; for a job, the number of operations in its total."""
         return in_total(self) if self.is_total else kind_of(self.found)
 
     @property
     def machining_complete(self) -> bool:
-        """Whether the machining time is that of all moves; else it is the least that they take."""
+        """Whether the machining time includes all moves. If not, it is a lower bound."""
         return self.found.machining_complete if self.is_total else not self.found.left_out
 
     @property
@@ -75,7 +75,7 @@ class Row:
 
     @property
     def is_warned(self) -> bool:
-        """Whether its mark has a sign in the tree."""
+        """Whether the mark has a sign in the tree."""
         return self.level > Level.NOTE
 
 
@@ -104,18 +104,18 @@ def _operation(finding: Finding, chosen: Preferences) -> Row:
 
 def _job(job, findings: list[Finding], chosen: Preferences) -> Row:
     counted = [finding for finding in findings if finding.operation.counted]
-    # What is advised needs all numbers, which a mark does not keep.
+    # Advice needs all numbers, and marks do not store all.
     budget = None if any(finding.report is None for finding in counted) else chosen.budget
     numbers = [finding.report or finding.mark for finding in counted]
     total = total_of(job.Document.Name, job.Name, job.Label, numbers, budget, fixtures_of(job))
     posted = Counter(o.job.Name for o in find(job.Document) if o.counted and o.job is not None)[job.Name]
     if budget is None and len(counted) == posted:
-        mark = marks.read_total(job)  # it was written when more was known
+        mark = marks.read_total(job)  # it was computed with all numbers
         total = replace(total, costs={**total.costs, **mark.costs}) if mark else total
     outdated = marks.is_outdated(job) or any(finding.mark.outdated for finding in counted)
-    # What its mark says, but without computing what it takes in simulators that nobody asks for.
-    told = replace(of_total(replace(total, costs={}), [f.mark for f in counted], ""), costs=total.costs)
-    notices = notices_of(told, chosen)
+    # Like the mark of the job, but without computing the costs in simulators that are not shown.
+    record = replace(of_total(replace(total, costs={}), [f.mark for f in counted], ""), costs=total.costs)
+    notices = notices_of(record, chosen)
     if total.operations < posted:
         text = translate("Vk_Results", "the total of what was analyzed, not of the whole job")
         notices.append(Notice(Level.NOTE, text))
@@ -124,7 +124,7 @@ def _job(job, findings: list[Finding], chosen: Preferences) -> Row:
 
 
 def in_total(row: Row) -> str:
-    """Return how many operations a job's total has, and of how many where it has not all."""
+    """Return the number of operations in a job's total, e.g. "3 operations" or "2 of 3 operations"."""
     count = row.found.operations
     if count < row.posted:
         return translate("Vk_Results", "{count} of {all} operations").format(count=count, all=row.posted)

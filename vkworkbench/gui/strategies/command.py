@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The switch that shows strategies as colours in the 3D view."""
+"""The command that colours toolpaths in the 3D view by strategy."""
 
 from __future__ import annotations
 
@@ -10,11 +10,11 @@ from vkworkbench.document.job.operations import find
 from vkworkbench.gui.qt.document_command import DocumentCommand
 from vkworkbench.gui.qt.plain_text import inform
 from vkworkbench.gui.qt.text import QT_TRANSLATE_NOOP, translate
-from vkworkbench.gui.strategies import view as strategy_view
+from vkworkbench.gui.strategies import view
 
 
 class StrategiesCommand(DocumentCommand):
-    """Colour the toolpaths of the active document by strategy, or no longer."""
+    """Switch the colours of the active document on or off."""
 
     name = "Vk_Strategies"
     menu = QT_TRANSLATE_NOOP("Vk_Strategies", "Show strategies")
@@ -30,10 +30,10 @@ class StrategiesCommand(DocumentCommand):
 
     def Activated(self, checked: int) -> None:
         document = FreeCAD.ActiveDocument
-        if document is None or bool(checked) == strategy_view.is_shown(document):
+        if document is None or bool(checked) == view.is_shown(document):
             return
         if not checked:
-            strategy_view.hide(document)
+            view.hide(document)
             return
         if not find(document):
             follow_document(document)
@@ -43,17 +43,17 @@ class StrategiesCommand(DocumentCommand):
             )
             inform(translate("Vk_Strategies", "Show strategies"), text, Gui.getMainWindow())
             return
-        strategy_view.show(document, lambda: follow_document(FreeCAD.ActiveDocument))
+        view.show(document, lambda: follow_document(FreeCAD.ActiveDocument))
 
 
 def follow_document(document) -> None:
-    """Show the switch as it stands for a document."""
+    """Show the state of a document on the command's button."""
     for action in Gui.Command.get(StrategiesCommand.name).getAction():
-        action.setChecked(strategy_view.is_shown(document))
+        action.setChecked(view.is_shown(document))
 
 
 class _ActiveDocument:
-    """Follows the active document with the switch."""
+    """Shows the state of the active document on the command's button."""
 
     def slotActivateDocument(self, document) -> None:
         follow_document(document)

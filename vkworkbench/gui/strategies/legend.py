@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The legend of the colours, in a corner of the 3D view and of every picture that is taken of it."""
+"""The legend of the colours, in a corner of the 3D view and of its screenshots."""
 
 from __future__ import annotations
 
@@ -14,10 +14,10 @@ from vkworkbench.gui.qt.names import QApplication, QColor, QFontMetrics, QImage,
 from vkworkbench.gui.qt.sentences import strategy_name
 from vkworkbench.gui.qt.text import translate
 
-_PAPER, _INK = "#f7f7f7", "#1b1b1b"  # readable before any background
-_SAMPLE = 26  # px; the length of a line beside its name
+_PAPER, _INK = "#f7f7f7", "#1b1b1b"  # readable on any background
+_SAMPLE = 26  # px; length of a sample line
 _GAP, _MARGIN = 8, 12  # px
-_WIDTH = 3  # px, of the samples
+_WIDTH = 3  # px; width of a sample line
 
 
 class Legend:
@@ -27,11 +27,11 @@ class Legend:
         self._document = document_name
         self._entries: list[tuple[str, str]] = []
         self._root, self._image = _overlay()
-        self._keeper = coin.SoGroup()  # what is made by the name of its type ends with the last view otherwise
+        self._keeper = coin.SoGroup()  # a reference, because the node would be deleted with the last view
         self._keeper.addChild(self._root)
 
     def show(self, strategies: Iterable[Strategy]) -> None:
-        """Name the colours of these strategies, and that of rapids."""
+        """Show the colours and names of these strategies and of rapids."""
         seen = set(strategies)
         entries = [(s.color, strategy_name(s)) for s in Strategy if s in seen]
         entries.append((RAPID, translate("Vk_Strategies", "rapid moves")))
@@ -43,7 +43,7 @@ class Legend:
                 scene.addChild(self._root)
 
     def remove(self) -> None:
-        """Take it out of the views."""
+        """Remove the legend from the views."""
         for scene in self._scenes():
             if scene.findChild(self._root) >= 0:
                 scene.removeChild(self._root)
@@ -54,7 +54,7 @@ class Legend:
 
 
 def _overlay() -> tuple[coin.SoGroup, coin.SoImage]:
-    """Nodes that show an image in the lower left corner, in front of all, outside what "Fit all" measures."""
+    """Return nodes that show an image in the lower left corner, in front of everything. "Fit all" ignores them."""
     node = coin.SoType.fromName("SoSkipBoundingGroup").createInstance()  # FreeCAD's own
     node.getField("mode").set("EXCLUDE_BBOX")
     root = coin.cast(node, "SoGroup")

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""One toolpath as coloured lines: what is drawn, worked out in any thread, and its nodes of the 3D view."""
+"""One toolpath as coloured lines: computed in any thread, and shown as nodes of the 3D view."""
 
 from __future__ import annotations
 
@@ -18,25 +18,25 @@ from vkworkbench.gui.qt.names import QColor
 
 _NAME = "VkStrategies"
 _WIDTH, _SELECTED_WIDTH, _RAPID_WIDTH = 3, 6, 1  # px
-_DEPTH = 0.9995  # of the depth range: in front of FreeCAD's own lines, which lie in the same place
-_SKETCHED = 20_000  # trajectories; of more than these some are drawn at once, all of them later
-_CELLS = 200  # of the sketch along its longest side
-_AT_ONCE = 20_000  # points made into numbers of Python in one step
-_ORIGIN = ("G0", {"X": 0.0, "Y": 0.0, "Z": 0.0})  # FreeCAD draws every toolpath from here
+_DEPTH = 0.9995  # end of the depth range, which draws in front of FreeCAD's lines at the same place
+_SKETCHED = 20_000  # trajectories; a longer toolpath is drawn as a sketch of this size first
+_CELLS = 200  # cells of the sketch along its longest side
+_BATCH = 20_000  # points converted to Python numbers in one step
+_ORIGIN = ("G0", {"X": 0.0, "Y": 0.0, "Z": 0.0})  # FreeCAD begins every toolpath here
 _STRATEGIES = tuple(Strategy)
 
 
 @dataclass(frozen=True)
 class Drawing:
-    """What is drawn of a toolpath.
+    """The coloured lines of a toolpath.
 
     Attributes
     ----------
     points : list of (float, float, float)
     parts : list of (str, list of int)
-        Colour, and runs of indices of points, -1 after each run.
+        Colours, each with runs of point indices that end with -1.
     strategies : frozenset of Strategy
-        Those that are seen; none in a sketch.
+        The strategies in the drawing; empty for a sketch.
     """
 
     points: list
@@ -45,14 +45,14 @@ class Drawing:
 
 
 def drawings(source: Source, going_on: Callable) -> Iterator[Drawing]:
-    """Work out what is drawn of an operation: of a long one first a sketch, then all of it.
+    """Yield the drawing of an operation; for a long toolpath a sketch first.
 
     Raises
     ------
     Unusable
-        Where its commands are too many trajectories.
+        If the operation has too many trajectories.
     Cancelled
-        By `going_on`, which is called between two steps.
+        Raised by `going_on`, which is called between steps.
     """
     commands = source.path.Commands
     going_on()
@@ -72,9 +72,9 @@ def drawings(source: Source, going_on: Callable) -> Iterator[Drawing]:
 
 
 def _approach(commands: list, toolpath: Toolpath, tolerance: float) -> np.ndarray:
-    """Return the way from the origin to the first known position, (m, 3) mm.
+    """Return the path from the origin to the first known position, (m, 3) mm.
 
-    FreeCAD draws it, as if an axis that is not yet known were at 0.
+    FreeCAD draws this path, with 0 for axes that are not known yet.
     """
     before = [(command.Name, command.Parameters) for command in commands[: toolpath.command[0]]]
     points = linearize([_ORIGIN, *before], tolerance=tolerance).points
@@ -82,7 +82,7 @@ def _approach(commands: list, toolpath: Toolpath, tolerance: float) -> np.ndarra
 
 
 def colored(toolpath: Toolpath, spans) -> np.ndarray:
-    """Return the colour of each trajectory: the index of its strategy, -1 of a rapid, (n,) int64.
+    """Return the colour of each trajectory: the index of its strategy, -1 for a rapid, (n,) int64.
 
     A cutting move outside all `spans` has the colour of an unknown strategy.
     """
@@ -110,18 +110,18 @@ def _drawing(toolpath: Toolpath, approach: np.ndarray, spans, shown: np.ndarray,
 
 
 def _strips(segments: np.ndarray) -> np.ndarray:
-    """Indices of points, runs of consecutive segments joined, -1 after each run."""
+    """Return runs of point indices; consecutive segments form one run, and each run ends with -1."""
     ends = np.append(np.flatnonzero(np.diff(segments) > 1), len(segments) - 1)
     strips = np.insert(segments, ends + 1, segments[ends] + 1)
     return np.insert(strips, ends + np.arange(1, len(ends) + 1) + 1, -1)
 
 
 def _listed(array: np.ndarray, going_on: Callable) -> list:
-    """Return an array as a list: in small steps, for each holds up the window."""
+    """Return an array as a list, converted in small steps, because each step blocks the window."""
     found: list = []
-    for first in range(0, len(array), _AT_ONCE):
+    for first in range(0, len(array), _BATCH):
         going_on()
-        found += array[first : first + _AT_ONCE].tolist()
+        found += array[first : first + _BATCH].tolist()
     return found
 
 
@@ -132,7 +132,7 @@ class Lines:
     ----------
     root : coin.SoSeparator
     strategies : frozenset of Strategy
-        Those that are seen.
+        The strategies in the drawing.
     """
 
     def __init__(self, drawing: Drawing) -> None:
@@ -140,7 +140,7 @@ class Lines:
         self.root = root = coin.SoSeparator()
         root.setName(_NAME)
         pick = coin.SoPickStyle()
-        pick.style = coin.SoPickStyle.UNPICKABLE  # the operation is picked by FreeCAD's own lines
+        pick.style = coin.SoPickStyle.UNPICKABLE  # FreeCAD's own lines pick the operation
         light = coin.SoLightModel()
         light.model = coin.SoLightModel.BASE_COLOR
         depth = coin.SoDepthBuffer()
@@ -160,5 +160,5 @@ class Lines:
                 root.addChild(node)
 
     def emphasize(self, selected: bool) -> None:
-        """Draw the cuts of a selected operation wider: FreeCAD's own lines, which it highlights, are covered."""
+        """Draw a selected operation wider, because these lines cover FreeCAD's highlighted lines."""
         self._cuts.lineWidth = _SELECTED_WIDTH if selected else _WIDTH

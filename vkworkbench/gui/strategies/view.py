@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Toolpaths in the 3D view in the colours of their strategies, rapids grey; no document is changed.
+"""Draw toolpaths in the 3D view in the colours of their strategies, rapids grey. Documents are not changed.
 
-Each operation's lines hang below its own view provider, so they are placed, hidden and freed with it. They are worked
-out in a thread, a few operations at a time, while the window lives on.
+The lines of an operation are child nodes of its view provider, so that they are placed, hidden and deleted with the operation.
+A background thread computes them, a few operations at a time.
 """
 
 from __future__ import annotations
@@ -25,15 +25,15 @@ from vkworkbench.gui.strategies.legend import Legend
 from vkworkbench.gui.strategies.lines import Drawing, Lines, drawings
 from vkworkbench.report import Cancelled
 
-_READING = 0.03  # s for copying paths out of a document, then other events come
+_SLICE = 0.03  # s for copying paths of a document between other events
 
 Key = tuple[str, str]  # the names of document and object
 
 
 def _groups(obj) -> list[coin.SoGroup]:
-    """The groups below which FreeCAD draws an object as they are now; none where it draws nothing.
+    """Return the present group nodes in which FreeCAD draws an object; empty if it draws nothing.
 
-    Others may take them away, and Coin ends FreeCAD where a node is used that is gone: they are asked for each time.
+    Other code may remove the nodes, and FreeCAD crashes if a removed node is used. Therefore call this each time.
     """
     switch = obj.ViewObject.SwitchNode
     children = map(switch.getChild, range(switch.getNumChildren()))
@@ -41,7 +41,7 @@ def _groups(obj) -> list[coin.SoGroup]:
 
 
 class _Shown:
-    """What is shown of one document: lines by the names of operations."""
+    """The lines of one document, by the names of operations."""
 
     def __init__(self, document_name: str) -> None:
         self._document = document_name
@@ -67,25 +67,25 @@ class _Shown:
                 group.removeChild(root)
 
     def forget(self, name: str) -> None:
-        """Pass over an operation that is gone, and its lines with it."""
+        """Drop the lines of a deleted operation."""
         if self.lines.pop(name, None) is not None:
             self.name_colors()
 
     def end(self) -> None:
-        """Take all away."""
+        """Remove all lines and the legend."""
         for name in list(self.lines):
             self._take_away(name)
         self.legend.remove()
 
     def name_colors(self) -> None:
-        """Show in the legend what is visible."""
+        """Show the visible strategies in the legend."""
         document = FreeCAD.getDocument(self._document)
         visible = [lines for name, lines in self.lines.items() if document.getObject(name).Visibility]
         self.legend.show(strategy for lines in visible for strategy in lines.strategies)
 
 
 class _Drawer:
-    """Draws what is pending, a few operations at a time."""
+    """Draws pending operations, a few at a time."""
 
     def __init__(self, cancelled: Callable) -> None:
         self._cancelled = cancelled
@@ -107,25 +107,25 @@ class _Drawer:
             self._later.start()
 
     def forget(self, document_name: str) -> None:
-        """Draw nothing more of a document."""
+        """Stop drawing a document."""
         self._background.give_up()
         keys = [key for key in (*self._at_work, *self._pending) if key[0] != document_name]
         self._pending, self._at_work = dict.fromkeys(keys), []
         self.draw(())
 
     def _give_up(self) -> None:
-        """Draw nothing more where the button was pressed between two pieces of the work."""
+        """Stop drawing if the button was pressed between two batches."""
         if self.works:
             self._ended(Cancelled("given up"))
 
     def _read(self) -> None:
-        until = time.monotonic() + _READING
+        until = time.monotonic() + _SLICE
         batch: list[tuple[Key, Source]] = []
         while self._pending and (not batch or time.monotonic() < until):
             key = next(iter(self._pending))
             del self._pending[key]
             obj = _object(key)
-            if obj is not None and _groups(obj):  # else FreeCAD draws nothing either
+            if obj is not None and _groups(obj):  # otherwise FreeCAD draws nothing either
                 batch.append((key, source_of(obj)))
         self._at_work = [key for key, _ in batch]
         if batch:
@@ -165,7 +165,7 @@ def _work(batch: list[tuple[Key, Source]]) -> Callable:
                     yield key, drawing
             except Cancelled:
                 raise
-            except Exception:  # one operation must not stop the others; the analysis says what is wrong with it
+            except Exception:  # the other operations are still drawn; the analysis reports the error
                 FreeCAD.Console.PrintLog(traceback.format_exc())
             if not found:
                 yield key, None
@@ -174,7 +174,7 @@ def _work(batch: list[tuple[Key, Source]]) -> Callable:
 
 
 def _object(key: Key):
-    """Return an operation of a document that is shown; None where either is gone."""
+    """Return an operation of a coloured document; None if it does not exist any more."""
     document = FreeCAD.listDocuments().get(key[0])
     return document.getObject(key[1]) if document is not None and key[0] in _shown else None
 
@@ -184,13 +184,13 @@ _drawer: _Drawer | None = None
 
 
 def show(document, cancelled: Callable) -> None:
-    """Colour the toolpaths of a document; they keep their colours up to date by themselves.
+    """Colour the toolpaths of a document, and keep the colours up to date.
 
     Parameters
     ----------
     document : Document
     cancelled : callable
-        Called when the user gave up the drawing; then nothing is shown any more.
+        Called after the user cancelled the drawing, which removes all colours.
     """
     global _drawer
     if _drawer is None:
@@ -199,12 +199,12 @@ def show(document, cancelled: Callable) -> None:
         FreeCAD.addDocumentObserver(watcher)
         Gui.Selection.addObserver(watcher)
     _shown[document.Name] = _Shown(document.Name)
-    # What a link in a job's group links to is drawn where that is; FreeCAD draws the link as a copy of it.
+    # A link in a job's group is not drawn here: FreeCAD draws it as a copy of the coloured operation.
     _drawer.draw(filter(is_operation, (operation.object for operation in find(document))))
 
 
 def hide(document) -> None:
-    """Take the colours away."""
+    """Remove the colours of a document."""
     if is_shown(document):
         _shown.pop(document.Name).end()
         _drawer.forget(document.Name)
@@ -215,12 +215,12 @@ def is_shown(document) -> bool:
 
 
 def is_drawing() -> bool:
-    """Whether there is more to come."""
+    """Return whether operations are still to be drawn."""
     return _drawer is not None and _drawer.works
 
 
 class _Watcher:
-    """Draws toolpaths anew that changed, and forgets those that are gone."""
+    """Redraws changed toolpaths, and drops deleted ones."""
 
     def __init__(self) -> None:
         self._changed: set[Key] = set()

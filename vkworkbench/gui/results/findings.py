@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What is known of the operations of a document: what the marks keep, and all of it where it was analysed in this session."""
+"""The results of a document: its marks, and the full reports of operations that were analysed in this session."""
 
 from __future__ import annotations
 
@@ -15,15 +15,15 @@ from vkworkbench.report import OperationReport, Report
 
 @dataclass(frozen=True)
 class Finding:
-    """What is known of one operation.
+    """The results of one operation.
 
     Attributes
     ----------
     operation : Operation
     mark : Record
-        What its mark says: what is shown.
+        The mark of the operation, which is shown.
     report : OperationReport or None
-        That from which the mark was made, with all its numbers; None where the document was opened with the mark.
+        The report of the mark, with all numbers; None if the operation was not analysed in this session.
     """
 
     operation: Operation
@@ -31,23 +31,23 @@ class Finding:
     report: OperationReport | None
 
 
-def findings(document) -> list[Finding]:
-    """Return what is known of the marked operations that a document has now, in their order; none without a document."""
-    known = []
+def read_findings(document) -> list[Finding]:
+    """Return the results of a document's marked operations, in their order; empty without a document."""
+    found = []
     for operation in find(document) if document is not None else ():
         obj, mark = operation.object, read_with_faults(operation.object)
         if mark is not None:
             report = results.latest_row(obj, mark.fingerprint)
-            known.append(Finding(operation, mark, report and with_faults(report, document.Name, obj.Name)))
-    return known
+            found.append(Finding(operation, mark, report and with_faults(report, document.Name, obj.Name)))
+    return found
 
 
-def report_of(known: list[Finding]) -> Report | None:
-    """Return the report with all numbers of these operations; None where some have only their mark."""
-    operations = tuple(finding.report for finding in known)
+def report_of(findings: list[Finding]) -> Report | None:
+    """Return the report of these operations; None if one of them has only a mark."""
+    operations = tuple(finding.report for finding in findings)
     if None in operations:
         return None
-    jobs = jobs_of(finding.operation for finding in known)
+    jobs = jobs_of(finding.operation for finding in findings)
     labels = {key: job.Label for key, job in jobs.items()}
     fixtures = {key: fixtures_of(job) for key, job in jobs.items()}
     chosen = preferences.read()
