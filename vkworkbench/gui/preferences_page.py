@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The page in FreeCAD's preferences: shows what vkworkbench/preferences.py keeps. Loads no numpy until it is shown."""
+"""The page in FreeCAD's preferences for vkworkbench/preferences.py. Loads no numpy before it is shown."""
 
 from __future__ import annotations
 
@@ -17,11 +17,13 @@ from vkworkbench.gui.qt.text import QT_TRANSLATE_NOOP, translate
 from vkworkbench.preferences import Preferences
 
 UI = Path(__file__).resolve().parents[2] / "resources" / "ui" / "preferences.ui"
-TITLE = QT_TRANSLATE_NOOP("QObject", "Toolpath Analysis")  # of the group; its icon is preferences-toolpath_analysis.svg
+TITLE = QT_TRANSLATE_NOOP(
+    "QObject", "Toolpath Analysis"
+)  # title of the group; its icon is preferences-toolpath_analysis.svg
 
 
 class PreferencesPage:
-    """What FreeCAD asks of a page: a form, and to load and save it."""
+    """A page with a form that FreeCAD loads and saves."""
 
     def __init__(self, parent=None) -> None:
         self.form = Gui.PySideUic.loadUi(str(UI))
@@ -36,13 +38,13 @@ class PreferencesPage:
         self.form.calibrate.clicked.connect(self._calibrate)
 
     def _offer_simulators(self) -> None:
-        """List the simulators that this FreeCAD has, and hide the preferences of the others."""
+        """List the simulators of this FreeCAD version, and hide preferences of missing ones."""
         from vkworkbench.core.simulators import LEGACY, OPENGL, SIMULATORS, available
 
-        there_are = available(freecad.version())
+        present = available(freecad.version())
         own = translate("VkPreferences", "That of FreeCAD's button: {simulator}")
         self.form.mark_simulator.addItem(own.format(simulator=user().simulator(freecad.own_simulator())))
-        self.form.mark_simulator.addItems([user().simulator(simulator.name) for simulator in there_are])
+        self.form.mark_simulator.addItems([user().simulator(simulator.name) for simulator in present])
         accuracy, quality = (
             translate("VkPreferences", "{simulator}: accuracy"),
             translate("VkPreferences", "{simulator}: quality"),
@@ -50,7 +52,7 @@ class PreferencesPage:
         self.form.legacy_accuracy_label.setText(accuracy.format(simulator=user().simulator(LEGACY.name)))
         self.form.opengl_quality_label.setText(quality.format(simulator=user().simulator(OPENGL.name)))
         for simulator in SIMULATORS:
-            if simulator not in there_are:
+            if simulator not in present:
                 for name in simulator.preferences:
                     getattr(self.form, name).hide()
                     getattr(self.form, f"{name}_label").hide()
@@ -60,7 +62,7 @@ class PreferencesPage:
         self._say_last_calibration()
 
     def saveSettings(self) -> None:
-        """Keep what was changed on the page: a number that it rounded, in inches for example, stays as it was."""
+        """Save changed values only: a number that the page shows rounded, for example in inches, is not changed."""
         now = self._chosen()
         preferences.write(**{name: value for name, value in now.items() if value != self._shown[name]})
         self._shown = now
@@ -95,7 +97,7 @@ class PreferencesPage:
         return chosen
 
     def _widgets(self):
-        """Names of the preferences that the page shows, and their widgets."""
+        """Yield the names of the preferences on the page, and their widgets."""
         for preference in fields(Preferences):
             widget = getattr(self.form, preference.name, None)
             if widget is not None:
@@ -108,7 +110,7 @@ class PreferencesPage:
         try:
             progress.calibrate(self.form)
         except Cancelled:
-            pass  # what was known stays
+            pass  # the previous calibration stays
         except OSError as error:
             warn(translate("VkPreferences", "Calibrate"), str(error), self.form)
         self._say_last_calibration()
@@ -141,7 +143,7 @@ class PreferencesPage:
 
 
 def _choices(name: str) -> tuple[str, ...]:
-    """What a preference can be, in the order in which the form lists it."""
+    """Return the possible values of a preference, in the order of the form."""
     return next(preference.metadata["choices"]() for preference in fields(Preferences) if preference.name == name)
 
 
@@ -150,7 +152,7 @@ def _is_length(widget) -> bool:
 
 
 def _as_length(millimetres: float):
-    """Return a length that is shown to a tenth of a micrometre, in FreeCAD's units."""
+    """Return a length in FreeCAD's units, with four decimals."""
     quantity = FreeCAD.Units.Quantity(millimetres, FreeCAD.Units.Length)
     quantity.Format = {**quantity.Format, "Precision": 4}
     return quantity

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The workbench, its commands in FreeCAD's own CAM workbench, and what starts with FreeCAD. Loads no numpy."""
+"""The workbench, its commands in FreeCAD's CAM workbench, and the observers that start with FreeCAD. Loads no numpy."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ TITLE = QT_TRANSLATE_NOOP("Workbench", "Toolpath analysis")  # of toolbar and me
 
 
 class VkWorkbench(Gui.Workbench):
-    """Toolpath analysis on its own; the same commands are in the CAM workbench."""
+    """The workbench of this add-on. FreeCAD's CAM workbench has the same commands."""
 
     Icon = str(ICONS / "VkWorkbench.svg")
 
@@ -49,7 +49,7 @@ class VkWorkbench(Gui.Workbench):
 
 
 def install() -> None:
-    """Register everything: called once by InitGui.py when FreeCAD starts."""
+    """Register the add-on. InitGui.py calls it once when FreeCAD starts."""
     Gui.addLanguagePath(str(TRANSLATIONS))
     Gui.updateLocale()
     Gui.addIconPath(str(ICONS))
@@ -59,18 +59,20 @@ def install() -> None:
         workbench = Gui.listWorkbenches().get(name)
         if workbench is not None:
             _extend(workbench, menu)
-    idle.use(lambda call: QTimer.singleShot(1, call))  # ms: other events come before
+    idle.use(lambda call: QTimer.singleShot(1, call))  # after 1 ms, so that other events are handled first
     FreeCAD.addDocumentObserver(_OpenedDocuments())
     FreeCAD.addDocumentObserver(_Recomputes())
-    Gui.getMainWindow().workbenchActivated.connect(lambda name: simulator_watch.watch())  # then the task view is there
+    Gui.getMainWindow().workbenchActivated.connect(
+        lambda name: simulator_watch.watch()
+    )  # from then on the task view exists
     QApplication.instance().focusWindowChanged.connect(_focus_changed)
 
 
 def _extend(workbench, menu: str) -> None:
-    """Add the commands to a workbench that is not yet initialised.
+    """Add the commands to a workbench that is not initialised yet.
 
-    The instance's methods are wrapped: FreeCAD's own way, workbench manipulators, is missing in 0.20 and cannot make
-    a toolbar.
+    The methods of the instance are wrapped, because FreeCAD's workbench manipulators are missing in 0.20 and cannot create
+    toolbars.
     """
     initialize, context_menu = workbench.Initialize, workbench.ContextMenu
 
@@ -82,7 +84,9 @@ def _extend(workbench, menu: str) -> None:
 
     def ContextMenu(recipient: str) -> None:
         try:
-            context_menu(recipient)  # FreeCAD's own fails on what has no Proxy: a group, imported G-code
+            context_menu(
+                recipient
+            )  # FreeCAD's function fails for objects without a Proxy, such as groups and imported G-code
         finally:
             _append_to_context_menu(workbench)
 
@@ -90,13 +94,13 @@ def _extend(workbench, menu: str) -> None:
 
 
 class _OpenedDocuments:
-    """Compares the marks of a document with its paths once it has been opened: they may be of other paths.
+    """Compares the marks of a document with its paths after it was opened.
 
-    From then on the watcher keeps them true; only what is new in a document may be a copy of something marked.
+    Afterwards the watcher keeps the marks up to date. Only new objects are compared again, because they may be copies.
     """
 
     def __init__(self) -> None:
-        self._opened: set[str] = set()  # and not looked at since
+        self._opened: set[str] = set()  # and not compared yet
         self._compared: set[str] = set()
 
     def slotCreatedObject(self, obj) -> None:
@@ -116,7 +120,9 @@ class _OpenedDocuments:
         self._later(document.Name)
 
     def slotCommitTransaction(self, document) -> None:
-        if "vkworkbench.document.marks.marking" in sys.modules:  # then there may be marks, also by a macro
+        if (
+            "vkworkbench.document.marks.marking" in sys.modules
+        ):  # otherwise no marks exist; a macro may also write marks
             from vkworkbench.gui.tree import pills
 
             pills.show()
@@ -128,13 +134,13 @@ class _OpenedDocuments:
         document = FreeCAD.listDocuments().get(name)
         if document is None or name in self._compared:
             return
-        if document.Restoring:  # still loading: FreeCAD's progress bar lets timers run meanwhile
+        if document.Restoring:  # timers run while FreeCAD loads a document with a progress bar
             self._later(name)
             return
         opened = name in self._opened
         self._opened.discard(name)
         if any(map(may_have_mark, document.Objects)):
-            # These load numpy: only for a document with marks.
+            # These imports load numpy, so only for a document with marks.
             from vkworkbench.document import upkeep
             from vkworkbench.document.marks import watcher
             from vkworkbench.gui.tree import pills
@@ -146,7 +152,7 @@ class _OpenedDocuments:
 
 
 class _Recomputes:
-    """Analyses again after a recompute, if the user wishes: when FreeCAD is idle, with progress, and Esc cancels."""
+    """Analyses again after a recompute, if the preferences say so: when FreeCAD is idle, with a progress dialog."""
 
     def slotRecomputedDocument(self, document) -> None:
         if "vkworkbench.document.marks.marking" in sys.modules and preferences.read().analyze_after_recompute:
@@ -157,12 +163,12 @@ class _Recomputes:
         from vkworkbench.document import upkeep
         from vkworkbench.gui.qt import progress
 
-        if name in FreeCAD.listDocuments():  # behind the work that compares its marks
+        if name in FreeCAD.listDocuments():  # after the comparison of its marks
             idle.work(upkeep.analyzing_again(FreeCAD.getDocument(name), progress.analyze))
 
 
 def _focus_changed(window) -> None:
-    """Notice that the user opens the OpenGL simulator, which has a window of its own."""
+    """Notice that the user opens the OpenGL simulator, which is a separate window."""
     if window is not None and "CAMSim" in window.metaObject().className():
         from vkworkbench.gui.simulators import real_runs
 
