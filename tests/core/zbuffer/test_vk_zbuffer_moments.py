@@ -133,7 +133,7 @@ def test_of_a_picture_only_what_has_changed_is_looked_up_where_that_is_little(mo
 @pytest.mark.parametrize("at_once", [1, 70, 1 << 17])
 def test_where_all_is_cut_through_every_pixel_changes(at_once, monkeypatch):
     """The first and the last of an image within the block, by a plunge through all of it."""
-    monkeypatch.setattr(surface, "_AT_ONCE", at_once)
+    monkeypatch.setattr(surface, "_BATCH", at_once)
     points, tool = np.array([(20, 15, 20), (20, 15, -1)], float), Tool("endmill", 100)
     z = simulate(toolpath(points), tool=tool, stock=BOX, view=View((0, 0, -1), 24, 20, pixel=1.0))
     assert z.surface.changed(0, 1).tolist() == list(range(24 * 20))
@@ -144,7 +144,7 @@ def test_where_all_is_cut_through_every_pixel_changes(at_once, monkeypatch):
 def test_what_changes_does_not_depend_on_how_many_pixels_are_worked_on_at_once(at_once, monkeypatch):
     z, _ = simulated(2)
     every = [z.surface.changed(step, step + 5).tolist() for step in range(0, z.trajectories, 5)]
-    monkeypatch.setattr(surface, "_AT_ONCE", at_once)
+    monkeypatch.setattr(surface, "_BATCH", at_once)
     again = Surface(z.records)
     again.prepare()
     assert [again.changed(step, step + 5).tolist() for step in range(0, z.trajectories, 5)] == every

@@ -19,7 +19,7 @@ from vkworkbench.core.stocks import Solid
 from vkworkbench.core.tool import Tool
 from vkworkbench.core.view import Frame
 from vkworkbench.core.zbuffer.culling.tiles import NOISE, QUARTERS, Removals, Tiles
-from vkworkbench.core.zbuffer.rays.chains import removing
+from vkworkbench.core.zbuffer.rays.chains import removing_intervals
 from vkworkbench.core.zbuffer.rays.dexels import THINNEST, before_in_group, beginnings
 from vkworkbench.core.zbuffer.sweeps.slots import ROUNDING
 from vkworkbench.core.zbuffer.sweeps.trajectories import Trajectories
@@ -74,7 +74,7 @@ class Tilted:
         passing = self.trajectories.passing(px[..., doubtful], py[..., doubtful], item[doubtful])
         enter[..., doubtful] = np.where(passing, enter[..., doubtful], np.inf)
         enter, leave = enter.reshape(pixels, len(item)), leave.reshape(pixels, len(item))
-        hit = removing(tile, enter, leave, near, far)
+        hit = removing_intervals(tile, enter, leave, near, far)
         return Removals(hit, enter.ravel()[hit], leave.ravel()[hit])
 
 

@@ -1,12 +1,14 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The pieces of rays whose removals connect: no depths need sorting.
+"""Cut rays by connected intervals, without sorting depths.
 
-Trajectories that follow each other mostly touch what is open already. As long as every interval of a ray meets the one
-gap that those before it made, the gap only grows, at its near end, its far end or both, and each growth is a piece. All
-pieces of all such rays follow from two running extremes. The other rays go the general way, `dexels.first_cuts`.
+Consecutive trajectories usually touch the material that is removed already. While every interval of a ray meets the one gap that
+earlier intervals have made, the gap only grows, at its near end, its far end or both, and each growth is a piece. Two running
+extremes give all pieces of all such rays. Other rays are cut by `dexels.first_cuts`.
 """
 
 from __future__ import annotations
+
+from typing import NamedTuple
 
 import numpy as np
 
@@ -22,6 +24,15 @@ from vkworkbench.core.zbuffer.rays.dexels import (
     without_thin,
 )
 from vkworkbench.core.zbuffer.rays.records import GAP
+
+
+class _Intervals(NamedTuple):
+    """Intervals of rays, (m,) each: ray, trajectory, and the ends, mm."""
+
+    ray: np.ndarray
+    trajectory: np.ndarray
+    enter: np.ndarray
+    leave: np.ndarray
 
 
 def cut_rays(
@@ -42,37 +53,39 @@ def cut_rays(
     ray : (m,) ndarray of int
         Ray of each interval, ascending.
     trajectory : (m,) ndarray of int
-        Its place in the sequence, ascending within a ray.
+        Trajectory of each interval, ascending within a ray.
     enter, leave : (m,) ndarray
-        Its ends, mm.
+        Ends of each interval, mm.
     gaps : Gaps, optional
-        What is open from the start; its pieces belong to `GAP`.
+        Gaps of the stock; their owner is `GAP`.
 
     Returns
     -------
     Pieces
-        Those of rays that nothing cuts included.
+        Including the pieces of rays that nothing cuts.
     """
     if gaps is not None and len(gaps.ray):
-        ray, trajectory, enter, leave = _behind(gaps, ray, trajectory, enter, leave)
+        ray, trajectory, enter, leave = _with_gaps_first(gaps, ray, trajectory, enter, leave)
     enter, leave = enter[None], leave[None]
-    kept = removing(ray, enter, leave, near[None], far[None])
-    return cut_new(near, far, ray[kept], trajectory[kept], enter[0, kept], leave[0, kept])
+    kept = removing_intervals(ray, enter, leave, near[None], far[None])
+    return cut_by_removing(near, far, ray[kept], trajectory[kept], enter[0, kept], leave[0, kept])
 
 
-def removing(group: np.ndarray, enter: np.ndarray, leave: np.ndarray, near: np.ndarray, far: np.ndarray) -> np.ndarray:
-    """Positions, row by row, of intervals that reach deeper than those before them opened their rays from the near end.
+def removing_intervals(
+    group: np.ndarray, enter: np.ndarray, leave: np.ndarray, near: np.ndarray, far: np.ndarray
+) -> np.ndarray:
+    """Return the positions, row by row, of intervals that reach deeper than earlier ones have opened the ray from its near end.
 
-    Most trajectories that pass a ray do not.
+    This excludes most trajectories that pass a ray.
 
     Parameters
     ----------
     group : (p,) ndarray of int
-        Ascending; in each group are the intervals of one ray of every row, in their order.
+        Group of each interval, ascending. A group has the intervals of one ray of every row, in the order of the sequence.
     enter, leave : (q, p) ndarray
-        The intervals, mm; they are cut to their rays. Not a number, or ``enter > leave``, where there is none.
+        The intervals, mm; clipped to their rays in place. NaN, or ``enter > leave``, for no interval.
     near, far : (q, g) ndarray
-        Ends of the groups' rays, mm; ``near > far`` where nothing is to be cut.
+        Ends of the groups' rays, mm; ``near > far`` for rays that miss the stock.
     """
     nearest, farthest = near.min(initial=0, where=near < far), far.max(initial=0, where=near < far)
     first = np.where(near < far, near, farthest).take(group, axis=1)
@@ -80,7 +93,7 @@ def removing(group: np.ndarray, enter: np.ndarray, leave: np.ndarray, near: np.n
     np.minimum(leave, far.take(group, axis=1), out=leave)
     met = leave - enter > THINNEST
     opened = np.where(met & (enter <= first), leave, first)
-    # So far apart that a running extreme starts anew in each group.
+    # The offset of each group is large enough that a running maximum starts again in each group.
     offset = group * (farthest - nearest + 1)
     opened += offset
     before = np.maximum.accumulate(opened, axis=1, out=opened)
@@ -89,15 +102,15 @@ def removing(group: np.ndarray, enter: np.ndarray, leave: np.ndarray, near: np.n
     return np.flatnonzero(met)
 
 
-def cut_new(
+def cut_by_removing(
     near: np.ndarray, far: np.ndarray, ray: np.ndarray, trajectory: np.ndarray, enter: np.ndarray, leave: np.ndarray
 ) -> Pieces:
-    """`cut_rays` by intervals that are longer than THINNEST and within their rays, best only those that are `removing`."""
+    """Cut rays by intervals that are longer than THINNEST and inside their rays, preferably filtered by `removing_intervals`."""
     if not (enter > near.take(ray)).any():
-        return _deepened(near, far, ray, trajectory, leave)
+        return _pieces_from_near_end(near, far, ray, trajectory, leave)
     offset = ray * (far.max() - near.min() + 1)
     start = beginnings(ray)
-    # The gap before each interval; the interval itself where it is a ray's first.
+    # The gap before each interval; for the first interval of a ray, the interval itself.
     rising, falling = leave + offset, enter - offset
     open_far = before_in_group(np.maximum.accumulate(rising), start, rising[start])
     open_near = before_in_group(np.minimum.accumulate(falling), start, falling[start])
@@ -105,27 +118,18 @@ def cut_new(
     apart = (enter + offset > open_far) | (leave - offset < open_near)
     first = _marked(len(ray), start)
     if not apart.any():
-        return _grown(near, far, ray, trajectory, enter, leave, first, nearer, farther)
+        return _pieces_of_growing_gaps(near, far, _Intervals(ray, trajectory, enter, leave), first, nearer, farther)
     scattered = np.zeros(len(near), bool)
     scattered[ray[apart]] = True
     loose = scattered[ray]
     tight = np.flatnonzero(~loose)
-    # What is within the interval before it cuts nothing: sorting takes long.
+    # Drop intervals inside the interval before them, which cut nothing, because sorting takes long.
     loose[1:] &= (enter[1:] < enter[:-1]) | (leave[1:] > leave[:-1]) | first[1:]
     loose = np.flatnonzero(loose)
     rest, these = np.flatnonzero(~scattered), np.flatnonzero(scattered)
     new = np.cumsum(~scattered) - 1
-    connected = _grown(
-        near[rest],
-        far[rest],
-        new[ray[tight]],
-        trajectory[tight],
-        enter[tight],
-        leave[tight],
-        first[tight],
-        nearer[tight],
-        farther[tight],
-    )
+    own = _Intervals(new[ray[tight]], trajectory[tight], enter[tight], leave[tight])
+    connected = _pieces_of_growing_gaps(near[rest], far[rest], own, first[tight], nearer[tight], farther[tight])
     new = np.cumsum(scattered) - 1
     sorted_ = first_cuts(near[these], far[these], new[ray[loose]], trajectory[loose], enter[loose], leave[loose])
     rays = np.concatenate((rest[connected.ray], these[sorted_.ray]))
@@ -136,8 +140,8 @@ def cut_new(
     return Pieces(rays[order], *columns)
 
 
-def among(gaps: Gaps, rays: np.ndarray) -> Gaps:
-    """Return the gaps of some rays, their rays counted as they are listed in `rays` (k,)."""
+def gaps_of(gaps: Gaps, rays: np.ndarray) -> Gaps:
+    """Return the gaps of some rays `rays` (k,), with rays renumbered by their position in `rays`."""
     if len(gaps.ray) == 0:
         return gaps
     first, end = np.searchsorted(gaps.ray, rays), np.searchsorted(gaps.ray, rays, side="right")
@@ -146,18 +150,20 @@ def among(gaps: Gaps, rays: np.ndarray) -> Gaps:
     return Gaps(listed, gaps.enter[at], gaps.leave[at])
 
 
-def _behind(gaps: Gaps, ray: np.ndarray, *others: np.ndarray) -> list[np.ndarray]:
-    """The intervals of rays with their gaps before them."""
+def _with_gaps_first(gaps: Gaps, ray: np.ndarray, *others: np.ndarray) -> list[np.ndarray]:
+    """Return the intervals of rays, preceded by the gaps of the rays."""
     rays = np.concatenate((gaps.ray, ray))
     order = np.argsort(rays, kind="stable")
     columns = (np.full(len(gaps.ray), GAP), gaps.enter, gaps.leave)
     return [rays[order], *(np.concatenate(both)[order] for both in zip(columns, others))]
 
 
-def _deepened(near: np.ndarray, far: np.ndarray, ray: np.ndarray, trajectory: np.ndarray, leave: np.ndarray) -> Pieces:
-    """Pieces of rays that are cut from their near end on, by each interval to a greater depth."""
+def _pieces_from_near_end(
+    near: np.ndarray, far: np.ndarray, ray: np.ndarray, trajectory: np.ndarray, leave: np.ndarray
+) -> Pieces:
+    """Return the pieces of rays that are cut from their near end, by each interval to a greater depth."""
     end = near.copy()
-    end[ray] = leave  # the last one's
+    end[ray] = leave  # the last interval of each ray
     whole = end < far
     size = np.bincount(ray, minlength=len(near)) + whole
     base = np.append(0, np.cumsum(size))
@@ -167,7 +173,7 @@ def _deepened(near: np.ndarray, far: np.ndarray, ray: np.ndarray, trajectory: np
         np.empty(base[-1]),
         np.empty(base[-1]),
     )
-    # The pieces before an interval's own are those of the intervals before it and what is left of the rays before.
+    # Number of pieces before an interval's piece: earlier intervals, and the uncut ends of earlier rays.
     at = np.arange(len(ray)) + (np.cumsum(whole) - whole).take(ray)
     pieces.owner[at], pieces.far[at] = trajectory, leave
     pieces.far[base[1:][whole] - 1] = far[whole]
@@ -177,20 +183,18 @@ def _deepened(near: np.ndarray, far: np.ndarray, ray: np.ndarray, trajectory: np
     return without_thin(pieces, near, far)
 
 
-def _grown(
+def _pieces_of_growing_gaps(
     near: np.ndarray,
     far: np.ndarray,
-    ray: np.ndarray,
-    trajectory: np.ndarray,
-    enter: np.ndarray,
-    leave: np.ndarray,
+    intervals: _Intervals,
     start: np.ndarray,
     nearer: np.ndarray,
     farther: np.ndarray,
 ) -> Pieces:
-    """Pieces of rays with one gap each, that grows from the interval at `start`, `nearer` the eye and `farther`."""
+    """Return the pieces of rays with one gap each. The gap begins with the interval at `start` and grows `nearer` and `farther`."""
+    ray, trajectory, enter, leave = intervals
     rays = len(near)
-    # Each growth begins where the one before it, or the first interval, ended.
+    # Each growth begins at the end of the previous growth, or of the first interval.
     inner, outer = np.flatnonzero(nearer | start), np.flatnonzero(farther | start)
     growth = np.flatnonzero(nearer[inner])
     nearer, gap_near = inner[growth], enter[inner[growth - 1]]

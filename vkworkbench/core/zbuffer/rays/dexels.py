@@ -1,10 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The pieces of a ray: which trajectory removes each piece of it first, and what is left.
+"""Divide rays into pieces: each piece is removed first by one trajectory, or is left.
 
-A sequence of removals turns a ray's chord of the stock into pieces, each removed by one trajectory or by
-none. A removed piece is an element of that trajectory's trace, a piece that stays is a dexel. A point belongs
-to the first trajectory that covers it, so all pieces of all rays follow from one sort of the intervals' ends,
-without a loop over the sequence.
+A sequence of removals divides a ray's chord of the stock into pieces. A removed piece is an element of its trajectory's trace; a
+piece that is left is a dexel. A point belongs to the first trajectory that covers it. Therefore one sort of all ends of intervals
+gives all pieces of all rays, without a loop over the sequence.
 """
 
 from __future__ import annotations
@@ -13,9 +12,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
-# Pieces up to this length, mm, are rounding noise and go to their neighbour.
+# Largest length of a piece that is joined to its neighbour as a rounding error, mm.
 THINNEST = 1e-4
-# What reaches deeper by no more, mm, reaches no deeper: that is rounding noise, too.
+# Smallest difference by which a trajectory reaches deeper than another, mm. Smaller differences are rounding errors.
 NO_DEEPER = 1e-7
 UNCUT = np.iinfo(np.int32).max
 
@@ -29,7 +28,7 @@ class Pieces:
     ray : (p,) int64
         Index of the ray.
     owner : (p,) int32
-        Trajectory that removes the piece, `UNCUT` where none does.
+        Trajectory that removes the piece, or `UNCUT`.
     near, far : (p,) float64
         Depths of the piece's ends along the ray, mm.
     """
@@ -57,9 +56,9 @@ def first_cuts(
     ray : (m,) ndarray of int
         Ray of each interval.
     trajectory : (m,) ndarray of int
-        Its place in the sequence.
+        Trajectory of each interval.
     enter, leave : (m,) ndarray
-        Its ends, mm.
+        Ends of each interval, mm.
 
     Returns
     -------
@@ -70,7 +69,7 @@ def first_cuts(
     met = np.flatnonzero((leave - enter > THINNEST) & (far[ray] - near[ray] > THINNEST))
     ray, trajectory, enter, leave = ray[met], trajectory[met], enter[met], leave[met]
 
-    # Every ray is moved to a stretch of its own on one common axis, so that one sort orders everything.
+    # Each ray gets its own stretch of one common axis, so that one sort orders everything.
     base = near.min(initial=np.inf, where=far > near)
     stretch = (far.max(initial=-np.inf, where=far > near) - base) * 1.25 + 1 if len(stock) else 1.0
     place = np.concatenate(
@@ -95,7 +94,7 @@ def first_cuts(
 
 
 def beginnings(group: np.ndarray) -> np.ndarray:
-    """Return where each run of equal values (k,) begins."""
+    """Return the positions at which runs of equal values (k,) begin."""
     new = np.empty(len(group), bool)
     new[:1] = True
     np.not_equal(group[1:], group[:-1], out=new[1:])
@@ -103,7 +102,7 @@ def beginnings(group: np.ndarray) -> np.ndarray:
 
 
 def before_in_group(values: np.ndarray, start: np.ndarray, first: np.ndarray | float) -> np.ndarray:
-    """Return each element's predecessor in its group; `first` at the positions `start`, where groups begin."""
+    """Return the predecessor of each element in its group. Groups begin at the positions `start` and get `first` there."""
     before = np.empty_like(values)
     before[1:] = values[:-1]
     before[start] = first
@@ -111,16 +110,16 @@ def before_in_group(values: np.ndarray, start: np.ndarray, first: np.ndarray | f
 
 
 def _lowest_cover(slots: int, first: np.ndarray, last: np.ndarray, value: np.ndarray) -> np.ndarray:
-    """Lowest of the values of the ranges ``first <= slot < last`` that cover each slot.
+    """Return the lowest value of the ranges ``first <= slot < last`` that cover each slot.
 
-    A range is the union of two ranges whose length is a power of two; the values are entered on the level of
-    that power and handed down level by level (the sparse table of range minimum queries, run backwards).
+    A range is the union of two ranges whose length is a power of two. Values are entered at the level of this power and passed down
+    level by level: a sparse table for range minimum queries, used in reverse.
     """
     cover = np.full(slots, UNCUT, np.int32)
     if len(first) == 0:
         return cover
     level = np.frexp(last - first)[1] - 1
-    # Descending values: where ranges share a slot, the lowest is written last.
+    # In descending order, so that the lowest of several values for a slot is written last.
     order = np.lexsort((-value, level))
     bounds = np.searchsorted(level[order], np.arange(level.max() + 2))
     for power in range(level.max(), -1, -1):
@@ -136,7 +135,7 @@ def _lowest_cover(slots: int, first: np.ndarray, last: np.ndarray, value: np.nda
 
 
 def _enter_lowest(target: np.ndarray, index: np.ndarray, value: np.ndarray) -> None:
-    """Lower ``target[index]`` to value, whatever the order in which numpy writes repeated indices."""
+    """Set ``target[index]`` to the minimum of itself and value, also for repeated indices."""
     while len(index):
         lower = np.flatnonzero(value < target[index])
         index, value = index[lower], value[lower]
@@ -144,7 +143,7 @@ def _enter_lowest(target: np.ndarray, index: np.ndarray, value: np.ndarray) -> N
 
 
 def merged(pieces: Pieces) -> Pieces:
-    """Join neighbours of one ray and one owner."""
+    """Join neighbouring pieces of the same ray and owner."""
     new = np.ones(len(pieces.ray), bool)
     new[1:] = (pieces.ray[1:] != pieces.ray[:-1]) | (pieces.owner[1:] != pieces.owner[:-1])
     start = np.flatnonzero(new)
@@ -153,7 +152,7 @@ def merged(pieces: Pieces) -> Pieces:
 
 
 def without_thin(pieces: Pieces, near: np.ndarray, far: np.ndarray) -> Pieces:
-    """Give pieces up to THINNEST to their neighbours; the rays' chords (near, far) stay filled."""
+    """Join pieces up to THINNEST to their neighbours. The pieces still fill the rays' chords (near, far)."""
     thick = np.flatnonzero(pieces.far - pieces.near > THINNEST)
     if len(thick) == len(pieces.ray):
         return pieces
@@ -162,7 +161,7 @@ def without_thin(pieces: Pieces, near: np.ndarray, far: np.ndarray) -> Pieces:
 
 
 def _without_gaps(pieces: Pieces, near: np.ndarray, far: np.ndarray) -> Pieces:
-    """Let the pieces fill their rays' chords: each reaches to where the next one begins."""
+    """Extend each piece to the beginning of the next one, so that the pieces fill the rays' chords."""
     start, end = pieces.near.copy(), pieces.far.copy()
     if len(start):
         new = np.append(True, pieces.ray[1:] != pieces.ray[:-1])

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Rays that are opened from one end: what reaches deeper than all before it is a piece.
+"""Cut rays that are opened from one end, as in views from above and below.
 
-So it is from above and from below, where a tool removes all that is above its tip's surface.
+In these views a tool removes everything above its surface. An interval that reaches deeper than all earlier ones is a piece.
 """
 
 from __future__ import annotations
@@ -12,22 +12,22 @@ from vkworkbench.core.zbuffer.rays.dexels import NO_DEEPER, THINNEST
 
 
 def opening(depth: np.ndarray, tile: np.ndarray, start: np.ndarray, near: np.ndarray, far: np.ndarray) -> np.ndarray:
-    """Positions, row by row, of the pairs that open their ray deeper than those before them.
+    """Return the positions, row by row, of pairs that open their ray deeper than all earlier pairs.
 
     Parameters
     ----------
     depth : (q, p) ndarray
-        To which a trajectory opens a ray, mm; not a number where it does not. A row for each of the q pixels of a tile.
+        Depth to which a trajectory opens a ray, mm; NaN if it does not. One row for each of the q pixels of a tile.
     tile : (p,) ndarray of int
-        Ascending; within a tile in the order of time.
+        Tile of each pair, ascending; within a tile in the order of the sequence.
     start : (t,) ndarray of int
-        Where each tile's pairs begin.
+        First pair of each tile.
     near, far : (q, t) ndarray
-        Ends of the rays, mm; ``near > far`` where nothing is to be cut.
+        Ends of the rays, mm; ``near > far`` for rays that miss the stock.
     """
     deepest = float(np.fmax.reduce(depth, axis=None, initial=0.0))
     highest = float(near.min(initial=deepest))
-    # So far apart that a running extreme starts anew in each tile.
+    # The offset of each tile is large enough that a running maximum starts again in each tile.
     offset = tile * (deepest - highest + 1)
     first = np.where(near < far, near, deepest) + (THINNEST - NO_DEEPER) + offset[start]
     moved = depth + offset
@@ -44,28 +44,29 @@ def opening(depth: np.ndarray, tile: np.ndarray, start: np.ndarray, near: np.nda
 def opened(
     near: np.ndarray, far: np.ndarray, start: np.ndarray, owner: np.ndarray, leave: np.ndarray
 ) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
-    """Pieces that are removed from rays, each ray from its near end on, by each trajectory to a greater depth.
+    """Return the removed pieces of rays that are cut from their near end, by each trajectory to a greater depth.
 
     Parameters
     ----------
     near, far : (k,) ndarray
-        Ends of the rays, mm; each is cut.
+        Ends of the rays, mm; each ray is cut.
     start : (k,) ndarray of int
-        Where each ray's trajectories begin.
+        First trajectory of each ray.
     owner : (m,) ndarray of int
         The trajectories.
     leave : (m,) ndarray
-        Depth to which each one opens the ray, mm; may be overwritten.
+        Depth to which each trajectory opens the ray, mm; may be overwritten.
 
     Returns
     -------
     count : (k,) int64
-        How many pieces of each ray are removed.
+        Number of removed pieces of each ray.
     rest : (k,) bool
-        Whether something is left behind them.
+        Whether a piece is left behind the removed pieces.
     end : (r,) ndarray
-        Where the removed pieces end, mm.
+        Ends of the removed pieces, mm.
     owner : (r,) ndarray of int
+        Trajectories that remove the pieces.
     """
     count = np.diff(start, append=len(leave))
     last = start + count - 1
@@ -77,7 +78,7 @@ def opened(
     np.greater(leave[1:] - leave[:-1], THINNEST, out=thick[1:])
     thick[start] = leave[start] - near > THINNEST
     if not thick.all():
-        # What is too thin goes to the piece before it, which ends where the next one begins.
+        # A thin piece is joined to the piece before it, which then ends where the next one begins.
         kept = np.flatnonzero(thick)
         count = np.add.reduceat(thick, start, dtype=np.int64)
         last = np.cumsum(count) - 1

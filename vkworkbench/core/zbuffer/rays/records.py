@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The records of the extended z-buffer: the pieces of all rays, 8 bytes each.
 
-The pieces of a ray fill its chord of the stock, so each begins where the one before it ends, and only the first needs a
-beginning of its own.
+The pieces of a ray fill its chord of the stock. Each piece begins where the previous one ends, so only the first piece of a ray
+needs a stored beginning.
 """
 
 from __future__ import annotations
@@ -13,17 +13,17 @@ from functools import cached_property
 
 import numpy as np
 
-# Records as callers read them. Depths are along the view's direction, from the middle of the stock, mm.
+# Records as returned to callers. Depths are along the view's direction, relative to the centre of the stock, mm.
 DEXEL = np.dtype([("near", np.float32), ("far", np.float32), ("pixel", np.uint32)])
 TRACE = np.dtype([("near", np.float32), ("far", np.float32), ("trajectory", np.uint32)])
-# One entry for each pixel: where its records begin.
+# Type of the first record of each pixel.
 INDEX = np.dtype(np.uint32)
-# Owner of a piece in which nothing was from the start: of a gap of the stock.
+# Owner of a gap of the stock, which is empty from the start.
 GAP = -1
-# What one piece and one pixel take as they are held.
+# Memory of one piece and of one pixel, bytes.
 RECORD_BYTES = 8
 PIXEL_BYTES = 8
-# Pieces that are worked on at once: milliseconds. Much of numpy lets no other thread run until it is through.
+# Pieces in one step, which takes milliseconds. During most of numpy's functions no other thread runs.
 _BLOCK = 1 << 17
 
 
@@ -34,15 +34,15 @@ class Records:
     Attributes
     ----------
     trajectories : int
-        How many trajectories the toolpath has.
+        Number of trajectories of the toolpath.
     index : (pixels + 1,) ndarray of INDEX
-        Each pixel's first piece.
+        First piece of each pixel.
     entry : (pixels,) float32
-        Depth at which each pixel's ray enters the stock, mm; 0 where it misses.
+        Depth at which the ray of each pixel enters the stock, mm; 0 for a ray that misses.
     far : (p,) float32
-        Depth at which each piece ends, mm.
+        End of each piece, mm.
     owner : (p,) int32
-        Trajectory that removes it; `trajectories` where none does, `GAP` where nothing was from the start.
+        Trajectory that removes the piece; `trajectories` for a piece that is left, `GAP` for a gap of the stock.
     """
 
     trajectories: int
@@ -53,7 +53,7 @@ class Records:
 
     @property
     def nbytes(self) -> int:
-        """Bytes held."""
+        """Memory of the arrays, bytes."""
         return self.index.nbytes + self.entry.nbytes + self.far.nbytes + self.owner.nbytes
 
     @property
@@ -63,7 +63,7 @@ class Records:
         return result
 
     def blocks(self) -> Iterator[tuple[int, int, Records]]:
-        """Yield the image in parts, all their pieces being worked on at once: first pixel, first piece, views of both."""
+        """Yield parts of the image small enough for one step: first pixel, first piece, and the records as views."""
         pieces = np.arange(0, len(self.far), max(_BLOCK, self.trajectories // 4))
         pixels = np.unique(np.append(np.searchsorted(self.index[1:], pieces, side="right"), len(self.entry)))
         for pixel, end in zip(pixels[:-1].tolist(), pixels[1:].tolist()):
@@ -77,27 +77,27 @@ class Records:
 
     @cached_property
     def lengths(self) -> np.ndarray:
-        """Length that each trajectory removes from all rays together, (trajectories,) float64 mm."""
-        total = np.zeros(self.trajectories + 2)  # gaps come first, what stays last
+        """Total length that each trajectory removes from all rays, (trajectories,) float64 mm."""
+        total = np.zeros(self.trajectories + 2)  # the first entry is for gaps, the last for pieces that are left
         for _, _, block in self.blocks():
             total += np.bincount(block.owner - GAP, block.far.astype(float) - block.near(), len(total))
         return total[1:-1]
 
     def pieces_of(self, owners: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-        """Return the pieces that some trajectories remove, by pixel and depth.
+        """Return the pieces that some trajectories remove, sorted by pixel and depth.
 
         Parameters
         ----------
         owners : (trajectories,) bool
-            Which ones.
+            Which trajectories.
 
         Returns
         -------
         piece, pixel : (k,) int64
         near : (k,) float32
-            Depth at which each begins, mm.
+            Beginning of each piece, mm.
         """
-        wanted = np.append(owners, [False, False])  # what stays, and gaps
+        wanted = np.append(owners, [False, False])  # for pieces that are left, and gaps
         found = [(np.empty(0, np.int64), np.empty(0, np.int64), np.empty(0, np.float32))]
         for first_pixel, first_piece, block in self.blocks():
             own = np.flatnonzero(wanted[block.owner])
@@ -107,7 +107,7 @@ class Records:
         return piece, pixel, near
 
     def near(self) -> np.ndarray:
-        """Depth at which each piece begins, (p,) float32 mm."""
+        """Return the beginning of each piece, (p,) float32 mm."""
         near = np.empty_like(self.far)
         near[1:] = self.far[:-1]
         met = np.flatnonzero(self.index[1:] > self.index[:-1])
@@ -115,15 +115,15 @@ class Records:
         return near
 
     def pixel(self) -> np.ndarray:
-        """Pixel of each piece, (p,) uint32."""
+        """Return the pixel of each piece, (p,) uint32."""
         index: np.ndarray = self.index.astype(np.int64)
         return np.repeat(np.arange(len(self.entry), dtype=np.uint32), index[1:] - index[:-1])
 
     def dexels(self, step: int) -> np.ndarray:
-        """Return what `step` trajectories leave of the stock: (d,) ndarray of DEXEL, by pixel and depth."""
+        """Return the stock that is left after `step` trajectories: (d,) ndarray of DEXEL, sorted by pixel and depth."""
         left = self.owner >= step
         pixel = self.pixel()
-        joined = np.zeros(len(left), bool)  # with the piece before it
+        joined = np.zeros(len(left), bool)  # whether a piece continues the previous dexel
         joined[1:] = left[1:] & left[:-1] & (pixel[1:] == pixel[:-1])
         first = np.flatnonzero(left & ~joined)
         last = np.flatnonzero(left & ~np.append(joined[1:], False))
@@ -132,33 +132,33 @@ class Records:
         return dexels
 
     def traces(self) -> np.ndarray:
-        """Return what all trajectories remove: (m,) ndarray of TRACE, by pixel and depth."""
+        """Return the pieces that all trajectories remove: (m,) ndarray of TRACE, sorted by pixel and depth."""
         cut = np.flatnonzero(self.cut)
         traces = np.empty(len(cut), TRACE)
         traces["near"], traces["far"], traces["trajectory"] = self.near()[cut], self.far[cut], self.owner[cut]
         return traces
 
     def trace_index(self) -> np.ndarray:
-        """Return each pixel's first element in :meth:`traces`, (pixels + 1,) ndarray of INDEX."""
+        """Return the first element of each pixel in :meth:`traces`, (pixels + 1,) ndarray of INDEX."""
         before = np.append(0, np.cumsum(self.cut))
         result: np.ndarray = before[self.index].astype(INDEX)
         return result
 
 
 def first_not_below(values: np.ndarray, first: np.ndarray, end: np.ndarray, sought: np.ndarray | float) -> np.ndarray:
-    """Search stretches of an array, ``values[first:end]``, that ascend: binary searches, all at once.
+    """Search ascending stretches ``values[first:end]`` of an array, by simultaneous binary searches.
 
     Parameters
     ----------
     values : (p,) ndarray
     first, end : (k,) int64
-        Where each stretch begins and ends.
+        Beginning and end of each stretch.
     sought : (k,) ndarray or float
 
     Returns
     -------
     (k,) int64
-        Where the first value of each stretch is that is not below `sought`; `end` where none is.
+        Position of the first value in each stretch that is not below `sought`; `end` without one.
     """
     low, high = first, end
     for _ in range(int((end - first).max(initial=0)).bit_length()):
@@ -169,10 +169,10 @@ def first_not_below(values: np.ndarray, first: np.ndarray, end: np.ndarray, soug
 
 
 def side_by_side(parts: Sequence[Records], height: int) -> Records:
-    """Return the records of an image from those of its parts from left to right, each of so many rows."""
+    """Join the records of an image's parts, from left to right; all parts have `height` rows."""
     if len(parts) == 1:
         return parts[0]
-    # Each part's first pixel of each row, and there its first piece.
+    # First pixel of each row in each part, and its first piece.
     pixels = [np.arange(height + 1) * (len(part.entry) // height) for part in parts]
     pieces = [part.index[own] for part, own in zip(parts, pixels)]
 
@@ -191,7 +191,7 @@ def side_by_side(parts: Sequence[Records], height: int) -> Records:
 
 
 class Writer:
-    """Records that grow by bands of the image, from below."""
+    """Collects records band by band, from the bottom of the image."""
 
     def __init__(self, trajectories: int, pixels: int) -> None:
         self.trajectories = trajectories
@@ -211,11 +211,11 @@ class Writer:
         self.pixels, self.pieces = pixels, pieces
 
     def records(self) -> Records:
-        """Return what was written."""
+        """Return the collected records."""
         self._resize(self.pieces)
         return Records(self.trajectories, self.index, self.entry, self.far, self.owner)
 
     def _resize(self, pieces: int) -> None:
-        # In place: the system moves large arrays without a second copy of them.
+        # In place, because the system can move large arrays without a second copy.
         self.far.resize(pieces, refcheck=False)
         self.owner.resize(pieces, refcheck=False)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Scattered rays cut by a whole toolpath, as the estimate needs them."""
+"""Cut scattered rays by a whole toolpath, for estimates."""
 
 from __future__ import annotations
 
@@ -7,23 +7,22 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from vkworkbench.core.zbuffer.rays.chains import among, cut_rays
+from vkworkbench.core.zbuffer.rays.chains import cut_rays, gaps_of
 from vkworkbench.core.zbuffer.rays.dexels import THINNEST, Pieces
 from vkworkbench.core.zbuffer.sweeps.trajectories import Trajectories
 
-# Neighbouring rays are tested against a trajectory's bounding box together.
+# Number of neighbouring rays that are tested against a trajectory's bounding box together.
 GROUP = 16
-# Pairs of ray and trajectory held at once, and worked on at once (so that they stay in the processor's
-# cache).
+# Largest number of pairs of ray and trajectory in memory, and in one step, so that they fit into the processor's cache.
 _PAIRS_HELD = 1_000_000
 _PAIRS_AT_ONCE = 16_384
 
 
 class Removal(Trajectories):
-    """Toolpaths ready to cut scattered rays, as the estimate does."""
+    """Trajectories prepared to cut scattered rays."""
 
     def cut(self, x: np.ndarray, y: np.ndarray) -> tuple[Pieces, np.ndarray]:
-        """Return the pieces of rays; quickest where rays that follow each other are neighbours in the image.
+        """Return the pieces of rays. Fastest if consecutive rays are neighbours in the image.
 
         Parameters
         ----------
@@ -33,27 +32,27 @@ class Removal(Trajectories):
         Returns
         -------
         pieces : Pieces
-            Their owners are numbers of trajectories, `GAP` where nothing was from the start.
+            The pieces; owners are numbers of trajectories, or `GAP`.
         passes : (k,) int64
-            How many trajectories each ray was examined with.
+            Number of trajectories that were tested with each ray.
         """
         near, far, gaps = self.spans(x, y)
-        # Beside the stock there is nothing to cut.
+        # Rays beside the stock have no pieces.
         inside = np.flatnonzero(far - near > THINNEST)
         passes = np.zeros(len(x), np.int64)
-        x, y, near, far, gaps = x[inside], y[inside], near[inside], far[inside], among(gaps, inside)
+        x, y, near, far, gaps = x[inside], y[inside], near[inside], far[inside], gaps_of(gaps, inside)
         parts = [(np.empty(0, np.int64), np.empty(0, np.int32), np.empty(0), np.empty(0))]
         for first, last, group, item in self._meetings(x, y):
             ray, item = self._pairs(group, item, x[first:last], y[first:last])
             passes[inside[first:last]] = np.bincount(ray, minlength=last - first)
             enter, leave = self.intervals(x[first:last][ray], y[first:last][ray], item)
-            own = among(gaps, np.arange(first, last))
+            own = gaps_of(gaps, np.arange(first, last))
             pieces = cut_rays(near[first:last], far[first:last], ray, self.index[item], enter, leave, own)
             parts.append((inside[pieces.ray + first], pieces.owner, pieces.near, pieces.far))
         return Pieces(*(np.concatenate(columns) for columns in zip(*parts))), passes
 
     def _meetings(self, x: np.ndarray, y: np.ndarray) -> Iterator[tuple[int, int, np.ndarray, np.ndarray]]:
-        """Ranges of rays with the groups in them and the trajectories they meet, as many as memory allows."""
+        """Yield ranges of rays, as large as memory allows, with pairs of a group of rays and a trajectory that may meet."""
         groups = -(-len(x) // GROUP)
         # The last group is filled up with copies of the last ray.
         padded = np.minimum(np.arange(groups * GROUP), len(x) - 1).reshape(-1, GROUP)
@@ -71,8 +70,8 @@ class Removal(Trajectories):
     def _pairs(
         self, group: np.ndarray, item: np.ndarray, x: np.ndarray, y: np.ndarray
     ) -> tuple[np.ndarray, np.ndarray]:
-        """Rays and trajectories that may meet, sorted by ray, then by trajectory."""
-        # One column a group, so that numpy's inner loops run along the pairs; places without a ray meet nothing.
+        """Return pairs of ray and trajectory that may meet, sorted by ray, then by trajectory."""
+        # One column for each group, so that numpy's inner loops run along the pairs. Columns are filled up with NaN.
         gx, gy = np.full((2, -(-len(x) // GROUP) * GROUP), np.nan)
         gx[: len(x)], gy[: len(x)] = x, y
         gx, gy = gx.reshape(-1, GROUP).T, gy.reshape(-1, GROUP).T

@@ -1,10 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What is seen of the part at any moment of the simulation, without sorting anything again.
+"""The visible surface of the part at any moment of the simulation, without sorting again.
 
-What a ray meets first at moment k is its first piece from the eye that no trajectory before k removes. Only a piece
-whose owner is greater than that of every piece before it on the ray can ever be that one. These prefix maxima ascend
-along the ray, so a binary search finds the piece, for any k, forwards or backwards. The interval treap of Blasquez and
-Poiraudeau (2000) answers the same.
+At moment k, a ray meets its first piece from the eye that no trajectory before k removes. Only a piece with a greater owner than
+all pieces before it on the ray can become this piece. These prefix maxima ascend along the ray, so a binary search finds the piece
+for any k, forwards or backwards. The interval treap of Blasquez and Poiraudeau (2000) solves the same problem.
 """
 
 from __future__ import annotations
@@ -17,22 +16,22 @@ import numpy as np
 from vkworkbench.core.zbuffer.rays.dexels import beginnings
 from vkworkbench.core.zbuffer.rays.records import GAP, Records, first_not_below
 
-# Owner of a surface that no trajectory made: the stock's own, or none.
+# Owner of a surface of the raw stock, and of a ray that meets nothing.
 STOCK = GAP
 
 
 @dataclass(frozen=True, eq=False)
 class Picture:
-    """What is seen at one moment.
+    """The visible surface at one moment.
 
     Attributes
     ----------
     step : int
-        The moment.
+        The moment, in trajectories.
     depth : (pixels,) float32
-        Depth of the surface along the view, mm; not a number where nothing is left.
+        Depth of the surface along the view, mm; NaN for a ray that meets nothing.
     owner : (pixels,) int32
-        Trajectory that made the surface, `STOCK` where none did.
+        Trajectory that made the surface, or `STOCK`.
     """
 
     step: int
@@ -40,12 +39,12 @@ class Picture:
     owner: np.ndarray
 
 
-# Maxima that are worked on at once: milliseconds, in which numpy may let no other thread run.
-_AT_ONCE = 1 << 17
+# Maxima in one step, which takes milliseconds, during which no other thread may run.
+_BATCH = 1 << 17
 
 
 class Surface:
-    """The pieces of an image that are seen at some moment.
+    """The visible surfaces of an image at any moment.
 
     Parameters
     ----------
@@ -57,11 +56,11 @@ class Surface:
         self._latest: Picture | None = None
 
     def prepare(self) -> None:
-        """Make what every moment needs: with many pieces it takes a while, which a window does not have."""
-        self._by_owner  # noqa: B018 - kept from now on
+        """Compute the tables that every moment needs. With many pieces this takes too long for a window's thread."""
+        self._by_owner  # noqa: B018 - cached
 
     def picture(self, step: int) -> Picture:
-        """Return what is seen at a moment: what has changed since the last one that was asked for is looked up."""
+        """Return the visible surface at a moment. Only pixels that differ from the previous call are computed."""
         latest = self._latest
         if latest is not None and latest.step == step:
             return latest
@@ -77,17 +76,17 @@ class Surface:
         return latest
 
     def changed(self, step: int, other: int) -> np.ndarray:
-        """Return the pixels, ascending, whose picture may differ between two moments."""
+        """Return the pixels, ascending, that may differ between two moments."""
         return np.unique(self._removed(step, other)).astype(np.int64)
 
     def _removed(self, step: int, other: int) -> np.ndarray:
-        """Pixels of the pieces that go between two moments, some of them more than once."""
+        """Return the pixels of pieces removed between two moments, with repetitions."""
         first, pixels = self._by_owner
         result: np.ndarray = pixels[first[min(step, other)] : first[max(step, other)]]
         return result
 
     def _seen(self, step: int, pixels: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        """Depth and owner of the surface at some pixels: a binary search in each one's maxima, all at once."""
+        """Return depth and owner of the surface at some pixels, by simultaneous binary searches in their maxima."""
         records, (owners, pieces, first) = self.records, self._maxima
         end = first[pixels + 1]
         low = first_not_below(owners, first[pixels], end, step)
@@ -103,7 +102,7 @@ class Surface:
 
     @cached_property
     def _maxima(self) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-        """The prefix maxima along the rays: their owners, their pieces, and each pixel's first one."""
+        """The prefix maxima along the rays: owners, pieces, and the first maximum of each pixel."""
         records = self.records
         first = np.zeros(len(records.entry) + 1, np.int64)
         owners, pieces = np.empty(len(records.far), np.int32), np.empty(len(records.far), np.uint32)
@@ -123,10 +122,10 @@ class Surface:
 
     @cached_property
     def _by_owner(self) -> tuple[np.ndarray, np.ndarray]:
-        """Where each owner's maxima begin, and their pixels, by owner: a counting sort, part by part of the image."""
+        """The first maximum of each owner, and the pixels of all maxima sorted by owner: a counting sort in parts."""
         owner, _, first = self._maxima
         count = np.zeros(self.records.trajectories + 1, np.int64)
-        size = max(_AT_ONCE, len(count) // 4)
+        size = max(_BATCH, len(count) // 4)
         for begin in range(0, len(owner), size):
             count += np.bincount(owner[begin : begin + size], minlength=len(count))
         start = np.append(0, np.cumsum(count))

@@ -9,7 +9,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from vkworkbench.core.zbuffer.culling.tiles import Bounds, Region, Tiles
-from vkworkbench.core.zbuffer.rays.chains import among, cut_new, cut_rays
+from vkworkbench.core.zbuffer.rays.chains import cut_by_removing, cut_rays, gaps_of
 from vkworkbench.core.zbuffer.rays.dexels import THINNEST, UNCUT, Pieces
 from vkworkbench.core.zbuffer.rays.opening import opened
 from vkworkbench.core.zbuffer.rays.records import INDEX, Records
@@ -113,15 +113,15 @@ class _Rays:
             enter = np.full(len(hit), -np.inf)
         number = np.repeat(np.arange(len(start)), np.diff(start, append=len(hit)))
         if len(self.gaps.ray):
-            self._put(ray, cut_rays(near, far, number, owner, enter, leave, among(self.gaps, ray)))
+            self._put(ray, cut_rays(near, far, number, owner, enter, leave, gaps_of(self.gaps, ray)))
         else:
-            self._put(ray, cut_new(near, far, number, owner, enter, leave))
+            self._put(ray, cut_by_removing(near, far, number, owner, enter, leave))
 
     def records(self) -> Records:
         """Put the pieces together."""
         ray = np.flatnonzero(self.pending & self.inside)
         if len(ray):
-            nobody, nowhere, own = np.empty(0, np.int64), np.empty(0), among(self.gaps, ray)
+            nobody, nowhere, own = np.empty(0, np.int64), np.empty(0), gaps_of(self.gaps, ray)
             self._put(ray, cut_rays(self.near[ray], self.far[ray], nobody, nobody, nowhere, nowhere, own))
         size = self.inside.astype(np.int64)
         for part in self.parts:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What cuts a stock: toolpaths one after the other, each with its tool, their trajectories numbered through."""
+"""A job as a sequence of toolpaths, each with its tool. Trajectories are numbered over the whole sequence."""
 
 from __future__ import annotations
 
@@ -24,14 +24,14 @@ class Cut:
     toolpath : Toolpath
     tool : Tool
     vertical_feed : float
-        How fast the tool may plunge, mm/s; 0 where nobody says.
+        Largest feed for plunging, mm/s; 0 if unknown.
 
     Raises
     ------
     TypeError
-        If they are something else, as an operation's Path and tool are.
+        If an argument has another type, such as an operation's Path or tool bit.
     ValueError
-        If the feed is a text that is no number.
+        If the feed is not a number.
     """
 
     toolpath: Toolpath
@@ -47,14 +47,14 @@ class Cut:
 
 @dataclass(frozen=True)
 class Source:
-    """Where a trajectory comes from.
+    """The origin of a trajectory.
 
     Attributes
     ----------
     cut : int
-        Which of the cuts.
+        Number of the cut.
     trajectory, command : int
-        Its number in that cut's toolpath, and the index of its source command there.
+        Number of the trajectory in the cut's toolpath, and the index of its command.
     """
 
     cut: int
@@ -63,7 +63,7 @@ class Source:
 
 
 class Cuts:
-    """Cuts one after the other. How the tool gets from one to the next is not known, and cuts nothing.
+    """A sequence of cuts. The moves between two cuts are unknown and cut nothing.
 
     Parameters
     ----------
@@ -73,12 +73,12 @@ class Cuts:
     ----------
     cuts : tuple of Cut
     first : (c + 1,) int64
-        Number of each cut's first trajectory; behind the last cut, how many there are.
+        Number of the first trajectory of each cut; the last entry is the number of all trajectories.
 
     Raises
     ------
     TypeError
-        If one is no Cut.
+        If an item is not a Cut.
     """
 
     def __init__(self, cuts: Iterable[Cut]) -> None:
@@ -94,17 +94,17 @@ class Cuts:
 
     @property
     def ends(self) -> tuple[np.ndarray, np.ndarray]:
-        """Where every trajectory starts and ends, two arrays (n, 3), mm."""
+        """Start and end points of all trajectories, two arrays (n, 3), mm."""
         starts = [np.asarray(cut.toolpath.points, float)[:-1] for cut in self.cuts]
         ends = [np.asarray(cut.toolpath.points, float)[1:] for cut in self.cuts]
         nothing = np.empty((0, 3))
         return np.concatenate((nothing, *starts)), np.concatenate((nothing, *ends))
 
     def blocks(self, size: int) -> Iterator[tuple[np.ndarray, np.ndarray, np.ndarray]]:
-        """Yield `size` trajectories at a time: the cut of each, (k,) int64, and where they start and end, (k, 3) mm."""
+        """Yield blocks of `size` trajectories: the cut of each, (k,) int64, and the start and end points, (k, 3) mm."""
         own = [np.asarray(cut.toolpath.points, float) for cut in self.cuts if len(cut.toolpath)]
         points = np.concatenate((np.empty((0, 3)), *own))
-        ahead = np.cumsum(np.diff(self.first) > 0) - 1  # each cut before, if it has any, has one point more
+        ahead = np.cumsum(np.diff(self.first) > 0) - 1  # a toolpath has one point more than trajectories
         for begin in range(0, len(self), size):
             cut = self.cut[begin : begin + size]
             at = np.arange(begin, begin + len(cut)) + ahead[cut]
@@ -112,12 +112,12 @@ class Cuts:
 
     @cached_property
     def rapid(self) -> np.ndarray:
-        """Which trajectories position, (n,) bool."""
+        """Which trajectories are rapids, (n,) bool."""
         return self._column("rapid", bool)
 
     @cached_property
     def feed(self) -> np.ndarray:
-        """Feed rates, (n,) mm/s; 0 for rapids and where none was given."""
+        """Feed rates, (n,) mm/s; 0 for rapids and unknown feeds."""
         return self._column("feed", float)
 
     @cached_property
@@ -127,12 +127,12 @@ class Cuts:
 
     @cached_property
     def lengths(self) -> np.ndarray:
-        """Lengths, along the arc where a trajectory is a chord of one, (n,) mm."""
+        """Lengths, (n,) mm; the length of the arc for a chord of an arc."""
         return np.concatenate((np.empty(0), *(exact_lengths(cut.toolpath) for cut in self.cuts)))
 
     @cached_property
     def seconds(self) -> np.ndarray:
-        """Times, (n,) s; 0 for rapids and where no feed was given."""
+        """Times, (n,) s; 0 for rapids and unknown feeds."""
         return np.where(self.feed > 0, self.lengths / np.where(self.feed > 0, self.feed, 1), 0.0)
 
     @cached_property
@@ -141,14 +141,14 @@ class Cuts:
         return np.repeat(np.arange(len(self.cuts)), np.diff(self.first))
 
     def source(self, trajectory: int) -> Source:
-        """Return where a trajectory comes from.
+        """Return the origin of a trajectory.
 
         Raises
         ------
         IndexError
-            Where there is no such trajectory.
+            If there is no trajectory of this number.
         TypeError
-            Where it is no whole number.
+            If `trajectory` is not an integer.
         """
         trajectory = whole("trajectory", trajectory, "a whole number")
         if not 0 <= trajectory < len(self):

@@ -1,15 +1,14 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Where rays pass through the volume a tool sweeps along a straight move.
+"""Intersections of rays with the volume that a tool sweeps along a straight move.
 
-A tool (a convex solid of revolution, unbounded upwards) moved along a straight line sweeps a convex volume,
-so a ray meets it in one interval. Everything here is in ray coordinates: x to the right of the image, y the
-horizontal direction the rays go, z up; a ray at (x, y, z) runs along (0, sine, -cosine) of the view's tilt.
+A tool is a convex solid of revolution, unbounded upwards. Along a straight line it sweeps a convex volume, so a ray meets the
+volume in one interval. Ray coordinates: x to the right in the image, y the horizontal direction of the rays, z up. A ray at
+(x, y, z) has the direction (0, sine, -cosine), with the tilt of the view.
 
-For flat and ball ends the interval has a closed form, see slots.py. For the others its ends are extremes over the move's
-parameter t of the tool's own interval at the position t. The extremes lie at an end of the move, or where the ray touches a
-side face of the swept volume, or on the edge between two faces; these few t are known in closed form (bull-nose: by
-bisection of a monotone function) and the tool's interval is taken at each of them. Of short moves most extremes lie at an
-end, which the surface of a bull-nose tells there.
+For flat and ball ends the interval has a closed form, see slots.py. For other tools its ends are extremes, over the parameter t of
+the move, of the interval of the tool at position t. An extreme is at an end of the move, where the ray touches a side face of the
+swept volume, or on the edge between two faces. These few t are known in closed form (bull-nose: by bisection of a monotone
+function), and the interval of the tool is computed for each. For short moves most extremes are at an end of the move.
 """
 
 from __future__ import annotations
@@ -26,25 +25,25 @@ from vkworkbench.core.zbuffer.sweeps.slots import FROM_THE_SIDE, RIM, ROUNDING, 
 def lowest(
     tool: Tool, start: np.ndarray, heading: np.ndarray, x: np.ndarray, y: np.ndarray
 ) -> tuple[np.ndarray, np.ndarray]:
-    """Height of the lower surface of the swept volume above points of the plane.
+    """Return the height of the lower surface of the swept volume above points of the plane.
 
     Parameters
     ----------
     tool : Tool
     start : (3, k) ndarray
-        Where the tip starts, mm.
+        Start of the tip, mm.
     heading : (4, k) ndarray
         Unit direction in the plane (x, y), length in the plane, mm, and slope; see :func:`headings`.
     x, y : ndarray
-        The points, of any shape that goes with (k,).
+        The points; of any shape that broadcasts with (k,).
 
     Returns
     -------
     height : ndarray
-        z, mm; not a number where the tool does not pass.
+        z, mm; NaN where the tool does not pass.
     inner : ndarray
-        How far inside the rim of the sweep the point is, mm, along the move or, of a ball, along its shortest chord;
-        about 0 at the rim, negative or not a number outside.
+        Distance of the point from the rim of the sweep, mm, along the move or, for a ball, along its shortest chord.
+        About 0 at the rim, negative or NaN outside.
     """
     ux, uy, run, slope = heading
     px, py = x - start[0], y - start[1]
@@ -52,11 +51,11 @@ def lowest(
     aside2 *= aside2
     half = tool.radius**2 - aside2
     with np.errstate(invalid="ignore"):
-        np.sqrt(half, out=half)  # not a number beside the tool
+        np.sqrt(half, out=half)  # NaN beside the tool
         if tool.rounding == tool.radius:
             return _lowest_of_ball(tool.radius, start[2], run, slope, along, half)
         ahead = run - along
-        # The tool's axis moves from -along to ahead, seen from the foot of the point; half is how far the tool reaches.
+        # Relative to the foot of the point, the tool's axis moves from -along to ahead. The tool reaches `half` to each side.
         at = along + _lowest_position(tool, slope, aside2, half)
         np.minimum(np.maximum(at, 0, out=at), run, out=at)
         np.minimum(along, ahead, out=ahead)
@@ -79,9 +78,9 @@ def lowest(
 def _lowest_of_ball(
     radius: float, start: np.ndarray, run: np.ndarray, slope: np.ndarray, along: np.ndarray, half: np.ndarray
 ) -> tuple[np.ndarray, np.ndarray]:
-    """`lowest` of a ball whose tip starts at the height `start`; `along` and `half` are overwritten.
+    """Compute `lowest` for a ball whose tip starts at the height `start`. Overwrites `along` and `half`.
 
-    What is left of its radius beside the path and before or behind it is not a number outside: no mask is needed.
+    The square root is NaN outside the ball, so no mask is needed.
     """
     at = half * (-slope / np.sqrt(1 + slope**2))
     at += along
@@ -98,7 +97,7 @@ def _lowest_of_ball(
 
 
 def headings(move: np.ndarray) -> np.ndarray:
-    """Direction (x, y), length in the plane and slope (4, k) of moves (3, k), vertical ones upwards only."""
+    """Return direction (x, y), length in the plane and slope (4, k) of moves (3, k). Vertical moves get direction (1, 0), slope 0."""
     run = np.sqrt(move[0] ** 2 + move[1] ** 2)
     moving = run > 0
     safe_run = np.where(moving, run, 1.0)
@@ -107,7 +106,7 @@ def headings(move: np.ndarray) -> np.ndarray:
 
 
 def _lowest_position(tool: Tool, slope: np.ndarray, aside2: np.ndarray, half: np.ndarray) -> np.ndarray:
-    """Where on the move the tool is lowest above a point: the minimum of slope * v + profile(r(v)) for v in +-half."""
+    """Return where on the move the tool is lowest above a point: the v in +-half that minimises slope * v + profile(r(v))."""
     if not slope.any():
         return np.zeros_like(slope)
     position: np.ndarray
@@ -117,7 +116,7 @@ def _lowest_position(tool: Tool, slope: np.ndarray, aside2: np.ndarray, half: np
     if tool.rounding == 0:
         steeper = tool.steepness**2 - slope**2
         inner = np.abs(slope) * np.sqrt(aside2 / np.where(steeper > 0, steeper, 1))
-        # Where that is on the flat tip, its edge is lower.
+        # If this is on the flat tip, the edge of the tip is lower.
         inner = np.minimum(np.maximum(inner, np.sqrt(np.maximum(tool.tip**2 - aside2, 0))), half)
         position = -np.sign(slope) * np.where(steeper > 0, inner, half)
         return position
@@ -128,14 +127,14 @@ def _lowest_position(tool: Tool, slope: np.ndarray, aside2: np.ndarray, half: np
 
 
 def _bisected(tool: Tool, slope: np.ndarray, aside2: np.ndarray, half: np.ndarray) -> np.ndarray:
-    """`_lowest_position` of a bull-nose on sloped moves."""
+    """Compute `_lowest_position` for a bull-nose on sloped moves, by bisection."""
     low, high = -half, half
     flat = tool.radius - tool.rounding
     for _ in range(48):
         middle = (low + high) / 2
         r = np.sqrt(aside2 + middle**2)
         beyond = np.clip(r - flat, 0, tool.rounding)
-        # d/dv of the profile, multiplied by its positive denominator; on the flat, and on its axis, any will do.
+        # Derivative d/dv of the profile, times its positive denominator. On the flat and on the axis any value is allowed.
         rising = beyond * middle + slope * np.maximum(r, flat) * np.sqrt(tool.rounding**2 - beyond**2) > 0
         high = np.where(rising, middle, high)
         low = np.where(rising, low, middle)
@@ -146,22 +145,22 @@ def _bisected(tool: Tool, slope: np.ndarray, aside2: np.ndarray, half: np.ndarra
 def intervals(
     tool: Tool, start: np.ndarray, move: np.ndarray, ray: Sequence[np.ndarray], sine: float, cosine: float
 ) -> tuple[np.ndarray, np.ndarray]:
-    """Where tilted rays enter and leave the swept volume.
+    """Return the depths at which tilted rays enter and leave the swept volume.
 
     Parameters
     ----------
     tool : Tool
     start, move : (3, k) ndarray
-        Where the tip starts and how it moves, in ray coordinates, mm.
+        Start and move of the tip, in ray coordinates, mm.
     ray : three ndarrays
-        A point of each ray, in ray coordinates; of shapes that go together and with (k,).
+        A point of each ray, in ray coordinates; the shapes broadcast with each other and with (k,).
     sine, cosine : float
-        Of the view's tilt from the vertical; ``sine > 0``.
+        Sine and cosine of the view's tilt from the vertical; ``sine > 0``.
 
     Returns
     -------
     near, far : ndarray
-        Depths along the ray, mm; ``near > far``, or not a number, where it misses.
+        Depths along the ray, mm; ``near > far``, or NaN, for a ray that misses.
     """
     x, y, z = (along - begin for along, begin in zip(ray, start))
     corner = tool.rounding
@@ -181,7 +180,7 @@ def intervals(
 def _general(
     tool: Tool, offset: np.ndarray, move: np.ndarray, sine: float, cosine: float
 ) -> tuple[np.ndarray, np.ndarray]:
-    """`intervals` of any tool, for offsets and moves (3, k)."""
+    """Compute `intervals` for any tool, with offsets and moves (3, k)."""
     nothing = np.full(offset.shape[1], np.inf)
     near, far = nothing, -nothing
     between = np.ones((2, len(near)), bool)
@@ -189,8 +188,8 @@ def _general(
         enter, leave = _chord(tool, at, sine, cosine)
         near, far = _joined(near, far, enter, leave)
         if tool.rounding:
-            # A bull nose has no edges: where its surface does not face the way it goes from this end of the move, the ray
-            # enters it first, or leaves it last, here. Where the ray only touches it, rounding would decide.
+            # A bull-nose has no edges. If its surface at this end does not face the direction of the move, the ray enters the
+            # swept volume first, or leaves it last, at this end. A ray that only touches the tool would be decided by rounding.
             touched = ~(leave - enter > ROUNDING)
             if abs(cosine) <= FROM_THE_SIDE:
                 touched |= np.abs(at[2]) < ROUNDING  # the floor
@@ -201,7 +200,7 @@ def _general(
     if tool.rounding:
         rays = np.flatnonzero(between.any(axis=0))
         if abs(cosine) > FROM_THE_SIDE:
-            # Most of them miss the flat end around it, too.
+            # Most of these rays also miss a slightly larger flat end.
             enter, leave = sloped_slot(tool.radius + ROUNDING, tuple(offset[:, rays]), move[:, rays], sine, cosine)
             rays = rays[enter <= leave + ROUNDING]
         some = rays
@@ -219,13 +218,13 @@ def _general(
 
 
 def _joined(near: np.ndarray, far: np.ndarray, enter: np.ndarray, leave: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """First entries and last exits: of intervals that may be none, and of others where they are some."""
+    """Return the union of two sets of intervals, ignoring empty ones of the second set."""
     hit = enter <= leave + ROUNDING
     return np.where(hit, np.minimum(near, enter), near), np.where(hit, np.maximum(far, leave), far)
 
 
 def _chord(tool: Tool, at: np.ndarray, sine: float, cosine: float) -> tuple[np.ndarray, np.ndarray]:
-    """Depths at which a ray passes a standing tool."""
+    """Return the depths at which a ray enters and leaves a standing tool."""
     near, far = _straight_chord(tool, at, sine, cosine)
     if not tool.rounding:
         return near, far
@@ -234,7 +233,7 @@ def _chord(tool: Tool, at: np.ndarray, sine: float, cosine: float) -> tuple[np.n
 
 
 def _facing(tool: Tool, at: np.ndarray, depth: np.ndarray, move: np.ndarray, sine: float, cosine: float) -> np.ndarray:
-    """Whether the surface of a standing bull nose, where a ray meets it at a depth, faces a move: positive where it does."""
+    """Return a positive number if the surface of a standing bull-nose, at a depth of a ray, faces the direction of a move."""
     x, y, z = _from_corner(tool, at)
     y, z = y + depth * sine, z - depth * cosine
     r = np.sqrt(x * x + y * y)
@@ -244,13 +243,13 @@ def _facing(tool: Tool, at: np.ndarray, depth: np.ndarray, move: np.ndarray, sin
 
 
 def _from_corner(tool: Tool, offset: np.ndarray) -> np.ndarray:
-    """Offsets from the centre of the rounding."""
+    """Return the offsets from the centre of the rounding."""
     moved: np.ndarray = offset - np.array([[0.0], [0.0], [tool.rounding]])
     return moved
 
 
 def _straight_chord(tool: Tool, at: np.ndarray, sine: float, cosine: float) -> tuple[np.ndarray, np.ndarray]:
-    """Depths at which a ray passes a standing cylinder that starts above the rounding or ends in a cone."""
+    """Return the depths at which a ray enters and leaves a standing cylinder with a flat or conical end."""
     x, y, z = at
     tangent = cosine / sine if abs(cosine) > FROM_THE_SIDE else 0.0
     half2 = tool.radius**2 - x**2
@@ -259,7 +258,7 @@ def _straight_chord(tool: Tool, at: np.ndarray, sine: float, cosine: float) -> t
     # Along the ray height = level - tangent * y, y measured from the tool's axis.
     level = z + tangent * y - tool.rounding + ROUNDING
     if tool.steepness > 0:
-        # The cone's apex lies below a flat tip.
+        # The apex of the cone is below the flat tip.
         cone_low, cone_high = _cone_chord(tool.steepness, tangent, x, level + tool.steepness * tool.tip)
         low, high = np.maximum(low, cone_low), np.minimum(half, cone_high)
     else:
@@ -275,18 +274,18 @@ def _straight_chord(tool: Tool, at: np.ndarray, sine: float, cosine: float) -> t
 
 
 def _cone_chord(k: float, tangent: float, x: np.ndarray, level: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Interval of y with ``k * hypot(x, y) <= level - tangent * y``."""
+    """Return the interval of y with ``k * hypot(x, y) <= level - tangent * y``."""
     steep = abs(tangent)
     square = (k - steep) * (k + steep)
     root2 = level**2 - square * x**2
     root = k * np.sqrt(np.maximum(root2, 0))
-    # Of the two solutions that on the side where the ray goes down, from their product: where the ray is about parallel to
-    # the cone, the other one is far away, and a difference would leave rounding alone.
+    # The solution on the side where the ray goes down is computed from the product of both solutions. If the ray is nearly
+    # parallel to the cone, the other solution is far away, and a difference would only leave rounding errors.
     reach = level * steep + root
     down = divide((level - k * np.abs(x)) * (level + k * np.abs(x)), reach)
     if square > 0:
         up = np.where((root2 >= 0) & (level >= 0), reach / square, -np.inf)
-    else:  # the ray stays inside once inside, on the side where it goes up
+    else:  # on the side where the ray goes up, it never leaves the cone
         up = np.full_like(x, np.inf)
         below = (root - level * steep) / square if square else -np.inf
         down = np.where(level >= 0, down, below)
@@ -294,7 +293,7 @@ def _cone_chord(k: float, tangent: float, x: np.ndarray, level: np.ndarray) -> t
 
 
 def _straight_sides(tool: Tool, offset: np.ndarray, move: np.ndarray, sine: float, cosine: float) -> list[np.ndarray]:
-    """Parameters at which a ray may enter or leave a swept cylinder or cone between the move's ends."""
+    """Return the parameters between the ends of the move at which a ray may enter or leave a swept cylinder or cone."""
     x, y, z = offset
     ux, uy, uz = move
     run = np.sqrt(ux**2 + uy**2)
@@ -302,7 +301,7 @@ def _straight_sides(tool: Tool, offset: np.ndarray, move: np.ndarray, sine: floa
     # The two vertical side faces.
     reach = tool.radius * uy / safe_run
     sides = [divide(x + reach, ux), divide(x - reach, ux)]
-    # The swept rims, where cylinder and bottom (or cone) meet, and cone and flat tip.
+    # The swept rims: between cylinder and bottom (or cone), and between cone and flat tip.
     k = tool.steepness
     tilted_move = cosine * uy + sine * uz
     square = (cosine * ux) ** 2 + tilted_move**2
@@ -313,7 +312,7 @@ def _straight_sides(tool: Tool, offset: np.ndarray, move: np.ndarray, sine: floa
         root = np.sqrt(np.maximum(middle**2 - square * rest, 0))
         sides += [divide(middle - root, square), divide(middle + root, square)]
     if k > 0:
-        # The two planes that touch the cone all along the move.
+        # The two planes that touch the cone along the whole move.
         cos_touch = np.clip(uz / (k * safe_run), -1, 1)
         sin_touch = np.sqrt(1 - cos_touch**2)
         tilted = cosine * y + sine * (z + k * tool.tip)

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Where rays pass rounded discs, standing and swept: the tips of bull-nose mills.
+"""Intersections of rays with rounded discs, standing and swept: the tips of bull-nose mills.
 
-In the ray coordinates of sweeps.py, with heights measured from the centre of the rounding.
+Coordinates are the ray coordinates of intervals.py, with heights measured from the centre of the rounding.
 """
 
 from __future__ import annotations
@@ -16,7 +16,7 @@ _CLOSE = 1e-10
 
 
 def _ball_chord(tool: Tool, at: np.ndarray, sine: float, cosine: float) -> tuple[np.ndarray, np.ndarray]:
-    """Depths at which a ray passes a standing ball."""
+    """Return the depths at which a ray enters and leaves a standing ball."""
     x, y, z = at
     middle = cosine * z - sine * y
     half2 = tool.radius**2 - x**2 - (cosine * y + sine * z) ** 2
@@ -25,7 +25,7 @@ def _ball_chord(tool: Tool, at: np.ndarray, sine: float, cosine: float) -> tuple
 
 
 def _box_chord(tool: Tool, at: np.ndarray, sine: float, cosine: float) -> tuple[np.ndarray, np.ndarray]:
-    """Depths at which a ray passes the upright cylinder around a standing thickened disc."""
+    """Return the depths at which a ray enters and leaves the upright cylinder around a standing rounded disc."""
     x, y, z = at
     half2 = tool.radius**2 - x**2
     half = np.sqrt(np.maximum(half2, 0))
@@ -39,11 +39,10 @@ def _box_chord(tool: Tool, at: np.ndarray, sine: float, cosine: float) -> tuple[
 def rounded_chord(
     tool: Tool, at: np.ndarray, sine: float, cosine: float, known_near: np.ndarray, known_far: np.ndarray
 ) -> tuple[np.ndarray, np.ndarray]:
-    """Depths at which a ray passes a standing disc thickened by the corner radius.
+    """Return the depths at which a ray enters and leaves a standing disc with rounded edge.
 
-    Newton's method on the distance to the disc, a convex function of the depth, runs monotonously to the ends
-    of the interval from the ends of the ball around it. What cannot be before `known_near`, or behind `known_far`, is not
-    looked for: beside the upright cylinder around the disc there is nothing.
+    The distance to the disc is a convex function of the depth. Newton's method converges monotonically from the ends of the ball
+    around the rounded disc. Ends that cannot be before `known_near` or behind `known_far` are not computed.
     """
     first, last = _box_chord(tool, at, sine, cosine)
     near, far = _ball_chord(tool, at, sine, cosine)
@@ -60,7 +59,7 @@ def rounded_chord(
             distance = np.sqrt(beyond * beyond + z * z)
             fall = -ahead * (sine * y * divide(beyond, r) - cosine * z)
             outside = distance > tool.rounding + _CLOSE
-            # Still outside although the distance grows inwards: there is nothing to enter.
+            # The ray is outside and the distance grows, so the ray misses.
             met[active[outside & (fall <= 0)]] = False
             moving = outside & (fall > 0)
             if not moving.any():
@@ -71,10 +70,10 @@ def rounded_chord(
 
 
 def rounded_sides(tool: Tool, offset: np.ndarray, move: np.ndarray, sine: float, cosine: float) -> list[np.ndarray]:
-    """Parameters at which a ray enters or leaves the side of a swept thickened disc.
+    """Return the parameters at which a ray enters or leaves the side of a swept rounded disc.
 
-    Seen along the move the disc is an ellipse and the ray a line. As its normal turns by pi, the contour's
-    point moves monotonously across the line: bisection finds where they meet.
+    Projected along the move, the disc is an ellipse and the ray a line. While the normal turns by pi, the point of the contour
+    moves monotonically across the line, so bisection finds the intersection.
     """
     ux, uy, uz = move
     run = np.hypot(ux, uy)
@@ -85,16 +84,16 @@ def rounded_sides(tool: Tool, offset: np.ndarray, move: np.ndarray, sine: float,
     flat, corner = tool.radius - tool.rounding, tool.rounding
     x, y, z = offset
 
-    # Axes of the picture: horizontal across the move, and upwards across it.
+    # Axes of the projection: horizontal across the move, and upwards across it.
     across, above = y * ex - x * ey, z * cos_m - (x * ex + y * ey) * sin_m
     ray_across, ray_above = sine * ex, -cosine * cos_m - sine * ey * sin_m
     speed = np.hypot(ray_across, ray_above)
-    # Normal of the line, and how far from the disc's centre it passes.
+    # Normal of the line, and its distance from the disc's centre.
     na, nb = np.where(speed > 0, -divide(ray_above, speed), 1.0), divide(ray_across, speed)
     line = across * na + above * nb
 
     def contact(c: np.ndarray, s: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-        """Contour point with outward normal (c, s): across, above, and along the move."""
+        """Return the contour point with outward normal (c, s): its components across, above and along the move."""
         share = divide(flat, np.sqrt(c**2 + (s * sin_m) ** 2))
         return (share + corner) * c, (share * sin_m**2 + corner) * s, -share * s * sin_m * cos_m
 
@@ -110,7 +109,7 @@ def rounded_sides(tool: Tool, offset: np.ndarray, move: np.ndarray, sine: float,
             c, s = c0 + c1, s0 + s1
             norm = np.sqrt(c**2 + s**2)
             c, s = c / norm, s / norm
-        # Between two normals this close the contour is as good as straight; the flat bottom is, all of it.
+        # Between two normals this close the contour is nearly straight; the flat bottom is straight.
         first, last = contact(c0, s0), contact(c1, s1)
         height0 = first[0] * na + first[1] * nb
         height1 = last[0] * na + last[1] * nb
@@ -123,6 +122,6 @@ def rounded_sides(tool: Tool, offset: np.ndarray, move: np.ndarray, sine: float,
 
 
 def divide(a: np.ndarray | float, b: np.ndarray) -> np.ndarray:
-    """Return a / b, and 0 where b is 0."""
+    """Return a / b, or 0 if b is 0."""
     zero = b == 0
     return np.where(zero, 0.0, a / np.where(zero, 1.0, b))

@@ -1,12 +1,13 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Where tilted rays pass the slots that flat and ball ends mill along a straight move.
+"""Intersections of tilted rays with the slots that flat and ball ends mill along a straight move.
 
-In the ray coordinates of sweeps.py. Where a ray enters the tool is a convex function of the tool's place t on its move,
-and where it leaves it a concave one. So its first entry lies where it enters the slot of a move without ends, or else
-at the end of the move that is nearest to that; and so does its last exit. A slot without ends has two upright walls and
-a bottom, and the t of each of them is known in closed form: each end of the interval takes one place of the tool.
+Coordinates are the ray coordinates of intervals.py. The depth at which a ray enters the tool is a convex function of the tool's
+position t on its move, and the depth at which it leaves the tool is a concave one. Therefore the first entry is where the ray
+enters the slot of an endless move, or else at the end of the move nearest to that position; likewise the last exit. An endless
+slot has two upright walls and a bottom, and the position t for each is known in closed form, so that each end of the interval
+needs one position of the tool.
 
-Arrays have shapes that go together: in a grid of rays x may have one row of them, y and z one column.
+Array shapes broadcast: in a grid of rays, x may have one row, y and z one column.
 """
 
 from __future__ import annotations
@@ -15,39 +16,39 @@ from collections.abc import Sequence
 
 import numpy as np
 
-# Rays go on by this much below a flat floor, mm: on the floor itself rounding would decide. Ends that are closer than
-# this are one: an edge of the swept volume is met in a single point.
+# Rays are extended by this length below a flat floor, mm; otherwise rounding would decide for rays on the floor. Ends that are
+# closer than this length are equal, because a ray meets an edge of the swept volume in a single point.
 ROUNDING = 1e-7
-# Views less steep than this cosine pass no floor.
+# Rays with a smaller cosine are horizontal and meet no floor.
 FROM_THE_SIDE = 1e-9
-# Stands for 0 where something is divided by it.
+# Replaces 0 in denominators.
 _TINY = 1e-300
-# Stands for a depth or a place without end.
+# Replaces an infinite depth or position.
 _ENDLESS = 1e30
-# What rounding may make of a squared half chord on the rim, mm^2.
+# Largest rounding error of a squared half chord on the rim, mm^2.
 RIM = 1e-12
 
 
 def level_slot(
     radius: float, offset: Sequence[np.ndarray], move: np.ndarray, sine: float, cosine: float
 ) -> tuple[np.ndarray, np.ndarray]:
-    """Where rays pass what a flat end sweeps along level moves: between its wall and above its floor.
+    """Return the depths at which rays enter and leave the slot of a flat end along level moves.
 
     Parameters
     ----------
     radius : float
-        Of the tool, mm.
+        Radius of the tool, mm.
     offset : three ndarrays
-        A point of each ray, from where the tip starts, mm.
+        A point of each ray, relative to the start of the tip, mm.
     move : (3, k) ndarray
-        mm.
+        Move of the tip, mm.
     sine, cosine : float
-        Of the view's tilt from the vertical.
+        Sine and cosine of the view's tilt from the vertical.
 
     Returns
     -------
     near, far : ndarray
-        Depths along the ray, mm; ``near > far``, or not a number, where it misses.
+        Depths along the ray, mm; ``near > far``, or NaN, for a ray that misses.
     """
     x, y, z = offset
     ux, uy, _ = move
@@ -68,17 +69,17 @@ def level_slot(
 def sloped_slot(
     radius: float, offset: Sequence[np.ndarray], move: np.ndarray, sine: float, cosine: float
 ) -> tuple[np.ndarray, np.ndarray]:
-    """Where rays pass what a flat end sweeps along any moves, in a view that is not from the side; see `level_slot`."""
+    """Like `level_slot`, for moves of any slope and rays that are not horizontal."""
     x, y, z = offset
     ux, uy, uz = move
-    if cosine < 0:  # the same ray from its other end
+    if cosine < 0:  # reverse the ray
         near, far = sloped_slot(radius, (x, -y, z), np.array([ux, -uy, uz]), sine, -cosine)
         return -far, -near
     walls = _Walls(radius, x, ux, uy)
     ux = walls.ux
-    # Where the ray passes the floor of the tool standing at t: at (x - t ux, beyond - t rate) from its axis.
+    # The ray meets the floor of the tool at position t at (x - t ux, beyond - t rate) from the tool's axis.
     tangent, slope = sine / cosine, cosine / sine
-    # How the floor rises against the ray: for a move along the ray mere rounding, which has to be the same everywhere.
+    # Rise of the floor relative to the ray. For a move along the ray it is a rounding error, which must be the same everywhere.
     rise = slope * uy + uz
     beyond, rate = y + tangent * z, tangent * rise
     square = np.maximum(ux**2 + rate**2, _TINY)
@@ -91,7 +92,7 @@ def sloped_slot(
     height = z + y * slope
     with np.errstate(invalid="ignore"):
         t = walls.touched(-1)
-        # Where it would come in below the floor, it enters over the rim.
+        # A ray that would enter the wall below the floor enters over the rim.
         below = height < walls.chord_end(t, -1) * slope + t * rise
         over = np.maximum(middle - root, t)
         t = _on_move(np.where(below, np.minimum(over, middle + root, out=over), t))
@@ -118,20 +119,20 @@ def sloped_slot(
 def ball_slot(
     radius: float, offset: Sequence[np.ndarray], move: np.ndarray, sine: float, cosine: float
 ) -> tuple[np.ndarray, np.ndarray]:
-    """Where rays pass what a ball end sweeps, `offset` from where its centre starts; see `level_slot`."""
+    """Like `level_slot`, for a ball end. `offset` is relative to the start of the ball's centre."""
     x, y, z = offset
     ux, uy, uz = move
     walls = _Walls(radius, x, ux, uy)
     slope = cosine / sine
     rise = slope * uy + uz
-    # Along the ray, and upwards across it.
+    # Components along the ray, and upwards across it.
     forward, upward = sine * y - cosine * z, cosine * y + sine * z
     along_ray, across_ray = sine * uy - cosine * uz, cosine * uy + sine * uz
     length2 = np.maximum(ux**2 + uy**2 + uz**2, _TINY)
     square = length2 - along_ray**2
     across = square > 1e-12 * length2
     inverse = np.where(across, 1 / np.where(across, square, 1), 0.0)
-    # Where the ray comes nearest to the path of the centre, and from there to where it passes the cylinder around it.
+    # The position nearest to the ray, and the distance from it to the positions at which the ray meets the swept cylinder.
     nearest = x * (ux * inverse) + upward * (across_ray * inverse)
     root = np.sqrt(inverse)
     apart = x * (across_ray * root) - upward * (ux * root)
@@ -168,44 +169,44 @@ def ball_slot(
 
 
 class _Walls:
-    """Where rays pass the upright walls of a slot, seen from above.
+    """Intersections of rays with the upright walls of a slot, seen from above.
 
     Parameters
     ----------
     radius : float
-        mm.
+        Radius of the tool, mm.
     x : ndarray
-        Where the ray lies across itself, from the start of the move, mm.
+        Position of the ray across its direction, relative to the start of the move, mm.
     ux, uy : (k,) ndarray
-        The move across the ray and along it, mm.
+        Components of the move across and along the ray, mm.
     """
 
     def __init__(self, radius: float, x: np.ndarray, ux: np.ndarray, uy: np.ndarray) -> None:
         self.radius, self.x, self.uy = radius, x, uy
         run = np.sqrt(ux**2 + uy**2)
-        # Along the ray; rounding may leave it something else.
+        # Moves along the ray, up to rounding.
         along = np.abs(ux) <= 1e-12 * run
         self.ux = np.where(along, 0.0, ux)
         self.inverse = np.where(along, 0.0, 1 / np.where(along, 1.0, ux))
-        # As the tool moves, its chord of the ray ends last where the tangent at its end goes along the move.
+        # The chord of the moving tool reaches farthest where the tangent at its end is parallel to the move.
         reach = radius * uy / np.where(run > 0, run, 1) * np.abs(self.inverse)
         self.reach = np.where(along, np.copysign(_ENDLESS, uy), reach)
 
     def touched(self, sign: int) -> np.ndarray:
-        """Place of the tool when the ray comes in (-1) through a wall of the move without ends, or goes out (1)."""
+        """Return the tool's position at which the ray enters (-1) or leaves (1) through a wall of the endless move."""
         touched: np.ndarray = self.x * self.inverse + sign * self.reach
         return touched
 
     def chord_end(self, t: np.ndarray, sign: int) -> np.ndarray:
-        """How far from the tool's axis along itself the ray passes its wall at the places `touched`, mm.
+        """Return the distance along the ray from the tool's axis to the wall at the positions `touched`, mm.
 
-        These are never beside the tool: far from a move along the ray rounding would say so.
+        The ray always meets the tool at these positions; negative squares are rounding errors.
         """
         return _signed_root(np.maximum(self._half2(t), 0), sign)
 
     def at(self, t: np.ndarray, sign: int) -> np.ndarray:
-        """How far along itself from the start of the move the ray passes the wall of the tool standing at `t`, mm."""
-        half = _signed_root(self._half2(t), sign)  # beside the tool not a number
+        """Return the distance along the ray from the start of the move to the wall of the tool at `t`, mm; NaN beside the tool."""
+        half = _signed_root(self._half2(t), sign)
         half += t * self.uy
         return half
 
@@ -218,14 +219,14 @@ class _Walls:
 
 
 def _signed_root(square: np.ndarray, sign: int) -> np.ndarray:
-    """The square root with that sign, in place."""
+    """Return the square root with a sign, in place."""
     root: np.ndarray = np.sqrt(square, out=square)
     root *= sign
     return root
 
 
 def _on_move(t: np.ndarray) -> np.ndarray:
-    """The nearest places between the ends of the move, in place."""
+    """Clip positions to the ends of the move, in place."""
     np.maximum(t, 0, out=t)
     np.minimum(t, 1, out=t)
     return t

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Toolpaths as the volumes they sweep, made ready for the rays of one view."""
+"""The swept volumes of trajectories, prepared for the rays of one view."""
 
 from __future__ import annotations
 
@@ -16,51 +16,50 @@ from vkworkbench.core.view import Frame
 from vkworkbench.core.zbuffer.sweeps.cuts import Cuts
 from vkworkbench.core.zbuffer.sweeps.intervals import headings, intervals, lowest
 
-# What a level move may rise or fall by, mm: rounding, less than the noise of the rays.
+# Largest height difference of a level move, mm.
 _LEVEL = 1e-9
-# Trajectories, or pairs of them and rays, worked on at once, so that they stay in the processor's cache.
+# Number of trajectories, or pairs of trajectory and ray, in one step, so that they fit into the processor's cache.
 AT_ONCE = 16_384
-# Pairs of a trajectory and a part of the image that are looked at together.
+# Number of pairs of a trajectory and a part of the image in one step.
 _PAIRS_HELD = 1_000_000
 
 
 class Kind(NamedTuple):
-    """What trajectories have in common that are worked on together."""
+    """The common properties of trajectories that are processed together."""
 
     tool: Tool
     level: bool
 
 
 class Trajectories:
-    """The swept volumes that can meet the stock.
+    """The swept volumes of the trajectories that can meet the stock.
 
     Parameters
     ----------
     cuts : Cuts
     stock : Solid
     frame : Frame
-        The view of this stock.
+        The view of the stock.
 
     Attributes
     ----------
     index : (m,) int64
-        The trajectories that can meet the stock, in order; the others are above it or beside it.
+        The trajectories that can meet the stock, in order.
     kinds : tuple of Kind
-        The different tools, and whether they move on one level, but for rounding; a vertical move stands at its lowest
-        point.
+        The different combinations of tool and level moves. A vertical move is replaced by its lowest point, which is level.
     kind : (m,) int64
-        Which of these each trajectory is.
+        The kind of each trajectory, as an index of `kinds`.
     tools : tuple of Tool
         The different tools.
     tool : (m,) int64
-        Which of these moves each trajectory.
+        The tool of each trajectory, as an index of `tools`.
     heading : (4, m) float64
-        Direction in the plane, length in the plane and slope of each one, see ``sweeps.headings``.
+        Direction in the plane (x, y), length in the plane and slope of each trajectory, see ``intervals.headings``.
     box : (4, m) float64
-        Left, right, bottom and top of each one's bounding box in the image, mm.
+        Left, right, bottom and top of each trajectory's bounding box in the image, mm.
     strip : (4, m) float64
-        The strip along each one's image that holds it: its unit normal (x, y) and its two distances from the
-        image's centre, mm.
+        The strip in the image that contains each swept volume: its unit normal (x, y), and its lower and upper distance
+        from the image's centre, mm.
     """
 
     def __init__(self, cuts: Cuts, stock: Solid, frame: Frame) -> None:
@@ -95,7 +94,7 @@ class Trajectories:
         tools = list(dict.fromkeys(cut.tool for cut in cuts.cuts))
         of_cut = np.array([tools.index(cut.tool) for cut in cuts.cuts], np.int64)
         number = 2 * of_cut[cuts.cut[self.index]] + (self.move[2] == 0)
-        # Few numbers, so that nothing need be sorted: of a million trajectories that took longer than all else here.
+        # bincount instead of unique: sorting a million trajectories dominated this function.
         found = np.flatnonzero(np.bincount(number))
         place = np.zeros(2 * len(tools), np.int64)
         place[found] = np.arange(len(found))
@@ -103,25 +102,25 @@ class Trajectories:
 
     @cached_property
     def spans(self) -> Callable[[np.ndarray, np.ndarray], Spans]:
-        """Where rays of image coordinates (k,) and (k,) are inside the stock."""
+        """Function that returns where rays with image coordinates x (k,), y (k,) are inside the stock."""
         return spans_in(self.stock, self.frame)
 
     def by_kind(self, item: np.ndarray) -> Iterator[tuple[int, slice | np.ndarray]]:
-        """Divide positions in `index` (k,) by their kinds: numbers of kinds, and which of the positions."""
+        """Group positions in `index` (k,) by kind: yield the number of a kind and the positions of its group."""
         return _divided(self.kind, len(self.kinds), item)
 
     def by_tool(self, item: np.ndarray) -> Iterator[tuple[Tool, slice | np.ndarray]]:
-        """Divide positions in `index` (k,) by their tools: tools, and which of the positions."""
+        """Group positions in `index` (k,) by tool: yield a tool and the positions of its group."""
         return ((self.tools[number], own) for number, own in _divided(self.tool, len(self.tools), item))
 
     def boxes(self, item: np.ndarray, begin: np.ndarray | float, end: np.ndarray | float) -> np.ndarray:
-        """Bounds in the image of parts of moves: left, right, bottom, top (4, k), mm.
+        """Return the bounds in the image of parts of moves: left, right, bottom, top (4, k), mm.
 
         Parameters
         ----------
         item : (k,) ndarray of int
         begin, end : (k,) ndarray or float
-            Where each part begins and ends, 0 to 1.
+            Parameters of the beginning and end of each part, 0 to 1.
         """
         start, move, reach = self.start.take(item, axis=1), self.move.take(item, axis=1), self.radius.take(item)
         first, last = start + begin * move, start + end * move
@@ -137,7 +136,7 @@ class Trajectories:
         )
 
     def _strips(self, part: slice) -> np.ndarray:
-        """Return the strips (4, k) of these positions in `index`."""
+        """Return the strips (4, k) of a range of positions in `index`."""
         start, move, radius = self.start[:, part], self.move[:, part], self.radius[part]
         across, along = move[0], self.cosine * move[1] + self.sine * move[2]
         length = np.hypot(across, along)
@@ -153,7 +152,7 @@ class Trajectories:
     def meeting(
         self, left: np.ndarray, right: np.ndarray, bottom: np.ndarray, top: np.ndarray
     ) -> tuple[np.ndarray, np.ndarray]:
-        """Pairs of a rectangle of the image (g,) and a position in `index` that may meet, by rectangle."""
+        """Return pairs of a rectangle of the image (g,) and a position in `index` that may meet, sorted by rectangle."""
         pairs = [(np.empty(0, np.int64), np.empty(0, np.int64))]
         few = max(1, _PAIRS_HELD // max(1, len(self.index)))
         for begin in range(0, len(left), few):
@@ -180,7 +179,7 @@ class Trajectories:
         return rectangle[met], item[met]
 
     def passing(self, x: np.ndarray, y: np.ndarray, item: np.ndarray) -> np.ndarray:
-        """Where a ray of `x`, `y` (k,) lies within its trajectory's bounding box and strip, bool of their shape."""
+        """Return whether rays at `x`, `y` lie within the bounding box and strip of their trajectories, bool of the same shape."""
         left, right, bottom, top = self.box.take(item, axis=1)
         nx, ny, low, high = self.strip.take(item, axis=1)
         across = nx * x + ny * y
@@ -192,21 +191,21 @@ class Trajectories:
     def intervals(
         self, x: np.ndarray, y: np.ndarray, item: np.ndarray, tools: Sequence[tuple[Tool | None, float]] | None = None
     ) -> tuple[np.ndarray, np.ndarray]:
-        """Depths at which rays enter and leave the volumes swept.
+        """Return the depths at which rays enter and leave the swept volumes.
 
         Parameters
         ----------
         x, y : ndarray
-            Image coordinates of the rays, mm, of shapes that go together and with (k,).
+            Image coordinates of the rays, mm; the shapes broadcast with each other and with (k,).
         item : (k,) ndarray of int
             Positions in `index`.
         tools : sequence of (Tool or None, float), optional
-            In the place of each kind's tool another one, and how much higher it is, mm; None meets nothing.
+            For each kind, a replacement of the tool, and its height above the tool, mm. None meets nothing.
 
         Returns
         -------
         near, far : ndarray
-            Depths, mm, unbounded where they are; ``near > far``, or not a number, where a ray misses.
+            Depths, mm, which may be infinite; ``near > far``, or NaN, for a ray that misses.
         """
         if tools is None:
             tools = [(kind.tool, 0.0) for kind in self.kinds]
@@ -245,7 +244,7 @@ class Trajectories:
 
 
 def _may_meet(start: np.ndarray, end: np.ndarray, radius: np.ndarray, stock: Solid) -> np.ndarray:
-    """Whether the boxes of tools of these radii (k,) that move from `start` to `end` (k, 3) meet the stock's, (k,), mm."""
+    """Return whether the bounding boxes of moves from `start` to `end` (k, 3), with tools of radii (k,), meet the stock's, (k,)."""
     low, high = np.minimum(start, end), np.maximum(start, end)
     low[:, :2] -= radius[:, None]
     high[:, :2] += radius[:, None]
@@ -254,18 +253,18 @@ def _may_meet(start: np.ndarray, end: np.ndarray, radius: np.ndarray, stock: Sol
 
 
 def as_cut(start: np.ndarray, end: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Return the ends (n, 3) of the moves by which trajectories from `start` to `end` (n, 3) are cut, mm."""
-    # The tool is unbounded upwards: a vertical move removes what it removes at its lowest point.
+    """Return the simulated ends (n, 3), mm, of trajectories from `start` to `end` (n, 3)."""
+    # The tool is unbounded upwards, so a vertical move removes the same as its lowest point.
     vertical = np.hypot(*(end - start)[:, :2].T) < SMALLEST
     bottom = np.where((start[:, 2] < end[:, 2])[:, None], start, end)
     start, end = np.where(vertical[:, None], bottom, start), np.where(vertical[:, None], bottom, end)
-    # Rounding is no slope: what is level takes a tenth of the time.
+    # Remove slopes that are rounding errors, because level moves take a tenth of the time.
     end[:, 2] = np.where(np.abs(end[:, 2] - start[:, 2]) < _LEVEL, start[:, 2], end[:, 2])
     return start, end
 
 
 def _divided(group: np.ndarray, groups: int, item: np.ndarray) -> Iterator[tuple[int, slice | np.ndarray]]:
-    """Numbers of the groups that occur among the items (k,), and which of the items are theirs."""
+    """Yield the number of each group that occurs among the items (k,), and the items of the group."""
     if groups == 1:
         yield 0, slice(None)
         return
