@@ -12,11 +12,11 @@ from vkworkbench.core.zbuffer.culling.tiles import (
     TILE,
     Region,
     Tiles,
-    culled,
-    deeper,
-    fine_enough,
+    are_small,
+    deeper_pairs,
     first_tiles,
     quartered,
+    small_tiles,
 )
 from vkworkbench.core.zbuffer.culling.upright import Upright
 from vkworkbench.core.zbuffer.sweeps.cuts import Cuts
@@ -38,12 +38,12 @@ FIRST, EMPTY, LAST = (0, 24, [3, 5]), (8, 32, []), (16, 40, [1, 3, 4])
 
 def test_tiles_are_taken_apart_with_their_lists():
     assert told(SOME) == [FIRST, EMPTY, LAST]
-    assert told(SOME.only(np.array([True, False, True]))) == [FIRST, LAST]
-    assert told(SOME.only(np.array([False, True, False]))) == [EMPTY]
-    assert told(SOME.only(np.array([False, False, False]))) == []
-    assert SOME.only(np.ones(3, bool)) is SOME
+    assert told(SOME.selected(np.array([True, False, True]))) == [FIRST, LAST]
+    assert told(SOME.selected(np.array([False, True, False]))) == [EMPTY]
+    assert told(SOME.selected(np.array([False, False, False]))) == []
+    assert SOME.selected(np.ones(3, bool)) is SOME
     assert told(SOME.part(0, 1)) == [FIRST] and told(SOME.part(1, 3)) == [EMPTY, LAST]
-    assert SOME.part(1, 3).side == SOME.only(np.array([True, False, True])).side == 8
+    assert SOME.part(1, 3).side == SOME.selected(np.array([True, False, True])).side == 8
 
 
 @pytest.mark.parametrize(
@@ -70,8 +70,8 @@ def test_tiles_of_four_pixels_are_fine_enough_where_most_moves_are_sloped(side, 
     """Of the first one's two moves one is sloped, which is half of them; of the last one's three two are."""
     sloped = np.isin(np.arange(6), [3, 4])
     tiles = Tiles(side, SOME.column, SOME.row, SOME.first, SOME.item)
-    assert fine_enough(tiles, sloped).tolist() == fine
-    assert fine_enough(tiles, np.isin(np.arange(6), [3, 5])).tolist() == ([True, False, False] if side == 4 else fine)
+    assert are_small(tiles, sloped).tolist() == fine
+    assert are_small(tiles, np.isin(np.arange(6), [3, 5])).tolist() == ([True, False, False] if side == 4 else fine)
 
 
 def reached(*tiles, near=-5.0, far=5.0):
@@ -79,7 +79,7 @@ def reached(*tiles, near=-5.0, far=5.0):
     tile = np.repeat(np.arange(len(tiles)), [len(own) for own in tiles])
     start = np.searchsorted(tile, np.arange(len(tiles)))
     reach, opens = (np.array([pair[k] for own in tiles for pair in own], float) for k in (0, 1))
-    return deeper(tile, start, reach, opens, near, far).tolist()
+    return deeper_pairs(tile, start, reach, opens, near, far).tolist()
 
 
 NO = -np.inf
@@ -154,7 +154,7 @@ def test_tiles_where_moves_are_sloped_and_where_they_are_level_are_both_gone_dow
     points = np.array([*level, (37, 40, 20), (37, -10, 20), *sloped], float)
     trajectories = Trajectories(Cuts([Cut(toolpath(points), FLAT)]), BOX, of_slots(6.0).frame)
     cut = np.zeros((300, 400), bool)
-    for tiles, _ in culled(trajectories, Upright(trajectories), Region(0, 400, 128, 192)):
+    for tiles, _ in small_tiles(trajectories, Upright(trajectories), Region(0, 400, 128, 192)):
         column, row = tiles.pixels()
         cut[np.minimum(row[:, None], 299), np.minimum(column[None], 399)] = True
     assert cut[128:192, :60].all() and cut[128:192, 340:].all() and not cut[:, 64:336].any()
@@ -170,7 +170,7 @@ def test_pairs_are_counted_at_every_level_and_once(slots):
     points = [(x, 15.0, z) for k, z in enumerate(heights) for x in ((-30.0, 70.0) if k % 2 == 0 else (70.0, -30.0))]
     cuts = Cuts([Cut(toolpath(np.array(points)), Tool("endmill", 30))])
     trajectories = Trajectories(cuts, BOX, of_slots(6.0).frame)
-    found = list(culled(trajectories, Upright(trajectories), Region(128, 192, 128, 192)))
+    found = list(small_tiles(trajectories, Upright(trajectories), Region(128, 192, 128, 192)))
     assert len(found) == (1 if slots == 1 else 2)
     assert sum(tested for _, tested in found) == slots * (4 * (1 + 4 + 16 + 64 + 256) + 64 * 64)
     assert sum(len(tiles.item) * tiles.side**2 for tiles, _ in found) == slots * 64 * 64
@@ -190,7 +190,7 @@ def test_what_is_opened_deeper_before_is_left_to_no_pixel(heights, cut):
     """The second slot, 2, removes something only where it is the deeper one; 1 is the way back from one to the other."""
     trajectories = of_slots(*heights)
     found, tested = [], 0
-    for tiles, own in culled(trajectories, Upright(trajectories), Region(0, 400, 128, 192)):
+    for tiles, own in small_tiles(trajectories, Upright(trajectories), Region(0, 400, 128, 192)):
         found += told(tiles)
         tested += own
     inside = {item for column, row, items in found if 64 < column < 320 and row < 170 for item in items}

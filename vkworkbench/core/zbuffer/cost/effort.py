@@ -15,7 +15,7 @@ from zlib import crc32
 
 import numpy as np
 
-from vkworkbench.core.zbuffer.culling.tiles import PAIRS_AT_ONCE, TILE, Tiles, fine_enough, first_tiles, quartered
+from vkworkbench.core.zbuffer.culling.tiles import PAIRS_AT_ONCE, TILE, Tiles, are_small, first_tiles, quartered
 from vkworkbench.core.zbuffer.culling.tilted import Tilted
 from vkworkbench.core.zbuffer.culling.upright import Upright
 from vkworkbench.core.zbuffer.memory.counts import Counts
@@ -162,12 +162,12 @@ def work_of(removal: Removal, trajectories: int, counts: Counts) -> Work:
     levels = []
     cells: np.ndarray = np.zeros(KINDS)
     while len(tiles.item):
-        fine = fine_enough(tiles, bounds.slow)
+        fine = are_small(tiles, bounds.slow)
         these = tiles.side**2 * np.repeat(weight[fine], np.diff(tiles.first)[fine])
-        item = tiles.only(fine).item
+        item = tiles.selected(fine).item
         cells += np.bincount(cell_kind[item], these * (1 - between[item]), KINDS)
         cells[_BETWEEN] += these @ between[item]
-        tiles, weight = tiles.only(~fine), weight[~fine]
+        tiles, weight = tiles.selected(~fine), weight[~fine]
         if not len(tiles.item):
             break
         levels.append(tuple(_pairs(tiles, weight, kind).tolist()))

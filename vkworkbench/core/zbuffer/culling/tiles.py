@@ -1,14 +1,14 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Which trajectories can cut which pixels: hierarchical culling along time.
+"""Find the trajectories that can cut each pixel, by hierarchical culling along time.
 
-Greene, Kass and Miller (Hierarchical z-buffer visibility, 1993) drop what lies behind what covers a whole tile of the
-image. Here "behind" is "later": a trajectory removes nothing from a tile that earlier ones opened as deep as it
-reaches. The image is divided into tiles, these into quarters, down to a few pixels; a tile's trajectories are a list in
-their order, and what is dropped from it is gone for all its quarters. Each step works on whole arrays of pairs of a
-tile and a trajectory, sorted by tile and time. The cost grows with the trajectories and with what is cut, not with
-their product.
+Greene, Kass and Miller (Hierarchical z-buffer visibility, 1993) drop objects behind an object that covers a whole tile of the
+image. Here "behind" becomes "later": a trajectory removes nothing from a tile that earlier trajectories have opened as deep as it
+reaches. The image is divided into tiles, and tiles into quarters, down to a few pixels. Each tile has a list of trajectories in the
+order of the sequence; a trajectory that is dropped from a tile is also dropped from its quarters. Each step works on whole arrays of
+pairs of tile and trajectory, sorted by tile and time. The cost grows with the number of trajectories plus the number of cuts, and
+not with their product.
 
-Only pairs that remove nothing are dropped: what is left gives the same pieces of every ray.
+Only pairs that remove nothing are dropped, so the pieces of all rays stay the same.
 """
 
 from __future__ import annotations
@@ -22,30 +22,30 @@ import numpy as np
 from vkworkbench.core.zbuffer.rays.dexels import before_in_group
 from vkworkbench.core.zbuffer.sweeps.trajectories import Trajectories
 
-# Side of the tiles to begin with, pixels; a power of two.
+# Side of the largest tiles, pixels; a power of two.
 TILE = 64
-# Pairs of tile and trajectory worked on at once, so that they stay in the processor's cache.
+# Number of pairs of tile and trajectory in one step, so that they fit into the processor's cache.
 PAIRS_AT_ONCE = 65536
-# A reach that exceeds what is open by less than this, mm, is rounding noise.
+# Smallest excess of a reach over the opened depth, mm. A smaller excess is a rounding error.
 NOISE = 1e-8
 
 
 class Bounds(Protocol):
-    """What one kind of view knows of a trajectory above a tile."""
+    """Bounds of the depth that a trajectory cuts in a tile, for one kind of view."""
 
     @property
     def slow(self) -> np.ndarray:
-        """(m,) bool ndarray : the trajectories whose bounds take as long as the surface of what they sweep."""
+        """(m,) bool ndarray : trajectories for which a bound is as slow as the swept surface itself."""
 
     def quarters(
         self, column: np.ndarray, row: np.ndarray, tile: np.ndarray, item: np.ndarray, child: int
     ) -> Iterator[np.ndarray]:
-        """Say for each quarter of the tiles which pairs may cut it.
+        """Find the pairs that may cut each quarter of the tiles.
 
         Parameters
         ----------
         column, row : (t,) ndarray of int
-            The tiles' first pixels.
+            First pixel of each tile.
         tile, item : (p,) ndarray of int
             The pairs, sorted by tile and time.
         child : int
@@ -54,11 +54,11 @@ class Bounds(Protocol):
         Yields
         ------
         (k,) int64
-            Positions of the pairs that stay; for the quarters in the order of `QUARTERS`.
+            Positions of the remaining pairs, for each quarter in the order of `QUARTERS`.
         """
 
     def removals(self, tiles: Tiles, tile: np.ndarray, near: np.ndarray, far: np.ndarray) -> Removals:
-        """Say what trajectories may remove from the rays of tiles that are fine enough.
+        """Find the intervals that trajectories may remove from the rays of small tiles.
 
         Parameters
         ----------
@@ -66,25 +66,25 @@ class Bounds(Protocol):
         tile : (p,) ndarray of int
             Tile of each pair.
         near, far : (side * side, t) ndarray
-            Where the stock begins and ends on the rays of the tiles' pixels, row by row; ``near > far`` where nothing is
-            to be cut.
+            Beginning and end of the stock on the rays of the tiles' pixels, row by row; ``near > far`` for rays that miss
+            the stock.
         """
 
 
-# Column and row of a tile's quarters, in quarters.
+# Column and row of the quarters of a tile.
 QUARTERS = ((0, 0), (1, 0), (0, 1), (1, 1))
 
 
 class Removals(NamedTuple):
-    """What may be removed from rays, sorted by ray and time.
+    """Intervals that may be removed from rays, sorted by ray and time.
 
     Attributes
     ----------
     hit : (k,) int64
         Positions in the matrix (pixels of a tile, pairs), row by row.
     enter, leave : (k,) ndarray
-        Depths between which it is removed, within the ray, mm. Without `enter` all of it begins at the near end of its ray, and each
-        reaches deeper than those before it.
+        Ends of the intervals, inside the rays, mm. If `enter` is None, all intervals begin at the near end of their rays, and
+        each is deeper than the previous ones.
     """
 
     hit: np.ndarray
@@ -94,16 +94,16 @@ class Removals(NamedTuple):
 
 @dataclass(frozen=True, eq=False)
 class Tiles:
-    """Square tiles of the image, each with the trajectories that may cut it.
+    """Square tiles of the image, each with a list of trajectories that may cut it.
 
     Attributes
     ----------
     side : int
-        Pixels.
+        Side of the tiles, pixels.
     column, row : (t,) int64
-        Their first pixels.
+        First pixel of each tile.
     first : (t + 1,) int64
-        Where each one's list begins.
+        Beginning of each tile's list.
     item : (p,) int64
         The lists: positions in `Trajectories.index`, ascending.
     """
@@ -115,27 +115,27 @@ class Tiles:
     item: np.ndarray
 
     def pixels(self) -> tuple[np.ndarray, np.ndarray]:
-        """Columns and rows (side, t) of their pixels."""
+        """Return columns and rows (side, t) of the tiles' pixels."""
         inner = np.arange(self.side)[:, None]
         return self.column + inner, self.row + inner
 
-    def only(self, these: np.ndarray) -> Tiles:
-        """Return those of `these` (t,) bool."""
-        if these.all():
+    def selected(self, chosen: np.ndarray) -> Tiles:
+        """Return the tiles selected by a mask (t,) bool."""
+        if chosen.all():
             return self
         count = np.diff(self.first)
-        first = np.append(0, np.cumsum(count[these]))
-        return Tiles(self.side, self.column[these], self.row[these], first, self.item[np.repeat(these, count)])
+        first = np.append(0, np.cumsum(count[chosen]))
+        return Tiles(self.side, self.column[chosen], self.row[chosen], first, self.item[np.repeat(chosen, count)])
 
     def part(self, begin: int, end: int) -> Tiles:
-        """Return the tiles from `begin` to before `end`."""
+        """Return the tiles begin .. end - 1."""
         first = self.first[begin : end + 1]
         return Tiles(
             self.side, self.column[begin:end], self.row[begin:end], first - first[0], self.item[first[0] : first[-1]]
         )
 
     def blocks(self, pairs: int) -> Iterator[Tiles]:
-        """Divide them into parts of so many pairs, as far as whole tiles allow."""
+        """Yield parts with at most `pairs` pairs, or a single tile."""
         begin = 0
         while begin < len(self.column):
             end = int(np.searchsorted(self.first, self.first[begin] + pairs, side="right")) - 1
@@ -145,14 +145,14 @@ class Tiles:
 
 
 class Region(NamedTuple):
-    """A part of the image, of whole tiles of the largest size as far as the image goes, `TILE` rows high.
+    """A part of the image, `TILE` rows high, made of tiles of the largest size (cut at the image's border).
 
     Attributes
     ----------
     left, right : int
-        Its first column and the one behind its last.
+        First column, and last column + 1.
     bottom, top : int
-        Its first row and the one behind its last.
+        First row, and last row + 1.
     """
 
     left: int
@@ -161,41 +161,41 @@ class Region(NamedTuple):
     top: int
 
 
-def culled(trajectories: Trajectories, bounds: Bounds, region: Region) -> Iterator[tuple[Tiles, int]]:
-    """Go down from tiles to pixels, over a part of the image.
+def small_tiles(trajectories: Trajectories, bounds: Bounds, region: Region) -> Iterator[tuple[Tiles, int]]:
+    """Yield the small tiles of a part of the image, with the trajectories that may cut them.
 
     Parameters
     ----------
     trajectories : Trajectories
     bounds : Bounds
-        Of the same view.
+        Bounds of the same view.
     region : Region
 
     Yields
     ------
     tiles : Tiles
-        Fine enough, with the trajectories that may cut them; each one once, those that nothing cuts left out.
+        Small tiles, each once; tiles that nothing cuts are left out.
     tested : int
-        Pairs of a tile or pixel and a trajectory that were tested for it.
+        Number of pairs of a tile or pixel and a trajectory that were tested for these tiles.
     """
     left = np.arange(region.left, region.right, TILE)
     pending = [first_tiles(trajectories, left, np.full(len(left), region.bottom))]
     tested = 0
     while pending:
         for block in pending.pop().blocks(PAIRS_AT_ONCE):
-            fine = fine_enough(block, bounds.slow)
+            fine = are_small(block, bounds.slow)
             if not fine.all():
-                coarse = block.only(~fine)
+                coarse = block.selected(~fine)
                 tested += 4 * len(coarse.item)
                 pending.append(quartered(trajectories, bounds, coarse))
             pixels = block.side**2
-            for small in block.only(fine).blocks(PAIRS_AT_ONCE // pixels):
+            for small in block.selected(fine).blocks(PAIRS_AT_ONCE // pixels):
                 yield small, tested + pixels * len(small.item)
                 tested = 0
 
 
-def fine_enough(tiles: Tiles, slow: np.ndarray) -> np.ndarray:
-    """Say of which tiles (t,) cutting the pixels one by one is quicker than dividing them further: see `Bounds.slow`."""
+def are_small(tiles: Tiles, slow: np.ndarray) -> np.ndarray:
+    """Return whether cutting the pixels of each tile (t,) is faster than dividing the tile, see `Bounds.slow`."""
     if tiles.side != 4:
         return np.full(len(tiles.column), tiles.side < 4)
     running = np.append(0, np.cumsum(slow.take(tiles.item)))
@@ -204,7 +204,7 @@ def fine_enough(tiles: Tiles, slow: np.ndarray) -> np.ndarray:
 
 
 def first_tiles(trajectories: Trajectories, left: np.ndarray, bottom: np.ndarray) -> Tiles:
-    """Return the largest tiles whose first pixels are at `left`, `bottom` (t,), with all trajectories that pass them."""
+    """Return the largest tiles with first pixels at `left`, `bottom` (t,), and all trajectories that pass through them."""
     frame = trajectories.frame
     x0, y0 = frame.pixel_centres(left, bottom)
     x1, y1 = frame.pixel_centres(np.minimum(left + TILE, frame.width) - 1, np.minimum(bottom + TILE, frame.height) - 1)
@@ -213,7 +213,7 @@ def first_tiles(trajectories: Trajectories, left: np.ndarray, bottom: np.ndarray
 
 
 def quartered(trajectories: Trajectories, bounds: Bounds, tiles: Tiles) -> Tiles:
-    """Return the quarters of tiles that something may cut, each with the trajectories that may cut it."""
+    """Return the quarters of tiles, with the trajectories that may cut them, without quarters that nothing cuts."""
     frame, side = trajectories.frame, tiles.side // 2
     tile = np.repeat(np.arange(len(tiles.column)), np.diff(tiles.first))
     columns, rows, counts, items = [], [], [], []
@@ -232,22 +232,22 @@ def quartered(trajectories: Trajectories, bounds: Bounds, tiles: Tiles) -> Tiles
     return Tiles(side, np.concatenate(columns), np.concatenate(rows), first, np.concatenate(items))
 
 
-def deeper(
+def deeper_pairs(
     tile: np.ndarray, start: np.ndarray, reach: np.ndarray, opens: np.ndarray, near: float, far: float
 ) -> np.ndarray:
-    """Positions of the pairs that reach deeper than the pairs of their tile before them opened it.
+    """Return the positions of pairs that reach deeper than earlier pairs have opened their tile.
 
     Parameters
     ----------
     tile : (p,) ndarray of int
-        Ascending.
+        Tile of each pair, ascending.
     start : (t,) ndarray of int
-        Where each tile's pairs begin.
+        First pair of each tile.
     reach, opens : (p,) ndarray
-        How deep the trajectory reaches at most, and the depth to which it opens all of the tile's rays from their near
-        end; -inf or not a number where it does not. Both are overwritten.
+        Largest depth that the trajectory reaches, and the depth to which it opens all rays of the tile from their near
+        end; -inf or NaN if it does not. Both are overwritten.
     near, far : float
-        Where the tiles' rays begin and end, at least and at most.
+        Smallest beginning and largest end of the tiles' rays.
     """
     stretch = far - near + 1
     np.minimum(np.fmax(opens, near, out=opens), far, out=opens)

@@ -31,7 +31,7 @@ _LESS = 1e-6
 
 
 class Tilted:
-    """Bounds for an oblique view; see `culling.Bounds`."""
+    """Bounds for an oblique view; see `tiles.Bounds`."""
 
     def __init__(self, trajectories: Trajectories) -> None:
         self.trajectories, self.sine, self.cosine = trajectories, trajectories.sine, trajectories.cosine
@@ -45,7 +45,7 @@ class Tilted:
     def quarters(
         self, column: np.ndarray, row: np.ndarray, tile: np.ndarray, item: np.ndarray, child: int
     ) -> Iterator[np.ndarray]:
-        """See `culling.Bounds.quarters`."""
+        """See `tiles.Bounds.quarters`."""
         middle = (child - 1) / 2
         reach = middle * self.frame.pixel * (1 + NOISE)
         both = np.array([[middle], [child + middle]])
@@ -62,7 +62,7 @@ class Tilted:
             yield met[_not_yet_open(tile[met], first[met], last[met], all_enter, all_leave, near, far)]
 
     def removals(self, tiles: Tiles, tile: np.ndarray, near: np.ndarray, far: np.ndarray) -> Removals:
-        """See `culling.Bounds.removals`."""
+        """See `tiles.Bounds.removals`."""
         column, row = tiles.pixels()
         x, y = self.frame.pixel_centres(column, row)
         pixels, item = tiles.side**2, tiles.item

@@ -12,7 +12,7 @@ from collections.abc import Iterator, Sequence
 import numpy as np
 
 from vkworkbench.core.tool import Tool
-from vkworkbench.core.zbuffer.culling.tiles import QUARTERS, Removals, Tiles, deeper
+from vkworkbench.core.zbuffer.culling.tiles import QUARTERS, Removals, Tiles, deeper_pairs
 from vkworkbench.core.zbuffer.rays.dexels import beginnings
 from vkworkbench.core.zbuffer.rays.opening import opening
 from vkworkbench.core.zbuffer.sweeps.intervals import lowest
@@ -25,7 +25,7 @@ _RIM_LENGTH = 1e-4
 
 
 class Upright:
-    """Bounds for a vertical view; see `culling.Bounds`."""
+    """Bounds for a vertical view; see `tiles.Bounds`."""
 
     def __init__(self, trajectories: Trajectories) -> None:
         self.trajectories, self.frame, self.cosine = trajectories, trajectories.frame, trajectories.cosine
@@ -40,7 +40,7 @@ class Upright:
     def quarters(
         self, column: np.ndarray, row: np.ndarray, tile: np.ndarray, item: np.ndarray, child: int
     ) -> Iterator[np.ndarray]:
-        """See `culling.Bounds.quarters`."""
+        """See `tiles.Bounds.quarters`."""
         x, y = self.frame.pixel_centres(column + child - 0.5, row + child - 0.5)
         mx, my, ux, uy, half_run, depth = (measure.take(item) for measure in self.measures)
         dx, dy = x.take(tile), (self.cosine * y).take(tile)
@@ -59,10 +59,10 @@ class Upright:
             right, upwards = 2 * across - 1, (2 * up - 1) * (1 if self.cosine > 0 else -1)
             along, aside = along0 + right * ux + upwards * uy, aside0 + upwards * ux - right * uy
             places = along, aside, extent, half_run, depth
-            yield deeper(tile, start, *_of_kinds(kinds, places), self.near, self.far)
+            yield deeper_pairs(tile, start, *_of_kinds(kinds, places), self.near, self.far)
 
     def removals(self, tiles: Tiles, tile: np.ndarray, near: np.ndarray, far: np.ndarray) -> Removals:
-        """See `culling.Bounds.removals`."""
+        """See `tiles.Bounds.removals`."""
         column, row = tiles.pixels()
         x, y = self.frame.pixel_centres(column, row)
         start = beginnings(tile)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""An image made ready to be cut, region by region, in this process or in another."""
+"""An image that is cut region by region, in this process or in others."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from typing import Any
 
 from vkworkbench.core.stocks import Solid
 from vkworkbench.core.view import Frame
-from vkworkbench.core.zbuffer.culling.tiles import TILE, Region, Tiles, culled
+from vkworkbench.core.zbuffer.culling.tiles import TILE, Region, Tiles, small_tiles
 from vkworkbench.core.zbuffer.culling.tilted import Tilted
 from vkworkbench.core.zbuffer.culling.upright import Upright
 from vkworkbench.core.zbuffer.rays.records import Records
@@ -18,21 +18,21 @@ from vkworkbench.core.zbuffer.sweeps.cuts import Cuts
 
 
 class CutImage:
-    """An image that can be cut region by region; another process can be told of it.
+    """An image that can be cut region by region. It can be sent to another process.
 
     Parameters
     ----------
     cuts : Cuts
     stock : Solid
     frame : Frame
-        The view of this stock.
+        The view of the stock.
 
     Attributes
     ----------
     removal : Removal
-        What is cut.
+        The prepared trajectories.
     bands : list of Region
-        All of the image, from below.
+        The whole image in regions, from the bottom.
     """
 
     def __init__(self, cuts: Cuts, stock: Solid, frame: Frame) -> None:
@@ -47,11 +47,11 @@ class CutImage:
         return CutImage, self._arguments
 
     def __call__(self, region: Region, going_on: Callable[[], None] = lambda: None) -> tuple[Records, int]:
-        """Cut a region: its records, and how many pairs were tested for it.
+        """Cut a region; return its records, and the number of tested pairs.
 
-        `going_on` is called many times a second; what it raises ends it.
+        `going_on` is called many times a second. An exception from it ends the work.
         """
-        blocks = _interrupted(culled(self.removal, self._bounds, region), going_on)
+        blocks = _interrupted(small_tiles(self.removal, self._bounds, region), going_on)
         return cut_region(self.removal, self._bounds, blocks, self._uncut, region)
 
 

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The extended z-buffer at any moment of the simulation.
 
-Every pixel's ray holds the dexels of the part and the elements of the traces, the pieces the trajectories removed.
-Traces glue the chips back on the part, so every moment of the simulation can be had again.
+The ray of each pixel has the dexels of the part and the elements of the traces, which are the pieces removed by trajectories.
+Joining traces to dexels again restores any earlier moment.
 """
 
 from __future__ import annotations
@@ -29,18 +29,17 @@ class ZBuffer:
     frame : Frame
         Axes, centre and pixel of the image.
     cuts : Cuts
-        What it is cut by; tells where a trajectory comes from.
+        The toolpaths that cut the stock.
     step : int
-        The moment: that many trajectories have been simulated.
+        The moment, in simulated trajectories.
     records : Records
         The pieces of all rays.
     surface : Surface
-        The pieces of rays that are seen at some moment.
+        The visible surfaces at any moment.
     candidates : int
-        Pairs of a tile or pixel of the image and a trajectory that the simulation tested; a few more or less where
-        several processes shared it.
+        Number of pairs of a tile or pixel and a trajectory that were tested. It depends slightly on the number of processes.
     peak : Peak
-        What decided the memory that it took, with pictures of it.
+        Peak memory, including pictures.
     """
 
     frame: Frame
@@ -53,22 +52,22 @@ class ZBuffer:
 
     @property
     def trajectories(self) -> int:
-        """How many trajectories there are."""
+        """Number of all trajectories."""
         return len(self.cuts)
 
     @property
     def picture(self) -> Picture:
-        """What is seen at this moment: depth and owner of the surface at every pixel."""
+        """Depth and owner of the visible surface at this moment, for every pixel."""
         return self.surface.picture(self.step)
 
     @cached_property
     def dexel_records(self) -> np.ndarray:
-        """The dexels at this moment, the chips that have not been cut yet included: (d,) ndarray of DEXEL."""
+        """(d,) ndarray of DEXEL : the dexels at this moment, including material that later trajectories remove."""
         return self.records.dexels(self.step)
 
     @cached_property
     def trace_records(self) -> np.ndarray:
-        """(m,) ndarray of TRACE : what all trajectories remove, sorted by pixel and depth."""
+        """(m,) ndarray of TRACE : the pieces that all trajectories remove, sorted by pixel and depth."""
         return self.records.traces()
 
     @cached_property
@@ -88,21 +87,21 @@ class ZBuffer:
 
     @property
     def memory_bytes(self) -> int:
-        """Bytes of the records and of the index, the traces of later moments included."""
+        """Memory of records and index, including traces of later moments, bytes."""
         return self.records.nbytes
 
     @property
     def part_volume(self) -> float:
-        """Volume of what is left at this moment, mm^3."""
+        """Volume of the part at this moment, mm^3."""
         return _length(self.dexel_records) * self.frame.pixel**2
 
     @property
     def chip_volume(self) -> float:
-        """Volume removed until this moment, mm^3."""
+        """Volume removed before this moment, mm^3."""
         return _length(self.trace_records[self.trace_records["trajectory"] < self.step]) * self.frame.pixel**2
 
     def chips(self, first: int, end: int) -> Picture:
-        """Return what some trajectories remove, as it is seen alone: the first of their pieces on each ray.
+        """Return the visible surface of the material that some trajectories remove, seen alone.
 
         Parameters
         ----------
@@ -112,7 +111,7 @@ class ZBuffer:
         Raises
         ------
         ValueError, TypeError
-            As :meth:`at`.
+            See :meth:`at`.
         """
         first, end = self._moment("first", first), self._moment("end", end)
         records, pixels = self.records, self.frame.width * self.frame.height
@@ -139,9 +138,9 @@ class ZBuffer:
         Raises
         ------
         ValueError
-            Where there is no such moment.
+            If `step` is negative or larger than the number of trajectories.
         TypeError
-            Where it is no whole number.
+            If `step` is not an integer.
         """
         return replace(self, step=self._moment("step", step))
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The pieces of the rays of a region of the image."""
+"""Cut the rays of a region of the image."""
 
 from __future__ import annotations
 
@@ -18,19 +18,19 @@ from vkworkbench.core.zbuffer.sweeps.trajectories import Trajectories
 
 @dataclass(frozen=True, eq=False)
 class _Part:
-    """Some rays that are cut.
+    """Some rays that were cut.
 
     Attributes
     ----------
     ray : (k,) ndarray of int
-        Their numbers in the region.
+        Numbers of the rays in the region.
     size : (k,) ndarray of int
-        How many pieces each one has.
+        Number of pieces of each ray.
     count : (k,) ndarray of int
-        How many of them are listed: all, or all but the last, that nothing removes.
+        Number of listed pieces of each ray: all, or all except a last piece that nothing removes.
     end : (p,) float32
     owner : (p,) int32
-        The pieces listed.
+        Ends and owners of the listed pieces.
     """
 
     ray: np.ndarray
@@ -49,18 +49,18 @@ def cut_region(
     ----------
     trajectories : Trajectories
     bounds : Bounds
-        Of the same view.
+        Bounds of the same view.
     blocks : iterable of (Tiles, int)
-        See `culling.culled`.
+        From `tiles.small_tiles`.
     uncut : int
-        Owner of what nothing removes.
+        Owner of pieces that nothing removes.
     region : Region
 
     Returns
     -------
     records : Records
     tested : int
-        Pairs that were tested for it.
+        Number of tested pairs.
     """
     rays = _Rays(trajectories, bounds, uncut, region)
     tested = 0
@@ -78,7 +78,7 @@ class _Rays:
         centres = frame.pixel_centres(region.left + column, region.bottom + row)
         self.near, self.far, self.gaps = trajectories.spans(*centres)
         self.inside = self.far - self.near > THINNEST
-        # Where a stock has gaps, they are pieces of rays that nothing cuts, too.
+        # Gaps of the stock are pieces, also of rays that nothing cuts.
         self.pending = np.zeros(len(row), bool)
         self.pending[self.gaps.ray] = True
         self.parts: list[_Part] = []
@@ -96,7 +96,7 @@ class _Rays:
         hit, enter, leave = self.bounds.removals(tiles, tile, near, far)
         if len(hit) == 0:
             return
-        # Pixels of the tiles, row by row, are the rays' order.
+        # The order of the rays is the order of the tiles' pixels, row by row.
         rows = np.arange(shape[0]) * len(tile)
         begin = np.searchsorted(hit, (rows[:, None] + tiles.first[:-1]).ravel())
         met = np.flatnonzero(np.diff(begin, append=len(hit)))
@@ -118,7 +118,7 @@ class _Rays:
             self._put(ray, cut_by_removing(near, far, number, owner, enter, leave))
 
     def records(self) -> Records:
-        """Put the pieces together."""
+        """Return the records of the region."""
         ray = np.flatnonzero(self.pending & self.inside)
         if len(ray):
             nobody, nowhere, own = np.empty(0, np.int64), np.empty(0), gaps_of(self.gaps, ray)
@@ -137,7 +137,7 @@ class _Rays:
         return Records(self.uncut, index.astype(INDEX), entry, ends, owners)
 
     def _put(self, ray: np.ndarray, pieces: Pieces) -> None:
-        """Add the pieces of rays, each of the ray of its number in `ray`."""
+        """Add the pieces of rays; ``pieces.ray`` are positions in `ray`."""
         size = np.bincount(pieces.ray, minlength=len(ray))
         self._add(ray, size, size, pieces.far, np.where(pieces.owner == UNCUT, self.uncut, pieces.owner))
         self.pending[ray] = False

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The image cut part by part, by this process and, where that takes long, by others beside it.
+"""Cut an image in parts, in this process and, if it takes long, in other processes.
 
-The parts do not depend on each other. Threads gain little: numpy keeps Python's lock on arrays that fit the processor's
-cache (`benchmarks/sharing.py`). So the others are processes, which are told what is cut and send the records back.
+The parts are independent. Threads gain little, because numpy keeps Python's lock on arrays that fit into the processor's cache
+(`benchmarks/sharing.py`). Therefore processes are used, which receive the image and return records.
 """
 
 from __future__ import annotations
@@ -18,11 +18,11 @@ from vkworkbench.core.zbuffer.rays.records import Records, side_by_side
 from vkworkbench.core.zbuffer.simulator.cut_image import CutImage
 from vkworkbench.worker import Worker, WorkerDied
 
-# So long one process cuts alone, and so long the others then take to begin, s.
+# Time after which other processes are started, and the time that they need to start, s.
 _ALONE, _START = 0.5, 0.35
-# Into so many regions for each process the rest is divided: small ones end together, large ones are quicker.
+# Number of regions for each process. More regions: processes finish at the same time. Fewer: each region is more efficient.
 _REGIONS = 12
-_TOLD = 0.05  # s between two calls while others are waited for
+_WAIT = 0.05  # s between two calls of `going_on` while waiting for other processes
 
 
 def cut_bands(
@@ -34,20 +34,20 @@ def cut_bands(
     ----------
     image : CutImage
     helpers : callable
-        Asked once, where it takes long, how many processes may help.
+        Returns the number of other processes that may help. Called once, if cutting takes long.
     going_on : callable
-        Called many times a second with the share that is done; what it raises ends it.
+        Called many times a second with the completed share. An exception from it ends the work.
 
     Yields
     ------
     Records, int
-        What `image` gives of each band.
+        The result of `image` for each band.
     """
     begin = time.monotonic()
     shared = _Shared(image.bands)
     crew: _Crew | None = None
 
-    def told() -> None:
+    def report() -> None:
         nonlocal crew
         going_on(shared.share)
         if crew is None and shared.left and time.monotonic() - begin > _ALONE:
@@ -56,12 +56,12 @@ def cut_bands(
     try:
         for band in image.bands:
             while not shared.has(band):
-                told()
+                report()
                 region = shared.take()
                 if region is None:
-                    shared.wait(band, _TOLD)
+                    shared.wait(band, _WAIT)
                     continue
-                shared.give(region, image(region, told))
+                shared.give(region, image(region, report))
             yield shared.fetch(band)
     finally:
         if crew is not None:
@@ -69,19 +69,19 @@ def cut_bands(
 
 
 def shared_seconds(seconds: float, processes: int) -> float:
-    """Return how long several processes take for what takes one so long, s."""
+    """Return the time, s, that several processes need for work that takes one process `seconds`."""
     alone = min(seconds, _ALONE + _START)
     return alone + (seconds - alone) / processes
 
 
 def unshared_seconds(seconds: float, processes: int) -> float:
-    """Return how long one process takes for what takes several so long, s: the inverse of :func:`shared_seconds`."""
+    """Return the time, s, that one process needs for work that takes several processes `seconds`; inverse of `shared_seconds`."""
     alone = min(seconds, _ALONE + _START)
     return alone + (seconds - alone) * processes
 
 
 class _Shared:
-    """What is to be done and what is found, for several threads."""
+    """Pending regions and results, shared by several threads."""
 
     def __init__(self, bands: list[Region]) -> None:
         self._todo = deque(bands)
@@ -93,16 +93,16 @@ class _Shared:
 
     @property
     def share(self) -> float:
-        """How much of the image is found."""
+        """Completed share of the image."""
         return self._done / self._all
 
     @property
     def left(self) -> int:
-        """How many regions nobody works on yet."""
+        """Number of pending regions."""
         return len(self._todo)
 
     def divide(self, processes: int) -> None:
-        """Divide the bands that nobody works on yet for so many processes."""
+        """Divide the pending bands into regions for a number of processes."""
         with self._changed:
             bands = list(self._todo)
             self._todo.clear()
@@ -114,40 +114,40 @@ class _Shared:
                 self._todo.extend(self._regions[band])
 
     def take(self) -> Region | None:
-        """Return the next region; None where there is none."""
+        """Return the next pending region, or None."""
         with self._changed:
             return self._todo.popleft() if self._todo else None
 
     def give(self, region: Region, found: tuple[Records, int]) -> None:
-        """Add what a region became."""
+        """Store the result of a region."""
         with self._changed:
             self._found[region] = found
             self._done += region.right - region.left
             self._changed.notify()
 
     def give_back(self, region: Region) -> None:
-        """Leave a region to others."""
+        """Make a region pending again."""
         with self._changed:
             self._todo.appendleft(region)
             self._changed.notify()
 
     def has(self, band: Region) -> bool:
-        """Whether all of a band is found."""
+        """Return whether all regions of a band are finished."""
         return all(region in self._found for region in self._regions[band])
 
     def wait(self, band: Region, seconds: float) -> None:
-        """Wait until a band is found, or there is something to do, but not longer than that."""
+        """Wait until a band is finished or a region is pending, but at most `seconds`."""
         with self._changed:
             self._changed.wait_for(lambda: self.has(band) or self._todo, seconds)
 
     def fetch(self, band: Region) -> tuple[Records, int]:
-        """Return a band that is found, and forget it."""
+        """Return the result of a finished band, and drop it."""
         found = [self._found.pop(region) for region in self._regions[band]]
         return side_by_side([records for records, _ in found], band.top - band.bottom), sum(n for _, n in found)
 
 
 class _Crew:
-    """Processes that help, each with a thread that waits for it. Without them there is more for this process to do."""
+    """Processes that help, each with a thread that waits for its results."""
 
     def __init__(self, image: CutImage, size: int, shared: _Shared) -> None:
         self._workers: list[Worker] = []
@@ -173,7 +173,7 @@ class _Crew:
 
 
 def _have_cut(worker: Worker, shared: _Shared) -> None:
-    """Have regions cut until there are none. One that is taken and not found would be waited for without end."""
+    """Let a worker cut regions until none is pending. A region whose worker fails becomes pending again."""
     try:
         with suppress(WorkerDied):
             worker.get_ready()

@@ -31,7 +31,7 @@ def simulate(
     going_on: Callable[[float], None] = lambda _: None,
     processes: int | None = None,
 ) -> ZBuffer:
-    """Cut the stock by one toolpath; see :func:`simulate_job`, of which this is a job of one operation."""
+    """Simulate one toolpath; see :func:`simulate_job`."""
     cuts = [Cut(toolpath, tool)]
     return simulate_job(
         cuts, stock=stock, view=view, memory_budget=memory_budget, going_on=going_on, processes=processes
@@ -47,11 +47,11 @@ def simulate_job(
     going_on: Callable[[float], None] = lambda _: None,
     processes: int | None = None,
 ) -> ZBuffer:
-    """Cut the stock by toolpaths one after the other, by all trajectories, rapids included, and count exactly.
+    """Simulate toolpaths one after the other on one stock, including rapids.
 
-    An element of a trace is one piece a trajectory removes from one pixel's ray. Pieces up to 1e-4 mm are
-    rounding noise and go to their neighbour. A trajectory is the straight sweep of the tool between two
-    points of the toolpath. The trajectories of all cuts are numbered through; see `Cuts`.
+    An element of a trace is one piece that a trajectory removes from the ray of one pixel. Pieces up to 1e-4 mm are rounding errors and
+    are joined to their neighbours. A trajectory is the straight sweep of the tool between two points of the toolpath. Trajectories
+    are numbered over all cuts; see `Cuts`.
 
     Parameters
     ----------
@@ -60,24 +60,24 @@ def simulate_job(
     stock : Solid
     view : View
     memory_budget : float
-        Bytes that all processes together may take for it at their peak.
+        Largest peak memory of all processes together, bytes.
     going_on : callable, optional
-        Called many times a second with the share of the image that is done, 0 to 1; what it raises ends the simulation.
+        Called many times a second with the completed share, 0 to 1. An exception from it ends the simulation.
     processes : int, optional
-        How many may cut, this one included: where it takes longer than half a second, and memory allows. One for each
-        core by default. The records do not depend on it.
+        Largest number of processes, including this one; by default one for each core. Others start if the simulation takes
+        longer than half a second and memory allows. The result does not depend on it.
 
     Returns
     -------
     ZBuffer
-        At its last moment.
+        The simulation at its last moment.
 
     Raises
     ------
     OverBudget
-        Before anything is simulated, if it would take more memory than that.
+        If the simulation would need more memory. Nothing is simulated then.
     ValueError, TypeError
-        Where an argument is something else.
+        If an argument has an impossible value or another type.
     """
     memory_budget = number("memory_budget", memory_budget, "a number of bytes, at least 0", lambda size: size >= 0)
     of_kind("going_on", going_on, Callable, "a function")
