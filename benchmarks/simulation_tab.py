@@ -38,7 +38,7 @@ from vkworkbench import freecad
 from vkworkbench.core.zbuffer import Estimate
 from vkworkbench.document.simulation.copy import read_job
 from vkworkbench.gui.simulation.command import open_tab
-from vkworkbench.gui.simulation.state_line import StateLine
+from vkworkbench.gui.simulation.widgets import StateLine
 
 OUT = sys.__stdout__
 PATIENCE = float(os.environ.get("VKWORKBENCH_PATIENCE", "600"))

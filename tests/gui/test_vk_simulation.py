@@ -21,10 +21,9 @@ from vkworkbench.document.simulation.simulate import simulate_read
 from vkworkbench.gui.qt.plain_text import OneLine
 from vkworkbench.gui.simulation import controls, exports, refining
 from vkworkbench.gui.simulation import player as playing
-from vkworkbench.gui.simulation.drawing import Drawing, Picture
 from vkworkbench.gui.simulation.faults import differences
-from vkworkbench.gui.simulation.legend import Legend
-from vkworkbench.gui.simulation.state_line import StateLine
+from vkworkbench.gui.simulation.pictures import Drawing, Picture
+from vkworkbench.gui.simulation.widgets import Legend, StateLine
 
 
 @pytest.fixture(scope="module")
@@ -170,7 +169,7 @@ def test_differences_to_the_model_have_colours_and_places(whole_from_above, wind
     finest(player, window)
     assert bar.tolerance.isVisible() and bar.worst.isEnabled()
     window.screenshot("simulation-difference")
-    kinds = [fault.what.code for fault in differences(player.drawing.told, bar.tolerance_mm)]
+    kinds = [fault.what.code for fault in differences(player.drawing.findings, bar.tolerance_mm)]
     assert kinds and set(kinds) == {"leaves-material"}  # the sound example leaves inside corners, and gouges nothing
     before = view.grab().toImage()
     bar.worst.menu().actions()[0].trigger()
@@ -180,9 +179,9 @@ def test_differences_to_the_model_have_colours_and_places(whole_from_above, wind
     fine = len(bar.worst.menu().actions())
     bar.tolerance.setValue(2.0)
     window.wait(lambda: player.pictures.is_current and not player.is_busy)
-    assert fine <= 20 and [fault.what.arguments["depth"] > 2 for fault in differences(player.drawing.told, 2.0)] == [
-        True
-    ] * len(bar.worst.menu().actions())
+    assert fine <= 20 and [
+        fault.what.arguments["depth"] > 2 for fault in differences(player.drawing.findings, 2.0)
+    ] == [True] * len(bar.worst.menu().actions())
     player.moment.go_to(0.0)
     window.wait(lambda: player.pictures.is_current)
     assert view.grab().toImage() != before
@@ -331,8 +330,8 @@ def test_a_model_that_is_still_to_come_is_not_called_missing(simulated):
     drawing = simulated.drawing
     simulated.scene_bar.colorings.setCurrentIndex(simulated.scene_bar.colorings.count() - 1)
     said, seen = [], drawing.seen
-    for told in (None, drawing.told):
-        drawing.told, drawing.seen = told, None
+    for told in (None, drawing.findings):
+        drawing.findings, drawing.seen = told, None
         drawing.color()
         said.append(drawing._coloring().legend()[0][1])
     drawing.seen = seen
@@ -485,7 +484,7 @@ def test_nothing_to_simulate_is_said(desk, window):
 
 
 def test_what_has_been_read_is_seen_before_all_is_read(desk, window, monkeypatch):
-    monkeypatch.setattr("vkworkbench.gui.simulation.reading._SOON", 0.0)
+    monkeypatch.setattr("vkworkbench.gui.simulation.reading._FIRST", 0.0)
     desk.kept(desk.small)
     tab = desk.simulate()
     scene, _ = tab.reading.seen
@@ -575,12 +574,12 @@ def test_a_gouge_is_not_forgotten_where_it_is_not_seen(desk, document, window):
 
     player = shown(desk.simulate(), window)
     assert {fault.what.code for fault in player.faults} == {"rapid-cuts", "cuts-model"} and faults() == [2]
-    judged = player.drawing.told
+    judged = player.drawing.findings
     player.look("Bottom")
-    window.wait(lambda: player.drawing.told is not judged)
+    window.wait(lambda: player.drawing.findings is not judged)
     assert faults() == [2]  # a coarse picture does not look for gouges
     finest(player, window)
-    assert player.drawing.told.judged and player.drawing.told.deviations.gouged.max() < 0.1
+    assert player.drawing.findings.judged and player.drawing.findings.deviations.gouged.max() < 0.1
     assert {fault.what.code for fault in player.faults} == {"rapid-cuts", "cuts-model"}  # it is there all the same
     assert faults() == [2]
 
@@ -591,18 +590,18 @@ def test_a_gouge_is_not_forgotten_where_it_is_not_seen(desk, document, window):
 def test_costs_have_a_part_per_pixel_and_a_fixed_part():
     course, peak = None, Peak(1e6, 5e5, 1e5, 2e4, 120_000, 1000, 1e6)
     for share in (1 / 8, 1 / 3):  # of pictures that take 2 s, and 27 s for all of the pixels
-        course = refining._Course(share, 2 + 27 * share**2, peak, course, 1)
+        course = refining._CostTrend(share, 2 + 27 * share**2, peak, course, 1)
     assert course.expected(1.0) == pytest.approx((29, peak.bytes(9)))
     assert course.largest(29) == pytest.approx(1) == course.largest(100)
     assert course.largest(8.75) == pytest.approx(0.5)
     assert course.largest(1) == 0
-    assert refining._Course(0.5, 3.0, peak, None, 1).expected(1.0) == (12.0, peak.bytes(4))
-    busy = refining._Course(0.25, 2.0, peak, None, 1)  # the computer was
-    quicker = refining._Course(0.5, 1.0, peak, busy, 1)
+    assert refining._CostTrend(0.5, 3.0, peak, None, 1).expected(1.0) == (12.0, peak.bytes(4))
+    busy = refining._CostTrend(0.25, 2.0, peak, None, 1)  # the computer was
+    quicker = refining._CostTrend(0.5, 1.0, peak, busy, 1)
     assert quicker.expected(1.0) == (1.0, peak.bytes(4)) and quicker.largest(1) == 1 and quicker.largest(0.5) == 0
-    several = refining._Course(0.5, 3.0, peak, None, 4).expected(1.0)[0]  # what takes one longer than 12 s
+    several = refining._CostTrend(0.5, 3.0, peak, None, 4).expected(1.0)[0]  # what takes one longer than 12 s
     assert 12 > several > 12 / 2
-    assert refining._Course(0.5, 3.0, peak, None, 4).largest(several) == pytest.approx(1)
+    assert refining._CostTrend(0.5, 3.0, peak, None, 4).largest(several) == pytest.approx(1)
 
 
 @pytest.mark.parametrize("wide", [True, False])

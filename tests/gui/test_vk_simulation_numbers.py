@@ -15,10 +15,9 @@ from vkworkbench.core.zbuffer import OverBudget, SeenModel, Speed, memory_needed
 from vkworkbench.document.simulation.job import SimulatedJob, SimulatedOperation
 from vkworkbench.document.simulation.simulate import simulate_read
 from vkworkbench.gui.simulation import coloring, exports
-from vkworkbench.gui.simulation.clock import Clock
-from vkworkbench.gui.simulation.drawing import Drawing
-from vkworkbench.gui.simulation.faults import Fault, differences, judge
-from vkworkbench.gui.simulation.known_faults import KnownFaults
+from vkworkbench.gui.simulation.faults import Fault, KnownFaults, differences, judge
+from vkworkbench.gui.simulation.moment import Clock
+from vkworkbench.gui.simulation.pictures import Drawing
 from vkworkbench.gui.simulation.refining import Facts, Refined, Refining, Told, holds
 from vkworkbench.gui.simulation.time_line import TimeLine
 from vkworkbench.language import Message
@@ -145,7 +144,7 @@ def test_the_newest_crash_and_the_shallowest_view_of_a_gouge_are_known():
     assert [(found.command, found.gouged) for found in known.gouges] == [(0, 0.2), (2, 0.3)]
     told = []
     with pytest.MonkeyPatch.context() as patched:
-        patched.setattr("vkworkbench.gui.simulation.known_faults.keep_faults", told.append)
+        patched.setattr("vkworkbench.gui.simulation.faults.keep_faults", told.append)
         known.follow(True)
     ((_, wrong),) = told[0].items()
     assert wrong[0] == (7, crashes[1].what) and len(wrong) == 3

@@ -17,7 +17,7 @@ from make_example import cam
 from PySide import QtCore, QtGui
 from simulation_window import COMMAND, Desk, drag, finest, make_small, shown, tabs, working
 
-from vkworkbench.gui.simulation import navigation
+from vkworkbench.gui.simulation import part_view
 
 MIDDLE, LEFT, RIGHT = QtCore.Qt.MiddleButton, QtCore.Qt.LeftButton, QtCore.Qt.RightButton
 
@@ -63,14 +63,14 @@ PHASES = {
     "read": lambda tab: tab.reading.seen is not None or tab.player is not None,
     "shown": lambda tab: tab.player is not None,
     "coarse": lambda tab: tab.player is not None and tab.player.simulation is not None,
-    "told": lambda tab: tab.player is not None and tab.player.drawing.told is not None,
+    "told": lambda tab: tab.player is not None and tab.player.drawing.findings is not None,
 }
 
 
 @pytest.mark.parametrize("phase", PHASES)
 @pytest.mark.parametrize("how", ["key", "document"])
 def test_it_is_closed_in_every_phase(desk, window, monkeypatch, phase, how):
-    monkeypatch.setattr("vkworkbench.gui.simulation.reading._SOON", 0.0)
+    monkeypatch.setattr("vkworkbench.gui.simulation.reading._FIRST", 0.0)
     document = desk.kept(desk.small)
     window.click(COMMAND)
     window.wait(lambda: tabs(window))
@@ -130,26 +130,26 @@ def test_an_operation_is_deleted_or_changed_while_it_is_open(document, window, m
     close(tab, window)
 
 
-@pytest.mark.parametrize("style", sorted(navigation._STYLES))
+@pytest.mark.parametrize("style", sorted(part_view._STYLES))
 def test_every_navigation_style_turns_and_moves(desk, window, style):
     tab = desk.shared(desk.small, at_its_finest=False)
     group = FreeCAD.ParamGet("User parameter:BaseApp/Preferences/View")
     before = group.GetString("NavigationStyle")
     group.SetString("NavigationStyle", f"Gui::{style}NavigationStyle")
     try:
-        buttons = {what: b for b, m, what in navigation._STYLES[style] if m == QtCore.Qt.NoModifier}
+        buttons = {what: b for b, m, what in part_view._STYLES[style] if m == QtCore.Qt.NoModifier}
         none = QtCore.Qt.NoModifier
-        assert navigation.action(LEFT, none) == navigation.TURN
-        for b, m, what in navigation._STYLES[style]:
-            assert navigation.action(b, m) == what
+        assert part_view.action(LEFT, none) == part_view.TURN
+        for b, m, what in part_view._STYLES[style]:
+            assert part_view.action(b, m) == what
         view, middle = tab.player.view, tab.player.view.rect().center()
         for what, button in buttons.items():
             looked = view.view
             if button in (LEFT, MIDDLE, RIGHT):
                 drag(window, view, middle, middle + QtCore.QPoint(60, 20), button)
                 now = view.view
-                assert (now.offset != looked.offset) == (what == navigation.PAN)
-                assert np.allclose(now.direction, looked.direction) == (what == navigation.PAN)
+                assert (now.offset != looked.offset) == (what == part_view.PAN)
+                assert np.allclose(now.direction, looked.direction) == (what == part_view.PAN)
     finally:
         group.SetString("NavigationStyle", before) if before else group.RemString("NavigationStyle")
 

@@ -15,7 +15,7 @@ import vkworkbench
 from vkworkbench.core.zbuffer import removed_volumes
 from vkworkbench.gui.qt import widgets
 from vkworkbench.gui.simulation import exports
-from vkworkbench.gui.simulation.known_faults import KnownFaults
+from vkworkbench.gui.simulation.faults import KnownFaults
 
 
 @pytest.fixture(scope="module")

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""By what the surfaces are coloured, and what the colours mean."""
+"""The colourings of surfaces, with their legends."""
 
 from __future__ import annotations
 
@@ -27,31 +27,31 @@ from vkworkbench.core.rendering import (
 from vkworkbench.core.zbuffer import SeenModel
 from vkworkbench.gui.qt.sentences import strategy_name, user
 from vkworkbench.gui.qt.text import QT_TRANSLATE_NOOP, translate
-from vkworkbench.gui.simulation.clock import Clock
+from vkworkbench.gui.simulation.moment import Clock
 
-# Of surfaces by who made them, (n + 1, 3) or (2, 3) uint8; or what returns those of the pixels at a moment.
+# Colours by the trajectory that made a surface, (n + 1, 3) or (2, 3) uint8; or a function that returns the colours of pixels.
 Colors = Union[np.ndarray, Callable[[ZBuffer], np.ndarray]]
 Entries = Tuple[Tuple[str, str], ...]
 
 
 @dataclass(frozen=True, eq=False)
 class Job:
-    """What is known of the job that is coloured.
+    """The data of a job for its colouring.
 
     Attributes
     ----------
     labels : tuple of str
-        Of the operations.
+        Labels of the operations.
     strategies : tuple of Strategy
     clock : Clock
     volumes : (n,) float64 or None
-        What each trajectory removes, mm^3; None until it is known.
+        Removed volume of each trajectory, mm^3; None until it is known.
     seen : SeenModel or None
-        What the part is to be, in the image that is coloured.
+        The model in the coloured image.
     awaited : bool
-        Whether that is still to come.
+        Whether the model is still being computed.
     tolerance : float
-        What is no difference to it yet, mm.
+        Allowed difference from the model, mm.
     """
 
     labels: tuple[str, ...]
@@ -65,13 +65,13 @@ class Job:
 
 @dataclass(frozen=True, eq=False)
 class Coloring:
-    """Colours of surfaces, which any thread may make, and their legend, whose words belong to the window.
+    """Colours of surfaces, computed in any thread, and a legend, made in the window's thread.
 
     Attributes
     ----------
     colors : Colors
     legend : callable
-        Returns a tuple of colour and what it stands for.
+        Returns tuples of a colour and its meaning.
     """
 
     colors: Colors
@@ -90,7 +90,7 @@ def by_operation(zbuffer: ZBuffer, job: Job) -> Coloring:
 
 
 def by_strategy(zbuffer: ZBuffer, job: Job) -> Coloring:
-    # No QColor: Qt's events in the window do not wait for what a thread makes of Qt.
+    # Without QColor, because this runs outside the window's thread.
     colors = np.array([list(bytes.fromhex(strategy.color[1:])) for strategy in job.strategies], np.uint8)
     shown = dict.fromkeys(job.strategies)
     return Coloring(palette(colors[zbuffer.cuts.cut]), lambda: tuple((s.color, strategy_name(s)) for s in shown))
@@ -103,7 +103,7 @@ def by_time(zbuffer: ZBuffer, job: Job) -> Coloring:
 
 
 def by_removal_rate(zbuffer: ZBuffer, job: Job) -> Coloring:
-    """From nothing to the rate that only a hundredth of the volume is removed faster than."""
+    """Colour from 0 to the rate that is exceeded for 1 % of the volume only."""
     volumes = np.zeros(len(job.clock.cuts)) if job.volumes is None else job.volumes
     rates = job.clock.rates(volumes)
     order = np.argsort(rates)
@@ -113,7 +113,7 @@ def by_removal_rate(zbuffer: ZBuffer, job: Job) -> Coloring:
 
 
 def by_difference(zbuffer: ZBuffer, job: Job) -> Coloring:
-    """How far the surface is from the model's, along the view; walls that pass through a pixel are not judged."""
+    """Colour by the distance between part and model along the view. Pixels with a wall are not coloured."""
     seen, tolerance = job.seen, job.tolerance
     if seen is None:
         return Coloring(palette(CUT), lambda: ((_name(CUT), (
@@ -148,13 +148,13 @@ COLORINGS: tuple[tuple[str, Callable[[ZBuffer, Job], Coloring]], ...] = (
 
 
 def _ends(least: str, most: str) -> Entries:
-    """The legend of a scale: its stations, of which the first and the last are named."""
+    """Return the legend of a scale; its first and last colours have names."""
     names = [least, *[""] * (len(SCALE) - 2), most]
     return tuple(zip(map(_name, SCALE), names))
 
 
 def _stations(colors: np.ndarray, name: str) -> Entries:
-    """The stations of a scale, the last of them with its name."""
+    """Return the legend of a scale; its last colour has a name."""
     return tuple(zip(map(_name, colors), [*[""] * (len(colors) - 1), name]))
 
 

@@ -18,7 +18,7 @@ from vkworkbench.language import Unusable
 
 
 class SimulateCommand(DocumentCommand):
-    """Simulate the selected job or operations, or the job of the active document, of several the one that the user chooses."""
+    """Simulate the selected job or operations, or the job of the active document. If it has several jobs, ask for one."""
 
     name = "Vk_Simulate"
     menu = QT_TRANSLATE_NOOP("Vk_Simulate", "Simulate toolpaths")
@@ -42,7 +42,7 @@ class SimulateCommand(DocumentCommand):
 
 def _ask_which(jobs: list) -> None:
     """Ask for one of several jobs, and open a tab that simulates it."""
-    labels = [f"{number}. {job.Label}" for number, job in enumerate(jobs, 1)]  # two jobs may have one label
+    labels = [f"{number}. {job.Label}" for number, job in enumerate(jobs, 1)]  # two jobs may have the same label
     dialog = QInputDialog(Gui.getMainWindow())
     dialog.setAttribute(Qt.WA_DeleteOnClose)
     dialog.setWindowTitle(translate("Vk_Simulate", "Simulate toolpaths"))
@@ -53,7 +53,7 @@ def _ask_which(jobs: list) -> None:
 
 
 def open_tab(what):
-    """Open a tab that simulates operations; return it, or None where there is nothing to simulate, which is told."""
+    """Open a tab that simulates operations, and return it. If nothing can be simulated, show why and return None."""
     from vkworkbench.gui.simulation.tab import SimulationTab
 
     window = Gui.getMainWindow()
@@ -73,14 +73,14 @@ def open_tab(what):
 
 
 def _again(tab) -> None:
-    """Simulate what a tab was asked for as it is now, in a new tab in its place."""
+    """Replace a tab by a new simulation of the same objects."""
     asked = tab.copy.asked()
     tab.window_of().close()
     open_tab(asked)
 
 
 def _title(copy: JobCopy) -> str:
-    """The document's label, or that of the only operation."""
+    """Return the label of the document, or of the only operation."""
     return copy.labels[0] if len(copy.labels) == 1 else FreeCAD.getDocument(copy.document).Label
 
 

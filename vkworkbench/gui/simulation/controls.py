@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The rows of controls around the simulated part: what is seen of it above, the moment below."""
+"""The rows of controls: the view of the part above it, the moment below it."""
 
 from __future__ import annotations
 
@@ -28,12 +28,11 @@ from vkworkbench.gui.qt.text import QT_TRANSLATE_NOOP, explain, translate
 from vkworkbench.gui.simulation import exports
 from vkworkbench.gui.simulation.coloring import COLORINGS, by_difference
 from vkworkbench.gui.simulation.faults import Fault
-from vkworkbench.gui.simulation.legend import Legend
-from vkworkbench.gui.simulation.symbols import PAUSE, PLAY, SymbolButton
+from vkworkbench.gui.simulation.widgets import PAUSE, PLAY, Legend, SymbolButton
 
-# How many times as fast as the machine a play is; the whole job in half a minute for None.
+# Playing speeds, as multiples of the machine's; None plays the whole job in _WHOLE seconds.
 _SPEEDS = (1, 10, 100, 1000, None)
-_WHOLE = 30.0  # s
+_WHOLE = 30.0
 _VIEWS = (
     (QT_TRANSLATE_NOOP("Vk_Simulate", "Isometric"), "Isometric"),
     (QT_TRANSLATE_NOOP("Vk_Simulate", "Top"), "Top"),
@@ -46,26 +45,26 @@ _VIEWS = (
 )
 PART, CHIPS, BOTH = range(3)
 GAP = 4  # px between rows, and within them
-_SHORTEST = 4  # letters of a box that stay where there is little room
-_MOST = 30  # entries of a list
+_MIN_LETTERS = 4  # minimum width of a box, in letters
+_MAX_ENTRIES = 30  # of a list
 _BORDERS = 60  # px beside an entry of a list
 
 
 class SceneBar(QWidget):
-    """What is seen of the part: from where, in which colours, with which chips; warnings, and what is saved.
+    """Controls for direction, colours and chips; warnings; saving.
 
     Attributes
     ----------
     looked : Signal of object
-        One of FreeCAD's standard directions is wanted, by its name, or None for that of the 3D view.
+        The user chose a standard direction, given by its name, or the direction of the 3D view (None).
     recolored, chosen : Signal
-        Another colouring or tolerance, or other chips, are wanted.
+        The user changed the colouring or tolerance; the user changed the chips.
     pointed : Signal of Fault
-        The user chose it in a list.
+        The user chose a fault in a list.
     saved : Signal of object
-        What is shown is to be saved by this function of `exports`.
+        The user asked to save; the argument is a function of `exports`.
     controls, differences : QWidget
-        The row that is always there; that of differences to the model, where surfaces are coloured by them.
+        The permanent row; the row for differences from the model, if surfaces are coloured by them.
     """
 
     looked, saved = Signal(object), Signal(object)
@@ -131,7 +130,7 @@ class SceneBar(QWidget):
 
     @property
     def compares(self) -> bool:
-        """Whether surfaces are coloured by their difference to the model."""
+        """Whether surfaces are coloured by their difference from the model."""
         return COLORINGS[self.colorings.currentIndex()][1] is by_difference
 
     @property
@@ -139,14 +138,14 @@ class SceneBar(QWidget):
         return self.tolerance.value() * self._unit
 
     def list_warnings(self, found: Sequence[Fault], text: Callable[[Fault], str]) -> None:
-        """List what is wrong, each in the words that `text` returns."""
+        """List faults, with the texts that `text` returns."""
         self._list(self.warnings, found, text)
         count = user().count(len(found))
         self.warnings.setText(translate("Vk_Simulate", "⚠ Warnings: {}").format(count))
         self.warnings.setVisible(bool(found))
 
     def list_worst(self, found: Sequence[Fault], text: Callable[[Fault], str]) -> None:
-        """List the worst differences to the model."""
+        """List the worst differences from the model."""
         self._list(self.worst, found, text)
         self.worst.setEnabled(bool(found))
 
@@ -157,24 +156,24 @@ class SceneBar(QWidget):
 
     def _list(self, button: QToolButton, found: Sequence[Fault], text: Callable[[Fault], str]) -> None:
         button.menu().clear()
-        for fault in found[:_MOST]:
+        for fault in found[:_MAX_ENTRIES]:
             words = text(fault)
             short = self.fontMetrics().elidedText(words, Qt.ElideRight, self.window().width() - _BORDERS)
             action = button.menu().addAction(short.replace("&", "&&"))
             action.setToolTip(as_html(words))
             action.triggered.connect(lambda *_, fault=fault: self.pointed.emit(fault))
-        if len(found) > _MOST:
-            more = translate("Vk_Simulate", "… and {} more").format(user().count(len(found) - _MOST))
+        if len(found) > _MAX_ENTRIES:
+            more = translate("Vk_Simulate", "… and {} more").format(user().count(len(found) - _MAX_ENTRIES))
             button.menu().addAction(more).setEnabled(False)
 
 
 class PlayBar(QWidget):
-    """Steps, play and its speed, and what is done at this moment.
+    """Buttons for stepping and playing, and a text on the present moment.
 
     Attributes
     ----------
     stepped : Signal of int
-        By a trajectory (1), a command (2) or an operation (3), back where negative.
+        Step by a trajectory (1), a command (2) or an operation (3); backwards if negative.
     play_clicked : Signal
     controls : QWidget
         The row of buttons.
@@ -212,7 +211,7 @@ class PlayBar(QWidget):
             layout.addWidget(widget)
 
     def speed(self, total: float) -> float:
-        """Return how many times as fast as the machine a job of `total` s is to be played."""
+        """Return the chosen playing speed for a job of `total` s, as a multiple of the machine's."""
         return _SPEEDS[self.speeds.currentIndex()] or total / _WHOLE
 
     def show_playing(self, plays: bool) -> None:
@@ -227,7 +226,7 @@ class PlayBar(QWidget):
 
 
 class _Combo(QComboBox):
-    """A list whose choice is shortened where there is little room; Qt's own is cut off."""
+    """A combo box that shortens its text with "…"; Qt would cut it off."""
 
     def paintEvent(self, event) -> None:
         painter, option = QStylePainter(self), QStyleOptionComboBox()
@@ -249,7 +248,7 @@ def _combo(tooltip: str) -> QComboBox:
     box = _Combo()
     explain(box, tooltip)
     box.setFocusPolicy(Qt.StrongFocus)
-    box.setMinimumContentsLength(_SHORTEST)
+    box.setMinimumContentsLength(_MIN_LETTERS)
     return box
 
 

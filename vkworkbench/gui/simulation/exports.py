@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What a simulation leaves on the disk: a picture, pictures of the whole job, removal rates."""
+"""Save a picture, pictures of the whole job, or removal rates as files."""
 
 from __future__ import annotations
 
@@ -22,13 +22,13 @@ from vkworkbench.gui.qt.sentences import user
 from vkworkbench.gui.qt.text import translate
 from vkworkbench.report import as_cell
 
-_FRAMES = 120  # of the whole job
-_READ = 10_000  # ms for which the status bar says where they are
+_FRAMES = 120  # pictures of the whole job
+_MESSAGE = 10_000  # ms for which the status bar shows the folder
 _COLUMNS = ("operation", "trajectory", "command", "begin_s", "end_s", "volume_mm3", "rate_mm3_per_min")
 
 
 def save_picture(player) -> None:
-    """Save what is seen to a file that the user chooses."""
+    """Save the shown picture to a file that the user chooses."""
     title = translate("Vk_Simulate", "Save Picture")
     path, _ = QFileDialog.getSaveFileName(player, title, _proposed(player, ".png"), "PNG (*.png)")
     path = with_suffix(path, ".png")
@@ -37,9 +37,9 @@ def save_picture(player) -> None:
 
 
 def save_frames(player) -> None:
-    """Save pictures of the whole job, at equal distances in time, in a new folder where the user chooses.
+    """Save pictures of the whole job, at equal time intervals, in a new folder inside a folder that the user chooses.
 
-    They are as fine as they can be: what is still being refined is waited for.
+    The pictures are saved after the finest simulation is finished.
     """
     title = translate("Vk_Simulate", "Folder of the Pictures")
     chosen = QFileDialog.getExistingDirectory(player, title, str(Path(_proposed(player, "")).parent))
@@ -62,7 +62,7 @@ def save_frames(player) -> None:
             done = write_frames(player, folder, _FRAMES, going_on)
             text = translate("Vk_Simulate", "{} of {} pictures are saved in {}.")
             text = text.format(user().count(done), user().count(_FRAMES), folder)
-            Gui.getMainWindow().statusBar().showMessage(text, _READ)
+            Gui.getMainWindow().statusBar().showMessage(text, _MESSAGE)
     except OSError as error:
         _not_written(player, error.filename)
     finally:
@@ -71,7 +71,7 @@ def save_frames(player) -> None:
 
 
 def _new_folder(parent: Path, document: str) -> Path:
-    """Make a folder for the pictures of a document, numbered where there are some."""
+    """Create a folder for the pictures of a document, with a number if one exists."""
     name = translate("Vk_Simulate", "{} pictures").format(document)
     numbered = chain([name], (f"{name} {number}" for number in count(2)))
     folder = next(folder for folder in map(parent.joinpath, numbered) if not folder.exists())
@@ -80,26 +80,26 @@ def _new_folder(parent: Path, document: str) -> Path:
 
 
 def write_frames(player, folder: Path, number: int, going_on: Callable[[int], bool]) -> int:
-    """Write pictures, numbered from 0000, from the stock to the part, and go back to the moment that was shown.
+    """Write pictures, numbered from 0000, from the stock to the part. The shown moment is restored at the end.
 
     Parameters
     ----------
     player : Player
     folder : Path
     number : int
-        How many pictures.
+        Number of pictures.
     going_on : callable
-        Asked before each, with how many are written.
+        Called before each picture with the number of written ones; False ends the work.
 
     Returns
     -------
     int
-        How many were written.
+        Number of written pictures.
 
     Raises
     ------
     OSError
-        If one cannot be written.
+        If a picture cannot be written.
     """
     moment = player.moment
     before = moment.seconds, moment.noticed
@@ -122,7 +122,7 @@ def write_frames(player, folder: Path, number: int, going_on: Callable[[int], bo
 
 
 def save_rates(player) -> None:
-    """Save what each trajectory removes, and how fast, to a CSV file that the user chooses."""
+    """Save volume and removal rate of each trajectory to a CSV file that the user chooses."""
     title = translate("Vk_Simulate", "Save Removal Rates")
     path, _ = QFileDialog.getSaveFileName(player, title, _proposed(player, ".csv"), "CSV (*.csv)")
     path = with_suffix(path, ".csv")
@@ -134,7 +134,7 @@ def save_rates(player) -> None:
 
 
 def write_rates(player, path: Path) -> None:
-    """Write one line for each trajectory; operations' trajectories and commands are counted from 1, as in the window."""
+    """Write one line for each trajectory. Trajectories and commands of an operation are counted from 1, as in the window."""
     ends, rates = player.clock.ends, player.clock.rates(player.volumes)
     with path.open("w", newline="", encoding="utf-8") as file:
         writer = csv.writer(file)

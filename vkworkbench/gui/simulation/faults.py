@@ -1,5 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What a simulation shows to be wrong: crashes, gouges, fast plunges; and the worst differences to the model."""
+"""The faults that a simulation shows: crashes, gouges, fast plunges, and the worst differences from the model.
+
+Faults are listed, marked on the time line, and passed to marks and results.
+"""
 
 from __future__ import annotations
 
@@ -7,27 +10,35 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from vkworkbench.core.zbuffer import TOLERANCE, Deviation, gouges, worst_places
-from vkworkbench.gui.simulation.refining import Facts, Told
+from vkworkbench.document.simulation.faults import keep_faults
+from vkworkbench.document.simulation.job import SimulatedJob
+from vkworkbench.gui.qt import docks
+from vkworkbench.gui.qt.sentences import sentence, user
+from vkworkbench.gui.qt.text import translate
+from vkworkbench.gui.simulation.moment import Clock
+from vkworkbench.gui.simulation.refining import Facts, Findings
+from vkworkbench.gui.simulation.time_line import Warned
+from vkworkbench.gui.tree import pills
 from vkworkbench.language import Message
 
 
 @dataclass(frozen=True)
 class Fault:
-    """Something that is wrong, and where.
+    """A fault with its place.
 
     Attributes
     ----------
     cut : int or None
-        The operation that made it; None where none did.
+        Number of the operation that caused it; None if no operation did.
     command : int or None
-        Its command.
+        Command of the operation.
     trajectory : int or None
-        The trajectory, numbered through.
+        Trajectory, counted over all operations.
     place : (3,) tuple of float
-        mm.
+        Position, mm.
     what : Message
     serious : bool
-        Whether the part, the tool or the machine suffers.
+        Whether part, tool or machine are damaged.
     """
 
     cut: int | None
@@ -39,29 +50,29 @@ class Fault:
 
     @property
     def of_finished_part(self) -> bool:
-        """Whether it is to be seen at the end, not when its trajectory is cut."""
+        """Whether the fault is visible on the finished part only."""
         return self.what.code == "leaves-material"
 
     @property
     def gouged(self) -> float:
-        """How deep it cuts into the model, or how much of that the stock lacks, mm."""
+        """Depth of a cut into the model, or of missing stock, mm; 0 for other faults."""
         return self.what.arguments["depth"] if self.what.code in ("cuts-model", "stock-lacks") else 0.0
 
 
 @dataclass(frozen=True, eq=False)
-class Judged:
-    """What a simulation shows.
+class Judgement:
+    """The faults that a simulation shows.
 
     Attributes
     ----------
     facts : Facts or None
-        What is known of the trajectories.
+        Facts on the trajectories.
     faults : list of Fault
-        What is wrong, gouges beyond the tolerance.
+        Faults; gouges if deeper than the tolerance.
     differences : list of Fault or None
-        The worst differences to the model; None where they were not asked for.
+        The worst differences from the model; None if not requested.
     proved : list of Fault or None
-        What is wrong whatever tolerance one looks with; None where the picture was too coarse to look at the model.
+        Faults at the default tolerance; None if the picture was too coarse to compare with the model.
     """
 
     facts: Facts | None
@@ -70,51 +81,53 @@ class Judged:
     proved: list[Fault] | None
 
 
-def judge(told: Told, facts: Facts | None, tolerance: float, before: Sequence[Fault], compares: bool) -> Judged:
-    """Judge a simulation, in whatever thread: with many operations or pixels it takes a while.
+def judge(
+    findings: Findings, facts: Facts | None, tolerance: float, before: Sequence[Fault], compares: bool
+) -> Judgement:
+    """Find the faults that a simulation shows. Runs in any thread, because many operations or pixels take long.
 
     Parameters
     ----------
-    told : Told
+    findings : Findings
     facts : Facts or None
-        What is known of the trajectories, of this or of an earlier image.
+        Facts on the trajectories, from this or an earlier image.
     tolerance : float
-        What is no difference to the model yet, mm.
+        Allowed difference from the model, mm.
     before : sequence of Fault
-        What other images showed: a gouge that is beside this one, or that one does not see from here, is there all the same.
+        Faults from other images. A gouge that is hidden or outside in this image is still a fault.
     compares : bool
-        Whether the worst differences are asked for, too.
+        Whether to find the worst differences, too.
     """
     crashed = [] if facts is None else [_fault(c, Message("rapid-cuts", volume=c.volume), True) for c in facts.crashes]
     plunged = [] if facts is None else [
         _fault(p, Message("plunges-fast", feed=60 * p.feed, allowed=60 * p.allowed), False) for p in facts.plunges
     ]  # fmt: skip
-    # A part is a finer image of the same view, which finds what is deeper; another view may have looked less along a gouge.
-    rank = -1 if told.facts is None else 1
-    gouged = _gouged(told, tolerance) + [fault for fault in before if fault.gouged > tolerance]
+    # An image of a part is finer and measures gouges deeper. An image from another direction may measure a gouge too deep.
+    rank = -1 if findings.facts is None else 1
+    gouged = _gouged(findings, tolerance) + [fault for fault in before if fault.gouged > tolerance]
     of_commands: dict[tuple, Fault] = {}
     for fault in sorted(gouged, key=lambda fault: rank * fault.gouged):
         of_commands.setdefault((fault.cut, fault.command), fault)
     deepest = {fault.cut: fault for fault in sorted(of_commands.values(), key=lambda fault: fault.gouged)}
     gouged = sorted(deepest.values(), key=lambda fault: -fault.gouged)
-    proved = crashed + _gouged(told, TOLERANCE) if told.judged else None
-    worst = differences(told, tolerance) if compares else None
-    return Judged(facts, crashed + gouged + plunged, worst, proved)
+    proved = crashed + _gouged(findings, TOLERANCE) if findings.judged else None
+    worst = differences(findings, tolerance) if compares else None
+    return Judgement(facts, crashed + gouged + plunged, worst, proved)
 
 
-def _gouged(told: Told, tolerance: float) -> list[Fault]:
-    """Return the worst gouge of each operation, and where the stock lacks most."""
-    if told.deviations is None:
+def _gouged(findings: Findings, tolerance: float) -> list[Fault]:
+    """Return the worst gouge of each operation, and the place where most stock is missing."""
+    if findings.deviations is None:
         return []
-    found = gouges(told.simulation.zbuffer, told.deviations, tolerance)
+    found = gouges(findings.simulation.zbuffer, findings.deviations, tolerance)
     return [_gouge(one) for one in found]
 
 
-def differences(told: Told, tolerance: float) -> list[Fault]:
-    """Return the places where the finished part differs most from the model: gouges first, then material left."""
-    if told.deviations is None:
+def differences(findings: Findings, tolerance: float) -> list[Fault]:
+    """Return the places where the finished part differs most from the model: gouges, then leftover material."""
+    if findings.deviations is None:
         return []
-    gouged, left = worst_places(told.simulation.zbuffer, told.deviations, tolerance)
+    gouged, left = worst_places(findings.simulation.zbuffer, findings.deviations, tolerance)
     return [
         *map(_gouge, gouged),
         *(_fault(one, Message("leaves-material", depth=one.depth), serious=False) for one in left),
@@ -122,7 +135,7 @@ def differences(told: Told, tolerance: float) -> list[Fault]:
 
 
 def _gouge(one: Deviation) -> Fault:
-    """Return a place where material of the model is missing: a command cut it away, or the stock never had it."""
+    """Return the fault for missing material, which a command has cut away or the stock never had."""
     lacks, cut = Message("stock-lacks", depth=one.depth), Message("cuts-model", depth=one.depth)
     return _fault(one, lacks if one.source is None else cut, True)
 
@@ -130,3 +143,83 @@ def _gouge(one: Deviation) -> Fault:
 def _fault(one, what: Message, serious: bool) -> Fault:
     source = one.source
     return Fault(source and source.cut, source and source.command, one.trajectory, one.place, what, serious)
+
+
+_SERIOUS, _FAST = "#d32f2f", "#e08000"  # crashes and gouges, fast plunges
+
+
+class KnownFaults:
+    """The faults of a job that its pictures have shown until now.
+
+    Parameters
+    ----------
+    job : SimulatedJob
+    clock : Clock
+    """
+
+    def __init__(self, job: SimulatedJob, clock: Clock) -> None:
+        self.job, self.clock = job, clock
+        # Of all views, because a hidden gouge is still a fault.
+        self._proved: dict[tuple, Fault] = {}
+        self._judged = False  # whether a picture was fine enough to compare with the model
+        self._holds = False  # whether the document is unchanged since it was read
+
+    def text(self, fault: Fault) -> str:
+        """Return a fault as text, with operation, command and G-code."""
+        if fault.cut is None:
+            return translate("Vk_Simulate", "raw stock: {}").format(sentence(fault.what))
+        text = translate("Vk_Simulate", "{}, command {}: {} ({})")
+        label, code = self.job.operations[fault.cut].label, self.job.listings[fault.cut][fault.command]
+        return text.format(label, fault.command + 1, sentence(fault.what), code)
+
+    def text_with_place(self, fault: Fault) -> str:
+        """Return a fault as text with its position, because one command may have several faults."""
+        factor, unit = user().length_unit(max(map(abs, fault.place)))
+        x, y, z = (user().number(round(value / factor, 3), 5) for value in fault.place)
+        return translate("Vk_Simulate", "{}, at X {} Y {} Z {} {}").format(self.text(fault), x, y, z, unit)
+
+    def marks(self, found: list[Fault]) -> tuple[Warned, ...]:
+        """Return faults as marks on the time line. Missing stock has no moment."""
+        return tuple(
+            Warned(
+                float(self.clock.ends[fault.trajectory + 1]),
+                lambda fault=fault: self.text(fault),
+                _SERIOUS if fault.serious else _FAST,
+            )
+            for fault in found
+            if fault.trajectory is not None
+        )
+
+    @property
+    def gouges(self) -> list[Fault]:
+        """The known gouges."""
+        return [fault for fault in self._proved.values() if fault.gouged]
+
+    def keep(self, proved: list[Fault]) -> None:
+        """Add the faults of a picture, and show them in marks and results."""
+        for fault in proved:
+            key = fault.cut, fault.what.code, fault.command
+            # Keep the smallest depth, because a view along the gouge measures too much.
+            if key not in self._proved or fault.gouged <= self._proved[key].gouged:
+                self._proved[key] = fault
+        self._judged = True
+        self._publish()
+
+    def follow(self, holds: bool) -> None:
+        """Show faults in marks and results only while the document is unchanged."""
+        self._holds = holds
+        self._publish()
+
+    def _publish(self) -> None:
+        if not (self._holds and self._judged):
+            return
+        wrong = sorted(self._proved.values(), key=lambda fault: fault.what.code != "rapid-cuts")
+        changed = keep_faults({
+            operation: [(fault.command, fault.what) for fault in wrong if fault.cut == number]
+            for number, operation in enumerate(self.job.operations)
+        })  # fmt: skip
+        if changed:
+            pills.show()
+            results = docks.find(docks.RESULTS)
+            if results is not None:
+                results.refresh()

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The moment of a job that is shown: chosen, stepped to, or played."""
+"""The machine's time of a job, and the moment that is shown: chosen, stepped to, or played."""
 
 from __future__ import annotations
 
@@ -8,8 +8,69 @@ from functools import cached_property
 
 import numpy as np
 
+from vkworkbench.core.zbuffer import Cuts
+from vkworkbench.document.simulation.job import SimulatedJob
 from vkworkbench.gui.qt.names import QObject, Signal
-from vkworkbench.gui.simulation.clock import Clock
+
+# Assumed speed if no speed of the job is known, mm/s.
+_USUAL_SPEED = 1000 / 60
+
+
+class Clock:
+    """The times at which the trajectories of a job begin and end.
+
+    A move with an unknown speed gets the median of the known speeds.
+
+    Parameters
+    ----------
+    job : SimulatedJob
+
+    Attributes
+    ----------
+    cuts : Cuts
+        The cuts of the job.
+    ends : (n + 1,) float64
+        ``ends[k]`` is the time after k trajectories, s.
+    complete : bool
+        Whether all speeds are known.
+    """
+
+    def __init__(self, job: SimulatedJob) -> None:
+        seconds = job.seconds.copy()
+        self.cuts = Cuts(job.cuts)
+        lengths = self.cuts.lengths
+        unknown = np.isnan(seconds)
+        if unknown.any():
+            with np.errstate(divide="ignore", invalid="ignore"):
+                speeds = (lengths / seconds)[~unknown]
+            speed = float(np.median(speeds)) if len(speeds) else _USUAL_SPEED
+            seconds[unknown] = lengths[unknown] / speed
+        self.ends = np.append(0.0, np.cumsum(seconds))
+        self.complete = not unknown.any()
+
+    @property
+    def total(self) -> float:
+        """Time of the whole job, s."""
+        return float(self.ends[-1])
+
+    def rates(self, volumes: np.ndarray) -> np.ndarray:
+        """Return the removal rates for volumes (n,) mm^3, in mm^3/min; 0 for a trajectory that takes no time."""
+        seconds = np.diff(self.ends)
+        rates: np.ndarray = 60 * volumes / np.where(seconds > 0, seconds, np.inf)
+        return rates
+
+    def step(self, seconds: float) -> int:
+        """Return the number of trajectories that are finished at a time, s."""
+        return int(np.searchsorted(self.ends, seconds, side="right")) - 1
+
+    def tool_tip(self, seconds: float) -> tuple[int, np.ndarray]:
+        """Return the number of the cut whose tool is moving at a time, and the tip of the tool, (3,) mm."""
+        trajectory = min(self.step(seconds), len(self.ends) - 2)
+        begin, end = self.ends[trajectory], self.ends[trajectory + 1]
+        share = min(max((seconds - begin) / (end - begin), 0.0), 1.0) if end > begin else 1.0
+        source = self.cuts.source(trajectory)
+        start, end = self.cuts.cuts[source.cut].toolpath.points[source.trajectory : source.trajectory + 2]
+        return source.cut, start + share * (end - start)
 
 
 class Moment(QObject):
@@ -22,11 +83,11 @@ class Moment(QObject):
     Attributes
     ----------
     changed : Signal
-        The moment is another one, or a play began or ended.
+        The moment has changed, or playing has begun or ended.
     seconds, done : float, int
-        The machine's time, s, and how many trajectories have been cut by then.
+        The machine's time, s, and the number of trajectories that are finished.
     noticed : int or None
-        The trajectory that the user is to notice: the one that he chose, or the last one that was cut.
+        The trajectory to highlight: the one that the user chose, or the last finished one.
     """
 
     changed = Signal()
@@ -36,7 +97,7 @@ class Moment(QObject):
         self.clock = clock
         self.seconds, self.done = clock.total, len(clock.cuts)  # the finished part
         self.noticed: int | None = None
-        self._played: float | None = None  # when the last picture of a play was due
+        self._played: float | None = None  # time of the last picture while playing
 
     @property
     def plays(self) -> bool:
@@ -44,11 +105,11 @@ class Moment(QObject):
 
     @property
     def last(self) -> int:
-        """The last trajectory that has been cut, or the first where none has."""
+        """The last finished trajectory, or the first one at the beginning."""
         return max(self.done - 1, 0)
 
     def go_to(self, seconds: float, trajectory: int | None = None) -> None:
-        """Go to a moment; where several trajectories end then, right after this one, which is to be noticed."""
+        """Go to a time. If `trajectory` is given, go to its end and highlight it."""
         self._played = None
         self.noticed = trajectory
         self._set(seconds, trajectory)
@@ -57,15 +118,15 @@ class Moment(QObject):
         self.changed.emit()
 
     def after(self, trajectory: int) -> None:
-        """Go to when a trajectory has been cut, which is to be noticed."""
+        """Go to the end of a trajectory and highlight it."""
         self.go_to(float(self.clock.ends[trajectory + 1]), trajectory)
 
     def choose(self, seconds: float) -> None:
-        """Go to the end of the trajectory that is being cut at a moment, which is to be noticed."""
+        """Go to the end of the trajectory that is being cut at a time, and highlight it."""
         self.after(min(self.clock.step(seconds), len(self.clock.cuts) - 1))
 
     def step(self, by: int) -> None:
-        """Step by a trajectory (1), a command (2) or an operation (3), back where negative."""
+        """Step by a trajectory (1), a command (2) or an operation (3); backwards if negative."""
         starts = self.starts[abs(by)]
         if by > 0:
             at = np.searchsorted(starts, self.done, side="right")
@@ -79,7 +140,7 @@ class Moment(QObject):
 
     @cached_property
     def starts(self) -> dict[int, np.ndarray]:
-        """Moments, in trajectories, to which steps go: of trajectories, commands and operations."""
+        """The moments to which the three kinds of steps go, as numbers of finished trajectories."""
         cuts = self.clock.cuts
         commands = [first + np.flatnonzero(np.diff(cut.toolpath.command, prepend=-1))
                     for first, cut in zip(cuts.first, cuts.cuts)]  # fmt: skip
@@ -87,7 +148,7 @@ class Moment(QObject):
         return {1: np.arange(count + 1), 2: np.append(np.concatenate(commands), count), 3: cuts.first}
 
     def of_command(self, trajectory: int) -> tuple[int, int]:
-        """Return the first trajectory of the command that a trajectory belongs to, and the one behind its last."""
+        """Return the range of trajectories that belong to the same command as a trajectory: first, and last + 1."""
         source = self.clock.cuts.source(trajectory)
         command = self.clock.cuts.cuts[source.cut].toolpath.command
         first = trajectory - source.trajectory
@@ -95,7 +156,7 @@ class Moment(QObject):
         return int(first + same[0]), int(first + same[-1]) + 1
 
     def play(self) -> None:
-        """Play from here, or from the beginning where it is over; pause a play."""
+        """Play from here, or from the beginning at the end of the job; pause if playing."""
         if self.plays:
             self._played = None
         else:
@@ -106,7 +167,7 @@ class Moment(QObject):
         self.changed.emit()
 
     def go_on(self, speed: float) -> None:
-        """Go on with a play, so many times as fast as the machine."""
+        """Continue playing at `speed` times the machine's speed."""
         if self._played is None:
             return
         now = time.perf_counter()
@@ -119,7 +180,7 @@ class Moment(QObject):
         self.done = self.clock.step(seconds) if trajectory is None else trajectory + 1
 
     def tool_tip(self) -> tuple[int, np.ndarray]:
-        """Return which cut's tool is where: the cut's number, and its tip, (3,) mm."""
+        """Return the number of the present cut, and the tip of its tool, (3,) mm."""
         if self.plays:
             return self.clock.tool_tip(self.seconds)
         source = self.clock.cuts.source(self.last)

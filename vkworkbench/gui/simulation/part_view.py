@@ -1,10 +1,11 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The simulated part as a picture that is turned, moved and zoomed with the mouse, and asked by clicks."""
+"""The simulated part as an image that is turned, panned and zoomed with the mouse, and that answers clicks."""
 
 from __future__ import annotations
 
 from dataclasses import replace
 
+import FreeCAD
 import numpy as np
 
 from vkworkbench.core import Frame, Stock, Tool, View
@@ -29,26 +30,55 @@ from vkworkbench.gui.qt.names import (
     single_shot,
 )  # fmt: skip
 from vkworkbench.gui.qt.text import translate
-from vkworkbench.gui.simulation.navigation import PAN, TURN, action
 
-_REST = 200  # ms after which a view that was changed is drawn finely
-_TURN = 0.008  # rad for each pixel of the mouse
-_ZOOM = 1.2  # for each notch of the wheel
-_RING = 14  # px, radius
-_MARGIN = 1.06  # of the image around the stock
+TURN, PAN = "turn", "pan"
+_LEFT, _MIDDLE, _RIGHT = Qt.LeftButton, Qt.MiddleButton, Qt.RightButton
+_NONE, _SHIFT, _CTRL, _ALT = Qt.NoModifier, Qt.ShiftModifier, Qt.ControlModifier, Qt.AltModifier
+# Mouse buttons and modifier keys of FreeCAD's navigation styles (preferences, Display > Navigation). The left button always turns.
+_STYLES = {
+    "CAD": ((_MIDDLE, _NONE, PAN), (_MIDDLE | _LEFT, _NONE, TURN), (_MIDDLE | _RIGHT, _NONE, TURN)),
+    "Gesture": ((_RIGHT, _NONE, PAN), (_MIDDLE, _NONE, TURN)),
+    "MayaGesture": ((_LEFT, _ALT, TURN), (_MIDDLE, _ALT, PAN)),
+    "Blender": ((_MIDDLE, _NONE, TURN), (_MIDDLE, _SHIFT, PAN)),
+    "SolidWorks": ((_MIDDLE, _NONE, TURN), (_MIDDLE, _CTRL, PAN)),
+    "SiemensNX": ((_MIDDLE, _NONE, TURN), (_MIDDLE | _RIGHT, _NONE, PAN), (_MIDDLE, _SHIFT, PAN)),
+    "Revit": ((_MIDDLE, _NONE, PAN), (_MIDDLE, _SHIFT, TURN)),
+    "Inventor": ((_MIDDLE, _NONE, PAN),),
+    "OpenCascade": ((_MIDDLE, _CTRL, PAN), (_RIGHT, _CTRL, TURN)),
+    "OpenSCAD": ((_RIGHT, _NONE, PAN),),
+    "TinkerCAD": ((_MIDDLE, _NONE, PAN), (_RIGHT, _NONE, TURN)),
+    "Touchpad": ((_LEFT, _SHIFT, PAN), (_LEFT, _ALT, TURN)),
+}
+
+
+def action(buttons, modifiers) -> str | None:
+    """Return the action of dragging with these buttons and keys in the user's navigation style: `TURN`, `PAN`, or None."""
+    if buttons == _LEFT and modifiers == _NONE:
+        return TURN
+    group = FreeCAD.ParamGet("User parameter:BaseApp/Preferences/View")
+    name = group.GetString("NavigationStyle", "Gui::CADNavigationStyle")
+    style = _STYLES.get(name.replace("Gui::", "").replace("NavigationStyle", ""), _STYLES["CAD"])
+    return next((what for b, m, what in style if buttons == b and modifiers == m), None)
+
+
+_REST = 200  # ms after a change of the view until a simulation of it is requested
+_TURN_SPEED = 0.008  # rad for each pixel of the mouse
+_ZOOM = 1.2  # factor for each notch of the wheel
+_RING = 14  # radius, px
+_MARGIN = 1.06  # size of the image relative to the stock
 
 
 class PartView(QWidget):
-    """Shows scenes of a simulation.
+    """A widget that shows scenes of a simulation.
 
     Attributes
     ----------
     view_rested : Signal
-        The view was changed and rests: a simulation of it is wanted.
+        The view has changed and is now steady, so that a simulation of it is needed.
     asked : Signal of int
-        The user clicked on the surface that this trajectory made; -1 for the raw stock.
+        The user clicked on a surface; the argument is the trajectory that made it, or -1 for the raw stock.
     restyled : Signal
-        The theme is another one, and with it the background.
+        The theme and the background have changed.
     """
 
     view_rested = Signal()
@@ -71,7 +101,7 @@ class PartView(QWidget):
         self.setMinimumSize(160, 50)
         self.setSizePolicy(QSizePolicy.Expanding, QSizePolicy.Expanding)
         self.setFocusPolicy(Qt.StrongFocus)
-        self.setBackgroundRole(QPalette.Base)  # which a theme's style sheet then sets
+        self.setBackgroundRole(QPalette.Base)  # so that a theme's style sheet sets the background
         self.setAccessibleName(translate("Vk_Simulate", "Simulated part"))
 
     @property
@@ -80,14 +110,14 @@ class PartView(QWidget):
 
     @property
     def view(self) -> View:
-        """What the user wants to see, in the widget's own pixels."""
+        """The view to show, in the widget's pixels."""
         ratio = self.devicePixelRatioF()
         size = {"width": max(1, round(self.width() * ratio)), "height": max(1, round(self.height() * ratio))}
         whole = View(self._direction, **size).frame(self.stock)
         return View(self._direction, **size, pixel=whole.pixel * _MARGIN / self._zoom, offset=self._offset)
 
     def look(self, direction: tuple[float, float, float]) -> None:
-        """Look in a direction at the whole stock."""
+        """Show the whole stock from a direction."""
         self._direction, self._offset, self._zoom = direction, (0.0, 0.0), 1.0
         self._changed()
 
@@ -95,12 +125,12 @@ class PartView(QWidget):
         return QSize(400, 80)
 
     def show_scene(self, scene: Scene, frame: Frame) -> None:
-        """Show a picture that was simulated with this frame."""
+        """Show a scene that was simulated with this frame."""
         self._scene, self._frame, self._points = scene, frame, None
         height, width = scene.image.shape[:2]
         pixels = np.full((height, width, 4), 255, np.uint8)
         pixels[..., :3] = scene.image[..., ::-1]
-        # A copy: the picture must outlive the array.
+        # A copy, because the image must live longer than the array.
         self._image = QImage(pixels.tobytes(), width, height, 4 * width, QImage.Format_RGB32).copy()
         self.update()
 
@@ -110,7 +140,7 @@ class PartView(QWidget):
         self.update()
 
     def show_place(self, place: tuple[float, float, float] | None) -> None:
-        """Draw a ring around a place, mm; none for None."""
+        """Draw a ring around a place, mm; remove the ring for None."""
         self._place_shown = place
         self.update()
 
@@ -119,7 +149,7 @@ class PartView(QWidget):
         try:
             self._paint(painter)
         finally:
-            painter.end()  # which Qt needs, and an error's traceback keeps the painter
+            painter.end()  # explicitly, because the traceback of an error would keep the painter alive
 
     def _paint(self, painter: QPainter) -> None:
         painter.fillRect(self.rect(), QColor(*self.background))
@@ -145,17 +175,17 @@ class PartView(QWidget):
             column, row, _ = project(np.array([self._place_shown]), wanted)[0]
             painter.setRenderHint(QPainter.Antialiasing)
             painter.setBrush(Qt.NoBrush)
-            for color, width in (("#ffffff", 5), ("#d32f2f", 2.5)):  # seen on any surface
+            for color, width in (("#ffffff", 5), ("#d32f2f", 2.5)):  # visible on any surface
                 painter.setPen(QPen(QColor(color), width * ratio))
                 painter.drawEllipse(QPointF(column, row), _RING * ratio, _RING * ratio)
 
     @property
     def is_turned(self) -> bool:
-        """Whether what is shown was simulated from another direction."""
+        """Whether the shown scene was simulated from another direction."""
         return not np.allclose(self._frame.direction, self.view.frame(self.stock).direction, atol=1e-9)
 
     def _place(self, wanted: Frame) -> QRectF:
-        """Where the picture lies in the image that is wanted."""
+        """Return the rectangle of the shown scene in the image of the present view."""
         frame = self._frame
         scale = frame.pixel / wanted.pixel
         column, row, _ = project(frame.centre[None], wanted)[0]
@@ -197,7 +227,7 @@ class PartView(QWidget):
         by, self._last = event.pos() - self._last, event.pos()
         doing = action(event.buttons(), event.modifiers())
         if doing == TURN:
-            self._direction = turned(self._direction, by.x() * _TURN, -by.y() * _TURN)
+            self._direction = turned(self._direction, by.x() * _TURN_SPEED, -by.y() * _TURN_SPEED)
             self._changed()
         elif doing == PAN:
             self._shift(-by.x(), by.y())
@@ -211,7 +241,7 @@ class PartView(QWidget):
                 self.asked.emit(owner)
 
     def owner_at(self, where) -> int | None:
-        """Return the trajectory whose surface is seen at a point of the widget, -1 for raw stock, None for nothing."""
+        """Return the trajectory that made the surface at a pixel; -1 for raw stock, None for the background."""
         ratio = self.devicePixelRatioF()
         place = self._place(self.view.frame(self.stock))
         height, width = self._scene.depth.shape
@@ -224,14 +254,14 @@ class PartView(QWidget):
     def wheelEvent(self, event) -> None:
         factor = _ZOOM ** (event.angleDelta().y() / 120)
         at = event.position()
-        # What is below the pointer stays there.
+        # The point below the pointer stays there.
         x, y = at.x() - self.width() / 2, self.height() / 2 - at.y()
         self._shift(x, y)
         self._zoom = min(max(self._zoom * factor, 0.2), 200.0)
         self._shift(-x, -y)
 
     def _shift(self, right: float, up: float) -> None:
-        """Move the eye by so many pixels of the widget."""
+        """Pan by a number of pixels of the widget."""
         pixel = self.view.pixel * self.devicePixelRatioF()
         self._offset = self._offset[0] + right * pixel, self._offset[1] + up * pixel
         self._changed()

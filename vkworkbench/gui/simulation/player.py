@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""A job that is simulated: the part, the time line, and what made each surface."""
+"""The player of a job: the part, the time line, and the controls."""
 
 from __future__ import annotations
 
@@ -19,20 +19,17 @@ from vkworkbench.gui.qt.background import Background
 from vkworkbench.gui.qt.names import QEvent, QTimer, QVBoxLayout, QWidget, Signal
 from vkworkbench.gui.qt.sentences import strategy_name, user
 from vkworkbench.gui.qt.text import translate
-from vkworkbench.gui.simulation.clock import Clock
 from vkworkbench.gui.simulation.controls import GAP, PlayBar, SceneBar
-from vkworkbench.gui.simulation.drawing import Drawing
-from vkworkbench.gui.simulation.faults import Fault, Judged, judge
-from vkworkbench.gui.simulation.known_faults import KnownFaults
-from vkworkbench.gui.simulation.moment import Moment
+from vkworkbench.gui.simulation.faults import Fault, Judgement, KnownFaults, judge
+from vkworkbench.gui.simulation.moment import Clock, Moment
 from vkworkbench.gui.simulation.part_view import PartView
-from vkworkbench.gui.simulation.pictures import Pictures
-from vkworkbench.gui.simulation.refining import Refined, Refining, Told
-from vkworkbench.gui.simulation.state_line import StateLine
+from vkworkbench.gui.simulation.pictures import Drawing, Pictures
+from vkworkbench.gui.simulation.refining import Findings, Refined, Refining
 from vkworkbench.gui.simulation.time_line import Block, TimeLine
+from vkworkbench.gui.simulation.widgets import StateLine
 
-_PART = 120  # px in height that the part keeps before anything is told beside it
-_TICK = 20  # ms between two looks at the work, and two pictures of a play
+_PART = 120  # minimum height of the part, px; optional rows are hidden if it would be lower
+_TICK = 20  # ms between two updates
 
 
 class Player(QWidget):
@@ -42,18 +39,18 @@ class Player(QWidget):
     ----------
     job : SimulatedJob
     first : Scene and Frame, optional
-        What has been seen of it until now.
+        The scene that was shown while the job was read.
 
     Attributes
     ----------
     moment : Moment
-        What is shown.
+        The shown moment.
     known : KnownFaults
-        What marks and results are told.
+        Faults for marks and results.
     faults : list of Fault
-        What is wrong, as far as it is known: gouges as the picture shows them, where they can lie in it.
+        Known faults at the chosen tolerance.
     asked : Signal
-        The user asked the part, or for what is wrong; the operation that made the place is selected.
+        The user clicked on the part or chose a fault; the operation concerned is selected.
     """
 
     asked = Signal()
@@ -85,12 +82,12 @@ class Player(QWidget):
 
     @property
     def simulation(self) -> Simulation | None:
-        """The finest one until now."""
+        """The finest simulation until now."""
         return self.drawing.simulation
 
     @property
     def volumes(self) -> np.ndarray:
-        """What each trajectory removes, (n,) float64 mm^3; zeros until it is known."""
+        """Removed volume of each trajectory, (n,) float64 mm^3; zeros until it is known."""
         facts = self.drawing.facts
         return np.zeros(len(self.clock.cuts)) if facts is None else facts.volumes
 
@@ -109,7 +106,7 @@ class Player(QWidget):
         return super().event(event)
 
     def _make_room(self) -> None:
-        """Show beside the part what there is room for, the most needed first: FreeCAD's area keeps no minimum height."""
+        """Show as many rows as fit, in the order of importance. FreeCAD's area ignores minimum heights."""
         always = (self.scene_bar.controls, self.play_bar.controls, self.time_line)
         left = self.height() - _PART - sum(widget.sizeHint().height() + GAP for widget in always)
         for widget in (self.play_bar.text, self.scene_bar.differences, self.scene_bar.legend, self.state):
@@ -122,7 +119,7 @@ class Player(QWidget):
         self.view.view_rested.connect(self.simulate)
         self.view.asked.connect(self.ask)
         self.view.restyled.connect(self.pictures.draw)
-        self.pictures.begun.connect(self._tell_moment)
+        self.pictures.begun.connect(self._show_text)
         self.pictures.failed.connect(self.state.show_error)
         self.moment.changed.connect(self._show_moment)
         self.time_line.moved.connect(self.moment.go_to)
@@ -148,23 +145,23 @@ class Player(QWidget):
         return self._about(user().time(seconds))
 
     def _about(self, time: str) -> str:
-        """A time of the machine, which is not exact where speeds are unknown."""
+        """Return a time as text, with "about" if some speeds are unknown."""
         return time if self.clock.complete else translate("Vk_Simulate", "about {}").format(time)
 
     # Simulating
 
     @property
     def is_busy(self) -> bool:
-        """Whether a finer picture, the strategies, or what is wrong are still to come."""
+        """Whether a finer picture, the strategies or the faults are still being computed."""
         return self.refines or self._recognizing.works or self._judging.works
 
     @property
     def refines(self) -> bool:
-        """Whether a finer picture is still to come."""
+        """Whether a finer picture is still being computed."""
         return self._work.works
 
     def simulate(self) -> None:
-        """Simulate what is looked at, coarsely first."""
+        """Simulate the present view, coarsely first."""
         chosen = preferences.read()
         self._refining = Refining(
             self.job, self.view.view, chosen.memory_budget_bytes, chosen.time_budget, known_speed(),
@@ -173,14 +170,14 @@ class Player(QWidget):
         self._work.start("", self._refining, self._take, self._ended)
 
     def end(self) -> None:
-        """Stop all work, and let go of what is large: Qt and Python may keep a closed tab as long as FreeCAD runs."""
+        """Stop all work and release large data, because Qt and Python may keep a closed tab until FreeCAD ends."""
         self._timer.stop()
         self._work.give_up()
         self._recognizing.give_up()
         self._judging.give_up()
         self.pictures.end()
         self._refining = None
-        self.drawing.forget()
+        self.drawing.clear()
 
     def _tick(self) -> None:
         if self.refines:
@@ -192,11 +189,11 @@ class Player(QWidget):
         self.scene_bar.rates.setEnabled(self.drawing.facts is not None)
         self.state.show_end(self.job.remarks, error)
 
-    def _take(self, done: Estimate | Refined | Told) -> None:
+    def _take(self, done: Estimate | Refined | Findings) -> None:
         if isinstance(done, Estimate):
             self.state.show_expected(done)
             return
-        if self.simulation is None:  # the part comes before the strategies
+        if self.simulation is None:  # after the first picture
             self._recognize()
         self.drawing.take(done)
         if isinstance(done, Refined):
@@ -219,16 +216,16 @@ class Player(QWidget):
         else:
             self.state.show_error(error)
 
-    def _judge(self, told: Told | None) -> None:
-        """List what is wrong, and the worst differences to the model in the picture; both depend on the tolerance."""
-        if told is None:
+    def _judge(self, findings: Findings | None) -> None:
+        """List the faults, and the worst differences from the model; both depend on the tolerance."""
+        if findings is None:
             return
-        compares = self.scene_bar.compares and told is self.drawing.told
-        before = self.faults if told.facts is None else self.known.gouges
-        work = partial(judge, told, self.drawing.facts, self.scene_bar.tolerance_mm, before, compares)
-        self._judging.start("", lambda _: [work()], self._list, self._tell_error)
+        compares = self.scene_bar.compares and findings is self.drawing.findings
+        before = self.faults if findings.facts is None else self.known.gouges
+        work = partial(judge, findings, self.drawing.facts, self.scene_bar.tolerance_mm, before, compares)
+        self._judging.start("", lambda _: [work()], self._list, self._show_error)
 
-    def _list(self, judged: Judged) -> None:
+    def _list(self, judged: Judgement) -> None:
         self.faults = judged.faults
         self.scene_bar.list_warnings(self.faults, self.known.text)
         if judged.differences is not None:
@@ -239,7 +236,7 @@ class Player(QWidget):
         if judged.proved is not None:
             self.known.keep(judged.proved)
 
-    def _tell_error(self, error: Exception | None) -> None:
+    def _show_error(self, error: Exception | None) -> None:
         if error is not None:
             self.state.show_error(error)
 
@@ -252,22 +249,22 @@ class Player(QWidget):
         self.pictures.draw()
 
     def _recolor(self) -> None:
-        """Take another colouring or tolerance; the model is seen first, where that was not necessary until now."""
+        """Use another colouring or tolerance. If the model is needed for the first time, simulate again."""
         if self.scene_bar.compares and self.drawing.seen is None and self.job.model_shapes:
             self.simulate()
         self._make_room()
-        self._judge(self.drawing.told)
+        self._judge(self.drawing.findings)
         self._color()
 
     def _color(self) -> None:
         self.drawing.color()
         self.pictures.draw()
 
-    def _tell_moment(self) -> None:
+    def _show_text(self) -> None:
         self.play_bar.text.show_text(self._moment_text())
 
     def _moment_text(self) -> str:
-        """When the moment is, what is cut then, and what that removes."""
+        """Return the time, the command and its removed volume as text."""
         moment, source = self.moment, self.clock.cuts.source(self.moment.last)
         text = translate("Vk_Simulate", "{} of {}   {}, command {}: {}").format(
             self._about(_clock(moment.seconds)), _clock(self.clock.total), self.job.operations[source.cut].label,
@@ -280,10 +277,10 @@ class Player(QWidget):
         removed = translate("Vk_Simulate", "removes {}").format(user().volume(volume, 2))
         return text + "   " + (removed if volume else translate("Vk_Simulate", "removes nothing"))
 
-    # What the user asks
+    # Requests of the user
 
     def look(self, name: str | None) -> None:
-        """Look from one of FreeCAD's standard directions, or as the 3D view does."""
+        """Look from a standard direction of FreeCAD, or from the direction of the 3D view."""
         if name is not None:
             self.view.look(preferences.DIRECTIONS[name])
             return
@@ -292,7 +289,7 @@ class Player(QWidget):
             self.view.look(direction_of(view.getCameraOrientation().Q))
 
     def point(self, fault: Fault) -> None:
-        """Show a fault: the moment at which it was made, or the finished part, with a ring around the place."""
+        """Show the moment of a fault, or the finished part, with a ring around the place."""
         if fault.of_finished_part or fault.trajectory is None:
             self.moment.go_to(self.clock.total)
         else:
@@ -302,8 +299,8 @@ class Player(QWidget):
             self._select(fault.cut)
 
     def ask(self, trajectory: int) -> None:
-        """Go to when a surface was made, and select the operation that made it."""
-        if self.simulation is None:  # what is seen was simulated while the job was read
+        """Go to the moment at which a surface was made, and select its operation."""
+        if self.simulation is None:  # the shown scene comes from reading the job
             return
         if trajectory < 0:
             self.play_bar.text.show_text(translate("Vk_Simulate", "This surface is the raw stock's."))

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""A job that is being read: copied between two events, linearised in a thread, and seen as far as it has come."""
+"""Read a job: copy its operations between events, linearise them in a thread, and show a preview."""
 
 from __future__ import annotations
 
@@ -20,29 +20,29 @@ from vkworkbench.gui.simulation.part_view import PartView
 from vkworkbench.language import Unusable
 
 _ABOVE = (0.0, 0.0, -1.0)
-_GLIMPSE = 120  # pixels, the longer side
-_SOON = 0.3  # s after which something is to be seen
-_RARELY = 3.0  # times as long as a glimpse takes is read before the next one
+_PREVIEW = 120  # longer side of the preview, pixels
+_FIRST = 0.3  # s until the first preview
+_PAUSE = 3.0  # time between previews, as a multiple of the time for a preview
 
 
 class Reading(QWidget):
-    """Reads a job, and shows from above what the operations read so far make of the stock.
+    """Reads a job, and shows the part from above as machined by the operations read so far.
 
     Parameters
     ----------
     copy : JobCopy
-        What is to be read.
+        The job to read.
 
     Attributes
     ----------
     view : PartView or None
-        None until there is something to be seen.
+        None before the first preview.
     seen : Scene and Frame, or None
-        What is shown.
+        The shown preview.
     read : Signal of SimulatedJob
-        All has been read.
+        The job was read.
     failed : Signal of Exception
-        Something prevents it: `Cancelled`, `Unusable`, or an error.
+        Reading ended with `Cancelled`, `Unusable` or an error.
     """
 
     read, failed = Signal(object), Signal(object)
@@ -61,14 +61,14 @@ class Reading(QWidget):
         self._busy = Busy(self._background)
         self._layout.addWidget(self._busy)
         self._background.start(self._text(), self._work, self._take, self._ended)
-        QTimer.singleShot(0, self._copy_on)  # when somebody listens to what prevents it
+        QTimer.singleShot(0, self._copy_on)  # later, when `failed` is connected
 
     def end(self) -> None:
-        """Give up."""
+        """Stop reading."""
         self._background.give_up()
 
     def _copy_on(self) -> None:
-        """Copy an operation, then let other events come."""
+        """Copy an operation, then return to the event loop."""
         if not self._background.works:
             return
         try:
@@ -82,15 +82,15 @@ class Reading(QWidget):
             QTimer.singleShot(0, self._copy_on)
 
     def _work(self, going_on: Callable[[], None]) -> Iterator[ReadCut | Simulation]:
-        cuts, due = [], time.perf_counter() + _SOON
+        cuts, due = [], time.perf_counter() + _FIRST
         for cut in self.copy.read(going_on):
             yield cut
             cuts.append(cut)
             begin = time.perf_counter()
             if begin >= due and len(cuts) < len(self.copy.names):
-                with suppress(Unusable):  # nothing yet, or too much
-                    yield _glimpse(self.copy.job(cuts), self._budget, going_on)
-                due = time.perf_counter() + _RARELY * (time.perf_counter() - begin)
+                with suppress(Unusable):  # no toolpath yet, or not enough memory
+                    yield _preview(self.copy.job(cuts), self._budget, going_on)
+                due = time.perf_counter() + _PAUSE * (time.perf_counter() - begin)
 
     def _text(self) -> str:
         done, labels = len(self._cuts), self.copy.labels
@@ -121,8 +121,8 @@ class Reading(QWidget):
             self.read.emit(job)
 
 
-def _glimpse(job: SimulatedJob, memory_budget: float, going_on: Callable[[], None]) -> Simulation:
-    """Simulate a job coarsely, from above."""
-    done = simulate_read(job, View(_ABOVE, _GLIMPSE, _GLIMPSE), memory_budget, lambda _: going_on())
-    done.zbuffer.picture  # noqa: B018 - here, not in the window
+def _preview(job: SimulatedJob, memory_budget: float, going_on: Callable[[], None]) -> Simulation:
+    """Return a coarse simulation of a job from above."""
+    done = simulate_read(job, View(_ABOVE, _PREVIEW, _PREVIEW), memory_budget, lambda _: going_on())
+    done.zbuffer.picture  # noqa: B018 - computed here and not in the window's thread
     return done

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Simulations of one view, each finer than the one before: what the finest will cost, and what they tell."""
+"""Simulate one view several times, finer each time, with findings and the expected cost of the finest."""
 
 from __future__ import annotations
 
@@ -34,28 +34,28 @@ from vkworkbench.document.simulation.job import SimulatedJob
 from vkworkbench.document.simulation.simulate import MIN_SIZE, Simulation, coarser, simulate_read
 from vkworkbench.language import Message, Unusable
 
-# Of the image's side: the first picture is there at once, the last is the finest.
+# Sizes of the pictures, as shares of the image's side.
 _SHARES = (1 / 8, MIN_SIZE, 1.0)
-_FEWEST = 40  # pixels; a coarser picture shows nothing
-# Of a pixel; the image that just holds the stock is as large as it but for that.
+_MIN_PIXELS = 40  # smaller pictures show nothing
+# Share of a pixel; the smallest image around the stock has the size of the stock up to rounding.
 _ROUNDING = 1e-6
-# Pixels up to so many times as large tell as much: the next picture has thrice as many each way.
+# Facts from pixels up to this factor larger are good enough: the next picture has three times as many each way.
 _AS_FINE = 2.0
 
 
 @dataclass(frozen=True, eq=False)
 class Refined:
-    """A simulation.
+    """A simulation in the sequence.
 
     Attributes
     ----------
     simulation : Simulation
     seen : SeenModel or None
-        What the part is to be, in the same image, where that was asked for.
+        The model in the same image, if requested.
     traces : int
-        How many pieces it removed from its rays.
+        Number of pieces removed from rays.
     seconds : float
-        Since the view was asked for.
+        Time since the view was requested, s.
     """
 
     simulation: Simulation
@@ -66,19 +66,19 @@ class Refined:
 
 @dataclass(frozen=True, eq=False)
 class Facts:
-    """What an image of the whole stock tells of the trajectories.
+    """Facts on the trajectories, from an image of the whole stock.
 
     Attributes
     ----------
     pixel : float
-        Of that image, mm.
+        Pixel size of the image, mm.
     volumes : (n,) float64
-        What each removes, mm^3.
+        Removed volume of each trajectory, mm^3.
     air : (n,) bool
-        Which feed moves remove nothing.
+        Feed moves that remove nothing.
     crashes : list of Crash
     plunges : list of Plunge
-        Those that are too fast.
+        Plunges that are too fast.
     """
 
     pixel: float
@@ -88,23 +88,23 @@ class Facts:
     plunges: list[Plunge]
 
     def is_as_fine(self, pixel: float) -> bool:
-        """Whether it tells about as much as an image of such pixels does, from whatever side."""
+        """Return whether the facts are about as precise as facts from an image with this pixel size."""
         return self.pixel <= _AS_FINE * pixel
 
 
 @dataclass(frozen=True, eq=False)
-class Told:
-    """What a simulation tells.
+class Findings:
+    """The findings of a simulation.
 
     Attributes
     ----------
     simulation : Simulation
     facts : Facts or None
-        None where some of the stock lies beside the image.
+        None if a part of the stock is outside the image.
     seen : SeenModel or None
-        What the part is to be; None where it is not known, or was not asked for.
+        The model in the image; None if unknown or not requested.
     judged : bool
-        Whether gouges are known, too: a coarse picture does not look at the model.
+        Whether the image was compared with the model. Coarse pictures are not.
     """
 
     simulation: Simulation
@@ -114,12 +114,12 @@ class Told:
 
     @cached_property
     def deviations(self) -> Deviations | None:
-        """Those of the finished part."""
+        """Deviations of the finished part from the model."""
         return self.seen and self.seen.against(self.simulation.zbuffer)
 
 
 class Refining:
-    """Simulates a view again and again, finer each time; the work of a `Background`.
+    """Simulates a view several times, finer each time; the work of a `Background`.
 
     Parameters
     ----------
@@ -127,20 +127,20 @@ class Refining:
     view : View
         The finest image.
     memory_budget, time_budget : float
-        Bytes and s that the finest picture may take.
+        Largest memory, bytes, and time, s, of the finest picture.
     speed : Speed
-        Of this computer, for the cost of the finest picture.
+        Speed of this computer.
     glance : bool
-        Whether to begin from straight above, which is the quickest, for something to be seen.
+        Whether to begin with a picture from above, which is the fastest.
     compare : bool
-        Whether each picture comes with what the part is to be, not only the finest.
+        Whether each picture, and not only the finest, is compared with the model.
     known : Facts or None
-        What is known of the trajectories.
+        Facts on the trajectories that are already known.
 
     Attributes
     ----------
     share : float
-        Of the image that is worked on, how much is done.
+        Completed share of the present picture.
     """
 
     def __init__(
@@ -149,50 +149,50 @@ class Refining:
     ) -> None:  # fmt: skip
         self.job, self.view, self.speed, self.glance, self.compare = job, view, speed, glance, compare
         self.known = known
-        self._after: Refining | None = None  # that of the whole stock
+        self._after: Refining | None = None  # for the whole stock
         self.memory_budget, self.time_budget = memory_budget, time_budget
         self.share = 0.0
-        self._course: _Course | None = None  # of the pictures until now
+        self._trend: _CostTrend | None = None  # of the pictures so far
         self._largest = 1.0  # share of the image's side that the time budget allows
         self._began = self._stage = time.perf_counter()
 
     @property
     def now(self) -> Refining:
-        """What is being done: this, or afterwards that of the whole stock."""
+        """The running work: this, or afterwards the work for the whole stock."""
         return self if self._after is None else self._after
 
     def left(self) -> tuple[float | None, float]:
-        """Return how long the finest picture still takes, s, and its memory, bytes; None until that can be told."""
-        if self._course is None:
+        """Return the remaining time until the finest picture, s (None if unknown), and its memory, bytes."""
+        if self._trend is None:
             return None, 0.0
-        seconds, memory = self._course.expected(self._largest)
+        seconds, memory = self._trend.expected(self._largest)
         return max(seconds - (time.perf_counter() - self._stage), 0.1), memory
 
-    def __call__(self, going_on: Callable[[], None]) -> Iterator[Estimate | Refined | Told]:
-        """Yield what the finest picture will cost, where nothing is seen, the pictures, the coarsest first, and what each tells.
+    def __call__(self, going_on: Callable[[], None]) -> Iterator[Estimate | Refined | Findings]:
+        """Yield the expected cost for the first view, then each picture, the coarsest first, with its findings.
 
-        Where they show a part of the stock, and no such picture of all of it was simulated, what that tells comes last.
+        If the view shows a part of the stock only, findings from an image of the whole stock come last.
 
         Raises
         ------
         Unusable
-            Where the finest picture that the budgets allow is coarser than the view: its message says so.
+            At the end, if the budgets only allow a coarser picture than the view. The message says so.
         """
-        if self.glance:  # where there is a picture, the first coarse one is there sooner
+        if self.glance:
             yield estimate_job(self.job.cuts, stock=self.job.stock, view=self.view, speed=self.speed)
             going_on()
         if self.glance and any(self.view.direction[:2]):
             above = (0.0, 0.0, 1.0 if self.view.direction[2] > 0 else -1.0)
             yield from self._told(View(above, *self._size(_SHARES[0])), going_on)
         for share in _SHARES[:-1]:
-            if share * min(self.view.width, self.view.height) >= _FEWEST:
+            if share * min(self.view.width, self.view.height) >= _MIN_PIXELS:
                 yield from self._simulate(share, going_on)
                 if self._largest <= share:
                     break
         share = allowed = self._largest
         while True:
             try:
-                if share > _SHARES[-2] or self._course is None:
+                if share > _SHARES[-2] or self._trend is None:
                     yield from self._simulate(share, going_on, finest=True)
                 break
             except OverBudget as refused:
@@ -201,8 +201,8 @@ class Refining:
         if allowed < 1:
             raise Unusable(Message("picture-in-time", allowed=self.time_budget))
 
-    def _whole(self, going_on: Callable[[], None]) -> Iterator[Told]:
-        """Tell what only an image of the whole stock tells, unless one of about these pixels has: nobody sees it."""
+    def _whole(self, going_on: Callable[[], None]) -> Iterator[Findings]:
+        """Yield findings from an image of the whole stock, unless similar ones are known. The image is not shown."""
         view = replace(self.view, pixel=None, offset=(0.0, 0.0))
         finest = view.frame(self.job.stock).pixel / max(self._largest, _SHARES[-2])
         known = self.known is not None and self.known.is_as_fine(finest)
@@ -211,14 +211,16 @@ class Refining:
         self._after = Refining(self.job, view, self.memory_budget, self.time_budget, self.speed,
                             glance=False, compare=False, known=None)  # fmt: skip
         for done in self._after(going_on):
-            if isinstance(done, Told):
+            if isinstance(done, Findings):
                 yield done
 
     def _size(self, share: float) -> tuple[int, int]:
         return max(1, round(self.view.width * share)), max(1, round(self.view.height * share))
 
-    def _simulate(self, share: float, going_on: Callable[[], None], finest: bool = False) -> Iterator[Refined | Told]:
-        """Simulate an image of so large a share of the view's sides."""
+    def _simulate(
+        self, share: float, going_on: Callable[[], None], finest: bool = False
+    ) -> Iterator[Refined | Findings]:
+        """Simulate an image whose sides are a share of the view's."""
         width, height = self._size(share)
         pixel = self.view.frame(self.job.stock).pixel / share
         view = replace(self.view, width=width, height=height, pixel=pixel)
@@ -226,21 +228,21 @@ class Refining:
             if isinstance(done, Refined):
                 seconds = time.perf_counter() - self._stage
                 peak = done.simulation.zbuffer.peak
-                self._course = _Course(share, seconds, peak, self._course, self.speed.processes)
-                self._largest = self._course.largest(self.time_budget)
+                self._trend = _CostTrend(share, seconds, peak, self._trend, self.speed.processes)
+                self._largest = self._trend.largest(self.time_budget)
             yield done
 
-    def _told(self, view: View, going_on: Callable[[], None], finest: bool = False) -> Iterator[Refined | Told]:
+    def _told(self, view: View, going_on: Callable[[], None], finest: bool = False) -> Iterator[Refined | Findings]:
         self._stage, self.share = time.perf_counter(), 0.0
 
-        def told(done: float) -> None:
+        def report(done: float) -> None:
             self.share = done
             going_on()
 
-        done = simulate_read(self.job, view, self.memory_budget, told)
+        done = simulate_read(self.job, view, self.memory_budget, report)
         zbuffer = done.zbuffer
-        zbuffer.surface.prepare()  # here, not in the window
-        zbuffer.picture  # noqa: B018 - likewise
+        zbuffer.surface.prepare()  # computed here and not in the window's thread
+        zbuffer.picture  # noqa: B018 - computed here and not in the window's thread
         seen = self._seen(done, going_on) if self.compare else None
         yield Refined(done, seen, zbuffer.traces, time.perf_counter() - self._began)
         facts = None
@@ -253,9 +255,9 @@ class Refining:
         if finest and seen is None:
             seen = self._seen(done, going_on)
         judged = finest or seen is not None or not self.job.model_shapes
-        told_all = Told(done, facts, seen, judged)
-        told_all.deviations  # noqa: B018 - likewise
-        yield told_all
+        findings = Findings(done, facts, seen, judged)
+        findings.deviations  # noqa: B018 - computed here and not in the window's thread
+        yield findings
 
     def _seen(self, done: Simulation, going_on: Callable[[], None]) -> SeenModel | None:
         model = self.job.model
@@ -263,32 +265,32 @@ class Refining:
 
 
 def holds(frame: Frame, stock: Solid) -> bool:
-    """Return whether an image holds the whole stock: what trajectories do beside it, no ray tells."""
+    """Return whether an image contains the whole stock. Outside the image no ray finds what trajectories do."""
     corners = np.array(list(product(*zip(stock.lower, stock.upper)))) - frame.centre
     reach = np.abs(corners @ np.array([frame.right, frame.up]).T).max(axis=0)
     return bool((reach <= frame.pixel / 2 * np.array([frame.width, frame.height]) + _ROUNDING * frame.pixel).all())
 
 
-class _Course:
-    """How time and memory grow with the image, from the last pictures: a part for each pixel, and a part for all.
+class _CostTrend:
+    """Time and memory as functions of the image size, from the last pictures: a fixed part and a part for each pixel.
 
-    The times grow so that one process would take; see `core.zbuffer.shared_seconds`.
+    The times are for one process; see `core.zbuffer.shared_seconds`.
 
     Parameters
     ----------
     share : float
-        Of the image's side that was simulated.
+        Share of the image's side that was simulated.
     seconds : float
-        How long that took, s.
+        Time for it, s.
     peak : Peak
-        What decided the memory that it took.
-    before : _Course, optional
-        That of a coarser picture.
+        Peak memory of it.
+    before : _CostTrend, optional
+        The trend of a coarser picture.
     processes : int
-        How many cut at once.
+        Number of processes that work at the same time.
     """
 
-    def __init__(self, share: float, seconds: float, peak: Peak, before: _Course | None, processes: int) -> None:
+    def __init__(self, share: float, seconds: float, peak: Peak, before: _CostTrend | None, processes: int) -> None:
         self._processes = processes
         seconds = unshared_seconds(seconds, processes)
         self.pixels, self.seconds, self._peak = share**2, seconds, peak
@@ -297,12 +299,12 @@ class _Course:
         self._fixed = seconds - self._each * self.pixels
 
     def expected(self, share: float) -> tuple[float, float]:
-        """Return what an image of such a share takes, s and bytes."""
+        """Return the expected time, s, and memory, bytes, of an image with this share."""
         seconds = shared_seconds(self._fixed + self._each * share**2, self._processes)
         return seconds, self._peak.bytes(share**2 / self.pixels)
 
     def largest(self, budget: float) -> float:
-        """Return the largest share that takes no longer, s; at most 1, and 0 where there is none."""
+        """Return the largest share, at most 1, within a time budget, s; 0 if no image is within it."""
         alone = unshared_seconds(budget, self._processes)
         pixels = (alone - self._fixed) / self._each if self._each else float(alone >= self._fixed)
         return sqrt(min(max(pixels, 0.0), 1.0))

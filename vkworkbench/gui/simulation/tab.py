@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The tab of a simulation: shows the job while it is read and when it is simulated, and follows the document."""
+"""The tab of a simulation: reads the job, shows the player, and follows changes of the document."""
 
 from __future__ import annotations
 
@@ -17,25 +17,24 @@ from vkworkbench.gui.qt.names import QPainter, QPushButton, Qt, QTimer, QVBoxLay
 from vkworkbench.gui.qt.plain_text import inform
 from vkworkbench.gui.qt.sentences import as_sentence
 from vkworkbench.gui.qt.text import translate
-from vkworkbench.gui.simulation.keys import KeyedWidget
 from vkworkbench.gui.simulation.player import Player
 from vkworkbench.gui.simulation.reading import Reading
-from vkworkbench.gui.simulation.state_line import told
+from vkworkbench.gui.simulation.widgets import KeyedWidget, error_text
 from vkworkbench.report import Cancelled
 
 _ON_OPERATION = freecad.names_in_fingerprint("path")
 _ON_SETTING = freecad.names_in_fingerprint("setting")
-_SELECTED = 1000  # ms within which FreeCAD follows a selection
-_ENDED = 1000  # ms within which the threads of a closed tab have ended, mostly
+_SELECTED = 1000  # ms in which FreeCAD reacts to a selection
+_ENDED = 1000  # ms after which the threads of a closed tab have usually ended
 
 
 class SimulationTab(KeyedWidget):
-    """Shows a job's simulation as soon as the job has been read.
+    """Shows the simulation of a job after reading the job.
 
     Parameters
     ----------
     copy : JobCopy
-        What is to be read.
+        The job to read.
 
     Attributes
     ----------
@@ -43,7 +42,7 @@ class SimulationTab(KeyedWidget):
     player : Player or None
         None while the job is being read.
     outdated : Signal
-        The toolpaths, or what they are simulated with, have changed, and the user wants them simulated again.
+        The document has changed, and the user asked for a new simulation.
     """
 
     outdated = Signal()
@@ -59,7 +58,7 @@ class SimulationTab(KeyedWidget):
         self._layout = QVBoxLayout(self)
         self._layout.setContentsMargins(4, 4, 4, 4)
         self._layout.addWidget(self.again)
-        self._changed: set[str] = set()  # operations whose path may be another one since it was copied
+        self._changed: set[str] = set()  # operations whose path may have changed after it was copied
         self._soon = single_shot(lambda: idle.work(self._comparing()), self)
         self._asked = QTimer(self)
         self._asked.setSingleShot(True)
@@ -84,7 +83,7 @@ class SimulationTab(KeyedWidget):
             return
         self.window_of().close()
         if not isinstance(error, Cancelled):
-            inform(translate("Vk_Simulate", "Simulate toolpaths"), as_sentence(told(error)), Gui.getMainWindow())
+            inform(translate("Vk_Simulate", "Simulate toolpaths"), as_sentence(error_text(error)), Gui.getMainWindow())
 
     def _show(self, player: Player) -> None:
         self.player = player
@@ -102,12 +101,12 @@ class SimulationTab(KeyedWidget):
     # The tab
 
     def come_to_front(self) -> None:
-        """Show the tab before the other ones of FreeCAD's window."""
-        # Not by the sub-window's mdiArea(): PySide6 then deletes FreeCAD's area together with the sub-window.
+        """Show the tab in front of FreeCAD's other tabs."""
+        # Not with the sub-window's mdiArea(), because PySide6 would delete FreeCAD's area together with the sub-window.
         widgets.area_of_views().setActiveSubWindow(self.window_of())
 
     def _stay_in_front(self) -> None:
-        """Come back where FreeCAD 1.1 brings the 3D view to the front for a selection, which the user made here."""
+        """Return to the front if FreeCAD 1.1 shows the 3D view because of a selection that the user made here."""
         if self._asked.isActive():
             QTimer.singleShot(0, self.come_to_front)
 
@@ -120,13 +119,13 @@ class SimulationTab(KeyedWidget):
         QTimer.singleShot(0, self._take_focus)
 
     def _take_focus(self) -> None:
-        """Give the focus to the time line, where Qt has given it to the first button, whose keys are others."""
+        """Give the focus to the time line, because Qt gives it to the first button."""
         focused = self.focusWidget()
         if focused is not None and focused.hasFocus():
             self.setFocus()
 
     def paintEvent(self, event) -> None:
-        """Cover what is behind: with FreeCAD 0.20's style sheets that is no empty sub-window, but the other tabs."""
+        """Paint the background, because with FreeCAD 0.20's style sheets the other tabs would be visible."""
         painter = QPainter(self)
         painter.fillRect(self.rect(), Gui.getMainWindow().palette().window())
         painter.end()
@@ -136,7 +135,7 @@ class SimulationTab(KeyedWidget):
         super().closeEvent(event)
 
     def end(self) -> None:
-        """Stop all work: the tab is closed."""
+        """Stop all work when the tab is closed."""
         if self._open:
             self._open = False
             self._soon.stop()
@@ -147,7 +146,7 @@ class SimulationTab(KeyedWidget):
         if self.player is not None:
             self.player.end()
 
-    # What happens to the document
+    # Changes of the document
 
     def slotChangedObject(self, obj, name: str) -> None:
         if name in _ON_OPERATION | _ON_SETTING and obj.Document.Name == self.copy.document:
@@ -165,8 +164,8 @@ class SimulationTab(KeyedWidget):
             QTimer.singleShot(0, self.window_of().close)
 
     def _compare(self) -> None:
-        """Look soon whether the document still says what is simulated; nobody else is told of its faults until then."""
-        if self.player is not None:  # else it is looked at when the job has been read
+        """Compare the document with the simulated job soon. Until then, marks and results do not show the faults."""
+        if self.player is not None:  # otherwise it is compared after reading
             self.player.known.follow(False)
             self._soon.start()
 
@@ -174,6 +173,6 @@ class SimulationTab(KeyedWidget):
         if not self._open:
             return
         holds = yield from self.copy.comparing(self._changed)
-        if self._open and not self._soon.isActive():  # nothing has changed meanwhile
+        if self._open and not self._soon.isActive():  # no further change meanwhile
             self.again.setVisible(not holds)
             self.player.known.follow(holds)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The time line: operations as wide as their machining time, what is removed meanwhile, and where it crashes."""
+"""The time line: operations by machining time, the removal rate, air cuts and faults."""
 
 from __future__ import annotations
 
@@ -28,16 +28,16 @@ from vkworkbench.gui.qt.names import (
 )  # fmt: skip
 from vkworkbench.gui.qt.plain_text import lines, show_tooltip
 from vkworkbench.gui.qt.text import translate
-from vkworkbench.gui.simulation.keys import KeyedWidget
+from vkworkbench.gui.simulation.widgets import KeyedWidget
 
-_CURVE, _AIR, _BLOCKS, _BELOW = 34, 4, 20, 8  # px, from top to bottom; the curve is lower where there is little room
-_LOWEST = 12  # px of the curve
-_MARK = 5.0  # px; half a warning's width
-_APART = 5  # px between trajectories that are told apart
-_ZOOM = 1.4  # for each notch of the wheel
-_READ = 10  # warnings in a tooltip at most
-_FINEST = 1e-6  # share of the job's time that is seen at least
-# By which share of the job each key moves on.
+_CURVE, _AIR, _BLOCKS, _BELOW = 34, 4, 20, 8  # heights in px, from top to bottom; the curve shrinks if room is short
+_MIN_CURVE = 12  # px
+_MARK = 5.0  # px; half the width of a warning
+_APART = 5  # px; minimum mean width of trajectories that are separated by lines
+_ZOOM = 1.4  # factor for each notch of the wheel
+_MAX_WARNINGS = 10  # in a tooltip
+_MIN_SPAN = 1e-6  # smallest visible share of the job's time
+# Step of each key, as a share of the job's time.
 _KEYS = {
     int(Qt.Key_Left): -0.005, int(Qt.Key_Right): 0.005, int(Qt.Key_PageUp): 0.05, int(Qt.Key_PageDown): -0.05,
     int(Qt.Key_Home): -1.0, int(Qt.Key_End): 1.0,
@@ -56,7 +56,7 @@ class Block:
     color : str
         ``"#rrggbb"``.
     begin, end : float
-        s.
+        Times, s.
     """
 
     label: str
@@ -68,13 +68,13 @@ class Block:
 
 @dataclass(frozen=True)
 class Warned:
-    """A moment that the user must know.
+    """A warning at a moment.
 
     Attributes
     ----------
     seconds : float
     text : callable
-        Returns plain text: of the many that there may be, few are read.
+        Returns plain text. A function, because few of many texts are read.
     color : str
         ``"#rrggbb"``.
     """
@@ -85,14 +85,14 @@ class Warned:
 
 
 class TimeLine(KeyedWidget):
-    """Shows a job over the machine's time, or a part of it; a moment is chosen with the mouse or the keys.
+    """Shows a job, or a part of it, over the machine's time. The user chooses a moment with mouse or keys.
 
     Attributes
     ----------
     moved : Signal of float
-        The user goes to a moment, s.
+        The user moved to a moment, s.
     clicked : Signal of float
-        The user clicked on what is done at a moment, s.
+        The user clicked at a moment, s.
     """
 
     moved, clicked = Signal(float), Signal(float)
@@ -100,17 +100,19 @@ class TimeLine(KeyedWidget):
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.total, self.seconds = 0.0, 0.0
-        self._begin, self._end = 0.0, 0.0  # what is seen of it, s
+        self._begin, self._end = 0.0, 0.0  # the visible range, s
         self._pressed: QPoint | None = None
         self._blocks: tuple[Block, ...] = ()
         self._warned: tuple[Warned, ...] = ()
         self._ends = self._volumes = self._air = np.empty(0)
-        self._curve: tuple[QSize, QPolygonF, np.ndarray] | None = None  # for a size, px; and the share of air
+        self._curve: tuple[QSize, QPolygonF, np.ndarray] | None = (
+            None  # the size for which it was computed, the area, and the share of air cuts by column
+        )
         self.keys = {key: partial(self._move_on, share) for key, share in _KEYS.items()}
-        self.setMinimumHeight(_LOWEST + _AIR + _BLOCKS + _BELOW)
+        self.setMinimumHeight(_MIN_CURVE + _AIR + _BLOCKS + _BELOW)
         self.setSizePolicy(QSizePolicy.Expanding, QSizePolicy.Maximum)
         self.setFocusPolicy(Qt.StrongFocus)
-        self.setBackgroundRole(QPalette.Base)  # which a theme's style sheet then sets
+        self.setBackgroundRole(QPalette.Base)  # so that a theme's style sheet sets the background
         self.setMouseTracking(True)
         self.setAccessibleName(translate("Vk_Simulate", "Time line"))
 
@@ -122,16 +124,16 @@ class TimeLine(KeyedWidget):
         self.update()
 
     def show_facts(self, ends: np.ndarray, volumes: np.ndarray, air: np.ndarray, warned: tuple[Warned, ...]) -> None:
-        """Show what the trajectories remove.
+        """Show removal rate, air cuts and warnings.
 
         Parameters
         ----------
         ends : (n + 1,) float64
-            When each has been cut, s.
+            ``ends[k]`` is the time after k trajectories, s.
         volumes : (n,) float64
-            What each removes, mm^3.
+            Removed volume of each trajectory, mm^3.
         air : (n,) bool
-            Which of them cut air.
+            Trajectories that cut air.
         warned : tuple of Warned
         """
         self._ends, self._volumes, self._air = ends, volumes, air
@@ -139,7 +141,7 @@ class TimeLine(KeyedWidget):
         self.update()
 
     def show_moment(self, seconds: float) -> None:
-        """Show that this is the moment, s."""
+        """Show the present moment, s."""
         self.seconds = seconds
         if not self._begin <= seconds <= self._end:
             self._see(seconds - self._span / 2, self._span)
@@ -150,7 +152,7 @@ class TimeLine(KeyedWidget):
         return self._end - self._begin
 
     def _see(self, begin: float, span: float) -> None:
-        """See so much of the time, s, within the job's."""
+        """Show a range of time, s, within the job's time."""
         span = min(span, self.total)
         self._begin = min(max(begin, 0.0), self.total - span)
         self._end = self._begin + span
@@ -165,11 +167,11 @@ class TimeLine(KeyedWidget):
         return self.height() - _AIR - _BLOCKS - _BELOW
 
     def x_of(self, seconds: float) -> float:
-        """Return where a moment is drawn, px."""
+        """Return the x position of a moment, px."""
         return (seconds - self._begin) / self._span * (self.width() - 1) if self._span else 0.0
 
     def seconds_at(self, x: float) -> float:
-        """Return the moment that is drawn at a place, px."""
+        """Return the moment at an x position, px."""
         share = min(max(x / max(self.width() - 1, 1), 0.0), 1.0)
         return min(self._begin + share * self._span, self.total)
 
@@ -178,7 +180,7 @@ class TimeLine(KeyedWidget):
         try:
             self._paint(painter)
         finally:
-            painter.end()  # which Qt needs, and an error's traceback keeps the painter
+            painter.end()  # explicitly, because the traceback of an error would keep the painter alive
 
     def _paint(self, painter: QPainter) -> None:
         painter.setRenderHint(QPainter.Antialiasing)
@@ -201,7 +203,7 @@ class TimeLine(KeyedWidget):
             if len(label) > 1:
                 painter.drawText(place.adjusted(3, 0, -3, 0), int(Qt.AlignVCenter | Qt.AlignLeft), label)
         painter.setPen(Qt.NoPen)
-        # Of those in one place one is drawn.
+        # Warnings of one colour at the same pixel are drawn once.
         for x, color in dict.fromkeys((round(self.x_of(warned.seconds)), warned.color) for warned in self._warned):
             painter.setBrush(QColor(color))
             painter.drawPolygon(QPolygonF([QPointF(x - _MARK, 0), QPointF(x + _MARK, 0), QPointF(x, 2 * _MARK)]))
@@ -214,7 +216,7 @@ class TimeLine(KeyedWidget):
             painter.drawRect(QRectF(0.5, 0.5, self.width() - 1, self.height() - 1))
 
     def _paint_curve(self, painter: QPainter, text: QColor) -> None:
-        """The removal rate over time, and below it where a cutting move cuts air."""
+        """Paint the removal rate, and the air cuts below it."""
         if not len(self._volumes) or not self.total:
             return
         height = self._curve_height
@@ -229,7 +231,7 @@ class TimeLine(KeyedWidget):
         painter.drawPolygon(curve)
         hatch = QColor("#e0a030")
         first, last = np.searchsorted(self._ends, (self._begin, self._end))
-        if last - first < self.width() / _APART:  # trajectories can be told apart
+        if last - first < self.width() / _APART:  # trajectories are wide enough to separate
             painter.setPen(QPen(text, 1))
             for end in self._ends[first:last].tolist():
                 painter.drawLine(QPointF(self.x_of(end), height), QPointF(self.x_of(end), height + _AIR))
@@ -239,7 +241,7 @@ class TimeLine(KeyedWidget):
             painter.fillRect(QRectF(x, height, 1, _AIR), hatch)
 
     def _by_column(self, width: int) -> tuple[np.ndarray, np.ndarray]:
-        """Volume removed, and share of the time in which a cutting move removes nothing, by columns of pixels."""
+        """Return the removed volume, and the share of time of air cuts, for each column of pixels."""
         edges = np.linspace(self._begin, self._end, width + 1)
         removed = np.diff(np.interp(edges, self._ends, np.append(0, np.cumsum(self._volumes))))
         air = np.where(self._air, np.diff(self._ends), 0.0)
@@ -265,7 +267,7 @@ class TimeLine(KeyedWidget):
                 self.moved.emit(self.seconds_at(x))
             return
         seconds = self.seconds_at(x)
-        near = [w for w in self._warned if abs(x - self.x_of(w.seconds)) <= _MARK][:_READ]
+        near = [w for w in self._warned if abs(x - self.x_of(w.seconds)) <= _MARK][:_MAX_WARNINGS]
         near = [w.text() for w in near]
         near += [b.tooltip for b in self._blocks if b.begin <= seconds <= b.end][:1]
         show_tooltip(self.mapToGlobal(event.pos()), lines("\n".join(near)), self)
@@ -276,14 +278,14 @@ class TimeLine(KeyedWidget):
             self._pressed = None
 
     def wheelEvent(self, event) -> None:
-        """Zoom; what is below the pointer stays there."""
+        """Zoom; the moment below the pointer stays there."""
         at = self.seconds_at(event.position().x())
-        span = max(self._span * _ZOOM ** (-event.angleDelta().y() / 120), self.total * _FINEST)
+        span = max(self._span * _ZOOM ** (-event.angleDelta().y() / 120), self.total * _MIN_SPAN)
         self._see(at - (at - self._begin) / self._span * span if self._span else 0.0, span)
 
 
 def _area(rate: np.ndarray, height: int) -> QPolygonF:
-    """The area below a curve of that height, one number for each column of pixels."""
+    """Return the area below a curve; `rate` has one value for each column of pixels."""
     tops = height - rate / max(rate.max(initial=0.0), 1e-300) * (height - 4)
     sides = QPointF(0, height), QPointF(len(tops), height)
     return QPolygonF([sides[0], *(QPointF(x, y) for x, y in enumerate(tops.tolist())), sides[1]])

@@ -1,0 +1,246 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Small widgets of the tab: keys, symbol buttons, the legend, and the line that shows the state of the simulation."""
+
+from __future__ import annotations
+
+import traceback
+from collections.abc import Callable
+
+import FreeCAD
+
+from vkworkbench.core.zbuffer import Estimate
+from vkworkbench.gui.qt.names import (
+    QColor,
+    QEvent,
+    QPainter,
+    QPen,
+    QPointF,
+    QPolygonF,
+    QRectF,
+    QSize,
+    QSizePolicy,
+    Qt,
+    QToolButton,
+    QWidget,
+)
+from vkworkbench.gui.qt.plain_text import OneLine, as_html
+from vkworkbench.gui.qt.sentences import sentence, user
+from vkworkbench.gui.qt.text import translate
+from vkworkbench.gui.simulation.refining import Refined, Refining
+from vkworkbench.language import Message, Unusable
+
+
+class KeyedWidget(QWidget):
+    """A widget with keys. A key calls its function if the widget, or a child that ignores the key, has the focus.
+
+    Attributes
+    ----------
+    keys : dict of int to callable
+    """
+
+    keys: dict[int, Callable[[], object]]
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.keys = {}
+
+    def event(self, event) -> bool:
+        if event.type() == QEvent.ShortcutOverride and event.key() in self.keys:
+            event.accept()  # otherwise FreeCAD runs its own shortcut
+            return True
+        return super().event(event)
+
+    def keyPressEvent(self, event) -> None:
+        if event.key() in self.keys:
+            self.keys[event.key()]()
+        else:
+            super().keyPressEvent(event)
+
+
+PLAY, PAUSE = "play", "pause"
+# Lines in a square from -1 to 1 for steps of the three kinds. Closed lines are filled. Steps back are mirror images.
+_CHEVRON = [(-0.3, -0.6), (0.3, 0.0), (-0.3, 0.6)]
+_TRIANGLE = [(-0.6, -0.7), (0.6, 0.0), (-0.6, 0.7), (-0.6, -0.7)]
+_LINES = {
+    1: [_CHEVRON],
+    2: [[(x - 0.3, y) for x, y in _CHEVRON], [(x + 0.35, y) for x, y in _CHEVRON]],
+    3: [[(0.8 * x - 0.15, 0.8 * y) for x, y in _TRIANGLE], [(0.6, -0.6), (0.6, 0.6)]],
+    PLAY: [_TRIANGLE],
+    PAUSE: [[(-0.35, -0.6), (-0.35, 0.6)], [(0.35, -0.6), (0.35, 0.6)]],
+}
+
+
+class SymbolButton(QToolButton):
+    """A button with a symbol in the colour of the theme's text. The icons of styles are for light themes only.
+
+    Attributes
+    ----------
+    symbol : int or str
+        Kind of step, negative for back; `PLAY` or `PAUSE`.
+    """
+
+    def __init__(self, symbol: int | str, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.symbol = symbol
+
+    def show_symbol(self, symbol: int | str) -> None:
+        """Show another symbol."""
+        self.symbol = symbol
+        self.update()
+
+    def paintEvent(self, event) -> None:
+        super().paintEvent(event)
+        painter = QPainter(self)
+        painter.setRenderHint(QPainter.Antialiasing)
+        color = self.palette().buttonText().color()
+        rest = QRectF(self.rect())
+        side = min(rest.width(), rest.height()) / 4
+        painter.setPen(QPen(color, side / 3.5, Qt.SolidLine, Qt.RoundCap, Qt.RoundJoin))
+        symbol = self.symbol
+        mirrored = -1 if isinstance(symbol, int) and symbol < 0 else 1
+        for line in _LINES[abs(symbol) if isinstance(symbol, int) else symbol]:
+            points = [QPointF(rest.center().x() + mirrored * side * x, rest.center().y() + side * y) for x, y in line]
+            painter.setBrush(color if line[0] == line[-1] else Qt.NoBrush)
+            if line[0] == line[-1]:
+                painter.drawPolygon(QPolygonF(points))
+            else:
+                painter.drawPolyline(QPolygonF(points))
+        painter.end()
+
+
+_GAP = 12  # px between two entries
+_BESIDE = 4  # px between a colour and its name
+_MAX_NAMES = 12
+
+
+class Legend(QWidget):
+    """Colours with their names, in as many lines as needed. Long names are shortened; the tooltip has all of them.
+
+    Attributes
+    ----------
+    entries : tuple of (str, str)
+        Colours and their meanings. In a scale only the ends have names, and its colours stay close together in one line.
+    """
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.entries: tuple[tuple[str, str], ...] = ()
+        self.setSizePolicy(QSizePolicy.Ignored, QSizePolicy.Fixed)
+        self._fit()
+
+    def show_entries(self, entries: tuple[tuple[str, str], ...]) -> None:
+        """Show other entries."""
+        if entries != self.entries:
+            self.entries = entries
+            self.setToolTip(as_html("\n".join(name for _, name in entries if name)))
+            self._fit()
+            self.update()
+
+    def resizeEvent(self, event) -> None:
+        super().resizeEvent(event)
+        self._fit()
+
+    def changeEvent(self, event) -> None:
+        super().changeEvent(event)
+        self._fit()
+
+    def paintEvent(self, event) -> None:
+        painter = QPainter(self)
+        for color, place, name in self._places():
+            side = self._side
+            painter.fillRect(QRectF(place.left(), place.center().y() - side / 2, side, side), QColor(color))
+            painter.setPen(self.palette().windowText().color())
+            flags = int(Qt.AlignVCenter | Qt.AlignLeft | Qt.TextDontClip)
+            painter.drawText(place.adjusted(side + _BESIDE, 0, 0, 0), flags, name)
+
+    def sizeHint(self) -> QSize:
+        return QSize(100, self.height())
+
+    @property
+    def _line(self) -> int:
+        return self.fontMetrics().height() + 2
+
+    @property
+    def _side(self) -> int:
+        return round(0.7 * self.fontMetrics().height())
+
+    def _fit(self) -> None:
+        """Set the height to the number of lines."""
+        lines = max((place.bottom() for _, place, _ in self._places()), default=0)
+        self.setFixedHeight(max(round(lines), self._line))  # at least one line
+
+    def _places(self) -> list[tuple[str, QRectF, str]]:
+        """Return each colour with its rectangle and its name, shortened to fit."""
+        metrics, side = self.fontMetrics(), self._side
+        height, width = self._line, max(self.width(), 4 * side)
+        places, nameless, x, y, named = [], 0, 0.0, 0.0, 0
+        for color, name in self.entries:
+            named += bool(name)
+            if named > _MAX_NAMES:
+                break
+            before = nameless * side
+            shown = metrics.elidedText(name, Qt.ElideRight, width - before - side - _BESIDE)
+            wide = side + (_BESIDE + metrics.horizontalAdvance(shown) if shown else 0)
+            if x > before and x + wide > width:
+                for _, place, _ in places[
+                    len(places) - nameless :
+                ]:  # move the colours of a scale to the next line together
+                    place.translate(before - x, height)
+                x, y = before, y + height
+            places.append((color, QRectF(x, y, wide, height), shown))
+            x += wide + (_GAP if name else 0)
+            nameless = 0 if name else nameless + 1
+        return places
+
+
+class StateLine(OneLine):
+    """A line with the state and the cost of the simulation."""
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._shown = self._expected = ""
+
+    def show_expected(self, cost: Estimate) -> None:
+        """Show the expected cost of the finest picture."""
+        self._expected = translate("Vk_Simulate", "finest picture in about {}, {}").format(
+            user().time(cost.seconds), user().memory(cost.memory_bytes)
+        )
+        self._say(self._shown, self._expected)
+
+    def show_progress(self, refining: Refining) -> None:
+        """Show the progress, and the remaining time until the finest picture."""
+        left, memory = refining.left()
+        if left is not None:
+            text = translate("Vk_Simulate", "finest picture in about {}, {}")
+            self._expected = text.format(user().time(left), user().memory(memory))
+        working = translate("Vk_Simulate", "Simulating… {}").format(user().share(refining.share))
+        self._say(self._shown, ", ".join(filter(None, (working, self._expected))))
+
+    def show_refined(self, done: Refined) -> None:
+        """Show size and cost of the picture."""
+        zbuffer = done.simulation.zbuffer
+        self._shown = translate("Vk_Simulate", "{} × {} pixels of {}, {} traces, {}, simulated in {}").format(
+            user().count(zbuffer.frame.width), user().count(zbuffer.frame.height),
+            user().measure(zbuffer.frame.pixel, 2), user().count(done.traces), user().memory(zbuffer.peak.bytes()),
+            user().time(done.seconds),
+        )  # fmt: skip
+
+    def show_end(self, remarks: tuple[Message, ...], error: Exception | None) -> None:
+        """Show the remarks on the simulation, and the error that ended it, if any."""
+        self._expected = ""
+        self._say(self._shown, *map(sentence, remarks), *([error_text(error)] if error else []))
+
+    def show_error(self, error: Exception) -> None:
+        """Show an error."""
+        self._say(self._shown, error_text(error))
+
+    def _say(self, *texts: str) -> None:
+        self.show_text("   ".join(filter(None, texts)))
+
+
+def error_text(error: Exception) -> str:
+    """Return the text of an error that ended the work."""
+    if isinstance(error, Unusable):
+        return sentence(error.what)
+    FreeCAD.Console.PrintLog("".join(traceback.format_exception(type(error), error, error.__traceback__)))
+    return sentence(Message("not-analysed", error=f"{type(error).__name__}: {error}"))
