@@ -223,7 +223,7 @@ def test_an_outdated_tab_tells_nobody_of_its_faults(desk, document, window):
 def test_a_change_while_the_job_is_read_is_noticed(desk, document, window, monkeypatch):
     kept = []
     monkeypatch.setattr(
-        KnownFaults, "_tell", lambda known, tell=KnownFaults._tell: kept.append(known._holds) or tell(known)
+        KnownFaults, "_publish", lambda known, tell=KnownFaults._publish: kept.append(known._holds) or tell(known)
     )
     op = crash(document)
     window.click(COMMAND)
