@@ -18,7 +18,7 @@ from vkworkbench.gui.simulation import coloring, exports
 from vkworkbench.gui.simulation.faults import Fault, KnownFaults, differences, judge
 from vkworkbench.gui.simulation.moment import Clock
 from vkworkbench.gui.simulation.pictures import Drawing
-from vkworkbench.gui.simulation.refining import Facts, Refined, Refining, Told, holds
+from vkworkbench.gui.simulation.refining import Facts, Findings, Refined, Refining, holds
 from vkworkbench.gui.simulation.time_line import TimeLine
 from vkworkbench.language import Message
 
@@ -58,11 +58,11 @@ def test_a_picture_that_takes_too_much_memory_is_as_coarse_as_a_refusal_says():
 
 def test_only_an_image_that_holds_the_stock_tells_what_trajectories_remove():
     job = job_of(SLOT, CRASH)
-    (*_, whole) = (done for done in refined(job, WHOLE) if isinstance(done, Told))
+    (*_, whole) = (done for done in refined(job, WHOLE) if isinstance(done, Findings))
     assert whole.facts.volumes.sum() == pytest.approx(2 * 5 * (6 * 50 + np.pi * 9), rel=0.03)
     assert [crash.source.cut for crash in whole.facts.crashes] == [1, 1] and not whole.facts.air.any()
     done = refined(job, PART, whole.facts)
-    assert not any(one.facts for one in done if isinstance(one, Told))
+    assert not any(one.facts for one in done if isinstance(one, Findings))
     (*_, last) = (one for one in done if isinstance(one, Refined))
     assert last.simulation.zbuffer.frame.pixel == 0.02  # the picture is the part's
     # Where the whole was never simulated so finely, it comes last, and no picture of it.
@@ -112,7 +112,7 @@ def test_a_gouge_that_is_not_seen_is_there_all_the_same(monkeypatch):
     before = [gouge(0, 0.3), gouge(1, 0.5), gouge(2, 0.6), gouge(3, 0.1)]
     depths = {}
     for name, of_image in (("part", None), ("whole", facts)):
-        told = Told(None, of_image, None, judged=True)
+        told = Findings(None, of_image, None, judged=True)
         depths[name] = [(f.cut, f.gouged) for f in judge(told, facts, 0.15, before, False).faults]
     assert depths == {"part": [(2, 0.6), (1, 0.5), (0, 0.4)], "whole": [(1, 0.5), (0, 0.3), (2, 0.2)]}
 
@@ -122,7 +122,7 @@ def test_what_the_stock_lacks_is_not_cut_into_the_model():
     job, model = job_of(SLOT), Stock((0, 0, 0), (60, 40, 23))
     zbuffer = simulate_job(job.cuts, stock=STOCK, view=WHOLE)
     uncut, finished = (
-        Told(SimpleNamespace(zbuffer=at), None, SeenModel(model, zbuffer.frame), judged=True)
+        Findings(SimpleNamespace(zbuffer=at), None, SeenModel(model, zbuffer.frame), judged=True)
         for at in (zbuffer.at(0), zbuffer)
     )
     judged, known = judge(finished, None, 0.1, [], compares=False), KnownFaults(job, Clock(job))
