@@ -57,7 +57,7 @@ def test_mirroring_changes_the_sign_of_phi_and_n(vectors):
 
 
 @given(vectors)
-def test_reversing_changes_the_sign_of_every_turn_and_their_order(vectors):
+def test_reversing_negates_and_reverses_turns(vectors):
     points = polyline(vectors)
     before, after = without_reversals(points), signature(points[::-1])
     assert after.turning == pytest.approx(-before.turning[::-1], **CLOSE)

@@ -117,14 +117,14 @@ def test_a_slow_rapid_has_its_time():
     assert machining(path, horizontal_rapid=0.5).rapid_seconds == pytest.approx(20)
 
 
-def test_the_time_of_a_move_is_no_number_where_its_speed_is_unknown():
+def test_move_time_is_nan_for_unknown_speed():
     commands = [("G0", {"X": 0.0, "Y": 0.0, "Z": 5.0}), ("G0", {"X": 10.0}), ("G0", {"Z": 0.0}), ("G1", {"X": 20.0})]
     path = linearize([*commands, ("G1", {"X": 30.0, "F": 2.0})])
     assert trajectory_seconds(path) == pytest.approx([math.nan, math.nan, math.nan, 5.0], nan_ok=True)
     assert trajectory_seconds(path, horizontal_rapid=10.0, vertical_rapid=5.0)[:2] == pytest.approx([1.0, 1.0])
 
 
-def test_a_feed_below_one_mm_per_second_is_one_and_none_has_no_time():
+def test_slow_feed_counts_and_missing_feed_has_no_time():
     path = linearize([("G0", {"X": 0.0, "Y": 0.0, "Z": 0.0}), ("G1", {"X": 30.0}), ("G1", {"X": 80.0, "F": 0.5})])
     assert trajectory_seconds(path)[-2:] == pytest.approx([math.nan, 100.0], nan_ok=True)
     assert machining(path).cutting_seconds == pytest.approx(100.0)

@@ -29,7 +29,7 @@ class Workshop:
         return self.now
 
 
-def test_a_piece_is_timed_until_its_shortest_time_came_three_times():
+def test_piece_is_timed_until_shortest_time_repeats_three_times():
     shop = Workshop([5.0, 1.0, 9.0, 1.04, 1.2, 1.01, 7.0])
     assert steady_seconds(shop.pieces, most=20, clock=shop.clock) == pytest.approx([1.0])
     assert len(shop.turns) == 6
@@ -40,14 +40,14 @@ def test_the_shortest_time_counts_where_it_never_is_steady():
     assert steady_seconds(shop.pieces, most=10, clock=shop.clock) == pytest.approx([1.0])
 
 
-def test_pieces_take_turns_and_only_those_that_are_not_steady_go_on():
+def test_only_unsteady_pieces_are_timed_again():
     shop = Workshop([1.0] * 3, [9.0, 3.0, 3.0, 3.0], [1e-3] * 3)
     found = steady_seconds(shop.pieces, most=20, clock=shop.clock)
     assert found == pytest.approx([1.0, 3.0, 1e-3])
     assert shop.turns == [0, 1, 2] * 3 + [1]
 
 
-def test_what_is_called_between_the_pieces_is_not_timed_and_may_end_it():
+def test_callback_between_pieces_is_not_timed_and_may_stop():
     shop = Workshop([1.0] * 3, [2.0] * 3)
     calls = []
 

@@ -55,7 +55,7 @@ def test_a_part_holds_what_lies_between_its_ends_and_no_problems():
     assert np.array_equal(middle.points, path.points[1:4])
 
 
-def test_a_problem_is_told_with_its_first_command_and_how_many_there_are():
+def test_problem_has_first_command_and_count():
     (problem,) = linearize([*COMMANDS, ("G999", {})]).problems
     assert problem == Problem(10, problem.what, 2) and not problem.of_time
     assert problem.message == "the unknown code 'G999' is ignored"
@@ -83,7 +83,7 @@ def test_what_is_no_toolpath_is_told_in_a_sentence():
         simulate_job([(path, tool)], stock=stock, view=view)
 
 
-def test_a_dwell_is_missing_in_the_time_alone_and_a_turned_axis_in_the_way_too():
+def test_dwell_changes_time_only_and_rotary_axis_also_length():
     dwell, turned = Problem(4, Message("dwell-untimed")), Problem(4, Message("rotary-not-read", letter="A"))
     assert dwell.of_time and dwell.takes_time
     assert turned.takes_time and not turned.of_time
@@ -100,7 +100,7 @@ def test_cuts_through_points_are_what_linearize_makes_of_them():
     assert len(Toolpath.through([])) == len(Toolpath.through([(1, 2, 3)])) == 0
 
 
-def test_an_operation_has_those_of_the_commands_of_a_problem_of_time_that_are_its_own():
+def test_time_problem_lists_own_commands_only():
     """Of any other problem all is told where its first command is."""
     dwells = Problem.at([4, 6, 9], Message("dwell-untimed"))
     assert dwells == Problem(4, dwells.what, 3) and hash(dwells) == hash(Problem(4, dwells.what, 3))

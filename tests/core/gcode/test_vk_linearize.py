@@ -79,7 +79,7 @@ def test_relative_words():
 
 
 @pytest.mark.parametrize("sense", [1, -1])
-def test_relative_words_that_add_up_to_more_than_a_kilometre_end_there(sense):
+def test_relative_moves_end_beyond_a_kilometre(sense):
     far = 0.75 * COORDINATE_LIMIT * sense
     toolpath = path(
         START, ("G91", {}), ("G1", {"X": far, "Y": 3}), ("G1", {"X": far}), ("G1", {"Z": -2}), ("G1", {"X": -far})
@@ -170,7 +170,7 @@ def test_full_circle_with_equal_end_points():
 
 @pytest.mark.parametrize(("code", "sense"), [("G2", -1), ("G3", 1)])
 @pytest.mark.parametrize(("x", "y"), [(2.4e-6, 0), (-2.4e-6, 0), (0.01, 0), (0, 0)])
-def test_a_circle_whose_end_is_rounded_otherwise_than_its_start_is_whole(code, sense, x, y):
+def test_circle_with_rounded_end_is_full(code, sense, x, y):
     toolpath = path(("G0", {"X": 1, "Y": 2, "Z": 3}), (code, {"X": 1 + x, "Y": 2 + y, "I": -1.5, "J": 0}))
     assert toolpath.sweep.sum() == pytest.approx(sense * 2 * np.pi)
     # What ends farther from the centre sweeps nothing; what goes on is as short as it says, a radius makes no whole circle.
@@ -388,7 +388,7 @@ def test_the_centre_counts_where_an_arc_has_a_radius_too():
     assert np.array_equal(path(START, ("G2", {**centre, "R": 8.0})).points, path(START, ("G2", centre)).points)
 
 
-def test_a_radius_shorter_than_half_the_chord_by_more_than_rounding_makes_a_line():
+def test_too_short_radius_makes_a_line():
     assert len(path(START, ("G2", {"X": 4.0, "Y": 0.0, "R": 1.9991}))) > 1
     short = path(START, ("G2", {"X": 4.0, "Y": 0.0, "R": 1.9985}))
     assert len(short) == 1
@@ -409,7 +409,7 @@ def test_centres_of_commands_are_offsets_whatever_they_look_like():
 @pytest.mark.parametrize(
     "radius, grows, told", [(5, 0.09, False), (5, 0.12, True), (20, 0.19, False), (20, 0.22, True), (50, 0.6, True)]
 )
-def test_the_radius_of_an_arc_may_change_by_a_tenth_of_a_millimetre_or_a_hundredth_of_it(radius, grows, told):
+def test_arc_radius_may_change_slightly(radius, grows, told):
     quarter = ("G3", {"X": 0, "Y": radius + grows, "I": -radius, "J": 0})
     found = path(("G0", {"X": radius, "Y": 0, "Z": 1}), quarter).problems
     assert [problem.what.code for problem in found] == ["arc-of-changing-radius"] * told
@@ -465,7 +465,7 @@ def test_what_is_no_command_is_told_in_a_sentence(commands):
         [("G28", {}), ("G91", {"Z": 0}), ("G90", {})],
     ],
 )
-def test_to_a_height_of_the_machine_the_tool_rises_as_high_as_the_program_moves(commands):
+def test_machine_height_is_at_least_highest_move(commands):
     """FreeCAD makes two commands of such a line: the second is no move to Z-3 of the part."""
     begin = [("G0", {"X": 0, "Y": 0, "Z": 5}), ("G1", {"Z": -5, "F": 1}), ("G1", {"X": 50})]
     path = linearize([*begin, *commands, ("G0", {"X": 0, "Y": 40}), ("G1", {"Z": -5})])
@@ -473,7 +473,7 @@ def test_to_a_height_of_the_machine_the_tool_rises_as_high_as_the_program_moves(
     assert path.rapid.tolist() == [False, False, True, True, False] and not path.problems
 
 
-def test_to_a_place_of_the_machine_the_tool_does_not_move_and_that_is_said_where_it_goes_on():
+def test_machine_place_is_not_followed_with_a_remark():
     begin = [("G0", {"X": 0, "Y": 0, "Z": 5}), ("G1", {"Z": -5, "F": 1})]
     for away in ([("G53", {}), ("G0", {"X": 7, "Y": 9})], [("G28", {"X": 0})], [("G53", {}), ("G53", {"Y": 3})]):
         path = linearize([*begin, *away])
@@ -484,7 +484,7 @@ def test_to_a_place_of_the_machine_the_tool_does_not_move_and_that_is_said_where
         assert [problem.what.code for problem in path.problems] == ["machine-position"]
 
 
-def test_where_heights_are_relative_nobody_knows_how_high_the_machine_is():
+def test_machine_height_is_unknown_with_relative_heights():
     path = linearize(
         [("G0", {"X": 0, "Y": 0, "Z": 5}), ("G91", {}), ("G1", {"Z": -6, "F": 1}), ("G28", {"Z": 0}), ("G1", {"X": 9})]
     )

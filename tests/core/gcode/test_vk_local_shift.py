@@ -22,7 +22,7 @@ def said(text):
     return [render(at_line(problem)) for problem in read_program(BEFORE + text).problems]
 
 
-def test_coordinates_count_from_there_and_what_a_line_does_not_name_stays():
+def test_shift_moves_named_coordinates_only():
     text = "G52 X100 Y-50 Z1\nG1 Z-1\nX5\nY5\nG52 X200\nX5\nG52 X0 Y0 Z0\nX0 Y0"
     assert points(text) == [
         (0, 0, 5), (0, 0, 0), (105, 0, 0), (105, -45, 0), (205, -45, 0), (0, 0, 0),
@@ -30,7 +30,7 @@ def test_coordinates_count_from_there_and_what_a_line_does_not_name_stays():
     assert said(text) == []
 
 
-def test_steps_are_not_shifted_and_it_counts_in_the_units_in_force():
+def test_shift_uses_current_units_and_not_relative_moves():
     assert points("G20 G55 G52 X1\nG91 G1 X1\nX1\nG90 X0") == [(0, 0, 5), (25.4, 0, 5), (50.8, 0, 5), (25.4, 0, 5)]
 
 
@@ -42,7 +42,7 @@ def test_arcs_keep_their_shape(code):
     np.testing.assert_allclose(shifted - there, np.tile([100, 0, 2], (len(there), 1)), atol=1e-6)
 
 
-def test_holes_are_shifted_with_the_level_from_which_they_are_drilled():
+def test_local_shift_moves_holes_and_retract_level():
     holes = [point for point in points("G52 X100 Z2\nG98 G81 X0 Y0 Z-3 R1\nX10\nG80") if point[2] < 5]
     assert holes == [(100, 0, 3), (100, 0, -1), (110, 0, 3), (110, 0, -1)]
 

@@ -88,7 +88,7 @@ def test_arcs(arc, expected, inches):
     assert path.lengths.sum() == pytest.approx(np.pi * 10 * unit, rel=1e-3)
 
 
-def test_arcs_are_told_to_a_hundredth_of_a_millimetre_unless_asked_otherwise():
+def test_arc_tolerance_is_a_hundredth_mm_by_default():
     program = read_program("G21 G0 X0 Y0 Z0\nG2 X40 Y0 I20 J0 F100")
     usual, coarse = program.toolpath(), program.toolpath(tolerance=0.02)
     assert usual.points.tolist() == program.toolpath(tolerance=0.01).points.tolist()
@@ -177,7 +177,7 @@ def test_a_cycle_without_repeats_drills_once():
     assert {x for x, _, z in once if z < 0} == {10}
 
 
-def test_a_cycle_in_absolute_coordinates_is_repeated_in_no_other_place():
+def test_absolute_cycle_repeats_in_place():
     text = "G0 X0 Y0 Z5\nG91\nG90\nG81 X10 Y0 Z-4 R1 L{} F100\nG80"
     assert points(text.format(3)) == points(text.format(1))
 
@@ -318,7 +318,7 @@ def test_work_offsets_are_told_where_they_change_after_a_move():
 
 
 @pytest.mark.parametrize("code", ["G54", "G55", "G56", "G57", "G58", "G59", "G59.1", "G59.2", "G59.3"])
-def test_every_work_offset_may_stand_before_the_moves_and_is_told_behind_them(code):
+def test_work_offset_is_silent_before_moves_only(code):
     other = "G55" if code == "G54" else "G54"
     assert said(code + "\n" + PLAIN + code) == []
     assert said(other + "\n" + PLAIN + code) == [
@@ -334,7 +334,7 @@ def test_a_percent_sign_behind_a_move_ends_the_program():
 
 
 @pytest.mark.parametrize("line", ["G28 G91 Z0\nG90", "G91 G28 Z0.\nG90", "G53 G0 Z0", "G0 G53 Z-3.", "G30 Z0", "G28"])
-def test_on_the_way_to_the_height_of_the_machine_the_tool_rises_over_the_part(line):
+def test_tool_rises_to_machine_height_over_the_part(line):
     """How high, no program says: as high as it moves. From the depth where it was the next rapid would cut."""
     path = read_program(f"{PLAIN}{line}\nG0 X40 Y0\nG1 Z-1\nX50\n").toolpath()
     at = np.flatnonzero(path.points[:, 0] == 10)[0]
@@ -342,7 +342,7 @@ def test_on_the_way_to_the_height_of_the_machine_the_tool_rises_over_the_part(li
     assert not path.problems
 
 
-def test_machine_positions_before_the_first_and_behind_the_last_move_say_nothing_of_the_way():
+def test_machine_positions_at_ends_do_not_matter():
     assert said("G91 G28 Z0\nG90\n" + PLAIN + "G28\nX5\nG53 G0 Z0\nM30") == []
 
 
@@ -588,7 +588,7 @@ def test_numbers_beyond_all_bounds(word):
 
 
 @pytest.mark.parametrize("line", ["X1E5", "(", "1", "O[", "X[", "N1 {}!", "/"])
-def test_the_time_of_a_line_grows_with_its_length_and_not_its_square(line):
+def test_reading_time_is_linear_in_line_length(line):
     def seconds(length):
         taken = []
         long = line.format(" " * length) if "{}" in line else line * (length // len(line))
@@ -614,7 +614,7 @@ def rounded(absolute, said=""):
     return read_program("\n".join(lines)).toolpath()
 
 
-def test_centres_that_only_as_coordinates_fit_are_read_so_and_it_is_told():
+def test_absolute_centres_are_read_with_a_remark():
     offsets, coordinates = rounded(absolute=False), rounded(absolute=True)
     assert np.allclose(offsets.points, coordinates.points) and not offsets.problems
     (problem,) = coordinates.problems
@@ -627,7 +627,7 @@ def test_what_a_program_says_of_its_centres_counts(absolute, said):
     assert not rounded(not absolute, said).problems
 
 
-def test_one_bad_arc_among_good_ones_is_no_reason_to_read_all_centres_as_coordinates():
+def test_one_bad_arc_does_not_make_centres_absolute():
     good = "G2 X20 Y0 I10 J0\nG2 X0 Y0 I-10 J0\n"
     path = read_program(f"G0 X0 Y0 Z0\nF600\n{good}G2 X10 Y10 I10 J0\nG0 X0 Y0\n{good}").toolpath()
     assert not path.problems

@@ -252,7 +252,7 @@ def test_what_freecad_remarks_within_an_operation_is_no_title(comment):
     [("begin operation", "finish operation"), ("BEGIN OPERATION", "FINISH OPERATION"), ("begin operation", "end operation"),
      ("operation start", "operation done")],
 )  # fmt: skip
-def test_between_the_begin_and_the_end_of_freecads_operations_comments_part_nothing(begin, end):
+def test_comments_inside_freecad_operation_do_not_divide(begin, end):
     operation = f"({begin}: {{0}})\n({{0}})\n(half speed here)\n{CUT}(second half)\n{CUT}({end}: {{0}})\n"
     text = operation.format("Dish") + operation.format("Cut out: a") + f"(Chamfer)\n{CUT}"
     assert sections(text) == [("Dish", None, None), ("Cut out: a", None, None), ("Chamfer", None, None)]
@@ -262,7 +262,7 @@ def test_between_the_begin_and_the_end_of_freecads_operations_comments_part_noth
     assert [title for title, _, _ in sections(holes)] == ["Drilling", "Drilling001"]
 
 
-def test_with_freecads_tool_controller_begins_what_has_no_other_title():
+def test_freecad_tool_controller_begins_untitled_section():
     change = "(TC: End mill {0} mm)\nG77 ; Move to release position\nM01 Insert tool {0}\n"
     text = f"{change.format(6)}(Face)\n{CUT}{change.format(3)}{CUT}"
     assert sections(text) == [("Face", None, 6), ("TC: End mill 3 mm", None, 3)]
@@ -287,7 +287,7 @@ def test_titles_and_tool_changes_part_a_program():
     assert [(s.first, s.last) for s in found] == [(2, 11), (12, 16), (17, 21), (22, 26)]
 
 
-def test_a_title_before_and_behind_its_tool_change_is_the_same_operation():
+def test_title_before_and_after_tool_change_is_one_operation():
     assert sections(f"(Slot)\nT1 M6\n{CUT}T2 M6\n(Hole)\n{CUT}") == [("Slot", 1, None), ("Hole", 2, None)]
 
 
@@ -362,7 +362,7 @@ def test_a_tool_for_cutviewer_is_the_tool_from_there_on():
     assert sections(f"(End mill 6mm)\n(End mill 3mm)\nT1 M6\n{CUT}") == [("End mill 6mm", 1, 6)]
 
 
-def test_a_list_of_tools_without_numbers_tells_what_no_line_of_a_change_says():
+def test_unnumbered_tool_list_fills_missing_tools():
     """hyperMILL lists all tools at the beginning, and says each again where it is changed to."""
     tools = ["KOMET-1.0", ".375 STUB END MILL", ".248 REAMER", ".5_1/2 X 90 DEG. SPOT DRILL .06 TO.125 DIA."]
     listed = "".join(f"({tool})\n" for tool in tools)
@@ -402,7 +402,7 @@ def test_a_tool_and_its_diameter_in_two_comments(name, size, shape):
         assert all(diameter is None for _, _, diameter in sections("T1 M6\n" + apart))
 
 
-def test_between_the_begin_and_the_end_of_an_operation_comments_part_nothing():
+def test_comments_inside_operation_do_not_divide():
     """As py2gcode writes them."""
     begun = "; Begin {0}\n; layers: ['b']\n; closed: True\n; toolDiam: 6.0\n; {0}: rapid move to start x,y\n"
     passes = "".join(f"; {{0}}: pass {k} lead-in\n{CUT}; {{0}}: pass {k} filled rectangle\n{CUT}" for k in (1, 2))
@@ -442,7 +442,7 @@ def test_remarks_and_passes_part_nothing():
     assert len(sections(numbered)) == 1
 
 
-def test_the_same_name_again_is_another_operation_where_it_is_numbered():
+def test_numbered_repeat_of_name_is_another_operation():
     text = "".join(f";Operation: {k}\n;Type: Pocket\n{CUT}" for k in range(3))
     assert [title for title, _, _ in sections(text)] == ["Pocket"] * 3
     assert len(sections(f"(Pocket)\n{CUT}(Pocket)\n{CUT}")) == 1
@@ -531,7 +531,7 @@ def test_long_comments_take_no_long_time():
         assert len(sections(f"({text})\n{CUT}")) == 1
 
 
-def test_an_operation_without_a_title_has_the_name_of_its_own_tool():
+def test_untitled_operation_is_named_by_own_tool():
     (told,) = split_sections(read_program(f"T2 M6\n(T2 D=3 - ball end mill)\n(T3 D=8 - flat end mill)\n{CUT}"))
     assert (told.title, told.tool.diameter) == ("T2 D=3 - ball end mill", 3)
     assert sections(f"T2\n(MSG, Change to drill size 2 mm)\nM6\n{CUT}")[0][0] == "Change to drill size 2 mm"

@@ -66,7 +66,7 @@ def test_how_small_and_slow_a_toolpath_is_of_which_it_is_said(changed, imported,
     assert looks_like_inches(toolpath, imported=imported) == said
 
 
-def test_neither_a_laser_nor_what_is_wide_for_its_tool_is_too_small():
+def test_laser_and_wide_part_are_not_too_small():
     assert not looks_like_inches(zigzag(width=10.0, rows=4, step=0.5, depth=0.0, lift=0.0, feed=1.0))  # is never lifted
     small = zigzag(width=10.0, rows=4, step=0.5, depth=-0.5, lift=2.0, feed=1.0)
     assert looks_like_inches(small, tool_diameter=2.6) and not looks_like_inches(small, tool_diameter=2.4)

@@ -48,7 +48,7 @@ def test_it_is_run_where_it_is_called(text):
 
 
 @pytest.mark.parametrize("end", ["O3000\nX99\nM99", "/M99\nM99 P7\nX99"])
-def test_it_ends_where_another_one_begins_and_also_where_it_is_told_to_what_block_it_returns(end):
+def test_subprogram_ends_at_next_one_or_at_its_return(end):
     text = f"O1\n{BEFORE}M98 P2000\nG1 X5\nM30\nO2000\n{STEP}{end}"
     assert points(text)[-2:] == [(0, 0, -1), (5, 0, -1)]
     assert said(text)[-1] == f"what follows the program's end is not read (line {16 + end.startswith('/')})"
@@ -101,7 +101,7 @@ def test_one_that_is_called_otherwise_or_is_not_there_is_told(call):
     ("before", "beside", "titles"),
     [("", "", ["Facing"]), ("", "; (faces)", ["faces"]), ("(Top)\n", "", ["Top"]), ("G1 X9\n(Top)\n", "", ["", "Top"])],
 )
-def test_its_comments_name_what_has_no_other_title_and_divide_nothing(before, beside, titles):
+def test_comments_name_untitled_sections_without_dividing(before, beside, titles):
     lines = "N10 ; (Facing)\nG91; (in steps)\nG0 Z-1 ; (down)\nG90\nG1; (cuts)\nX50\n(over)\nY5\nX0\nM99"
     text = f"O1\n{BEFORE}{before}M97 P10 L2 {beside}\nG0 X0\nM97 P10\nM30\n{lines}"
     assert [section.title for section in split_sections(read_program(text))] == titles

@@ -252,7 +252,7 @@ def test_messages_are_values():
         Message("x", a=object())
 
 
-def test_the_codes_of_a_message_are_its_own_and_those_of_its_parts():
+def test_message_codes_include_parts():
     inner = Message("seen", parts=[Message("one"), "a text", Message("more")])
     assert Message("all", a=inner, b=Message("last"), c=2).codes == ("all", "seen", "one", "more", "last")
 
@@ -302,7 +302,7 @@ def test_a_number_in_a_sentence_has_six_digits():
     assert str(Unusable(Message("tip-angle", angle=10 / 3))).endswith("not be 3.33333")
 
 
-def test_several_of_one_argument_are_told_one_after_the_other_as_the_reader_reads_them():
+def test_list_argument_is_joined_for_the_reader():
     several = Message("tip-angle", angle=(0.5, 4.0))
     assert render(several).endswith("not be 0.5, 4") and "0,5, 4" in render(several, German())
     both = Message("in-commands", sentence=(Message("no-moves"), Message("only-rapids")), count=1, command=3)

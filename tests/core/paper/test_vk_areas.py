@@ -68,7 +68,7 @@ AROUND = [(20, 0), (20, 20), (-20, 20), (-20, -20), (20, -20), (20, 0)]
         ([(30, 0), *RELIEVED, (30, 0)], 1),
     ],
 )
-def test_a_closing_turn_of_half_a_turn_has_the_sign_that_adds_nothing_up(stroke, turns, degrees):
+def test_closing_half_turn_adds_nothing_up(stroke, turns, degrees):
     """Whichever way the path points, and whether it is alone, after others, or given by its points."""
     angle = np.radians(degrees)
     turned = np.array(stroke, float) @ [[np.cos(angle), np.sin(angle)], [-np.sin(angle), np.cos(angle)]]
@@ -92,7 +92,7 @@ def test_reliefs_in_the_corners_leave_a_contour_its_turn():
 @pytest.mark.parametrize("before", [-150, 0, 150])
 @pytest.mark.parametrize("behind", [-150, 0, 150])
 @pytest.mark.parametrize("sense", [1, -1])
-def test_a_way_aside_and_back_adds_nothing_to_the_turns_beside_it(before, behind, sense):
+def test_detour_and_back_adds_no_turn(before, behind, sense):
     """Out by 120 degrees, back on the same line, and on by 60 as the way went before."""
     heading = sense * np.radians(np.cumsum([0, before, 120, 180, 60, behind]))
     path = np.cumsum(np.vstack(([0, 0], 10 * np.column_stack((np.cos(heading), np.sin(heading))))), axis=0)
@@ -117,7 +117,7 @@ def test_a_gap_counts_against_what_is_enclosed_wherever_it_lies(x):
 
 
 @pytest.mark.parametrize("gap, closed", [(0.02, True), (0.045, False)])
-def test_around_next_to_nothing_three_hundredths_of_a_millimetre_are_a_gap(gap, closed):
+def test_small_gap_counts_around_tiny_area(gap, closed):
     small = [(0.0, 0.0), (0.9, 0.0), (0.9, 0.9), (0.0, 0.9), (0.0, gap)]
     assert areas_of(small).closed.tolist() == [closed]
 

@@ -22,7 +22,7 @@ def test_the_axis_of_one_direction_is_that_direction_either_way(angle):
     assert [axis((angle, 7)), axis((angle, 7), (angle + 180, 3))] == pytest.approx([angle, angle])
 
 
-def test_the_axis_of_two_directions_lies_between_them_towards_the_longer():
+def test_axis_lies_between_directions_weighted_by_length():
     assert axis((20, 5), (60, 5)) == pytest.approx(40)
     assert axis((20, 5), (240, 5)) == pytest.approx(40)
     assert 20 < axis((20, 9), (60, 1)) < 30
@@ -34,6 +34,6 @@ def test_a_level_is_reached_but_for_rounding(sign):
     assert [level_of(sign * phi) for phi in (turn - 1e-5, turn - 1e-7, turn, 2.9 * turn)] == [0, sign, sign, 2 * sign]
 
 
-def test_of_two_ends_as_far_from_zero_but_for_rounding_the_upper_one_is_the_farther():
+def test_upper_end_wins_for_equally_far_ends():
     assert farthest((-3.0 - 1e-9, 3.0)) == 3.0
     assert farthest((-3.1, 3.0)) == -3.1 and farthest((-3.0, 3.1)) == 3.1

@@ -78,7 +78,7 @@ def test_thinned_keeps_the_ends_of_every_stretch():
     assert kept.tolist() == [start + at for start in range(0, 1000, 100) for at in (0, 20, 70, 99)]
 
 
-def test_thinned_keeps_a_dip_beside_a_deeper_one_that_begins_the_next_stretch():
+def test_thinned_keeps_both_neighbouring_dips():
     assert {2, 5} <= set(thinned(np.array([0, 0, -1, 0, 0, -2, 0, 0, 0, 0, 0]), 2).tolist())
 
 
@@ -98,7 +98,7 @@ def test_rows_closer_than_pixels_are_drawn_once():
         assert (np.abs(np.sort([a, b], axis=0) - ends[:, None]).max(axis=(0, 2)) <= cell).any()
 
 
-def test_a_short_polyline_is_drawn_whole_and_a_scribble_with_fewer_cells():
+def test_short_polyline_is_whole_and_scribble_is_reduced():
     points = np.random.default_rng(0).uniform(size=(3001, 3))
     everything = np.arange(3000)
     assert distinct(points, everything, cells=200, most=3000).tolist() == list(range(3000))
@@ -110,7 +110,7 @@ def test_only_what_passes_a_window_is_drawn():
     assert overlapping(points, np.array([11, 5]), np.array([13, 12])).tolist() == [1, 5]
 
 
-def test_the_area_that_proves_loops_is_the_one_in_which_phi_goes_farthest():
+def test_area_with_farthest_phi_shows_loops():
     rows = [("G0", {"Z": 5.0, "X": 0.0, "Y": 60.0}), ("G1", {"Z": 0.0})]
     for row in range(20):
         rows += [("G1", {"X": 500.0 * (row % 2 == 0)}), ("G1", {"Y": 62.0 + 2 * row})]

@@ -24,7 +24,7 @@ def verdict(points, sense=1):
     ("corners", "strategy"),
     [(4, Strategy.ZIGZAG), (5, Strategy.UNKNOWN), (6, Strategy.UNKNOWN), (7, Strategy.CONTOUR_PARALLEL)],
 )
-def test_up_to_half_a_turn_it_is_a_zigzag_and_beyond_a_whole_one_a_contour(corners, strategy, sense):
+def test_literal_rule_bounds_are_pi_and_two_pi(corners, strategy, sense):
     """Sides of a square one after the other, a quarter turn at each corner but the first and the last."""
     points = [SQUARE[k % 4] for k in range(corners)]
     found = verdict(points, sense)
@@ -38,7 +38,7 @@ def test_a_closed_contour_ends_where_it_began():
     assert verdict(SQUARE[:3]).v == (30, 30) and verdict(SQUARE[:3]).image == pytest.approx((0.5**0.5, 0.5**0.5))
 
 
-def test_where_rounding_leaves_a_closed_contour_open_its_v_has_no_direction():
+def test_v_of_nearly_closed_contour_has_no_direction():
     turned = [(3.3 + 0.8 * x - 0.6 * y, 0.7 + 0.6 * x + 0.8 * y) for x, y in [*SQUARE, SQUARE[0]]]
     commands = [("G0", {"X": turned[0][0], "Y": turned[0][1], "Z": 5.0}), ("G1", {"Z": -1.0, "F": 5.0})]
     commands += [("G1", {"X": x, "Y": y}) for x, y in turned[1:]]
@@ -53,7 +53,7 @@ def test_the_image_of_a_contour_goes_around_in_one_sense():
     assert verdict([(0, 0), (30, 0), (30, 2), (0, 2), (0, 4), (30, 4)]).sense is None  # to and fro
 
 
-def test_the_image_goes_around_only_where_the_path_begins_inside_the_contour():
+def test_image_of_v_goes_around_from_inside_only():
     """Loops from the outermost one inward are a contour, and V_k goes to and fro as in a zigzag."""
     loops = [[(s * x, s * y) for x, y in [(-1, -1), (1, -1), (1, 1), (-1, 1), (-1, -1)]] for s in (40, 36, 32)]
     for order, goes_around, sense in ((loops, False, None), (loops[::-1], True, "ccw")):
@@ -77,7 +77,7 @@ def test_a_short_way_to_and_fro_has_no_sense():
 
 
 @pytest.mark.parametrize("share, sense", [(0.008, "ccw"), (0.015, None)])
-def test_an_image_that_goes_back_by_a_hundredth_of_its_way_goes_to_and_fro(share, sense):
+def test_gauss_image_reversing_by_one_percent_alternates(share, sense):
     """About its first point the path goes two radians on, and back by a share of all its way."""
     back = 2 * share / (1 - 2 * share)  # of 2 + 2 back
     angles = [0.5, 1.0, 1.5, 1.5 - back, 2.0, 2.5]

@@ -33,24 +33,24 @@ def test_each_of_linked_offsets_is_a_loop():
     assert loops_of(linked(*(polygon(side, clockwise=True) for side in sides))) == [(0, 4), (5, 4), (10, 4), (15, 4)]
 
 
-def test_loops_that_are_lifted_between_are_each_found_in_their_own_area():
+def test_lifted_loops_are_found_in_own_areas():
     assert loops_of(polygon(40), polygon(36), polygon(40)) == [(0, 4), (4, 4), (8, 4)]
     # The same place again is another visit, not a longer loop.
     assert loops_of(polygon(40), [(0, 0, 0), (9, 0, 0)], polygon(40)) == [(0, 4), (5, 4)]
 
 
 @pytest.mark.parametrize("times", [2, 3, 4])
-def test_a_contour_that_is_cut_so_many_times_in_one_go_is_as_many_loops(times):
+def test_repeated_contour_is_several_loops(times):
     assert loops_of(polygon(40) + (times - 1) * polygon(40)[1:]) == [(4 * k, 4) for k in range(times)]
 
 
-def test_loops_before_and_behind_a_contour_that_is_cut_three_times_are_found_in_their_order():
+def test_loops_around_repeated_contour_are_found_in_order():
     path = linked(polygon(40, x=-100), polygon(40) + 2 * polygon(40)[1:], polygon(40, x=100), polygon(40, x=200))
     assert loops_of(path) == [(0, 4), (5, 4), (9, 4), (13, 4), (18, 4), (23, 4)]
 
 
 @pytest.mark.parametrize(("gap", "is_one"), [(0.01, True), (0.02, True), (0.028, True), (0.035, False), (0.05, False)])
-def test_beside_a_closed_loop_one_that_ends_three_hundredths_short_of_its_start_is_found_wherever_it_lies(gap, is_one):
+def test_nearly_closed_loop_is_found_anywhere(gap, is_one):
     """Where no more than that one is looked for, and where other areas are."""
     for right in np.arange(0, 0.13, 0.005):
         around = polygon(40, x=100 + right)
@@ -99,7 +99,7 @@ def contoured(count, notches=0):
 
 
 @pytest.mark.parametrize("count", [4, 10])
-def test_the_contour_that_leads_through_the_start_of_its_zigzag_is_the_loop(count):
+def test_contour_through_zigzag_start_is_the_loop(count):
     path, rows, around = contoured(count)
     assert loops_of(path) == [(rows, around)]
     # After another loop as well.
@@ -123,14 +123,14 @@ def test_two_rows_turn_no_more_than_a_loop():
 
 
 @pytest.mark.parametrize("notches, is_the_loop", [(1, True), (3, False)])
-def test_a_contour_that_goes_to_and_fro_half_as_much_as_the_rows_is_no_better(notches, is_the_loop):
+def test_wavy_contour_does_not_replace_rows(notches, is_the_loop):
     """Ten rows turn by four turns more than a loop, and each notch of the contour by one."""
     path, rows, around = contoured(10, notches)
     assert (loops_of(path)[0] == (rows, around)) is is_the_loop
 
 
 @pytest.mark.parametrize("first, last, sense", [(10, 10, 1), (2, 26, 1), (26, 2, -1)])
-def test_each_further_turn_of_a_winding_begins_where_phi_has_gone_round(first, last, sense):
+def test_winding_turns_begin_at_full_turns_of_phi(first, last, sense):
     points = winding(first, last, 5, drop=3.0)
     areas = areas_of([(x, sense * y, z) for x, y, z in points])
     turns = winding_turns(areas, np.array([0]), np.array([len(areas)]), np.array([float(sense)]))
@@ -140,7 +140,7 @@ def test_each_further_turn_of_a_winding_begins_where_phi_has_gone_round(first, l
 
 
 @pytest.mark.parametrize("first, second", [(3, 4), (4, 3)])
-def test_windings_are_counted_each_for_itself_wherever_they_begin(first, second):
+def test_windings_are_counted_separately(first, second):
     up, down = winding(10, 10, first, drop=2.0), [(x, -y, z) for x, y, z in winding(8, 8, second, drop=2.0)]
     areas = areas_of([(0, 0, 0), (50, 0, 0), (50, 5, 0), (0, 5, 0)], up, down)
     turns = winding_turns(areas, areas.start[1:], areas.end[1:], np.array([1.0, -1.0]))

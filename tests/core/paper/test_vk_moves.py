@@ -45,7 +45,7 @@ def test_an_area_ends_where_the_tool_goes_down_and_up_again():
     assert sizes(areas_of(*feed((0, 0, -1), *ROW, (0, 2, -5), (0, 2, -1), (20, 2.5, -1), (20, 9, -1)))) == [3, 2]
 
 
-def test_an_area_ends_at_another_depth_unless_it_goes_straight_on():
+def test_area_ends_at_other_depth_unless_straight():
     step, wall = feed((0, 0, -1), *ROW, (0, 2, -2), (0, 30, -2)), feed((0, 0, -1), *ROW, (0, 2, 3), (-20, 2, 3))
     assert sizes(areas_of(*step)) == [3, 1]
     assert sizes(areas_of(*wall)) == [4]  # a raster climbs a wall
@@ -59,7 +59,7 @@ def test_a_first_move_straight_down_at_feed_is_no_area():
 
 
 @pytest.mark.parametrize("drop, cuts", [(0.0, 1), (-80.0, 1), (-120.0, 0)])
-def test_a_slope_cuts_along_the_plane_and_a_plunge_aside_does_not(drop, cuts):
+def test_slope_is_a_move_and_plunge_is_not(drop, cuts):
     assert len(areas_of(*feed((0, 0, 0), (12, 16, drop)))) == cuts  # 20 mm along the plane, five times as deep at most
 
 
@@ -94,7 +94,7 @@ def test_what_is_beside_a_move_is_just_before_and_behind_it():
 
 
 @pytest.mark.parametrize("width, kept", [(0.015, False), (0.03, True)])
-def test_beside_a_long_move_one_of_a_fiftieth_of_a_millimetre_has_a_direction(width, kept):
+def test_tiny_move_beside_long_one_has_a_direction(width, kept):
     areas = areas_of(*feed((0, 0, -1), (20, 0, -1), (20, width, -1), (40, width, -1)))
     assert len(areas) == 2 + kept
 
@@ -105,7 +105,7 @@ def test_what_moves_by_less_than_a_thousandth_stands_still(step, moves):
 
 
 @pytest.mark.parametrize("aside, signed", [(0.1, False), (0.3, True)])
-def test_a_turn_has_a_sign_a_hundredth_of_a_radian_from_half_a_turn(aside, signed):
+def test_turn_near_half_a_turn_has_a_sign(aside, signed):
     areas = areas_of(*feed((0, 0, -1), (20, 0, -1), (0, aside, -1)))  # 0.005 and 0.015 rad
     assert (len(areas.unsigned) == 0) is signed and areas.reversals.tolist() == []
     assert areas.phi[-1] == pytest.approx((np.pi if signed else 0.0) - np.arctan2(aside, 20))
@@ -125,7 +125,7 @@ def test_links_in_the_air_at_feed_are_left_out():
     assert areas.index.tolist() == [2, 3]
 
 
-def test_the_last_link_may_end_by_the_lift_to_the_height_of_the_programs_end():
+def test_last_link_may_end_at_program_end_height():
     """Of drilling at feed it would else be all that cuts, and the program a profile."""
     holes = [(x, 0, z) for x in (0, 20, 40) for z in (1, -2, 1)]
     drilled = areas_of(*feed(*holes, (-30, -20, 1), (-30, -20, 20), (-30, -20, 30)))
@@ -224,7 +224,7 @@ def test_what_drills_nothing_is_no_hole():
         assert areas_of(*moves).holes.tolist() == []
 
 
-def test_a_part_of_a_program_is_told_by_the_trajectories_of_the_whole():
+def test_part_spans_use_trajectories_of_program():
     hole = [rapid(60, 0, 5), *feed((60, 0, -6)), rapid(60, 0, 5)]
     path = linearize([START, *feed((0, 0, -1), *ROW, (0, 9, -1), (0, 9, 5)), *hole])
     behind = monotonous_areas(path, first=2)

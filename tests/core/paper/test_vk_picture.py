@@ -12,7 +12,7 @@ from vkworkbench.core.paper import monotonous_areas
 from vkworkbench.core.paper.picture import distinct, image_arcs, links, outline, proof
 
 
-def test_strokes_are_drawn_to_their_ends_and_what_links_them_from_there():
+def test_strokes_and_links_join_at_their_ends():
     strokes = [[(0.0, 0.0, -1.0), (30.0, 10.0, -1.0)], [(5.0, 50.0, -1.0), (5.0, 60.0, -1.0), (45.0, 40.0, -1.0)]]
     areas = monotonous_areas(linearize(programs.program(strokes)))
     gap = (np.nan, np.nan)
@@ -32,7 +32,7 @@ def test_an_arc_is_drawn_in_chords_of_four_degrees_at_most():
     assert np.hypot(*right[:2].T) == pytest.approx([0.7, 0.9]) and len(right) == 3
 
 
-def test_of_equal_loops_the_longest_is_shown_though_rounding_tells_their_turns_apart():
+def test_longest_of_equal_loops_is_shown():
     angle = np.linspace(0, 2 * np.pi, 60)
 
     def circle(radius, x):
@@ -78,7 +78,7 @@ def test_ends_on_both_sides_of_where_all_begin_are_told_apart():
     assert distinct(points, 2 * np.arange(5), cells=20, most=4).tolist() == [0, 2, 4, 6]
 
 
-def test_of_a_fan_one_ray_is_drawn_to_each_cell_whichever_way_the_rays_run():
+def test_fan_is_drawn_with_one_ray_per_cell():
     """Ninety rays of 10 mm and their ends up to 9.8 mm aside, on cells of 1 mm."""
     points, segments = np.zeros((180, 2)), 2 * np.arange(90)
     points[1::2] = np.column_stack((np.full(90, 10.0), np.arange(90) * 0.11))

@@ -29,13 +29,13 @@ def test_what_slopes_in_a_vertical_plane_lies_in_it(along, found, count):
     assert plane(waves(count, along)) == found
 
 
-def test_passes_and_plunges_of_a_slot_lie_in_the_horizontal_plane():
+def test_slot_with_plunges_lies_in_horizontal_plane():
     assert plane([(0, 7, 0), (0, 7, -1), (40, 7, -1), (40, 7, -2), (0, 7, -2)]) == XY
     # Within rounding of level and of upright, too.
     assert plane([(0, 7, 0), (0.001, 7, -1), (40, 7, -1.001), (40, 7, -2), (0, 7, -2)]) == XY
 
 
-def test_one_slope_between_level_moves_is_enough_to_lie_in_a_vertical_plane():
+def test_one_slope_defines_a_vertical_plane():
     assert plane([(0, 7, 0), (40, 7, 0), (50, 7, -5), (90, 7, -5)]) == ZX
 
 
@@ -62,7 +62,7 @@ def test_the_plane_of_a_polyline_is_the_one_it_stays_in():
     assert plane_of_points(wave + np.arange(6)[:, None] * (0, 1, 0)) == XY
 
 
-def test_what_falls_by_a_hundredth_of_its_length_stays_in_the_horizontal_plane():
+def test_slight_fall_stays_in_horizontal_plane():
     assert plane([(0, 7, 0), (100, 7, -1), (0, 7, -2)]) == XY == plane([(7, 0, 0), (7, 100, -1), (7, 0, -2)])
     assert plane([(0, 7, 0), (1, 7, -100), (2, 7, 0)]) == XY
 

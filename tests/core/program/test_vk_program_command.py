@@ -153,7 +153,7 @@ def test_it_goes_on_where_it_was_stopped(folder, tmp_path, kind, inside):
 
 
 @pytest.mark.parametrize("kind", ["--csv", "--json-lines"])
-def test_results_that_are_there_are_written_anew_unless_they_are_resumed(folder, tmp_path, kind, inside):
+def test_existing_results_are_replaced_unless_resumed(folder, tmp_path, kind, inside):
     out = tmp_path / "out"
     inside(folder / "a.nc", folder / "c.nc", kind, out)
     assert b"a.nc" in out.read_bytes() and b"c.nc" in out.read_bytes()
@@ -254,7 +254,7 @@ class AtOnce(Executor):
         return future
 
 
-def test_of_what_is_ready_at_once_each_program_comes_in_its_order():
+def test_finished_programs_are_reported_in_order():
     paths = [Path(f"{k}.nc") for k in range(50)]
     assert [path for path, _ in command_line._analyzed(paths, AtOnce(), len(paths), 1.0)] == paths
 

@@ -233,7 +233,7 @@ def test_one_row_for_each_operation(tmp_path):
     assert "z-buffer time" in str(report).splitlines()[0]
 
 
-def test_the_table_of_several_programs_names_them_below_their_folder(tmp_path):
+def test_table_names_programs_below_their_folder(tmp_path):
     (tmp_path / "old").mkdir()
     for name in ("bracket.nc", "old/bracket.nc"):
         (tmp_path / name).write_text(PROGRAM)
@@ -330,14 +330,14 @@ def test_what_cannot_be_read_costs_only_itself(tmp_path):
 
 
 @pytest.mark.parametrize(("change", "label"), [("", "plate"), ("T3 M6\n", "T3"), ("T3 M6\n(Face)\n", "Face")])
-def test_an_operation_without_a_title_is_called_by_its_tool_or_its_file(tmp_path, change, label):
+def test_untitled_operation_is_named_by_tool_or_file(tmp_path, change, label):
     path = tmp_path / "plate.nc"
     path.write_text(f"G21\n{change}G0 X0 Y0 Z5\nG1 Z-1 F600\n{ROWS}G0 Z5\nM30\n")
     (row,) = vkworkbench.analyze(path).operations
     assert row.label == label
 
 
-def test_a_program_of_rapids_cuts_nothing_and_takes_an_unknown_time(tmp_path):
+def test_program_of_rapids_cuts_nothing_in_unknown_time(tmp_path):
     (tmp_path / "rapids.nc").write_text("G21\nG0 X0 Y0 Z5\nG0 X50\nM30\n")
     report = vkworkbench.analyze(tmp_path)
     (row,) = report.operations
@@ -421,7 +421,7 @@ def test_an_operation_whose_rotary_axis_turns_costs_only_itself(tmp_path):
     assert [str(row.strategy) for row in vkworkbench.analyze(path).operations] == ["zigzag", "unknown"]
 
 
-def test_only_a_program_that_nothing_divides_may_hold_several_operations(tmp_path):
+def test_only_undivided_program_has_several_operations(tmp_path):
     rings = "".join(
         f"G1 X{100 + s} Y{100 + s}\nX{140 - s}\nY{140 - s}\nX{100 + s}\nY{100 + s}\n" for s in range(0, 18, 2)
     )
@@ -434,7 +434,7 @@ def test_only_a_program_that_nothing_divides_may_hold_several_operations(tmp_pat
     assert "mixed" not in [str(row.strategy) for row in vkworkbench.analyze(path).operations]
 
 
-def test_the_time_that_is_allowed_and_the_finest_passes_choose_the_image(tmp_path):
+def test_image_follows_time_budget_and_finest_passes(tmp_path):
     fine, coarse = (f"({title})\nG0 X0 Y0\nG1 Z-1 F600\n{rows}G0 Z5\n" for title, rows in (
         ("Fine", ROWS), ("Coarse", "".join(f"G1 X{40 * (k % 2)}\nY{3 * k + 3}\n" for k in range(12)))
     ))  # fmt: skip
@@ -471,7 +471,7 @@ def test_inches_without_g20_are_noticed(tmp_path, unit, said):
 
 
 @pytest.mark.parametrize("tool", ["T1 1/4 END MILL", "T1 6.35mm END MILL"])
-def test_a_tool_told_with_its_unit_is_as_small_as_the_inches_that_are_read_as_millimetres(tmp_path, tool):
+def test_tool_with_unit_decides_inches_read_as_mm(tmp_path, tool):
     rows = "".join(f"G1 X{3 * (k % 2)}\nY{0.1 * (k + 1):.1f}\n" for k in range(20))
     found = []
     for comment in (tool, "T1 0.25 END MILL"):
@@ -485,7 +485,7 @@ def test_a_tool_told_with_its_unit_is_as_small_as_the_inches_that_are_read_as_mi
 @pytest.mark.parametrize(
     ("tool", "said"), [("T1 DIA-0.5000  1/2 ENDMILL", True), ("T1 DIA-0.5 - OP 3/4", False), ("T1 1/2 ENDMILL", False)]
 )
-def test_a_program_that_measures_its_tools_in_inches_is_one_of_inches_at_any_size(tmp_path, tool, said):
+def test_program_with_inch_tools_is_in_inches(tmp_path, tool, said):
     path = tmp_path / "inch.nc"
     path.write_text(f"({tool})\nT1 M6\nG0 X0 Y0 Z3\nG1 Z-.1 F20\nX36\nY4\nX0\nY0\nG0 Z3\n")
     (row,) = vkworkbench.analyze(path).operations

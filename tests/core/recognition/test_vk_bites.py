@@ -81,7 +81,7 @@ def led_out(x):
     return points
 
 
-def test_a_stroke_that_turns_back_by_more_than_half_a_turn_is_no_bite():
+def test_stroke_turning_back_is_not_a_bite():
     assert bites(led_out(0.0), led_out(1.0)) == "bb"
     assert bites(wavy(0.0), wavy(1.0)) == "--"
 

@@ -63,7 +63,7 @@ def test_a_short_step_is_uneven_and_a_long_one_no_neighbour():
 
 
 @pytest.mark.parametrize(("aside", "count"), [(0.5, 4), (0.7, 5)])
-def test_radii_that_differ_by_less_than_three_tenths_of_a_step_are_one(aside, count):
+def test_similar_radii_count_as_one(aside, count):
     assert found([10, 12, 14, 16, 16 + aside]).count == count
 
 
@@ -74,14 +74,14 @@ def test_the_same_arc_at_another_depth_is_no_step():
 
 
 @pytest.mark.parametrize(("climb", "spirals"), [(0.1, False), (0.2, True), (-0.2, True)])
-def test_an_arc_that_widens_by_a_third_of_a_step_in_a_turn_is_part_of_a_spiral(climb, spirals):
+def test_widening_arc_is_part_of_a_spiral(climb, spirals):
     """By 0.1 and 0.2 mm in a quarter turn: 0.4 and 0.8 mm in a turn, where steps are 2 mm."""
     arcs = found([10, 12, 14, 16], climb=climb, turned=QUARTER)  # all around, or another centre would fit
     assert arcs.spiral == pytest.approx(arcs.length if spirals else 0)
 
 
 @pytest.mark.parametrize(("climb", "spirals"), [(0.1, False), (0.3, True)])
-def test_so_it_is_of_arcs_in_few_chords_whose_middles_are_what_widens(climb, spirals):
+def test_widening_arcs_of_few_chords_are_spiral(climb, spirals):
     """From the middle of the first of four chords to that of the last it is three quarters of 0.4 and 1.2 mm in a turn."""
     arcs = found([10, 12, 14, 16], climb=climb, turned=QUARTER, chords=4)
     assert arcs.spiral == pytest.approx(arcs.length if spirals else 0)

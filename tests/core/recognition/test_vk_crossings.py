@@ -53,7 +53,7 @@ def test_rows_side_by_side(commands, way):
     assert level == pytest.approx({**SIDE_BY_SIDE, **way}, abs=1e-6) and plan == level
 
 
-def test_rows_at_two_depths_lie_side_by_side_at_each_and_over_one_another_from_above():
+def test_rows_at_two_depths_are_compared_at_each_depth():
     """From above every other neighbour lies on the line of the one before it, which is no distance."""
     crossings, level, plan = told(programs.one_way(ROWS, 50.0, STEP, depths=(0.0, -1.0)))
     assert crossings == pytest.approx(2 * ROWS)
@@ -105,7 +105,7 @@ def test_what_lies_between_the_lines_tells_nothing():
     assert crossings == 0 and level == plan == NOTHING
 
 
-def test_of_thousands_of_crossings_those_in_the_middle_of_the_time_are_looked_at():
+def test_middle_crossings_are_sampled():
     """Two lines, 600 crossings each: of 2,000 rows one way those from the 700th on; before and behind they go to and fro."""
     strokes = []
     for k in range(2000):
@@ -136,7 +136,7 @@ def test_lines_lie_where_the_cutting_is():
     assert crossings == pytest.approx(ROWS) and level == pytest.approx({**SIDE_BY_SIDE, **ONE_WAY}, abs=1e-6)
 
 
-def test_a_dozen_lines_lie_evenly_across_the_width_from_the_middle_outward():
+def test_scan_lines_are_even_from_the_middle():
     assert np.sort(FROM_THE_MIDDLE) == pytest.approx((np.arange(12) + 0.5) / 12)
     assert (np.diff(np.abs(FROM_THE_MIDDLE - 0.5)) >= -1e-9).all()
 
@@ -158,7 +158,7 @@ def test_what_runs_along_the_lines_is_not_crossed(sine, crosses):
 
 
 @pytest.mark.parametrize("deeper, apart", [(0.04, True), (0.02, False)])
-def test_heights_that_differ_by_a_fortieth_and_more_are_two_depths(deeper, apart):
+def test_clearly_different_heights_are_two_depths(deeper, apart):
     """Half of 0.05 mm; on one depth a pass lies over the one before it, and beside none of its neighbours."""
     _, level, _ = told(programs.one_way(ROWS, 50.0, STEP, depths=(0.0, -deeper)))
     assert level["run"] == pytest.approx((ROWS - 2) / (ROWS - 1) if apart else 0)
@@ -172,7 +172,7 @@ def test_turned_rows_tell_the_same(angle):
     assert told(turned)[1] == pytest.approx({**SIDE_BY_SIDE, **TO_AND_FRO}, abs=1e-6)
 
 
-def test_passes_that_descend_to_and_fro_are_at_one_depth_where_a_line_crosses_them():
+def test_descending_passes_have_one_depth_at_a_line():
     strokes = [[(0.0, STEP * k, 0.0), (50.0, STEP * k, -10.0)][:: 1 - 2 * (k % 2)] for k in range(ROWS)]
     _, level, plan = told(programs.program(strokes))
     assert level == pytest.approx({**SIDE_BY_SIDE, **TO_AND_FRO}, abs=1e-6)

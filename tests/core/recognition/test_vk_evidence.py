@@ -35,12 +35,12 @@ def test_what_is_left_to_cut_lies_right_of_a_climbing_tool(outward, clockwise, m
     assert "depths" not in found.reason
 
 
-def test_where_loops_run_both_ways_there_is_no_sense_and_no_milling():
+def test_loops_of_both_senses_have_no_milling_direction():
     found = found_in(programs.program([polygon(20 + 6 * k, clockwise=k % 2 == 0) for k in range(8)]))
     assert found.sense is None and found.milling is None and "clockwise" not in found.reason
 
 
-def test_where_some_loops_grow_and_some_shrink_there_is_no_milling():
+def test_growing_and_shrinking_loops_have_no_milling_direction():
     """An outward nest and, as long, an inward one, all counter-clockwise."""
     sides = [20 + 6 * k for k in range(8)]
     strokes = [polygon(side) for side in sides] + [polygon(side, x=200.0) for side in sides[::-1]]
@@ -48,7 +48,7 @@ def test_where_some_loops_grow_and_some_shrink_there_is_no_milling():
     assert found.sense == "ccw" and found.milling is None
 
 
-def test_a_profile_has_no_stepover_where_two_of_its_contours_lie_in_one_another():
+def test_profile_of_two_nested_contours_has_no_stepover():
     """Of a narrow slot, whose walls move inward at the lowest depth alone."""
     strokes = [polygon(60, z=-float(k)) for k in range(5)] + [polygon(58, z=-4.0)]
     found = found_in(programs.program(strokes))
@@ -65,7 +65,7 @@ def test_rows_have_a_direction_and_depths():
 
 
 @pytest.mark.parametrize(("width", "depths"), [(5.0, 3), (10.4, 3), (10.6, 0), (14.6, 0), (15.4, 6)])
-def test_a_contour_with_tags_lies_where_three_quarters_of_it_are_level(width, depths):
+def test_contour_with_tags_has_depth_of_three_quarters(width, depths):
     """Squares with sides of 25 mm: two tags, which are two mm wider than their tops; three tenths up there are a depth, too."""
     strokes = []
     for z in (-1.0, -2.0, -3.0):
@@ -116,7 +116,7 @@ def rows(count=10, length=48.0, step=3.0, x=46.0, y=-54.0, z=0.0):
     return [(end, y + row * step, z) for row in range(count) for end in ends[row % 2]]
 
 
-def test_of_rows_within_a_contour_the_numbers_are_those_of_what_was_said():
+def test_rows_in_contour_report_their_own_numbers():
     both = section(rows(), polygon(54))
     e = gather(both, said(Strategy.ZIGZAG))
     assert (e.passes, e.stepover, e.direction, e.sense) == (10, 3, 0, None)
@@ -128,7 +128,7 @@ def test_of_rows_within_a_contour_the_numbers_are_those_of_what_was_said():
     assert (e.passes, e.stepover, e.direction, e.sense) == (1, None, None, "ccw")
 
 
-def test_the_step_of_one_family_is_from_row_to_row_and_that_of_a_grid_its_period():
+def test_step_is_row_distance_or_grid_period():
     """Every other row first: 6 mm from one to the next, 3 mm from line to line."""
     order = [*range(0, 20, 2), *range(1, 20, 2)]
     across = [[(0, 3.0 * k, 0), (60, 3.0 * k, 0)] for k in order]
@@ -139,7 +139,7 @@ def test_the_step_of_one_family_is_from_row_to_row_and_that_of_a_grid_its_period
 
 
 @pytest.mark.parametrize(("downward", "stepover"), [(70.0, 3.0), (50.0, 0.6)])
-def test_the_step_of_a_grid_of_which_one_family_alone_looks_like_rows(downward, stepover):
+def test_grid_step_with_one_family_like_rows(downward, stepover):
     """Two lines in every 3 mm, as a ball on a billiard table runs, and across them no line is followed by its neighbour."""
     across = [(0.0, 60.0)[:: -1 if k % 2 else 1] for k in range(40)]
     across = [
@@ -152,7 +152,7 @@ def test_the_step_of_a_grid_of_which_one_family_alone_looks_like_rows(downward, 
     assert gather(found, said(Strategy.ZIGZAG)).stepover == pytest.approx(stepover)
 
 
-def test_a_step_that_the_verdict_tells_is_taken_where_there_is_no_other():
+def test_step_of_verdict_is_the_fallback():
     strokes = section(*([(60.0 * k, 0, 0), (60.0 * k + 30, 9.0 * k, 0)] for k in range(4)))
     e = gather(strokes, said(Strategy.CONTOUR_PARALLEL, 7, step=2.5))
     assert (e.passes, e.stepover) == (7, 2.5)
@@ -161,7 +161,7 @@ def test_a_step_that_the_verdict_tells_is_taken_where_there_is_no_other():
 
 
 @pytest.mark.parametrize("length, depths", [(4.0, 1), (6.0, 2)])
-def test_what_is_a_fiftieth_of_the_longest_has_no_depth_of_its_own(length, depths):
+def test_tiny_piece_has_no_own_depth(length, depths):
     """Beside a contour of 240 mm."""
     found = section(polygon(60), [(200, 0, -1), (200 + length, 0, -1)])
     assert gather(found, said(Strategy.PROFILE)).depths == depths
@@ -195,7 +195,7 @@ def test_the_sentence_is_that_of_what_was_counted(strokes, strategy, code, count
 
 
 @pytest.mark.parametrize(("heights", "depths"), [((-1.0,), 1), ((-1.0, -3.0), 2), ((-1.0, -3.0, -5.0), 3)])
-def test_rows_that_are_ramped_into_at_several_depths_in_one_stroke(heights, depths):
+def test_rows_ramped_at_several_depths_in_one_stroke(heights, depths):
     """From the last row of a depth the tool ramps along that row, and cuts the rows again on its way back."""
     stroke, up = [], True
     for z in heights:

@@ -39,7 +39,7 @@ def found_in(*sections, where=0.0, doubtful=None, rapids=True):
 
 @pytest.mark.parametrize("where", [0.0, 1000.0])
 @pytest.mark.parametrize("clearing", [ZIGZAG, Strategy.ONE_WAY, ADAPTIVE])
-def test_a_contour_around_what_is_cleared_finishes_it_whichever_comes_first(clearing, where):
+def test_finishing_contour_may_come_first(clearing, where):
     assert found_in((clearing, CLEARED), (PROFILE, AROUND), where=where) == [1]
     assert found_in((PROFILE, AROUND), (clearing, CLEARED), where=where) == [1]
 
@@ -78,7 +78,7 @@ def test_two_walls_may_lie_in_one_another_as_offsets_do():
     assert found_in((ADAPTIVE, CLEARED), (OFFSETS, AROUND, -1.0, 2)) == [1]
 
 
-def test_a_contour_no_farther_than_a_stepover_outside_rows_finishes_them():
+def test_contour_within_a_stepover_finishes_rows():
     out = (-3.5, -3.5, 33.5, 43.5)  # over a twentieth of the diagonal
     lower, upper = (0.0, 0.0, 30.0, 15.0), (0.0, 20.0, 30.0, 40.0)
     assert found_in((ZIGZAG, CLEARED, -1.0, 9, 4.0), (PROFILE, out)) == [1]
@@ -86,7 +86,7 @@ def test_a_contour_no_farther_than_a_stepover_outside_rows_finishes_them():
     assert found_in((ZIGZAG, lower, -1.0, 9, 4.0), (ADAPTIVE, upper, -1.0, 9), (PROFILE, out)) == [1, 2]
 
 
-def test_the_walls_may_be_several_contours_and_what_is_cleared_several_places():
+def test_finishing_may_have_several_contours_and_places():
     island, wall = (10.0, 10.0, 20.0, 20.0), (-1.0, -1.0, 31.0, 41.0)
     assert found_in((ADAPTIVE, CLEARED), (PROFILE, island), (PROFILE, wall)) == [1, 2]
     assert found_in((PROFILE, wall), (PROFILE, island), (ADAPTIVE, CLEARED)) == [1, 2]
@@ -95,7 +95,7 @@ def test_the_walls_may_be_several_contours_and_what_is_cleared_several_places():
     assert found_in((ADAPTIVE, lower), (ADAPTIVE, upper), (PROFILE, lower)) == []
 
 
-def test_contours_farther_out_or_at_another_depth_begin_something_else():
+def test_distant_or_deeper_contours_begin_an_operation():
     out = (-20.0, -20.0, 50.0, 60.0)
     assert found_in((ADAPTIVE, CLEARED), (PROFILE, AROUND), (PROFILE, out)) == [1]
     assert found_in((PROFILE, out), (PROFILE, AROUND), (ADAPTIVE, CLEARED)) == [2]

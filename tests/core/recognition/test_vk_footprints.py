@@ -50,7 +50,7 @@ def test_what_rounding_leaves_is_one_footprint():
     assert footprints(pieces, every(pieces))[1] == 1
 
 
-def test_what_lies_a_little_more_than_a_tenth_aside_lies_elsewhere():
+def test_shifted_by_over_a_tenth_is_elsewhere():
     pieces = pieces_of(*(polygon(**SQUARE, x=0.11 * k) for k in range(10)))
     assert footprints(pieces, every(pieces))[1] == 10
 

@@ -81,7 +81,7 @@ def test_rings_at_two_depths():
     holds(found, NO_STROKES)
 
 
-def test_rings_a_millimetre_deeper_each_are_even_in_depth_however_wide_their_steps():
+def test_rings_of_even_depth_steps_are_even():
     """Steps of 2, 3 and 4 mm: from 2.2 to 3.8 without the least and the largest tenth."""
     found = told(programs.program([polygon(side, z=-1.0 * k) for k, side in enumerate((40, 36, 30, 22))]))
     holds(
@@ -137,13 +137,13 @@ def test_two_turns_are_of_one_sense_or_not(aside, keeps):
 
 
 @pytest.mark.parametrize("gap, closed", [(1.5, 1), (1.7, 0)])
-def test_an_area_is_closed_where_a_fiftieth_of_its_length_is_missing(gap, closed):
+def test_area_is_closed_within_two_percent_gap(gap, closed):
     """Of 80 mm."""
     around = [(0, 0, 0), (20, 0, 0), (20, 20, 0), (0, 20, 0), (0, gap, 0)]
     assert told(programs.program([around]))["closed_areas"] == closed
 
 
-def test_a_star_that_is_drawn_in_one_stroke_turns_by_more_than_one_turn():
+def test_star_in_one_stroke_turns_more_than_once():
     """By four of its five corners of 144 degrees."""
     star = [(20 * np.cos(angle), 20 * np.sin(angle), 0.0) for angle in 0.8 * np.pi * np.arange(6)]
     holds(told(programs.program([star])), {"closed_areas": 1, "one_turn": 0, "area_turns": log1p(1.6), "long_arcs": 1})
@@ -187,7 +187,7 @@ def test_surprise_is_the_entropy_of_the_turns():
     assert found["sense_keeps"] == pytest.approx(8 / 15)
 
 
-def test_of_thousands_of_moves_the_turns_in_the_middle_of_the_time_are_looked_at():
+def test_middle_turns_are_sampled():
     """Bent strokes of three moves, to the left and to the right in turns; the first and the last 450 moves are longer."""
     strokes = []
     for k in range(150 + 667 + 150):
@@ -225,7 +225,7 @@ def test_two_families_of_rows(rows):
 
 
 @pytest.mark.parametrize(("turns", "around"), [(0.9, 0), (1.5, 1)])
-def test_an_area_goes_around_where_it_turns_by_more_than_one_turn(turns, around):
+def test_area_turning_more_than_once_goes_around(turns, around):
     spiral, straight = winding(30.0, 12.0, turns), [(200.0, 0.0, 0.0), (250.0, 0.0, 0.0)]
     length = sum(hypot(b[0] - a[0], b[1] - a[1]) for a, b in zip(spiral, spiral[1:]))
     holds(told(programs.program([spiral, straight])), {"around_areas": around * length / (length + 50)})

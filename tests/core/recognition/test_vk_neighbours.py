@@ -92,7 +92,7 @@ def test_passes_that_open_like_a_fan_are_not_even():
 
 
 @pytest.mark.parametrize("opens, even", [(0.6, 1), (0.9, 0)])
-def test_an_offset_keeps_its_distance_to_three_tenths_but_for_the_ends(opens, even):
+def test_offset_keeps_distance_within_thirty_percent(opens, even):
     """About 2 mm; four fifths of how far they open lie between the tenth and the ninetieth percentile."""
     found = neighbours([line((2.0 - opens / 2) * k, slant=opens * k) for k in range(5)])
     assert found.even == even and found.step == pytest.approx(2.0, rel=0.1)
@@ -105,7 +105,7 @@ def test_one_far_from_the_usual_step_counts_as_none():
     assert found.count == 5 and found.share == pytest.approx(5 / 6) and found.step == 2.0
 
 
-def test_a_short_stroke_is_no_neighbour_of_a_long_one_that_is_far_for_it():
+def test_short_stroke_is_not_neighbour_of_far_long_one():
     """Every other one is 9 mm long, and 6 mm from those of 90 mm on both sides."""
     strokes = [line(6.0 * k, x=40.0 * (k % 2), length=9.0 if k % 2 else 90.0) for k in range(4)]
     assert neighbours(strokes, 0.0) is None

@@ -21,7 +21,7 @@ def distance(*sides, lag=1, **drawn):
     return inward(*sides, **drawn)[lag][3].tolist()
 
 
-def test_squares_lie_half_the_difference_of_their_sides_inside_one_another():
+def test_nested_squares_are_half_the_side_difference_apart():
     low, high, mean, step = inward(20.0, 16.0, 10.0)[1]
     assert low.tolist() == high.tolist() == mean.tolist() == step.tolist() == [2, 3]
     assert distance(20.0, 16.0, 10.0, lag=2) == [5]
@@ -52,7 +52,7 @@ def test_offsets_in_a_pocket_that_is_open_at_a_side_share_it():
     assert open_pocket(0.0, 3.0, 6.0, low=[0, 2])[1][3].tolist() == [0, 0]  # one goes on where the other ends
 
 
-def test_what_shares_a_side_is_an_offset_only_where_the_others_move_alike():
+def test_ring_sharing_a_side_is_offset_if_others_move():
     assert distance(20.0, 16.0, aside=2.0) == [0]
     assert open_pocket(0.0, 3.0, slack=2.0)[1][3].tolist() == [0]  # turns of windings end anywhere
 
@@ -63,13 +63,13 @@ def square_inside(step, **drawn):
 
 
 @pytest.mark.parametrize("step, found", [(4.2, 0), (4.02, 2), (1.34, 1.34), (1.327, 1.327), (1.3, 0)])
-def test_a_box_moves_by_half_to_one_and_a_half_times_the_distance_but_for_rounding(step, found):
+def test_box_moves_by_half_to_one_and_a_half_distances(step, found):
     """2 mm are half of 4 mm and one and a half times 1.33 mm; two hundredths are rounding."""
     assert square_inside(step) == pytest.approx([found])
 
 
 @pytest.mark.parametrize("step, found", [(7.9, 2), (8.2, 0), (0.7, 0.7), (0.6, 0)])
-def test_what_encloses_only_about_as_much_may_lie_twice_as_far_off(step, found):
+def test_ring_of_equal_area_may_be_twice_as_far(step, found):
     assert square_inside(step, slack=2.0) == pytest.approx([found])
 
 
@@ -85,7 +85,7 @@ def test_rings_lie_no_farther_apart_than_the_tool_reaches():
     assert reached(40.0, 39.99, tool=3.0)[0] == pytest.approx(3.6)  # one ring
 
 
-def test_without_a_tool_they_lie_two_steps_apart_where_three_are_nested():
+def test_nested_rings_without_tool_are_two_steps_apart():
     assert reached(40.0, 36.0, 32.0)[0] == pytest.approx(4)
     assert reached(40.0, 38.0)[0] == pytest.approx(2)  # two: two steps, or a twentieth of the larger one
     assert reached(40.0, 36.0)[0] == pytest.approx(2)
@@ -110,12 +110,12 @@ def test_the_usual_step_is_that_at_a_quarter_of_their_number():
     assert reached(*sides)[0] == pytest.approx(5)
 
 
-def test_rings_farther_apart_than_the_tool_reaches_are_engraved_however_even_they_are():
+def test_rings_beyond_tool_reach_are_engraved():
     """The circles of a target."""
     assert reached(*(40.0 - 4 * np.arange(6)), tool=1.0)[0] == pytest.approx(1.2)
 
 
-def test_two_contours_that_come_again_at_every_depth_are_no_pocket():
+def test_two_contours_at_every_depth_are_not_a_pocket():
     """A washer: 10 mm apart would be the step."""
     limit, steps, drops = reached(40.0, 20.0, 40.0, 20.0, z=[0, 0, -1, -1])
     assert limit == pytest.approx(2) and steps.tolist() == [10, 10, 10] and drops.tolist() == [0, 1, 0]

@@ -48,7 +48,7 @@ def wave(turns=1.0, count=60):
 
 
 @pytest.mark.parametrize("xy", [[(0, 0), (60, 0), (60, 40)], wave(), wave(3.0)], ids=["corner", "s", "waves"])
-def test_a_bent_pass_that_comes_back_on_a_ramp_is_a_piece_each_time(xy):
+def test_bent_pass_on_a_ramp_is_a_piece_each_time(xy):
     """It wavers as a zigzag does where it comes again, and is none."""
     pieces = pieces_of(to_and_fro(xy))
     assert pieces.kind.tolist() == [STROKE] * 5 and pieces.area.tolist() == [0] * 5
@@ -62,7 +62,7 @@ def test_a_straight_pass_that_comes_back_on_a_ramp_is_one_piece(aside):
     assert len(pieces_of([(0, 0, 0), (60, 0, -1), (0, aside, -2), (60, 0, -3), (0, 0, -4)])) == 1
 
 
-def test_a_bent_pass_that_comes_back_elsewhere_is_no_piece_of_its_own():
+def test_bent_pass_returning_elsewhere_is_not_a_piece():
     there = [(0, 0, 0), (60, 0, 0), (60, 40, 0)]
     assert len(pieces_of([*there, (60, -10, 0), (0, -10, 0)])) == 1
 
@@ -74,7 +74,7 @@ def test_a_loop_with_a_tail_is_two_pieces_of_one_area():
     assert pieces.start.tolist() == [0, 4] and pieces.end.tolist() == [4, 6]
 
 
-def test_the_turns_of_a_winding_are_pieces_with_what_the_winding_is():
+def test_winding_turns_are_pieces_of_its_kind():
     """A spiral of three turns, and a zigzag behind it whose kind is its own."""
     angles = np.linspace(0, 3 * TURN, 145)
     radius = 30 - 6 * angles / TURN
@@ -138,7 +138,7 @@ def slanted(stroke, degrees):
 
 
 @pytest.mark.parametrize("degrees", [0, 30, 60, 90, 150])
-def test_a_zigzag_has_as_many_passes_as_rows_however_it_is_turned(degrees):
+def test_zigzag_has_one_pass_per_row_in_any_direction(degrees):
     pieces = pieces_of(slanted(zigzag(7), degrees))
     assert pieces.kind.tolist() == [ZIGZAG] and pieces.passes.tolist() == [7]
 
@@ -162,14 +162,14 @@ def test_there_and_back_by_two_moves_is_one_pass():
 
 
 @pytest.mark.parametrize("middle, kind", [(20.0, ZIGZAG), (10.0, STROKE)])
-def test_three_tenths_between_half_turns_that_alternate_are_a_zigzag(middle, kind):
+def test_alternating_half_turns_are_a_zigzag(middle, kind):
     """Rows of 20 mm with a shorter one between them, and links of 1 mm: 20 of 62 mm, or 10 of 52 mm."""
     stroke = [(0, 0, 0), (20, 0, 0), (20, 1, 0), (20 - middle, 1, 0), (20 - middle, 2, 0), (40 - middle, 2, 0)]
     assert pieces_of(stroke).kind.tolist() == [kind]
 
 
 @pytest.mark.parametrize("rows, kind", [(4, STROKE), (6, ZIGZAG)])
-def test_what_goes_to_and_fro_twice_as_long_as_around_is_a_zigzag(rows, kind):
+def test_mostly_back_and_forth_is_a_zigzag(rows, kind):
     """Behind rows it goes around them: two passes lie between half turns of one sense, three or five between others."""
     top = 3.0 * (rows - 1)
     around = [(0, top + 3), (40, top + 3), (40, -10), (0, -10), (0, top + 6), (40, top + 6)]
@@ -188,7 +188,7 @@ def test_letters_of_strokes_that_lean_are_no_rows(letter):
     assert pieces_of([(x, y, 0) for x, y in letter]).kind.tolist() == [STROKE]
 
 
-def test_few_rows_are_rows_where_they_are_parallel_and_many_that_lean_are():
+def test_few_rows_must_be_parallel_and_many_may_lean():
     """Three with links of 3 mm; and five that lean as the four of a W."""
     assert pieces_of([(0, 0, 0), (0, 30, 0), (3, 30, 0), (3, 0, 0), (6, 0, 0), (6, 30, 0)]).kind.tolist() == [ZIGZAG]
     for passes, kind in ((4, STROKE), (5, ZIGZAG)):

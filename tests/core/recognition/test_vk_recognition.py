@@ -102,7 +102,7 @@ def test_a_single_closed_loop_reaches_one_level():
     assert found.phi_range == pytest.approx((0.0, 2 * np.pi))
 
 
-def test_repetition_at_other_depths_is_one_strategy_with_that_many_levels():
+def test_repetition_at_depths_is_one_strategy():
     program = []
     for z in (-2.0, -4.0, -6.0):
         program += [("G0", {"Z": 5.0}), ("G0", {"X": 0.0, "Y": 0.0}), ("G1", {"Z": z})]
@@ -213,7 +213,7 @@ def test_what_is_unknown_has_no_numbers():
     }  # fmt: skip
 
 
-def test_the_span_of_an_operation_reaches_from_its_first_cut_to_its_last():
+def test_operation_span_is_first_to_last_cut():
     way = [("G0", {"Z": 5.0}), *(("G0", {"X": x}) for x in (9.0, 19.0, 29.0))]
     path = linearize([*way, *programs.profile(depths=(-1.0,)), ("G0", {"X": 0.0, "Y": 0.0})])
     cuts = np.flatnonzero(~path.rapid)
@@ -226,7 +226,7 @@ def test_the_span_of_an_operation_reaches_from_its_first_cut_to_its_last():
 @pytest.mark.parametrize(
     "tool, known", [(0.5, True), (0, False), (-0.5, False), (None, False), (math.nan, False), (math.inf, False)]
 )
-def test_a_tool_of_half_a_millimetre_is_known_and_one_of_none_is_not(tool, known):
+def test_tiny_tool_is_known_and_zero_diameter_is_not(tool, known):
     """Two contours 0.7 mm apart: such a tool leaves ground between them, and without one they are a pocket's."""
     path = linearize(programs.program([polygon(60.0), polygon(58.6)]))
     assert recognize(path, tool_diameter=tool).stepover == (None if known else pytest.approx(0.7))

@@ -52,7 +52,7 @@ def measured(path):
 
 
 @pytest.mark.parametrize("label, accepted, make", SOME, ids=[label for label, *_ in SOME])
-def test_measures_are_finite_and_the_same_where_a_path_is_turned_and_moved(label, accepted, make):
+def test_measures_are_finite_and_invariant(label, accepted, make):
     path = path_of(make)
     c, s = np.cos(0.7), np.sin(0.7)
     turned = replace(path, points=path.points @ np.array([(c, s, 0), (-s, c, 0), (0, 0, 1)]) + (31.0, -7.0, 2.0))
@@ -78,14 +78,14 @@ def test_nonsense_toolpaths_are_unknown_with_a_reason():
         assert one.strategy is not Strategy.UNKNOWN or "of the votes" in one.reason, one.reason
 
 
-def test_what_is_unknown_is_so_from_the_first_to_the_last_command():
+def test_unknown_spans_first_to_last_command():
     path = linearize(programs.zigzag())
     (span,) = unknown(path, Message("rest")).spans
     assert (span.first, span.last, span.share) == (0, len(path) - 1, 1.0)
     assert (span.first_command, span.last_command) == (path.command[0], path.command[-1])
 
 
-def test_a_few_holes_do_not_speak_for_a_path_that_machines_nothing():
+def test_few_holes_do_not_name_a_nonsense_path():
     rng = np.random.default_rng(4)
     places = np.cumsum(rng.normal(size=(600, 2)), axis=0)
     lifted = rng.random(len(places)) < 0.4
@@ -150,7 +150,7 @@ def test_what_pupils_draw_first_is_a_profile(corners, tool):
 
 
 @pytest.mark.parametrize("make", [nonsense.moore, nonsense.sierpinski])
-def test_a_curve_that_closes_after_it_has_filled_the_plane_is_no_contour(make):
+def test_closed_plane_filling_curve_is_not_a_contour(make):
     curve = max((make(np.random.default_rng(seed)) for seed in range(8)), key=len)
     assert recognize(drawn(curve)).strategy is Strategy.UNKNOWN
 
@@ -203,7 +203,7 @@ def test_votes_that_are_split_within_one_class_are_not_lost(other):
     assert STRATEGIES[elect(votes, proposed_by(Strategy.UNKNOWN))] is Strategy.CONTOUR_PARALLEL
 
 
-def test_the_letter_of_the_paper_decides_between_the_classes_and_not_within_them():
+def test_paper_verdict_decides_between_classes_only():
     votes = np.zeros(len(STRATEGIES))
     for name, share in (("zigzag", 0.3), ("profile", 0.3), ("spiral", 0.2), ("adaptive", 0.2)):
         votes[STRATEGIES.index(Strategy(name))] = share
@@ -212,7 +212,7 @@ def test_the_letter_of_the_paper_decides_between_the_classes_and_not_within_them
 
 
 @pytest.mark.parametrize(("ahead", "said"), [(0.24, Strategy.ZIGZAG), (0.26, Strategy.PROFILE)])
-def test_the_letter_of_the_paper_counts_as_much_as_a_quarter_of_the_votes_and_their_class(ahead, said):
+def test_paper_verdict_counts_a_quarter_of_votes(ahead, said):
     votes = np.zeros(len(STRATEGIES))
     votes[STRATEGIES.index(Strategy.ZIGZAG)], votes[STRATEGIES.index(Strategy.PROFILE)] = 0.3, 0.3 + ahead
     assert STRATEGIES[elect(votes, proposed_by(Strategy.UNKNOWN, Family.ROWS))] is said

@@ -46,7 +46,7 @@ def test_depths_are_heights_with_a_gap_between_them(z, depths):
     assert count_depths(np.array(z)) == depths
 
 
-def test_a_tree_that_asks_nothing_and_one_that_asks_much_vote_together():
+def test_trees_of_different_depths_vote_together():
     forest = Forest(["1:100", "0<1 0<0.5 0:100 1<3 2:100 0:50,2:50 2:100"], 3)
     for case, votes in (
         ((0.4, 9), (0.5, 0.5, 0)),
@@ -58,7 +58,7 @@ def test_a_tree_that_asks_nothing_and_one_that_asks_much_vote_together():
         assert forest.vote(case) == pytest.approx(votes)
 
 
-def test_a_path_without_heights_is_plunged_into_and_has_no_ways_in():
+def test_path_without_heights_has_no_entries():
     square = [("G1", {"X": x, "Y": y, "Z": -1.0, "F": 5.0}) for x, y in ((0, 0), (9, 0), (9, 9), (0, 9), (0, 0))]
     level = monotonous_areas(linearize([("G0", {"X": 0.0, "Y": 0.0, "Z": -1.0}), *square]))
     assert not level.dz.any()

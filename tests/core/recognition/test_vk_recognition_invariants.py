@@ -107,7 +107,7 @@ def test_scaling_with_the_tool(made, scale):
 
 
 @given(anything)
-def test_reversing_changes_the_sign_of_phi_and_keeps_the_strategy(made):
+def test_reversing_negates_phi_and_keeps_strategy(made):
     path, found = path_of(made)
     again = recognize(backwards(path), tool_diameter=TOOL)
     assert again.strategy == found.strategy
@@ -117,7 +117,7 @@ def test_reversing_changes_the_sign_of_phi_and_keeps_the_strategy(made):
 
 
 @given(anything, angles)
-def test_mirroring_changes_the_sign_of_phi_and_keeps_the_strategy(made, angle):
+def test_mirroring_negates_phi_and_keeps_strategy(made, angle):
     path, found = path_of(made)
     path = turned(path, angle)
     again = recognize(replace(path, points=path.points * (1, -1, 1), sweep=-path.sweep), tool_diameter=TOOL)

@@ -196,7 +196,7 @@ WAYS_IN = [SINGLE, RAMP, CORNER, TO_AND_FRO, HELIX]
 
 
 @pytest.mark.parametrize("points", WAYS_IN, ids=["one move", "ramp", "around a corner", "to and fro", "helix"])
-def test_a_way_in_is_no_part_of_the_pattern_and_counts_where_it_winds(points):
+def test_entry_is_not_part_of_pattern_unless_it_winds(points):
     """A helix of one turn on a radius of 4 mm; the rectangle, begun anew where the way in ends, is what is left."""
     moves = areas(way_down(*points))
     pattern, wound = without_entries(moves)
@@ -205,7 +205,7 @@ def test_a_way_in_is_no_part_of_the_pattern_and_counts_where_it_winds(points):
     assert wound == pytest.approx(way_in / moves.length.sum() if points is HELIX else 0.0)
 
 
-def test_sharp_turns_behind_a_straight_way_in_do_not_make_it_wind():
+def test_sharp_turns_after_straight_entry_are_not_winding():
     """Twice 150 degrees in one sense, more than three quarters of a turn, of which none is in the ramp."""
     turned = np.cumsum(np.radians([150, 150, 30, 30]))
     steps = 20 * np.column_stack((np.cos(turned), np.sin(turned), np.zeros(4)))
@@ -215,7 +215,7 @@ def test_sharp_turns_behind_a_straight_way_in_do_not_make_it_wind():
 
 
 @pytest.mark.parametrize("wider, leads", [(2.0, False), (4.0, True)])
-def test_a_helix_is_a_way_in_where_what_follows_leads_a_quarter_of_its_size_farther(wider, leads):
+def test_helix_is_entry_if_path_leads_farther(wider, leads):
     """On a radius of 4 mm, in a box whose diagonal is 11.3 mm; a spiral at its ground."""
     moves = areas(winding(4, 4, 2, drop=2) + winding(4, 4 + wider, 3, z=-2)[1:])
     pattern, wound = without_entries(moves)
@@ -240,7 +240,7 @@ def test_of_several_areas_only_the_ways_in_and_out_are_gone():
         ("-x- -x x---", [1, 1, 0], [1, 0, 3]),
     ],
 )
-def test_how_many_moves_come_before_the_first_and_after_the_last_of_some_kind(other, before, after):
+def test_moves_before_first_and_after_last_are_counted(other, before, after):
     level = [[one == "x" for one in area] for area in other.split()]
     moves = areas(*([(10.0 * k, 5.0 * (k % 2), k - sum(area[:k])) for k in range(len(area) + 1)] for area in level))
     assert (_first(moves.start, moves.end, np.concatenate(level)) - moves.start).tolist() == before
@@ -270,7 +270,7 @@ def test_a_ramp_may_first_go_out_level_on_the_way_it_comes_back(points, entry, l
     assert len(without_entries(moves)[0]) == left
 
 
-def test_of_a_ramp_back_behind_other_areas_only_its_own_way_is_gone():
+def test_ramp_removal_leaves_other_areas():
     first = [(100, 0, -1), (140, 0, -1), (140, 5, -1)]
     out = [(0, 0, 0), (20, 0, 0), (0, 0, -1), (0, 40, -1), (5, 40, -1)]
     pattern, _ = without_entries(areas(first, out, first))

@@ -129,7 +129,7 @@ def test_the_whole_says_nothing_that_all_its_sections_deny(name):
             assert found.strategy == name, (depth, border, found.reason)
 
 
-def test_runs_of_holes_are_borders_at_their_first_and_behind_their_last():
+def test_borders_surround_runs_of_holes():
     rest = [("G0", {"Z": 5.0})]
     rectangle = [
         ("G1", {"Z": -1.0}),
@@ -205,7 +205,7 @@ def test_plunges_are_borders_where_there_is_one_for_four_passes():
         ([(0, -1.0), (0, -2.0), (0, -1.0)], True),  # pecks
     ],
 )
-def test_plunges_to_several_layers_of_the_milling_are_contours_clipped_to_a_point(places, borders):
+def test_plunges_to_milling_layers_are_clipped_contours(places, borders):
     plunges = [
         command
         for x, z in places
@@ -217,7 +217,7 @@ def test_plunges_to_several_layers_of_the_milling_are_contours_clipped_to_a_poin
 
 
 @pytest.mark.parametrize("heights, borders", [(10, True), (11, False)])
-def test_plunges_beside_cuts_at_more_than_ten_heights_are_passes_of_a_surface_clipped_to_a_point(heights, borders):
+def test_plunges_of_a_surface_are_clipped_passes(heights, borders):
     strokes = [[(0.0, 3.0 * k, -0.7 * k), (40.0, 3.0 * k, -0.7 * k)] for k in range(heights)]
     plunges = [[(100.0 + 9 * k, 0.0, -20.3 - k)] for k in range(4)]
     path = linearize(programs.program([*strokes, *plunges]))
@@ -226,7 +226,7 @@ def test_plunges_beside_cuts_at_more_than_ten_heights_are_passes_of_a_surface_cl
     assert bool(find_borders(path, moves)) is borders
 
 
-def test_moves_that_are_no_cutting_are_unknown_from_the_first_to_the_last():
+def test_noncutting_moves_are_unknown_throughout():
     path = linearize(
         [("G0", {"X": 0.0, "Y": 0.0, "Z": 5.0}), ("G0", {"X": 5.0}), ("(turn)", {}), ("G0", {"Y": 5.0, "Z": 9.0})]
     )
@@ -270,7 +270,7 @@ def beside(drilled, change=()):
 
 
 @pytest.mark.parametrize("program", [False, True])
-def test_a_few_holes_beside_a_pattern_leave_it_its_name_and_have_a_span(program):
+def test_pattern_with_few_holes_keeps_its_name(program):
     found = recognize(linearize(beside(3)), tool_diameter=TOOL, program=program)
     assert found.strategy is Strategy.CONTOUR_PARALLEL
     assert [s.strategy for s in found.spans] == [Strategy.CONTOUR_PARALLEL, Strategy.DRILLING]
@@ -281,7 +281,7 @@ def test_a_few_holes_beside_a_pattern_leave_it_its_name_and_have_a_span(program)
 
 @pytest.mark.parametrize("program", [False, True])
 @pytest.mark.parametrize(("drilled", "change"), [(3, [("M6", {"T": 2.0})]), (9, [])])
-def test_holes_that_another_tool_drills_or_that_are_many_are_another_operation(drilled, change, program):
+def test_many_holes_or_other_tool_are_own_operation(drilled, change, program):
     found = recognize(linearize(beside(drilled, change)), tool_diameter=TOOL, program=program)
     assert found.strategy is Strategy.MIXED
     assert [s.strategy for s in found.spans] == [Strategy.CONTOUR_PARALLEL, Strategy.DRILLING]
@@ -298,13 +298,13 @@ def with_a_contour(pattern, share, *before):
 
 @pytest.mark.parametrize("program", [False, True])
 @pytest.mark.parametrize(("share", "strategy"), [(0.047, Strategy.ZIGZAG), (0.053, Strategy.MIXED)])
-def test_a_titled_section_with_a_twentieth_of_the_length_makes_the_whole_mixed(share, strategy, program):
+def test_titled_section_of_five_percent_makes_mixed(share, strategy, program):
     path = with_a_contour(programs.zigzag(20, 60.0, 3.0), share, ("(Contour)", {}))
     assert recognize(path, tool_diameter=TOOL, program=program).strategy is strategy
 
 
 @pytest.mark.parametrize(("share", "others"), [(0.0009, 0), (0.0011, 1)])
-def test_another_tool_begins_an_operation_with_a_thousandth_of_the_length(share, others):
+def test_short_section_of_another_tool_is_an_operation(share, others):
     pocket = programs.SOUND["contour-parallel"](70, 36, 3.0, 10.0, [-1.0], 0.0)
     found = recognize(with_a_contour(pocket, share, ("M6", {"T": 2.0})), tool_diameter=TOOL, program=True)
     assert len(found.spans) == 1 + others
@@ -336,7 +336,7 @@ def test_what_freecad_remarks_within_an_operation_parts_nothing(depths):
 
 
 @pytest.mark.parametrize(("loops", "other"), [(12, "zigzag"), (70, "drilling")])
-def test_in_a_program_what_another_tool_cuts_is_another_operation_however_little(loops, other):
+def test_other_tool_is_other_operation_in_programs(loops, other):
     """Four short rows, or of holes less than a thousandth of the length."""
     pocket = programs.SOUND["contour-parallel"](loops, 36, 3.0, 10.0, [-1.0], 0.0)
     little = {
@@ -392,7 +392,7 @@ def test_two_verdicts_are_as_likely_different_as_both_are_right():
     assert _differing(spiral, adaptive) == 0 == _differing(adaptive, spiral) and _differing(spiral, zigzag) > 0
 
 
-def test_an_operation_of_a_program_is_one_span_named_by_its_rows_where_they_are_most():
+def test_operation_of_program_is_one_span_named_by_rows():
     rows, contour = Strategy.ZIGZAG, Strategy.PROFILE
 
     def span(*spans):
@@ -445,11 +445,11 @@ ROWS, AROUND, STROKES = Strategy.ZIGZAG, Strategy.PROFILE, Strategy.ENGRAVING
         (ROWS, 0, 9, Strategy.UNKNOWN, True, True, False),
     ],
 )
-def test_what_parts_two_sections_decides_how_far_they_must_differ(one, loops, passes, main, sure, program, differs):
+def test_kind_of_border_decides_required_difference(one, loops, passes, main, sure, program, differs):
     assert _differs(told(one, closed_loops=loops, passes=passes), told(main), sure, program) is differs
 
 
-def test_the_longest_section_speaks_where_all_that_show_something_deny_the_whole():
+def test_longest_section_decides_if_all_deny_whole():
     path = linearize(programs.one_way(10))
     whole, one = told(AROUND, (0, 39, AROUND, 1.0)), np.zeros(2, int)
 

@@ -235,7 +235,7 @@ def squares(halves, *, about=(0.0, 0.0), ccw=True, depths=(-1.0,)):
 
 @pytest.mark.parametrize("ccw", [True, False])
 @pytest.mark.parametrize("tool", [None, 10.0])
-def test_two_contours_that_come_again_at_every_depth_are_no_pocket(ccw, tool):
+def test_two_contours_at_every_depth_are_not_a_pocket(ccw, tool):
     # A washer cut at three depths has as many equal steps from ring to ring as a pocket.
     washer = squares([30, 12], ccw=ccw, depths=(-1, -2, -3))
     assert strategy(washer, tool_diameter=tool) is Strategy.PROFILE
@@ -252,7 +252,7 @@ def test_two_contours_that_come_again_at_every_depth_are_no_pocket(ccw, tool):
 
 
 @pytest.mark.parametrize("angle", [0.0, 0.2, 0.5, 0.785])
-def test_the_step_of_offsets_does_not_depend_on_how_they_are_turned(angle):
+def test_offset_step_is_rotation_invariant(angle):
     # The sides of the boxes of turned squares move by up to sqrt(2) steps.
     path = linearize(squares([3, 7, 11, 15, 19, 23]))
     c, s = math.cos(angle), math.sin(angle)
@@ -356,14 +356,14 @@ def inward(wobble=0.0, digits=6, waves=100):
     return program + [("G1", {"X": x, "Y": y}) for x, y in points[1:]]
 
 
-def test_a_winding_that_corrects_its_direction_all_the_time_is_adaptive():
+def test_winding_with_many_corrections_is_adaptive():
     assert strategy(inward(wobble=0.03), tool_diameter=6.0) is Strategy.ADAPTIVE
     assert strategy(inward(wobble=0.13, waves=20), tool_diameter=6.0) is Strategy.ADAPTIVE
     assert strategy(inward(), tool_diameter=6.0) is Strategy.SPIRAL
 
 
 @pytest.mark.parametrize("digits", [2, 3])
-def test_the_rounding_of_a_finely_sampled_spiral_is_no_step_aside(digits):
+def test_rounding_of_fine_spiral_is_not_a_step_aside(digits):
     assert strategy(inward(digits=digits), tool_diameter=6.0) is Strategy.SPIRAL
 
 
@@ -396,7 +396,7 @@ def test_loops_around_ribs_in_a_row_are_no_trochoids(degrees):
 
 
 @pytest.mark.parametrize("straight", [False, True])
-def test_a_winding_that_leaves_a_third_to_open_strokes_is_no_spiral(straight):
+def test_winding_with_many_strokes_is_not_a_spiral(straight):
     # Adaptive clearing from outside the stock: turns as long as there is stock all around, then arcs at both ends,
     # or rows along both sides, in one sense of milling.
     program, gap = [("G0", {"X": 90.0, "Y": 0.0, "Z": 5.0}), ("G1", {"Z": -1.0})], 1.2

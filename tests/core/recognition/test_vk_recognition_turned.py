@@ -60,7 +60,7 @@ def test_the_least_move_in_y_is_a_mills():
     assert "lathe" not in recognize(linearize(program)).reason and not is_turned(linearize(program))
 
 
-def test_rapids_down_to_the_part_and_flat_ramps_are_no_passes_of_a_lathe():
+def test_rapids_and_flat_ramps_are_not_lathe_passes():
     dashes = [("G0", {"X": 0.0, "Y": 0.0, "Z": 40.0})]
     ramps = list(dashes)
     for k in range(8):
@@ -73,7 +73,7 @@ def test_rapids_down_to_the_part_and_flat_ramps_are_no_passes_of_a_lathe():
 
 
 @pytest.mark.parametrize("length, lathe", [(2.0, True), (0.8, False)])
-def test_passes_along_z_are_longer_by_half_than_what_is_cut_along_x(length, lathe):
+def test_lathe_passes_are_mostly_along_z(length, lathe):
     """Each begins 2 mm above 0 and ends by 2 mm along X: 4 mm are twice as long, 2.8 mm are not half as much longer."""
     assert is_turned(linearize(turning(5, length, depth=2.0))) is lathe
 

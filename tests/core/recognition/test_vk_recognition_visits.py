@@ -96,7 +96,7 @@ def test_next_to_nothing_has_no_borders(commands):
     assert begun(path, monotonous_areas(path)) == {}
 
 
-def test_retracts_that_go_down_step_by_step_are_no_deeper_than_the_stack():
+def test_descending_retracts_do_not_recurse_deeply():
     """Of blocks that each begin lower than the one before every retract is the top of those that follow."""
     commands = [("G0", {"X": 0.0, "Y": 0.0, "Z": 3310.0})]
     for k in range(1100):
@@ -116,7 +116,7 @@ def test_of_too_many_borders_the_likeliest_are_kept(monkeypatch):
     assert kept == max(every.values()) > min(every.values())
 
 
-def test_a_program_that_certain_borders_divide_too_often_is_not_looked_at_for_others(monkeypatch):
+def test_program_with_many_certain_borders_gets_no_others(monkeypatch):
     """Each stretch between them would be recognised, and the answer be that on the whole."""
     commands = [("G0", {"X": 0.0, "Y": 0.0, "Z": 5.0})]
     for k in range(120):
@@ -150,7 +150,7 @@ def test_only_what_may_be_a_program_is_divided():
 
 
 @pytest.mark.parametrize("depths", [[-1.0, -2.0], [-2.0]], ids=["several retracts between them", "one retract"])
-def test_operations_between_two_tool_changes_are_told_apart_at_their_own_top(depths):
+def test_operations_between_tool_changes_divide_at_own_top(depths):
     one, two, three = programs.SOUND["zigzag"](14, 60.0, 3.0, depths), DIFFERENT["helix"], DIFFERENT["profile"]
     up = [("G0", {"Z": programs.CLEAR + 100.0})]
     path = linearize([*one, ("G0", {"Z": programs.CLEAR}), *two, *up, *three, *up, *one])
@@ -169,7 +169,7 @@ def test_a_single_hole_is_an_operation_of_a_program(name, last):
     assert [str(s.strategy) for s in found.spans] == names
 
 
-def test_two_operations_of_one_strategy_keep_their_border_in_a_mixed_program():
+def test_border_between_equal_strategies_stays_in_mixed():
     pocket, rows = DIFFERENT["contour-parallel"], DIFFERENT["zigzag"]
     border, second = len(linearize(pocket)), len(linearize([*pocket, *pocket]))
     path = replace(linearize([*pocket, *pocket, *rows]), comments=(), tool_changes=np.array([border, second]))
@@ -202,7 +202,7 @@ def test_the_same_ground_has_the_same_corners(corner, same):
 
 
 @pytest.mark.parametrize(("gap", "closed"), [(2.8, 1), (3.2, 0)])
-def test_a_block_is_closed_where_less_than_three_hundredths_of_its_length_are_missing(gap, closed):
+def test_block_is_closed_within_three_percent_gap(gap, closed):
     around = [(0, 0, 0), (25, 0, 0), (25, 25, 0), (0, 25, 0), (0, gap, 0)]
     path = linearize(programs.program([around, [(x + 100, y, z) for x, y, z in around]]))
     assert find_visits(path, monotonous_areas(path)).closed.tolist() == [closed] * 2
@@ -288,7 +288,7 @@ def test_grounds_that_do_not_touch_share_nothing():
     assert told["overlap"] == told["inside"] == told["same_ground"] == 1 and told["size"] == 0  # holes in one place
 
 
-def test_ground_that_one_of_the_last_visits_cut_as_deep_is_cut_again():
+def test_ground_of_recent_visit_is_cut_again():
     """Ten squares of 10 mm side by side, then half of the first again: at its depth, above it, below it."""
     low = np.array([[20.0 * k, 0.0] for k in range(10)])
     for back, place in ((1, 9), (8, 2), (9, 1)):
@@ -307,7 +307,7 @@ def test_ground_that_one_of_the_last_visits_cut_as_deep_is_cut_again():
             assert (rows[:-1] == 0).all()
 
 
-def test_a_contour_around_rows_as_deep_finishes_their_walls_and_is_no_operation():
+def test_contour_around_rows_finishes_their_walls():
     rows = [("G0", {"Z": 5.0}), *programs.SOUND["zigzag"](14, 60.0, 3.0, [-1.0])]
     path = linearize(rows)
     (x0, y0), (x1, y1) = path.points[:, :2].min(axis=0), path.points[:, :2].max(axis=0)
@@ -345,12 +345,12 @@ SPIRAL = winding(2, 26, 8)
 
 
 @pytest.mark.parametrize("count", [2, 3, 4, 5])
-def test_two_strategies_that_meet_three_times_take_turns_within_one_operation(count):
+def test_alternating_strategies_are_one_operation(count):
     path, begins = in_turns(count, ROWS, SPIRAL)
     assert told_apart(Sections(path, TOOL), [], dict.fromkeys(begins, 0.2)) == (begins if count < 4 else [])
 
 
-def test_a_retract_in_doubt_parts_two_strategies_where_the_odds_are_three_to_five_and_one_strategy_where_the_votes_do():
+def test_doubtful_retract_divides_by_odds_or_votes():
     path, (at,) = in_turns(2, ROWS, SPIRAL)
     one, two = Sections(path, TOOL).between([at])
     for odds, parts in ((0.58, []), (0.62, [at])):

@@ -41,26 +41,26 @@ def test_offsets_are_nested_a_stepover_apart(sides, growing):
 
 
 @pytest.mark.parametrize(("inward", "relation"), [(0.2, "repeated"), (0.3, "deeper")])
-def test_a_large_ring_is_the_same_at_another_depth_where_it_is_a_quarter_millimetre_smaller(inward, relation):
+def test_large_ring_repeats_at_depth_within_a_quarter_mm(inward, relation):
     """0.05 mm, and two thousandths of its 100 mm."""
     assert related(rings_of([polygon(100), polygon(100 - 2 * inward, z=-1.0)])) == [{relation}] * 2
 
 
 @pytest.mark.parametrize(("inward", "relation"), [(0.85, "repeated"), (0.95, "deeper")])
-def test_however_large_a_ring_is_it_is_another_a_quarter_of_the_reach_inside(inward, relation):
+def test_large_ring_a_quarter_reach_inside_is_another(inward, relation):
     """A tool of 3 mm reaches 3.6 mm; two thousandths of the ring's metre would be 2 mm."""
     assert related(rings_of([polygon(1000), polygon(1000 - 2 * inward, z=-1.0)], 3.0)) == [{relation}] * 2
 
 
 @pytest.mark.parametrize("side", [60, 600])
-def test_offsets_of_a_large_part_are_as_far_apart_as_those_of_a_small_one(side):
+def test_offset_distance_does_not_depend_on_part_size(side):
     """A fifth of the tool, which is a thousandth of the larger part's size."""
     rings = rings_of([polygon(side - 2.4 * i) for i in range(5)])
     assert related(rings) == [{"nested"}] * 5 and rings.step == pytest.approx(1.2)
 
 
 @pytest.mark.parametrize("nests", [1, 2, 3])
-def test_rings_of_islands_may_be_cut_between_those_of_the_boundary(nests):
+def test_island_rings_may_interrupt_boundary_rings(nests):
     strokes = [polygon(side, x=100 * nest) for side in (40, 36, 32, 28) for nest in range(nests)]
     rings = rings_of(strokes)
     assert related(rings) == [{"nested"}] * len(strokes)
@@ -73,7 +73,7 @@ def test_of_four_nests_in_turn_no_ring_is_compared_with_its_own():
 
 
 @pytest.mark.parametrize("apart, nested", [(6.9, True), (7.5, False)])
-def test_what_lies_farther_apart_than_the_tool_cuts_are_two_contours(apart, nested):
+def test_loops_beyond_tool_width_are_two_contours(apart, nested):
     rings = rings_of([polygon(60), polygon(60 - 2 * apart)])
     assert rings.nested.tolist() == [nested, nested] and rings.alone.tolist() == [not nested] * 2
 
@@ -87,13 +87,13 @@ def comb(wide, deep):
 
 
 @pytest.mark.parametrize(("wide", "deep", "nested"), [(2, 0.2, True), (4, 5, True), (2, 12, False)])
-def test_a_frame_around_a_comb_is_an_offset_of_it_only_where_they_are_about_as_long(wide, deep, nested):
+def test_frame_around_comb_is_offset_if_equally_long(wide, deep, nested):
     """Gaps of twice the distance close, but what is three times as long is another contour."""
     frame = [(-2, -2, 0.0), (152, -2, 0.0), (152, 42, 0.0), (-2, 42, 0.0), (-2, -2, 0.0)]
     assert rings_of([frame, comb(wide, deep)]).nested.tolist() == [nested] * 2
 
 
-def test_a_ring_around_an_island_moves_one_side_only_and_is_no_offset():
+def test_ring_around_island_is_not_an_offset():
     assert not rings_of([polygon(40), polygon(36, x=2)]).nested.any()
 
 
@@ -103,7 +103,7 @@ def box(left, bottom, right, top):
     return [(x, y, 0), (u, y, 0), (u, v, 0), (x, v, 0), (x, y, 0)]
 
 
-def test_a_ring_of_which_one_side_lies_farther_out_is_not_one_that_moves_along():
+def test_ring_with_one_outer_side_does_not_move_along():
     for pair in ([box(3, 0, 0, 0), polygon(40)], [polygon(40), box(3, 0, 0, 0)]):
         assert related(rings_of(pair)) == [set()] * 2
 
@@ -121,7 +121,7 @@ def squares(*steps, first=300.0):
 
 @pytest.mark.parametrize("steps", [[10] * 5, [10, 10, 10, 19, 19, 19]])
 @pytest.mark.parametrize("tool, nested", [(6.0, False), (0.0, True)])
-def test_even_steps_are_those_of_a_pocket_where_no_tool_tells_that_they_are_too_long(steps, tool, nested):
+def test_even_steps_are_a_pocket_without_a_tool(steps, tool, nested):
     """They are longer than a tool of 6 mm reaches, and all less than twice the usual one."""
     assert rings_of(squares(*steps), tool).nested.tolist() == [nested] * (len(steps) + 1)
 
@@ -139,7 +139,7 @@ def test_a_pocket_at_two_depths_comes_again_but_is_no_stack():
     assert (rings.depths, rings.distinct, rings.depth_range, rings.evenness) == (2, 5, 2.0, 0.0)
 
 
-def test_a_ring_of_a_kind_comes_again_though_others_of_its_depth_do_not():
+def test_one_ring_of_a_depth_may_repeat_alone():
     rings = rings_of(
         [polygon(20, x=x, z=z) for z in (0, -2) for x in (0, 100, 200, 300, 400, 500)] + [polygon(20, x=900)]
     )
@@ -191,20 +191,20 @@ def test_loops_around_ribs_in_a_row_stay_apart():
 
 
 @pytest.mark.parametrize("width, moves", [(4, False), (8, True)])
-def test_a_slot_beside_a_circle_of_its_length_is_no_trochoid_of_it(width, moves):
+def test_slot_beside_circle_is_not_a_trochoid(width, moves):
     """The circle is 16 mm wide, and the middle of the slot 7 mm aside."""
     rings = rings_of([polygon(16, corners=24), polygon(width, x=7, ratio=16 / width)])
     assert rings.moved.tolist() == [moves] * 2
 
 
 @pytest.mark.parametrize("z, relation", [(0.0, {"crossing"}), (-2.0, set())])
-def test_a_ring_of_another_shape_that_touches_the_same_walls_crosses(z, relation):
+def test_ring_of_other_shape_at_same_walls_crosses(z, relation):
     diamond = [(90.0, -40.0, z), (70.0, -20.0, z), (50.0, -40.0, z), (70.0, -60.0, z), (90.0, -40.0, z)]
     assert related(rings_of([polygon(40), diamond])) == [relation] * 2
 
 
 @pytest.mark.parametrize("cut, relation", [(11.0, set()), (13.0, {"crossing"})])
-def test_a_ring_that_touches_the_same_walls_and_encloses_a_twentieth_less_crosses(cut, relation):
+def test_slightly_smaller_ring_at_same_walls_crosses(cut, relation):
     """The corner that is cut off has 3.8 or 5.3 hundredths of 40 mm by 40 mm."""
     without = [(50, -60, 0), (90 - cut, -60, 0), (90, -60 + cut, 0), (90, -20, 0), (50, -20, 0), (50, -60, 0)]
     assert related(rings_of([polygon(40), without])) == [relation] * 2
@@ -214,7 +214,7 @@ def test_a_ring_that_touches_the_same_walls_and_encloses_a_twentieth_less_crosse
     "senses, opposite",
     [("+-+-+", True), ("+++++", False), ("+-", False), ("++--", False), ("+-+++-", [True] * 3 + [False] * 3)],
 )
-def test_offsets_whose_sense_alternates_are_passes_there_and_back(senses, opposite):
+def test_offsets_with_alternating_sense_are_passes(senses, opposite):
     rings = rings_of([polygon(40 - 4 * i, clockwise=sense == "-") for i, sense in enumerate(senses)])
     assert rings.opposite.tolist() == ([opposite] * len(senses) if isinstance(opposite, bool) else opposite)
     assert rings.nested.all()
@@ -230,7 +230,7 @@ def test_loops_that_move_along_are_of_about_one_size(side, moves):
     assert rings_of([polygon(16, corners=24), polygon(side, x=5, corners=24)]).moved.tolist() == [moves] * 2
 
 
-def test_rings_on_a_sculptured_surface_are_nested_at_whatever_height():
+def test_rings_on_a_surface_are_nested_at_any_height():
     assert rings_of([polygon(40 - 4 * i, z=-float(i), climbs=0.5) for i in range(4)]).nested.all()
     assert not rings_of([polygon(40 - 4 * i, z=-float(i)) for i in range(4)]).nested.any()
 
@@ -240,7 +240,7 @@ def test_which_rings_are_circles(corners, is_round):
     assert rings_of([polygon(30, corners=corners)]).round.tolist() == [is_round]
 
 
-def test_a_turn_that_descends_all_along_is_sloped_and_a_ramp_at_its_start_is_not():
+def test_descending_turn_is_sloped_and_starting_ramp_is_not():
     around = polygon(30, corners=36)
     steady = [(x, y, -2.0 * i / 36) for i, (x, y, _) in enumerate(around)]
     over_half, at_first = (
@@ -251,12 +251,12 @@ def test_a_turn_that_descends_all_along_is_sloped_and_a_ramp_at_its_start_is_not
 
 
 @pytest.mark.parametrize("order", [(0, 1, 2, 3), (3, 2, 1, 0), (0, 3, 1, 2), (1, 0, 3, 2)])
-def test_the_stepover_is_that_to_the_next_ring_inside_in_whatever_order_they_are_cut(order):
+def test_stepover_does_not_depend_on_ring_order(order):
     sides = 44.0, 40.0, 36.0, 32.0
     assert rings_of([polygon(sides[i]) for i in order]).step == pytest.approx(2.0)
 
 
-def test_the_stepover_beside_an_island_whose_offsets_are_cut_between_those_of_the_boundary():
+def test_stepover_with_interleaved_island_offsets():
     """As FreeCAD 1.0 orders them: most neighbours in the order of cutting are 3.6 mm apart, those of one nest 2.4 mm."""
 
     def rectangle(x, y, u, v):
@@ -368,7 +368,7 @@ def test_evenness_compares_two_spreads():
 
 
 @pytest.mark.parametrize(("back", "kind"), [(True, ZIGZAG), (False, STROKE)])
-def test_a_piece_that_goes_back_and_forth_is_a_zigzag_and_one_that_goes_on_is_none(back, kind):
+def test_piece_going_back_and_forth_is_a_zigzag(back, kind):
     program = [("G0", {"X": 0.0, "Y": 0.0, "Z": -1.0})]
     for row in range(8):
         there = 40.0 * (row % 2 == 0) if back else 40.0 * (row + 1)

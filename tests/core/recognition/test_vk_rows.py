@@ -90,7 +90,7 @@ def test_a_row_whose_moves_waver_is_one_row():
     assert (rows.typical, rows.step, rows.same) == pytest.approx((50, 3, 350), rel=1e-3)
 
 
-def test_rows_to_and_fro_in_moves_of_half_a_millimetre_are_the_same_rows():
+def test_rows_of_short_moves_are_the_same_rows():
     ends = [(0.0, 50.0), (50.0, 0.0)]
     points = [(x, 3.0 * row, 0.0) for row in range(10) for x in np.linspace(*ends[row % 2], 101).tolist()]
     (rows,) = rows_of(programs.program([points]))
@@ -122,7 +122,7 @@ def test_a_grid_has_two_families():
 
 
 @pytest.mark.parametrize("degrees", [30.0, 60.0])
-def test_a_slanted_grid_has_two_families_and_none_along_their_mean(degrees):
+def test_slanted_grid_has_two_families_of_rows(degrees):
     across, slant = ([[(0.0, 3.0 * row, 0.0), (50.0, 3.0 * row, 0.0)] for row in range(count)] for count in (12, 10))
     first, second = rows_of(programs.program(across + slanted(slant, degrees)))
     assert (first.axis, second.axis) == pytest.approx((0.0, math.radians(degrees)))
@@ -169,7 +169,7 @@ def test_lines_by_twos_have_a_period_from_four_on(lines, period):
     assert rows.period == pytest.approx(period)
 
 
-def test_two_passes_the_same_way_in_one_stroke_are_steps_and_no_rows():
+def test_two_parallel_passes_in_one_stroke_are_not_rows():
     """A staircase: what a contour sampled on a grid looks like."""
     stairs = [(10.0 * (k // 2 + k % 2), 3.0 * (k // 2), 0.0) for k in range(20)]
     families = rows_of(programs.program([stairs]))
@@ -252,7 +252,7 @@ def test_what_goes_over_a_line_again_asks_for_no_neighbour():
     "typical, lines, even, good",
     [(7.6, 9, 0.9, True), (7.4, 9, 0.9, False), (7.4, 10, 0.9, True), (7.4, 10, 0.7, False), (4.4, 10, 0.9, False)],
 )
-def test_rows_are_longer_than_two_and_a_half_steps_and_many_even_ones_than_one_and_a_half(typical, lines, even, good):
+def test_rows_have_a_minimum_length_in_steps(typical, lines, even, good):
     """7.5 and 4.5 mm."""
     assert fills(typical=typical, lines=lines, even=even) is good
 
@@ -267,7 +267,7 @@ def test_steps_are_those_that_the_tool_can_make(step, tool, good):
 
 
 @pytest.mark.parametrize("period, good", [(3.0, True), (7.1, True), (7.3, False)])
-def test_rows_may_be_cut_after_one_another_that_leave_one_between_them(period, good):
+def test_rows_may_skip_one_row(period, good):
     assert fills(step=8.0, period=period) is good
 
 
@@ -287,7 +287,7 @@ def test_three_rows_are_even_and_two_overlap(count, even, tool, good):
 
 
 @pytest.mark.parametrize("period, walls", [(3.1, False), (3.2, True), (30.0, True)])
-def test_rows_of_a_contour_that_come_again_after_more_than_a_pitch_are_its_walls(period, walls):
+def test_contour_walls_are_not_rows(period, walls):
     assert fills(contour=True, period=period) is not walls
     assert fills(contour=False, period=period)
 
@@ -303,7 +303,7 @@ def test_rows_of_a_contour_that_come_again_after_more_than_a_pitch_are_its_walls
         (1150.0, {"typical": 7.4}, False),
     ],
 )
-def test_two_families_without_neighbours_are_a_grid_where_they_are_nearly_everything(length, changed, grid):
+def test_two_lone_families_are_a_grid_if_dominant(length, changed, grid):
     alone = {"opposite": 0.0}
     families = [replace(GOOD, **alone), replace(ACROSS, **alone, **changed)]
     assert filling(families, TOOL, length=length, contour=False) == (families if grid else [])
@@ -325,7 +325,7 @@ def test_of_two_families_that_which_fills_is_left():
 
 @pytest.mark.parametrize("lean", [0.0, 0.6, -0.6])
 @pytest.mark.parametrize("turned", [0.0, 0.4, 2.0])
-def test_rows_of_a_grid_cross_and_the_sides_of_nested_contours_do_not(turned, lean):
+def test_grid_rows_cross_and_nested_contours_do_not(turned, lean):
     def families(strokes):
         c, s = np.cos(turned), np.sin(turned)
         leant = [[(x + lean * y, y) for x, y in stroke] for stroke in strokes]
@@ -344,7 +344,7 @@ def test_rows_of_a_grid_cross_and_the_sides_of_nested_contours_do_not(turned, le
 
 
 @pytest.mark.parametrize("beyond, cross", [(0.035, False), (0.07, True)])
-def test_passes_cross_where_they_go_on_behind_it_for_more_than_a_twentieth(beyond, cross):
+def test_passes_cross_if_they_continue_beyond(beyond, cross):
     """The sides of nested rectangles, each longer at both ends by a share of it; all those along X come first."""
     sides = [(1.5 * k, 80 - 3 * k, 70 - 3 * k) for k in range(20)]
     along = [[(k - beyond * w, y), (k + w + beyond * w, y)] for k, w, h in sides for y in (k, k + h)]
@@ -353,7 +353,7 @@ def test_passes_cross_where_they_go_on_behind_it_for_more_than_a_twentieth(beyon
     assert filling(found, TOOL, length=sum(f.length for f in found), contour=False) == (found if cross else [])
 
 
-def test_rows_in_places_however_far_apart_have_one_stepover_and_take_no_memory():
+def test_distant_rows_share_stepover_without_memory():
     places = [*np.arange(20) * 3.0, *(1e6 + np.arange(20) * 3.0)]
     commands = []
     for y in places:

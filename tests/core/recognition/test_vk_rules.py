@@ -164,7 +164,7 @@ def test_only_what_climbs_to_the_end_of_a_stroke_rises_to_it():
         assert share_rising(moves) * moves.length.sum() == pytest.approx(share, abs=0.1)
 
 
-def test_a_mixture_tells_the_shares_and_the_verdicts_of_its_parts():
+def test_mixed_has_shares_and_verdicts_of_parts():
     found = proposed(CASES["rows beside contours"][0])
     assert found.seen.arguments["rows"] + found.seen.arguments["loops"] == pytest.approx(1.0)
     assert found.seen.arguments["loops"] == pytest.approx(4 * 284 / (4 * 284 + 527), rel=0.05)
@@ -256,7 +256,7 @@ def test_a_rule_ends_where_it_says(at, draw, under, over):
 
 
 @pytest.mark.parametrize("sloped, strategy", [(3, "waterline"), (5, "engraving")])
-def test_open_contours_of_which_a_fifth_descends_are_no_waterline(sloped, strategy):
+def test_descending_open_contours_are_not_a_waterline(sloped, strategy):
     """Twenty at five depths."""
     strokes = [
         [
@@ -269,6 +269,6 @@ def test_open_contours_of_which_a_fifth_descends_are_no_waterline(sloped, strate
 
 
 @pytest.mark.parametrize("wider, strategy", [(0.25, "engraving"), (0.1, "profile")])
-def test_contours_whose_sizes_differ_by_less_than_two_tenths_are_of_one_shape(wider, strategy):
+def test_contours_of_similar_size_have_one_shape(wider, strategy):
     """Nine letters, or holes in a row."""
     assert proposed([polygon(6 + wider * k, x=12.0 * k) for k in range(9)]).strategy == strategy

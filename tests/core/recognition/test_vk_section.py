@@ -95,7 +95,7 @@ def test_two_rows_that_their_links_close_are_rows_and_no_ring():
     assert found.ring_pieces.sum() == 1
 
 
-def test_rings_of_two_shapes_between_the_same_walls_may_be_rows_but_are_rings_where_none_are_found():
+def test_rings_of_two_shapes_are_rows_only_if_rows_are_found():
     square = polygon(40)
     diamond = polygon(20 * math.sqrt(2), turned=0.0)
     found = section(square, diamond)
@@ -104,7 +104,7 @@ def test_rings_of_two_shapes_between_the_same_walls_may_be_rows_but_are_rings_wh
 
 
 @pytest.mark.parametrize("degrees, lattice", [(60, False), (75, True)])
-def test_a_turn_of_a_winding_that_turns_back_by_three_quarters_of_a_turn_may_be_rows(degrees, lattice):
+def test_winding_turn_with_reversals_may_be_rows(degrees, lattice):
     """Two bends aside and back again: four times 60 degrees are two thirds of a turn, and of 75 five sixths."""
     found = section(square_spiral(3, jogs(2, degrees), grows=12.0))
     assert found.rings.winding[0] and found.lattice[0] == lattice
@@ -159,7 +159,7 @@ def test_a_small_loop_between_rows_is_a_part_of_the_zigzag():
 
 
 @pytest.mark.parametrize("inside", [-2.0, 2.0])
-def test_a_loop_around_the_rows_is_a_contour_though_it_may_lie_a_little_inside(inside):
+def test_loop_slightly_inside_rows_is_a_contour(inside):
     """By 2 mm on each side of rows of 40 by 18 mm, which 15 % are 6 and 2.7 mm of."""
     stroke = rows(7, length=40.0) + box(inside, 18.0 - inside, 40.0 - 2 * inside, 18.0 - 2 * inside)
     assert kinds(stroke) == ([ZIGZAG, LOOP], [ZIGZAG, LOOP])
@@ -177,7 +177,7 @@ def test_a_loop_around_the_rows_is_a_contour_though_it_may_lie_a_little_inside(i
     ],
     ids=["right", "left", "above", "below", "narrow", "half"],
 )
-def test_a_loop_as_long_as_the_rows_that_lies_beside_them_is_no_contour(loop):
+def test_loop_beside_rows_is_not_a_contour(loop):
     """Each reaches as far as the rows on some sides, and lies farther inside than it may on one."""
     cut, absorbed = kinds(rows(7, length=40.0) + loop)
     assert cut == [ZIGZAG, LOOP] and absorbed == [ZIGZAG, ZIGZAG]
@@ -216,7 +216,7 @@ def test_no_corners_without_a_winding():
 @pytest.mark.parametrize(
     "degrees, length, aside", [(20, None, False), (35, None, True), (35, 0.05, False), (35, 0.2, True)]
 )
-def test_a_winding_steps_aside_where_it_turns_back_by_27_degrees_and_rounding_has_not_made_it(degrees, length, aside):
+def test_winding_steps_aside_at_turns_of_27_degrees(degrees, length, aside):
     """Once a turn; 35 degrees are 0.61 rad, times 0.05 mm less than 0.05 rad mm."""
     found = section(square_spiral(5, jogs(1, degrees, length)))
     assert found.rings.winding.all() and len(found.aside) == 5
@@ -236,7 +236,7 @@ def test_a_bend_in_small_steps_is_one_bend():
 
 
 @pytest.mark.parametrize("count, degrees, hunting", [(8, 6, True), (7, 6, False), (8, 9, True), (8, 12, False)])
-def test_eight_corrections_a_turn_by_up_to_ten_degrees_are_hunting(count, degrees, hunting):
+def test_eight_small_corrections_per_turn_are_hunting(count, degrees, hunting):
     found = section(square_spiral(5, jogs(count, degrees)))
     assert found.rings.winding.all()
     assert found.hunting[:4].tolist() == [hunting] * 4
@@ -322,7 +322,7 @@ def deeper(stroke, by=1.0):
     ids=["after", "before", "between, inside the first", "between, inside the second", "as deep", "deeper", "not last", "the eighth", "the ninth", "the largest of nine",
          "five at other depths", "along it and to it", "right", "left", "above", "below", "some", "no ring", "no rows"],
 )  # fmt: skip
-def test_rows_are_surrounded_by_one_of_the_largest_rings_at_their_depth(strokes, share):
+def test_rows_are_surrounded_by_a_largest_ring(strokes, share):
     assert section(*strokes).bordered()[0] == pytest.approx(share)
 
 
@@ -370,19 +370,19 @@ RING = polygon(60, ratio=0.2)
     ids=["after", "before", "between, inside the first", "between, inside the second", "as deep", "deeper", "not last", "not next", "one way",
          "over the edge", "no stroke"],
 )  # fmt: skip
-def test_a_stroke_to_and_fro_clears_the_ring_cut_before_or_after_it_at_its_depth(strokes, clears):
+def test_stroke_back_and_forth_clears_adjacent_ring(strokes, clears):
     found = section(*strokes)
     length = sum(math.dist(a, b) for a, b in zip(there_and_back, there_and_back[1:]))
     assert found.filled() == pytest.approx(length / found.length if clears else 0.0)
 
 
 @pytest.mark.parametrize("tool, clears", [(6.0, True), (3.0, False), (0.0, True)])
-def test_a_stroke_clears_no_ring_that_lies_farther_away_than_the_tool_reaches(tool, clears):
+def test_stroke_clears_only_rings_within_tool_reach(tool, clears):
     """By 4 mm at the ends, where a tool of 3 mm reaches 3.6 mm."""
     assert bool(section(RING, there_and_back, tool=tool).filled()) is clears
 
 
-def test_a_stroke_that_encloses_as_much_as_the_ring_is_its_repetition():
+def test_stroke_enclosing_a_ring_repeats_it():
     """Another contour that does not quite close."""
     again = [*polygon(58, ratio=0.19)[:-1], (99.0, -36.0, 0.0)]
     assert section(RING, again).filled() == 0.0

@@ -26,7 +26,7 @@ def square(out=None, side=40.0, z=0.0, closed=True, turned=0.0):
     return points + [(0.0, 0.0, z)] * closed
 
 
-def test_a_spur_is_taken_out_and_the_turn_at_its_corner_is_what_it_was():
+def test_removing_a_spur_keeps_the_corner_turn():
     plain, spurred = areas(square()), areas(square(2.0))
     kept = without_spurs(spurred)
     assert len(spurred) == len(plain) + 2 and len(kept) == len(plain)
@@ -55,7 +55,7 @@ def test_what_is_no_relief_stays(stroke):
 
 
 @pytest.mark.parametrize("near", [(1.0, 20.0), (20.0, 1.0)], ids=["before", "behind"])
-def test_a_way_out_that_is_longer_than_a_move_beside_it_is_no_relief(near):
+def test_long_detour_is_not_a_corner_relief(near):
     """2.8 mm, from a corner with a point 1 mm before or behind it on its sides."""
     before, behind = near
     points = [(0, 0, 0), (20 - before, 0, 0), (20, 0, 0), (22, -2, 0), (20, 0, 0), (20, behind, 0), (20, 40, 0)]

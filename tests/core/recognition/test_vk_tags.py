@@ -100,7 +100,7 @@ def test_a_contour_over_tags_at_each_depth_comes_again():
 
 @pytest.mark.parametrize("to_and_fro", [False, True])
 @pytest.mark.parametrize("tool", [None, 6.0])
-def test_strokes_that_are_cut_to_full_depth_one_after_the_other_are_the_contour_at_each_depth(to_and_fro, tool):
+def test_tagged_strokes_form_contour_at_each_depth(to_and_fro, tool):
     """So board programs cut out: each stroke between two bridges at all depths, then the next one."""
     depths = (-1.0, -2.0, -3.0)
     turns = [parts_of_sides(z, tags=1) for z in depths]
@@ -116,7 +116,7 @@ def test_strokes_that_are_cut_to_full_depth_one_after_the_other_are_the_contour_
     assert "over 3 loops at 3 depths, cut in strokes, as between tags" in found.reason
 
 
-def test_strokes_with_unlike_passes_and_rows_cut_to_full_depth_are_no_contour():
+def test_unlike_strokes_and_deep_rows_are_not_a_contour():
     sides = parts_of_sides(tags=1)
     deeper = [[(x, y, z - 1.0) for x, y, z in part] for part in sides]
     assert unchanged([part for k, two in enumerate(zip(sides, deeper)) for part in two[: 1 + k % 2]])
@@ -163,7 +163,7 @@ def test_a_gap_of_rounding_does_not_take_a_short_move_away():
     assert len(around.start) == 1 and around.length.min() == pytest.approx(0.015)
 
 
-def test_what_does_not_go_on_ahead_or_leaves_more_than_half_is_none():
+def test_strokes_not_going_ahead_are_not_a_contour():
     assert not unchanged(parts_of_sides())
     assert unchanged(parts_of_sides()[::-1])
     assert unchanged(parts_of_sides()[:-1])
@@ -179,7 +179,7 @@ def test_closed_contours_are_joined_with_nothing():
     assert unchanged([one, [(-x, -y, z) for x, y, z in one]]) and unchanged([one])
 
 
-def test_the_share_that_is_cut_in_strokes_decides_what_the_reason_says():
+def test_reason_depends_on_share_of_strokes():
     hole = [(300.0, 0.0, -3.0), (330.0, 0.0, -3.0), (330.0, 30.0, -3.0), (300.0, 30.0, -3.0), (300.0, 0.0, -3.0)]
     parts = parts_of_sides()
     length = 400.0 - 8 * TAG
@@ -213,7 +213,7 @@ def test_where_a_stroke_goes_on_from_another(one, two, onward):
     assert _goes_on(moves, np.array([0]), np.array([1])).tolist() == [onward]
 
 
-def test_contours_beside_one_that_is_cut_in_strokes_stay_as_they_are():
+def test_contours_beside_strokes_are_unchanged():
     hole = [(300.0, 0.0, -3.0), (330.0, 0.0, -3.0), (330.0, 30.0, -3.0), (300.0, 30.0, -3.0), (300.0, 0.0, -3.0)]
     row = [(0.0, 200.0, -3.0), (50.0, 200.0, -3.0)]
     for strokes, starts in (

@@ -80,7 +80,7 @@ def simulated(direction):
     return simulate_job([Cut(toolpath, Tool("ballend", 16))], stock=STOCK, view=View(direction, 160, 120))
 
 
-def test_the_old_picture_seen_from_elsewhere_is_nearly_the_new_one():
+def test_reprojected_picture_resembles_new_one():
     zbuffer, frame = simulated((-1, 1, -1)), View(turned((-1, 1, -1), 0.15, 0.1), 160, 120).frame(STOCK)
 
     def picture(zbuffer):
@@ -108,7 +108,7 @@ def drawn_by_hand(columns, rows, depths, colors, size):
 
 
 @pytest.mark.parametrize("offset", [(0, 0), (3, 0), (-3, 0), (0, 2), (0, -2)])
-def test_points_are_drawn_where_they_lie_and_the_nearest_over_the_others(offset):
+def test_nearest_points_are_drawn_on_top(offset):
     rng = np.random.default_rng(3)
     frame = View((0, 0, -1), 8, 6, pixel=0.5).frame(STOCK)
     depth = rng.permutation(48).reshape(6, 8).astype(np.float32)
@@ -121,7 +121,7 @@ def test_points_are_drawn_where_they_lie_and_the_nearest_over_the_others(offset)
     assert (Points(depth, image, frame).draw(shifted, (0, 0, 0)) == expected).all()
 
 
-def test_of_a_large_picture_some_points_are_drawn_and_as_large_as_their_distance():
+def test_large_picture_draws_some_points_at_their_spacing():
     frame = View((0, 0, -1), 90, 60, pixel=1.0).frame(STOCK)
     colors = np.zeros((60, 90, 3), np.uint8)
     colors[...] = np.array([np.arange(90), np.zeros(90), np.zeros(90)]).T[None] + 1
@@ -147,7 +147,7 @@ def polygon_area(corners):
     return abs((x * y1 - x1 * y).sum()) / 2
 
 
-def test_outlines_have_the_area_of_their_tools_and_no_corner_too_many():
+def test_outlines_have_area_of_tools_and_few_corners():
     """A shank of three diameters above a flat end, a cone, and a half circle in twelve chords."""
     shank, (front, above) = 6 * 18, (View(direction, 800, 600).frame(STOCK) for direction in ((0, 1, 0), (0, 0, -1)))
     for tool, tip, corners in (
@@ -197,7 +197,7 @@ def test_a_png_holds_the_image():
     assert (rows[:, 0] == 0).all() and (rows[:, 1:].reshape(5, 7, 3) == image).all()
 
 
-def test_colours_of_operations_are_equally_light_and_a_golden_section_of_the_hues_apart():
+def test_operation_colours_have_equal_lightness_and_spread_hues():
     hue, lightness, saturation = np.array([colorsys.rgb_to_hls(*color / 255) for color in distinct_colors(40)]).T
     assert lightness == pytest.approx(0.6, abs=0.005) and saturation == pytest.approx(0.55, abs=0.01)
     assert np.diff(hue) % 1 == pytest.approx((sqrt(5) - 1) / 2, abs=0.01) and hue[0] == pytest.approx(0.58, abs=0.01)

@@ -74,7 +74,7 @@ def test_what_is_to_be_noticed_is_lit_on_either_kind_of_colours():
         assert lit[shown.owner == 1].mean() > 0.9 and not lit[shown.owner != 1].any()
 
 
-def test_differences_have_colours_from_the_tolerance_to_ten_times_as_much():
+def test_differences_are_coloured_up_to_ten_tolerances():
     left, gouged = np.array([0, 0.1, 0.11, 5.0, 0, 0, 0, 9.0]), np.array([0, 0, 0, 0, 0.11, 5.0, 0, 0])
     model = np.array([True] * 6 + [False] * 2)  # the last is left in a hole
     colors = difference_colors(left, gouged, model, 0.1)

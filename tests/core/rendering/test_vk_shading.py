@@ -22,7 +22,7 @@ def brightness(depth):
     return float(image[5:-5, 5:-5].mean())
 
 
-def test_a_plane_has_one_colour_whose_light_comes_from_above_on_the_left():
+def test_plane_is_lit_from_above_left():
     assert np.ptp(shade(plane(0.3, -0.2), 0.5, GREY).reshape(-1, 3), axis=0).max() <= 1
     assert brightness(plane(up=-1)) > brightness(plane()) > brightness(plane(up=1))
     assert brightness(plane(right=0.5)) > brightness(plane()) > brightness(plane(right=-0.5)) - 60
@@ -37,7 +37,7 @@ def test_the_light_of_a_slope_is_that_of_its_angle_to_the_light(right, up):
     assert brightness(plane(right, up)) == pytest.approx(min(200 * (0.38 + 0.62 * share), 255), abs=1)
 
 
-def test_where_nothing_is_seen_is_background_and_the_outline_stays():
+def test_empty_pixels_are_background_with_outline():
     depth = plane()
     depth[:10] = np.nan  # the lowest rows
     image = shade(depth, 0.5, GREY)
@@ -66,7 +66,7 @@ def test_a_finished_surface_has_no_lines():
 @pytest.mark.parametrize(
     ("change", "dark"), [(1.1, 0.0), (1.8, 0.45 / 2), (2.4, 0.45), (4.0, 0.45)], ids=["none", "half", "full", "no more"]
 )
-def test_an_edge_is_the_darker_the_sharper_up_to_twice_the_sharpness_of_the_first_line(change, dark, turned):
+def test_sharper_edges_are_darker_up_to_a_limit(change, dark, turned):
     depth = plane(size=(60, 60))
     depth[:, 30:] -= 0.5 * change * np.arange(30, dtype=np.float32)
     image = shade(depth.T if turned else depth, 0.5, GREY)[::-1]
@@ -75,7 +75,7 @@ def test_an_edge_is_the_darker_the_sharper_up_to_twice_the_sharpness_of_the_firs
     assert (level == 200).all() and edge == pytest.approx(200 * (1 - dark), abs=1)
 
 
-def test_what_looks_away_from_the_light_has_the_light_of_all_around():
+def test_faces_away_from_light_have_ambient_light():
     assert brightness(plane(right=-3, up=3)) == pytest.approx(0.38 * 200, abs=1)
 
 

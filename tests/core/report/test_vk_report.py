@@ -67,7 +67,7 @@ def test_a_total_time_is_complete_if_that_of_each_operation_is(second, complete)
     assert " >= " not in lines(told)[1]
 
 
-def test_a_job_that_is_posted_for_several_fixtures_takes_so_many_times_longer():
+def test_job_time_is_multiplied_by_its_fixtures():
     once, thrice = report(operation("One")), report(operation("One"), fixtures={JOB: 3})
     assert (once.totals[0].machining_seconds, thrice.totals[0].machining_seconds) == (12.0, 36.0)
     assert once.totals[0].length == thrice.totals[0].length
@@ -83,7 +83,7 @@ def test_a_total_lacks_the_cost_of_what_cuts(other, incomplete):
     assert report(row).totals[0].incomplete is incomplete
 
 
-def test_what_a_simulation_told_of_a_job_is_told_where_all_that_cuts_was_simulated():
+def test_job_facts_need_all_cutting_operations():
     told = report(operation("One"), operation("Two"), replace(operation("Stop"), trajectories=0))
     both = SimulationFacts(
         (("One", FIRST), ("Two", SECOND)), JOINT, (("Doc", "One"), ("Doc", "Two")), ("", ""), trajectories={}
@@ -128,7 +128,7 @@ def test_a_name_of_a_program_is_two_hundred_letters_long_at_most():
     assert [len(line.split()[0]) for line in lines(told)[1:3]] == [200, 200]
 
 
-def test_the_length_of_a_job_is_not_known_where_that_of_one_operation_is_not():
+def test_job_length_is_unknown_if_an_operation_is():
     """Of two that cut nothing as far as one knows."""
     no_cut = replace(KNOWN, cutting_length=0.0, cutting_seconds=0.0)
     unknown = replace(PARTLY, cutting_length=0.0, cutting_seconds=None)
@@ -137,7 +137,7 @@ def test_the_length_of_a_job_is_not_known_where_that_of_one_operation_is_not():
         assert told[-1].split("10")[-1].split()[0] == shown
 
 
-def test_the_table_tells_what_an_operation_is_not_before_what_else_is_wrong():
+def test_table_lists_contradiction_before_other_remarks():
     rows = replace(operation("One").recognition, strategy=Strategy.ZIGZAG)
     _, one, two, _ = lines(report(operation("One", called="Offset", recognition=rows), operation("Two")))
     assert "  called Offset, but its toolpath is zigzag; no tool: give" in one

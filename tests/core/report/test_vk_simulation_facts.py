@@ -59,7 +59,7 @@ def test_the_table_has_a_line_for_each_operation_and_one_for_all():
     assert job.split() == ["job", *faulty.split()[1:]]
 
 
-def test_what_is_to_be_known_of_the_simulation_stands_below_the_table(tmp_path):
+def test_simulation_remarks_stand_below_table(tmp_path):
     told = replace(FOUND, remarks=(Message("of", label="Top\nface", sentence=Message("no-stock", label="Job")),))
     *table, remark = str(told).splitlines()
     assert table == str(FOUND).splitlines() and remark.startswith("Top face: ")
@@ -72,7 +72,7 @@ def test_a_console_shows_facts_in_a_line():
     assert repr(replace(FOUND, operations=FOUND.operations[:1])) == "<SimulationFacts of 1 operation>"
 
 
-def test_the_columns_of_the_table_are_as_wide_as_their_widest_cell():
+def test_table_columns_fit_widest_cell():
     found = replace(FOUND, operations=(("A long label " * 3, CLEAN), ("x" * 70, CLEAN)))
     header, long, longest, job = str(found).splitlines()
     assert longest.startswith("x" * 59 + "…  ") and long.startswith("A long label")

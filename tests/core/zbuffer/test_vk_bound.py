@@ -70,7 +70,7 @@ def records_of(moves, *, tool=FLAT, view=PIXEL, stock=STOCK):
 ROUND = np.pi * 6 * 7 + 1  # the foot of 6 pixels' radius: area, half of the perimeter, and 1
 
 
-def test_from_above_a_move_passes_no_more_pixels_than_its_outline_holds():
+def test_move_passes_only_pixels_of_its_outline():
     assert records_of([(5, 5, 5), (5, 5, 12)]) == pytest.approx(ROUND)
     assert records_of([(5, 5, 5), (8, 9, 5)]) == pytest.approx(ROUND + 13 * 10)  # 5 mm, 13 pixels wide
     assert records_of([(5, 5, 10), (8, 9, 10)]) == 0 == records_of([(5, 5, 5)])  # on the stock, and no move

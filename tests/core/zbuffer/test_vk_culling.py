@@ -55,7 +55,7 @@ def test_tiles_are_taken_apart_with_their_lists():
         (5, [[FIRST, EMPTY, LAST]]),
     ],
 )
-def test_blocks_are_of_whole_tiles_and_no_more_pairs_than_one_has_alone(pairs, blocks):
+def test_blocks_have_whole_tiles_within_pair_limit(pairs, blocks):
     assert [told(block) for block in SOME.blocks(pairs)] == blocks
 
 
@@ -66,7 +66,7 @@ def test_the_pixels_of_tiles():
 
 
 @pytest.mark.parametrize("side, fine", [(8, [False, False, False]), (2, [True, True, True]), (4, [False, False, True])])
-def test_tiles_of_four_pixels_are_fine_enough_where_most_moves_are_sloped(side, fine):
+def test_tiles_of_four_pixels_are_small_for_sloped_moves(side, fine):
     """Of the first one's two moves one is sloped, which is half of them; of the last one's three two are."""
     sloped = np.isin(np.arange(6), [3, 4])
     tiles = Tiles(side, SOME.column, SOME.row, SOME.first, SOME.item)
@@ -98,7 +98,7 @@ NO = -np.inf
         ([(1, 0), (1e-9, NO), (1e-7, NO)], [0, 2]),  # rounding reaches no deeper
     ],
 )
-def test_a_pair_stays_where_it_reaches_deeper_than_those_before_it_opened(pairs, stay):
+def test_pair_stays_if_deeper_than_earlier_pairs(pairs, stay):
     assert reached(pairs) == stay
 
 
@@ -138,7 +138,7 @@ def test_a_tile_ends_with_its_last_pixel(along_x):
 
 
 @pytest.mark.parametrize("along_x", [True, False])
-def test_a_tile_begins_with_its_first_pixel_and_ends_with_its_last(along_x):
+def test_tile_spans_first_to_last_pixel(along_x):
     """A slot from 6.3 mm to 12.81 mm passes pixel 63 at 6.35 mm, and comes near pixel 128 at 12.85 mm."""
     tool, y = Tool("endmill", 6.51), 9.555
     ends = [(-10, y, 6), (50, y, 6)] if along_x else [(y, -10, 6), (y, 50, 6)]
@@ -148,7 +148,7 @@ def test_a_tile_begins_with_its_first_pixel_and_ends_with_its_last(along_x):
     assert [items for *_, items in told(tiles)] == [[0], [0], []]
 
 
-def test_tiles_where_moves_are_sloped_and_where_they_are_level_are_both_gone_down_to():
+def test_sloped_and_level_tiles_are_both_reached():
     """A level slot 3 mm from the left and a sloped one 3 mm from the right: the tiles of one are fine before the other's."""
     level, sloped = [(3, -10, 6), (3, 40, 6)], [(37, -10, 3), (37, 40, 9)]
     points = np.array([*level, (37, 40, 20), (37, -10, 20), *sloped], float)

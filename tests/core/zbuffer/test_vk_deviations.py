@@ -123,13 +123,13 @@ def test_places_at_the_edges_of_the_image():
     assert len(left(tolerance=2.0, **corners)) == 2  # what is no more than the tolerance is none
 
 
-def test_tiles_at_the_edges_of_the_image_hang_together_with_those_beside_them():
+def test_edge_tiles_connect_with_neighbours():
     for other in ((3, 0, 3, 3), (0, 3, 3, 3), (3, 3, 3, 3)):
         for depth in (0.9, 1.1):
             assert len(left(one=(0, 0, 3, 3, 1.0), other=(*other, depth))) == 1
 
 
-def test_a_high_wall_that_is_hardly_beside_its_place_takes_no_deeper_ones_place():
+def test_slightly_shifted_wall_does_not_hide_deeper_gouge():
     """Along the view it comes first, with 9 mm; of three places that are told it is none, for four are deeper in space."""
     depth = UNCUT.picture.depth.reshape(HEIGHT, WIDTH)
     part, model = (depth + np.float32(9) * (np.arange(WIDTH) >= edge) for edge in (101, 100))
@@ -192,7 +192,7 @@ def test_the_stocks_own_surface_was_made_by_no_cut():
 
 
 @pytest.mark.parametrize("x, y", [(20, 15), (40, 30), (0, 0)], ids=["inside", "last pixel", "first pixel"])
-def test_where_nothing_is_left_the_first_that_removed_something_of_the_model_is_guilty(x, y):
+def test_gouge_through_part_is_attributed_to_first_remover(x, y):
     """A pocket of 6 mm, then through all of it, and once more without anything to remove."""
     z = simulated(path((x, y, 12), (x, y, 4)), path((x, y, 12), (x, y, -1), (x, y, 12), (x, y, -2)))
     (gouge,) = gouges(z, deviations(z, BOX), 0.1)
@@ -296,7 +296,7 @@ def test_who_is_guilty_of_what_lies_behind_a_gap_of_the_stock():
 
 @pytest.mark.long
 @pytest.mark.parametrize("direction, seen", list(zip(VIEWS, (1, 1, 1, 0.7, 1))))
-def test_a_wall_that_is_cut_too_far_is_gouged_by_that_and_not_by_its_height(direction, seen):
+def test_wall_gouge_is_its_distance_not_its_height(direction, seen):
     """A step of 8 mm, whose wall is cut 1 mm too far. From behind only the missing edge is seen, across its width."""
     step = Milled(Stock((0, 0, 0), (40, 30, 10)), Stock((-1, -1, 2), (20, 31, 20)))
     z = simulate_job([Cut(path((18, -5, 2), (18, 35, 2)), FLAT)], stock=BOX, view=View(direction, 400, 300))
@@ -367,7 +367,7 @@ def test_what_is_left_in_holes_through_the_model():
     assert left(model=Milled(BOX, Stock((10, 8, -1), (30, 40, 20)))) == []
 
 
-def test_along_the_wall_of_a_hole_what_is_left_begins_two_pixels_from_where_nothing_is():
+def test_material_left_begins_two_pixels_from_a_hole():
     """A window of 20 by 14 mm, from pixel 50 to 149 and 40 to 109, whose left half is cut out, up to pixel 99."""
     half = Milled(BOX, Stock((10, 8, -1), (20, 22, 20)))
     z = simulate_job([], stock=half, view=VIEW, processes=1)
@@ -389,7 +389,7 @@ def test_piece_that_falls_out_of_a_sheet_is_not_left(diameter, pixels):
     assert material_left(z, deviations(z, Milled(sheet, Stock((*low, -1), (*high, 20)))), 0.1) == []
 
 
-def test_obliquely_what_falls_out_is_not_compared_with_the_end_of_the_hole():
+def test_oblique_view_does_not_compare_fallen_piece():
     """Beyond a slot as wide as the sheet is high one sees what falls out before the end of the wall behind it."""
     sheet = Stock((0, 0, 0), (120, 80, 6))
     corners = (23, 23), (97, 23), (97, 57), (23, 57), (23, 23)

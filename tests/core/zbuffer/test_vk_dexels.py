@@ -25,7 +25,7 @@ def test_what_is_first_at_a_depth_has_it_whatever_the_thickness(cuts, thickness)
             assert found.owner[piece] == min(trajectory[passing], default=UNCUT)
 
 
-def test_the_next_piece_has_what_is_too_thin_where_the_ray_begins():
+def test_thin_first_piece_joins_the_next():
     thin = 0.5 * THINNEST
     pieces = Pieces(np.array([0, 0]), np.array([1, 2]), np.array([3.0, 3.0 + thin]), np.array([3.0 + thin, 4.0]))
     found = without_thin(pieces, np.array([3.0]), np.array([4.0]))

@@ -121,7 +121,7 @@ def rows(heights, z):
     return path(points, [10] * (len(points) - 1))
 
 
-def test_the_worst_of_several_places_is_told_and_what_no_cut_made_only_of_the_job():
+def test_worst_place_is_reported_per_cut_and_stock_per_job():
     """Down to the model, but for 9 mm; in these a row 0.5 mm too high; two holes 1 and 3 mm too deep."""
     ways = [
         rows([0, 5, 20, 25, 30], 8),

@@ -60,7 +60,7 @@ def slots():
     return Removal(Cuts([Cut(path, Tool("endmill", 6))]), BOX, View((0, 0, -1), 80, 60).frame(BOX))
 
 
-def test_a_ray_is_examined_with_what_passes_it_and_one_beside_the_stock_with_nothing(slots):
+def test_ray_is_tested_with_passing_trajectories_only(slots):
     x, y = np.array([0.0, 0.0, 0.0, 30.0]), np.array([-10.0, 0.0, 10.0, 0.0])
     pieces, passes = slots.cut(x, y)
     # By the move at each height; the plunges at the ends are beside it.

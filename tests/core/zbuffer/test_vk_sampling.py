@@ -29,7 +29,7 @@ def drawn(*arguments, seed=1, **options):
     return found, sample(found, np.random.default_rng(seed))
 
 
-def test_a_total_is_a_sum_over_areas_and_its_error_that_of_neighbours():
+def test_total_sums_areas_with_error_from_neighbours():
     """Shares 2, 4 and 8: differences of 2 and 4, of which half the squares' sum counts, 3 for 2 of them."""
     rays = Sample(np.zeros(3), np.zeros(3), np.full(3, 2.0))
     assert rays.total(np.array([1, 2, 4])) == (14, pytest.approx(np.sqrt((4 + 16) / 2 * 3 / 2)))
@@ -51,7 +51,7 @@ def test_a_total_is_a_sum_over_areas_and_its_error_that_of_neighbours():
         ([(20, 10, 5), (20, 20, 5)], 6.5, 16.5),
     ],
 )
-def test_they_stand_for_the_box_that_is_passed_half_a_pixel_wider(points, width, height):
+def test_samples_represent_passed_box_plus_half_pixel(points, width, height):
     found, rays = drawn(points)
     total, _ = rays.total(np.ones(len(rays.x)))
     # Boxes of long moves are cut up, and overlap.
@@ -62,7 +62,7 @@ def test_they_stand_for_the_box_that_is_passed_half_a_pixel_wider(points, width,
     assert (rays.y >= low[1] - 0.5).all() and (rays.y <= high[1] + 0.5).all()
 
 
-def test_of_a_view_of_a_part_of_the_stock_they_stand_for_the_image():
+def test_partial_view_samples_represent_the_image():
     _, rays = drawn([(20, 15, 5), (20, 15, 8)], view=View(TOP, 8, 6, pixel=0.5))
     assert rays.total(np.ones(len(rays.x)))[0] == pytest.approx(4 * 3)
 
@@ -108,7 +108,7 @@ def test_of_a_panned_view_what_it_shows_is_counted(direction, offset):
     assert told.dexels == pytest.approx(true.dexels, rel=0.02) and true.traces > 1000
 
 
-def test_rays_go_through_the_middles_of_pixels_of_all_that_is_passed():
+def test_rays_go_through_pixel_centres():
     _, rays = drawn([(10, 15, 5), (30, 15, 5)])
     column, row = rays.x / 0.5 + 40 - 0.5, rays.y / 0.5 + 30 - 0.5
     assert np.allclose(column, np.rint(column)) and np.allclose(row, np.rint(row))
@@ -162,7 +162,7 @@ def test_what_is_passed_and_not_cut_is_counted_as_passed_only():
     assert counts.passes == pytest.approx(5 * counts.traces)
 
 
-def test_a_wall_that_stays_before_and_behind_a_slot_is_two_dexels():
+def test_walls_around_a_slot_are_two_dexels():
     """Seen from the front a slot along x through all but its ends: 34 mm by 5 mm have a dexel before and one behind."""
     counts = count(removal([(6, 15, 5), (34, 15, 5)], view=View((0, 1, 0), 200, 150)))
     per_area = 1 / 0.2**2

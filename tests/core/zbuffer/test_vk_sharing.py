@@ -125,7 +125,7 @@ def test_as_many_help_as_there_are_other_cores(workers, monkeypatch):
 
 
 @pytest.mark.long
-def test_what_a_process_has_no_memory_to_take_is_done_by_this_one(monkeypatch):
+def test_work_beyond_memory_stays_in_this_process(monkeypatch):
     """Once where the records come in, as a worker tells of it, and once where its thread knows of nothing."""
 
     def no_memory(*_):
@@ -239,7 +239,7 @@ def test_the_rest_is_divided_for_the_processes():
     assert fewest.left == 11 and fewest.take().right == 64  # no region is less than a tile
 
 
-def test_it_is_waited_for_a_band_until_that_is_found_or_there_is_something_to_do(monkeypatch):
+def test_wait_ends_with_band_or_pending_region(monkeypatch):
     over = []
     monkeypatch.setattr(threading.Condition, "wait_for", lambda _, done, seconds: over.append(bool(done())))
     first, second = bands = CutImage(Cuts([Cut(case()[0], TOOLS[0])]), BOX, View((0, 0, -1), 64, 128).frame(BOX)).bands
@@ -345,7 +345,7 @@ print(budget + 1e6 * more, taken)
     [(6_000, (0, 0, -1), 320, 240), (3_000, (1, 1, -1), 400, 300), (40_000, (0, 0, -1), 120, 190)],
     ids=["records", "oblique", "trajectories"],
 )
-def test_the_processes_take_no_more_than_the_budget_that_allows_them(which):
+def test_processes_stay_within_memory_budget(which):
     script = MEASURE.format(root=str(ROOT), case=which)
     run = subprocess.run([sys.executable, "-c", script], capture_output=True, text=True, check=True)
     budget, taken = (float(v) for v in run.stdout.split())

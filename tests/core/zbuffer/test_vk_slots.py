@@ -77,7 +77,7 @@ def test_a_flat_end_on_a_level_move(move, tilt):
 
 
 @pytest.mark.parametrize("tilt", FROM_THE_SIDE)
-def test_a_ray_on_the_floor_of_a_slot_passes_it_whatever_rounding_says(tilt):
+def test_ray_on_floor_of_slot_passes_it(tilt):
     z = np.array([0.0, 1e-12, -1e-12])
     move = np.repeat([[10.0], [4.0], [0.0]], 3, axis=1)
     near, far = level_slot(RADIUS, (np.full(3, 5.0), np.zeros(3), z), move, np.sin(tilt), np.cos(tilt))
@@ -98,7 +98,7 @@ def test_a_ball_end(move, tilt):
 
 @pytest.mark.parametrize("slot, fall", [(ball_slot, 0.0), (ball_slot, -30.0), (sloped_slot, -30.0)])
 @pytest.mark.parametrize("tilt", TILTS)
-def test_a_move_that_rounding_left_a_little_across_the_ray_is_cut_as_one_along_it(slot, fall, tilt):
+def test_move_nearly_along_the_ray_is_cut_as_along_it(slot, fall, tilt):
     """Isometrically many moves at 45 degrees are so; a large tool is that of a tile's bounds. Of 4,000 rays some were missed."""
     rng, radius, run = np.random.default_rng(7), 40.0, 187.2
     rays = rng.uniform([[-36], [-30], [0]], [[36], [run + 30], [40]], (3, 4000))
@@ -116,7 +116,7 @@ def test_a_move_that_rounding_left_a_little_across_the_ray_is_cut_as_one_along_i
 
 
 @pytest.mark.parametrize("radius, aside", [(3.0, 3.625), (1.0, 1.25), (2.0, 2.25), (3.0, 3.3)])
-def test_a_ray_that_passes_the_very_side_of_the_rim_on_its_way_passes_as_those_beside_it(radius, aside):
+def test_ray_at_side_of_rim_is_continuous(radius, aside):
     """There is a place of the tool whose chord of the ray has no length: rounding may put it beside the tool."""
     there, back = np.array([1.0, 0.0, 2.0])[:, None], np.array([-1.0, 0.0, -2.0])[:, None]
     share = (aside - radius) + np.array([0.0, 1e-6, -1e-6])  # of the move, where the rim is passed

@@ -120,7 +120,7 @@ def test_nothing_to_look_at():
     assert farthest(flat, flat + 1, np.arange(12), 0.1, 1.0) is None
 
 
-def test_what_is_looked_at_first_lies_on_circles_out_to_the_border_each_twice_as_wide():
+def test_search_begins_on_doubling_circles():
     """What they find only spares work: where they lie does not show in a distance."""
     steps = np.concatenate(_circles(100, 8, 2.0))
     assert np.abs(np.hypot(*steps.T) - np.repeat([1, 2, 4, 8, 16, 32, 64], 8)).max() < 0.75

@@ -26,7 +26,7 @@ def lengths(tool, moves, tilt):
 
 @pytest.mark.parametrize("steepness", [0.5, 1, 2])
 @pytest.mark.parametrize("side", [1, -1])
-def test_a_ray_parallel_to_a_cone_passes_as_much_of_it_as_one_that_is_hardly_steeper_or_less_steep(steepness, side):
+def test_ray_parallel_to_a_cone_is_continuous(steepness, side):
     """A V-bit of 90 degrees seen at 45 degrees, from above and from below."""
     tool = Tool("vbit", 6, tip_angle=2 * atan(1 / steepness))
     moves = np.random.default_rng(1).uniform(-4, 4, (3, 3, RAYS))
@@ -36,7 +36,7 @@ def test_a_ray_parallel_to_a_cone_passes_as_much_of_it_as_one_that_is_hardly_ste
     assert (exact > np.minimum(steeper, flatter) - 1e-3).all() and (exact < np.maximum(steeper, flatter) + 1e-3).all()
 
 
-def test_a_ray_that_passes_the_very_side_of_a_cones_rim_on_its_way_passes_as_those_beside_it():
+def test_ray_at_side_of_cone_rim_is_continuous():
     """There the tool's chord of the ray has no length: rounding may put the tool beside it."""
     tool = Tool("drill", 8, tip_angle=2 * atan(2))
     start, move = (np.repeat([[x], [y], [z]], RAYS, axis=1) for x, y, z in ((2.0, 12.0, 10.0), (-12.0, -16.0, -12.0)))
@@ -56,7 +56,7 @@ def some_moves(seed):
 
 
 @pytest.mark.parametrize("tool", FORMS, ids=str)
-def test_above_a_point_what_a_move_sweeps_begins_where_the_tool_is_lowest_on_it(tool):
+def test_sweep_above_a_point_begins_at_lowest_tool(tool):
     """Held against 2,000 places of the tool on each move."""
     start, move = some_moves(3)
     x, y = np.random.default_rng(4).uniform(-8, 8, (2, RAYS))
@@ -84,7 +84,7 @@ def test_the_rim_of_a_sweep_belongs_to_the_sweep():
 
 @pytest.mark.parametrize("tilt", [0.3, 1.2, pi / 2, 2.0, 2.9])
 @pytest.mark.parametrize("tool", FORMS, ids=str)
-def test_a_ray_is_within_a_sweep_where_it_is_above_its_lower_surface(tool, tilt):
+def test_ray_is_inside_sweep_above_its_lower_surface(tool, tilt):
     """What is told of oblique rays, held against what is told of vertical ones, at 60 depths of each."""
     start, move = some_moves(5)
     at = np.random.default_rng(6).uniform(-4, 4, (3, RAYS))
@@ -101,7 +101,7 @@ BULL_NOSE = Tool("bullnose", 6, corner_radius=1)
 
 
 @pytest.mark.parametrize("tilt", [0.7, pi / 2, 2.5])
-def test_of_short_moves_the_ends_tell_where_most_rays_pass_a_bull_nose(tilt, monkeypatch):
+def test_short_bull_nose_moves_are_decided_by_their_ends(tilt, monkeypatch):
     """Between the ends it takes several times as long to find out."""
     searched = []
 
@@ -124,7 +124,7 @@ def test_of_short_moves_the_ends_tell_where_most_rays_pass_a_bull_nose(tilt, mon
     assert np.abs(whole[:, both] - (near[both], far[both])).max() < 1e-4
 
 
-def test_a_ray_along_the_very_side_of_a_bull_nose_is_as_long_as_those_beside_it():
+def test_ray_along_side_of_bull_nose_is_continuous():
     """It touches the tool wherever that stands, and nowhere for long."""
     start, move = np.zeros((3, 5)), np.repeat([[0.0], [20.0], [5.0]], 5, axis=1)
     height = np.linspace(1.5, 5.5, 5)

@@ -42,7 +42,7 @@ def holds(tool, raised, points):
 
 @pytest.mark.parametrize("angle, level", VIEWS)
 @pytest.mark.parametrize("tool", TOOLS, ids=str)
-def test_a_grown_tool_holds_the_tool_wherever_rays_move_it_and_a_shrunk_one_is_held(tool, angle, level):
+def test_grown_tool_contains_tool_and_shrunk_one_is_inside(tool, angle, level):
     growth = _Growth(tool, level, sin(angle), cos(angle))
     larger, smaller = growth.grown(REACH), growth.shrunk(REACH)
     for shift in SHIFTS:
@@ -67,7 +67,7 @@ def test_a_grown_tool_holds_the_tool_wherever_rays_move_it_and_a_shrunk_one_is_h
     (direction, level) for direction in DIRECTIONS[2:] for level in (True, False)
     if not level or abs(direction[2]) > 0.3 * np.linalg.norm(direction)
 ])  # fmt: skip
-def test_the_stock_on_all_rays_of_a_tile_is_within_the_depths_of_the_tile(direction, level):
+def test_tile_depths_contain_stock_of_all_rays(direction, level):
     """Where rays are compared on a horizontal plane, those further up the image are so much further along it."""
     frame = View(direction, 40, 30).frame(BOX)
     sine, cosine = hypot(*frame.direction[:2]), -frame.direction[2]
@@ -90,7 +90,7 @@ def test_the_stock_on_all_rays_of_a_tile_is_within_the_depths_of_the_tile(direct
 
 @pytest.mark.parametrize("side", [4, 16])
 @pytest.mark.parametrize("direction", [(0, 1, -1), (0, 1, -0.2)])
-def test_quarters_stay_that_are_within_half_their_diagonal_of_what_a_ball_removes(direction, side):
+def test_quarters_near_a_ball_sweep_stay(direction, side):
     """Of 12 mm, moved across the view from x = -10 to 10; seen from below its middle, where its shank is not in the way."""
     stock = Stock((-100, -100, -100), (100, 100, 100))
     frame = View(direction, 200, 180, pixel=0.5).frame(stock)

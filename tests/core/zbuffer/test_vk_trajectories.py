@@ -99,7 +99,7 @@ def test_rounding_makes_no_slope():
 
 @pytest.mark.parametrize("direction", DIRECTIONS)
 @pytest.mark.parametrize("number", range(len(MOVES)))
-def test_boxes_and_strips_hold_what_moves_sweep_and_level_ones_fill_them(number, direction):
+def test_boxes_and_strips_contain_swept_volumes(number, direction):
     some = ready((FLAT, MOVES[number]), direction=direction)
     x, y = swept(MOVES[number], some.frame).T
     ((left, right, bottom, top), (nx, ny, low, high)) = some.box[:, 0], some.strip[:, 0]
@@ -209,7 +209,7 @@ def test_many_trajectories_are_prepared_as_few_at_a_time(direction, monkeypatch)
         np.testing.assert_allclose(one, other, rtol=1e-12, atol=1e-12)
 
 
-def test_preparing_trajectories_takes_hardly_more_memory_than_they_do():
+def test_preparing_trajectories_needs_little_memory():
     """An analysis prepares those of a whole job: of a million moves what was worked on took 300 MB beside the 184."""
     points = np.random.default_rng(8).uniform((0, 0, 2), (40, 30, 9), (200_001, 3))
     cuts = Cuts([Cut(toolpath(points), FLAT)])

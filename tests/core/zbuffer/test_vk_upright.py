@@ -42,7 +42,7 @@ def opened(tool, slope, along, aside, extent, half_run):
 @pytest.mark.long
 @pytest.mark.parametrize("slope", SLOPES)
 @pytest.mark.parametrize("tool", FORMS, ids=str)
-def test_no_point_of_a_square_is_opened_deeper_than_is_said_and_none_less_deep(tool, slope):
+def test_square_bounds_hold_for_all_points(tool, slope):
     """Squares beside moves, across their ends and their rims, within them, and around short ones."""
     rng = np.random.default_rng([FORMS.index(tool), SLOPES.index(slope)])
     inside = 0
@@ -106,9 +106,7 @@ def test_point_beside_the_axis_of_a_move_is_opened_as_deep(tool, slope):
         (-6.5, 1.5, 2**0.5, 8**0.5),  # and beside it as well
     ],
 )
-def test_a_level_move_reaches_the_nearest_point_of_a_square_and_opens_it_as_deep_as_the_farthest(
-    tool, along, aside, near, far
-):
+def test_level_move_bounds_a_square_by_nearest_and_farthest_point(tool, along, aside, near, far):
     """Squares of 1 mm along a move of 10 mm; how far their nearest and farthest points are from it."""
     reaches, opens = bounded(tool, 0.0, along, aside, 0.5, 5.0)
     # A ball's bounds leave 1e-9 mm2 to rounding.
@@ -117,7 +115,7 @@ def test_a_level_move_reaches_the_nearest_point_of_a_square_and_opens_it_as_deep
 
 
 @pytest.mark.parametrize("slope", SLOPES)
-def test_a_square_beside_the_tool_is_not_reached_and_one_across_its_rim_not_opened(slope):
+def test_square_beside_tool_is_not_reached_nor_opened_at_rim(slope):
     flat = FORMS[0]
     assert bounded(flat, slope, 0.0, 3.6, 0.5, 5.0) == (-np.inf, -np.inf)
     assert bounded(flat, slope, 8.6, 0.0, 0.5, 5.0) == (-np.inf, -np.inf)
@@ -150,7 +148,7 @@ def test_quarters_stay_that_a_level_move_meets(side, ends, direction):
 
 @pytest.mark.parametrize("direction", [(0, 0, -1), (0, 0, 1)])
 @pytest.mark.parametrize("height, deeper, stay", [(9.9, 9.9, [0]), (-0.1, -2.0, [0]), (0.1, -2.0, [0, 1])])
-def test_what_lies_below_what_is_opened_to_its_bottom_meets_no_quarter(height, deeper, stay, direction):
+def test_opened_quarter_is_not_met_again(height, deeper, stay, direction):
     """To and fro over a block of 10 mm with a tool wider than it, at two heights; the way down between them misses it."""
     frame = View(direction, 160, 120, pixel=0.25).frame(BOX)
     points = [(-60, 15, height), (100, 15, height), (100, 15, deeper), (-60, 15, deeper)]

@@ -45,7 +45,7 @@ def area(zbuffer):
     return zbuffer.traces * zbuffer.frame.pixel**2
 
 
-def test_no_trajectory_leaves_one_dexel_on_every_pixel_of_the_stock():
+def test_no_trajectory_leaves_one_dexel_per_pixel():
     z = cut([], width=80, height=60)
     assert (z.dexels, z.traces) == (80 * 60, 0)
     assert z.part_volume == pytest.approx(40 * 30 * 10, rel=1e-6)
@@ -87,7 +87,7 @@ def test_a_through_hole_leaves_no_dexel_and_a_tunnel_two():
 
 
 @pytest.mark.parametrize("direction", [(0, 0, -1), (0, 0, 1)])
-def test_what_goes_farther_through_all_of_the_stock_removes_no_more(direction):
+def test_deeper_cut_through_stock_removes_no_more(direction):
     """A tool as wide as the stock goes through it, and then deeper below it."""
     z = cut([(20, 15, 20), (20, 15, -1), (20, 15, 20), (20, 15, -2)], Tool("endmill", 60), direction=direction)
     assert (z.dexels, z.traces) == (0, 400 * 300) and z.chip_volume == pytest.approx(40 * 30 * 10)
@@ -96,7 +96,7 @@ def test_what_goes_farther_through_all_of_the_stock_removes_no_more(direction):
 
 @pytest.mark.parametrize("direction", [(0, 0, -1), (0, 0, 1)])
 @pytest.mark.parametrize(("deepest", "left"), [(-1, 0), (1, 5)])
-def test_where_the_stock_is_thin_what_goes_deeper_removes_nothing_more(deepest, left, direction):
+def test_thin_stock_is_cut_through_once(deepest, left, direction):
     """A wedge 10 mm high at x = 0 and 2 mm at 40: to 4 mm, which is through it beyond 20, then deeper, through beyond `left`."""
     wedge = ConvexStock([(1, 0, 0), (-1, 0, 0), (0, 1, 0), (0, -1, 0), (0, 0, 1), (0.2, 0, -1)], [40, 0, 30, 0, 10, 0])
     points = [(20, 15, 20), (20, 15, 4), (20, 15, 20), (20, 15, deepest)]
@@ -173,7 +173,7 @@ def test_chips_and_part_are_the_stock_at_every_moment(view):
 
 
 @pytest.mark.parametrize("view", VIEWS)
-def test_a_former_moment_is_the_simulation_of_the_moves_until_then(view):
+def test_earlier_moment_equals_simulation_of_its_moves(view):
     points = winding(40)
     z = cut(points, direction=VIEWS[view], width=120, height=90)
     for step in (0, 1, 13, 29):
@@ -240,7 +240,7 @@ def test_a_shallow_ball_reaches_as_wide_as_its_chord():
 
 
 @pytest.mark.parametrize("rise", [4, -4])
-def test_rays_just_above_the_path_of_a_bull_nose_that_climbs_or_falls(rise):
+def test_rays_just_above_sloped_bull_nose_path(rise):
     """Half the tool is before its axis and half behind it: its lowest point is neither the middle of these nor above it."""
     z = cut([(-5, 15, 4 - rise), (45, 15, 4 + rise)], TOOLS[2], width=401, height=301)
     slope = abs(rise) / 25
@@ -251,7 +251,7 @@ def test_rays_just_above_the_path_of_a_bull_nose_that_climbs_or_falls(rise):
 
 @pytest.mark.parametrize("down", [-1, 1])
 @pytest.mark.parametrize("tilt", [3e-8, 3e-6])
-def test_a_view_that_is_vertical_but_for_the_rounding_of_a_camera_is_vertical(tilt, down):
+def test_view_vertical_up_to_rounding_is_vertical(tilt, down):
     points = [(5, 5, 12), (33.2, 17.3, 4), (30, 20, 9), (3, 21, -2), (28, 4, 3)]
     ours, exact = (cut(points, TOOLS[4], direction=(x, x / 3, down), width=80, height=60).records for x in (tilt, 0))
     for column in ("index", "entry", "far", "owner"):

@@ -187,7 +187,7 @@ def test_a_crash_is_shown_where_it_is_deepest():
 
 
 @pytest.mark.parametrize("tool", [FLAT, Tool("bullnose", 6, corner_radius=1)], ids=str)
-def test_a_rapid_down_into_a_round_slot_only_touches_what_chords_left_of_its_walls(tool):
+def test_rapid_into_round_slot_only_touches_its_chords(tool):
     """It goes down where no chord of the circle ends, and its side passes up to 0.01 mm of the outer wall."""
     circle = [
         ("G0", {"X": 10, "Y": 0, "Z": 5}),
@@ -282,7 +282,7 @@ def test_rapid_down_into_a_trough_only_touches_it(tool, plane, axis, centre, dir
     assert crashed(0.0, 4 * tolerance) == [down]
 
 
-def test_a_rapid_that_touches_a_wall_and_goes_too_deep_crashes_as_deep_as_that():
+def test_rapid_at_a_wall_that_goes_too_deep_is_a_crash():
     """On its way along the wall, 8 mm high, its side takes 0.018 mm; then it goes 1 mm below the floor."""
     slot = [(-5, 15, 20), (-5, 15, 2), (35, 15, 2), (5, 15, 2), (5, 15.018, 2), (34, 15.018, 1)]
     path = replace(toolpath(np.array(slot, float)), rapid=np.arange(5) == 4)
@@ -360,7 +360,7 @@ def test_a_steep_plunge_beside_a_deep_hole_is_one():
     assert plunges([*hole, (20.15, 15, 1)]) == [0, 1]
 
 
-def test_a_cone_that_comes_down_beside_an_edge_is_in_no_full_material():
+def test_cone_plunging_beside_an_edge_is_not_in_full_material():
     """As it begins a chamfer: 3 mm below the top, 2 mm beside it."""
     assert plunges([(-2, 15, 12), (-2, 15, 7)], tool=Tool("vbit", 6, tip_angle=pi / 2)) == []
 

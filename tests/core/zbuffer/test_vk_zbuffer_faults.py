@@ -90,12 +90,12 @@ def test_a_crash_of_a_single_pixel_is_found():
 
 
 @pytest.mark.parametrize("under, crashed", [(0.0005, False), (0.005, True)])
-def test_a_rapid_on_a_floor_that_was_cut_is_a_crash_where_it_is_deeper_than_rounding(under, crashed):
+def test_rapid_below_a_cut_floor_is_a_crash_beyond_rounding(under, crashed):
     across = path([(-5, 15, 12), (-5, 15, 8 - under), (45, 15, 8 - under), (45, 15, 12)], rapid=[1])
     assert bool(told(SOUND, across, model=None).job.crashes) == crashed
 
 
-def test_of_a_rapid_that_goes_deeper_and_deeper_the_deepest_place_is_told():
+def test_crash_of_descending_rapid_is_at_deepest_place():
     """From 1 mm above the faced block to 4 mm below: at its edge the tool's rim has been at 4.1 mm."""
     (one,) = told(SOUND, path([(-5, 15, 9), (45, 15, 4), (45, 15, 12)], rapid=[0])).job.crashes
     assert one.depth == pytest.approx(8 - 4.1, abs=0.02)
@@ -118,7 +118,7 @@ def test_what_is_found_is_told_as_plain_data():
     assert (without["crashes"], without["first_crash_command"], without["deepest_gouge"]) == (0, None, 0)
 
 
-def test_several_cuts_together_have_the_deepest_cut_the_mean_width_and_the_largest_tool():
+def test_job_facts_combine_depth_width_and_tool_of_cuts():
     """Slots of 6 and 4 mm, 3 and 2 mm deep, 50 mm each; 42 of these on the block. A rapid above has no width."""
     slots = [(Tool("endmill", 6), 10, 7.0), (Tool("endmill", 4), 20, 8.0)]
     cuts = [Cut(path([(-5, y, z), (45, y, z), (45, y, 20), (-5, y, 20)], rapid=[1, 2]), tool) for tool, y, z in slots]
@@ -152,7 +152,7 @@ def test_gouge_through_the_part_is_told_at_the_models_end(direction):
 
 @pytest.mark.long
 @pytest.mark.parametrize("aside", [0, 1, -1])
-def test_what_the_raw_stock_lacks_is_no_gouge_of_what_is_cut_rightly_behind_it(aside):
+def test_missing_stock_is_not_a_gouge_of_cuts_behind_it(aside):
     """The stock is 2 mm too low; obliquely one sees through the missing rim of the model into a slot beside it."""
     low = Stock((-12, -1, 0), (41, 31, 6))
     slot = path([(-4, -5, 12), (-4, -5, 1), (-4, 35, 1), (-4, 35, 12)], rapid=[2])

@@ -95,7 +95,7 @@ def test_it_goes_on_as_long_as_nobody_stops_it(job):
 
 
 @pytest.mark.parametrize("direction", [(0, 0, -1), (1, 1, -1)])
-def test_the_cost_of_a_job_is_that_of_its_operations_in_one_z_buffer(direction):
+def test_job_cost_is_of_operations_in_one_zbuffer(direction):
     cuts = [Cut(slot(7, 5, y=8), FLAT), Cut(slot(6, y=20), WIDE)]
     view = View(direction, 200, 150)
     expected = estimate_job(cuts, stock=BOX, view=view, speed=Speed())

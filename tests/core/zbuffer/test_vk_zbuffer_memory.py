@@ -133,7 +133,7 @@ def test_the_peak_grows_with_records_pixels_and_trajectories():
     assert peak_bytes(nothing, 0, large) - peak_bytes(nothing, 0, flat) == 8 * 80 * 60
 
 
-def test_pictures_of_many_records_take_more_than_to_find_them_but_processes_that_help_have_ended_by_then(monkeypatch):
+def test_peak_memory_counts_pictures_after_processes_end(monkeypatch):
     """Fourteen bytes of each that is removed, and may uncover what is seen."""
     flat = removal(TOOLS[0], (0, 0, -1))
     some, many = (Counts(*[0] * 3, 1e8 * share, *[0] * 5, 4800) for share in (0.5, 1.0))
@@ -143,7 +143,7 @@ def test_pictures_of_many_records_take_more_than_to_find_them_but_processes_that
     assert helpers_within(peak_bytes(many, 0, flat), flat, 0) > 0
 
 
-def test_each_further_process_takes_its_own_memory_and_what_is_sent_to_it(monkeypatch):
+def test_each_process_adds_its_memory_and_its_copy(monkeypatch):
     flat, plenty = removal(TOOLS[0], (0, 0, -1)), 1e15
 
     def each(band, trajectories):
@@ -188,7 +188,7 @@ def test_a_simulation_that_fits_anyway_asks_no_ray(direction, monkeypatch):
 
 
 @pytest.mark.parametrize("direction", [(0, 0, -1), (0, 0, 1), (1, 1, -1), (0, 1, 0)])
-def test_it_has_no_more_records_than_the_boxes_of_its_moves_have_pixels(direction):
+def test_records_are_bounded_by_pixels_of_boxes(direction):
     for points in (surface(None, 60), [(-20, -20, 3), (60, 50, 3)], [(10, 10, 5), (10, 10, 2)]):
         moves = toolpath(np.array(points, float))
         z = simulate(moves, tool=TOOLS[0], stock=BOX, view=View(direction, 80, 60))

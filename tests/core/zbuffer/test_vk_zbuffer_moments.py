@@ -65,7 +65,7 @@ def expected(z):
 
 
 @pytest.mark.parametrize("seed", range(0, len(DIRECTIONS), 2))
-def test_chips_alone_are_the_first_pieces_that_their_trajectories_remove(seed):
+def test_chips_show_first_removed_pieces(seed):
     z, rng = simulated(seed)
     first, end = sorted(rng.integers(0, z.trajectories + 1, 2).tolist())
     chips = z.chips(first, end)
@@ -110,7 +110,7 @@ def test_moments_of_more_trajectories_than_16_bits_number():
         assert np.array_equal(z.at(step).picture.owner, owner)
 
 
-def test_of_a_picture_only_what_has_changed_is_looked_up_where_that_is_little(monkeypatch):
+def test_picture_updates_only_changed_pixels(monkeypatch):
     """Less than a quarter of the pieces from one moment to the next; from the first to the last it is everything."""
     looked_up, seen = [], Surface._seen
 
@@ -141,7 +141,7 @@ def test_where_all_is_cut_through_every_pixel_changes(at_once, monkeypatch):
 
 
 @pytest.mark.parametrize("at_once", [1, 70, 3499, 3500])
-def test_what_changes_does_not_depend_on_how_many_pixels_are_worked_on_at_once(at_once, monkeypatch):
+def test_changed_pixels_do_not_depend_on_batch_size(at_once, monkeypatch):
     z, _ = simulated(2)
     every = [z.surface.changed(step, step + 5).tolist() for step in range(0, z.trajectories, 5)]
     monkeypatch.setattr(surface, "_BATCH", at_once)
@@ -152,7 +152,7 @@ def test_what_changes_does_not_depend_on_how_many_pixels_are_worked_on_at_once(a
 
 
 @pytest.mark.parametrize("seed", [1, 6])
-def test_a_picture_is_the_same_from_whatever_moment_it_is_looked_up(seed):
+def test_picture_does_not_depend_on_previous_moment(seed):
     """From the moment before it, from one far away, and at once."""
     z, _ = simulated(seed)
     for step in range(0, z.trajectories + 1, 5):

@@ -140,7 +140,7 @@ def test_no_ray_slips_through_between_triangles():
             assert volume * 0.125**2 == pytest.approx(prism_volume(corners, height, squares), rel=0.02)
 
 
-def test_the_triangles_of_a_mesh_are_sorted_once_for_an_image_and_not_kept(monkeypatch):
+def test_mesh_triangles_are_sorted_once_per_image(monkeypatch):
     """Of half a million it takes as long as all the rest. For the stock's silhouette, for the part and for the model."""
     seen = []
 
@@ -246,7 +246,7 @@ def test_gaps_are_refused_that_take_too_much():
     assert least + gaps < refused.value.needed < least + 2 * gaps
 
 
-def test_a_view_of_a_part_of_a_mesh_takes_no_more_than_that_of_a_box():
+def test_partial_view_of_mesh_needs_no_more_memory_than_box():
     moves = toolpath(np.array([(10, 15, 8), (30, 15, 8)], float))
     for view in (View(pixel=0.002), View((1, 1, -1), pixel=0.002, offset=(3, 2)), View((0, 1, 0))):
         mesh, plain = (
