@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """FreeCAD's simulators: what is predicted against what they really do.
 
-    freecadcmd $PWD/benchmarks/simulators.py                 # the legacy one's work, without a window
+    freecadcmd $PWD/benchmarks/simulators.py                 # the legacy simulator's meshes, without a window
     xvfb-run -a freecad $PWD/benchmarks/simulators.py        # fast-forward and play, in their own windows
 
 Cuts the operations of the example job and, where the environment variable VKWORKBENCH_CORPUS names files of
@@ -36,7 +36,7 @@ from records import with_stock
 
 from vkworkbench import freecad
 from vkworkbench.core import Tool, linearize
-from vkworkbench.core.simulators import OPENGL, Task, available, legacy_costs
+from vkworkbench.core.simulators import OPENGL, Task, available, legacy_cost
 from vkworkbench.document.computer.calibration import calibrate
 from vkworkbench.document.job.operations import find
 from vkworkbench.document.job.setting import read_stock, read_tool
@@ -95,33 +95,30 @@ def headless(samples):
     """Cut every sample at every accuracy and print how far the predictions were off."""
     constants = calibrate().constants
     errors = {accuracy: [] for accuracy in ACCURACIES}
-    exact = total = 0
     for _, commands, tool, stock in samples:
-        path = linearize(commands)
-        predictions = legacy_costs(Task(path, tool, stock), accuracies=ACCURACIES, constants=constants)
-        for accuracy, predicted in zip(ACCURACIES, predictions):
-            moves, cut, mesh, facets, cells = really(commands, tool, stock, predicted.resolution, accuracy)
-            exact += abs(moves - predicted.moves) <= max(3, 0.02 * moves)
-            total += 1
-            own_mesh = constants.cell * cells + constants.facet * facets
+        task = Task(linearize(commands), tool, stock)
+        for accuracy in ACCURACIES:
+            predicted = legacy_cost(task, accuracy=accuracy, constants=constants)
+            mesh, facets, cells = really(commands, tool, stock, predicted.resolution, accuracy)
+            predicted_mesh, own_mesh = (
+                constants.cell * cells + constants.facet * count for count in (predicted.facets, facets)
+            )
             pairs = (
-                (predicted.cut_seconds, cut),
                 (max(predicted.facets, FEW), max(facets, FEW)),
                 (own_mesh, mesh),
-                (predicted.mesh_seconds, mesh),
+                (predicted_mesh, mesh),
             )
-            errors[accuracy].append([*(max(a / b, b / a) for a, b in pairs), predicted.mesh_seconds / mesh])
-    print(f"moves within 2 % or 3 of the real number: {exact} of {total}", file=OUT)
+            errors[accuracy].append([*(max(a / b, b / a) for a, b in pairs), predicted_mesh / mesh])
     print("ratio, median / p90 / worst:", file=OUT)
     for accuracy, rows in errors.items():
-        for name, values in zip(("cutting", "triangles", "mesh from true triangles", "mesh"), np.array(rows).T):
+        for name, values in zip(("triangles", "mesh from true triangles", "mesh"), np.array(rows).T):
             print(f"  accuracy {accuracy:.1f} %  {name:26}{quantiles(values)}", file=OUT)
-        bias = np.median(np.array(rows)[:, 4])
+        bias = np.median(np.array(rows)[:, 3])
         print(f"  accuracy {accuracy:.1f} %  {'mesh, predicted / true':26}{bias:.2f}", file=OUT)
 
 
 def really(commands, tool, stock, resolution, accuracy):
-    """Cut with FreeCAD as its panel does; return moves, seconds to cut and to mesh, triangles, cells."""
+    """Cut with FreeCAD as its panel does; return the seconds to make the mesh, its triangles, and the cells."""
     size = stock.upper - stock.lower
     sim = PathSim()
     sim.BeginSimulation(Part.makeBox(*size, FreeCAD.Vector(*stock.lower)), resolution)
@@ -129,17 +126,15 @@ def really(commands, tool, stock, resolution, accuracy):
     top = float(stock.upper[2])
     moves = straight(commands, resolution, top)
     position = FreeCAD.Placement(FreeCAD.Vector(0, 0, top), FreeCAD.Rotation())
-    begin = time.perf_counter()
     for move in moves:
         position = sim.ApplyCommand(position, move)
-    cut = time.perf_counter() - begin
     times = []
     for _ in range(2):
         begin = time.perf_counter()
         outer, inner = sim.GetResultMesh()
         times.append(time.perf_counter() - begin)
     cells = (int(size[0] / resolution) + 1) * (int(size[1] / resolution) + 1)
-    return len(moves), cut, min(times), outer.CountFacets + inner.CountFacets, cells
+    return min(times), outer.CountFacets + inner.CountFacets, cells
 
 
 def straight(commands, resolution, top):

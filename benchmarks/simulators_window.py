@@ -19,15 +19,14 @@ from PySide import QtCore
 from vkworkbench import freecad
 from vkworkbench.core import Stock, Tool, linearize
 from vkworkbench.core.gcode import Words
-from vkworkbench.core.simulators import Conditions, Seen, Task, legacy_costs, preflight
-from vkworkbench.document.computer.calibration import constants, learn, load
+from vkworkbench.core.simulators import Conditions, Task, legacy_cost, preflight
+from vkworkbench.document.computer.calibration import constants
 
 LONGEST = {"fast-forward": 7000, "play": 100}  # commands
-ENOUGH = 5  # runs that teach before a prediction counts
 
 
 def run(samples, out):
-    """Simulate every sample, predict each with what the ones before it taught, and print the ratios."""
+    """Simulate every sample, and print the ratios of predicted and true times."""
     panel = open_panel()
     calibrated = constants(RENDERER)
     cases, runs = [], []
@@ -39,7 +38,7 @@ def run(samples, out):
                 cases.append((kind, label, commands, path, tool, stock))
                 runs.append((kind, partial(simulate, panel, kind, commands, tool, stock, patience)))
     durations = in_rounds(runs)
-    ratios, alone = ({kind: [] for kind in LONGEST} for _ in range(2))
+    ratios = {kind: [] for kind in LONGEST}
     for (kind, label, commands, path, tool, stock), seconds in zip(cases, durations):
         heading = f"  {kind:13}{label:40.40}{len(commands):6} commands"
         cautions = preflight(Task(path, words=Words(commands)), {}, Conditions(version=freecad.version()))
@@ -47,27 +46,20 @@ def run(samples, out):
         if seconds is None:
             print(f"{heading}  hangs, {'announced' if hangs else 'NOT announced'}", file=out)
             continue
-        cost = cost_of(path, tool, stock, constants(RENDERER))
-        predicted = seconds_of(cost, kind)
+        predicted = seconds_of(cost_of(path, tool, stock, calibrated), kind)
         vain = "  a hang announced in vain" if hangs else ""
         print(f"{heading}  {beside(predicted, seconds)}{vain}", file=out)
-        if not seconds:
-            continue
-        true = median(seconds)
-        unlearned = seconds_of(cost_of(path, tool, stock, calibrated), kind)
-        alone[kind].append(max(unlearned / true, true / unlearned))
-        if len(load(RENDERER).runs[kind]) >= ENOUGH:
+        if seconds:
+            true = median(seconds)
             ratios[kind].append(max(predicted / true, true / predicted))
-        learn(kind, cost, Seen(true, true), renderer=RENDERER)
     for kind, values in ratios.items():
-        print(summary(f"{kind}, by calibration alone", alone[kind]), file=out)
         print(summary(kind, values), file=out)
     print(left_out(durations), file=out, flush=True)
 
 
 def cost_of(path, tool, stock, known):
     """Predict what a path costs, with the constants known."""
-    return legacy_costs(Task(path, tool, stock), constants=known)[0]
+    return legacy_cost(Task(path, tool, stock), constants=known)
 
 
 def seconds_of(cost, kind):

@@ -13,7 +13,7 @@
     </message>
     <message>
         <source>What the mark in the description says</source>
-        <extracomment>What was found in this session.</extracomment>
+        <extracomment>The results of this session.</extracomment>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -387,14 +387,6 @@
     </message>
     <message>
         <source>; the heaviest is {label} with {time:s}</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>position {position:n} of {positions:n}, cells of {cell:mm2}, plays in {time:s}{passes}</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>no accuracy helps, playing takes {longer:s} even at the coarsest: use fast-forward, about {time:s} at the finest{heaviest}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1257,7 +1249,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Last calibrated on {date}: the {simulator} makes {moves} cuts a second, its times are right within a factor of {factor}; the simulations that you run refine them. Measured with FreeCAD {freecad} on {processor}, display {renderer}.</source>
+        <source>Last calibrated on {date}: times of the {simulator} are right within a factor of {factor}. Measured with FreeCAD {freecad} on {processor}, display {renderer}.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -1293,7 +1285,6 @@
     </message>
     <message>
         <source>Cancel</source>
-        <extracomment>Those of all open documents.</extracomment>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1514,19 +1505,6 @@ time</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Recommended
-accuracy</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The finest position of the legacy simulator&apos;s accuracy slider, 1 to 10, with which playing stays within the budgets of the preferences</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>fast-forward</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Export &amp;CSV…</source>
         <translation type="unfinished"></translation>
     </message>
@@ -1705,14 +1683,6 @@ at most</source>
     </message>
     <message>
         <source>not in the total: it is switched off</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Recommended accuracy of the {simulator}: {}</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Between {} and {}, until this simulator has run a few times on this computer</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

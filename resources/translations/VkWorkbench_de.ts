@@ -13,7 +13,7 @@
     </message>
     <message>
         <source>What the mark in the description says</source>
-        <extracomment>What was found in this session.</extracomment>
+        <extracomment>The results of this session.</extracomment>
         <translation>Was die Markierung in der Beschreibung sagt</translation>
     </message>
     <message>
@@ -388,14 +388,6 @@
     <message>
         <source>; the heaviest is {label} with {time:s}</source>
         <translation>; am schwersten wiegt {label} mit {time:s}</translation>
-    </message>
-    <message>
-        <source>position {position:n} of {positions:n}, cells of {cell:mm2}, plays in {time:s}{passes}</source>
-        <translation>Stellung {position:n} von {positions:n}, Zellen von {cell:mm2}, Abspielen in {time:s}{passes}</translation>
-    </message>
-    <message>
-        <source>no accuracy helps, playing takes {longer:s} even at the coarsest: use fast-forward, about {time:s} at the finest{heaviest}</source>
-        <translation>keine Genauigkeit hilft, das Abspielen dauert selbst bei der gröbsten {longer:s}: schnellen Vorlauf benutzen, etwa {time:s} bei der feinsten{heaviest}</translation>
     </message>
     <message>
         <source> and 1 more</source>
@@ -1257,8 +1249,8 @@
         <translation>Vor hängenden oder langsamen Simulatoren warnen</translation>
     </message>
     <message>
-        <source>Last calibrated on {date}: the {simulator} makes {moves} cuts a second, its times are right within a factor of {factor}; the simulations that you run refine them. Measured with FreeCAD {freecad} on {processor}, display {renderer}.</source>
-        <translation>Zuletzt kalibriert am {date}: „{simulator}“ macht {moves} Schnitte pro Sekunde, seine Zeiten stimmen auf einen Faktor {factor} genau; die Simulationen, die Sie ausführen, verfeinern sie. Gemessen mit FreeCAD {freecad} auf {processor}, Anzeige {renderer}.</translation>
+        <source>Last calibrated on {date}: times of the {simulator} are right within a factor of {factor}. Measured with FreeCAD {freecad} on {processor}, display {renderer}.</source>
+        <translation>Zuletzt kalibriert am {date}: Zeiten von „{simulator}“ stimmen bis auf den Faktor {factor}. Gemessen mit FreeCAD {freecad} auf {processor}, Anzeige {renderer}.</translation>
     </message>
 </context>
 <context>
@@ -1293,7 +1285,6 @@
     </message>
     <message>
         <source>Cancel</source>
-        <extracomment>Those of all open documents.</extracomment>
         <translation>Abbrechen</translation>
     </message>
     <message>
@@ -1516,20 +1507,6 @@ tungszeit</translation>
         <translation>Zeit auf der Maschine mit den programmierten Vorschüben; Eilgänge, wo der Werkzeugcontroller ihre Geschwindigkeit nennt</translation>
     </message>
     <message>
-        <source>Recommended
-accuracy</source>
-        <translation>Empfohlene
-Genauigkeit</translation>
-    </message>
-    <message>
-        <source>The finest position of the legacy simulator&apos;s accuracy slider, 1 to 10, with which playing stays within the budgets of the preferences</source>
-        <translation>Die feinste Stellung des Genauigkeitsreglers im alten Simulator, 1 bis 10, mit der das Abspielen innerhalb der Grenzen aus den Einstellungen bleibt</translation>
-    </message>
-    <message>
-        <source>fast-forward</source>
-        <translation>Vorlauf</translation>
-    </message>
-    <message>
         <source>Export &amp;CSV…</source>
         <translation>&amp;CSV exportieren…</translation>
     </message>
@@ -1713,14 +1690,6 @@ höchstens</translation>
     <message>
         <source>not in the total: it is switched off</source>
         <translation>nicht in der Summe: Sie ist ausgeschaltet</translation>
-    </message>
-    <message>
-        <source>Recommended accuracy of the {simulator}: {}</source>
-        <translation>Empfohlene Genauigkeit für „{simulator}“: {}</translation>
-    </message>
-    <message>
-        <source>Between {} and {}, until this simulator has run a few times on this computer</source>
-        <translation>Zwischen {} und {}, bis dieser Simulator einige Male auf diesem Computer gelaufen ist</translation>
     </message>
     <message>
         <source>Shortest move at feed</source>

@@ -13,7 +13,7 @@
     </message>
     <message>
         <source>What the mark in the description says</source>
-        <extracomment>What was found in this session.</extracomment>
+        <extracomment>The results of this session.</extracomment>
         <translation>Lo que dice la marca en la descripción</translation>
     </message>
     <message>
@@ -388,14 +388,6 @@
     <message>
         <source>; the heaviest is {label} with {time:s}</source>
         <translation>; la más pesada es {label} con {time:s}</translation>
-    </message>
-    <message>
-        <source>position {position:n} of {positions:n}, cells of {cell:mm2}, plays in {time:s}{passes}</source>
-        <translation>posición {position:n} de {positions:n}, celdas de {cell:mm2}, reproducción en {time:s}{passes}</translation>
-    </message>
-    <message>
-        <source>no accuracy helps, playing takes {longer:s} even at the coarsest: use fast-forward, about {time:s} at the finest{heaviest}</source>
-        <translation>ninguna precisión basta, la reproducción tarda {longer:s} incluso con la más basta: use el avance rápido, unos {time:s} con la más fina{heaviest}</translation>
     </message>
     <message>
         <source> and 1 more</source>
@@ -1257,8 +1249,8 @@
         <translation>Avisar si un simulador se bloquea o tarda mucho</translation>
     </message>
     <message>
-        <source>Last calibrated on {date}: the {simulator} makes {moves} cuts a second, its times are right within a factor of {factor}; the simulations that you run refine them. Measured with FreeCAD {freecad} on {processor}, display {renderer}.</source>
-        <translation>Última calibración el {date}: el {simulator} hace {moves} cortes por segundo, sus tiempos aciertan dentro de un factor {factor}; las simulaciones que ejecute los afinan. Medido con FreeCAD {freecad} en {processor}, pantalla {renderer}.</translation>
+        <source>Last calibrated on {date}: times of the {simulator} are right within a factor of {factor}. Measured with FreeCAD {freecad} on {processor}, display {renderer}.</source>
+        <translation>Última calibración el {date}: los tiempos del {simulator} aciertan dentro de un factor {factor}. Medido con FreeCAD {freecad} en {processor}, pantalla {renderer}.</translation>
     </message>
 </context>
 <context>
@@ -1293,7 +1285,6 @@
     </message>
     <message>
         <source>Cancel</source>
-        <extracomment>Those of all open documents.</extracomment>
         <translation>Cancelar</translation>
     </message>
     <message>
@@ -1516,20 +1507,6 @@ mecanizado</translation>
         <translation>Tiempo en la máquina con los avances programados; rápidos si el controlador de herramienta da su velocidad</translation>
     </message>
     <message>
-        <source>Recommended
-accuracy</source>
-        <translation>Precisión
-recomendada</translation>
-    </message>
-    <message>
-        <source>The finest position of the legacy simulator&apos;s accuracy slider, 1 to 10, with which playing stays within the budgets of the preferences</source>
-        <translation>La posición más fina del control de precisión del simulador antiguo, de 1 a 10, con la que la reproducción respeta los límites de las preferencias</translation>
-    </message>
-    <message>
-        <source>fast-forward</source>
-        <translation>avance rápido</translation>
-    </message>
-    <message>
         <source>Export &amp;CSV…</source>
         <translation>Exportar &amp;CSV…</translation>
     </message>
@@ -1713,14 +1690,6 @@ como mucho</translation>
     <message>
         <source>not in the total: it is switched off</source>
         <translation>fuera del total: está desactivada</translation>
-    </message>
-    <message>
-        <source>Recommended accuracy of the {simulator}: {}</source>
-        <translation>Precisión recomendada del {simulator}: {}</translation>
-    </message>
-    <message>
-        <source>Between {} and {}, until this simulator has run a few times on this computer</source>
-        <translation>Entre {} y {}, hasta que este simulador se haya ejecutado algunas veces en este equipo</translation>
     </message>
     <message>
         <source>Shortest move at feed</source>

@@ -13,7 +13,7 @@
     </message>
     <message>
         <source>What the mark in the description says</source>
-        <extracomment>What was found in this session.</extracomment>
+        <extracomment>The results of this session.</extracomment>
         <translation>Ce que dit la marque dans la description</translation>
     </message>
     <message>
@@ -388,14 +388,6 @@
     <message>
         <source>; the heaviest is {label} with {time:s}</source>
         <translation> ; la plus lourde est {label} avec {time:s}</translation>
-    </message>
-    <message>
-        <source>position {position:n} of {positions:n}, cells of {cell:mm2}, plays in {time:s}{passes}</source>
-        <translation>position {position:n} sur {positions:n}, cellules de {cell:mm2}, lecture en {time:s}{passes}</translation>
-    </message>
-    <message>
-        <source>no accuracy helps, playing takes {longer:s} even at the coarsest: use fast-forward, about {time:s} at the finest{heaviest}</source>
-        <translation>aucune précision ne suffit, la lecture prend {longer:s} même à la plus grossière : utiliser l&apos;avance rapide, environ {time:s} à la plus fine{heaviest}</translation>
     </message>
     <message>
         <source> and 1 more</source>
@@ -1257,8 +1249,8 @@
         <translation>Avertir des simulateurs bloqués ou trop longs</translation>
     </message>
     <message>
-        <source>Last calibrated on {date}: the {simulator} makes {moves} cuts a second, its times are right within a factor of {factor}; the simulations that you run refine them. Measured with FreeCAD {freecad} on {processor}, display {renderer}.</source>
-        <translation>Dernier étalonnage le {date} : « {simulator} » fait {moves} coupes par seconde, ses temps sont justes à un facteur {factor} près ; les simulations que vous lancez les affinent. Mesuré avec FreeCAD {freecad} sur {processor}, affichage {renderer}.</translation>
+        <source>Last calibrated on {date}: times of the {simulator} are right within a factor of {factor}. Measured with FreeCAD {freecad} on {processor}, display {renderer}.</source>
+        <translation>Dernier étalonnage le {date} : les temps de « {simulator} » sont justes à un facteur {factor} près. Mesuré avec FreeCAD {freecad} sur {processor}, affichage {renderer}.</translation>
     </message>
 </context>
 <context>
@@ -1293,7 +1285,6 @@
     </message>
     <message>
         <source>Cancel</source>
-        <extracomment>Those of all open documents.</extracomment>
         <translation>Annuler</translation>
     </message>
     <message>
@@ -1516,20 +1507,6 @@ d&apos;usinage</translation>
         <translation>Durée sur la machine aux avances programmées ; déplacements rapides si le contrôleur d&apos;outil donne leur vitesse</translation>
     </message>
     <message>
-        <source>Recommended
-accuracy</source>
-        <translation>Précision
-recommandée</translation>
-    </message>
-    <message>
-        <source>The finest position of the legacy simulator&apos;s accuracy slider, 1 to 10, with which playing stays within the budgets of the preferences</source>
-        <translation>La position la plus fine du curseur de précision de l&apos;ancien simulateur, de 1 à 10, avec laquelle la lecture respecte les budgets des préférences</translation>
-    </message>
-    <message>
-        <source>fast-forward</source>
-        <translation>avance rapide</translation>
-    </message>
-    <message>
         <source>Export &amp;CSV…</source>
         <translation>Exporter en &amp;CSV…</translation>
     </message>
@@ -1713,14 +1690,6 @@ au plus</translation>
     <message>
         <source>not in the total: it is switched off</source>
         <translation>hors du total : elle est désactivée</translation>
-    </message>
-    <message>
-        <source>Recommended accuracy of the {simulator}: {}</source>
-        <translation>Précision recommandée de « {simulator} » : {}</translation>
-    </message>
-    <message>
-        <source>Between {} and {}, until this simulator has run a few times on this computer</source>
-        <translation>Entre {} et {}, tant que ce simulateur n&apos;a pas été lancé quelques fois sur cet ordinateur</translation>
     </message>
     <message>
         <source>Shortest move at feed</source>

@@ -13,7 +13,7 @@
     </message>
     <message>
         <source>What the mark in the description says</source>
-        <extracomment>What was found in this session.</extracomment>
+        <extracomment>The results of this session.</extracomment>
         <translation>说明中的标记内容</translation>
     </message>
     <message>
@@ -388,14 +388,6 @@
     <message>
         <source>; the heaviest is {label} with {time:s}</source>
         <translation>；最重的是 {label}，{time:s}</translation>
-    </message>
-    <message>
-        <source>position {position:n} of {positions:n}, cells of {cell:mm2}, plays in {time:s}{passes}</source>
-        <translation>位置 {position:n}/{positions:n}，单元 {cell:mm2}，播放 {time:s}{passes}</translation>
-    </message>
-    <message>
-        <source>no accuracy helps, playing takes {longer:s} even at the coarsest: use fast-forward, about {time:s} at the finest{heaviest}</source>
-        <translation>任何精度都不行，即使最粗精度播放也需要 {longer:s}：请使用快进，最细精度约 {time:s}{heaviest}</translation>
     </message>
     <message>
         <source> and 1 more</source>
@@ -1257,8 +1249,8 @@
         <translation>模拟器会卡死或耗时过长时警告</translation>
     </message>
     <message>
-        <source>Last calibrated on {date}: the {simulator} makes {moves} cuts a second, its times are right within a factor of {factor}; the simulations that you run refine them. Measured with FreeCAD {freecad} on {processor}, display {renderer}.</source>
-        <translation>上次校准于 {date}：{simulator}每秒切削 {moves} 次，其时间误差在 {factor} 倍以内；您运行的模拟会使其更准确。测量环境：FreeCAD {freecad}，{processor}，显示 {renderer}。</translation>
+        <source>Last calibrated on {date}: times of the {simulator} are right within a factor of {factor}. Measured with FreeCAD {freecad} on {processor}, display {renderer}.</source>
+        <translation>上次校准于 {date}：{simulator}的时间误差在 {factor} 倍以内。测量环境：FreeCAD {freecad}，{processor}，显示 {renderer}。</translation>
     </message>
 </context>
 <context>
@@ -1293,7 +1285,6 @@
     </message>
     <message>
         <source>Cancel</source>
-        <extracomment>Those of all open documents.</extracomment>
         <translation>取消</translation>
     </message>
     <message>
@@ -1516,20 +1507,6 @@ time</source>
         <translation>按编程进给在机床上的时间；刀具控制器给出速度时包括快速移动</translation>
     </message>
     <message>
-        <source>Recommended
-accuracy</source>
-        <translation>推荐
-精度</translation>
-    </message>
-    <message>
-        <source>The finest position of the legacy simulator&apos;s accuracy slider, 1 to 10, with which playing stays within the budgets of the preferences</source>
-        <translation>旧版模拟器精度滑块（1 到 10）中使播放不超出首选项预算的最细位置</translation>
-    </message>
-    <message>
-        <source>fast-forward</source>
-        <translation>快进</translation>
-    </message>
-    <message>
         <source>Export &amp;CSV…</source>
         <translation>导出 &amp;CSV…</translation>
     </message>
@@ -1713,14 +1690,6 @@ at most</source>
     <message>
         <source>not in the total: it is switched off</source>
         <translation>不计入总和：已停用</translation>
-    </message>
-    <message>
-        <source>Recommended accuracy of the {simulator}: {}</source>
-        <translation>{simulator}的推荐精度：{}</translation>
-    </message>
-    <message>
-        <source>Between {} and {}, until this simulator has run a few times on this computer</source>
-        <translation>介于 {} 和 {} 之间，直到此模拟器在此电脑上运行过几次</translation>
     </message>
     <message>
         <source>Shortest move at feed</source>

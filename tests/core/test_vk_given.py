@@ -15,7 +15,6 @@ from vkworkbench.core import (
     Tool,
     Toolpath,
     View,
-    best_accuracy,
     best_resolution,
     cauchy_crofton,
     complexity,
@@ -62,8 +61,6 @@ NUMBERS = {  # what no number fits, but -1 and nan, and what they name
     "memory_bytes": lambda given: best_resolution([FOUND], memory_bytes=given),
     "seconds": lambda given: best_resolution([FOUND], memory_bytes=1e9, seconds=given),
     "stepover": lambda given: best_resolution([FOUND], memory_bytes=1e9, stepover=given),
-    " memory_bytes": lambda given: best_accuracy([], memory_bytes=given, seconds=1),
-    " seconds": lambda given: best_accuracy([], memory_bytes=1, seconds=given),
     "pixel": lambda given: View(pixel=given),
 }
 
@@ -142,9 +139,6 @@ def test_single_arguments(name, given, use):
         ("estimates", lambda given: best_resolution(given, **MEMORY)),
         ("an estimate", lambda given: best_resolution([given], **MEMORY)),
         ("an estimate", lambda given: best_resolution([FOUND], **MEMORY, whole=given)),
-        ("costs", lambda given: best_accuracy(given, **MEMORY, seconds=1)),
-        ("each of costs", lambda given: best_accuracy([given], **MEMORY, seconds=1)),
-        ("a cost", lambda given: best_accuracy([[given]], **MEMORY, seconds=1)),
         ("progress", lambda given: vkworkbench.analyze("no.nc", progress=given)),
         ("cancelled", lambda given: vkworkbench.analyze("no.nc", cancelled=given)),
         ("path", REPORT.to_csv),

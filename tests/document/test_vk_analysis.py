@@ -404,7 +404,6 @@ def test_json_holds_every_message_as_data(report):
         messages = o.as_dict()["messages"]
         assert [Message.from_data(data) for data in messages["cautions"]] == [caution.what for caution in o.cautions]
         assert render(Message.from_data(messages["resolution"])) == o.resolution.explanation
-        assert render(Message.from_data(messages["legacy_accuracy"])) == o.accuracy.explanation
     assert Message.from_data(report.totals[0].as_dict()["messages"]["resolution"]).code == "image"
 
 

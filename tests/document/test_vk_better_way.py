@@ -7,7 +7,7 @@ import pytest
 
 from vkworkbench import freecad
 from vkworkbench.core import Stock, Strategy, Tool, linearize
-from vkworkbench.core.simulators import Caution, Task, legacy_costs, opengl_cost
+from vkworkbench.core.simulators import Caution, Task, legacy_cost, opengl_cost
 from vkworkbench.document.marks.better_way import OURS, better_way, too_long
 from vkworkbench.document.marks.record import Record
 from vkworkbench.language import Message, render
@@ -26,7 +26,7 @@ def both(monkeypatch):
 
 def record(label="Pocket", *, forward=5.0, play=60.0, opengl=60.0, **rest):
     """A mark with these times, s."""
-    (legacy,) = legacy_costs(TASK)
+    legacy = legacy_cost(TASK)
     drawn = opengl_cost(TASK)
     longer = opengl / drawn.seconds
     costs = {

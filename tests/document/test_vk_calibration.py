@@ -13,8 +13,8 @@ import pytest
 
 import vkworkbench
 from vkworkbench import freecad
-from vkworkbench.core import Speed, Stock, Tool, linearize
-from vkworkbench.core.simulators import DEFAULTS, Constants, Seen, Task, legacy_costs, opengl_cost
+from vkworkbench.core import Speed
+from vkworkbench.core.simulators import DEFAULTS
 from vkworkbench.document.computer import calibration, measuring
 from vkworkbench.report import Cancelled
 
@@ -48,13 +48,12 @@ def test_defaults_until_it_was_measured_and_the_measured_ones_after(folder):
     done = calibration.calibrate("card")
     assert calibration.load("card") == done and calibration.constants("card") == done.constants
     assert done.processor and done.freecad.startswith(".".join(FreeCAD.Version()[:2]))
-    assert done.constants.legacy_factor == DEFAULTS.legacy_factor  # nothing was seen yet
 
 
 def test_measured_constants_are_of_the_order_of_the_known_ones(measured):
     found = calibration.calibrate().constants
     assert found.legacy_factor == DEFAULTS.legacy_factor
-    for name in ("line", "cap", "cell", "facet", "profile"):
+    for name in ("cell", "facet", "profile"):
         assert 0.1 < getattr(found, name) / getattr(DEFAULTS, name) < 20, name
 
 
@@ -80,36 +79,11 @@ def test_constants_are_what_the_meshes_and_the_profile_took_by_their_size(monkey
     """A flat mesh of 100 / 0.12 by 60 / 0.12 cells; a rough one of 50 by 60 cells; a profile of three radii of 2 mm in 0.1 mm."""
     facets = sum(mesh.CountFacets for mesh in measuring._rough().GetResultMesh())
     assert facets > 50 * 60  # as many as the cells themselves: what is flat has a few
-    cutting, flat, rough, shaping = [0.0] * 4, 834 * 501 * 1e-6, 51 * 61 * 1e-6 + facets * 3e-6, 60 * 5e-6
-    monkeypatch.setattr(measuring, "steady_seconds", lambda pieces, **_: [*cutting, flat, rough, shaping])
+    times = np.array([834 * 501 * 1e-6, 51 * 61 * 1e-6 + facets * 3e-6, 60 * 5e-6])
+    monkeypatch.setattr(measuring, "steady_seconds", lambda pieces, **_: times)
     found = measuring.measure_legacy(None, None)
     assert (found.cell, found.facet, found.profile) == pytest.approx((1e-6, 3e-6, 5e-6))
     assert found.start / DEFAULTS.start == pytest.approx(1e-6 / DEFAULTS.cell)
-    assert found.call == found.ring == found.line == found.cap == 0
-
-
-def test_the_cuts_that_are_timed_tell_their_constants_apart(monkeypatch):
-    """Each takes two milliseconds at most, and a hundredth more of each time is eight hundredths of a constant at most."""
-    cuts, cut, words = [], measuring._cut, []
-    monkeypatch.setattr(measuring, "_cut", lambda *asked: cuts.append(cut(*asked)) or cuts[-1])
-    monkeypatch.setattr(measuring, "linearize", lambda commands: words.append(commands) or linearize(commands))
-    names = "call", "ring", "line", "cap"
-    known = np.array([getattr(DEFAULTS, name) for name in names])
-    monkeypatch.setattr(
-        measuring, "steady_seconds", lambda pieces, **_: [*([c for c, _ in cuts] @ known), 1.0, 1.0, 1.0]
-    )
-    found = measuring.measure_legacy(None, None)
-    assert [getattr(found, name) for name in names] == pytest.approx(measuring._COLD_CACHE * known)
-    work = np.array([counts for counts, _ in cuts])
-    seconds = work @ known
-    assert (seconds < 2e-3).all()
-    assert (np.abs(np.linalg.inv(work) * seconds).sum(axis=1) < 8 * known).all()
-    # To and fro within the stock, which is the same for FreeCAD and for what is counted.
-    for commands in words:
-        x = [word["X"] for _, word in commands]
-        assert x[::2] == [10.0] * len(x[::2]) and len(set(x[1::2])) == 1 and 10.0 < x[1] < 100.0
-    box = measuring._BOX.BoundBox
-    assert [box.XLength, box.YLength, box.ZLength] == (measuring._STOCK.upper - measuring._STOCK.lower).tolist()
 
 
 def test_a_processor_of_which_no_file_tells_is_named_by_what_python_knows(monkeypatch):
@@ -169,24 +143,18 @@ NESTED = 100_000 * "[" + 100_000 * "]"
 
 
 @pytest.mark.parametrize("damage", [
-    *(lambda text, number=number: huge(text, "facet", number)
+    *(lambda text, number=number: huge(text, "display", number)
       for number in ("1e999", "1" + 400 * "0", "1" + 9000 * "0", "1e300", "NaN", "-Infinity", "0", "[]", '"one"', "null", NESTED)),
     *(lambda text, number=number: huge(text, "legacy_factor", number) for number in ("0", "0.5", "1e300")),
     lambda text: NESTED, lambda text: f'{{"other": {NESTED}, {text[1:]}', lambda text: "\ufeff{}", lambda text: "",
-    lambda text: text.replace('"runs": {', '"runs": [{', 1), lambda text: text.replace('"draw": [', '"draw": [1e300, ', 1),
-    lambda text: text.replace('"draw": [', '"draw": [1' + 400 * "0" + ", ", 1),
-    lambda text: text.replace('"play": [', '"play": [[1e999, 1, 1, 1], ', 1), lambda text: text.replace('"play": [', '"play": [[1, 1, 1], ', 1), lambda text: text.replace('"play": [', '"play": [7, ', 1),
 ])  # fmt: skip
 def test_numbers_that_cannot_be_count_as_none(folder, damage):
     calibration.calibrate("card")
-    calibration.learn("draw", frame_cost("card", slower=30.0), seen(9.0, 1.0), renderer="card")
-    calibration.learn("play", cost_of(100), seen(9.0), renderer="card")
     (path,) = folder.rglob("calibration.json")
     sound = path.read_text()
     path.write_text(damage(sound), encoding="utf-8")
     assert path.read_text() != sound
     assert calibration.load("card") is None and calibration.constants("card") == DEFAULTS
-    assert calibration.learn("play", cost_of(100), seen(9.0), renderer="card") is None
     calibration.measured_speed()
     calibration.calibrate("card")
     assert calibration.load("card") is not None
@@ -207,6 +175,16 @@ def test_no_temporary_file_stays_where_the_file_cannot_be_replaced(folder):
     with pytest.raises(OSError):
         calibration.calibrate("card")
     assert list(path.parent.iterdir()) == [path]
+
+
+def test_parts_that_only_older_versions_wrote_are_ignored(folder):
+    done = calibration.calibrate("card")
+    (path,) = folder.rglob("calibration.json")
+    records = json.loads(path.read_text())
+    records[calibration._key("card")]["constants"]["ring"] = -59e-9
+    records[calibration._key("card")]["runs"] = {"play": [[1, 2, 3]]}
+    path.write_text(json.dumps(records))
+    assert calibration.load("card") == done
 
 
 def test_what_is_kept_is_plain_json(folder):
@@ -234,94 +212,6 @@ def test_a_speed_in_other_units_is_measured_again(folder, monkeypatch):
     speed = calibration.measured_speed()
     monkeypatch.setattr(calibration, "WORK_UNITS", "of another version")
     assert calibration.measured_speed() != speed
-
-
-def cost_of(commands, **known):
-    """Of rows of a pocket."""
-    rows = [("G1", {"X": 10.0 + 60 * (i % 2), "Y": 5.0 + i % 40, "Z": 10.0, "F": 5.0}) for i in range(commands)]
-    tool, stock = Tool("endmill", 6.0), Stock((0, 0, 0), (100, 60, 20))
-    return legacy_costs(Task(linearize(rows), tool, stock), **known)[0]
-
-
-def seen(seconds, frame=0.0, speed=1):
-    """A run that nothing disturbed."""
-    return Seen(seconds, seconds, frame, speed)
-
-
-def test_real_runs_teach_fast_forward_and_the_display(folder):
-    calibration.calibrate("card")
-    assert calibration.learn("play", cost_of(10), seen(3.0), renderer="card") is None
-    cost = cost_of(100, constants=calibration.constants("card"))
-    assert calibration.learn("play", cost, seen(cost.play_seconds / 4), renderer="card").constants.redraw == 1e-3
-    slow = Constants(start=0.9, tick=3e-3, repaint=0.03, redraw=0.2)
-    for commands in (10, 1000, 60, 2000, 150, 1000, 30):
-        for kind in ("fast-forward", "play"):
-            true = cost_of(commands, constants=slow)
-            predicted = cost_of(commands, constants=calibration.constants("card"))
-            seconds = true.play_seconds if kind == "play" else true.fast_forward_seconds
-            calibration.learn(kind, predicted, seen(seconds), renderer="card")
-    learned = calibration.constants("card")
-    assert learned.start == pytest.approx(0.9, rel=0.1) and learned.tick == pytest.approx(3e-3, rel=0.05)
-    assert learned.repaint == pytest.approx(0.03, rel=0.1) and learned.redraw == pytest.approx(0.2, rel=0.02)
-    assert learned.display == pytest.approx(DEFAULTS.display, rel=0.2)
-
-
-def frame_cost(renderer, rows=400, slower=1.0):
-    """Predict an OpenGL simulation with what is known, on a computer that draws so many times as slowly."""
-    commands = [("G1", {"X": 10.0 + 60 * (i % 2), "Y": 0.1 * i, "Z": 10.0, "F": 5.0}) for i in range(rows)]
-    known = calibration.constants(renderer)
-    known = replace(known, frame=known.frame * slower, draw=known.draw * slower)
-    tool, stock = Tool("endmill", 6.0), Stock((0, 0, 0), (100, 60, 20))
-    return opengl_cost(Task(linearize(commands), tool, stock), constants=known)
-
-
-@pytest.mark.parametrize("renderer, slower", [("card", 30.0), ("llvmpipe", 3.0), ("llvmpipe", 0.3)])
-def test_the_last_frame_teaches_how_fast_opengl_draws(folder, renderer, slower):
-    calibration.calibrate(renderer)
-    true = frame_cost(renderer, slower=slower)
-    run = seen(true.play_seconds[50], true.frame_seconds, 50)
-    learned = calibration.learn("draw", frame_cost(renderer), run, renderer=renderer).constants
-    assert (learned.frame, learned.draw) == pytest.approx((true.constants.frame, true.constants.draw))
-    assert frame_cost(renderer).play_seconds == pytest.approx(true.play_seconds)
-    assert calibration.calibrate(renderer).constants.draw == learned.draw  # what was learned stays
-
-
-def test_a_frame_teaches_nothing_if_it_waited_for_the_screen_or_drew_nothing(folder):
-    calibration.calibrate("card")
-    assert calibration.learn("draw", frame_cost("card"), seen(9.0, 1.1 * DEFAULTS.refresh), renderer="card") is None
-    assert calibration.learn("draw", frame_cost("card", rows=0), seen(9.0, 1.0), renderer="card") is None
-
-
-def test_one_odd_run_does_no_harm_and_a_new_benchmark_forgets_nothing(folder):
-    calibration.calibrate()
-    true = cost_of(1000, constants=calibration.constants()).fast_forward_seconds
-    for seconds in (true, 1e4, true, true):
-        calibration.learn("fast-forward", cost_of(1000, constants=calibration.constants()), seen(seconds))
-    assert cost_of(1000, constants=calibration.constants()).fast_forward_seconds == pytest.approx(true, rel=0.2)
-    taught = calibration.load().runs
-    assert len(taught["fast-forward"]) == 4 and calibration.calibrate().runs == taught
-
-
-def test_a_disturbed_run_teaches_nothing(folder):
-    calibration.calibrate("card")
-    known = calibration.load("card")
-    cost = cost_of(1000, constants=known.constants)
-    for kind, waits in (("fast-forward", 1.0), ("play", 1000 / 30)):
-        assert calibration.learn(kind, cost, Seen(2 * (5.0 + waits), 5.0), renderer="card") is None
-    assert calibration.load("card") == known
-    for kind, waits in (("fast-forward", 1.0), ("play", 1000 / 30)):
-        assert calibration.learn(kind, cost, Seen(5.0 + waits, 5.0), renderer="card").runs[kind]
-
-
-def test_the_factor_follows_from_the_errors_of_several_runs(folder):
-    calibration.calibrate("llvmpipe")
-    true, stated = frame_cost("llvmpipe"), []
-    for share in (1.0, 1.1, 0.9, 1.0, 1.05):
-        run = seen(share * true.play_seconds[50], share * true.frame_seconds, 50)
-        known = calibration.learn("draw", frame_cost("llvmpipe"), run, renderer="llvmpipe").constants
-        stated.append(known.opengl_factor)
-    assert stated[0] == stated[2] == calibration.constants("llvmpipe (LLVM 19)").opengl_factor >= 2
-    assert 1.05 < stated[-1] < 1.3
 
 
 class Clock:
@@ -376,7 +266,3 @@ def test_an_analysis_is_cancelled_while_the_computer_is_measured(measured, small
         )
     assert len(asked) == 6
     assert not list(measured.rglob("calibration.json"))  # FreeCAD 1.1 puts folders of its own there
-
-
-def test_nothing_is_learned_before_the_benchmark(folder):
-    assert calibration.learn("fast-forward", cost_of(1000), seen(5.0)) is None and not list(folder.iterdir())

@@ -8,7 +8,7 @@ from dataclasses import replace
 import pytest
 
 from vkworkbench.core import Stock, Strategy, Tool, linearize
-from vkworkbench.core.simulators import Caution, Task, legacy_costs
+from vkworkbench.core.simulators import Caution, Task, legacy_cost
 from vkworkbench.document.marks.record import Record
 from vkworkbench.document.marks.text import Burden, _shortened, burden, is_unsure, is_warned, text_of, time_of
 from vkworkbench.language import Message, render
@@ -16,7 +16,7 @@ from vkworkbench.preferences import Preferences
 
 CHOSEN = Preferences(mark_simulator="legacy", time_budget=600.0)
 PATH = linearize([("G0", {"X": 0.0, "Y": 0.0, "Z": 5.0}), ("G1", {"X": 40.0, "F": 10.0})])
-(COST,) = legacy_costs(Task(PATH, Tool("endmill", 6.0), Stock((-5, -5, 0), (50, 50, 20))))
+COST = legacy_cost(Task(PATH, Tool("endmill", 6.0), Stock((-5, -5, 0), (50, 50, 20))))
 NOTHING = Message("moves-nothing")
 
 

@@ -112,7 +112,7 @@ def test_accuracy_of_the_legacy_simulator(arc):
     fine = analyzed(arc).legacy
     preferences.write(legacy_accuracy=1.0)
     coarse = analyzed(arc).legacy
-    assert (fine.accuracy, coarse.accuracy) == (0.1, 1.0) and fine.cells > 50 * coarse.cells
+    assert coarse.resolution == pytest.approx(10 * fine.resolution) and fine.cells > 50 * coarse.cells
 
 
 @pytest.mark.skipif(freecad.version() < (1, 0), reason="0.20 has no OpenGL simulator")

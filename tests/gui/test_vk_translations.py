@@ -197,7 +197,7 @@ def test_what_is_compiled_is_what_is_translated(name):
 @in_german
 def test_sentences_of_the_example_in_german(opened, german):
     for o in vkworkbench.analyze(opened).operations:
-        messages = *o.messages, o.resolution.why, o.accuracy.why
+        messages = *o.messages, o.resolution.why
         for message in messages:
             shown = sentence(message)
             assert shown != render(message) and not re.search(r"\b(the|of|and|turns|is)\b|[{}]", shown), shown

@@ -8,7 +8,6 @@ from vkworkbench.core.gcode import linearize
 from vkworkbench.core.machining import Machining, exact_lengths, machining, trajectory_seconds
 from vkworkbench.core.paper import Complexity, Signature, complexity, signature
 from vkworkbench.core.recognition import Recognition, Span, recognize
-from vkworkbench.core.simulators import Accuracy, best_accuracy
 from vkworkbench.core.solids import Stock, stock_around
 from vkworkbench.core.steady import processor_clock, steady_seconds
 from vkworkbench.core.stocks import Cylinder, Mesh, Solid
@@ -31,9 +30,9 @@ from vkworkbench.core.zbuffer import (
 )
 
 __all__ = [
-    "COORDINATE_LIMIT", "Accuracy", "Complexity", "Cut", "Cylinder", "Estimate", "Family", "Frame", "Machining", "Mesh", "Problem",
+    "COORDINATE_LIMIT", "Complexity", "Cut", "Cylinder", "Estimate", "Family", "Frame", "Machining", "Mesh", "Problem",
     "Recognition", "Resolution", "Signature", "Solid", "Span", "Speed", "Stock", "Strategy", "Tool", "Toolpath",
-    "View", "ZBuffer", "best_accuracy", "best_resolution", "cauchy_crofton", "complexity", "estimate", "exact_lengths", "linearize", "machining",
+    "View", "ZBuffer", "best_resolution", "cauchy_crofton", "complexity", "estimate", "exact_lengths", "linearize", "machining",
     "measure_speed", "processor_clock", "recognize", "signature", "simulate", "simulate_job", "steady_seconds",
     "stock_around", "trajectory_seconds",
 ]  # fmt: skip

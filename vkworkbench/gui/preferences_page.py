@@ -131,13 +131,11 @@ class PreferencesPage:
             )
         text = translate(
             "VkPreferences",
-            "Last calibrated on {date}: the {simulator} makes {moves} cuts a second, its times are right within "
-            "a factor of {factor}; the simulations that you run refine them. Measured with FreeCAD {freecad} on "
-            "{processor}, display {renderer}.",
+            "Last calibrated on {date}: times of the {simulator} are right within a factor of {factor}. Measured with "
+            "FreeCAD {freecad} on {processor}, display {renderer}.",
         )
         return text.format(
-            date=_local_date(known.date), moves=user().count(round(1 / known.constants.call)),
-            factor=user().number(known.constants.legacy_factor, 2),
+            date=_local_date(known.date), factor=user().number(known.constants.legacy_factor, 2),
             simulator=user().simulator(LEGACY.name), freecad=known.freecad, processor=known.processor, renderer=known.renderer or "?",
         )  # fmt: skip
 

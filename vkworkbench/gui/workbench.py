@@ -14,7 +14,7 @@ from vkworkbench.document.computer import idle
 from vkworkbench.document.marks.properties import may_have_mark
 from vkworkbench.gui import preferences_page
 from vkworkbench.gui.qt.document_command import selected_operations
-from vkworkbench.gui.qt.names import QApplication, QTimer
+from vkworkbench.gui.qt.names import QTimer
 from vkworkbench.gui.qt.text import QT_TRANSLATE_NOOP, translate
 from vkworkbench.gui.simulators import watch as simulator_watch
 
@@ -65,7 +65,6 @@ def install() -> None:
     Gui.getMainWindow().workbenchActivated.connect(
         lambda name: simulator_watch.watch()
     )  # from then on the task view exists
-    QApplication.instance().focusWindowChanged.connect(_focus_changed)
 
 
 def _extend(workbench, menu: str) -> None:
@@ -165,14 +164,6 @@ class _Recomputes:
 
         if name in FreeCAD.listDocuments():  # after the comparison of its marks
             idle.work(upkeep.analyzing_again(FreeCAD.getDocument(name), progress.analyze))
-
-
-def _focus_changed(window) -> None:
-    """Notice that the user opens the OpenGL simulator, which is a separate window."""
-    if window is not None and "CAMSim" in window.metaObject().className():
-        from vkworkbench.gui.simulators import real_runs
-
-        real_runs.watch_opengl(window)
 
 
 def _load_commands() -> None:

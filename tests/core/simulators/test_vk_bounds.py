@@ -10,7 +10,6 @@ from counting import memory
 
 from vkworkbench.core import Stock, Tool, linearize, recognize, stock_around
 from vkworkbench.core.simulators import Conditions, Task, predict, preflight
-from vkworkbench.core.simulators.legacy_work import _RINGS_COUNTED, _WALK, _rings
 from vkworkbench.language import Unusable
 
 STOCK = Stock((-10, -10, -20), (60, 60, 0))
@@ -23,7 +22,7 @@ STOCK = Stock((-10, -10, -20), (60, 60, 0))
     (Tool("endmill", 5), Stock((-1e6, -1e6, -1e6), (1e6, 1e6, 0))), (Tool("endmill", 1e6), Stock((0, 0, -20), (1e-6, 60, 0))),
 ], ids=range(8))  # fmt: skip
 @pytest.mark.parametrize("program", ["zigzag", "helix", "drilling"])
-def test_any_size_takes_little_memory(tool, stock, program):
+def test_prediction_of_any_size_takes_little_memory(tool, stock, program):
     path = linearize(programs.SOUND[program]())
     task, conditions = Task(path, tool, stock, None, recognize(path)), Conditions(version=(1, 0, 0))
 
@@ -38,7 +37,7 @@ def test_any_size_takes_little_memory(tool, stock, program):
 
 
 @pytest.mark.parametrize("diameter", [1.0000001e6, 1e9, 1e300, float("inf"), float("nan"), 0, -1.0])
-def test_tools_that_no_machine_has(diameter):
+def test_tool_of_impossible_size_is_refused(diameter):
     with pytest.raises(Unusable, match="at most a kilometer"):
         Tool("endmill", diameter)
 
@@ -47,28 +46,14 @@ def test_tools_that_no_machine_has(diameter):
     ((1e-7, 60, 20), "no volume"), ((60, 60, 1e-300), "no volume"), ((1e7, 60, 20), "within a kilometer"),
     ((60, 1e300, 20), "within a kilometer"), ((float("nan"), 60, 20), "within a kilometer"),
 ])  # fmt: skip
-def test_stocks_that_no_machine_has(corner, words):
+def test_stock_of_impossible_size_is_refused(corner, words):
     with pytest.raises(Unusable, match=words):
         Stock((0, 0, 0), corner)
 
 
-@pytest.mark.parametrize("radius", [0.1, 0.5, 3.0, 250.3])
-def test_rings_are_counted_as_freecad_makes_them(radius):
-    ring = np.arange(0.5, radius + 1e-9, _WALK)
-    half, whole = (np.ceil(turns * np.pi * ring / _WALK).sum() for turns in (1, 2))
-    assert _rings(radius) == (len(ring), half, whole)
-
-
-def test_many_rings_are_those_of_a_row_of_numbers():
-    radius = 4 * _RINGS_COUNTED * _WALK
-    ring = np.arange(0.5, radius + 1e-9, _WALK)
-    half, whole = (np.ceil(turns * np.pi * ring / _WALK).sum() for turns in (1, 2))
-    assert _rings(radius) == pytest.approx((len(ring), half, whole), rel=1e-6)
-
-
 @pytest.mark.parametrize("diameter", [1e6, 1.0, 1e-6])
 @pytest.mark.parametrize("at", [0.0, 1e6, -1e6])
-def test_the_box_around_cuts_ends_where_coordinates_end(diameter, at):
+def test_box_around_cuts_stays_within_the_coordinates(diameter, at):
     path = linearize([("G0", {"X": at, "Y": at, "Z": at}), ("G1", {"X": 0.0, "F": 5.0}), ("G1", {"X": at})])
     if not len(path):
         path = linearize([("G0", {"X": at, "Y": at, "Z": at}), ("G1", {"X": 1.0, "F": 5.0})])

@@ -62,7 +62,7 @@ def test_a_total_asks_for_the_costs_it_shows(asked):
     assert asked == []
     assert costs["OpenGL"].seconds >= sum(own["OpenGL"].seconds for own in each) > 0
     assert asked == 3 * ["OpenGL"]
-    assert advice["legacy"].position and asked == 3 * ["OpenGL"] + 3 * ["legacy"]
+    assert advice["z-buffer"].view and asked == 3 * ["OpenGL"] + 3 * ["z-buffer"]
 
 
 def test_what_is_to_be_known_before_a_simulation_asks_for_no_rays_where_a_bound_tells(asked):

@@ -16,7 +16,7 @@ from vkworkbench.core import Stock, Tool, View
 from vkworkbench.core.gcode import Words, linearize
 from vkworkbench.core.recognition import recognize
 from vkworkbench.core.simulators.constants import Constants
-from vkworkbench.core.simulators.legacy import legacy_costs
+from vkworkbench.core.simulators.legacy import legacy_cost
 from vkworkbench.core.simulators.opengl import opengl_cost
 from vkworkbench.core.simulators.preflight import preflight
 from vkworkbench.core.simulators.simulator import Caution, Conditions, Task
@@ -126,7 +126,7 @@ def zigzag(rows):
 def test_a_long_play_is_announced_with_the_faster_way():
     commands = zigzag(20000)
     path = linearize(commands)
-    (legacy,) = legacy_costs(Task(path, Tool("endmill", 6.0), STOCK))
+    legacy = legacy_cost(Task(path, Tool("endmill", 6.0), STOCK))
     opengl = opengl_cost(Task(path, Tool("endmill", 6.0), STOCK), constants=Constants(refresh=0.035, draw=25e-6))
     found = [one for one in check(commands, (1, 1), legacy=legacy, OpenGL=opengl) if one.code == "long-play"]
     assert len(found) == 2  # 20,001 commands of 25 ms, a mesh of a million cells of 27 ns and its triangles
@@ -146,7 +146,7 @@ def test_arcs_that_dominate_a_slow_frame():
 def test_thousands_of_moves_shorter_than_a_cell():
     commands = [START] + [("G1", {"X": 10.0 + 0.01 * i, "F": 5.0}) for i in range(1, 3000)]
     path = linearize(commands)
-    (legacy,) = legacy_costs(Task(path, Tool("endmill", 6.0), STOCK))
+    legacy = legacy_cost(Task(path, Tool("endmill", 6.0), STOCK))
     (found,) = check(commands, legacy=legacy)
     assert found.code == "short-moves" and found.message.startswith(
         "2,999 moves are shorter than a cell of the legacy simulator (0.1 mm)"
@@ -174,7 +174,7 @@ def test_memory_beyond_the_budget():
     commands = zigzag(100)
     path = linearize(commands)
     tool = Tool("endmill", 6.0)
-    (legacy,) = legacy_costs(Task(path, tool, STOCK))
+    legacy = legacy_cost(Task(path, tool, STOCK))
     costs = {
         "z-buffer": estimate(path, recognize(path), tool=tool, stock=STOCK, view=View(width=80, height=60)),
         "legacy": legacy,

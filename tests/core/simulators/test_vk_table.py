@@ -15,9 +15,9 @@ from vkworkbench import preferences
 from vkworkbench.core import Stock, Tool, View, linearize, machining, recognize
 from vkworkbench.core.gcode import Words
 from vkworkbench.core.simulators import costs, kept, preflight, table
-from vkworkbench.core.simulators.accuracy import Accuracy
+from vkworkbench.core.simulators.opengl import opengl_speeds
 from vkworkbench.core.simulators.simulator import Caution, Conditions, Task
-from vkworkbench.core.simulators.table import LEGACY, SIMULATORS, ZBUFFER
+from vkworkbench.core.simulators.table import LEGACY, OPENGL, SIMULATORS, ZBUFFER, available
 from vkworkbench.core.zbuffer import Resolution
 from vkworkbench.language import Message
 from vkworkbench.report import OperationReport, Report
@@ -58,8 +58,7 @@ def test_every_text_of_an_entry_is_translated(language):
 def test_entries_do_not_collide():
     names = [simulator.name for simulator in SIMULATORS]
     columns = [name for s in SIMULATORS for name in (*s.columns, s.factor_column, s.advice and s.advice.column) if name]
-    kinds = [lesson.kind for simulator in SIMULATORS for lesson in simulator.lessons]
-    for unique in (names, columns, kinds):
+    for unique in (names, columns):
         assert len(set(unique)) == len(unique)
     assert preferences.OWN not in names and SIMULATORS[0] is ZBUFFER
 
@@ -94,7 +93,6 @@ WIREFRAME = replace(
     columns={"wireframe_seconds": lambda cost: cost.seconds},
     factor_column="wireframe_factor",
     advice=None,
-    lessons=(),
 )
 
 
@@ -145,8 +143,6 @@ def test_advice_as_numbers_is_nothing_where_nothing_meets_the_budget():
     why = Message("no-image")
     assert ZBUFFER.advice.numbers(Resolution(None, 1.0, 1.0, why)) == (0, 0)
     assert ZBUFFER.advice.numbers(Resolution(View(width=40, height=30), 1.0, 1.0, why)) == (40, 30)
-    assert LEGACY.advice.numbers(Accuracy(None, 1.0, 1.0, why)) == (0,)
-    assert LEGACY.advice.numbers(Accuracy(7, 1.0, 1.0, why)) == (7,)
 
 
 def test_without_a_tool_or_a_stock_nothing_is_predicted():
@@ -165,10 +161,10 @@ def test_a_caution_reads_as_its_message():
 def test_costs_by_their_own_names_are_those_of_the_table():
     operation = row((1, 1))
     assert operation.legacy is operation.costs["legacy"] and operation.opengl is operation.costs["OpenGL"]
-    assert operation.accuracy is operation.advice["legacy"] and operation.resolution is operation.advice["z-buffer"]
-    assert None not in (operation.legacy, operation.opengl, operation.accuracy, operation.resolution)
+    assert operation.resolution is operation.advice["z-buffer"]
+    assert None not in (operation.legacy, operation.opengl, operation.resolution)
     without = row(())
-    assert (without.legacy, without.opengl, without.accuracy) == (None, None, None)
+    assert (without.legacy, without.opengl) == (None, None)
 
 
 def test_a_mistyped_name_is_no_simulator_whose_cost_is_not_known():
@@ -187,3 +183,11 @@ def test_a_freecad_without_it_says_nothing_of_it(wireframe):
     assert operation.cost("wireframe") is None and operation.factor("wireframe") == 1.0
     assert operation.as_dict()["wireframe_seconds"] is None
     assert set(row(()).costs) == {"z-buffer"}
+
+
+def test_versions_have_the_simulators_and_speeds_of_freecad():
+    assert available(()) == (ZBUFFER,)
+    assert available((0, 20, 2)) == available((0, 21)) == (ZBUFFER, LEGACY)
+    assert available((1, 0, 0)) == available((1, 1, 3)) == (ZBUFFER, LEGACY, OPENGL)
+    assert opengl_speeds((1, 0, 0)) == (1, 10, 40)
+    assert opengl_speeds((1, 1, 3)) == (1, 5, 10, 25, 50)

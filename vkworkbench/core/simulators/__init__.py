@@ -6,22 +6,19 @@ Out: the table `SIMULATORS`, each with its Cost of one operation or of several t
 what real runs teach it about the `Constants`; `Caution`, what to know before a simulation is started.
 """
 
-from vkworkbench.core.simulators.accuracy import Accuracy, best_accuracy
 from vkworkbench.core.simulators.constants import DEFAULTS, Constants
 from vkworkbench.core.simulators.costs import Costs
 from vkworkbench.core.simulators.kept import as_data as cost_as_data
 from vkworkbench.core.simulators.kept import from_data as cost_from_data
-from vkworkbench.core.simulators.legacy import SLIDER, LegacyCost, legacy_costs, legacy_together
-from vkworkbench.core.simulators.legacy_work import legacy_work
+from vkworkbench.core.simulators.legacy import LegacyCost, legacy_cost, legacy_together
 from vkworkbench.core.simulators.opengl import OpenGLCost, opengl_cost, opengl_speeds, opengl_together
 from vkworkbench.core.simulators.preflight import preflight
-from vkworkbench.core.simulators.real_runs import Lesson, Seen
 from vkworkbench.core.simulators.simulator import Advice, Caution, Conditions, Cost, Simulator, Task
 from vkworkbench.core.simulators.table import LEGACY, OPENGL, SIMULATORS, ZBUFFER, available, predict, together
 
 __all__ = [
-    "DEFAULTS", "LEGACY", "OPENGL", "SIMULATORS", "SLIDER", "ZBUFFER", "Accuracy", "Advice",
-    "Caution", "Conditions", "Constants", "Cost", "Costs", "LegacyCost", "Lesson", "OpenGLCost", "Seen", "Simulator", "Task",
-    "available", "best_accuracy", "cost_as_data", "cost_from_data", "legacy_costs", "legacy_together", "legacy_work", "opengl_cost",
+    "DEFAULTS", "LEGACY", "OPENGL", "SIMULATORS", "ZBUFFER", "Advice",
+    "Caution", "Conditions", "Constants", "Cost", "Costs", "LegacyCost", "OpenGLCost", "Simulator", "Task",
+    "available", "cost_as_data", "cost_from_data", "legacy_cost", "legacy_together", "opengl_cost",
     "opengl_speeds", "opengl_together", "predict", "preflight", "together",
 ]  # fmt: skip

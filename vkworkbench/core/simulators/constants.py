@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What the unit work of FreeCAD's simulators costs on one computer."""
+"""The cost of one unit of each kind of work of FreeCAD's simulators, on one computer."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from dataclasses import dataclass
 
 @dataclass(frozen=True)
 class Constants:
-    """What one unit of work costs on one computer, seconds and bytes.
+    """The cost of one unit of work on one computer, seconds and bytes.
 
     The defaults were measured with FreeCAD 0.20.2, 1.0.0 and 1.1.3 on two Xeon cores without a graphics card;
     ``redraw``, ``frame``, ``draw`` and ``fill`` are guesses for a computer with a graphics card: none was measured.
@@ -24,8 +24,6 @@ class Constants:
         Legacy: showing another percent of a fast-forward's progress.
     redraw : float
         Legacy: showing one command in play, without its mesh.
-    call, ring, line, cap : float
-        Legacy: one straight move, one ring of the half disc at its end, one step along the move, one step of a ring.
     cell : float
         Legacy: one cell of the grid, each time it becomes a mesh.
     facet : float
@@ -45,17 +43,13 @@ class Constants:
     line_bytes, arc_bytes : float
         OpenGL: memory of a straight motion and of an arc.
     legacy_factor, opengl_factor : float
-        The true time is between the estimate divided and multiplied by this; before any simulation was seen.
+        The true time is between the estimate divided and multiplied by this.
     """
 
     start: float = 0.32
     tick: float = 1.087e-3
     repaint: float = 0.0
     redraw: float = 0.025
-    call: float = 0.76e-6
-    ring: float = 59e-9
-    line: float = 2.2e-9
-    cap: float = 4.7e-9
     cell: float = 27e-9
     facet: float = 1.7e-6
     display: float = 1e-6

@@ -6,7 +6,6 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Any
 
-from vkworkbench.core.simulators.accuracy import Accuracy
 from vkworkbench.core.simulators.legacy import LegacyCost
 from vkworkbench.core.simulators.opengl import OpenGLCost
 from vkworkbench.core.simulators.simulator import Advice, Simulator
@@ -21,7 +20,7 @@ class Costs:
     ----------
     costs : mapping of str to Cost
         Computed when they are asked for. Without simulators that this FreeCAD does not have, and without those whose cost is not known.
-    advice : mapping of str to Resolution, Accuracy
+    advice : mapping of str to Resolution
         The finest setting of a simulator within the budget of the preferences; the same simulators are missing.
     """
 
@@ -44,12 +43,6 @@ class Costs:
     def resolution(self) -> Resolution | None:
         """The finest image of the z-buffer within the budget of the preferences."""
         chosen: Resolution | None = self.advice.get(ZBUFFER.name)
-        return chosen
-
-    @property
-    def accuracy(self) -> Accuracy | None:
-        """The finest accuracy of playing in the legacy simulator within that budget."""
-        chosen: Accuracy | None = self.advice.get(LEGACY.name)
         return chosen
 
     def cost(self, simulator: str) -> tuple[float, float] | None:

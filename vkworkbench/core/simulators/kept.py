@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from dataclasses import Field, fields
+from dataclasses import fields
 from math import isfinite
 from typing import Any
 
@@ -13,29 +13,25 @@ from vkworkbench.core.simulators.table import SIMULATORS
 
 
 def as_data(name: str, cost: Cost) -> dict[str, Any]:
-    """Return what has to be kept of a cost so that those of several operations can be put together, as JSON takes it."""
-    return {field.name: _plain(getattr(cost, field.name)) for field in _kept_fields(_kind(name))}
+    """Return the part of a cost that documents keep, as JSON takes it: enough to compute the cost of several operations."""
+    return {field.name: _plain(getattr(cost, field.name)) for field in fields(_kind(name))}
 
 
 def from_data(name: str, data: Any) -> Cost:
-    """Return the cost that `as_data` made this of.
+    """Return the cost from which `as_data` made this. Constants that this version does not know are ignored.
 
     Raises
     ------
     LookupError, TypeError, ValueError
-        If no cost looks like that: another version may have written it.
+        If the data do not describe a cost: another version may have written them.
     """
     kind = _kind(name)
-    cost: Cost = kind(**{field.name: _value(field.name, data[field.name]) for field in _kept_fields(kind)})
+    cost: Cost = kind(**{field.name: _value(field.name, data[field.name]) for field in fields(kind)})
     return cost
 
 
 def _kind(name: str) -> type:
     return {simulator.name: simulator.kept for simulator in SIMULATORS}[name]
-
-
-def _kept_fields(kind: type) -> list[Field[Any]]:
-    return [field for field in fields(kind) if field.metadata.get("kept", True)]
 
 
 def _plain(value: Any) -> Any:
@@ -49,7 +45,8 @@ def _plain(value: Any) -> Any:
 
 def _value(name: str, data: Any) -> Any:
     if name == "constants":
-        return Constants(**{key: _number(number) for key, number in data.items()})
+        known = {field.name for field in fields(Constants)}
+        return Constants(**{key: _number(number) for key, number in data.items() if key in known})
     if isinstance(data, dict):
         if not data:
             raise ValueError(f"no {name}")

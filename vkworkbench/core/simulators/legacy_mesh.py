@@ -3,8 +3,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-
 import numpy as np
 
 # A step in height between two cells is a wall, not a slope, if it is higher than this many cells' edges, or more than
@@ -21,12 +19,10 @@ _LONGEST = 5
 _FINER = 1.05
 
 
-def mesh_facets(
-    heights: np.ndarray, size: float, resolutions: Sequence[float], *, floor: np.ndarray, floor_size: float
-) -> np.ndarray:
-    """Triangles of the meshes that the legacy simulator makes of a stock at several accuracies.
+def mesh_facets(heights: np.ndarray, size: float, resolution: float, *, floor: np.ndarray, floor_size: float) -> float:
+    """Count the triangles of the mesh that the legacy simulator makes of a stock.
 
-    They cover the stock with rectangles of cells whose heights differ by less than a cell's edge. On a slope of
+    The triangles cover the stock with rectangles of cells whose heights differ by less than a cell's edge. On a slope of
     (gx, gy) such a rectangle spans 1/gx by 1/gy cells, no longer than 5:1, so there are gx gy of them per cell. A flat
     floor has a few, and each wall a few per corner. A lower face that is cut through is divided into many, see
     :func:`bottom_rectangles`; their number grows with that of the cells.
@@ -37,8 +33,8 @@ def mesh_facets(
         Map of the heights, mm.
     size : float
         Edge of a cell of the map, mm.
-    resolutions : sequence of float
-        Edges of a cell of the simulator, mm.
+    resolution : float
+        Edge of a cell of the simulator, mm.
     floor : (mx, my) bool
         Map of what is left of the lower face.
     floor_size : float
@@ -46,42 +42,27 @@ def mesh_facets(
 
     Returns
     -------
-    (len(resolutions),) float64
-        Numbers of triangles, inner and outer mesh together.
+    float
+        Number of triangles, inner and outer mesh together.
     """
     step_x, step_y = np.abs(np.diff(heights, axis=0)), np.abs(np.diff(heights, axis=1))
-    may_x, may_y = _may_be_walls(step_x, size), _may_be_walls(step_y.T, size).T
-    pieces = 1 if floor.all() else bottom_rectangles(floor)
-    parts = {}  # by the number of walls: of two resolutions the finer one has all walls of the other
-    facets = []
-    for resolution in resolutions:
-        finer = size / resolution
-        wall_x, wall_y = may_x & (step_x > resolution), may_y & (step_y > resolution)
-        walls = int(wall_x.sum()), int(wall_y.sum())
-        if walls not in parts:
-            parts[walls] = _parts(heights.shape, size, step_x, step_y, wall_x, wall_y)
-        cells, straight, sloping = parts[walls]
-        facets.append(
-            BOX
-            + finer * (_CORNER * (cells - straight) + _ALONG * cells)
-            + finer**2 * _RECTANGLE * sloping
-            + (floor_size / resolution) ** 2 * 2 * _FINER * max(pieces - 1, 0)
-        )
-    return np.array(facets)
-
-
-def _parts(
-    shape: tuple[int, ...], size: float, step_x: np.ndarray, step_y: np.ndarray, wall_x: np.ndarray, wall_y: np.ndarray
-) -> tuple[int, int, float]:
-    """Cells of the map at walls, those of them where a wall goes straight on, and rectangles of a cell on the slopes."""
+    wall_x = _may_be_walls(step_x, size) & (step_x > resolution)
+    wall_y = _may_be_walls(step_y.T, size).T & (step_y > resolution)
     cells = wall_x.sum() + wall_y.sum()
     straight = (wall_x[:, 1:] & wall_x[:, :-1]).sum() + (wall_y[1:] & wall_y[:-1]).sum()
-    slope_x, slope_y = np.zeros(shape), np.zeros(shape)
+    slope_x, slope_y = np.zeros(heights.shape), np.zeros(heights.shape)
     slope_x[:-1] = np.where(wall_x, 0, step_x) / size
     slope_y[:, :-1] = np.where(wall_y, 0, step_y) / size
     across = np.minimum(np.maximum(slope_x, slope_y / _LONGEST), 1)
     along = np.minimum(np.maximum(slope_y, slope_x / _LONGEST), 1)
-    return int(cells), int(straight), float((across * along).sum())
+    pieces = 1 if floor.all() else bottom_rectangles(floor)
+    finer = size / resolution
+    return float(
+        BOX
+        + finer * (_CORNER * (cells - straight) + _ALONG * cells)
+        + finer**2 * _RECTANGLE * (across * along).sum()
+        + (floor_size / resolution) ** 2 * 2 * _FINER * max(pieces - 1, 0)
+    )
 
 
 def bottom_rectangles(kept: np.ndarray) -> int:

@@ -9,14 +9,11 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from statistics import median_low
-from typing import Any
 
 import numpy as np
 
 from vkworkbench.core.simulators.constants import DEFAULTS, Constants
 from vkworkbench.core.simulators.motions import Motions
-from vkworkbench.core.simulators.real_runs import Lesson, Seen
 from vkworkbench.core.simulators.simulator import Caution, Conditions, Task
 from vkworkbench.core.tool import Tool
 from vkworkbench.language import Message
@@ -41,8 +38,6 @@ _CORNER_PIECE = 0.5
 _LONGER_PER_SEGMENT = 0.1
 # Parts into which an operation is divided to estimate its frames where other operations were played before it.
 _PARTS = 32
-# A frame that takes less than this many refreshes may have waited for the screen.
-_SLOW_FRAME = 1.25
 
 
 def opengl_speeds(version: tuple[int, ...]) -> tuple[int, ...]:
@@ -87,16 +82,7 @@ def opengl_work(made: Motions, *, diameter: float, quality: int = 10) -> OpenGLW
     Returns
     -------
     OpenGLWork
-
-    Raises
-    ------
-    ValueError
-        If the diameter or the quality is not positive.
     """
-    if not (np.isfinite(diameter) and diameter > 0):
-        raise ValueError(f"the tool diameter must be a positive number of mm, not {diameter}")
-    if not quality > 0:
-        raise ValueError(f"the quality must be positive, not {quality}")
     # The size of the stock is not known yet when the simulator asks for it, so its 100 mm always count.
     resolution = min(max(100 * 0.05 / quality, 0.5), 4.0)
     small_step = np.pi / (8 if quality >= 8 else 4 if quality >= 4 else 2)
@@ -216,11 +202,6 @@ def opengl_cost(
     Returns
     -------
     OpenGLCost
-
-    Raises
-    ------
-    ValueError
-        If the quality is not positive.
     """
     tool, stock = task.cutting
     work = opengl_work(task.motions, diameter=tool.diameter, quality=quality)
@@ -286,32 +267,3 @@ def cautions(task: Task, cost: OpenGLCost | None, conditions: Conditions) -> lis
         percent = round(100 * cost.arc_draws / cost.draws)
         found.append(Caution("arcs", Message("opengl-arcs", simulator=NAME, time=cost.frame_seconds, percent=percent)))
     return found
-
-
-def _draw_of(cost: OpenGLCost, seen: Seen, constants: Constants) -> tuple[float, ...] | None:
-    """Return the constant "draw" that follows from the last frames of a play, and from the whole play.
-
-    None where the frames were so short that they may have waited for the screen.
-    """
-    if seen.frame_seconds < _SLOW_FRAME * constants.refresh or not cost.drawing_seconds:
-        return None
-    frame = constants.draw * seen.frame_seconds / (constants.frame + cost.drawing_seconds)
-    return frame, constants.draw * seen.seconds / cost.play_seconds[seen.speed]
-
-
-def _drawing(runs: Sequence[Any], constants: Constants) -> dict[str, float]:
-    draw = median_low([draw for draw, _ in runs])
-    return {"frame": constants.frame * draw / constants.draw, "draw": draw}
-
-
-def _ratio(run: tuple[float, ...], constants: Constants) -> float:
-    """A play takes longer as a draw call does."""
-    return constants.draw / run[1]
-
-
-def _waits(cost: OpenGLCost, constants: Constants) -> float:
-    """What a graphics card takes is not the processor's time, so nobody knows; without one nothing waits."""
-    return np.inf if constants.refresh else 0.0
-
-
-LESSONS = (Lesson("draw", _draw_of, 2, _drawing, _waits, _ratio, "opengl_factor"),)

@@ -12,7 +12,6 @@ from vkworkbench.core.gcode import Words
 from vkworkbench.core.recognition import Recognition
 from vkworkbench.core.simulators.constants import DEFAULTS, Constants
 from vkworkbench.core.simulators.motions import Motions, motions
-from vkworkbench.core.simulators.real_runs import Lesson
 from vkworkbench.core.stocks import Solid
 from vkworkbench.core.tool import Tool
 from vkworkbench.core.toolpath import Toolpath
@@ -202,7 +201,7 @@ class Simulator:
         ``cautions(task, cost, conditions)`` are the Cautions for one operation; the cost may be None.
         None where nothing goes wrong in it.
     kept : type
-        The dataclass of what documents keep of its costs, but for fields with ``kept=False`` among their metadata.
+        The dataclass whose fields documents keep for each of its costs.
     less_memory : Message
         What helps where it takes too much memory.
     columns : dict of str to callable
@@ -212,7 +211,6 @@ class Simulator:
     time_tooltip, memory_tooltip : str
         Tooltips of its columns in the panel; translated in the context "Vk_Results".
     advice : Advice or None
-    lessons : tuple of Lesson
     preferences : tuple of str
         Names of the preferences that have no effect without it.
     most_bytes : callable or None
@@ -232,7 +230,6 @@ class Simulator:
     time_tooltip: str
     memory_tooltip: str
     advice: Advice | None = None
-    lessons: tuple[Lesson, ...] = ()
     preferences: tuple[str, ...] = ()
     most_bytes: Callable[[Task, Conditions], float] | None = None
 

@@ -7,8 +7,7 @@ from collections.abc import Mapping, Sequence
 from functools import partial
 from typing import Any
 
-from vkworkbench.core.simulators import legacy, legacy_cautions, legacy_panel, opengl, zbuffer
-from vkworkbench.core.simulators.accuracy import best_accuracy
+from vkworkbench.core.simulators import legacy, legacy_cautions, opengl, zbuffer
 from vkworkbench.core.simulators.on_demand import OnDemand
 from vkworkbench.core.simulators.simulator import Advice, Conditions, Cost, Simulator, Task
 from vkworkbench.language import QT_TRANSLATE_NOOP, Message
@@ -78,21 +77,6 @@ LEGACY = Simulator(
     memory_tooltip=QT_TRANSLATE_NOOP(
         "Vk_Results", "Memory of FreeCAD's legacy simulator, at the accuracy set in the preferences"
     ),
-    advice=Advice(
-        choose=lambda costs, **budget: best_accuracy([cost.positions for cost in costs], **budget),
-        numbers=lambda chosen: (chosen.position or 0,),
-        form="{}",
-        column="legacy_accuracy",
-        title=QT_TRANSLATE_NOOP("Vk_Results", "Recommended\naccuracy"),
-        tooltip=QT_TRANSLATE_NOOP(
-            "Vk_Results",
-            "The finest position of the legacy simulator's accuracy slider, 1 to 10, with which playing stays within "
-            "the budgets of the preferences",
-        ),
-        sentence=QT_TRANSLATE_NOOP("Vk_Results", "Recommended accuracy of the {simulator}: {}"),
-        none=QT_TRANSLATE_NOOP("Vk_Results", "fast-forward"),
-    ),
-    lessons=legacy_panel.LESSONS,
     preferences=("legacy_accuracy",),
 )
 
@@ -113,7 +97,6 @@ OPENGL = Simulator(
     factor_column="opengl_factor",
     time_tooltip=QT_TRANSLATE_NOOP("Vk_Results", "Time of FreeCAD's OpenGL simulator at its highest speed"),
     memory_tooltip=QT_TRANSLATE_NOOP("Vk_Results", "Memory of FreeCAD's OpenGL simulator"),
-    lessons=opengl.LESSONS,
     preferences=("opengl_quality",),
 )
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""How fast this computer simulates: measured once, learned from real runs, kept in FreeCAD's user data folder."""
+"""The speed of this computer in every simulator: measured once and kept in FreeCAD's user data folder."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ import numpy as np
 
 from vkworkbench import freecad
 from vkworkbench.core import processor_clock
-from vkworkbench.core.simulators import DEFAULTS, SIMULATORS, Constants, Cost, Seen
+from vkworkbench.core.simulators import DEFAULTS, Constants
 from vkworkbench.core.zbuffer import WORK_UNITS, Speed, measure_speed
 from vkworkbench.document.computer.measuring import as_slow_here, measure_legacy
 from vkworkbench.worker import processes
@@ -33,16 +33,13 @@ _SOFTWARE_PANEL = {"redraw": 40e-3}
 _SOFTWARE_PANEL_QT6 = {"redraw": 56e-3, "repaint": 30e-3}
 # Making meshes takes this many times longer where pictures between them are drawn on the same processor.
 _SOFTWARE_MESH = 1.5
-# The kinds of real runs to learn from, and how many of each are kept.
-_LESSONS = {lesson.kind: lesson for simulator in SIMULATORS for lesson in simulator.lessons}
-_LAST_RUNS = 15
-# Of a speed, what is measured.
+# Fields of a Speed that are measured.
 _MEASURED = [field.name for field in fields(Speed) if field.name != "processes"]
 # What a damaged file raises where it holds other things than a calibration, numbers too large or lists nested too deep.
 _UNREADABLE = (TypeError, LookupError, ValueError, AttributeError, ArithmeticError, RecursionError)
-# No constant and no number of a run is larger; these constants may be 0 as they are measured, or by default.
+# Largest possible constant. These constants may be 0, measured or by default.
 _LARGEST = 1e15
-_MAYBE_NOTHING = frozenset(["repaint", "call", "ring", "line", "cap", "refresh"])
+_MAY_BE_ZERO = frozenset(["repaint", "facet", "refresh"])
 
 
 @dataclass(frozen=True)
@@ -57,8 +54,6 @@ class Calibration:
         Day of the measurement, ISO 8601.
     freecad, processor, renderer : str
         With what it was measured: it holds for nothing else.
-    runs : dict of str to tuple
-        What is kept of the last real runs, by their kind: see the simulators' lessons.
     """
 
     constants: Constants
@@ -66,7 +61,6 @@ class Calibration:
     freecad: str
     processor: str
     renderer: str
-    runs: dict[str, tuple]
 
 
 def processor() -> str:
@@ -156,20 +150,17 @@ def load(renderer: str = "") -> Calibration | None:
         values = {field.name: float(record["constants"][field.name]) for field in fields(Constants)}
         if not all(_least(name) <= value <= _LARGEST for name, value in values.items()):
             return None
-        runs = {kind: tuple(map(lesson.read, record["runs"].get(kind, ()))) for kind, lesson in _LESSONS.items()}
-        if not all((np.abs(run) <= _LARGEST).all() for some in runs.values() for run in some):
-            return None
         words = (str(record[name]) for name in ("date", "freecad", "processor", "renderer"))
-        return Calibration(Constants(**values), *words, runs)
+        return Calibration(Constants(**values), *words)
     except _UNREADABLE:
         return None
 
 
 def _least(name: str) -> float:
-    """The least that a constant can be: a factor is at least 1, and what is always measured is never nothing."""
+    """Return the smallest possible value of a constant: 1 for a factor, and more than 0 for what takes time everywhere."""
     if name.endswith("factor"):
         return 1.0
-    return 0.0 if name in _MAYBE_NOTHING else sys.float_info.min
+    return 0.0 if name in _MAY_BE_ZERO else sys.float_info.min
 
 
 def calibrate(
@@ -180,7 +171,7 @@ def calibrate(
 ) -> Calibration:
     """Measure the extended z-buffer and the legacy simulator on this computer, until it is steady, and remember it.
 
-    What takes a timer or a display cannot be measured without a window: :func:`learn` finds it from real runs.
+    The timer and the display cannot be measured so: their constants are scaled by the time of a mesh.
 
     Parameters
     ----------
@@ -203,48 +194,9 @@ def calibrate(
     speed = measure_speed(clock, going_on)
     measured = _for_renderer(measure_legacy(clock, going_on), renderer)
     _write(_kept(speed))
-    known = load(renderer)
-    runs = known.runs if known else dict.fromkeys(_LESSONS, ())
     version = ".".join(map(str, freecad.version()))
-    return _remember(Calibration(measured, date.today().isoformat(), version, processor(), renderer, runs))
-
-
-def learn(kind: str, cost: Cost, seen: Seen, *, renderer: str = "") -> Calibration | None:
-    """Learn from a simulation that the user ran.
-
-    The last fifteen runs count, and an odd one among them does no harm. One that took far longer than the processor
-    worked for it and timers waited teaches nothing.
-
-    Parameters
-    ----------
-    kind : {"fast-forward", "play", "draw"}
-        Kind of the run, as the simulators' lessons name it; "draw" are the last frames of a play in the OpenGL one.
-    cost : Cost
-        The cost that was predicted for the run with :func:`constants`.
-    seen : Seen
-        The run.
-    renderer : str
-        OpenGL's name of its renderer.
-
-    Returns
-    -------
-    Calibration or None
-        The new calibration; None where the run teaches nothing, or nothing was calibrated yet.
-    """
-    known = load(renderer)
-    run = known and _LESSONS[kind].kept(cost, seen, known.constants)
-    if run is None:
-        return None
-    return _remember(replace(known, runs={**known.runs, kind: (*known.runs[kind], run)[-_LAST_RUNS:]}))
-
-
-def _remember(calibration: Calibration) -> Calibration:
-    """Apply what runs taught, write the calibration to the file, and return it."""
-    learned = {}
-    for kind, runs in calibration.runs.items():
-        learned.update(_LESSONS[kind].taught(runs, calibration.constants))
-    calibration = replace(calibration, constants=replace(calibration.constants, **learned))
-    _write({_key(calibration.renderer): asdict(calibration)})
+    calibration = Calibration(measured, date.today().isoformat(), version, processor(), renderer)
+    _write({_key(renderer): asdict(calibration)})
     return calibration
 
 

@@ -35,8 +35,6 @@ class Column:
         For an estimated time: returns the factor of a row. The true time is between time / factor and time * factor.
     least : callable
         Returns whether the value of a row is a lower bound.
-    learns : bool
-        Whether runs of the simulator make the factor smaller.
     """
 
     key: str
@@ -46,7 +44,6 @@ class Column:
     shown: Callable[[object], str] = str
     factor: Callable[[Row], float] | None = None
     least: Callable[[Row], bool] = lambda row: False
-    learns: bool = False
 
     @property
     def name(self) -> str:
@@ -69,11 +66,6 @@ class Column:
         if value is None or factor < ROUGH:
             return ""
         low, high = user().time(value / factor, factor), user().time(value * factor, factor)
-        if self.learns:
-            text = translate(
-                "Vk_Results", "Between {} and {}, until this simulator has run a few times on this computer"
-            )
-            return text.format(low, high)
         return user().between(low, high)
 
 
@@ -88,7 +80,6 @@ def columns(version: tuple[int, ...], marked: str) -> tuple[list[Column], list[C
         Name of the simulator whose time the marks show.
     """
     simulators = available(version)
-    (simulator,) = [s for s in simulators if s.name == marked]
     time = translate("Vk_Results", "How long the {simulator} takes, as the marks show it")
     first = [
         Column(OPERATION, translate("Vk_Results", "Operation"), "", lambda row: row.label),
@@ -101,7 +92,7 @@ def columns(version: tuple[int, ...], marked: str) -> tuple[list[Column], list[C
                lambda row: row.found.machining_seconds or None, _as("time"), least=lambda row: not row.machining_complete),
         Column("simulation_time", translate("Vk_Results", "Simulation\ntime"),
                time.format(simulator=user().simulator(marked)),
-               partial(_seconds, marked), factor=partial(_factor, marked), least=_is_bound, learns=bool(simulator.lessons)),
+               partial(_seconds, marked), factor=partial(_factor, marked), least=_is_bound),
         Column(STATE, translate("Vk_Results", "State"),
                translate("Vk_Results", "Outdated: toolpath, tool or stock have changed since; analyze it again"),
                lambda row: translate("Vk_Results", "outdated") if row.outdated else None),
@@ -165,7 +156,7 @@ def _of_simulator(simulator: Simulator) -> tuple[Column, Column]:
     time, memory = translate("Vk_Results", "{simulator}\ntime"), translate("Vk_Results", "{simulator}\nmemory")
     return (
         Column(f"{name} time", time.format(simulator=called), text(simulator.time_tooltip),
-               partial(_seconds, name), factor=partial(_factor, name), least=_is_bound, learns=bool(simulator.lessons)),
+               partial(_seconds, name), factor=partial(_factor, name), least=_is_bound),
         Column(f"{name} memory", memory.format(simulator=called), text(simulator.memory_tooltip),
                partial(_bytes, name), _as("memory")),
     )  # fmt: skip

@@ -47,13 +47,8 @@ def watch() -> None:
 
 
 def _opened(panel: QWidget) -> None:
-    """Let the panel of a simulator teach how long it takes, and say what the marks know of it."""
-    simulator = simulator_of(panel)
-    if simulator == "legacy":
-        from vkworkbench.gui.simulators import real_runs
-
-        real_runs.watch_legacy(panel)
+    """Warn of what the marks know about the simulation that a panel will start."""
     if preferences.read().warn_of_simulators and any(map(may_have_mark, FreeCAD.ActiveDocument.Objects)):
         from vkworkbench.gui.simulators import warning as simulator_warning
 
-        simulator_warning.watch(panel, simulator)
+        simulator_warning.watch(panel, simulator_of(panel))

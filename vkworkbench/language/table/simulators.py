@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What goes wrong in a simulator, and which image or accuracy is recommended."""
+"""What goes wrong in a simulator, and which image is recommended."""
 
 from __future__ import annotations
 
@@ -117,13 +117,4 @@ SIMULATORS: dict[str, str | tuple[str, str]] = {
         "no resolution helps, the trajectories alone take {time:s}: simulate fewer operations{heaviest}",
     ),
     "heaviest": QT_TRANSLATE_NOOP("Sentences", "; the heaviest is {label} with {time:s}"),
-    # The recommended accuracy of the legacy simulator.
-    "accuracy": QT_TRANSLATE_NOOP(
-        "Sentences", "position {position:n} of {positions:n}, cells of {cell:mm2}, plays in {time:s}{passes}"
-    ),
-    "no-accuracy": QT_TRANSLATE_NOOP(
-        "Sentences",
-        "no accuracy helps, playing takes {longer:s} even at the coarsest: use fast-forward, about {time:s} at "
-        "the finest{heaviest}",
-    ),
 }

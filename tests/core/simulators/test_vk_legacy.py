@@ -1,0 +1,152 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The cost of the legacy simulator: fast-forward, play, and several operations in sequence."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from vkworkbench.core import Stock, Tool
+from vkworkbench.core.gcode import linearize
+from vkworkbench.core.simulators.constants import Constants
+from vkworkbench.core.simulators.legacy import legacy_cost, legacy_together
+from vkworkbench.core.simulators.simulator import Task
+
+STOCK = Stock((0, 0, 0), (100, 60, 20))
+TOOL = Tool("endmill", 6.0)
+
+
+def zigzag(rows, depth=15.0, width=80.0, pitch=2.0):
+    """Rows in alternating directions at one depth."""
+    commands = [("(zigzag)", {}), ("G0", {"X": 10.0, "Y": 5.0, "Z": 25.0}), ("G1", {"Z": depth, "F": 10.0})]
+    for row in range(rows):
+        commands.append(("G1", {"X": 10.0 + width * ((row + 1) % 2)}))
+        commands.append(("G1", {"Y": 5.0 + pitch * (row + 1)}))
+    return commands
+
+
+def surface(rows=60, points=60):
+    """Rows over a dome."""
+    commands = [("G0", {"X": 20.0, "Y": 10.0, "Z": 25.0})]
+    for row in range(rows):
+        y = 10 + 40 * row / rows
+        along = np.linspace(20, 80, points)[:: 1 if row % 2 == 0 else -1]
+        heights = 18 - ((along - 50) ** 2 + (y - 30) ** 2) / 100
+        commands += [("G1", {"X": x, "Y": y, "Z": z}) for x, z in zip(along.tolist(), heights.tolist())]
+    return commands
+
+
+def cost_of(commands, tool=TOOL, stock=STOCK, accuracy=0.1, **constants):
+    return legacy_cost(Task(linearize(commands), tool, stock), accuracy=accuracy, constants=Constants(**constants))
+
+
+def test_comments_take_a_tick_but_show_nothing():
+    bare, noted = cost_of(zigzag(20)), cost_of(zigzag(20) + [("(note)", {})] * 1000)
+    assert noted.fast_forward_seconds - bare.fast_forward_seconds == pytest.approx(1000 * Constants().tick)
+    assert noted.play_seconds - bare.play_seconds == pytest.approx(1000 / 50)
+
+
+def test_fast_forward_makes_one_mesh_of_all_cells():
+    usual, slow = (cost_of(zigzag(20), cell=cell) for cell in (0.0, 1e-5))
+    assert slow.fast_forward_seconds - usual.fast_forward_seconds == pytest.approx(1e-5 * slow.cells)
+
+
+def test_play_shows_the_uncut_stock_and_every_command():
+    half, one = (cost_of(zigzag(40), redraw=redraw) for redraw in (0.5, 1.0))
+    assert one.play_seconds - half.play_seconds == pytest.approx(0.5 * (1 + one.shown))
+
+
+def test_tool_profile_grows_with_its_width_and_height():
+    cone = Tool("vbit", 6.0, tip_angle=math.pi / 2)
+    without, with_ = (cost_of(zigzag(2), cone, profile=seconds) for seconds in (0.0, 0.01))
+    steps = (3 * 3.0 + 3.0) / (0.05 * 0.1)
+    assert with_.fast_forward_seconds - without.fast_forward_seconds == pytest.approx(0.01 * steps)
+
+
+def test_play_shows_the_mesh_as_it_grows():
+    free = dict.fromkeys(("start", "redraw", "cell", "facet", "profile"), 0.0)
+
+    def mean_facets(commands, tool=TOOL):
+        cost = cost_of(commands, tool, display=1.0, **free)
+        return cost.play_seconds / cost.shown, cost.facets
+
+    mean, last = mean_facets(surface(), Tool("ballend", 6.0))
+    assert mean == pytest.approx(0.5 * last, rel=0.2)  # row after row
+    deeper = [("G0", {"X": 20.0, "Y": 20.0, "Z": 25.0})]
+    for z in range(19, 5, -1):
+        deeper += [("G1", {"Z": float(z)}), ("G2", {"X": 50.0, "Y": 40.0, "I": 15.0, "J": 10.0})]
+        deeper += [("G2", {"X": 20.0, "Y": 20.0, "I": -15.0, "J": -10.0})]
+    mean, last = mean_facets(deeper)
+    assert mean == pytest.approx(last, rel=0.15)  # its walls are there after the first turn
+    facing = [("G0", {"X": -5.0, "Y": -5.0, "Z": 10.0})]
+    facing += [("G1", {"X": 105.0 if k % 4 in (1, 2) else -5.0, "Y": 5.0 * (k // 2) - 5}) for k in range(1, 30)]
+    mean, last = mean_facets(facing)
+    assert last == 12 and mean > 50  # it ends flat
+
+
+def test_grid_has_a_thousand_cells_of_five_bytes_along_a_side():
+    cost = cost_of(zigzag(3))
+    assert 1000 * 600 <= cost.cells <= 1001 * 601
+    assert cost.memory_bytes == pytest.approx(5 * cost.cells + 150 * cost.facets)
+    # The size of a stock does not matter, only its proportions.
+    small, large = (cost_of(zigzag(2), stock=Stock((0, 0, 0), (size, size / 2, 1))) for size in (0.5, 50))
+    assert small.cells == large.cells
+
+
+def test_fast_forward_takes_a_tick_per_command_at_any_accuracy():
+    commands = zigzag(500)
+    ticks = len(commands) * Constants().tick
+    assert ticks < cost_of(commands, accuracy=1.0).fast_forward_seconds < ticks + 0.5
+    assert ticks < cost_of(commands, accuracy=0.1).fast_forward_seconds < ticks + 1.0
+
+
+def test_fast_forward_repaints_at_most_a_hundred_times():
+    free = {"start": 0.0, "tick": 0.0, "cell": 0.0, "facet": 0.0, "display": 0.0, "profile": 0.0}
+    repaints = [cost_of(zigzag(rows), repaint=1.0, **free).fast_forward_seconds for rows in (20, 100)]
+    assert repaints == [3 + 2 * 20, 100]
+
+
+def test_fast_forward_waits_until_the_last_mesh_is_shown():
+    for commands in (surface(), zigzag(100)):
+        quick, slow = (cost_of(commands, display=display) for display in (0.0, 1e-4))
+        assert slow.fast_forward_seconds - quick.fast_forward_seconds == pytest.approx(1e-4 * slow.facets)
+
+
+def test_play_is_never_faster_than_its_speed_slider():
+    cost = cost_of(zigzag(50), start=0.0, redraw=0.0, cell=0.0, facet=0.0, display=0.0, profile=0.0)
+    assert cost.play_seconds == pytest.approx(len(zigzag(50)) / 50)
+
+
+def test_drilling_cycle_makes_three_meshes():
+    free = dict.fromkeys(("facet", "display", "profile"), 0.0)
+    holes = [("G81", {"X": x, "Y": 20.0, "Z": 5.0, "R": 22.0, "F": 5.0}) for x in (30.0, 60.0)]
+    cost = cost_of([("G0", {"X": 20.0, "Y": 20.0, "Z": 25.0}), *holes], cell=1e-5, redraw=1.0, **free)
+    # The uncut stock, a move and two holes.
+    assert cost.play_seconds == pytest.approx(1e-5 * cost.cells * (1 + 1 + 2 * 3) + 1.0 * (1 + 3))
+
+
+def test_operations_in_sequence_start_once_and_make_one_last_mesh():
+    one, constants = cost_of(zigzag(40)), Constants()
+    assert legacy_together([one]) == replace(
+        one, fast_forward_seconds=pytest.approx(one.fast_forward_seconds), play_seconds=pytest.approx(one.play_seconds)
+    )
+    two = legacy_together([one, one])
+    once = constants.start + constants.cell * one.cells
+    assert two.fast_forward_seconds == pytest.approx(2 * one.fast_forward_seconds - once)
+    assert one.memory_bytes < two.memory_bytes < 2 * one.memory_bytes
+
+
+def test_meshes_of_a_play_include_the_operations_before():
+    costs = [
+        replace(cost_of(zigzag(rows)), shown=shown, facets=facets)
+        for rows, shown, facets in ((4, 10, 100.0), (5, 20, 300.0), (6, 40, 700.0))
+    ]
+    together, constants = legacy_together(costs), costs[0].constants
+    assert together.facets == 1100 and together.shown == 70
+    uncut = constants.cell * costs[0].cells + constants.redraw  # shown once, not three times
+    alone = sum(cost.play_seconds for cost in costs) - 2 * uncut
+    more = 20 * 100 + 40 * (100 + 300)
+    assert together.play_seconds == pytest.approx(alone + (constants.facet + constants.display) * more)

@@ -1,0 +1,309 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The size of the legacy simulator's mesh, from maps of the part's heights and lower face."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import pytest
+
+from vkworkbench.core import Stock, Tool
+from vkworkbench.core.gcode import linearize
+from vkworkbench.core.simulators.floors import floors
+from vkworkbench.core.simulators.heightmap import heightmaps
+from vkworkbench.core.simulators.legacy_mesh import bottom_rectangles, mesh_facets
+
+STOCK = Stock((0, 0, 0), (100, 60, 20))
+TOOL = Tool("endmill", 6.0)
+
+
+def zigzag(rows, depth=15.0, width=80.0, pitch=2.0):
+    """Rows in alternating directions at one depth."""
+    commands = [("(zigzag)", {}), ("G0", {"X": 10.0, "Y": 5.0, "Z": 25.0}), ("G1", {"Z": depth, "F": 10.0})]
+    for row in range(rows):
+        commands.append(("G1", {"X": 10.0 + width * ((row + 1) % 2)}))
+        commands.append(("G1", {"Y": 5.0 + pitch * (row + 1)}))
+    return commands
+
+
+def surface(rows=60, points=60):
+    """Rows over a dome."""
+    commands = [("G0", {"X": 20.0, "Y": 10.0, "Z": 25.0})]
+    for row in range(rows):
+        y = 10 + 40 * row / rows
+        along = np.linspace(20, 80, points)[:: 1 if row % 2 == 0 else -1]
+        heights = 18 - ((along - 50) ** 2 + (y - 30) ** 2) / 100
+        commands += [("G1", {"X": x, "Y": y, "Z": z}) for x, z in zip(along.tolist(), heights.tolist())]
+    return commands
+
+
+@pytest.mark.parametrize("tool", [Tool("endmill", 8.0), Tool("ballend", 8.0), Tool("vbit", 8.0)])
+def test_heights_equal_a_search_over_all_points(tool):
+    path = linearize([("G1", {"X": 20.0, "Y": 15.0, "Z": 12.0}), ("G1", {"X": 70.0, "Y": 40.0, "Z": 8.0})])
+    (heights,), size = heightmaps(path, tool=tool, stock=STOCK)
+    along = np.linspace(0, 1, 500)[:, None]  # points a ninth of a mm apart, a ninth of a cell
+    points = path.points[0] + along * (path.points[1] - path.points[0])
+    x, y = np.meshgrid(
+        (np.arange(heights.shape[0]) + 0.5) * size, (np.arange(heights.shape[1]) + 0.5) * size, indexing="ij"
+    )
+    distance = np.hypot(x[..., None] - points[:, 0], y[..., None] - points[:, 1])
+    exact = np.minimum((points[:, 2] + tool.height(distance)).min(axis=2), 20.0)
+    # A map that is off by half a cell sideways is off by that times the tool's slope.
+    inside = distance.min(axis=2) < tool.radius - size
+    outside = distance.min(axis=2) > tool.radius + 1.5 * size
+    assert (heights[outside] == 20.0).all()
+    assert np.abs(heights - exact)[inside].max() < 1.8 * size * (1 + tool.steepness) + 0.2
+
+
+def test_cells_of_the_maps_have_the_documented_size():
+    path = linearize(zigzag(3))
+    tall = Stock((0, 0, 0), (100, 60, 300))
+    for stock, diameter, expected in ((STOCK, 6.0, 1.0), (tall, 6.0, 1.0), (STOCK, 64.0, 2.0)):
+        _, size = heightmaps(path, tool=Tool("endmill", diameter), stock=stock)
+        assert size == pytest.approx(expected)
+    _, of_floor = floors(path, tool=TOOL, stock=tall, thickness=0.1)
+    assert of_floor == pytest.approx(0.2)
+
+
+def test_fine_groove_has_no_gaps():
+    small = Stock((0, 0, 0), (10, 6, 2))
+    groove = [("G0", {"X": 1.0, "Y": 3.05, "Z": 4.0}), ("G1", {"X": 5.0, "Z": 0.0}), ("G1", {"X": 9.0, "Z": 4.0})]
+    (heights,), size = heightmaps(linearize(groove), tool=Tool("endmill", 0.6), stock=small)
+    x = (np.arange(heights.shape[0]) + 0.5) * size
+    along = heights[:, int(3.05 / size)]
+    # The lowest point of the flat tool over each cell: its edge is a radius ahead of its middle.
+    exact = np.clip(np.abs(x - 5) - 0.3, 0, 2)
+    assert np.abs(along - exact)[(x > 2) & (x < 8)].max() < 3 * size
+
+
+def test_needle_cuts_the_cells_along_the_border():
+    small, border = Stock((0, 0, 0), (10, 6, 2)), ((0.05, 0.05), (9.95, 0.05), (9.95, 5.95), (0.05, 5.95), (0.05, 0.05))
+    around = [("G0", {"X": 0.05, "Y": 0.05, "Z": 4.0}), *[("G1", {"X": x, "Y": y, "Z": 1.0}) for x, y in border]]
+    (heights,), _ = heightmaps(linearize(around), tool=Tool("endmill", 0.1), stock=small)
+    assert (heights[1:-1, 1:-1] == 2).all() and (heights == 1).sum() == 2 * (100 + 60) - 4
+
+
+def test_path_outside_the_stock_leaves_a_box():
+    path = linearize([("G1", {"X": -50.0, "Y": 500.0, "Z": -5.0}), ("G1", {"X": -900.0})])
+    (heights,), size = heightmaps(path, tool=TOOL, stock=STOCK)
+    (floor,), floor_size = floors(path, tool=TOOL, stock=STOCK, thickness=0.1)
+    assert (heights == 20.0).all() and floor.all()
+    assert mesh_facets(heights, size, 0.1, floor=floor, floor_size=floor_size) == 12
+
+
+def test_surface_makes_far_more_triangles_than_a_pocket():
+    ball = Tool("ballend", 6.0)
+    (pocket,), size = heightmaps(linearize(zigzag(20)), tool=TOOL, stock=STOCK)
+    (dome,), dome_size = heightmaps(linearize(surface()), tool=ball, stock=STOCK)
+    whole = {"floor": np.ones((1, 1), bool), "floor_size": 1.0}
+    of_dome, of_pocket = (
+        [mesh_facets(heights, edge, resolution, **whole) for resolution in (0.1, 0.2)]
+        for heights, edge in ((dome, dome_size), (pocket, size))
+    )
+    assert of_dome[0] > 10 * of_pocket[0]
+    assert 3.5 < of_dome[0] / of_dome[1] <= 4
+    assert 1.7 < of_pocket[0] / of_pocket[1] < 2.1
+
+
+def test_half_the_size_at_half_the_cell_makes_equal_meshes():
+    (dome,), size = heightmaps(linearize(surface()), tool=Tool("ballend", 6.0), stock=STOCK)
+    floor = np.ones((1, 1), bool)
+    whole, half = (
+        mesh_facets(dome * scale, size * scale, 0.1 * scale, floor=floor, floor_size=scale) for scale in (1, 0.5)
+    )
+    assert half == pytest.approx(whole)
+
+
+def test_mirror_image_makes_as_many_triangles():
+    """A step beside one of less than half its height is a wall, whichever side the lower one is on."""
+    heights = np.tile(np.cumsum([0.0, 0.0, 1.2, 3.0, 0.0, 0.0, 0.7, 0.7])[:, None], 6)
+    there, back = (
+        mesh_facets(one, 4.0, 0.5, floor=np.ones((1, 1), bool), floor_size=4.0) for one in (heights, heights[::-1])
+    )
+    assert there == pytest.approx(back)
+
+
+@pytest.mark.parametrize(
+    "steps, slope",
+    [
+        ([0.7, 0.7], True),
+        ([1.0, 0.6], True),
+        ([0.6, 1.0], True),
+        ([0.7], False),
+        ([1.2, 0.5], False),
+        ([0.5, 1.2], False),
+    ],
+)
+def test_step_beside_another_one_is_a_slope(steps, slope):
+    """At half the cell a slope has four times the triangles that a box does not have, and a wall twice as many."""
+    heights = np.tile(np.cumsum([0.0, 0.0, *steps, 0.0, 0.0])[:, None], 6)
+    coarse, fine = (
+        mesh_facets(heights, 4.0, resolution, floor=np.ones((1, 1), bool), floor_size=4.0) - 12
+        for resolution in (0.4, 0.2)
+    )
+    assert (fine == pytest.approx(4 * coarse)) == slope and 1.999 * coarse < fine < 4.001 * coarse
+
+
+@pytest.mark.parametrize("fall", [0.1, 1.0])
+def test_slope_turned_by_a_quarter_makes_as_many_triangles(fall):
+    heights = np.tile(fall * np.arange(40.0)[:, None], 60)
+    along, across = (
+        mesh_facets(one, 4.0, 0.5, floor=np.ones((1, 1), bool), floor_size=4.0) for one in (heights, heights.T)
+    )
+    assert along == pytest.approx(across)
+
+
+def test_last_part_leaves_the_map_of_the_whole_path():
+    path = linearize(surface())
+    ball = Tool("ballend", 6.0)
+    (whole,), _ = heightmaps(path, tool=ball, stock=STOCK)
+    parts, _ = heightmaps(path, tool=ball, stock=STOCK, parts=5)
+    assert len(parts) == 5
+    assert all((after <= before).all() for before, after in zip(parts, parts[1:]))
+    assert np.abs(parts[-1] - whole).max() < 0.05  # the ends of the parts are sampled twice
+
+
+def test_part_of_a_path_cuts_nothing_of_the_next_part():
+    """Four commands in two parts: the second begins with a slot across the stock."""
+    there, across, back = (("G1", {axis: to}) for axis, to in (("X", 90.0), ("Y", 50.0), ("X", 10.0)))
+    path = linearize([("G0", {"X": 10.0, "Y": 10.0, "Z": 10.0}), there, across, back])
+    (first, both), _ = heightmaps(path, tool=TOOL, stock=STOCK, parts=2)
+    (half,), _ = heightmaps(linearize([("G0", {"X": 10.0, "Y": 10.0, "Z": 10.0}), there]), tool=TOOL, stock=STOCK)
+    assert np.array_equal(first, half) and (both < first).any()
+
+
+def from_line(x, y, begin, end):
+    """How far points are from a line that ends."""
+    ux, uy = end - begin
+    share = ((x - begin[0]) * ux + (y - begin[1]) * uy) / max(ux**2 + uy**2, 1e-12)
+    share = np.clip(share, 0, 1)
+    return np.hypot(x - begin[0] - share * ux, y - begin[1] - share * uy)
+
+
+@pytest.mark.parametrize("tool", [Tool("endmill", 8.0), Tool("drill", 8.0)])
+def test_lower_face_is_cut_where_the_tool_comes_through(tool):
+    def cut(x, y, z, to):
+        return [("G0", {"X": x, "Y": y, "Z": 25.0}), ("G1", {"Z": z}), ("G1", to), ("G0", {"Z": 25.0})]
+
+    begin, end = (
+        np.array([[12.0, 9.0], [40.3, 30.7], [52.0, 20.0]]),
+        np.array([[33.0, 24.0], [40.3, 30.7], [75.0, 20.0]]),
+    )
+    commands = cut(*begin[0], -1.0, {"X": 33.0, "Y": 24.0}) + cut(*begin[1], -1.0, {"Z": 5.0})
+    commands += cut(*begin[2], 5.0, {"X": 75.0, "Z": 5.0})  # does not come through
+    (kept,), size = floors(linearize(commands), tool=tool, stock=STOCK, thickness=0.0)
+    # A drill of 118 degrees is as wide as this 1 mm above its tip.
+    radius = 4.0 if tool.shape == "endmill" else np.tan(np.radians(59.0))
+    x, y = (np.indices(kept.shape) + 0.5) * size
+    distance = np.minimum(*(from_line(x, y, *ends) for ends in zip(begin[:2], end[:2])))
+    assert not kept[distance < radius - 0.05].any()
+    assert kept[distance > radius + 0.05].all()
+    parts, _ = floors(linearize(commands), tool=tool, stock=STOCK, thickness=0.0, parts=3)
+    assert (parts[-1] == kept).all() and kept.sum() < parts[0].sum() < kept.size
+
+
+def test_lower_face_is_cut_where_middles_of_cells_are_covered():
+    """A slot of 8 mm from (50, 30) to (51, 30) with cells of a fifth of a mm: the middles are at odd tenths."""
+    slot = [("G0", {"X": 50.0, "Y": 30.0, "Z": 9.0}), ("G1", {"Z": -1.0}), ("G1", {"X": 51.0})]
+    (kept,), size = floors(linearize(slot), tool=Tool("endmill", 8.0), stock=STOCK, thickness=0.0)
+    assert size == pytest.approx(0.2) and kept.shape == (500, 300)
+    x, y = (np.indices(kept.shape) + 0.5) * size
+    assert np.array_equal(kept, np.hypot(x - np.clip(x, 50, 51), y - 30.0) > 4.0)
+    (beside,), _ = floors(
+        linearize([("G0", {"X": -2.0, "Y": 30.0, "Z": -1.0}), ("G1", {"Y": 70.0})]),
+        tool=Tool("endmill", 8.0), stock=STOCK, thickness=0.0,
+    )  # fmt: skip
+    assert np.array_equal(~beside, np.hypot(x + 2.0, y - np.clip(y, 30, 70)) < 4.0)
+
+
+@pytest.mark.parametrize("scale", [1, 200])
+@pytest.mark.parametrize("seed", range(8))
+def test_lower_face_is_cut_along_lines_in_any_direction(seed, scale):
+    """From anywhere around a block of 10 by 6 mm, or m, to anywhere, from above its lower face or below it: up to the rim."""
+    rng = np.random.default_rng(seed)
+    ends = scale * rng.uniform((-2, -2, -2), (12, 8, 2), (2, 3))
+    begin, move = ends[0], ends[1] - ends[0]
+    stock = Stock((0, 0, 0), (10 * scale, 6 * scale, 2 * scale))
+    path = linearize([("G1", dict(zip("XYZ", end.tolist()))) for end in ends])
+    (kept,), size = floors(path, tool=Tool("endmill", 2.0 * scale), stock=stock, thickness=0.0)
+    part = np.linspace(0, 1, 100_001)
+    part = part[begin[2] + part * move[2] <= 0]
+    x, y = (np.indices(kept.shape) + 0.5) * size
+    distance = np.full(x.shape, np.inf)
+    if len(part):
+        distance = from_line(x, y, *(begin[:2] + part[end] * move[:2] for end in (0, -1))) / scale
+    assert not kept[distance < 0.999].any() and kept[distance > 1.001].all()
+
+
+@pytest.mark.parametrize("through", [0.1, 0.3, 0.9])
+def test_point_cuts_the_lower_face_by_its_width_there(through):
+    """A V-bit of 90 degrees is as wide on either side as its tip is below; of its 4 mm a 64th may be missing."""
+    plunge = [("G0", {"X": 5.0, "Y": 3.0, "Z": 4.0}), ("G1", {"Z": -through})]
+    point, stock = Tool("vbit", 8.0, tip_angle=math.pi / 2), Stock((0, 0, 0), (10, 6, 2))
+    (kept,), size = floors(linearize(plunge), tool=point, stock=stock, thickness=0.0)
+    x, y = (np.indices(kept.shape) + 0.5) * size
+    distance = np.hypot(x - 5, y - 3)
+    assert kept[distance > through].all() and not kept[distance < through - 4 / 64].any()
+
+
+def test_cells_of_the_lower_face_grow_with_the_path():
+    """10,000 moves of 8 mm across pass 80 m of rows and 2 m more for their ends: 300,000 rows of about 0.3 mm."""
+    path = linearize([("G1", {"X": 20.0 + (i % 2), "Y": 30.0, "Z": -1.0}) for i in range(10_001)])
+    _, size = floors(path, tool=Tool("endmill", 8.0), stock=STOCK, thickness=0.0)
+    assert size == pytest.approx(10_000 * 8.0 / 300_000, rel=1e-3)
+
+
+def test_round_part_breaks_the_bottom_to_pieces():
+    """FreeCAD makes half a triangle per remaining cell of a disc's bottom, and two of a plate's."""
+    x, y = np.meshgrid(np.arange(100) - 49.5, np.arange(60) - 29.5, indexing="ij")
+    disc = np.where(np.hypot(x, y) < 28, 20.0, 0.0)
+    plate = np.where((np.abs(x) < 40) & (np.abs(y) < 28), 20.0, 0.0)
+    cells = 100 * (disc > 0).sum()
+    of_disc, of_plate = (mesh_facets(heights, 1.0, 0.1, floor=heights > 0, floor_size=1.0) for heights in (disc, plate))
+    assert 0.2 * cells < of_disc < 0.7 * cells
+    assert of_plate < 3000
+
+
+def bottom_of_freecad(kept):
+    """``TesselBot`` and its loop in VolSim.cpp, cell by cell; the top has been marked before."""
+    kept, count = kept.copy(), 0
+    columns, rows = kept.shape
+
+    def grown(x, y):
+        width = height = 1
+        right = left = up = True
+        while right or left or up:
+            right = right and x + width < columns and kept[x + width, y : y + height].all()
+            width += right
+            left = left and x > 0 and kept[x - 1, y : y + height].all()
+            x, width = x - left, width + left
+            up = up and y + height < rows and kept[x : x + width, y + height].all()
+            height += up
+        return x, y, width, height
+
+    for y in range(rows):
+        x = 0
+        while x < columns:
+            if not kept[x, y]:
+                x += 1
+                continue
+            left, lower, width, height = grown(x, y)
+            if height // width > 5:
+                lower, width, height = lower + 5 * width, 1, 1
+            elif width // height > 5:
+                left, width, height = left + 5 * height, 1, 1
+            kept[left : left + width, lower : lower + height] = False
+            count += 1
+    return count
+
+
+def test_rectangles_of_the_lower_face_equal_freecads():
+    rng = np.random.default_rng(5)
+    for k in range(60):
+        columns, rows = rng.integers(1, 50, 2)
+        x, y = np.meshgrid(np.arange(columns), np.arange(rows), indexing="ij")
+        kept = rng.random((columns, rows)) < (0.8 if k % 4 == 0 else 2)
+        for _ in range(k % 5):
+            kept &= np.hypot(x - rng.integers(columns), y - rng.integers(rows)) > rng.integers(1, 12)
+        assert bottom_rectangles(kept) == bottom_of_freecad(kept)
