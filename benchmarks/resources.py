@@ -24,6 +24,7 @@ import numpy as np
 ROOT = Path(__file__).resolve().parent.parent
 sys.path[:0] = [str(ROOT), str(ROOT / "benchmarks")]
 
+from closed_form import closed_form, swept
 from records import with_stock
 from zbuffer_cases import CASES, stock_of
 
@@ -42,9 +43,7 @@ from vkworkbench.core.zbuffer import (
     measure_speed,
     memory_needed,
     simulate,
-    swept,
 )
-from vkworkbench.core.zbuffer.cost import closed_form
 
 MANY = 1.5e6  # candidate pixels
 ALLOWED = 2e9  # bytes, more `simulate` refuses

@@ -1,14 +1,17 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The quick bound of the memory is one, and what surely cuts does."""
+"""Properties of a simulation that need no ray: a bound of its memory, whether it cuts, the crossings of its path."""
 
 from __future__ import annotations
 
+from math import pi
+
 import numpy as np
 import pytest
+from zbuffer_inputs import toolpath
 
 from toolpaths.synthetic import SAMPLES
 from vkworkbench.core import Cylinder, Mesh, Stock, Tool, View, linearize, simulate
-from vkworkbench.core.zbuffer import cuts_surely, may_cut, most_bytes
+from vkworkbench.core.zbuffer import cauchy_crofton, cuts_surely, may_cut, most_bytes
 from vkworkbench.core.zbuffer.cost import bound
 
 TOOLS = [Tool("endmill", 5), Tool("ballend", 6), Tool("vbit", 8, tip_angle=np.pi / 2)]
@@ -126,3 +129,42 @@ def test_what_may_cut():
         assert may_cut(path, tool, Stock(lower, upper)) is may, (lower, upper)
         assert not may_cut(linearize([]), tool, Stock(lower, upper))
         assert may or simulate(path, tool=tool, stock=Stock(lower, upper), view=View((0, 0, -1), 40, 40)).traces == 0
+
+
+BLOCK = Stock((0, 0, 0), (80, 60, 20))
+
+
+def path_of(points):
+    return toolpath(np.array(points, float))
+
+
+@pytest.mark.parametrize(
+    ("theta", "projected"), [(0.0, 30), (pi / 2, 40), (np.arctan2(4, 3), 50), (np.arctan2(-3, 4), 0)]
+)
+def test_cauchy_crofton_in_one_direction(theta, projected):
+    there_and_back = path_of([(10, 10, 5), (40, 50, 5), (10, 10, 5)])
+    found = cauchy_crofton(there_and_back, stock=BLOCK, view=View(pixel=0.5), direction=theta)
+    assert found == pytest.approx(2 * projected / 0.5)
+
+
+def test_cauchy_crofton_is_the_mean_of_all_directions():
+    thetas = np.linspace(0, pi, 2000, endpoint=False)
+    bent = path_of([(10, 10, 5), (40, 50, 5), (60, 20, 5)])
+    one_each = [cauchy_crofton(bent, stock=BLOCK, view=View(pixel=0.5), direction=theta) for theta in thetas]
+    assert np.mean(one_each) == pytest.approx(cauchy_crofton(bent, stock=BLOCK, view=View(pixel=0.5)), rel=1e-5)
+
+
+def test_cauchy_crofton_counts_below_the_top_of_the_stock():
+    view = View(pixel=0.5)
+    below = [(10, 10, 5), (40, 50, 5)]
+    assert cauchy_crofton(path_of(below), stock=BLOCK, view=view) == pytest.approx(50 * 2 / pi / 0.5)
+    on_top = [(70, 10, 20), (10, 10, 20), *below, (40, 50, 20), (70, 50, 20)]  # from above a plunge has no length
+    assert cauchy_crofton(path_of(on_top), stock=BLOCK, view=view) == pytest.approx(50 * 2 / pi / 0.5)
+    for entered in ([(70, 10, 22), *below], [*below[::-1], (70, 10, 22)], [(70, 10, 22), *below, (40, 110, 22)]):
+        length = np.hypot(*np.diff(np.array(entered)[:, :2], axis=0).T).sum()
+        assert cauchy_crofton(path_of(entered), stock=BLOCK, view=view) == pytest.approx(length * 2 / pi / 0.5)
+
+
+def test_cauchy_crofton_from_the_front_sees_heights():
+    there = path_of([(10, 10, 2), (22, 50, 18)])
+    assert cauchy_crofton(there, stock=BLOCK, view=View((0, 1, 0), pixel=1.0)) == pytest.approx(20 * 2 / pi)

@@ -15,7 +15,6 @@ from zbuffer_inputs import ConvexStock
 from vkworkbench.core import Stock, Strategy, Tool, Toolpath, View
 from vkworkbench.core.gcode import linearize
 from vkworkbench.core.recognition import Recognition, recognize
-from vkworkbench.core.zbuffer.cost.closed_form import cauchy_crofton, closed_form, swept
 from vkworkbench.core.zbuffer.cost.estimate import estimate, estimate_job
 from vkworkbench.core.zbuffer.cost.resolution import best_resolution, heaviest
 from vkworkbench.core.zbuffer.cost.speed import Speed, fit_speed, measure_speed
@@ -277,51 +276,10 @@ def test_silhouettes():
     assert covered(cylinder, View((1, 0, 0))) == pytest.approx(20 * 30, rel=0.005)
 
 
-def expected(toolpath, strategy, tool=FLAT, direction=TOP, **known):
-    view = View(direction, 320, 240)
-    found = Recognition(strategy, 1.0, Message("no-moves"), **known)
-    count = closed_form(toolpath, found, tool=tool, stock=STOCK, view=view)
-    return count / simulate(toolpath, tool=tool, stock=STOCK, view=view).traces
-
-
-def test_closed_form_by_strategy():
-    assert expected(zigzag(), Strategy.ZIGZAG, stepover=3, passes=28, depths=2) == pytest.approx(1, rel=0.02)
-    assert expected(contours(), Strategy.CONTOUR_PARALLEL, stepover=2.5, passes=8, depths=1) == pytest.approx(
-        1, rel=0.03
-    )
-    assert expected(path(contours().points[:5]), Strategy.PROFILE, passes=1, depths=1) == pytest.approx(1, rel=0.03)
-    assert expected(helix(), Strategy.HELIX, passes=6) == pytest.approx(1, rel=0.05)
-    assert expected(drilled(), Strategy.DRILLING) == pytest.approx(1, rel=0.01)
-    assert expected(surface(), Strategy.ZIGZAG, BALL, stepover=2, passes=21) == pytest.approx(1, rel=0.1)
-
-
-@pytest.mark.parametrize("radii", [(2.0, 4.5, 7.0), (7.0, 5.0, 3.0)], ids=["outwards", "inwards"])
-def test_closed_form_knows_that_a_helix_finds_the_hole_of_the_one_before(radii):
-    commands = []
-    for radius in radii:
-        commands += [("G0", {"Z": 25.0}), ("G0", {"X": 40.0 + radius, "Y": 30.0}), ("G0", {"Z": 20.0})]
-        for half in range(1, 13):
-            side = radius * (-1) ** half
-            commands.append(("G3", {"X": 40.0 + side, "Y": 30.0, "Z": 20.0 - half, "I": side, "J": 0.0}))
-    assert expected(linearize(commands), Strategy.HELIX) == pytest.approx(1, rel=0.05)
-
-
-def test_closed_form_recovers_the_stepover():
-    assert expected(zigzag(), Strategy.ZIGZAG, passes=28, depths=2) == pytest.approx(1, rel=0.02)
-
-
 def test_a_noisy_measurement_makes_no_constant_nothing():
     amounts = 1 / np.array(Speed().constants) * (np.eye(7) + 0.1)
     seconds = amounts @ Speed().constants * [1e-6, 5, 1, 1, 1, 1, 1]
     assert (fit_speed(amounts, seconds).constants > 0).all()
-
-
-def test_what_the_sequence_is_good_for():
-    view = View()
-    toolpath = zigzag(step=1.0)
-    true = simulate(toolpath, tool=FLAT, stock=STOCK, view=view).traces
-    assert swept(toolpath, tool=FLAT, stock=STOCK, view=view) > 4 * true
-    assert cauchy_crofton(toolpath, stock=STOCK, view=view) < true / 4
 
 
 @pytest.mark.parametrize("direction", [TOP, TILTED, ISOMETRIC], ids=["top", "tilted", "isometric"])

@@ -1,14 +1,13 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The paper's extended z-buffer with traces: simulating it, and knowing its cost without.
 
-In: `Cut`, a toolpath with its tool, one or several; stock and view; for the cost in closed form also the `Recognition`.
+In: `Cut`, a toolpath with its tool, one or several; stock and view.
 Out: `ZBuffer`, exact dexels and traces at any moment, and what they tell; `Estimate`, their numbers, memory and time from sampled rays;
 `Resolution`, the finest image that a budget allows; `OverBudget`, the error of a simulation that takes too much memory;
 `Speed`, how fast this computer is.
 """
 
-from vkworkbench.core.zbuffer.cost.bound import cuts_surely, may_cut, most_bytes
-from vkworkbench.core.zbuffer.cost.closed_form import cauchy_crofton, closed_form, swept
+from vkworkbench.core.zbuffer.cost.bound import cauchy_crofton, cuts_surely, may_cut, most_bytes
 from vkworkbench.core.zbuffer.cost.effort import WORK_UNITS
 from vkworkbench.core.zbuffer.cost.estimate import Estimate, estimate, estimate_job
 from vkworkbench.core.zbuffer.cost.resolution import Resolution, best_resolution, heaviest, passes_apart
@@ -41,8 +40,8 @@ __all__ = [
     "DEXEL", "FACT_COLUMNS", "RECORD_BYTES", "TOLERANCE", "TRACE", "WORK_UNITS", "Crash", "Cut", "CutFacts", "Cuts", "Deviation",
     "Deviations", "Estimate", "JobFacts", "OverBudget", "Peak", "Plunge", "Resolution", "SeenModel",
     "Source", "Speed", "ZBuffer", "best_resolution", "cauchy_crofton",
-    "closed_form", "crashes", "cuts_air", "cuts_surely", "deviations", "engagement", "estimate", "estimate_job",
+    "crashes", "cuts_air", "cuts_surely", "deviations", "engagement", "estimate", "estimate_job",
     "facts", "fast_plunges", "fit_speed", "gouges", "heaviest", "material_left", "may_cut", "measure_speed",
     "memory_needed", "most_bytes", "passes_apart", "removal_rates", "removed_volumes",
-    "shared_seconds", "simulate", "simulate_job", "swept", "trajectory_table", "unshared_seconds", "worst_places",
+    "shared_seconds", "simulate", "simulate_job", "trajectory_table", "unshared_seconds", "worst_places",
 ]  # fmt: skip

@@ -1,16 +1,17 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What a few operations for each trajectory tell of a simulation, without a ray."""
+"""Properties of a simulation that follow from a few operations per trajectory, without a ray."""
 
 from __future__ import annotations
 
 import numpy as np
 
 from vkworkbench.core.solids import Convex, Stock
-from vkworkbench.core.stocks import Solid
+from vkworkbench.core.stocks import Solid, fitted
 from vkworkbench.core.tool import Tool
-from vkworkbench.core.toolpath import Toolpath
+from vkworkbench.core.toolpath import Toolpath, check_toolpath
 from vkworkbench.core.view import Frame, View
 from vkworkbench.core.zbuffer.memory.memory import most_bytes_of
+from vkworkbench.given import number
 
 _SHALLOW = 1e-3  # mm
 
@@ -90,3 +91,41 @@ def _on_levels(start: np.ndarray, move: np.ndarray, passed: np.ndarray, tool: To
     low = start[flat, 2] + np.minimum(move[flat, 2], 0)
     _, level = np.unique(low, return_inverse=True)
     return float(np.minimum(np.bincount(level, passed[flat]), pixels).sum() + np.minimum(passed[~flat], pixels).sum())
+
+
+def cauchy_crofton(toolpath: Toolpath, *, stock: Solid, view: View, direction: float | None = None) -> float:
+    """Count the crossings of the toolpath with parallel lines a pixel apart: M(epsilon, theta) of the paper's section 2.1.
+
+    M is the length of the toolpath's projection on a line of direction theta, divided by epsilon, the distance between
+    the lines. The lines run in the direction theta + pi / 2 (Tricot 1995). The paper rejects this measure of the cost,
+    because it depends neither on the tool's width nor on the sequence.
+
+    Parameters
+    ----------
+    toolpath : Toolpath
+        Its trajectories that go below the top of the stock are counted, whole, also beside the stock.
+    stock : Solid
+    view : View
+        Its pixel is epsilon.
+    direction : float, optional
+        Theta, rad from the image's right upwards; 0 counts crossings with the pixels' columns, pi / 2 with their rows.
+
+    Returns
+    -------
+    float
+        For that direction; without one the mean over all of them, 2 / pi of the length in the image by epsilon.
+
+    Raises
+    ------
+    ValueError, TypeError
+        Where an argument is something else.
+    """
+    check_toolpath(toolpath)
+    frame = fitted(view, stock)
+    move = np.diff(toolpath.points, axis=0)
+    move = move[np.minimum(toolpath.points[:-1, 2], toolpath.points[1:, 2]) < stock.upper[2]]
+    right, up = move @ frame.right, move @ frame.up
+    if direction is None:
+        return float(np.hypot(right, up).sum() * 2 / np.pi / frame.pixel)
+    direction = number("direction", direction, "an angle in rad, a finite number", np.isfinite)
+    return float(np.abs(right * np.cos(direction) + up * np.sin(direction)).sum() / frame.pixel)

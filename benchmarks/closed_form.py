@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Counts of a simulation in closed form: by the strategy, blind to it, and by Cauchy and Crofton's formula.
+"""The number of trace elements in closed form, with and without the strategy, for benchmarks/resources.py.
 
-None of them looks at the sequence. The strategy stands for it: with the stepover and the tool it tells how
-much new material each trajectory meets (the paper's thesis, sections 1 and 2.1).
+Neither formula looks at the sequence of the trajectories. The strategy replaces it: strategy, stepover and tool
+determine how much new material each trajectory meets (the paper's thesis, sections 1 and 2.1).
 """
 
 from __future__ import annotations
@@ -13,13 +13,12 @@ import numpy as np
 
 from vkworkbench.core.paper import directions
 from vkworkbench.core.recognition import Recognition
-from vkworkbench.core.stocks import Solid, fitted
+from vkworkbench.core.stocks import Solid
 from vkworkbench.core.strategy import Strategy
 from vkworkbench.core.tool import Tool
-from vkworkbench.core.toolpath import Toolpath, check_toolpath
+from vkworkbench.core.toolpath import Toolpath
 from vkworkbench.core.view import Frame, View
 from vkworkbench.core.zbuffer.memory.silhouette import clip, polygon_area
-from vkworkbench.given import number
 
 # Heights closer than this, mm, are one level.
 _LEVEL = 1e-3
@@ -72,47 +71,8 @@ def _in_stock(toolpath: Toolpath, tool: Tool, stock: Solid) -> _Trajectories:
     )
 
 
-def cauchy_crofton(toolpath: Toolpath, *, stock: Solid, view: View, direction: float | None = None) -> float:
-    """Crossings of the toolpath with parallel lines a pixel apart, M(epsilon, theta) of the paper's section 2.1.
-
-    M is the length of the toolpath's projection on a line of direction theta, each point as often as it is passed,
-    divided by epsilon, the distance of the lines; these run in the direction theta + pi / 2 (Tricot 1995).
-
-    The baseline the paper rejects: it sees neither the tool's width nor the sequence.
-
-    Parameters
-    ----------
-    toolpath : Toolpath
-        Its trajectories that go below the top of the stock are counted, whole, also beside the stock.
-    stock : Solid
-    view : View
-        Its pixel is epsilon.
-    direction : float, optional
-        Theta, rad from the image's right upwards; 0 counts crossings with the pixels' columns, pi / 2 with their rows.
-
-    Returns
-    -------
-    float
-        For that direction; without one the mean over all of them, 2 / pi of the length in the image by epsilon.
-
-    Raises
-    ------
-    ValueError, TypeError
-        Where an argument is something else.
-    """
-    check_toolpath(toolpath)
-    frame = fitted(view, stock)
-    move = np.diff(toolpath.points, axis=0)
-    move = move[np.minimum(toolpath.points[:-1, 2], toolpath.points[1:, 2]) < stock.upper[2]]
-    right, up = move @ frame.right, move @ frame.up
-    if direction is None:
-        return float(np.hypot(right, up).sum() * 2 / np.pi / frame.pixel)
-    direction = number("direction", direction, "an angle in rad, a finite number", np.isfinite)
-    return float(np.abs(right * np.cos(direction) + up * np.sin(direction)).sum() / frame.pixel)
-
-
 def swept(toolpath: Toolpath, *, tool: Tool, stock: Solid, view: View) -> float:
-    """Strategy-blind count of trace elements, top view: every trajectory cuts its whole width.
+    """Count trace elements as if every trajectory cut its whole width, seen from above.
 
     Parameters
     ----------
@@ -128,7 +88,7 @@ def swept(toolpath: Toolpath, *, tool: Tool, stock: Solid, view: View) -> float:
 
 
 def closed_form(toolpath: Toolpath, recognition: Recognition, *, tool: Tool, stock: Solid, view: View) -> float:
-    """Number of trace elements expected from the strategy, the stepover and the tool.
+    """Count the trace elements that strategy, stepover and tool lead to expect.
 
     Parameters
     ----------
