@@ -25,7 +25,7 @@ from trees import forest, grow
 
 from vkworkbench.core.paper import monotonous_areas
 from vkworkbench.core.recognition.programs.borders import MEASURES
-from vkworkbench.core.recognition.programs.visits import compared, find_visits
+from vkworkbench.core.recognition.programs.visits import compare_visits, find_visits
 from vkworkbench.core.recognition.thresholds import VISITS
 from vkworkbench.core.recognition.verdict.forest import Forest
 
@@ -51,7 +51,7 @@ def examples(path, sections) -> tuple[np.ndarray, np.ndarray]:
     if len(inside) > MANY:
         inside = np.random.default_rng(0).choice(inside, MANY, replace=False)
     chosen = np.union1d(inside, np.flatnonzero(border == 1))
-    return compared(visits)[chosen], border[chosen]
+    return compare_visits(visits)[chosen], border[chosen]
 
 
 def retracts(of_programs: list[Record], single: list[Record]) -> tuple[np.ndarray, ...]:

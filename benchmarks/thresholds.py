@@ -39,7 +39,7 @@ HOMES = (of_paper, of_recognition)
 #: What is measured once and read again where it does not depend on the threshold that moves.
 STEPS = (
     ("recognize", "monotonous_areas"), ("parts", "monotonous_areas"), ("operation", "paper_verdict"),
-    ("recognize", "begun"), ("operation", "Section"),
+    ("recognize", "find_retracts"), ("operation", "Section"),
     ("section", "cut_pieces"), ("section", "relate_rings"), ("section", "relate_strokes"), ("section", "find_rows"),
 )  # fmt: skip
 

@@ -10,7 +10,7 @@ import vkworkbench
 from vkworkbench import freecad
 from vkworkbench.document.marks import marks
 from vkworkbench.gui.qt import progress
-from vkworkbench.gui.results.findings import findings
+from vkworkbench.gui.results.findings import read_findings
 from vkworkbench.gui.results.rows import rows_of
 from vkworkbench.gui.tree import column as tree
 
@@ -29,7 +29,7 @@ def test_the_first_click_marks_the_job_and_shows_the_column(opened, window):
     window.wait(lambda: marked(opened))
     window.wait(lambda: not window.tree.isColumnHidden(1) and window.tree.columnWidth(1) > 100)
     # As many as have a sign in the results: for the time that the OpenGL simulator takes for arcs, for example.
-    rows = [row for job in rows_of(findings(opened)) for row in job.rows]
+    rows = [row for job in rows_of(read_findings(opened)) for row in job.rows]
     told = sum(row.is_warned for row in rows)
     count = vkworkbench.analyze(opened).totals[0].operations
     assert f"⟦{count} operations" in opened.getObject("Job").Label2

@@ -10,7 +10,7 @@ from drawings import polygon
 from vkworkbench.core import Strategy, linearize, recognize
 from vkworkbench.core.paper import monotonous_areas
 from vkworkbench.core.recognition.patterns.section import Section
-from vkworkbench.core.recognition.verdict.evidence import gather, sentence
+from vkworkbench.core.recognition.verdict.evidence import gather_evidence, reason_of
 from vkworkbench.core.recognition.verdict.rules import Verdict
 from vkworkbench.language import Message
 
@@ -118,13 +118,13 @@ def rows(count=10, length=48.0, step=3.0, x=46.0, y=-54.0, z=0.0):
 
 def test_rows_in_contour_report_their_own_numbers():
     both = section(rows(), polygon(54))
-    e = gather(both, said(Strategy.ZIGZAG))
+    e = gather_evidence(both, said(Strategy.ZIGZAG))
     assert (e.passes, e.stepover, e.direction, e.sense) == (10, 3, 0, None)
-    e = gather(both, said(Strategy.ENGRAVING))  # what is neither rows nor around has the direction of its rows
+    e = gather_evidence(both, said(Strategy.ENGRAVING))  # what is neither rows nor around has the direction of its rows
     assert (e.passes, e.stepover, e.direction, e.sense) == (10, 3, 0, None)
-    e = gather(both, said(Strategy.PROFILE))
+    e = gather_evidence(both, said(Strategy.PROFILE))
     assert (e.passes, e.stepover, e.direction, e.sense) == (1, None, None, "ccw")
-    e = gather(section(polygon(54)), said(Strategy.ENGRAVING))
+    e = gather_evidence(section(polygon(54)), said(Strategy.ENGRAVING))
     assert (e.passes, e.stepover, e.direction, e.sense) == (1, None, None, "ccw")
 
 
@@ -133,7 +133,7 @@ def test_step_is_row_distance_or_grid_period():
     order = [*range(0, 20, 2), *range(1, 20, 2)]
     across = [[(0, 3.0 * k, 0), (60, 3.0 * k, 0)] for k in order]
     down = [[(3.0 * k, 0, 0), (3.0 * k, 57, 0)] for k in order]
-    one, two = (gather(section(*strokes), said(Strategy.ONE_WAY)) for strokes in (across, across + down))
+    one, two = (gather_evidence(section(*strokes), said(Strategy.ONE_WAY)) for strokes in (across, across + down))
     assert (one.passes, two.passes) == (20, 40)
     assert (one.stepover, two.stepover) == pytest.approx((6, 3))
 
@@ -149,14 +149,14 @@ def test_grid_step_with_one_family_like_rows(downward, stepover):
     down = [[(3.0 * (7 * k % 20), 0, 0), (3.0 * (7 * k % 20), downward, 0)] for k in range(20)]
     found = section(*across, *down)
     assert (len(found.families), len(found.rows)) == (2, 1)
-    assert gather(found, said(Strategy.ZIGZAG)).stepover == pytest.approx(stepover)
+    assert gather_evidence(found, said(Strategy.ZIGZAG)).stepover == pytest.approx(stepover)
 
 
 def test_step_of_verdict_is_the_fallback():
     strokes = section(*([(60.0 * k, 0, 0), (60.0 * k + 30, 9.0 * k, 0)] for k in range(4)))
-    e = gather(strokes, said(Strategy.CONTOUR_PARALLEL, 7, step=2.5))
+    e = gather_evidence(strokes, said(Strategy.CONTOUR_PARALLEL, 7, step=2.5))
     assert (e.passes, e.stepover) == (7, 2.5)
-    e = gather(section(rows()), said(Strategy.ZIGZAG, 7, step=2.5))
+    e = gather_evidence(section(rows()), said(Strategy.ZIGZAG, 7, step=2.5))
     assert (e.passes, e.stepover) == (10, 3)
 
 
@@ -164,7 +164,7 @@ def test_step_of_verdict_is_the_fallback():
 def test_tiny_piece_has_no_own_depth(length, depths):
     """Beside a contour of 240 mm."""
     found = section(polygon(60), [(200, 0, -1), (200 + length, 0, -1)])
-    assert gather(found, said(Strategy.PROFILE)).depths == depths
+    assert gather_evidence(found, said(Strategy.PROFILE)).depths == depths
 
 
 SHORT = [[(60.0 * k, 0, 0), (60.0 * k + 9, 0, 0)] for k in range(4)]
@@ -189,7 +189,7 @@ BENT = [[(60.0 * k, 0, 0), (60.0 * k + 9, 0, 0), (60.0 * k + 9, 9.0 + k, 0)] for
 def test_the_sentence_is_that_of_what_was_counted(strokes, strategy, code, count):
     found = section(*strokes)
     verdict = said(strategy)
-    message = sentence(found, verdict, gather(found, verdict))
+    message = reason_of(found, verdict, gather_evidence(found, verdict))
     assert (message.code, message.arguments.get("count")) == (code, count)
     assert message.arguments["strategy"] == strategy
 

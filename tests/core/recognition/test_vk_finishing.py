@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from vkworkbench.core import Strategy
-from vkworkbench.core.recognition.programs.finishing import Cut, within_operations
+from vkworkbench.core.recognition.programs.finishing import CutSection, within_operations
 
 CLEARED = (0.0, 0.0, 30.0, 40.0)  # its diagonal is 50 mm
 AROUND = (-2.0, -2.0, 32.0, 42.0)
@@ -30,7 +30,7 @@ def found_in(*sections, where=0.0, doubtful=None, rapids=True):
         one = SimpleNamespace(
             strategy=strategy, passes=passes, stepover=stepover, spans=(SimpleNamespace(first=last, last=last),)
         )
-        cut.append(Cut(last - 1, last + 1, one))
+        cut.append(CutSection(last - 1, last + 1, one))
     path = SimpleNamespace(points=np.array(points), rapid=np.array(rapid))
     begins = [section.begin for section in cut]
     doubts = set(begins) if doubtful is None else {begins[k] for k in doubtful}
@@ -119,5 +119,5 @@ def test_what_cuts_nothing_between_two_sections_parts_them():
         SimpleNamespace(strategy=strategy, passes=None, stepover=None, spans=(SimpleNamespace(first=k, last=k),))
         for k, strategy in ((1, ADAPTIVE), (2, PROFILE))
     )
-    assert within_operations(path, [Cut(0, 2, one), Cut(2, 3, two)], {2}) == {2}
-    assert within_operations(path, [Cut(0, 1, one), Cut(2, 3, two)], {2}) == set()
+    assert within_operations(path, [CutSection(0, 2, one), CutSection(2, 3, two)], {2}) == {2}
+    assert within_operations(path, [CutSection(0, 1, one), CutSection(2, 3, two)], {2}) == set()

@@ -169,7 +169,7 @@ def test_what_turns_by_less_than_a_ten_thousandth_goes_straight(turn, keeps):
 
 
 @pytest.mark.parametrize("other, surprise", [(14.5, 0), (15.5, log(2))])
-def test_turns_are_told_apart_by_fifteen_degrees(other, surprise):
+def test_turns_are_dividing_retracts_by_fifteen_degrees(other, surprise):
     heading = np.radians(np.cumsum([0, 14, other, 14, other]))
     points = np.cumsum(np.column_stack((np.cos(heading), np.sin(heading), 0 * heading)) * 10, axis=0)
     holds(told(programs.program([[(0.0, 0.0, 0.0), *points.tolist()]])), {"surprise": surprise})

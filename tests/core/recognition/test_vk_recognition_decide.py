@@ -29,8 +29,8 @@ from vkworkbench.core.recognition.verdict.decide import (
     sureness,
 )
 from vkworkbench.core.recognition.verdict.measures import measures
+from vkworkbench.core.recognition.verdict.operation import unknown
 from vkworkbench.core.recognition.verdict.rules import Verdict
-from vkworkbench.core.recognition.verdict.unknown import unknown
 from vkworkbench.language import Message
 
 # Seeds of nonsense toolpaths, which have 182 to 801 points in most kinds; some retract. Longer paths show no more.

@@ -18,16 +18,15 @@ from vkworkbench.core import Strategy, linearize, recognize
 from vkworkbench.core.paper import monotonous_areas
 from vkworkbench.core.recognition.programs.parts import (
     _agree,
-    _differing,
     _differs,
     _joined,
+    _odds_of_difference,
     _one_span,
     _short,
     find_borders,
 )
-from vkworkbench.core.recognition.verdict.operation import _runs, cutting_length
+from vkworkbench.core.recognition.verdict.operation import _runs, cutting_length, unknown
 from vkworkbench.core.recognition.verdict.recognition import Recognition, Span
-from vkworkbench.core.recognition.verdict.unknown import unknown
 from vkworkbench.language import Message
 
 TOOL = 5.0
@@ -383,13 +382,16 @@ def test_stretches_of_loops_and_of_rows_lie_one_behind_the_other():
 
 def test_two_verdicts_are_as_likely_different_as_both_are_right():
     zigzag, helix = told(Strategy.ZIGZAG, confidence=0.8), told(Strategy.HELIX, confidence=0.5)
-    assert _differing(zigzag, helix) == pytest.approx(0.4 / 0.6) == _differing(helix, zigzag)
-    assert _differing(zigzag, told(Strategy.ZIGZAG)) == 0
+    assert _odds_of_difference(zigzag, helix) == pytest.approx(0.4 / 0.6) == _odds_of_difference(helix, zigzag)
+    assert _odds_of_difference(zigzag, told(Strategy.ZIGZAG)) == 0
     for other in (told(Strategy.UNKNOWN), told(Strategy.EMPTY)):
-        assert _differing(zigzag, other) == 0 == _differing(other, zigzag)
+        assert _odds_of_difference(zigzag, other) == 0 == _odds_of_difference(other, zigzag)
     # What adaptive clearing winds in a round place is a spiral.
     spiral, adaptive = told(Strategy.SPIRAL), told(Strategy.ADAPTIVE)
-    assert _differing(spiral, adaptive) == 0 == _differing(adaptive, spiral) and _differing(spiral, zigzag) > 0
+    assert (
+        _odds_of_difference(spiral, adaptive) == 0 == _odds_of_difference(adaptive, spiral)
+        and _odds_of_difference(spiral, zigzag) > 0
+    )
 
 
 def test_operation_of_program_is_one_span_named_by_rows():

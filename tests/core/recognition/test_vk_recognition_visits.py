@@ -14,8 +14,8 @@ from drawings import winding
 from vkworkbench.core import Strategy, linearize, recognize
 from vkworkbench.core.paper import monotonous_areas
 from vkworkbench.core.recognition.programs.borders import MEASURES
-from vkworkbench.core.recognition.programs.parts import Sections, _differing, told_apart
-from vkworkbench.core.recognition.programs.visits import Visits, begun, compared, find_visits
+from vkworkbench.core.recognition.programs.parts import Sections, _odds_of_difference, dividing_retracts
+from vkworkbench.core.recognition.programs.visits import Visits, compare_visits, find_retracts, find_visits
 from vkworkbench.core.recognition.thresholds import VISITS
 from vkworkbench.core.recognition.verdict.forest import Forest
 
@@ -40,7 +40,7 @@ def after(first, second):
 
 
 @pytest.mark.long
-def test_most_pairs_of_operations_are_told_apart():
+def test_most_pairs_of_operations_are_dividing_retracts():
     right = wrong = 0
     for one, first in DIFFERENT.items():
         for two, second in DIFFERENT.items():
@@ -80,20 +80,20 @@ def test_visits_lie_between_retracts_to_the_top():
     top = path.points[:, 2].max()
     for last, first in zip(visits.last[:-1], visits.first[1:]):
         assert path.points[last + 1 : first + 1, 2].max() == top
-    assert compared(visits).shape == (len(visits) - 1, len(MEASURES))
-    assert np.isfinite(compared(visits)).all()
+    assert compare_visits(visits).shape == (len(visits) - 1, len(MEASURES))
+    assert np.isfinite(compare_visits(visits)).all()
 
 
 def test_borders_stand_before_the_way_down():
     path = after(DIFFERENT["zigzag"], DIFFERENT["drilling"])
-    for at in begun(path, monotonous_areas(path)):
+    for at in find_retracts(path, monotonous_areas(path)):
         assert path.points[at, 2] == path.points[:, 2].max() and path.rapid[at]
 
 
 @pytest.mark.parametrize("commands", [[], [("G0", {"X": 5.0})], [("G1", {"X": 5.0, "Y": 1.0})]])
 def test_next_to_nothing_has_no_borders(commands):
     path = linearize(commands)
-    assert begun(path, monotonous_areas(path)) == {}
+    assert find_retracts(path, monotonous_areas(path)) == {}
 
 
 def test_descending_retracts_do_not_recurse_deeply():
@@ -110,9 +110,9 @@ def test_descending_retracts_do_not_recurse_deeply():
 def test_of_too_many_borders_the_likeliest_are_kept(monkeypatch):
     path = after(DIFFERENT["zigzag"], [*DIFFERENT["helix"], ("G0", {"Z": programs.CLEAR}), *DIFFERENT["profile"]])
     moves = monotonous_areas(path)
-    every = begun(path, moves)
+    every = find_retracts(path, moves)
     monkeypatch.setattr(VISITS, "MOST", 1)
-    (kept,) = begun(path, moves).values()
+    (kept,) = find_retracts(path, moves).values()
     assert kept == max(every.values()) > min(every.values())
 
 
@@ -126,7 +126,9 @@ def test_program_with_many_certain_borders_gets_no_others(monkeypatch):
         commands += [("G1", {"X": x + 5 + dx, "Y": y + dy}) for dx, dy in ((10, 0), (10, 10), (0, 10), (0, 0))]
         commands += [("G0", {"Z": 5.0})]
     looked_at = []
-    monkeypatch.setattr(sys.modules["vkworkbench.core.recognition.programs.recognize"], "begun", looked_at.append)
+    monkeypatch.setattr(
+        sys.modules["vkworkbench.core.recognition.programs.recognize"], "find_retracts", looked_at.append
+    )
     assert len(recognize(linearize(commands), tool_diameter=3.0, program=True).spans) == 1 and not looked_at
 
 
@@ -197,7 +199,7 @@ def test_the_same_ground_has_the_same_corners(corner, same):
         return [("G0", {"X": 0.0, "Y": 0.0}), ("G1", {"Z": -1.0}), *[("G1", dict(zip("XY", at))) for at in corners]]
 
     path = after([("G0", {"Z": programs.CLEAR}), *rectangle(20.0, 20.0)], rectangle(*corner))
-    (row,) = compared(find_visits(path, monotonous_areas(path)))
+    (row,) = compare_visits(find_visits(path, monotonous_areas(path)))
     assert row[MEASURES.index("same_ground")] == same
 
 
@@ -224,7 +226,7 @@ def backwards(visits):
 
 
 def test_visits_are_compared_without_a_unit():
-    (row,) = compared(two_visits())
+    (row,) = compare_visits(two_visits())
     told = dict(zip(MEASURES, row))
     series = {name: told.pop(name) for name in MEASURES if name.startswith("series_")}
     assert series == {name: told[name[len("series_") :]] for name in series}
@@ -242,7 +244,7 @@ def test_visits_are_compared_without_a_unit():
     # Backwards all is the same but what says which of the two is higher.
     expected.update({"higher_bottom": 1, "higher_begin": 1, "deeper": 3 / 5})
     expected.update({"again": shared / one, "again_above": shared / one})  # of the ground of what is now the second
-    (row,) = compared(backwards(two_visits()))
+    (row,) = compare_visits(backwards(two_visits()))
     assert {name: value for name, value in zip(MEASURES, row) if name in expected} == pytest.approx(expected)
 
 
@@ -255,9 +257,9 @@ def test_visits_are_compared_without_a_unit():
 )  # fmt: skip
 def test_what_rounding_leaves_is_the_same(name, values, measure):
     at = MEASURES.index(measure)
-    assert compared(two_visits(**{name: values}))[0, at] == 1
+    assert compare_visits(two_visits(**{name: values}))[0, at] == 1
     apart = [values[0], values[0] + 3 * (values[1] - values[0])]  # 0.03 mm, one and a half hundredths of the feed
-    assert compared(two_visits(**{name: apart}))[0, at] == 0
+    assert compare_visits(two_visits(**{name: apart}))[0, at] == 0
 
 
 @pytest.mark.parametrize(
@@ -271,20 +273,20 @@ def test_what_rounding_leaves_is_the_same(name, values, measure):
     ],
 )
 def test_the_same_ground_lies_between_the_same_sides(low, high, same):
-    told = dict(zip(MEASURES, compared(two_visits(low=low, high=high))[0]))
+    told = dict(zip(MEASURES, compare_visits(two_visits(low=low, high=high))[0]))
     assert told["same_ground"] == same
 
 
 def test_axes_differ_by_the_angle_between_them():
     """Of directions at twice their angle: the same, half of it, and at a right angle."""
     for other, differ in ((1, 0), (0.5, 0.5), (-1, 2)):
-        assert compared(two_visits(axis=[1, other]))[0, MEASURES.index("axis")] == pytest.approx(differ)
+        assert compare_visits(two_visits(axis=[1, other]))[0, MEASURES.index("axis")] == pytest.approx(differ)
 
 
 def test_grounds_that_do_not_touch_share_nothing():
-    told = dict(zip(MEASURES, compared(two_visits(low=[[0, 0], [40, 50]], high=[[30, 40], [50, 60]]))[0]))
+    told = dict(zip(MEASURES, compare_visits(two_visits(low=[[0, 0], [40, 50]], high=[[30, 40], [50, 60]]))[0]))
     assert told["overlap"] == told["inside"] == told["same_ground"] == 0
-    told = dict(zip(MEASURES, compared(two_visits(low=[[0, 0], [0, 0]], high=[[0, 0], [0, 0]]))[0]))
+    told = dict(zip(MEASURES, compare_visits(two_visits(low=[[0, 0], [0, 0]], high=[[0, 0], [0, 0]]))[0]))
     assert told["overlap"] == told["inside"] == told["same_ground"] == 1 and told["size"] == 0  # holes in one place
 
 
@@ -301,7 +303,7 @@ def test_ground_of_recent_visit_is_cut_again():
                 high=np.vstack([low, corner]) + 10.0,
                 bottom=np.append(np.full(10, -1.0), z),
             )
-            rows = compared(visits)[:, [MEASURES.index("again"), MEASURES.index("again_above")]]
+            rows = compare_visits(visits)[:, [MEASURES.index("again"), MEASURES.index("again_above")]]
             half = (5.05 * 10.05) / 10.05**2 * (back <= 8)  # what lies nine visits back is not looked at
             assert rows[-1] == pytest.approx([again * half, above * half]), (back, z)
             assert (rows[:-1] == 0).all()
@@ -324,7 +326,7 @@ def test_contour_around_rows_finishes_their_walls():
 
     def borders(second, share):
         path = linearize([*rows, *second, ("G0", {"Z": 5.0})])
-        return told_apart(Sections(path, TOOL), {}, {len(linearize(rows)): share})
+        return dividing_retracts(Sections(path, TOOL), {}, {len(linearize(rows)): share})
 
     at = [len(linearize(rows))]
     assert borders(contour(-1.0), 0.4) == []
@@ -347,17 +349,17 @@ SPIRAL = winding(2, 26, 8)
 @pytest.mark.parametrize("count", [2, 3, 4, 5])
 def test_alternating_strategies_are_one_operation(count):
     path, begins = in_turns(count, ROWS, SPIRAL)
-    assert told_apart(Sections(path, TOOL), [], dict.fromkeys(begins, 0.2)) == (begins if count < 4 else [])
+    assert dividing_retracts(Sections(path, TOOL), [], dict.fromkeys(begins, 0.2)) == (begins if count < 4 else [])
 
 
 def test_doubtful_retract_divides_by_odds_or_votes():
     path, (at,) = in_turns(2, ROWS, SPIRAL)
     one, two = Sections(path, TOOL).between([at])
     for odds, parts in ((0.58, []), (0.62, [at])):
-        by_votes = odds / _differing(one.found, two.found)
-        assert told_apart(Sections(path, TOOL), [], {at: by_votes / (1 + by_votes)}) == parts
+        by_votes = odds / _odds_of_difference(one.found, two.found)
+        assert dividing_retracts(Sections(path, TOOL), [], {at: by_votes / (1 + by_votes)}) == parts
     path, (at,) = in_turns(2, ROWS)
-    assert [told_apart(Sections(path, TOOL), [], {at: share}) for share in (0.28, 0.32)] == [[], [at]]
+    assert [dividing_retracts(Sections(path, TOOL), [], {at: share}) for share in (0.28, 0.32)] == [[], [at]]
 
 
 def test_a_way_down_from_the_top_is_no_retract_to_it():
@@ -373,7 +375,7 @@ def test_a_way_down_from_the_top_is_no_retract_to_it():
 def test_a_series_is_what_the_pairs_before_and_after_show():
     tops = [0, 0, 5, 9, 9]  # the same, not, not, the same
     visits = Visits(*(np.repeat(values[:1], 5, axis=0) for values in vars(two_visits()).values()))
-    rows = compared(replace(visits, top=np.array(tops, float)))
+    rows = compare_visits(replace(visits, top=np.array(tops, float)))
     assert rows[:, MEASURES.index("same_top")].tolist() == [1, 0, 0, 1]
     assert rows[:, MEASURES.index("series_same_top")].tolist() == [0, 0.5, 0.5, 0]
 

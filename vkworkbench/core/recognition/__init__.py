@@ -7,7 +7,7 @@ Out: `Recognition`, the strategy with its confidence, its reason, the numbers be
 
 from vkworkbench.core.recognition.programs.inches import recognize_inches
 from vkworkbench.core.recognition.programs.recognize import recognize
+from vkworkbench.core.recognition.verdict.operation import unknown
 from vkworkbench.core.recognition.verdict.recognition import Recognition, Span
-from vkworkbench.core.recognition.verdict.unknown import unknown
 
 __all__ = ["Recognition", "Span", "recognize", "recognize_inches", "unknown"]

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Finishing passes: contours that go around what was cleared, and belong to the operation that cleared it."""
+"""Find finishing passes: contours around a cleared area, which belong to the operation that cleared it."""
 
 from __future__ import annotations
 
@@ -14,8 +14,8 @@ from vkworkbench.core.strategy import Family, Strategy
 from vkworkbench.core.toolpath import Toolpath
 
 
-class Cut(NamedTuple):
-    """What is cut between two borders: the trajectories with which it and the next begin, and what it is."""
+class CutSection(NamedTuple):
+    """A section between two borders: its first trajectory, the first one after it, and its recognition."""
 
     begin: int
     end: int
@@ -23,17 +23,17 @@ class Cut(NamedTuple):
 
 
 class _Run(NamedTuple):
-    """Consecutive sections that all clear, or all go around, to one depth; boxes: what each of them cuts, (2, 3) mm."""
+    """Consecutive sections of one depth that all clear, or all go around; boxes: bounding box of each section, (2, 3) mm."""
 
-    sections: list[Cut]
+    sections: list[CutSection]
     clears: bool
     boxes: list[np.ndarray]
 
 
-def within_operations(toolpath: Toolpath, cut: Sequence[Cut], doubtful: Collection[int]) -> set[int]:
-    """Return the borders in doubt between what clears an area and the contours that finish its walls, and among both.
+def within_operations(toolpath: Toolpath, cut: Sequence[CutSection], doubtful: Collection[int]) -> set[int]:
+    """Return the doubtful borders inside operations that clear an area and finish its walls with contours.
 
-    The contours go around all that was cleared, as deep as it was. They may be several: one around each island.
+    The contours go around the whole cleared area, at the same depth. There may be several, for example around islands.
 
     Parameters
     ----------
@@ -41,7 +41,7 @@ def within_operations(toolpath: Toolpath, cut: Sequence[Cut], doubtful: Collecti
     cut : sequence of Cut
         The sections of the program.
     doubtful : collection of int
-        The borders at which an operation may go on.
+        Borders that may lie inside an operation.
     """
     found: set[int] = set()
     runs = _runs(toolpath, cut, doubtful)
@@ -50,7 +50,7 @@ def within_operations(toolpath: Toolpath, cut: Sequence[Cut], doubtful: Collecti
             continue
         area, walls = (one, two) if one.clears else (two, one)
         low, high = np.min(area.boxes, axis=(0, 1)), np.max(area.boxes, axis=(0, 1))
-        # The contours next to what was cleared, as many as go around it: others may be another operation.
+        # Only the contours next to the cleared area that go around it; others may be another operation.
         outward = np.array(walls.boxes if area is one else walls.boxes[::-1])
         if abs(low[2] - outward[0, 0, 2]) > SAME.HEIGHT:
             continue
@@ -66,17 +66,17 @@ def within_operations(toolpath: Toolpath, cut: Sequence[Cut], doubtful: Collecti
     return found
 
 
-def _runs(toolpath: Toolpath, cut: Sequence[Cut], doubtful: Collection[int]) -> list[_Run]:
-    """Return the sections that clear and those that go around, as many at once as follow one another."""
+def _runs(toolpath: Toolpath, cut: Sequence[CutSection], doubtful: Collection[int]) -> list[_Run]:
+    """Group consecutive sections that clear, and consecutive sections that go around."""
     runs: list[_Run] = []
     for section in cut:
         strategy = section.found.strategy
         clears = strategy.family is Family.ROWS or strategy is Strategy.ADAPTIVE
-        # Two walls may lie in one another as two offsets do.
+        # Two nested walls look like two offsets.
         offsets = strategy is Strategy.CONTOUR_PARALLEL and (section.found.passes or 0) <= PARTS.WALLS
         if not (clears or offsets or strategy is Strategy.PROFILE):
             continue
-        box, last = _ground(toolpath, section.found), runs[-1] if runs else None
+        box, last = _box(toolpath, section.found), runs[-1] if runs else None
         follows = last and last.clears is clears and _meet(last.sections[-1], section, doubtful)
         if last and follows and abs(last.boxes[-1][0, 2] - box[0, 2]) < SAME.HEIGHT:
             last.sections.append(section)
@@ -86,13 +86,13 @@ def _runs(toolpath: Toolpath, cut: Sequence[Cut], doubtful: Collection[int]) -> 
     return runs
 
 
-def _meet(one: Cut, two: Cut, doubtful: Collection[int]) -> bool:
-    """Whether the second section may go on with the operation of the first."""
+def _meet(one: CutSection, two: CutSection, doubtful: Collection[int]) -> bool:
+    """Return whether the second section may continue the operation of the first."""
     return one.end == two.begin and two.begin in doubtful
 
 
-def _ground(toolpath: Toolpath, one: Recognition) -> np.ndarray:
-    """Return the box of what a section cuts, (2, 3): its lowest and its highest corner, mm."""
+def _box(toolpath: Toolpath, one: Recognition) -> np.ndarray:
+    """Return the bounding box of a section's cutting moves, (2, 3): lower and upper corner, mm."""
     first, last = one.spans[0].first, one.spans[-1].last
     cut = np.flatnonzero(~toolpath.rapid[first : last + 1]) + first
     points = toolpath.points[np.union1d(cut, cut + 1)]

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Recognising what was read 25.4 times too small: thresholds in mm need it in its own size."""
+"""Recognise a toolpath in inches that was read as millimetres. Thresholds in mm need its true size."""
 
 from __future__ import annotations
 
@@ -19,16 +19,16 @@ def recognize_inches(toolpath: Toolpath, *, tool_diameter: float | None = None, 
     Parameters
     ----------
     toolpath : Toolpath
-        As it was read.
+        The toolpath as it was read.
     tool_diameter : float, optional
-        mm, the tool's true one.
+        True diameter of the tool, mm.
     program : bool
-        As `recognize` takes it.
+        See `recognize`.
 
     Returns
     -------
     Recognition
-        The verdict on 25.4 times the size; lengths in it are those of the toolpath as it was read.
+        The verdict on 25.4 times the size. Its lengths are as in the toolpath that was read.
     """
     found = recognize(replace(toolpath, points=INCH * toolpath.points), tool_diameter=tool_diameter, program=program)
     paper = found.paper and replace(found.paper, v=(found.paper.v[0] / INCH, found.paper.v[1] / INCH))
@@ -37,7 +37,7 @@ def recognize_inches(toolpath: Toolpath, *, tool_diameter: float | None = None, 
 
 
 def _as_read(value: Any) -> Any:
-    """Return a message whose steps are those of the toolpath as it was read."""
+    """Return a message with steps as in the toolpath that was read."""
     if isinstance(value, tuple):
         return tuple(map(_as_read, value))
     if not isinstance(value, Message):

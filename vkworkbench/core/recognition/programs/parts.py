@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The parts of a program: where it is divided, and when its parts are different operations."""
+"""Divide a program into parts, and decide whether the parts are different operations."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ import numpy as np
 from vkworkbench.core.gcode import title_of
 from vkworkbench.core.paper import Areas, monotonous_areas
 from vkworkbench.core.recognition.patterns.footprints import count_depths, number_depths
-from vkworkbench.core.recognition.programs.finishing import Cut, within_operations
+from vkworkbench.core.recognition.programs.finishing import CutSection, within_operations
 from vkworkbench.core.recognition.thresholds import ENOUGH, PARTS, ROWS, SAME, VISITS
 from vkworkbench.core.recognition.verdict.operation import cutting_length, recognize_one, spans_of
 from vkworkbench.core.recognition.verdict.recognition import Recognition
@@ -22,21 +22,21 @@ from vkworkbench.language import Message
 
 
 def find_borders(toolpath: Toolpath, moves: Areas) -> dict[int, bool]:
-    """Return the trajectories before which another operation may begin, and whether it certainly does.
+    """Return the trajectories at which another operation may begin, and whether the border is certain.
 
-    Tool changes and runs of drilled holes are certain; a comment that is a title is a hint, a remark none.
+    Tool changes and runs of drilled holes are certain borders. A comment that is a title is a hint; other comments are ignored.
     """
     comments = {int(at) for at, text in toolpath.comments if title_of(text)}
     borders = dict.fromkeys(comments, False) if len(comments) <= PARTS.BORDERS else {}
     borders.update((int(at), True) for at in toolpath.tool_changes)
     holes = moves.holes
     if len(holes) < PARTS.DRILLED * len(moves.start) or _sculptured(moves) or _in_layers(toolpath, moves):
-        holes = holes[toolpath.cycle[holes]]  # a canned cycle drills, whatever there is beside it
+        holes = holes[toolpath.cycle[holes]]  # a canned cycle always drills
     if len(moves) and len(holes):
-        # Holes with no milling between them are one run.
+        # Holes without milling between them are one run.
         place = np.searchsorted(moves.index, holes)
         begin = np.flatnonzero(np.append(True, place[1:] != place[:-1]))
-        # They part at a rapid: a steep lift behind what is milled, or out of a tapped hole, goes on with it.
+        # The border is at a rapid, because a steep lift after milling, or out of a tapped hole, belongs to the operation before.
         milled = moves.index[place[begin[place[begin] > 0]] - 1]
         rapids = np.append(np.flatnonzero(toolpath.rapid), len(toolpath))
         parted = rapids[np.searchsorted(rapids, np.concatenate([milled, holes[begin[1:] - 1], holes[-1:]]))]
@@ -45,12 +45,12 @@ def find_borders(toolpath: Toolpath, moves: Areas) -> dict[int, bool]:
 
 
 def _sculptured(moves: Areas) -> bool:
-    """Whether there are too many heights for depths: then plunges are passes of a raster, clipped to a point."""
+    """Return whether there are too many heights for depths. Plunges are then passes of a raster, clipped to a point."""
     return count_depths(moves.z[:: len(moves) // ROWS.SAMPLE + 1]) > PARTS.DEPTHS
 
 
 def _in_layers(toolpath: Toolpath, moves: Areas) -> bool:
-    """Whether most plunge elsewhere, to several depths of the milling: contours of a surface, clipped to a point."""
+    """Return whether plunges at different places reach several depths of the milling: contours of a surface, clipped to a point."""
     bottom = toolpath.points[moves.holes + 1]
     depth = number_depths(np.concatenate([bottom[:, 2], moves.z[moves.start]]))
     drilled, milled = set(depth[: len(bottom)].tolist()), set(depth[len(bottom) :].tolist())
@@ -61,13 +61,13 @@ def _in_layers(toolpath: Toolpath, moves: Areas) -> bool:
 
 
 class Sections:
-    """What a toolpath cuts between borders; each stretch is recognised once, however often it is asked for.
+    """The sections of a toolpath between borders. Each section is recognised once and cached.
 
     Parameters
     ----------
     toolpath : Toolpath
     tool : float
-        Tool diameter, mm; 0 where unknown.
+        Tool diameter, mm; 0 if unknown.
     """
 
     def __init__(self, toolpath: Toolpath, tool: float) -> None:
@@ -76,13 +76,13 @@ class Sections:
         self._cutting = np.flatnonzero(~toolpath.rapid)
         self._known: dict[tuple[int, int], Recognition] = {}
 
-    def between(self, borders: Iterable[int]) -> Iterator[Cut]:
-        """Yield the sections between some borders; none where nothing is cut."""
+    def between(self, borders: Iterable[int]) -> Iterator[CutSection]:
+        """Yield the sections between borders, without sections that cut nothing."""
         at = sorted({0, *borders, len(self.toolpath)})
         ends = zip(at, at[1:], np.searchsorted(self._cutting, at), np.searchsorted(self._cutting, at[1:]))
         for a, b, begin, end in ends:
             if begin < end:
-                yield Cut(a, b, self._recognized(int(self._cutting[begin]), int(self._cutting[end - 1])))
+                yield CutSection(a, b, self._recognized(int(self._cutting[begin]), int(self._cutting[end - 1])))
 
     def _recognized(self, first: int, last: int) -> Recognition:
         if (first, last) not in self._known:
@@ -91,42 +91,45 @@ class Sections:
         return self._known[first, last]
 
 
-def told_apart(sections: Sections, borders: Collection[int], begun: dict[int, float]) -> list[int]:
-    """Return the retracts that part operations: those that likely do, and those with clearly different verdicts beside.
+def dividing_retracts(sections: Sections, borders: Collection[int], retracts: dict[int, float]) -> list[int]:
+    """Return the retracts that separate two operations.
+
+    A retract separates operations if its probability is high, or if the sections before and after it have clearly different verdicts.
 
     Parameters
     ----------
     sections : Sections
-        Of the program.
+        Sections of the program.
     borders : collection of int
         Other borders.
-    begun : dict
-        Where another operation may begin, and how likely it is.
+    retracts : dict
+        Trajectories at which another operation may begin, with probabilities.
     """
-    if not begun:
+    if not retracts:
         return []
-    cut = list(sections.between((*borders, *begun)))
-    beside = [(one, two) for one, two in zip(cut, cut[1:]) if one.end == two.begin and two.begin in begun]
-    pairs = {two.begin: (one.found, two.found) for one, two in beside}
+    cuts = list(sections.between((*borders, *retracts)))
+    neighbours = [(one, two) for one, two in zip(cuts, cuts[1:]) if one.end == two.begin and two.begin in retracts]
+    pairs = {two.begin: (one.found, two.found) for one, two in neighbours}
     names = {
         at: frozenset(one.strategy for one in pair)
         for at, pair in pairs.items()
-        if begun[at] <= VISITS.BORDER and _odds(begun[at]) * _differing(*pair) > VISITS.DIFFER
+        if retracts[at] <= VISITS.BORDER and _odds(retracts[at]) * _odds_of_difference(*pair) > VISITS.DIFFER
     }
     times = Counter(names.values())
-    # Two patterns that take turns are one operation, depth after depth or place after place.
-    told = {at for at, pair in names.items() if times[pair] < PARTS.TURNS}
-    told |= {at for at, share in begun.items() if share > VISITS.BORDER}
-    # So are a pattern and the contours that finish its walls.
-    told -= within_operations(sections.toolpath, cut, {at for at in begun if begun[at] < VISITS.SURE})
-    return [at for at in begun if at in told]
+    # Two alternating patterns are one operation, depth after depth or place after place.
+    dividing = {at for at, pair in names.items() if times[pair] < PARTS.TURNS}
+    dividing |= {at for at, probability in retracts.items() if probability > VISITS.BORDER}
+    # A pattern and the contours that finish its walls are one operation.
+    uncertain = {at for at in retracts if retracts[at] < VISITS.SURE}
+    dividing -= within_operations(sections.toolpath, cuts, uncertain)
+    return [at for at in retracts if at in dividing]
 
 
-def _differing(one: Recognition, other: Recognition) -> float:
-    """Return the odds that two sections are different operations, told by their verdicts; 0 where those may be one."""
+def _odds_of_difference(one: Recognition, other: Recognition) -> float:
+    """Return the odds that two sections are different operations, by their verdicts; 0 if they may be one operation."""
     if not (one.strategy.is_answer and other.strategy.is_answer):
         return 0.0
-    # Adaptive clearing winds where its place is round.
+    # Adaptive clearing of a round place winds like a spiral.
     if one.strategy is other.strategy or {one.strategy, other.strategy} == {Strategy.ADAPTIVE, Strategy.SPIRAL}:
         return 0.0
     return _odds(one.confidence * other.confidence)
@@ -137,42 +140,58 @@ def _odds(share: float) -> float:
 
 
 def recognize_parts(sections: Sections, borders: Mapping[int, bool], whole: Recognition, program: bool) -> Recognition:
-    """Recognise the sections between the borders; mixed where they differ as much as their borders ask."""
-    toolpath, cut = sections.toolpath, list(sections.between(borders))
-    found = [one for *_, one in cut]
-    parts = np.cumsum([certain for _, certain in sorted(borders.items())])  # what certain borders part, so far
-    certainly = np.append(0, parts)[np.searchsorted(sorted(borders), [a for a, *_ in cut], side="right")]
-    length = np.array([sum(cutting_length(toolpath, s.first, s.last) for s in r.spans) for r in found])
-    share = length / length.sum()
+    """Recognise the sections between borders. The result is mixed if the sections differ enough for their borders."""
+    toolpath, cuts = sections.toolpath, list(sections.between(borders))
+    found = [cut.found for cut in cuts]
+    stretch = _stretches(borders, cuts)
+    share = _shares(toolpath, found)
     main = int(np.argmax(share))
-    # A border between a section and the longest one counts the same whichever of the two comes first.
-    certain = certainly != certainly[main]
-    # Two pockets that a program cuts one after the other are two operations; what FreeCAD titles within one is not.
-    operation = certainly if program else np.zeros_like(certainly)
-    differs = np.array([_differs(r, found[main], sure, program) for r, sure in zip(found, certain)])
-    drilled = np.array([r.strategy is Strategy.DRILLING for r in found])  # holes have next to no length
-    enough = drilled | (share > PARTS.CERTAIN) if program else drilled
+    differs = np.array([
+        _differs(one, found[main], apart, program) for one, apart in zip(found, stretch != stretch[main])
+    ])  # fmt: skip
+    # In a program, each stretch between certain borders is an operation. FreeCAD's titles within an operation are not borders.
+    operation = stretch if program else np.zeros_like(stretch)
     little = bool(share[differs].sum() < PARTS.ASIDE)
-    if little and not (differs & certain & enough).any():
+    if little and not (differs & (stretch != stretch[main]) & _is_enough(found, share, program)).any():
         return _agree(toolpath, whole, found, share, operation)
-    runs = _joined([_one_span(r) for r in found] if program else found, operation)
+    runs = _joined([_one_span(one) for one in found] if program else found, operation)
     spans = spans_of(toolpath, runs)
     names = list(dict.fromkeys(strategy for _, _, strategy in runs))
-    change = np.searchsorted(np.sort(toolpath.tool_changes), [a for a, *_ in cut], side="right")
-    if little and (change[differs] == change[main]).all():
-        # What one tool cuts beside the pattern, however surely, does not take its name away.
+    tool_changes = np.searchsorted(np.sort(toolpath.tool_changes), [cut.begin for cut in cuts], side="right")
+    if little and (tool_changes[differs] == tool_changes[main]).all():
+        # A few other cuts of the same tool do not change the name of the pattern.
         pattern = whole if whole.strategy is found[main].strategy else found[main]
         others = [name for name in names if name is not pattern.strategy]
-        # None where rows with a contour around them are the rows that the pattern is.
+        # No others if rows with a contour around them are the rows of the pattern.
         why = Message("with-others", told=pattern.why, strategies=others) if others else pattern.why
         return replace(pattern, why=why, spans=spans)
     why = Message("sections", count=len(runs), strategies=names, strategy=Strategy.MIXED)
-    confidence = float((share * [r.confidence for r in found]).sum())
+    confidence = float((share * [one.confidence for one in found]).sum())
     return replace(whole, strategy=Strategy.MIXED, confidence=confidence, why=why, entry=None, spans=spans)
 
 
+def _stretches(borders: Mapping[int, bool], cuts: list[CutSection]) -> np.ndarray:
+    """Return for each section the number of certain borders before it, (k,) int."""
+    certain = np.append(0, np.cumsum([is_certain for _, is_certain in sorted(borders.items())]))
+    result: np.ndarray = certain[np.searchsorted(sorted(borders), [cut.begin for cut in cuts], side="right")]
+    return result
+
+
+def _shares(toolpath: Toolpath, found: list[Recognition]) -> np.ndarray:
+    """Return the share of each section in the cutting length, (k,)."""
+    length = np.array([sum(cutting_length(toolpath, s.first, s.last) for s in one.spans) for one in found])
+    share: np.ndarray = length / length.sum()
+    return share
+
+
+def _is_enough(found: list[Recognition], share: np.ndarray, program: bool) -> np.ndarray:
+    """Return whether each section is long enough to be an operation of its own, (k,) bool. Holes have nearly no length."""
+    drilled = np.array([one.strategy is Strategy.DRILLING for one in found])
+    return drilled | (share > PARTS.CERTAIN) if program else drilled
+
+
 def _one_span(one: Recognition) -> Recognition:
-    """Return an operation of a program as one span; rows with a contour around them are rows with a finishing pass."""
+    """Return an operation of a program with one span. Rows with a contour around them are rows with a finishing pass."""
     if len(one.spans) < 2:
         return one
     share = sum(s.share for s in one.spans if s.strategy.family is Family.ROWS)
@@ -184,36 +203,36 @@ def _one_span(one: Recognition) -> Recognition:
 
 
 def _joined(found: list[Recognition], operation: np.ndarray) -> list[tuple[int, int, Strategy]]:
-    """Return the spans of consecutive sections as (first, last, strategy), equal neighbours of one operation as one.
+    """Return the spans of consecutive sections as (first, last, strategy), joining equal neighbours of one operation.
 
     Parameters
     ----------
     found : list of Recognition
     operation : (k,) int
-        Number of the operation that each section belongs to, ascending.
+        Number of each section's operation, ascending.
     """
     runs: list[tuple[int, int, Strategy]] = []
-    for r, begins in zip(found, np.diff(operation, prepend=operation[0]) > 0):
-        for k, s in enumerate(r.spans):
-            if runs and runs[-1][2] is s.strategy and not (begins and k == 0):
-                runs[-1] = (runs[-1][0], s.last, s.strategy)
+    for one, begins in zip(found, np.diff(operation, prepend=operation[0]) > 0):
+        for k, span in enumerate(one.spans):
+            if runs and runs[-1][2] is span.strategy and not (begins and k == 0):
+                runs[-1] = (runs[-1][0], span.last, span.strategy)
             else:
-                runs.append((s.first, s.last, s.strategy))
+                runs.append((span.first, span.last, span.strategy))
     return runs
 
 
 def _agree(
     toolpath: Toolpath, whole: Recognition, found: list[Recognition], share: np.ndarray, operation: np.ndarray
 ) -> Recognition:
-    """Return the verdict on the whole; the longest section's where every section says another than the whole.
+    """Return the verdict on the whole, or on the longest section if every section contradicts the whole.
 
-    A section too short to show a strategy of its own does not count: the loops of a waterline and the rows of a
-    zigzag may each have a title. Nor do a few holes, or what little is known, speak for all the rest.
+    Sections that are too short to show a strategy do not count: the loops of a waterline and the rows of a zigzag may each have
+    a title. The sections that count must have more than half of the length.
     """
-    told = [k for k, r in enumerate(found) if r.strategy is not Strategy.UNKNOWN and not _short(r, 2)]
-    if share[told].sum() < ENOUGH.SHARE or whole.strategy in {found[k].strategy for k in told}:
+    clear = [k for k, r in enumerate(found) if r.strategy is not Strategy.UNKNOWN and not _short(r, 2)]
+    if share[clear].sum() < ENOUGH.SHARE or whole.strategy in {found[k].strategy for k in clear}:
         return whole
-    longest = found[max(told, key=lambda k: share[k])]
+    longest = found[max(clear, key=lambda k: share[k])]
     runs = [(found[0].spans[0].first, found[-1].spans[-1].last, longest.strategy)]
     if longest.strategy is Strategy.MIXED:
         runs = _joined(found, operation)
@@ -221,27 +240,27 @@ def _agree(
 
 
 def _short(one: Recognition, loops: int) -> bool:
-    """Whether a section with fewer loops than that is too little to show a strategy.
+    """Return whether a section has fewer than `loops` loops and too few passes to show a strategy.
 
-    One loop is enough to be another operation than rows; to gainsay the verdict on the whole it takes two.
+    One loop is enough for an operation beside rows. Contradicting the verdict on the whole needs two loops.
     """
     return one.closed_loops < loops and (one.passes or 0) < PARTS.PASSES
 
 
-def _differs(one: Recognition, main: Recognition, certain: bool, program: bool) -> bool:
-    """Whether a section is another operation than the main one.
+def _differs(one: Recognition, main: Recognition, apart: bool, program: bool) -> bool:
+    """Return whether a section is another operation than the main one.
 
-    Where a tool change parts them, another strategy is another operation. A comment alone divides only strategies of
-    different families: FreeCAD titles the passes of one operation, and the roughing and the finishing pass of one
-    pocket are a contour-parallel and a profile.
+    Behind a certain border, another strategy is another operation. A comment alone divides only strategies of different
+    families: FreeCAD titles the passes of one operation, and the roughing and the finishing pass of one pocket are a
+    contour-parallel and a profile.
     """
     if Strategy.UNKNOWN in (one.strategy, main.strategy):
         return False
-    if certain and program:
+    if apart and program:
         return one.strategy is not main.strategy
     if _short(one, 1):
         return False
-    if certain:
+    if apart:
         return one.strategy is not main.strategy
     families = {one.strategy.family, main.strategy.family}
     return len(families) > 1 and Family.STROKES not in families

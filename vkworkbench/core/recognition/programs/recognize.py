@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""From a toolpath to the machining strategy it uses, with the evidence in the paper's terms."""
+"""Recognise the machining strategy of a toolpath, with the evidence in the paper's terms."""
 
 from __future__ import annotations
 
@@ -7,12 +7,11 @@ import numpy as np
 
 from vkworkbench.core.paper import monotonous_areas
 from vkworkbench.core.recognition.patterns.turned import is_turned
-from vkworkbench.core.recognition.programs.parts import Sections, find_borders, recognize_parts, told_apart
-from vkworkbench.core.recognition.programs.visits import begun
+from vkworkbench.core.recognition.programs.parts import Sections, dividing_retracts, find_borders, recognize_parts
+from vkworkbench.core.recognition.programs.visits import find_retracts
 from vkworkbench.core.recognition.thresholds import PARTS
-from vkworkbench.core.recognition.verdict.operation import recognize_one
+from vkworkbench.core.recognition.verdict.operation import recognize_one, unknown
 from vkworkbench.core.recognition.verdict.recognition import Recognition
-from vkworkbench.core.recognition.verdict.unknown import unknown
 from vkworkbench.core.strategy import Strategy
 from vkworkbench.core.toolpath import Toolpath, check_toolpath
 from vkworkbench.given import number
@@ -27,22 +26,22 @@ def recognize(toolpath: Toolpath, *, tool_diameter: float | None = None, program
     toolpath : Toolpath
         The linearised trajectories.
     tool_diameter : float, optional
-        mm. Where it is unknown (None, 0, nan) the usual step between passes takes its place.
+        mm. If unknown (None, 0, NaN), the usual step between passes is used instead.
     program : bool
-        Whether it may hold several operations that nothing parts but a retract, as an imported program does. One
-        operation must not be divided so: it retracts, too.
+        Whether the toolpath may contain several operations that only retracts separate, as imported programs do. A single
+        operation also retracts, so pass False for it.
 
     Returns
     -------
     Recognition
-        With Strategy.EMPTY where nothing cuts. No toolpath raises.
+        Strategy.EMPTY if nothing cuts. No toolpath raises an exception.
 
     Raises
     ------
     TypeError
-        If `toolpath` is something else, as commands are, or the diameter is nothing like a number.
+        If `toolpath` is not a Toolpath (but a list of commands, for example), or the diameter has no numeric type.
     ValueError
-        If the diameter is a text that is no number.
+        If the diameter is a text that is not a number.
     """
     check_toolpath(toolpath)
     rapid = toolpath.rapid
@@ -57,7 +56,8 @@ def recognize(toolpath: Toolpath, *, tool_diameter: float | None = None, program
     whole = recognize_one(toolpath, moves, first, last, tool)
     borders, sections = find_borders(toolpath, moves), Sections(toolpath, tool)
     if program and len(borders) <= PARTS.BORDERS:
-        borders.update(dict.fromkeys(told_apart(sections, borders, begun(toolpath, moves)), True))
+        retracts = dividing_retracts(sections, borders, find_retracts(toolpath, moves))
+        borders.update(dict.fromkeys(retracts, True))
     if not 0 < len(borders) <= PARTS.BORDERS:
         return whole
     return recognize_parts(sections, borders, whole, program)

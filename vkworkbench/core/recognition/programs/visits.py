@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Visits: what a program cuts between two retracts to its top height, and which of them begin another operation."""
+"""Visits: the cutting between two retracts to the program's top height. Find the visits that begin another operation."""
 
 from __future__ import annotations
 
@@ -19,28 +19,28 @@ FOREST = Forest(TREES, 2)
 
 @dataclass(frozen=True)
 class Visits:
-    """What each of k visits to the part measures.
+    """Measures of k visits.
 
     Attributes
     ----------
     first, last : (k,) int
-        First and last trajectory that cuts.
+        First and last cutting trajectory.
     blocks : (k,) int
         Number of monotonous areas and drilled holes.
     low, high : (k, 2) float
         Bounding box in the plane, mm.
     bottom, top, begin : (k,) float
-        Lowest and highest cutting height, and that of the first block, mm.
+        Lowest and highest cutting height, and the height of the first block, mm.
     length : (k,) float
         Cutting length in the plane, mm.
     feed, fastest : (k,) float
-        Mean feed by length, and the highest, mm/s.
+        Mean feed weighted by length, and highest feed, mm/s.
     turn : (k,) float
         Mean net turn of a block, turns.
     chord, closed : (k,) float
-        Distance from start to end of the blocks, and length of the closed ones, both over the length.
+        Sum of the distances from start to end of the blocks, and length of the closed blocks, both divided by the length.
     axis : (k,) complex
-        Sum of the directions at twice their angle, over the length: 1 where all moves keep to one axis.
+        Sum of the moves with doubled angles, divided by the length. Its magnitude is 1 if all moves have one axis.
     """
 
     first: np.ndarray
@@ -65,7 +65,7 @@ class Visits:
 
 
 class _Blocks(NamedTuple):
-    """What each of b blocks measures, areas and drilled holes in the order of cutting; a hole has no length.
+    """Measures of b blocks (areas and drilled holes) in the order of cutting. A hole has no length.
 
     Attributes
     ----------
@@ -78,11 +78,11 @@ class _Blocks(NamedTuple):
     length, gap : (b,) float
         Length in the plane, and distance from start to end, mm.
     feed, fastest : (b,) float
-        Mean feed by length, and the highest, mm/s.
+        Mean feed weighted by length, and highest feed, mm/s.
     turned : (b,) float
-        Net turn either way, rad.
+        Absolute net turn, rad.
     axis : (b,) complex
-        Sum of the moves with twice their angle, mm.
+        Sum of the moves with doubled angles, mm.
     """
 
     first: np.ndarray
@@ -100,54 +100,54 @@ class _Blocks(NamedTuple):
 
 
 def find_visits(toolpath: Toolpath, moves: Areas) -> Visits | None:
-    """Divide the cutting at the retracts to the program's top height; None where there is but one visit.
+    """Divide the cutting at retracts to the program's top height; None if there is only one visit.
 
     Parameters
     ----------
     toolpath : Toolpath
     moves : Areas
-        Of the whole toolpath.
+        Areas of the whole toolpath.
     """
     if len(moves.start) + len(moves.holes) < 2:
         return None
-    b = _blocks(toolpath, moves)
+    blocks = _blocks(toolpath, moves)
     # The height reached between the end of a block and the start of the next.
     z = toolpath.points[:, 2]
-    between = np.column_stack([b.last[:-1] + 1, np.maximum(b.first[1:], b.last[:-1] + 1) + 1]).ravel()
+    between = np.column_stack([blocks.last[:-1] + 1, np.maximum(blocks.first[1:], blocks.last[:-1] + 1) + 1]).ravel()
     reached = np.maximum.reduceat(np.append(z, -np.inf), between)[::2]
     parted = reached >= reached.max() - SAME.HEIGHT
     if not parted.any():
         return None
     begin = np.flatnonzero(np.append(True, parted))
-    end = np.append(begin[1:], len(b.first))
+    end = np.append(begin[1:], len(blocks.first))
     low, high, add = np.minimum.reduceat, np.maximum.reduceat, np.add.reduceat
-    length, count = add(b.length, begin), end - begin
-    some, weight = np.maximum(length, 1e-9), np.maximum(b.length, 1e-6)
+    length, count = add(blocks.length, begin), end - begin
+    some, weight = np.maximum(length, 1e-9), np.maximum(blocks.length, 1e-6)
     return Visits(
-        first=b.first[begin],
-        last=b.last[end - 1],
+        first=blocks.first[begin],
+        last=blocks.last[end - 1],
         blocks=count,
-        low=low(b.low, begin),
-        high=high(b.high, begin),
-        bottom=low(b.bottom, begin),
-        top=high(b.top, begin),
-        begin=b.top[begin],
+        low=low(blocks.low, begin),
+        high=high(blocks.high, begin),
+        bottom=low(blocks.bottom, begin),
+        top=high(blocks.top, begin),
+        begin=blocks.top[begin],
         length=length,
-        feed=add(b.feed * weight, begin) / add(weight, begin),
-        fastest=high(b.fastest, begin),
-        turn=add(b.turned, begin) / count / TURN,
-        chord=add(b.gap, begin) / some,
-        closed=add((b.gap < VISITS.CLOSED * b.length) * b.length, begin) / some,
-        axis=add(b.axis, begin) / some,
+        feed=add(blocks.feed * weight, begin) / add(weight, begin),
+        fastest=high(blocks.fastest, begin),
+        turn=add(blocks.turned, begin) / count / TURN,
+        chord=add(blocks.gap, begin) / some,
+        closed=add((blocks.gap < VISITS.CLOSED * blocks.length) * blocks.length, begin) / some,
+        axis=add(blocks.axis, begin) / some,
     )
 
 
-def _blocks(toolpath: Toolpath, m: Areas) -> _Blocks:
+def _blocks(toolpath: Toolpath, areas: Areas) -> _Blocks:
     """Measure every area and every hole."""
-    hole, feed, none = toolpath.points[m.holes + 1], toolpath.feed[m.holes], np.zeros(len(m.holes))
+    hole, feed, none = toolpath.points[areas.holes + 1], toolpath.feed[areas.holes], np.zeros(len(areas.holes))
     holes = _Blocks(
-        first=m.holes,
-        last=m.holes,
+        first=areas.holes,
+        last=areas.holes,
         low=hole[:, :2],
         high=hole[:, :2],
         bottom=hole[:, 2],
@@ -159,45 +159,45 @@ def _blocks(toolpath: Toolpath, m: Areas) -> _Blocks:
         turned=none,
         axis=none,
     )
-    if not len(m):
+    if not len(areas):
         return holes
-    start, last = m.start, m.end - 1
-    x, y = m.x[last] + m.dx[last], m.y[last] + m.dy[last]
+    start, last = areas.start, areas.end - 1
+    x, y = areas.x[last] + areas.dx[last], areas.y[last] + areas.dy[last]
     low, high, add = np.minimum.reduceat, np.maximum.reduceat, np.add.reduceat
-    fed = toolpath.feed[m.index]
-    axis = np.exp(2j * m.alpha)
-    axis *= m.length
-    areas = _Blocks(
-        first=m.index[start],
-        last=m.index[last],
-        low=np.column_stack([np.minimum(low(m.x, start), x), np.minimum(low(m.y, start), y)]),
-        high=np.column_stack([np.maximum(high(m.x, start), x), np.maximum(high(m.y, start), y)]),
-        bottom=low(m.z, start),
-        top=high(m.z, start),
-        length=m.area_length,
-        gap=np.hypot(x - m.x[start], y - m.y[start]),
-        feed=add(fed * m.length, start) / m.area_length,
+    fed = toolpath.feed[areas.index]
+    axis = np.exp(2j * areas.alpha)
+    axis *= areas.length
+    milled = _Blocks(
+        first=areas.index[start],
+        last=areas.index[last],
+        low=np.column_stack([np.minimum(low(areas.x, start), x), np.minimum(low(areas.y, start), y)]),
+        high=np.column_stack([np.maximum(high(areas.x, start), x), np.maximum(high(areas.y, start), y)]),
+        bottom=low(areas.z, start),
+        top=high(areas.z, start),
+        length=areas.area_length,
+        gap=np.hypot(x - areas.x[start], y - areas.y[start]),
+        feed=add(fed * areas.length, start) / areas.area_length,
         fastest=high(fed, start),
-        turned=np.abs(add(m.turning, start)),
+        turned=np.abs(add(areas.turning, start)),
         axis=add(axis, start),
     )
-    both = [np.concatenate(pair) for pair in zip(areas, holes)]
+    both = [np.concatenate(pair) for pair in zip(milled, holes)]
     order = np.argsort(both[0], kind="stable")
     return _Blocks(*(values[order] for values in both))
 
 
-def compared(v: Visits) -> np.ndarray:
-    """Compare every visit with the next: (k-1, m), the measures of `MEASURES` with no unit of length in them."""
+def compare_visits(visits: Visits) -> np.ndarray:
+    """Compare every visit with the next; return `MEASURES`, (k-1, m), all without a unit of length."""
     a, b = slice(None, -1), slice(1, None)
 
     def differ(values: np.ndarray, least: float = 1e-6) -> np.ndarray:
-        """Relative difference of what is not negative."""
+        """Return the relative difference of values that are not negative."""
         larger = np.maximum(values[a], values[b])
         result: np.ndarray = np.abs(values[b] - values[a]) / np.maximum(larger, least)
         return result
 
     def ratio(values: np.ndarray, least: float) -> np.ndarray:
-        """Logarithm of the ratio of the larger to the smaller."""
+        """Return the logarithm of the ratio of the larger to the smaller value."""
         return np.minimum(np.abs(np.log((values[a] + least) / (values[b] + least))), 6.0)
 
     def same(values: np.ndarray) -> np.ndarray:
@@ -207,37 +207,37 @@ def compared(v: Visits) -> np.ndarray:
     def higher(values: np.ndarray) -> np.ndarray:
         return (values[b] > values[a] + SAME.HEIGHT).astype(float)
 
-    size = np.maximum(np.hypot(*(v.high - v.low).T), VISITS.SMALL)
-    moved = np.maximum(np.abs(v.low[b] - v.low[a]), np.abs(v.high[b] - v.high[a])).max(axis=1)
-    shared, ground = _shared_ground(v, 1), _ground(v)
-    fewer, more = np.minimum(v.blocks[a], v.blocks[b]), np.maximum(v.blocks[a], v.blocks[b])
-    lowest, highest = v.bottom.min(), v.top.max()
+    size = np.maximum(np.hypot(*(visits.high - visits.low).T), VISITS.SMALL)
+    moved = np.maximum(np.abs(visits.low[b] - visits.low[a]), np.abs(visits.high[b] - visits.high[a])).max(axis=1)
+    shared, ground = _shared_ground(visits, 1), _ground(visits)
+    fewer, more = np.minimum(visits.blocks[a], visits.blocks[b]), np.maximum(visits.blocks[a], visits.blocks[b])
+    lowest, highest = visits.bottom.min(), visits.top.max()
     measures = {
-        "feed": differ(v.feed),
-        "same_feed": (differ(v.fastest) < VISITS.FEED).astype(float),
+        "feed": differ(visits.feed),
+        "same_feed": (differ(visits.fastest) < VISITS.FEED).astype(float),
         "same_ground": (moved < VISITS.PLACE * np.maximum(size[a], size[b]) + SAME.GROUND).astype(float),
         "overlap": shared / (ground[a] + ground[b] - shared),
         "inside": shared / np.minimum(ground[a], ground[b]),
-        "same_bottom": same(v.bottom),
-        "higher_bottom": higher(v.bottom),
-        "deeper": (v.bottom[b] - v.bottom[a]) / max(highest - lowest, SAME.HEIGHT),
-        "same_top": same(v.top),
-        "same_begin": same(v.begin),
-        "higher_begin": higher(v.begin),
+        "same_bottom": same(visits.bottom),
+        "higher_bottom": higher(visits.bottom),
+        "deeper": (visits.bottom[b] - visits.bottom[a]) / max(highest - lowest, SAME.HEIGHT),
+        "same_top": same(visits.top),
+        "same_begin": same(visits.begin),
+        "higher_begin": higher(visits.begin),
         "size": ratio(size, 0.0),
-        "length": ratio(v.length, VISITS.SMALL),
-        "block_length": ratio(v.length / v.blocks, VISITS.SMALL),
+        "length": ratio(visits.length, VISITS.SMALL),
+        "block_length": ratio(visits.length / visits.blocks, VISITS.SMALL),
         "block_count": np.log(more / fewer),
         "fewer_blocks": np.log(fewer),
         "more_blocks": np.log(more),
-        "turn": ratio(v.turn, 0.1),
-        "chord": np.abs(v.chord[b] - v.chord[a]),
-        "closed": np.abs(v.closed[b] - v.closed[a]),
-        "axis": np.abs(v.axis[b] - v.axis[a]),
-        "visits": np.full(len(v) - 1, np.log(len(v))),
+        "turn": ratio(visits.turn, 0.1),
+        "chord": np.abs(visits.chord[b] - visits.chord[a]),
+        "closed": np.abs(visits.closed[b] - visits.closed[a]),
+        "axis": np.abs(visits.axis[b] - visits.axis[a]),
+        "visits": np.full(len(visits) - 1, np.log(len(visits))),
     }  # fmt: skip
-    measures["again"], measures["again_above"] = _cut_again(v)
-    # What the pairs before and after show: a regular series goes on.
+    measures["again"], measures["again_above"] = _cut_again(visits)
+    # Measures of the pairs before and after, because a regular series continues.
     for name in ("same_ground", "overlap", "same_top", "same_bottom", "same_feed"):
         values = measures[name]
         if len(values) > 1:
@@ -248,59 +248,63 @@ def compared(v: Visits) -> np.ndarray:
     return np.column_stack([measures[name] for name in MEASURES])
 
 
-def _ground(v: Visits) -> np.ndarray:
-    """Area of the box of each visit, (k,) mm2; a hole has a little."""
-    area: np.ndarray = np.prod(v.high - v.low + VISITS.SMALL, axis=1)
+def _ground(visits: Visits) -> np.ndarray:
+    """Return the area of the bounding box of each visit, (k,) mm2; small but positive for a hole."""
+    area: np.ndarray = np.prod(visits.high - visits.low + VISITS.SMALL, axis=1)
     return area
 
 
-def _shared_ground(v: Visits, back: int) -> np.ndarray:
-    """Area that the box of each visit has in common with that of the one `back` visits before it, (k - back,) mm2."""
-    sides = np.minimum(v.high[back:], v.high[:-back]) - np.maximum(v.low[back:], v.low[:-back]) + VISITS.SMALL
+def _shared_ground(visits: Visits, back: int) -> np.ndarray:
+    """Return the common area of the bounding boxes of each visit and the one `back` visits earlier, (k - back,) mm2."""
+    sides = (
+        np.minimum(visits.high[back:], visits.high[:-back])
+        - np.maximum(visits.low[back:], visits.low[:-back])
+        + VISITS.SMALL
+    )
     area: np.ndarray = np.prod(np.maximum(sides, 0.0), axis=1)
     return area
 
 
-def _cut_again(v: Visits) -> tuple[np.ndarray, np.ndarray]:
-    """Return how much of each visit's ground but the first's one of the last visits covers, (k-1,) each.
+def _cut_again(visits: Visits) -> tuple[np.ndarray, np.ndarray]:
+    """Return the share of each visit's ground that one of the previous visits covers, two arrays (k-1,).
 
-    The first counts visits as deep or deeper, the second deeper ones: operations seldom cut what they have cut.
+    The first array counts previous visits of the same depth or deeper, the second only deeper ones. An operation rarely cuts
+    the same ground again.
     """
-    again = np.zeros((2, len(v) - 1))
-    ground = _ground(v)
-    for back in range(1, min(VISITS.EARLIER, len(v) - 1) + 1):
-        share = _shared_ground(v, back) / ground[back:]
-        higher = v.bottom[back:] - v.bottom[:-back]
+    again = np.zeros((2, len(visits) - 1))
+    ground = _ground(visits)
+    for back in range(1, min(VISITS.EARLIER, len(visits) - 1) + 1):
+        share = _shared_ground(visits, back) / ground[back:]
+        higher = visits.bottom[back:] - visits.bottom[:-back]
         for of, deep in zip(again[:, back - 1 :], (higher > -SAME.HEIGHT, higher > SAME.HEIGHT)):
             np.maximum(of, share * deep, out=of)
     return again[0], again[1]
 
 
-def begun(toolpath: Toolpath, moves: Areas) -> dict[int, float]:
-    """Return the trajectories with which another operation may begin, told from the motion alone, and how likely it is.
+def find_retracts(toolpath: Toolpath, moves: Areas) -> dict[int, float]:
+    """Return the trajectories at which another operation may begin, with probabilities, from the motion alone.
 
-    FreeCAD retracts within one operation and foreign programs do not mark theirs: a retract to the top height is a
-    border only where what follows differs from what came before in feed, ground, depths or pattern as it does between
-    operations. How such differences go together was learned (benchmarks/learn_borders.py). What lies between two
-    borders and holds no other such retract is divided in turn at those to its own top height: a tool is changed higher than
-    any operation retracts.
+    Operations retract, too, and programs do not mark their operations. A retract to the top height is a border only if feed,
+    ground, depths or pattern change as they do between operations; a model learned from programs estimates the probability
+    (benchmarks/learn_borders.py). A visit without such retracts is divided at retracts to its own top height, because tools are
+    changed at a greater height than operations retract to.
     """
-    found, alone = _begun(toolpath, moves, VISITS.DOUBTFUL)
+    found, alone = _retracts_to_top(toolpath, moves, VISITS.DOUBTFUL)
     for _ in range(VISITS.NESTED):
-        within = [_begun(toolpath, monotonous_areas(toolpath, *visit), VISITS.BORDER) for visit in alone]
+        within = [_retracts_to_top(toolpath, monotonous_areas(toolpath, *visit), VISITS.BORDER) for visit in alone]
         found.update(dict.fromkeys((at for lower, _ in within for at in lower), VISITS.BORDER))
         alone = [visit for _, visits in within for visit in visits]
     return dict(sorted(found.items(), key=lambda of: -of[1])[: VISITS.MOST])
 
 
-def _begun(toolpath: Toolpath, moves: Areas, least: float) -> tuple[dict[int, float], list[tuple[int, int]]]:
-    """Return the same of the retracts to the top height, and the visits that stand alone and retract lower down."""
+def _retracts_to_top(toolpath: Toolpath, moves: Areas, least: float) -> tuple[dict[int, float], list[tuple[int, int]]]:
+    """Return {trajectory: probability} for retracts to the top height, and the visits that contain lower retracts."""
     visits = find_visits(toolpath, moves)
     if visits is None:
         return {}, []
-    share = FOREST.shares(compared(visits))[:, 1]
+    share = FOREST.shares(compare_visits(visits))[:, 1]
     at = np.flatnonzero(share > least)
-    # Before the way down to the next visit.
+    # At the highest point between two visits, before the descent to the next one.
     z = toolpath.points[:, 2]
     gaps = zip(visits.last[at] + 1, visits.first[at + 1] + 1)
     found = {int(a + np.argmax(z[a:b])): float(s) for (a, b), s in zip(gaps, share[at])}

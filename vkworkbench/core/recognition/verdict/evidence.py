@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The numbers behind a verdict, and the sentence that tells them in the paper's terms."""
+"""The numbers behind a verdict, and the reason in the paper's terms."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ from vkworkbench.language import ENGLISH, Message
 
 @dataclass(frozen=True)
 class Evidence:
-    """Numbers of a section; the fields are those of Recognition."""
+    """Numbers of a section, with the same fields as Recognition."""
 
     level: int
     phi_range: tuple[float, float]
@@ -33,97 +33,99 @@ class Evidence:
     milling: str | None
 
 
-def gather(s: Section, verdict: Verdict) -> Evidence:
-    """Collect the numbers behind a verdict."""
-    around = verdict.strategy.family is Family.AROUND or not s.rows
-    rings, rows = s.rings, s.rows
+def gather_evidence(section: Section, verdict: Verdict) -> Evidence:
+    """Return the numbers behind a verdict."""
+    around = verdict.strategy.family is Family.AROUND or not section.rows
+    rings, rows = section.rings, section.rows
     main = max(rows, key=lambda f: f.length) if rows else None
     sense = milling = stepover = passes = None
     if len(rings) and around:
-        turned = float((np.sign(s.pieces.net[rings.index]) * rings.length).sum() / rings.length.sum())
+        turned = float((np.sign(section.pieces.net[rings.index]) * rings.length).sum() / rings.length.sum())
         sense = "ccw" if turned > ENOUGH.SHARE else "cw" if turned < -ENOUGH.SHARE else None
         passes = len(rings)
         if np.isfinite(rings.step) and verdict.strategy is not Strategy.PROFILE:
             stepover = rings.step
             if sense and max(rings.growing, 1 - rings.growing) > RINGS.ONE_WAY:
-                # What is left to cut lies on the right of a climbing tool: outward of a growing ccw loop.
+                # In climb milling, uncut material is on the right of the tool: outside a growing counter-clockwise loop.
                 milling = "climb" if (rings.growing > 0.5) == (sense == "ccw") else "conventional"
     elif main:
-        # Grids are not cut row by row, also where only one family of their rows looks as if it were.
+        # Grids are not cut row by row, even if one family of rows looks like it.
         passes, stepover = sum(f.count for f in rows), main.step
-        longest = max(s.families, key=lambda f: f.length)
-        if len(rows) > 1 or sum(f.length for f in s.families) > (1 + ENOUGH.SHARE) * longest.length:
+        longest = max(section.families, key=lambda f: f.length)
+        if len(rows) > 1 or sum(f.length for f in section.families) > (1 + ENOUGH.SHARE) * longest.length:
             stepover = longest.period
     if verdict.step and not stepover:
         passes, stepover = verdict.count, verdict.step
     return Evidence(
-        level=s.areas.top_level,
-        phi_range=s.areas.phi_range,
-        reversals=len(s.areas.reversals),
+        level=section.areas.top_level,
+        phi_range=section.areas.phi_range,
+        reversals=len(section.areas.reversals),
         sense=sense,
         stepover=stepover,
         passes=passes,
-        depths=count_depths(_heights(s)),
+        depths=count_depths(_heights(section)),
         direction=main.axis if main and not around else None,
-        closed_loops=int((s.pieces.kind == LOOP).sum()),
+        closed_loops=int((section.pieces.kind == LOOP).sum()),
         milling=milling,
     )
 
 
-def _heights(s: Section) -> np.ndarray:
-    """Return the heights at which pieces lie, (k,) mm: where nearly all of one is level, however it is entered.
+def _heights(section: Section) -> np.ndarray:
+    """Return the heights of pieces that are nearly all level, (k,) mm, ignoring ramps.
 
-    A zigzag that is ramped into without a lift at several depths is one piece.
+    A zigzag with ramps to several depths without a lift is one piece with several heights.
     """
-    p, m = s.pieces, s.moves
-    counts = p.length > LITTLE.PIECE * p.length.max()
-    flat: np.ndarray = p.z[counts & p.flat]
-    if p.flat.all():
+    pieces, moves = section.pieces, section.moves
+    counts = pieces.length > LITTLE.PIECE * pieces.length.max()
+    flat: np.ndarray = pieces.z[counts & pieces.flat]
+    if pieces.flat.all():
         return flat
-    # Of pieces that are ramped into, or lifted over tags, the level moves tell.
-    level = np.flatnonzero(np.repeat(counts & ~p.flat, p.end - p.start) & (np.abs(m.dz) < SAME.HEIGHT))
-    of = np.searchsorted(p.start, level, side="right") - 1
-    nearly = np.bincount(of, m.length[level], len(p)) > ENTRY.LEVEL * p.length
+    # For pieces with ramps or tags, use the heights of their level moves.
+    level = np.flatnonzero(
+        np.repeat(counts & ~pieces.flat, pieces.end - pieces.start) & (np.abs(moves.dz) < SAME.HEIGHT)
+    )
+    of = np.searchsorted(pieces.start, level, side="right") - 1
+    nearly = np.bincount(of, moves.length[level], len(pieces)) > ENTRY.LEVEL * pieces.length
     level = level[nearly[of]]
-    of, height = of[nearly[of]], np.rint(m.z[level] / SAME.HEIGHT)
+    of, height = of[nearly[of]], np.rint(moves.z[level] / SAME.HEIGHT)
     order = np.lexsort((height, of))
     level, of, height = level[order], of[order], height[order]
     begin = np.flatnonzero(np.append(True, (of[1:] != of[:-1]) | (height[1:] != height[:-1]))[: len(of)])
     if not len(begin):
         return flat
-    share = np.add.reduceat(m.length[level], begin) / p.length[of[begin]]
-    share[share < ENTRY.ONE_OF_SEVERAL] = 0.0  # plateaus
-    lies = (share > 0) & (np.bincount(of[begin], share, len(p))[of[begin]] > ENTRY.LEVEL)
-    return np.concatenate([flat, m.z[level[begin[lies]]]])
+    share = np.add.reduceat(moves.length[level], begin) / pieces.length[of[begin]]
+    share[share < ENTRY.ONE_OF_SEVERAL] = 0.0  # short plateaus
+    lies = (share > 0) & (np.bincount(of[begin], share, len(pieces))[of[begin]] > ENTRY.LEVEL)
+    return np.concatenate([flat, moves.z[level[begin[lies]]]])
 
 
-def sentence(s: Section, verdict: Verdict, e: Evidence) -> Message:
-    """Tell the verdict with its numbers."""
-    low, high = e.phi_range
-    strategy, seen, spread = verdict.strategy, verdict.seen, _spread(e)
+def reason_of(section: Section, verdict: Verdict, evidence: Evidence) -> Message:
+    """Return the reason of a verdict, with its numbers."""
+    low, high = evidence.phi_range
+    strategy, seen, spread = verdict.strategy, verdict.seen, _spread(evidence)
     at_0 = ENGLISH.turns(low) == ENGLISH.turns(high) == "0"
-    if strategy.family is Family.ROWS and s.rows:
+    if strategy.family is Family.ROWS and section.rows:
         if at_0:
-            return Message("rows-at-0", count=e.passes, spread=spread, seen=seen, strategy=strategy)
-        return Message("rows", low=low, high=high, count=e.passes, spread=spread, seen=seen, strategy=strategy)
-    if len(s.rings) and (strategy.family is Family.AROUND or strategy is Strategy.ZIGZAG):
-        turning = {"ccw": Message("counter-clockwise"), "cw": Message("clockwise")}.get(e.sense or "")
+            return Message("rows-at-0", count=evidence.passes, spread=spread, seen=seen, strategy=strategy)
+        return Message("rows", low=low, high=high, count=evidence.passes, spread=spread, seen=seen, strategy=strategy)
+    if len(section.rings) and (strategy.family is Family.AROUND or strategy is Strategy.ZIGZAG):
+        turning = {"ccw": Message("counter-clockwise"), "cw": Message("clockwise")}.get(evidence.sense or "")
         return Message(
-            "loops", reached=farthest(e.phi_range), count=len(s.rings), spread=spread, seen=seen, strategy=strategy,
+            "loops", reached=farthest(evidence.phi_range), count=len(section.rings), spread=spread, seen=seen, strategy=strategy,
             turning=turning,
         )  # fmt: skip
-    if strategy is Strategy.MIXED or not len(s.strokes):
+    if strategy is Strategy.MIXED or not len(section.strokes):
         return Message("between", low=low, high=high, seen=seen, strategy=strategy)
-    count = len(s.strokes)
+    count = len(section.strokes)
     if at_0:
         return Message("strokes-at-0", count=count, spread=spread, seen=seen, strategy=strategy)
     return Message("strokes", low=low, high=high, count=count, spread=spread, seen=seen, strategy=strategy)
 
 
-def _spread(e: Evidence) -> Message | None:
-    """How far apart the passes lie, and at how many depths; None where there is nothing to tell."""
-    if e.stepover and e.depths > 1:
-        return Message("apart-at-depths", step=e.stepover, depths=e.depths)
-    if e.stepover:
-        return Message("apart", step=e.stepover)
-    return Message("at-depths", depths=e.depths) if e.depths > 1 else None
+def _spread(evidence: Evidence) -> Message | None:
+    """Return the distance of the passes and the number of depths as a message; None without both."""
+    if evidence.stepover and evidence.depths > 1:
+        return Message("apart-at-depths", step=evidence.stepover, depths=evidence.depths)
+    if evidence.stepover:
+        return Message("apart", step=evidence.stepover)
+    return Message("at-depths", depths=evidence.depths) if evidence.depths > 1 else None

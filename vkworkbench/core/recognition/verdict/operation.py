@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""One operation: its layers, the pattern judged, and the numbers behind the verdict."""
+"""Recognise one operation: entry, pattern, finishing pass, and the numbers behind the verdict."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from vkworkbench.core.recognition.patterns.entries import find_entry
 from vkworkbench.core.recognition.patterns.section import Section
 from vkworkbench.core.recognition.thresholds import VOTES
 from vkworkbench.core.recognition.verdict.decide import decide
-from vkworkbench.core.recognition.verdict.evidence import gather, sentence
+from vkworkbench.core.recognition.verdict.evidence import gather_evidence, reason_of
 from vkworkbench.core.recognition.verdict.recognition import Recognition, Span
 from vkworkbench.core.recognition.verdict.rules import Verdict, judge
 from vkworkbench.core.strategy import Family, Strategy
@@ -25,7 +25,7 @@ ENTERED = {
 
 
 def recognize_one(toolpath: Toolpath, moves: Areas, first: int, last: int, tool: float) -> Recognition:
-    """Recognise the trajectories first .. last as one operation."""
+    """Recognise the trajectories first .. last as one operation. `tool` is the diameter, mm; 0 if unknown."""
     if not len(moves):
         holes = len(moves.holes)
         strategy = Strategy.DRILLING
@@ -39,8 +39,8 @@ def recognize_one(toolpath: Toolpath, moves: Areas, first: int, last: int, tool:
     section = Section(moves, tool)
     paper = paper_verdict(moves)
     verdict, confidence = decide(section, judge(section), paper)
-    evidence = gather(section, verdict)
-    why = sentence(section, verdict, evidence)
+    evidence = gather_evidence(section, verdict)
+    why = reason_of(section, verdict, evidence)
     runs = _runs(section, verdict, first, last) if verdict.parts else [(first, last, verdict.strategy)]
     spans = spans_of(toolpath, runs)
     strategy = verdict.strategy
@@ -53,7 +53,7 @@ def recognize_one(toolpath: Toolpath, moves: Areas, first: int, last: int, tool:
 
 
 def _with_layers(why: Message, entry: str | None, finishing: bool) -> Message:
-    """Add how the pattern is entered, but for a plunge, and how its walls are finished."""
+    """Add the entry (unless it is a plunge) and the finishing pass to a reason."""
     way = ENTERED.get(entry or "")
     around = Message("finished-by-contour") if finishing else None
     return Message("with-layers", told=why, entry=way, finishing=around) if way or around else why
@@ -62,7 +62,7 @@ def _with_layers(why: Message, entry: str | None, finishing: bool) -> Message:
 def _runs(section: Section, verdict: Verdict, first: int, last: int) -> list[tuple[int, int, Strategy]]:
     """Return the stretches of loops and of rows in a mixed operation, first .. last.
 
-    A link belongs to what it follows, a way in to what follows it.
+    A link belongs to the piece before it, a lead-in to the piece after it.
     """
     of_rings, of_rows = verdict.parts
     is_ring = section.ring_pieces.copy()
@@ -79,13 +79,13 @@ def _runs(section: Section, verdict: Verdict, first: int, last: int) -> list[tup
 
 
 def cutting_length(toolpath: Toolpath, first: int, last: int) -> float:
-    """Cutting length of the trajectories first .. last, mm."""
+    """Return the cutting length of the trajectories first .. last, mm."""
     steps = np.diff(toolpath.points[first : last + 2], axis=0)[~toolpath.rapid[first : last + 1]]
     return float(np.sqrt((steps * steps).sum(axis=1)).sum())
 
 
 def spans_of(toolpath: Toolpath, runs: list[tuple[int, int, Strategy]]) -> tuple[Span, ...]:
-    """Return runs of trajectories, first, last and strategy, as spans with their shares."""
+    """Return runs (first, last, strategy) as spans with shares of the cutting length."""
     length = [cutting_length(toolpath, first, last) for first, last, _ in runs] if len(runs) > 1 else [1.0]
     total = sum(length) or 1.0
     command = toolpath.command
@@ -93,3 +93,9 @@ def spans_of(toolpath: Toolpath, runs: list[tuple[int, int, Strategy]]) -> tuple
         Span(first, last, int(command[first]), int(command[last]), strategy, part / total)
         for (first, last, strategy), part in zip(runs, length)
     )
+
+
+def unknown(toolpath: Toolpath, why: Message) -> Recognition:
+    """Return an unknown strategy with its reason, for a toolpath with at least one trajectory."""
+    spans = spans_of(toolpath, [(0, len(toolpath) - 1, Strategy.UNKNOWN)])
+    return Recognition(Strategy.UNKNOWN, 0.0, why, spans)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What a recognition tells: the strategy of an operation, why, and the numbers behind it."""
+"""The result of a recognition: strategy, reason and numbers."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ class Span:
     first, last : int
         First and last trajectory, inclusive.
     first_command, last_command : int
-        Their source commands.
+        Source commands of these trajectories.
     strategy : Strategy
     share : float
         Share of the operation's cutting length, 0..1.
@@ -35,33 +35,32 @@ class Span:
 
 @dataclass(frozen=True)
 class Recognition:
-    """What an operation does, told from its toolpath alone.
+    """The strategy of an operation, recognised from its toolpath alone.
 
     Attributes
     ----------
     strategy : Strategy
     confidence : float
-        How often such verdicts are right, 0..1.
+        Probability that the verdict is right, 0..1.
     why : Message
-        In the paper's terms with the numbers.
+        Reason in the paper's terms, with numbers.
     spans : tuple of Span
-        In the order of cutting; more than one where the strategy is mixed, or a little of others lies beside it.
-        Neighbours of one strategy are two operations of a program.
+        Stretches in the order of cutting. More than one if the strategy is mixed, or if a few other cuts are beside the pattern.
+        Neighbours with the same strategy are two operations of a program.
     level : int
-        The level n of the paper reached, signed: whole turns of phi in one area, truncated toward zero.
+        Level n in the paper: full turns of phi in one area, with sign, truncated toward zero.
     phi_range : tuple of float
-        Lowest and highest phi reached in any area, rad, counted from the area's first trajectory, closing turns of loops
-        included.
+        Lowest and highest phi in any area, rad, measured from the area's first trajectory, including closing turns of loops.
     reversals : int
-        Exact reversals: turns of +-pi, which have no sign.
+        Number of exact reversals: turns of +-pi, which have no sign.
     sense : str or None
-        Sense of rotation of the loops, "ccw" or "cw"; None where there is none or both.
+        Sense of rotation of the loops, "ccw" or "cw"; None without loops, or with both senses.
     stepover : float or None
         Distance between neighbouring passes, mm.
     passes : int or None
-        Number of rows or loops, all depths together.
+        Number of rows or loops at all depths.
     depths : int
-        Number of depths at which whole moves are cut; 0 on sculptured surfaces, which have none.
+        Number of depths with level cuts; 0 for sculptured surfaces.
     direction : float or None
         Direction of the rows, rad in [0, pi).
     closed_loops : int
@@ -69,12 +68,12 @@ class Recognition:
     milling : str or None
         "climb" or "conventional" for nested loops cut by a spindle that turns clockwise (M3).
     entry : str or None
-        How most of the depth is entered before the pattern: "plunge", "ramp", "zigzag ramp" or "helix"; None where the
-        descent is the operation, and of mixed ones.
+        Entry to most of the depth before the pattern: "plunge", "ramp", "zigzag ramp" or "helix". None if the descent is the
+        operation itself, and for mixed operations.
     finishing : bool
-        Whether a contour around the rows finishes their walls.
+        Whether a contour around the rows finishes the walls.
     paper : PaperVerdict or None
-        What the paper's rule says to the letter, with V_k and its Gauss image; None where no move has a direction.
+        Verdict of the paper's literal rule, with V_k and its Gauss image; None if no move has a direction.
     """
 
     strategy: Strategy
@@ -97,5 +96,5 @@ class Recognition:
 
     @property
     def reason(self) -> str:
-        """Why in English, one sentence without a full stop."""
+        """The reason in English, a sentence without a full stop."""
         return render(self.why)
