@@ -30,7 +30,7 @@ sys.path[:0] = [str(HERE.parent)]
 
 from vkworkbench.core import Toolpath
 from vkworkbench.core.gcode import Section, read_program, split_sections
-from vkworkbench.language.unusable import Unusable
+from vkworkbench.language import Unusable
 
 
 def commands(path: Toolpath, first: int, last: int) -> list[tuple[str, dict[str, float]]]:

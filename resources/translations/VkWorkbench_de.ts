@@ -4,12 +4,12 @@
 <context>
     <name>App::Property</name>
     <message>
-        <source>Machining strategy recognized from the toolpath</source>
-        <translation>Aus dem Werkzeugweg erkannte Bearbeitungsstrategie</translation>
+        <source>The machining strategy recognized from the toolpath.</source>
+        <translation>Die aus dem Werkzeugweg erkannte Bearbeitungsstrategie.</translation>
     </message>
     <message>
-        <source>Why this strategy</source>
-        <translation>Warum diese Strategie</translation>
+        <source>The reason for this strategy.</source>
+        <translation>Der Grund für diese Strategie.</translation>
     </message>
     <message>
         <source>What the mark in the description says</source>
@@ -17,24 +17,24 @@
         <translation>Was die Markierung in der Beschreibung sagt</translation>
     </message>
     <message>
-        <source>How sure the recognition is, in percent</source>
-        <translation>Wie sicher die Erkennung ist, in Prozent</translation>
+        <source>The confidence of the recognition, in percent.</source>
+        <translation>Die Sicherheit der Erkennung, in Prozent.</translation>
     </message>
     <message>
-        <source>What is wrong with the operation, unknown about it, or to be known before simulating it</source>
-        <translation>Was an der Operation falsch oder unbekannt ist, oder was vor dem Simulieren zu wissen ist</translation>
+        <source>Problems of the operation, and what to know before simulating it.</source>
+        <translation>Probleme der Operation, und was vor dem Simulieren zu wissen ist.</translation>
     </message>
     <message>
-        <source>Length of the cutting moves</source>
-        <translation>Länge der schneidenden Bewegungen</translation>
+        <source>Length of the cutting moves.</source>
+        <translation>Länge der schneidenden Bewegungen.</translation>
     </message>
     <message>
-        <source>Time on the machine</source>
-        <translation>Zeit auf der Maschine</translation>
+        <source>Time on the machine.</source>
+        <translation>Zeit auf der Maschine.</translation>
     </message>
     <message>
-        <source>Estimated time of the simulation that the mark shows</source>
-        <translation>Geschätzte Zeit der Simulation, die die Markierung zeigt</translation>
+        <source>Estimated time of the simulation that the mark shows.</source>
+        <translation>Geschätzte Zeit der Simulation, die die Markierung zeigt.</translation>
     </message>
 </context>
 <context>
@@ -52,40 +52,40 @@
         <translation>{} Operationen</translation>
     </message>
     <message>
-        <source>Outdated: toolpath, tool or stock have changed since. Analyze it again.</source>
-        <translation>Veraltet: Werkzeugweg, Werkzeug oder Rohteil wurden seither geändert. Bitte neu analysieren.</translation>
+        <source>This result is outdated, because the toolpath, the tool or the stock has changed. Analyze the operation again.</source>
+        <translation>Dieses Ergebnis ist veraltet, weil sich Werkzeugweg, Werkzeug oder Rohteil geändert haben. Analysieren Sie die Operation erneut.</translation>
     </message>
     <message>
-        <source>The time in the {simulator} is not known: analyze it again.</source>
-        <translation>Die Zeit mit „{simulator}“ ist nicht bekannt: Noch einmal analysieren.</translation>
+        <source>The time in the {simulator} is not known. Analyze the operation again.</source>
+        <translation>Die Zeit mit „{simulator}“ ist nicht bekannt. Analysieren Sie die Operation erneut.</translation>
     </message>
     <message>
-        <source>{strategy}, {share} sure</source>
-        <translation>{strategy}, zu {share} sicher</translation>
+        <source>{strategy}, confidence {share}</source>
+        <translation>{strategy}, Sicherheit {share}</translation>
     </message>
     <message>
-        <source>On the machine: {length} of cutting</source>
-        <translation>Auf der Maschine: {length} Schnittweg</translation>
+        <source>Cutting length: {length}.</source>
+        <translation>Schnittweg: {length}.</translation>
     </message>
     <message>
-        <source>On the machine: {time}, {length} of cutting</source>
-        <translation>Auf der Maschine: {time}, {length} Schnittweg</translation>
+        <source>Machining time: {time}. Cutting length: {length}.</source>
+        <translation>Bearbeitungszeit: {time}. Schnittweg: {length}.</translation>
     </message>
     <message>
-        <source>On the machine: at least {time}, {length} of cutting</source>
-        <translation>Auf der Maschine: mindestens {time}, {length} Schnittweg</translation>
+        <source>Machining time: at least {time}. Cutting length: {length}.</source>
+        <translation>Bearbeitungszeit: mindestens {time}. Schnittweg: {length}.</translation>
     </message>
     <message>
-        <source>Simulating it in the {simulator}: {time}, {memory}</source>
-        <translation>Simulieren mit „{simulator}“: {time}, {memory}</translation>
+        <source>Simulation time in the {simulator}: {time}. Memory: {memory}.</source>
+        <translation>Simulationszeit mit „{simulator}“: {time}. Speicher: {memory}.</translation>
     </message>
     <message>
-        <source>Simulating it in the {simulator}: at least {time}, {memory}</source>
-        <translation>Simulieren mit „{simulator}“: mindestens {time}, {memory}</translation>
+        <source>Simulation time in the {simulator}: at least {time}. Memory: {memory}.</source>
+        <translation>Simulationszeit mit „{simulator}“: mindestens {time}. Speicher: {memory}.</translation>
     </message>
     <message>
-        <source>Simulating it alone in the {simulator}: {time}, {memory}</source>
-        <translation>Allein simulieren mit „{simulator}“: {time}, {memory}</translation>
+        <source>Simulation time of this operation alone in the {simulator}: {time}. Memory: {memory}.</source>
+        <translation>Simulationszeit nur dieser Operation mit „{simulator}“: {time}. Speicher: {memory}.</translation>
     </message>
     <message>
         <source>switched off</source>
@@ -102,12 +102,12 @@
 <context>
     <name>Sentences</name>
     <message>
-        <source>nothing cuts: there are only rapid moves</source>
-        <translation>nichts schneidet: Es gibt nur Eilgänge</translation>
+        <source>No move cuts, because there are only rapid moves.</source>
+        <translation>Keine Bewegung schneidet, denn es gibt nur Eilgänge.</translation>
     </message>
     <message>
-        <source>nothing cuts: there are no moves</source>
-        <translation>nichts schneidet: Es gibt keine Bewegungen</translation>
+        <source>No move cuts, because there are no moves.</source>
+        <translation>Keine Bewegung schneidet, denn es gibt keine Bewegungen.</translation>
     </message>
     <message>
         <source>, counter-clockwise</source>
@@ -122,20 +122,20 @@
         <translation>mit gleichbleibendem Radius absteigend</translation>
     </message>
     <message>
-        <source>the sense of nested loops alternates</source>
-        <translation>der Drehsinn der geschachtelten Schleifen wechselt</translation>
+        <source>the direction of nested loops alternates</source>
+        <translation>der Drehsinn der ineinander liegenden Schleifen wechselt</translation>
     </message>
     <message>
         <source>evenly spaced in the plane, not in depth</source>
         <translation>in der Ebene gleichmäßig verteilt, nicht in der Tiefe</translation>
     </message>
     <message>
-        <source>whose shape changes with the depth</source>
-        <translation>deren Form sich mit der Tiefe ändert</translation>
+        <source>with a shape that changes with the depth</source>
+        <translation>mit einer Form, die sich mit der Tiefe ändert</translation>
     </message>
     <message>
-        <source>a winding with a helical entry or bites out of the corners</source>
-        <translation>eine Windung mit Helix-Eintritt oder Bissen in den Ecken</translation>
+        <source>a winding with a helical entry or with extra cuts in the corners</source>
+        <translation>eine Windung mit Helix-Eintritt oder zusätzlichen Schnitten in den Ecken</translation>
     </message>
     <message>
         <source>one winding that never closes</source>
@@ -143,15 +143,15 @@
     </message>
     <message>
         <source>nested</source>
-        <translation>geschachtelt</translation>
+        <translation>ineinander liegend</translation>
     </message>
     <message>
-        <source>small loops move along</source>
-        <translation>kleine Schleifen wandern voran</translation>
+        <source>small loops that advance along the path</source>
+        <translation>kleine Schleifen, die am Weg entlang fortschreiten</translation>
     </message>
     <message>
         <source>an open pass lies inside a contour</source>
-        <translation>eine offene Bahn liegt in einer Kontur</translation>
+        <translation>eine offene Bahn liegt innerhalb einer Kontur</translation>
     </message>
     <message>
         <source>no nested offsets</source>
@@ -174,92 +174,92 @@
         <translation>eine offene Kontur</translation>
     </message>
     <message>
-        <source>an open contour comes again</source>
-        <translation>eine offene Kontur kehrt wieder</translation>
+        <source>an open contour is repeated</source>
+        <translation>eine offene Kontur wird wiederholt</translation>
     </message>
     <message>
         <source>open strokes as long as the part</source>
         <translation>offene Züge so lang wie das Werkstück</translation>
     </message>
     <message>
-        <source>short strokes that fill nothing</source>
-        <translation>kurze Züge, die nichts ausfüllen</translation>
+        <source>short strokes that do not fill an area</source>
+        <translation>kurze Züge, die keine Fläche füllen</translation>
     </message>
     <message>
-        <source>no cutting move in its toolpath</source>
-        <translation>keine Schnittbewegung in ihrem Werkzeugweg</translation>
+        <source>The toolpath has no cutting move.</source>
+        <translation>Der Werkzeugweg hat keine schneidende Bewegung.</translation>
     </message>
     <message>
-        <source>no toolpath: recompute the operation and see FreeCAD&apos;s report view</source>
-        <translation>kein Werkzeugweg: Operation neu berechnen und das Ausgabefenster von FreeCAD ansehen</translation>
+        <source>The operation has no toolpath. Recompute it and read FreeCAD&apos;s report view.</source>
+        <translation>Die Operation hat keinen Werkzeugweg. Berechnen Sie sie neu und lesen Sie FreeCADs Ausgabefenster.</translation>
     </message>
     <message>
-        <source>no tool: give the operation a tool controller</source>
-        <translation>kein Werkzeug: Der Operation einen Werkzeugcontroller geben</translation>
+        <source>The operation has no tool. Give it a tool controller.</source>
+        <translation>Die Operation hat kein Werkzeug. Geben Sie ihr einen Werkzeugcontroller.</translation>
     </message>
     <message>
-        <source>no tool in {label}: choose a tool bit for it</source>
-        <translation>kein Werkzeug in {label}: Dafür ein Werkzeug wählen</translation>
+        <source>{label} has no tool. Choose a tool bit for it.</source>
+        <translation>{label} hat kein Werkzeug. Wählen Sie eines dafür.</translation>
     </message>
     <message>
-        <source>the tool in {label} has no diameter</source>
-        <translation>das Werkzeug in {label} hat keinen Durchmesser</translation>
+        <source>The tool in {label} has no diameter. Enter one in its tool bit.</source>
+        <translation>Das Werkzeug in {label} hat keinen Durchmesser. Geben Sie einen im Werkzeug ein.</translation>
     </message>
     <message>
-        <source>no stock: put the toolpath into a job</source>
-        <translation>kein Rohteil: Den Werkzeugweg in einen Auftrag legen</translation>
+        <source>The toolpath has no stock. Put it into a job.</source>
+        <translation>Der Werkzeugweg hat kein Rohteil. Legen Sie ihn in einen Auftrag.</translation>
     </message>
     <message>
-        <source>no stock: give {label} a stock</source>
-        <translation>kein Rohteil: {label} ein Rohteil geben</translation>
+        <source>{label} has no stock. Give it one in the job&apos;s settings.</source>
+        <translation>{label} hat kein Rohteil. Geben Sie ihm eines in den Einstellungen des Auftrags.</translation>
     </message>
     <message>
-        <source>cost unknown for {labels}</source>
-        <translation>Aufwand unbekannt für {labels}</translation>
+        <source>The simulation cost of {labels} is unknown.</source>
+        <translation>Der Simulationsaufwand ist unbekannt für: {labels}.</translation>
     </message>
     <message>
-        <source>words without a motion before them are ignored</source>
-        <translation>Wörter ohne Bewegung davor übergangen</translation>
+        <source>Words without a motion before them are ignored.</source>
+        <translation>Wörter ohne eine Bewegung davor werden übergangen.</translation>
     </message>
     <message>
-        <source>a feed rate that is not a usable number is ignored</source>
-        <translation>Vorschub, der keine brauchbare Zahl ist, übergangen</translation>
+        <source>A feed rate that is not a usable number is ignored.</source>
+        <translation>Ein Vorschub, der keine brauchbare Zahl ist, wird übergangen.</translation>
     </message>
     <message>
-        <source>center words (I, J, K) that are not usable numbers are ignored</source>
-        <translation>Mittelpunktswort (I, J, K), das keine brauchbare Zahl ist, übergangen</translation>
+        <source>Center words (I, J, K) that are not usable numbers are ignored.</source>
+        <translation>Mittelpunktwörter (I, J, K), die keine brauchbaren Zahlen sind, werden übergangen.</translation>
     </message>
     <message>
-        <source>{letter} words that are not usable numbers are ignored</source>
-        <translation>{letter}-Wort, das keine brauchbare Zahl ist, übergangen</translation>
+        <source>{letter} words that are not usable numbers are ignored.</source>
+        <translation>{letter}-Wörter, die keine brauchbaren Zahlen sind, werden übergangen.</translation>
     </message>
     <message>
-        <source>positions beyond a kilometer are cut off there</source>
-        <translation>Position jenseits eines Kilometers dort abgeschnitten</translation>
+        <source>Positions farther than a kilometer from the origin are limited to a kilometer.</source>
+        <translation>Positionen, die weiter als einen Kilometer vom Ursprung entfernt sind, werden auf einen Kilometer begrenzt.</translation>
     </message>
     <message>
-        <source>a drilling cycle without a depth (Z) drills nothing</source>
-        <translation>Bohrzyklus ohne Tiefe (Z): kein Loch</translation>
+        <source>A drilling cycle without a depth (Z) drills no hole.</source>
+        <translation>Ein Bohrzyklus ohne Tiefe (Z) bohrt kein Loch.</translation>
     </message>
     <message>
-        <source>a drilling cycle without R starts at the current height</source>
-        <translation>Bohrzyklus ohne R: Er beginnt, wo er steht</translation>
+        <source>A drilling cycle without R starts at the current height.</source>
+        <translation>Ein Bohrzyklus ohne R beginnt auf der aktuellen Höhe.</translation>
     </message>
     <message>
-        <source>a drilling cycle outside the XY plane is read as one in XY</source>
-        <translation>Bohrzyklus außerhalb der XY-Ebene wie in XY gelesen</translation>
+        <source>A drilling cycle outside the XY plane is read as one in the XY plane.</source>
+        <translation>Ein Bohrzyklus außerhalb der XY-Ebene wird wie einer in der XY-Ebene gelesen.</translation>
     </message>
     <message>
-        <source>an arc whose start is not known is ignored</source>
-        <translation>Bogen mit noch unbekanntem Anfang übergangen</translation>
+        <source>An arc with an unknown start is ignored.</source>
+        <translation>Ein Bogen mit unbekanntem Anfang wird übergangen.</translation>
     </message>
     <message>
-        <source>an arc without a usable center or radius is read as a line</source>
-        <translation>Bogen ohne brauchbaren Mittelpunkt oder Radius als Linie gelesen</translation>
+        <source>An arc without a usable center or radius is read as a line.</source>
+        <translation>Ein Bogen ohne brauchbaren Mittelpunkt oder Radius wird als Gerade gelesen.</translation>
     </message>
     <message>
-        <source>an arc whose end is not on its circle is read with a changing radius</source>
-        <translation>Bogen, dessen Ende nicht auf seinem Kreis liegt, mit veränderlichem Radius gelesen</translation>
+        <source>An arc that does not end on its circle is read with a changing radius.</source>
+        <translation>Ein Bogen, der nicht auf seinem Kreis endet, wird mit veränderlichem Radius gelesen.</translation>
     </message>
     <message>
         <source>without an X or Y word</source>
@@ -278,8 +278,8 @@
         <translation>der ein Vollkreis ist</translation>
     </message>
     <message>
-        <source>leave this operation out of the simulation</source>
-        <translation>diese Operation bei der Simulation auslassen</translation>
+        <source>Leave this operation out of the simulation.</source>
+        <translation>Lassen Sie diese Operation bei der Simulation aus.</translation>
     </message>
     <message>
         <source>too deep</source>
@@ -290,12 +290,12 @@
         <translation>zu hoch</translation>
     </message>
     <message>
-        <source>move its accuracy slider to the left</source>
-        <translation>seinen Genauigkeitsregler nach links schieben</translation>
+        <source>Move its accuracy slider to the left.</source>
+        <translation>Schieben Sie seinen Genauigkeitsregler nach links.</translation>
     </message>
     <message>
-        <source>simulate fewer operations at a time</source>
-        <translation>weniger Operationen auf einmal simulieren</translation>
+        <source>Simulate fewer operations at a time.</source>
+        <translation>Simulieren Sie weniger Operationen auf einmal.</translation>
     </message>
     <message>
         <source>memory</source>
@@ -306,24 +306,24 @@
         <translation>die Zeit</translation>
     </message>
     <message>
-        <source>no resolution helps, not even a single pixel fits</source>
-        <translation>keine Auflösung hilft, nicht einmal ein Pixel passt</translation>
+        <source>None, because not even a single pixel fits into the memory.</source>
+        <translation>Keines, denn nicht einmal ein einziges Pixel passt in den Speicher.</translation>
     </message>
     <message>
-        <source>the cost is that of a box around its cuts</source>
-        <translation>der Aufwand ist der eines Quaders um ihre Schnitte</translation>
+        <source>The cost is estimated for a stock that is a box around the cuts.</source>
+        <translation>Der Aufwand ist für ein Rohteil geschätzt, das ein Quader um die Schnitte ist.</translation>
     </message>
     <message>
-        <source>it does not touch the stock: check its depths, its placement and the stock</source>
-        <translation>sie berührt das Rohteil nicht: Tiefen, Platzierung und Rohteil prüfen</translation>
+        <source>The operation does not touch the stock. Check its depths, its placement and the stock.</source>
+        <translation>Die Operation berührt das Rohteil nicht. Prüfen Sie ihre Tiefen, ihre Platzierung und das Rohteil.</translation>
     </message>
     <message>
-        <source>its tool is wider than the stock: check the tool&apos;s diameter and the stock</source>
-        <translation>ihr Werkzeug ist breiter als das Rohteil: Durchmesser und Rohteil prüfen</translation>
+        <source>The tool is wider than the stock. Check the tool&apos;s diameter and the stock.</source>
+        <translation>Das Werkzeug ist breiter als das Rohteil. Prüfen Sie den Durchmesser des Werkzeugs und das Rohteil.</translation>
     </message>
     <message>
-        <source>choose a smaller image in the preferences</source>
-        <translation>in den Einstellungen ein kleineres Bild wählen</translation>
+        <source>Choose a smaller image in the preferences.</source>
+        <translation>Wählen Sie in den Einstellungen ein kleineres Bild.</translation>
     </message>
     <message>
         <source>that sweeps no angle</source>
@@ -342,144 +342,144 @@
         <translation>, </translation>
     </message>
     <message>
-        <source>the corner radius must lie between 0 and {radius:mm}, not be {corner:mm}</source>
-        <translation>Der Eckenradius muss zwischen 0 und {radius:mm} liegen, nicht {corner:mm} sein</translation>
+        <source>The corner radius must be between 0 and {radius:mm}, not {corner:mm}.</source>
+        <translation>Der Eckenradius muss zwischen 0 und {radius:mm} liegen, nicht bei {corner:mm}.</translation>
     </message>
     <message>
-        <source>the tip angle must lie between 0 and pi, not be {angle:g}</source>
-        <translation>Der Spitzenwinkel muss zwischen 0 und π liegen, nicht {angle:g} sein</translation>
+        <source>The tip angle must be between 0 and pi, not {angle:g}.</source>
+        <translation>Der Spitzenwinkel muss zwischen 0 und π liegen, nicht bei {angle:g}.</translation>
     </message>
     <message>
-        <source>the stock has no volume: its upper corner must exceed its lower corner in x, y and z</source>
-        <translation>Das Rohteil hat kein Volumen: Seine obere Ecke muss in x, y und z über der unteren liegen</translation>
+        <source>The stock has no volume. Its upper corner must exceed its lower corner in x, y and z.</source>
+        <translation>Das Rohteil hat kein Volumen. Seine obere Ecke muss in x, y und z über der unteren liegen.</translation>
     </message>
     <message>
-        <source>{length:mm4} of cutting in {count:n} move without a feed rate are not in the time</source>
-        <translation>{length:mm4} Schnitt in {count:n} Bewegung ohne Vorschub fehlen in der Zeit</translation>
+        <source>The machining time does not include {length:mm4} of cutting in {count:n} move without a feed rate.</source>
+        <translation>Die Bearbeitungszeit enthält {length:mm4} Schnittweg in {count:n} Bewegung ohne Vorschub nicht.</translation>
     </message>
     <message>
-        <source>{length:mm4} of cutting in {count:n} moves without a feed rate are not in the time</source>
-        <translation>{length:mm4} Schnitt in {count:n} Bewegungen ohne Vorschub fehlen in der Zeit</translation>
+        <source>The machining time does not include {length:mm4} of cutting in {count:n} moves without a feed rate.</source>
+        <translation>Die Bearbeitungszeit enthält {length:mm4} Schnittweg in {count:n} Bewegungen ohne Vorschub nicht.</translation>
     </message>
     <message>
-        <source>{length:mm4} of rapids are not in the time because the tool controller&apos;s {name} is 0</source>
-        <translation>{length:mm4} Eilgänge fehlen in der Zeit, weil {name} des Werkzeugcontrollers 0 ist</translation>
+        <source>The machining time does not include {length:mm4} of rapids, because the tool controller&apos;s {name} is 0.</source>
+        <translation>Die Bearbeitungszeit enthält {length:mm4} Eilgang nicht, weil {name} des Werkzeugcontrollers 0 ist.</translation>
     </message>
     <message>
-        <source>{length:mm4} of rapids are not in the time because the tool controller&apos;s {name} and {other} are 0</source>
-        <translation>{length:mm4} Eilgänge fehlen in der Zeit, weil {name} und {other} des Werkzeugcontrollers 0 sind</translation>
+        <source>The machining time does not include {length:mm4} of rapids, because the tool controller&apos;s {name} and {other} are 0.</source>
+        <translation>Die Bearbeitungszeit enthält {length:mm4} Eilgang nicht, weil {name} und {other} des Werkzeugcontrollers 0 sind.</translation>
     </message>
     <message>
         <source> and {count:n} more</source>
         <translation> und {count:n} weitere</translation>
     </message>
     <message>
-        <source>; passes {step:mm3} apart ask for {cell:mm2}</source>
-        <translation>; Bahnen im Abstand von {step:mm3} verlangen {cell:mm2}</translation>
+        <source> Passes {step:mm3} apart need {cell:mm2}.</source>
+        <translation> Bahnen im Abstand von {step:mm3} brauchen {cell:mm2}.</translation>
     </message>
     <message>
-        <source>; {cell:mm2} would do for passes {step:mm3} apart</source>
-        <translation>; {cell:mm2} würden für Bahnen im Abstand von {step:mm3} genügen</translation>
+        <source> For passes {step:mm3} apart, {cell:mm2} is fine enough.</source>
+        <translation> Für Bahnen im Abstand von {step:mm3} sind {cell:mm2} fein genug.</translation>
     </message>
     <message>
-        <source>no resolution helps, the trajectories alone take {time:s}: simulate fewer operations{heaviest}</source>
-        <translation>keine Auflösung hilft, allein die Bewegungen brauchen {time:s}: weniger Operationen simulieren{heaviest}</translation>
+        <source>None, because the moves alone take {time:s}. Simulate fewer operations.{heaviest}</source>
+        <translation>Keines, denn allein die Bewegungen brauchen {time:s}. Simulieren Sie weniger Operationen.{heaviest}</translation>
     </message>
     <message>
-        <source>; the heaviest is {label} with {time:s}</source>
-        <translation>; am schwersten wiegt {label} mit {time:s}</translation>
+        <source> The slowest is {label} with {time:s}.</source>
+        <translation> Am längsten braucht {label} mit {time:s}.</translation>
     </message>
     <message>
         <source> and 1 more</source>
         <translation> und 1 weiterer</translation>
     </message>
     <message>
-        <source>{sentence} (command {command:#})</source>
-        <translation>{sentence} (Befehl {command:#})</translation>
+        <source>Command {command:#}: {sentence}</source>
+        <translation>Befehl {command:#}: {sentence}</translation>
     </message>
     <message>
-        <source>{sentence} ({count:n} times, first at command {command:#})</source>
-        <translation>{sentence} ({count:n}-mal, zuerst bei Befehl {command:#})</translation>
+        <source>Command {command:#} (first of {count:n}): {sentence}</source>
+        <translation>Befehl {command:#} (der erste von {count:n}): {sentence}</translation>
     </message>
     <message>
-        <source>the unknown code {name} is ignored</source>
-        <translation>unbekannter Code {name} übergangen</translation>
+        <source>The unknown code {name} is ignored.</source>
+        <translation>Der unbekannte Code {name} wird übergangen.</translation>
     </message>
     <message>
-        <source>1 more unknown code is ignored</source>
-        <translation>1 weiterer unbekannter Code übergangen</translation>
+        <source>1 more unknown code is ignored.</source>
+        <translation>1 weiterer unbekannter Code wird übergangen.</translation>
     </message>
     <message>
-        <source>{count:n} more unknown codes are ignored</source>
-        <translation>{count:n} weitere unbekannte Codes übergangen</translation>
+        <source>{count:n} more unknown codes are ignored.</source>
+        <translation>{count:n} weitere unbekannte Codes werden übergangen.</translation>
     </message>
     <message>
-        <source>the arcs and cycles would need {moves:n} moves at a tolerance of {tolerance:mm}; use a larger tolerance</source>
-        <translation>die Bögen und Zyklen bräuchten bei einer Toleranz von {tolerance:mm} {moves:n} Bewegungen; eine größere Toleranz wählen</translation>
+        <source>The arcs and cycles would need {moves:n} moves at a tolerance of {tolerance:mm}. Choose a larger tolerance in the preferences.</source>
+        <translation>Die Bögen und Zyklen bräuchten bei einer Toleranz von {tolerance:mm} {moves:n} Bewegungen. Wählen Sie in den Einstellungen eine größere Toleranz.</translation>
     </message>
     <message>
         <source>{label}: {sentence}</source>
         <translation>{label}: {sentence}</translation>
     </message>
     <message>
-        <source>could not be analyzed, please report it with the file: {error}</source>
-        <translation>konnte nicht analysiert werden, bitte mit der Datei melden: {error}</translation>
+        <source>The analysis failed. Please report the error together with the file: {error}</source>
+        <translation>Die Analyse ist fehlgeschlagen. Bitte melden Sie den Fehler zusammen mit der Datei: {error}</translation>
     </message>
     <message>
-        <source>phi stays between {low:turns} and {high:turns} turns over {count:n} rows{spread}, {seen}: {strategy:strategy}</source>
-        <translation>φ bleibt über {count:n} Zeilen{spread} zwischen {low:turns} und {high:turns} Umdrehungen, {seen}: {strategy:strategy}</translation>
+        <source>Phi stays between {low:turns} and {high:turns} turns over {count:n} rows{spread}, {seen}: {strategy:strategy}.</source>
+        <translation>φ bleibt über {count:n} Zeilen{spread} zwischen {low:turns} und {high:turns} Umdrehungen, {seen}: {strategy:strategy}.</translation>
     </message>
     <message>
-        <source>phi stays at 0 over {count:n} rows{spread}, {seen}: {strategy:strategy}</source>
-        <translation>φ bleibt über {count:n} Zeilen{spread} bei 0, {seen}: {strategy:strategy}</translation>
+        <source>Phi stays at 0 over {count:n} rows{spread}, {seen}: {strategy:strategy}.</source>
+        <translation>φ bleibt über {count:n} Zeilen{spread} bei 0, {seen}: {strategy:strategy}.</translation>
     </message>
     <message>
-        <source>phi stays between {low:turns} and {high:turns} turns over one open stroke{spread}, {seen}: {strategy:strategy}</source>
-        <translation>φ bleibt über einen offenen Zug{spread} zwischen {low:turns} und {high:turns} Umdrehungen, {seen}: {strategy:strategy}</translation>
+        <source>Phi stays between {low:turns} and {high:turns} turns over one open stroke{spread}, {seen}: {strategy:strategy}.</source>
+        <translation>φ bleibt über einen offenen Zug{spread} zwischen {low:turns} und {high:turns} Umdrehungen, {seen}: {strategy:strategy}.</translation>
     </message>
     <message>
-        <source>phi stays between {low:turns} and {high:turns} turns over {count:n} open strokes{spread}, {seen}: {strategy:strategy}</source>
-        <translation>φ bleibt über {count:n} offene Züge{spread} zwischen {low:turns} und {high:turns} Umdrehungen, {seen}: {strategy:strategy}</translation>
+        <source>Phi stays between {low:turns} and {high:turns} turns over {count:n} open strokes{spread}, {seen}: {strategy:strategy}.</source>
+        <translation>φ bleibt über {count:n} offene Züge{spread} zwischen {low:turns} und {high:turns} Umdrehungen, {seen}: {strategy:strategy}.</translation>
     </message>
     <message>
-        <source>phi stays at 0 over one open stroke{spread}, {seen}: {strategy:strategy}</source>
-        <translation>φ bleibt über einen offenen Zug{spread} bei 0, {seen}: {strategy:strategy}</translation>
+        <source>Phi stays at 0 over one open stroke{spread}, {seen}: {strategy:strategy}.</source>
+        <translation>φ bleibt über einen offenen Zug{spread} bei 0, {seen}: {strategy:strategy}.</translation>
     </message>
     <message>
-        <source>phi stays at 0 over {count:n} open strokes{spread}, {seen}: {strategy:strategy}</source>
-        <translation>φ bleibt über {count:n} offene Züge{spread} bei 0, {seen}: {strategy:strategy}</translation>
+        <source>Phi stays at 0 over {count:n} open strokes{spread}, {seen}: {strategy:strategy}.</source>
+        <translation>φ bleibt über {count:n} offene Züge{spread} bei 0, {seen}: {strategy:strategy}.</translation>
     </message>
     <message>
-        <source>phi reaches {reached:turns} turns over one loop{spread}, {seen}: {strategy:strategy}{turning}</source>
-        <translation>φ erreicht über eine Schleife{spread} {reached:turns} Umdrehungen, {seen}: {strategy:strategy}{turning}</translation>
+        <source>Phi reaches {reached:turns} turns over one loop{spread}, {seen}: {strategy:strategy}{turning}.</source>
+        <translation>φ erreicht über eine Schleife{spread} {reached:turns} Umdrehungen, {seen}: {strategy:strategy}{turning}.</translation>
     </message>
     <message>
-        <source>phi reaches {reached:turns} turns over {count:n} loops{spread}, {seen}: {strategy:strategy}{turning}</source>
-        <translation>φ erreicht über {count:n} Schleifen{spread} {reached:turns} Umdrehungen, {seen}: {strategy:strategy}{turning}</translation>
+        <source>Phi reaches {reached:turns} turns over {count:n} loops{spread}, {seen}: {strategy:strategy}{turning}.</source>
+        <translation>φ erreicht über {count:n} Schleifen{spread} {reached:turns} Umdrehungen, {seen}: {strategy:strategy}{turning}.</translation>
     </message>
     <message>
-        <source>phi lies between {low:turns} and {high:turns} turns, {seen}: {strategy:strategy}</source>
-        <translation>φ liegt zwischen {low:turns} und {high:turns} Umdrehungen, {seen}: {strategy:strategy}</translation>
+        <source>Phi lies between {low:turns} and {high:turns} turns, {seen}: {strategy:strategy}.</source>
+        <translation>φ liegt zwischen {low:turns} und {high:turns} Umdrehungen, {seen}: {strategy:strategy}.</translation>
     </message>
     <message>
-        <source>phi has no direction to turn, the moves are vertical at one point: {strategy:strategy}</source>
-        <translation>φ hat keine Richtung, die Bewegungen sind an einem Punkt senkrecht: {strategy:strategy}</translation>
+        <source>Phi is not defined, because the moves are vertical at one point: {strategy:strategy}.</source>
+        <translation>φ ist nicht definiert, weil die Bewegungen an einem Punkt senkrecht sind: {strategy:strategy}.</translation>
     </message>
     <message>
-        <source>phi has no direction to turn, the moves are vertical at {count:n} points: {strategy:strategy}</source>
-        <translation>φ hat keine Richtung, die Bewegungen sind an {count:n} Punkten senkrecht: {strategy:strategy}</translation>
+        <source>Phi is not defined, because the moves are vertical at {count:n} points: {strategy:strategy}.</source>
+        <translation>φ ist nicht definiert, weil die Bewegungen an {count:n} Punkten senkrecht sind: {strategy:strategy}.</translation>
     </message>
     <message>
-        <source>phi has no direction to turn, the moves are vertical at some points: {strategy:strategy}</source>
-        <translation>φ hat keine Richtung, die Bewegungen sind an einigen Punkten senkrecht: {strategy:strategy}</translation>
+        <source>Phi is not defined, because the moves are vertical at some points: {strategy:strategy}.</source>
+        <translation>φ ist nicht definiert, weil die Bewegungen an einigen Punkten senkrecht sind: {strategy:strategy}.</translation>
     </message>
     <message>
-        <source>{count:n} sections parted by tool changes, titles, retracts or drilling show {strategies:strategy}: {strategy:strategy}</source>
-        <translation>{count:n} Abschnitte, getrennt durch Werkzeugwechsel, Titel, Rückzüge oder Bohren, zeigen {strategies:strategy}: {strategy:strategy}</translation>
+        <source>{count:n} sections, separated by tool changes, titles, retracts or drilling, show {strategies:strategy}: {strategy:strategy}.</source>
+        <translation>{count:n} Abschnitte, getrennt durch Werkzeugwechsel, Titel, Rückzüge oder Bohren, zeigen {strategies:strategy}: {strategy:strategy}.</translation>
     </message>
     <message>
         <source>, {step:mm3} apart at {depths:n} depths</source>
-        <translation> im Abstand von {step:mm3} auf {depths:n} Tiefen</translation>
+        <translation> im Abstand von {step:mm3} in {depths:n} Tiefen</translation>
     </message>
     <message>
         <source>, {step:mm3} apart</source>
@@ -487,135 +487,135 @@
     </message>
     <message>
         <source> at {depths:n} depths</source>
-        <translation> auf {depths:n} Tiefen</translation>
+        <translation> in {depths:n} Tiefen</translation>
     </message>
     <message>
-        <source>{count:n} bites of one sense overlap</source>
-        <translation>{count:n} Bisse mit gleichem Drehsinn überlappen sich</translation>
+        <source>{count:n} engagements in the same direction overlap</source>
+        <translation>{count:n} Eingriffe mit gleichem Drehsinn überlappen sich</translation>
     </message>
     <message>
-        <source>rows ({rows:%} of the length) and loops ({loops:%}) share the area</source>
-        <translation>Zeilen ({rows:%} der Länge) und Schleifen ({loops:%}) teilen sich die Fläche</translation>
+        <source>rows ({rows:%} of the length) and loops ({loops:%}) fill the same area</source>
+        <translation>Zeilen ({rows:%} der Länge) und Schleifen ({loops:%}) füllen dieselbe Fläche</translation>
     </message>
     <message>
         <source>{low} to {high}</source>
         <translation>{low} bis {high}</translation>
     </message>
     <message>
-        <source>{what} (line {line:#})</source>
-        <translation>{what} (Zeile {line:#})</translation>
+        <source>Line {line:#}: {what}</source>
+        <translation>Zeile {line:#}: {what}</translation>
     </message>
     <message>
-        <source>{what} ({count:n} times, first in line {line:#})</source>
-        <translation>{what} ({count:n}-mal, zuerst in Zeile {line:#})</translation>
+        <source>Line {line:#} (first of {count:n}): {what}</source>
+        <translation>Zeile {line:#} (die erste von {count:n}): {what}</translation>
     </message>
     <message>
-        <source>lines with a block delete (/) are read like the others</source>
-        <translation>Zeilen mit Ausblendzeichen (/) werden wie die anderen gelesen</translation>
+        <source>Lines with a block delete (/) are read like all others.</source>
+        <translation>Zeilen mit Ausblendzeichen (/) werden wie alle anderen gelesen.</translation>
     </message>
     <message>
-        <source>a subprogram or macro call is not read</source>
-        <translation>ein Unterprogramm oder Makroaufruf wird nicht gelesen</translation>
+        <source>A subprogram or macro call is ignored.</source>
+        <translation>Ein Unterprogramm- oder Makroaufruf wird übergangen.</translation>
     </message>
     <message>
-        <source>jumps, loops and calls are not followed</source>
-        <translation>Sprüngen, Schleifen und Aufrufen wird nicht gefolgt</translation>
+        <source>Jumps, loops and calls are ignored.</source>
+        <translation>Sprünge, Schleifen und Aufrufe werden übergangen.</translation>
     </message>
     <message>
-        <source>variables and expressions are not read: the words with them are left out</source>
-        <translation>Variablen und Ausdrücke werden nicht gelesen: die Wörter damit bleiben weg</translation>
+        <source>Words with variables or expressions are ignored.</source>
+        <translation>Wörter mit Variablen oder Ausdrücken werden übergangen.</translation>
     </message>
     <message>
-        <source>lines that are not made of words like G1 X10 are left out</source>
-        <translation>Zeilen, die nicht aus Wörtern wie G1 X10 bestehen, bleiben weg</translation>
+        <source>Lines that do not consist of words like G1 X10 are ignored.</source>
+        <translation>Zeilen, die nicht aus Wörtern wie G1 X10 bestehen, werden übergangen.</translation>
     </message>
     <message>
-        <source>coordinates that {name} changes are read as if it were not there</source>
-        <translation>Koordinaten, die {name} ändert, werden gelesen, als stünde es nicht da</translation>
+        <source>{name} is ignored. The coordinates after it are read as if it were not there.</source>
+        <translation>{name} wird übergangen. Die Koordinaten danach werden gelesen, als stünde es nicht da.</translation>
     </message>
     <message>
-        <source>a spline ({name}) is read as a line</source>
-        <translation>ein Spline ({name}) wird als Gerade gelesen</translation>
+        <source>A spline ({name}) is read as a line.</source>
+        <translation>Ein Spline ({name}) wird als Gerade gelesen.</translation>
     </message>
     <message>
-        <source>what follows M2 or M30 is read as the same program</source>
-        <translation>was auf M2 oder M30 folgt, wird als dasselbe Programm gelesen</translation>
+        <source>Lines after M2 or M30 are read as part of the same program.</source>
+        <translation>Zeilen nach M2 oder M30 werden als Teil desselben Programms gelesen.</translation>
     </message>
     <message>
-        <source>what follows the program&apos;s end is not read</source>
-        <translation>was auf das Programmende folgt, wird nicht gelesen</translation>
+        <source>Lines after the end of the program are ignored.</source>
+        <translation>Zeilen nach dem Programmende werden übergangen.</translation>
     </message>
     <message>
-        <source>a program in the language of {name} controls (line {line:#}): post it as G-code (ISO) to have it read</source>
-        <translation>ein Programm in der Sprache von {name}-Steuerungen (Zeile {line:#}): als G-Code (ISO) ausgegeben wird es gelesen</translation>
+        <source>Line {line:#}: The program is written for {name} controls. Post it as G-code (ISO) to analyze it.</source>
+        <translation>Zeile {line:#}: Das Programm ist für {name}-Steuerungen geschrieben. Geben Sie es als G-Code (ISO) aus, um es zu analysieren.</translation>
     </message>
     <message>
-        <source>not an NC program: {part:n} of its {lines:n} lines are not made of words like G1 X10, the first is line {line:#}</source>
-        <translation>kein NC-Programm: {part:n} seiner {lines:n} Zeilen bestehen nicht aus Wörtern wie G1 X10, die erste ist Zeile {line:#}</translation>
+        <source>This is not an NC program. {part:n} of its {lines:n} lines do not consist of words like G1 X10. The first of them is line {line:#}.</source>
+        <translation>Das ist kein NC-Programm. {part:n} seiner {lines:n} Zeilen bestehen nicht aus Wörtern wie G1 X10. Die erste davon ist Zeile {line:#}.</translation>
     </message>
     <message>
-        <source>not an NC program: no line of it moves a tool</source>
-        <translation>kein NC-Programm: keine seiner Zeilen bewegt ein Werkzeug</translation>
+        <source>This is not an NC program. None of its lines moves a tool.</source>
+        <translation>Das ist kein NC-Programm. Keine seiner Zeilen bewegt ein Werkzeug.</translation>
     </message>
     <message>
-        <source>none of its moves can be read: {problems}</source>
-        <translation>keine seiner Bewegungen kann gelesen werden: {problems}</translation>
+        <source>None of the moves can be read. {problems}</source>
+        <translation>Keine der Bewegungen kann gelesen werden. {problems}</translation>
     </message>
     <message>
-        <source>not an NC program: it is not text</source>
-        <translation>kein NC-Programm: es ist kein Text</translation>
+        <source>This is not an NC program, because it is not text.</source>
+        <translation>Das ist kein NC-Programm, denn es ist kein Text.</translation>
     </message>
     <message>
-        <source>a program for a lathe ({name}, line {line:#}): milling strategies say nothing about it</source>
-        <translation>ein Programm für eine Drehmaschine ({name}, Zeile {line:#}): Frässtrategien sagen darüber nichts</translation>
+        <source>Line {line:#}: {name} shows a program for a lathe. Milling strategies do not apply to it.</source>
+        <translation>Zeile {line:#}: {name} zeigt ein Programm für eine Drehmaschine. Frässtrategien gelten dafür nicht.</translation>
     </message>
     <message>
-        <source>a program for a 3D printer ({name}, line {line:#}): milling strategies say nothing about it</source>
-        <translation>ein Programm für einen 3D-Drucker ({name}, Zeile {line:#}): Frässtrategien sagen darüber nichts</translation>
+        <source>Line {line:#}: {name} shows a program for a 3D printer. Milling strategies do not apply to it.</source>
+        <translation>Zeile {line:#}: {name} zeigt ein Programm für einen 3D-Drucker. Frässtrategien gelten dafür nicht.</translation>
     </message>
     <message>
-        <source>a program for a wire cutter ({name}, line {line:#}): milling strategies say nothing about it</source>
-        <translation>ein Programm für eine Drahtschneidemaschine ({name}, Zeile {line:#}): Frässtrategien sagen darüber nichts</translation>
+        <source>Line {line:#}: {name} shows a program for a wire cutter. Milling strategies do not apply to it.</source>
+        <translation>Zeile {line:#}: {name} zeigt ein Programm für eine Drahtschneidemaschine. Frässtrategien gelten dafür nicht.</translation>
     </message>
     <message>
-        <source>a rotary axis turns while the tool cuts (line {line:#}): the path of the tool cannot be told</source>
-        <translation>eine Drehachse dreht, während das Werkzeug schneidet (Zeile {line:#}): der Weg des Werkzeugs ist nicht bekannt</translation>
+        <source>Line {line:#}: A rotary axis turns while the tool cuts. The tool&apos;s path is unknown here.</source>
+        <translation>Zeile {line:#}: Eine Drehachse dreht, während das Werkzeug schneidet. Der Weg des Werkzeugs ist hier unbekannt.</translation>
     </message>
     <message>
-        <source>{length:mm4} of rapids are not in the time: a program does not say how fast they are</source>
-        <translation>{length:mm4} Eilgang sind nicht in der Zeit: ein Programm sagt nicht, wie schnell er ist</translation>
+        <source>The machining time does not include {length:mm4} of rapids, because a program does not contain their speed.</source>
+        <translation>Die Bearbeitungszeit enthält {length:mm4} Eilgang nicht, weil ein Programm dessen Geschwindigkeit nicht nennt.</translation>
     </message>
     <message>
-        <source>no tool: the program does not say its diameter, so the cost is not known</source>
-        <translation>kein Werkzeug: das Programm nennt seinen Durchmesser nicht, daher ist der Aufwand unbekannt</translation>
+        <source>The program does not contain the tool&apos;s diameter, so the cost is unknown.</source>
+        <translation>Das Programm nennt den Durchmesser des Werkzeugs nicht, daher ist der Aufwand unbekannt.</translation>
     </message>
     <message>
-        <source>the file cannot be read: {name}</source>
-        <translation>die Datei kann nicht gelesen werden: {name}</translation>
+        <source>The file cannot be read: {name}.</source>
+        <translation>Die Datei kann nicht gelesen werden: {name}.</translation>
     </message>
     <message>
-        <source>the file is larger than {size:bytes}</source>
-        <translation>die Datei ist größer als {size:bytes}</translation>
+        <source>The file is larger than {size:bytes}.</source>
+        <translation>Die Datei ist größer als {size:bytes}.</translation>
     </message>
     <message>
-        <source>given up after {time:s}</source>
-        <translation>nach {time:s} aufgegeben</translation>
+        <source>The analysis was stopped after {time:s}.</source>
+        <translation>Die Analyse wurde nach {time:s} abgebrochen.</translation>
     </message>
     <message>
-        <source>the process that read it died, perhaps for lack of memory</source>
-        <translation>der Prozess, der es las, ist gestorben, vielleicht aus Speichermangel</translation>
+        <source>The process that read the file ended unexpectedly, perhaps for lack of memory.</source>
+        <translation>Der Prozess, der die Datei las, endete unerwartet, vielleicht aus Speichermangel.</translation>
     </message>
     <message>
-        <source>it looks 25.4 times too small: inches read as millimeters?</source>
-        <translation>es sieht 25,4-mal zu klein aus: Zoll als Millimeter gelesen?</translation>
+        <source>The toolpath looks 25.4 times too small. Inches are probably read as millimeters.</source>
+        <translation>Der Werkzeugweg sieht 25,4-mal zu klein aus. Wahrscheinlich werden Zoll als Millimeter gelesen.</translation>
     </message>
     <message>
-        <source>there is nothing to simulate: choose a job, or operations with a toolpath</source>
-        <translation>es gibt nichts zu simulieren: Wählen Sie einen Auftrag oder Operationen mit einem Werkzeugweg</translation>
+        <source>There is nothing to simulate. Choose a job, or operations with a toolpath.</source>
+        <translation>Es gibt nichts zu simulieren. Wählen Sie einen Auftrag oder Operationen mit einem Werkzeugweg.</translation>
     </message>
     <message>
-        <source>these operations belong to several jobs, choose one of them: {labels}</source>
-        <translation>diese Operationen gehören zu mehreren Aufträgen, wählen Sie einen davon: {labels}</translation>
+        <source>These operations belong to several jobs. Choose operations of one job only: {labels}.</source>
+        <translation>Diese Operationen gehören zu mehreren Aufträgen. Wählen Sie nur Operationen eines Auftrags: {labels}.</translation>
     </message>
     <message>
         <source>extended z-buffer</source>
@@ -630,71 +630,71 @@
         <translation>OpenGL-Simulator</translation>
     </message>
     <message>
-        <source>The {simulator:simulator} hangs on an arc {reason} (command {command:#}{others}): {instead}.</source>
-        <translation>„{simulator:simulator}“ hängt bei einem Bogen, {reason} (Befehl {command:#}{others}): {instead}.</translation>
+        <source>The {simulator:simulator} hangs on an arc {reason} (command {command:#}{others}). {instead}</source>
+        <translation>„{simulator:simulator}“ hängt bei einem Bogen, {reason} (Befehl {command:#}{others}). {instead}</translation>
     </message>
     <message>
-        <source>The {simulator:simulator} cuts {count:n} ramp at a wrong depth, up to {error:mm2} {way} (command {command:#}): do not judge depths by it.</source>
-        <translation>„{simulator:simulator}“ schneidet {count:n} Rampe in falscher Tiefe, bis zu {error:mm2} {way} (Befehl {command:#}): Tiefen nicht danach beurteilen.</translation>
+        <source>The {simulator:simulator} cuts {count:n} ramp at a wrong depth, up to {error:mm2} {way} (command {command:#}). Do not judge depths by it.</source>
+        <translation>„{simulator:simulator}“ schneidet {count:n} Rampe in falscher Tiefe, bis zu {error:mm2} {way} (Befehl {command:#}). Beurteilen Sie Tiefen nicht danach.</translation>
     </message>
     <message>
-        <source>The {simulator:simulator} cuts {count:n} ramps at a wrong depth, up to {error:mm2} {way} (command {command:#}): do not judge depths by it.</source>
-        <translation>„{simulator:simulator}“ schneidet {count:n} Rampen in falscher Tiefe, bis zu {error:mm2} {way} (Befehl {command:#}): Tiefen nicht danach beurteilen.</translation>
+        <source>The {simulator:simulator} cuts {count:n} ramps at a wrong depth, up to {error:mm2} {way} (command {command:#}). Do not judge depths by it.</source>
+        <translation>„{simulator:simulator}“ schneidet {count:n} Rampen in falscher Tiefe, bis zu {error:mm2} {way} (Befehl {command:#}). Beurteilen Sie Tiefen nicht danach.</translation>
     </message>
     <message>
-        <source>Playing takes about {longer:s} in the {simulator:simulator}: fast-forward takes about {time:s}.</source>
-        <translation>Das Abspielen dauert mit „{simulator:simulator}“ etwa {longer:s}: Der schnelle Vorlauf dauert etwa {time:s}.</translation>
+        <source>Playing takes about {longer:s} in the {simulator:simulator}. Use fast-forward, which takes about {time:s}.</source>
+        <translation>Das Abspielen dauert mit „{simulator:simulator}“ etwa {longer:s}. Benutzen Sie den schnellen Vorlauf, der etwa {time:s} dauert.</translation>
     </message>
     <message>
-        <source>Playing takes about {time:s} in the {simulator:simulator} at its fastest: simulate fewer operations at a time.</source>
-        <translation>Das Abspielen dauert mit „{simulator:simulator}“ auch am schnellsten etwa {time:s}: Weniger Operationen auf einmal simulieren.</translation>
+        <source>Playing takes about {time:s} in the {simulator:simulator} at its fastest. Simulate fewer operations at a time.</source>
+        <translation>Das Abspielen dauert mit „{simulator:simulator}“ auch bei höchster Geschwindigkeit etwa {time:s}. Simulieren Sie weniger Operationen auf einmal.</translation>
     </message>
     <message>
-        <source>{count:n} moves are shorter than a cell of the {simulator:simulator} ({cell:mm2}), each takes its time and none is seen by itself: a coarser tolerance of the operation loses nothing there.</source>
-        <translation>{count:n} Bewegungen sind kürzer als eine Zelle von „{simulator:simulator}“ ({cell:mm2}), jede kostet Zeit und keine ist einzeln zu sehen: Eine gröbere Toleranz der Operation verliert dort nichts.</translation>
+        <source>{count:n} moves are shorter than a cell of the {simulator:simulator} ({cell:mm2}). They take time, but cannot be seen. Choose a coarser tolerance for the operation.</source>
+        <translation>{count:n} Bewegungen sind kürzer als eine Zelle von „{simulator:simulator}“ ({cell:mm2}). Sie kosten Zeit, sind aber nicht zu sehen. Wählen Sie für die Operation eine gröbere Toleranz.</translation>
     </message>
     <message>
-        <source>The {simulator:simulator} takes about {memory:bytes} for this operation, more than the {allowed:bytes} allowed: {instead}.</source>
-        <translation>„{simulator:simulator}“ braucht für diese Operation etwa {memory:bytes}, mehr als die erlaubten {allowed:bytes}: {instead}.</translation>
+        <source>The {simulator:simulator} takes about {memory:bytes} for this operation, which is over your {allowed:bytes} limit. {instead}</source>
+        <translation>„{simulator:simulator}“ braucht für diese Operation etwa {memory:bytes}, mehr als Ihre Grenze von {allowed:bytes}. {instead}</translation>
     </message>
     <message>
-        <source>use the {simulator:simulator} for this operation</source>
-        <translation>für diese Operation „{simulator:simulator}“ benutzen</translation>
+        <source>Use the {simulator:simulator} for this operation.</source>
+        <translation>Benutzen Sie für diese Operation „{simulator:simulator}“.</translation>
     </message>
     <message>
-        <source>the tool&apos;s diameter must be a positive number of at most a kilometer, not {diameter:mm}</source>
-        <translation>Der Werkzeugdurchmesser muss positiv und höchstens ein Kilometer sein, nicht {diameter:mm}</translation>
+        <source>The tool&apos;s diameter must be a positive number of at most a kilometer, not {diameter:mm}.</source>
+        <translation>Der Werkzeugdurchmesser muss positiv und höchstens ein Kilometer sein, nicht {diameter:mm}.</translation>
     </message>
     <message>
-        <source>the stock&apos;s corners must be numbers within a kilometer of the origin</source>
-        <translation>Die Ecken des Rohteils müssen Zahlen innerhalb eines Kilometers vom Ursprung sein</translation>
+        <source>The corners of the stock must be numbers within a kilometer of the origin.</source>
+        <translation>Die Ecken des Rohteils müssen Zahlen innerhalb eines Kilometers vom Ursprung sein.</translation>
     </message>
     <message>
-        <source>its feeds, up to {feed:g} mm/s, are taken for mm/min: FreeCAD&apos;s importer keeps them as mm/s</source>
-        <translation>Seine Vorschübe, bis zu {feed:g} mm/s, werden als mm/min gelesen: FreeCADs Import behält sie als mm/s</translation>
+        <source>Feeds up to {feed:g} mm/s are read as mm/min, because FreeCAD&apos;s G-code import does not convert them.</source>
+        <translation>Vorschübe bis {feed:g} mm/s werden als mm/min gelesen, weil FreeCADs G-Code-Import sie nicht umrechnet.</translation>
     </message>
     <message>
-        <source>the tip&apos;s diameter must lie between 0 and {diameter:mm}, not be {tip:mm}</source>
-        <translation>der Durchmesser der Spitze muss zwischen 0 und {diameter:mm} liegen, nicht {tip:mm} sein</translation>
+        <source>The diameter of the tip must be between 0 and {diameter:mm}, not {tip:mm}.</source>
+        <translation>Der Durchmesser der Spitze muss zwischen 0 und {diameter:mm} liegen, nicht bei {tip:mm}.</translation>
     </message>
     <message>
-        <source>the solid&apos;s surface is not closed</source>
-        <translation>die Oberfläche des Körpers ist nicht geschlossen</translation>
+        <source>The surface of the solid is not closed.</source>
+        <translation>Die Oberfläche des Körpers ist nicht geschlossen.</translation>
     </message>
     <message>
-        <source>the box around the stock of {label} is taken for it: {sentence}</source>
-        <translation>als Rohteil von {label} gilt der Quader darum herum: {sentence}</translation>
+        <source>The stock of {label} is simulated as the box around it. {sentence}</source>
+        <translation>Das Rohteil von {label} wird als der Quader um es herum simuliert. {sentence}</translation>
     </message>
     <message>
-        <source>{label} is not simulated exactly, but {instead}</source>
-        <translation>{label} wird nicht genau simuliert, sondern {instead}</translation>
+        <source>{label} is simulated only approximately, {instead}.</source>
+        <translation>{label} wird nur angenähert simuliert, {instead}.</translation>
     </message>
     <message>
-        <source>as an end mill of its largest diameter</source>
-        <translation>als Schaftfräser mit dem größten Durchmesser</translation>
+        <source>as an end mill with its largest diameter</source>
+        <translation>als Schaftfräser mit seinem größten Durchmesser</translation>
     </message>
     <message>
-        <source>as a ball end of its tip&apos;s diameter</source>
+        <source>as a ball end mill with the diameter of its tip</source>
         <translation>als Kugelfräser mit dem Durchmesser der Spitze</translation>
     </message>
     <message>
@@ -702,40 +702,40 @@
         <translation>als Bohrer</translation>
     </message>
     <message>
-        <source>a rotary axis ({letter}) turns while the tool cuts: the path of the tool cannot be told</source>
-        <translation>Eine Drehachse ({letter}) dreht, während das Werkzeug schneidet: Der Weg des Werkzeugs ist nicht bestimmbar</translation>
+        <source>A rotary axis ({letter}) turns while the tool cuts. The tool&apos;s path is unknown here.</source>
+        <translation>Eine Drehachse ({letter}) dreht, während das Werkzeug schneidet. Der Weg des Werkzeugs ist hier unbekannt.</translation>
     </message>
     <message>
-        <source>turns of a rotary axis ({letter}) are not followed</source>
-        <translation>Drehungen einer Drehachse ({letter}) werden nicht berücksichtigt</translation>
+        <source>Moves of a rotary axis ({letter}) are ignored.</source>
+        <translation>Bewegungen einer Drehachse ({letter}) werden übergangen.</translation>
     </message>
     <message>
-        <source>{letter} words are not read</source>
-        <translation>{letter}-Wörter werden nicht gelesen</translation>
+        <source>{letter} words are ignored.</source>
+        <translation>{letter}-Wörter werden übergangen.</translation>
     </message>
     <message>
-        <source>a cycle&apos;s repeats ({letter}) are not made</source>
-        <translation>Wiederholungen eines Zyklus ({letter}) werden nicht ausgeführt</translation>
+        <source>The repeats of a cycle ({letter}) are ignored.</source>
+        <translation>Die Wiederholungen eines Zyklus ({letter}) werden übergangen.</translation>
     </message>
     <message>
-        <source>further turns of an arc (P) are not made</source>
-        <translation>Weitere Umdrehungen eines Bogens (P) werden nicht ausgeführt</translation>
+        <source>The additional turns of an arc (P) are ignored.</source>
+        <translation>Die zusätzlichen Umdrehungen eines Bogens (P) werden übergangen.</translation>
     </message>
     <message>
-        <source>inches (G20) are not followed: lengths are read in mm</source>
-        <translation>Zoll (G20) werden nicht berücksichtigt: Längen werden in mm gelesen</translation>
+        <source>Inches (G20) are ignored. Lengths are read in mm.</source>
+        <translation>Zoll (G20) werden übergangen. Längen werden in mm gelesen.</translation>
     </message>
     <message>
-        <source>cutter compensation ({name}) is not followed: the path is the programmed one</source>
-        <translation>Die Radiuskorrektur ({name}) wird nicht berücksichtigt: Der Weg ist der des Programms</translation>
+        <source>Cutter compensation ({name}) is ignored. The programmed path is used.</source>
+        <translation>Die Radiuskorrektur ({name}) wird übergangen. Der programmierte Weg wird benutzt.</translation>
     </message>
     <message>
-        <source>feeds after {name} are not read</source>
-        <translation>Vorschübe nach {name} werden nicht gelesen</translation>
+        <source>Feeds after {name} are ignored.</source>
+        <translation>Vorschübe nach {name} werden übergangen.</translation>
     </message>
     <message>
-        <source>dwells are not in the time</source>
-        <translation>Verweilzeiten sind nicht in der Zeit enthalten</translation>
+        <source>Dwell times are not included in the machining time.</source>
+        <translation>Verweilzeiten sind in der Bearbeitungszeit nicht enthalten.</translation>
     </message>
     <message>
         <source>open strokes side by side at an even distance</source>
@@ -750,112 +750,112 @@
         <translation>viele kleine Konturen verschiedener Form</translation>
     </message>
     <message>
-        <source>{count:n} row{spread}, {seen}</source>
-        <translation>{count:n} Zeile{spread}, {seen}</translation>
+        <source>{count:n} row{spread}, {seen}.</source>
+        <translation>{count:n} Zeile{spread}, {seen}.</translation>
     </message>
     <message>
-        <source>{count:n} rows{spread}, {seen}</source>
-        <translation>{count:n} Zeilen{spread}, {seen}</translation>
+        <source>{count:n} rows{spread}, {seen}.</source>
+        <translation>{count:n} Zeilen{spread}, {seen}.</translation>
     </message>
     <message>
-        <source>one open cut{spread}, {seen}</source>
-        <translation>ein offener Schnitt{spread}, {seen}</translation>
+        <source>One open cut{spread}, {seen}.</source>
+        <translation>Ein offener Schnitt{spread}, {seen}.</translation>
     </message>
     <message>
-        <source>{count:n} open cuts{spread}, {seen}</source>
-        <translation>{count:n} offene Schnitte{spread}, {seen}</translation>
+        <source>{count:n} open cuts{spread}, {seen}.</source>
+        <translation>{count:n} offene Schnitte{spread}, {seen}.</translation>
     </message>
     <message>
-        <source>one loop{spread}{turning}, {seen}</source>
-        <translation>ein Umlauf{spread}{turning}, {seen}</translation>
+        <source>One loop{spread}{turning}, {seen}.</source>
+        <translation>Ein Umlauf{spread}{turning}, {seen}.</translation>
     </message>
     <message>
-        <source>{count:n} loops{spread}{turning}, {seen}</source>
-        <translation>{count:n} Umläufe{spread}{turning}, {seen}</translation>
+        <source>{count:n} loops{spread}{turning}, {seen}.</source>
+        <translation>{count:n} Umläufe{spread}{turning}, {seen}.</translation>
     </message>
     <message>
-        <source>straight down at one point</source>
-        <translation>an einer Stelle gerade nach unten</translation>
+        <source>Straight down at one point.</source>
+        <translation>An einer Stelle gerade nach unten.</translation>
     </message>
     <message>
-        <source>straight down at {count:n} points</source>
-        <translation>an {count:n} Stellen gerade nach unten</translation>
+        <source>Straight down at {count:n} points.</source>
+        <translation>An {count:n} Stellen gerade nach unten.</translation>
     </message>
     <message>
-        <source>straight down at some points</source>
-        <translation>an einigen Stellen gerade nach unten</translation>
+        <source>Straight down at some points.</source>
+        <translation>An einigen Stellen gerade nach unten.</translation>
     </message>
     <message>
-        <source>{count:n} sections, parted by tool changes, titles, retracts or drilling: {strategies:strategy}</source>
-        <translation>{count:n} Abschnitte, getrennt durch Werkzeugwechsel, Überschriften, Rückzüge oder Bohren: {strategies:strategy}</translation>
+        <source>{count:n} sections, separated by tool changes, titles, retracts or drilling: {strategies:strategy}.</source>
+        <translation>{count:n} Abschnitte, getrennt durch Werkzeugwechsel, Titel, Rückzüge oder Bohren: {strategies:strategy}.</translation>
     </message>
     <message>
-        <source>{count:n} overlapping bites</source>
-        <translation>{count:n} überlappende Bisse</translation>
+        <source>{count:n} overlapping engagements</source>
+        <translation>{count:n} überlappende Eingriffe</translation>
     </message>
     <message>
         <source>one clockwise, the next counter-clockwise</source>
         <translation>einer im Uhrzeigersinn, der nächste dagegen</translation>
     </message>
     <message>
-        <source>all in one cut that winds on and never closes</source>
-        <translation>alles in einem Schnitt, der sich weiterwindet und nie schließt</translation>
+        <source>all in one continuous cut that never closes</source>
+        <translation>alles in einem durchgehenden Schnitt, der sich nie schließt</translation>
     </message>
     <message>
         <source>one inside the other</source>
-        <translation>einer im anderen</translation>
+        <translation>ineinander liegend</translation>
     </message>
     <message>
         <source>none inside another</source>
         <translation>keiner im anderen</translation>
     </message>
     <message>
-        <source>cut to and fro</source>
+        <source>cut back and forth</source>
         <translation>hin und her geschnitten</translation>
     </message>
     <message>
-        <source>all cut the same way</source>
+        <source>all cut in the same direction</source>
         <translation>alle in derselben Richtung geschnitten</translation>
     </message>
     <message>
-        <source>phi stays between {low:turns} and {high:turns} turns over one row{spread}, {seen}: {strategy:strategy}</source>
-        <translation>φ bleibt über eine Zeile{spread} zwischen {low:turns} und {high:turns} Umdrehungen, {seen}: {strategy:strategy}</translation>
+        <source>Phi stays between {low:turns} and {high:turns} turns over one row{spread}, {seen}: {strategy:strategy}.</source>
+        <translation>φ bleibt über eine Zeile{spread} zwischen {low:turns} und {high:turns} Umdrehungen, {seen}: {strategy:strategy}.</translation>
     </message>
     <message>
-        <source>phi stays at 0 over one row{spread}, {seen}: {strategy:strategy}</source>
-        <translation>φ bleibt über eine Zeile{spread} bei 0, {seen}: {strategy:strategy}</translation>
+        <source>Phi stays at 0 over one row{spread}, {seen}: {strategy:strategy}.</source>
+        <translation>φ bleibt über eine Zeile{spread} bei 0, {seen}: {strategy:strategy}.</translation>
     </message>
     <message>
-        <source>One move is shorter than a cell of the {simulator:simulator} ({cell:mm2}), takes its time and is not seen by itself: a coarser tolerance of the operation loses nothing there.</source>
-        <translation>Eine Bewegung ist kürzer als eine Zelle von „{simulator:simulator}“ ({cell:mm2}), braucht ihre Zeit und ist für sich nicht zu sehen: eine gröbere Toleranz der Operation verliert dort nichts.</translation>
+        <source>One move is shorter than a cell of the {simulator:simulator} ({cell:mm2}). It takes time, but cannot be seen. Choose a coarser tolerance for the operation.</source>
+        <translation>Eine Bewegung ist kürzer als eine Zelle von „{simulator:simulator}“ ({cell:mm2}). Sie kostet Zeit, ist aber nicht zu sehen. Wählen Sie für die Operation eine gröbere Toleranz.</translation>
     </message>
     <message>
-        <source>which lie like those of known toolpaths ({share:%} of the votes)</source>
-        <translation>die wie die bekannter Werkzeugwege liegen ({share:%} der Stimmen)</translation>
+        <source>arranged as in known toolpaths ({share:%} of the votes)</source>
+        <translation>angeordnet wie in bekannten Werkzeugwegen ({share:%} der Stimmen)</translation>
     </message>
     <message>
-        <source>unlike anything that machines ({share:%} of the votes)</source>
-        <translation>wie nichts, was etwas fräst ({share:%} der Stimmen)</translation>
+        <source>unlike any known machining ({share:%} of the votes)</source>
+        <translation>anders als jede bekannte Bearbeitung ({share:%} der Stimmen)</translation>
     </message>
     <message>
-        <source>, entered by a ramp</source>
-        <translation>, eingetaucht auf einer Rampe</translation>
+        <source> The tool enters on a ramp.</source>
+        <translation> Das Werkzeug taucht auf einer Rampe ein.</translation>
     </message>
     <message>
-        <source>, entered by a ramp to and fro</source>
-        <translation>, eingetaucht auf einer Rampe hin und her</translation>
+        <source> The tool enters on a ramp that goes back and forth.</source>
+        <translation> Das Werkzeug taucht auf einer Rampe ein, die hin und her geht.</translation>
     </message>
     <message>
-        <source>, entered by a helix</source>
-        <translation>, eingetaucht auf einer Helix</translation>
+        <source> The tool enters on a helix.</source>
+        <translation> Das Werkzeug taucht auf einer Helix ein.</translation>
     </message>
     <message>
-        <source>, finished by a contour around the rows</source>
-        <translation>, geschlichtet mit einer Kontur um die Zeilen</translation>
+        <source> A contour around the rows finishes the area.</source>
+        <translation> Eine Kontur um die Zeilen schlichtet die Fläche.</translation>
     </message>
     <message>
-        <source>The {simulator:simulator} hangs on this: command {command:#} of {label}{others} is an arc {reason}.</source>
-        <translation>„{simulator:simulator}“ bleibt daran hängen: Befehl {command:#} von {label}{others} ist ein Bogen, {reason}.</translation>
+        <source>The {simulator:simulator} hangs on this simulation: command {command:#} of {label}{others} is an arc {reason}.</source>
+        <translation>„{simulator:simulator}“ hängt bei dieser Simulation: Befehl {command:#} von {label}{others} ist ein Bogen, {reason}.</translation>
     </message>
     <message>
         <source> (also in another operation)</source>
@@ -866,20 +866,20 @@
         <translation> (und {count:n} weitere Operationen)</translation>
     </message>
     <message>
-        <source>Playing this takes {bound} {time:s} in the {simulator:simulator}.</source>
-        <translation>{simulator:simulator}: Das Abspielen dauert {bound} {time:s}.</translation>
+        <source>Playing this simulation takes {bound} {time:s} in the {simulator:simulator}.</source>
+        <translation>Diese Simulation abzuspielen dauert mit „{simulator:simulator}“ {bound} {time:s}.</translation>
     </message>
     <message>
         <source>Fast-forward takes {bound} {time:s}.</source>
         <translation>Der schnelle Vorlauf dauert {bound} {time:s}.</translation>
     </message>
     <message>
-        <source>The {simulator:simulator} in fast-forward: {bound} {time:s}.</source>
-        <translation>{simulator:simulator} im schnellen Vorlauf: {bound} {time:s}.</translation>
+        <source>Fast-forward in the {simulator:simulator} takes {bound} {time:s}.</source>
+        <translation>Der schnelle Vorlauf dauert mit „{simulator:simulator}“ {bound} {time:s}.</translation>
     </message>
     <message>
-        <source>The {simulator:simulator}: {bound} {time:s}.</source>
-        <translation>{simulator:simulator}: {bound} {time:s}.</translation>
+        <source>The {simulator:simulator} takes {bound} {time:s}.</source>
+        <translation>„{simulator:simulator}“ braucht {bound} {time:s}.</translation>
     </message>
     <message>
         <source>about</source>
@@ -890,144 +890,144 @@
         <translation>mindestens</translation>
     </message>
     <message>
-        <source>Simulate toolpaths shows the finished part at once, coarse at first.</source>
+        <source>Simulate Toolpaths shows the finished part at once, coarse at first.</source>
         <translation>„Werkzeugwege simulieren“ zeigt sofort das fertige Teil, zuerst grob.</translation>
     </message>
     <message>
-        <source>a rapid move removes {volume:mm³2}</source>
-        <translation>ein Eilgang trägt {volume:mm³2} ab</translation>
+        <source>A rapid move removes {volume:mm³2}.</source>
+        <translation>Ein Eilgang trägt {volume:mm³2} ab.</translation>
     </message>
     <message>
-        <source>plunges into full material at {feed:mm/min3}, where its tool may plunge at {allowed:mm/min3}</source>
-        <translation>taucht mit {feed:mm/min3} ins volle Material ein, ihr Werkzeug darf {allowed:mm/min3}</translation>
+        <source>The tool plunges into full material at {feed:mm/min3}. Its limit is {allowed:mm/min3}.</source>
+        <translation>Das Werkzeug taucht mit {feed:mm/min3} ins volle Material ein. Seine Grenze ist {allowed:mm/min3}.</translation>
     </message>
     <message>
-        <source>{depth:mm2} are left on the model</source>
-        <translation>{depth:mm2} bleiben auf dem Modell stehen</translation>
+        <source>{depth:mm2} of stock is left on the model.</source>
+        <translation>{depth:mm2} Rohteil bleiben auf dem Modell stehen.</translation>
     </message>
     <message>
-        <source>a finer picture would take longer than the {allowed:s} that the preferences allow</source>
-        <translation>ein feineres Bild würde länger als die {allowed:s} dauern, die die Einstellungen erlauben</translation>
+        <source>A finer picture would take longer than the {allowed:s} limit in the preferences.</source>
+        <translation>Ein feineres Bild würde länger dauern als die Grenze von {allowed:s} in den Einstellungen.</translation>
     </message>
     <message>
-        <source>as simulated, command {command:#} is wrong: {fault}</source>
-        <translation>laut Simulation ist Befehl {command:#} falsch: {fault}</translation>
+        <source>The simulation shows a fault at command {command:#}: {fault}</source>
+        <translation>Die Simulation zeigt einen Fehler bei Befehl {command:#}: {fault}</translation>
     </message>
     <message>
-        <source>moves in X and Z only, with passes along Z at many X, as a lathe makes them: {strategy:strategy}</source>
-        <translation>Bewegungen nur in X und Z, mit Schnitten längs Z bei vielen X, wie eine Drehmaschine sie macht: {strategy:strategy}</translation>
+        <source>All moves are in X and Z, with passes along Z at many X, as on a lathe: {strategy:strategy}.</source>
+        <translation>Alle Bewegungen sind in X und Z, mit Schnitten längs Z bei vielen X, wie auf einer Drehmaschine: {strategy:strategy}.</translation>
     </message>
     <message>
-        <source>the operation&apos;s placement must be numbers within a kilometer of the origin</source>
-        <translation>die Platzierung der Operation muss aus Zahlen innerhalb eines Kilometers vom Ursprung bestehen</translation>
+        <source>The placement of the operation must be numbers within a kilometer of the origin.</source>
+        <translation>Die Platzierung der Operation muss aus Zahlen innerhalb eines Kilometers vom Ursprung bestehen.</translation>
     </message>
     <message>
-        <source>a line with two {letter} words: the last one is read</source>
-        <translation>eine Zeile mit zwei {letter}-Wörtern: das letzte wird gelesen</translation>
+        <source>Of two {letter} words in a line, the last one is read.</source>
+        <translation>Von zwei {letter}-Wörtern in einer Zeile wird das letzte gelesen.</translation>
     </message>
     <message>
-        <source>a line with two motions, such as G0 and G1: the last one is read</source>
-        <translation>eine Zeile mit zwei Bewegungen, etwa G0 und G1: die letzte wird gelesen</translation>
+        <source>Of two motions in a line, such as G0 and G1, the last one is read.</source>
+        <translation>Von zwei Bewegungen in einer Zeile, etwa G0 und G1, wird die letzte gelesen.</translation>
     </message>
     <message>
-        <source>{told}, with a little {strategies:strategy} beside it</source>
-        <translation>{told}, daneben ein wenig {strategies:strategy}</translation>
+        <source>{told} A small part is {strategies:strategy}.</source>
+        <translation>{told} Ein kleiner Teil ist: {strategies:strategy}.</translation>
     </message>
     <message>
-        <source>{width:n} x {height:n} pixels of {pixel:mm2}, limited by the {limit}{passes}</source>
-        <translation>{width:n} × {height:n} Pixel von {pixel:mm2}, begrenzt durch {limit}{passes}</translation>
+        <source>{width:n} x {height:n} pixels of {pixel:mm2}, limited by the {limit}.{passes}</source>
+        <translation>{width:n} × {height:n} Pixel von {pixel:mm2}, begrenzt durch {limit}.{passes}</translation>
     </message>
     <message>
-        <source>{length:mm4} of rapids are not in the time because the operation has no tool controller: give it one with rapid speeds</source>
-        <translation>{length:mm4} Eilgänge fehlen in der Zeit, weil die Operation keinen Werkzeugcontroller hat: ihr einen mit Eilganggeschwindigkeiten geben</translation>
+        <source>The machining time does not include {length:mm4} of rapids, because the operation has no tool controller. Give it one with rapid speeds.</source>
+        <translation>Die Bearbeitungszeit enthält {length:mm4} Eilgang nicht, weil die Operation keinen Werkzeugcontroller hat. Geben Sie ihr einen mit Eilganggeschwindigkeiten.</translation>
     </message>
     <message>
-        <source>variables and expressions are not read: the lines with them are left out</source>
-        <translation>Variablen und Ausdrücke werden nicht gelesen: die Zeilen damit bleiben weg</translation>
+        <source>Lines with variables or expressions are ignored.</source>
+        <translation>Zeilen mit Variablen oder Ausdrücken werden übergangen.</translation>
     </message>
     <message>
-        <source>moves to positions of the machine ({name}) are left out: a program does not say where they are</source>
-        <translation>Bewegungen zu Maschinenpositionen ({name}) bleiben weg: ein Programm sagt nicht, wo sie sind</translation>
+        <source>Moves to machine positions ({name}) are ignored, because the program does not contain these positions.</source>
+        <translation>Bewegungen zu Maschinenpositionen ({name}) werden übergangen, weil das Programm diese Positionen nicht nennt.</translation>
     </message>
     <message>
-        <source>the holes of a pattern ({name}) are not made</source>
-        <translation>die Löcher eines Lochbilds ({name}) werden nicht ausgeführt</translation>
+        <source>The holes of a pattern ({name}) are ignored.</source>
+        <translation>Die Löcher eines Lochbilds ({name}) werden übergangen.</translation>
     </message>
     <message>
-        <source>it spans meters in whole numbers: thousandths without a decimal point read as whole units?</source>
-        <translation>es ist meterlang, und das in ganzen Zahlen: Tausendstel ohne Dezimalpunkt als ganze Einheiten gelesen?</translation>
+        <source>The toolpath spans meters in whole numbers. Thousandths without a decimal point are probably read as whole units.</source>
+        <translation>Der Werkzeugweg erstreckt sich in ganzen Zahlen über Meter. Wahrscheinlich werden Tausendstel ohne Dezimalpunkt als ganze Einheiten gelesen.</translation>
     </message>
     <message>
-        <source>The {simulator:simulator} takes about {time:s} for every picture at the end, {percent:n}% of it for arcs: simulate this operation alone.</source>
-        <translation>„{simulator:simulator}“ braucht am Ende etwa {time:s} für jedes Bild, {percent:n} % davon für Bögen: Diese Operation allein simulieren.</translation>
+        <source>The {simulator:simulator} slows to about {frames:g1} frames per second here, mostly because of arcs. Simulate this operation on its own.</source>
+        <translation>„{simulator:simulator}“ wird hier auf etwa {frames:g1} Bilder pro Sekunde langsamer, vor allem wegen der Bögen. Simulieren Sie diese Operation allein.</translation>
     </message>
     <message>
-        <source>The {simulator:simulator} takes {bound} {time:s}, longer than the {allowed:s} allowed. {better}</source>
-        <translation>„{simulator:simulator}“ braucht {bound} {time:s}, länger als die erlaubten {allowed:s}. {better}</translation>
+        <source>The {simulator:simulator} takes {bound} {time:s}, which is over your {allowed:s} limit. {better}</source>
+        <translation>„{simulator:simulator}“ braucht {bound} {time:s}, mehr als Ihre Grenze von {allowed:s}. {better}</translation>
     </message>
     <message>
-        <source>the centers of arcs are read as positions (as by G90.1): only so the arcs end on their circles</source>
-        <translation>die Mittelpunkte von Kreisbögen werden als Positionen gelesen (wie bei G90.1): nur so enden die Bögen auf ihren Kreisen</translation>
+        <source>The centers of arcs are read as positions (as with G90.1). The arcs only close this way.</source>
+        <translation>Die Mittelpunkte von Kreisbögen werden als Positionen gelesen (wie bei G90.1). Nur so schließen sich die Bögen.</translation>
     </message>
     <message>
-        <source>strokes that rise to their ends, as V-carving does</source>
+        <source>strokes that rise toward their ends, as in V-carving</source>
         <translation>Züge, die zu ihren Enden hin ansteigen, wie beim V-Carving</translation>
     </message>
     <message>
-        <source>cut in strokes, as between tags</source>
+        <source>cut in strokes, as between holding tags</source>
         <translation>in Zügen geschnitten, wie zwischen Haltestegen</translation>
     </message>
     <message>
-        <source>the unknown code {name} is ignored, and with it the {letters} words of its line</source>
-        <translation>unbekannter Code {name} übergangen, und mit ihm die Wörter {letters} seiner Zeile</translation>
+        <source>The unknown code {name} is ignored, and the {letters} words of its line with it.</source>
+        <translation>Der unbekannte Code {name} wird übergangen, und mit ihm die Wörter {letters} seiner Zeile.</translation>
     </message>
     <message>
-        <source>probing moves are not in the time</source>
-        <translation>Antastbewegungen sind nicht in der Zeit enthalten</translation>
+        <source>Probing moves are not included in the machining time.</source>
+        <translation>Antastbewegungen sind in der Bearbeitungszeit nicht enthalten.</translation>
     </message>
     <message>
-        <source>cuts {depth:mm2} into the model</source>
-        <translation>schneidet {depth:mm2} tief in das Modell</translation>
+        <source>The tool cuts {depth:mm2} into the model.</source>
+        <translation>Das Werkzeug schneidet {depth:mm2} tief in das Modell.</translation>
     </message>
     <message>
-        <source>as simulated, {count:n} commands are wrong, among them {command:#}: {fault}</source>
-        <translation>laut Simulation sind {count:n} Befehle falsch, darunter {command:#}: {fault}</translation>
+        <source>The simulation shows faults at {count:n} commands, for example at command {command:#}: {fault}</source>
+        <translation>Die Simulation zeigt Fehler bei {count:n} Befehlen, zum Beispiel bei Befehl {command:#}: {fault}</translation>
     </message>
     <message>
-        <source>called {name}, but its toolpath is {strategy:strategy}</source>
-        <translation>heißt {name}, doch ihr Werkzeugweg ist: {strategy:strategy}</translation>
+        <source>The operation is called {name}, but its toolpath is {strategy:strategy}.</source>
+        <translation>Die Operation heißt {name}, doch ihr Werkzeugweg ist: {strategy:strategy}.</translation>
     </message>
     <message>
-        <source>not an NC program, but a zip archive: unpack it first</source>
-        <translation>kein NC-Programm, sondern ein ZIP-Archiv: zuerst entpacken</translation>
+        <source>This is not an NC program, but a zip archive. Unpack it first.</source>
+        <translation>Das ist kein NC-Programm, sondern ein ZIP-Archiv. Entpacken Sie es zuerst.</translation>
     </message>
     <message>
-        <source>not an NC program, but a FreeCAD document: analyze it in FreeCAD, a folder of them with the macro examples/macros/folder_to_csv.py</source>
-        <translation>kein NC-Programm, sondern ein FreeCAD-Dokument: in FreeCAD analysieren, einen ganzen Ordner mit dem Makro examples/macros/folder_to_csv.py</translation>
+        <source>This is not an NC program, but a FreeCAD document. Analyze it in FreeCAD. For a folder of documents, use the macro examples/macros/folder_to_csv.py.</source>
+        <translation>Das ist kein NC-Programm, sondern ein FreeCAD-Dokument. Analysieren Sie es in FreeCAD. Für einen Ordner von Dokumenten gibt es das Makro examples/macros/folder_to_csv.py.</translation>
     </message>
     <message>
-        <source>lacks {depth:mm2} of the model: choose a larger stock, or move the model within it</source>
-        <translation>ihm fehlen {depth:mm2} des Modells: ein größeres Rohteil wählen oder das Modell darin verschieben</translation>
+        <source>The stock is {depth:mm2} too small for the model. Choose a larger stock, or move the model within it.</source>
+        <translation>Das Rohteil ist {depth:mm2} zu klein für das Modell. Wählen Sie ein größeres Rohteil oder verschieben Sie das Modell darin.</translation>
     </message>
     <message>
-        <source>switched off: it has no toolpath until you switch it on and recompute it</source>
-        <translation>ausgeschaltet: Sie hat keinen Werkzeugweg, bis sie eingeschaltet und neu berechnet wird</translation>
+        <source>The operation is switched off. It has no toolpath until you switch it on and recompute it.</source>
+        <translation>Die Operation ist ausgeschaltet. Sie hat keinen Werkzeugweg, bis Sie sie einschalten und neu berechnen.</translation>
     </message>
     <message>
-        <source>this is no file, but a pipe or a device</source>
-        <translation>das ist keine Datei, sondern eine Pipe oder ein Gerät</translation>
+        <source>This is not a file, but a pipe or a device.</source>
+        <translation>Das ist keine Datei, sondern eine Pipe oder ein Gerät.</translation>
     </message>
     <message>
-        <source>it does not touch the stock, which is the finished part: choose a block around it as the stock</source>
-        <translation>sie berührt das Rohteil nicht, das schon das fertige Teil ist: als Rohteil einen Block darum wählen</translation>
+        <source>The operation does not touch the stock, which is the finished part. Choose a block around it as the stock.</source>
+        <translation>Die Operation berührt das Rohteil nicht, das schon das fertige Teil ist. Wählen Sie als Rohteil einen Block darum.</translation>
     </message>
     <message>
-        <source>The simulation takes about {memory:bytes} at its peak, for {dexels:n} dexels and {traces:n} elements of traces, more than the {allowed:bytes} allowed: {instead}.</source>
-        <translation>Die Simulation braucht in der Spitze etwa {memory:bytes}, für {dexels:n} Dexel und {traces:n} Spurelemente, mehr als die erlaubten {allowed:bytes}: {instead}.</translation>
+        <source>The simulation takes about {memory:bytes} at its peak, for {dexels:n} dexels and {traces:n} elements of traces, which is over your {allowed:bytes} limit. {instead}</source>
+        <translation>Die Simulation braucht in der Spitze etwa {memory:bytes}, für {dexels:n} Dexel und {traces:n} Spurelemente, mehr als Ihre Grenze von {allowed:bytes}. {instead}</translation>
     </message>
     <message>
-        <source>choose an image of {width:n} x {height:n} pixels of {pixel:mm2}, or simulate fewer operations</source>
-        <translation>ein Bild von {width:n} × {height:n} Pixel zu {pixel:mm2} wählen oder weniger Operationen simulieren</translation>
+        <source>Choose an image of {width:n} x {height:n} pixels of {pixel:mm2} in the preferences, or simulate fewer operations.</source>
+        <translation>Wählen Sie in den Einstellungen ein Bild von {width:n} × {height:n} Pixel zu {pixel:mm2}, oder simulieren Sie weniger Operationen.</translation>
     </message>
 </context>
 <context>
@@ -1047,7 +1047,7 @@
     </message>
     <message>
         <source>profile</source>
-        <translation>Kontur</translation>
+        <translation>Profil</translation>
     </message>
     <message>
         <source>waterline</source>
@@ -1093,8 +1093,8 @@
         <translation>Kalibrieren</translation>
     </message>
     <message>
-        <source>Never calibrated on this computer: times of FreeCAD&apos;s simulators are right within a factor of two.</source>
-        <translation>Auf diesem Computer noch nie kalibriert: Die Zeiten der FreeCAD-Simulatoren stimmen auf einen Faktor zwei genau.</translation>
+        <source>Never calibrated on this computer. The times of FreeCAD&apos;s simulators are right to within a factor of 2.</source>
+        <translation>Auf diesem Computer noch nie kalibriert. Die Zeiten der FreeCAD-Simulatoren stimmen bis auf den Faktor 2.</translation>
     </message>
     <message>
         <source>General</source>
@@ -1105,19 +1105,19 @@
         <translation>Markierungen im Baum</translation>
     </message>
     <message>
-        <source>Time and memory of</source>
-        <translation>Zeit und Speicher von</translation>
+        <source>Show times for</source>
+        <translation>Zeiten anzeigen für</translation>
     </message>
     <message>
-        <source>Shows the marks as colored pills in the tree; as plain text if switched off.</source>
-        <translation>Zeigt die Markierungen im Baum als farbige Schildchen; ausgeschaltet als einfachen Text.</translation>
+        <source>Shows the marks in the tree as colored pills. If switched off, shows them as plain text.</source>
+        <translation>Zeigt die Markierungen im Baum als farbige Schildchen. Ausgeschaltet zeigt es sie als einfachen Text.</translation>
     </message>
     <message>
         <source>Show marks as pills</source>
         <translation>Markierungen als Schildchen zeigen</translation>
     </message>
     <message>
-        <source>Analyzes marked operations again after each recompute that changed them. Large toolpaths make each recompute longer.</source>
+        <source>Analyzes marked operations again after each recompute that changed them. With large toolpaths, each recompute takes longer.</source>
         <translation>Analysiert markierte Operationen nach jeder Neuberechnung, die sie geändert hat, erneut. Bei großen Werkzeugwegen dauert jede Neuberechnung länger.</translation>
     </message>
     <message>
@@ -1133,16 +1133,16 @@
         <translation>Zeit</translation>
     </message>
     <message>
-        <source>How long a simulation may take. The analysis warns of more, and recommends an accuracy that takes no longer.</source>
-        <translation>Wie lange eine Simulation dauern darf. Die Analyse warnt, wenn es länger dauert, und empfiehlt eine Genauigkeit, die ausreicht.</translation>
+        <source>Longest time that a simulation may take. The analysis warns of longer simulations and recommends an accuracy within this limit.</source>
+        <translation>Längste Zeit, die eine Simulation dauern darf. Die Analyse warnt vor längeren Simulationen und empfiehlt eine Genauigkeit innerhalb dieser Grenze.</translation>
     </message>
     <message>
         <source>Memory</source>
         <translation>Speicher</translation>
     </message>
     <message>
-        <source>How much memory a simulation may take. The analysis warns of more, and recommends an accuracy that takes no more.</source>
-        <translation>Wie viel Speicher eine Simulation brauchen darf. Die Analyse warnt, wenn es mehr ist, und empfiehlt eine Genauigkeit, die ausreicht.</translation>
+        <source>Largest memory that a simulation may take. The analysis warns of larger simulations and recommends an accuracy within this limit.</source>
+        <translation>Größter Speicher, den eine Simulation brauchen darf. Die Analyse warnt vor größeren Simulationen und empfiehlt eine Genauigkeit innerhalb dieser Grenze.</translation>
     </message>
     <message>
         <source>Simulation</source>
@@ -1153,24 +1153,24 @@
         <translation>Bildbreite des Z-Buffers</translation>
     </message>
     <message>
-        <source>Width of the image whose pixels the extended z-buffer computes.</source>
-        <translation>Breite des Bildes, dessen Pixel der erweiterte Z-Buffer berechnet.</translation>
+        <source>Width of the image that the extended z-buffer computes.</source>
+        <translation>Breite des Bildes, das der erweiterte Z-Buffer berechnet.</translation>
     </message>
     <message>
         <source>Z-buffer image height</source>
         <translation>Bildhöhe des Z-Buffers</translation>
     </message>
     <message>
-        <source>Height of the image whose pixels the extended z-buffer computes.</source>
-        <translation>Höhe des Bildes, dessen Pixel der erweiterte Z-Buffer berechnet.</translation>
+        <source>Height of the image that the extended z-buffer computes.</source>
+        <translation>Höhe des Bildes, das der erweiterte Z-Buffer berechnet.</translation>
     </message>
     <message>
         <source>Z-buffer view</source>
         <translation>Ansicht des Z-Buffers</translation>
     </message>
     <message>
-        <source>Where the z-buffer looks at the part from.</source>
-        <translation>Von wo der Z-Buffer auf das Werkstück blickt.</translation>
+        <source>Direction from which the part is viewed.</source>
+        <translation>Richtung, aus der das Teil gesehen wird.</translation>
     </message>
     <message>
         <source>Top</source>
@@ -1201,32 +1201,32 @@
         <translation>Isometrisch</translation>
     </message>
     <message>
-        <source>Edge of its cells in percent of the stock&apos;s longer side: 0.1 is the finest position of its slider, 1 the coarsest.</source>
-        <translation>Kantenlänge seiner Zellen in Prozent der längeren Seite des Rohteils: 0,1 ist die feinste Stellung seines Reglers, 1 die gröbste.</translation>
+        <source>Edge length of the cells, in percent of the stock&apos;s longer side. 0.1 is the finest position of the accuracy slider, 1 the coarsest.</source>
+        <translation>Kantenlänge der Zellen, in Prozent der längeren Seite des Rohteils. 0,1 ist die feinste Stellung des Genauigkeitsreglers, 1 die gröbste.</translation>
     </message>
     <message>
-        <source>Position of its quality slider; 10 is the best.</source>
-        <translation>Stellung seines Qualitätsreglers; 10 ist die beste.</translation>
+        <source>Position of the quality slider. 10 is the best quality.</source>
+        <translation>Stellung des Qualitätsreglers. 10 ist die beste Qualität.</translation>
     </message>
     <message>
         <source>Arc tolerance</source>
         <translation>Bogentoleranz</translation>
     </message>
     <message>
-        <source>Largest distance between an arc and the straight moves it is chopped into.</source>
-        <translation>Größter Abstand zwischen einem Bogen und den geraden Bewegungen, in die er zerlegt wird.</translation>
+        <source>Largest distance between an arc and the straight moves that replace it.</source>
+        <translation>Größter Abstand zwischen einem Bogen und den geraden Bewegungen, die ihn ersetzen.</translation>
     </message>
     <message>
         <source>Calibration</source>
         <translation>Kalibrierung</translation>
     </message>
     <message>
-        <source>Measures how fast FreeCAD&apos;s simulators are on this computer, which takes about a second, and remembers it.</source>
-        <translation>Misst in etwa einer Sekunde, wie schnell die FreeCAD-Simulatoren auf diesem Computer sind, und merkt es sich.</translation>
+        <source>Measures how fast FreeCAD&apos;s simulators are on this computer, and saves the result. This takes about a second.</source>
+        <translation>Misst, wie schnell die FreeCAD-Simulatoren auf diesem Computer sind, und speichert das Ergebnis. Das dauert etwa eine Sekunde.</translation>
     </message>
     <message>
-        <source>That of FreeCAD&apos;s button: {simulator}</source>
-        <translation>Der von FreeCADs Knopf: {simulator}</translation>
+        <source>FreeCAD&apos;s default ({simulator})</source>
+        <translation>Wie FreeCADs Schaltfläche ({simulator})</translation>
     </message>
     <message>
         <source>{simulator}: accuracy</source>
@@ -1237,16 +1237,16 @@
         <translation>{simulator}: Qualität</translation>
     </message>
     <message>
-        <source>The simulator whose time the marks show. They follow at once.</source>
-        <translation>Der Simulator, dessen Zeit die Markierungen zeigen. Sie folgen sofort.</translation>
+        <source>The simulator whose time the marks show. The marks change at once.</source>
+        <translation>Der Simulator, dessen Zeit die Markierungen zeigen. Die Markierungen ändern sich sofort.</translation>
     </message>
     <message>
-        <source>Says over the view, when one of FreeCAD&apos;s simulators is started, that it would hang or take longer than the budget, and offers the better way.</source>
-        <translation>Sagt über der Ansicht, wenn einer der Simulatoren von FreeCAD gestartet wird, dass er hängen bliebe oder länger als das Budget brauchte, und bietet den besseren Weg an.</translation>
+        <source>Shows a bar above the 3D view when a simulation in one of FreeCAD&apos;s simulators would hang or take too long, and suggests a faster way.</source>
+        <translation>Zeigt eine Leiste über der Ansicht, wenn eine Simulation in einem der FreeCAD-Simulatoren hängen bliebe oder zu lange dauerte, und schlägt einen schnelleren Weg vor.</translation>
     </message>
     <message>
-        <source>Warn of simulators that hang or take too long</source>
-        <translation>Vor hängenden oder langsamen Simulatoren warnen</translation>
+        <source>Warn before starting a simulation that would hang or take too long</source>
+        <translation>Vor dem Start einer Simulation warnen, die hängen bliebe oder zu lange dauerte</translation>
     </message>
     <message>
         <source>Last calibrated on {date}: times of the {simulator} are right within a factor of {factor}. Measured with FreeCAD {freecad} on {processor}, display {renderer}.</source>
@@ -1256,11 +1256,11 @@
 <context>
     <name>Vk_Analyze</name>
     <message>
-        <source>Recognizes the machining strategy of each selected operation, or of all operations of the active document, estimates what simulating it costs, and marks it in the tree.</source>
-        <translation>Erkennt die Bearbeitungsstrategie jeder ausgewählten Operation oder aller Operationen des aktiven Dokuments, schätzt den Aufwand ihrer Simulation und markiert sie im Baum.</translation>
+        <source>Recognizes the machining strategy of each selected operation, or of all operations of the active document. Estimates what simulating each operation costs, and marks it in the tree.</source>
+        <translation>Erkennt die Bearbeitungsstrategie jeder ausgewählten Operation oder aller Operationen des aktiven Dokuments. Schätzt den Aufwand, jede Operation zu simulieren, und markiert sie im Baum.</translation>
     </message>
     <message>
-        <source>Analyze toolpaths</source>
+        <source>Analyze Toolpaths</source>
         <translation>Werkzeugwege analysieren</translation>
     </message>
     <message>
@@ -1268,19 +1268,19 @@
         <translation>Es ist kein Dokument geöffnet. Öffnen Sie zuerst eines mit einem Auftrag oder einem Werkzeugweg.</translation>
     </message>
     <message>
-        <source>Analysis cancelled, nothing changed.</source>
-        <translation>Analyse abgebrochen, nichts wurde geändert.</translation>
+        <source>The analysis was cancelled. Nothing has changed.</source>
+        <translation>Die Analyse wurde abgebrochen. Es hat sich nichts geändert.</translation>
     </message>
     <message>
         <source>There is no operation to analyze in this document. Create a job with operations, or import G-code.</source>
         <translation>In diesem Dokument gibt es keine Operation zu analysieren. Legen Sie einen Auftrag mit Operationen an oder importieren Sie G-Code.</translation>
     </message>
     <message>
-        <source>The marks are in the tree&apos;s Description column, which is now visible. You can hide it again in the tree&apos;s context menu: Tree settings, Show description.</source>
-        <translation>Die Markierungen stehen in der Spalte „Beschreibung“ des Baums, die jetzt sichtbar ist. Im Kontextmenü des Baums lässt sie sich wieder ausblenden: Baumeinstellungen, Beschreibung anzeigen.</translation>
+        <source>The marks are in the Description column of the tree, which is now visible. To hide the column again, open the context menu of the tree and choose Tree Settings, Show Description.</source>
+        <translation>Die Markierungen stehen in der Spalte „Beschreibung“ des Baums, die jetzt sichtbar ist. Um die Spalte wieder auszublenden, öffnen Sie das Kontextmenü des Baums und wählen Baumeinstellungen, Beschreibung anzeigen.</translation>
     </message>
     <message>
-        <source>Toolpath analysis</source>
+        <source>Toolpath Analysis</source>
         <translation>Werkzeugweg-Analyse</translation>
     </message>
     <message>
@@ -1288,58 +1288,58 @@
         <translation>Abbrechen</translation>
     </message>
     <message>
-        <source>{count} operation analyzed</source>
-        <translation>{count} Operation analysiert</translation>
+        <source>{count} operation was analyzed.</source>
+        <translation>{count} Operation wurde analysiert.</translation>
     </message>
     <message>
-        <source>{count} operations analyzed</source>
-        <translation>{count} Operationen analysiert</translation>
+        <source>{count} operations were analyzed.</source>
+        <translation>{count} Operationen wurden analysiert.</translation>
     </message>
     <message>
-        <source>{count} has a warning</source>
-        <translation>{count} mit einer Warnung</translation>
+        <source>{count} has a warning.</source>
+        <translation>{count} hat eine Warnung.</translation>
     </message>
     <message>
-        <source>{count} have warnings</source>
-        <translation>{count} mit Warnungen</translation>
+        <source>{count} have warnings.</source>
+        <translation>{count} haben Warnungen.</translation>
     </message>
     <message>
         <source>Measuring how fast this computer simulates…</source>
-        <translation>Es wird gemessen, wie schnell dieser Rechner simuliert…</translation>
+        <translation>Es wird gemessen, wie schnell dieser Computer simuliert…</translation>
     </message>
 </context>
 <context>
     <name>Vk_Clear</name>
     <message>
-        <source>Removes the marks of the selected operations, or all marks of the active document; your own descriptions stay.</source>
-        <translation>Entfernt die Markierungen der ausgewählten Operationen oder alle des aktiven Dokuments; Ihre eigenen Beschreibungen bleiben.</translation>
+        <source>Removes the marks of the selected operations, or all marks of the active document. Your own descriptions stay.</source>
+        <translation>Entfernt die Markierungen der ausgewählten Operationen oder alle des aktiven Dokuments. Ihre eigenen Beschreibungen bleiben.</translation>
     </message>
     <message>
-        <source>Clear analysis</source>
+        <source>Clear Analysis</source>
         <translation>Analyse löschen</translation>
     </message>
     <message>
-        <source>{count} mark removed</source>
-        <translation>{count} Markierung entfernt</translation>
+        <source>{count} mark was removed.</source>
+        <translation>{count} Markierung wurde entfernt.</translation>
     </message>
     <message>
-        <source>{count} marks removed</source>
-        <translation>{count} Markierungen entfernt</translation>
+        <source>{count} marks were removed.</source>
+        <translation>{count} Markierungen wurden entfernt.</translation>
     </message>
 </context>
 <context>
     <name>Vk_GaussMap</name>
     <message>
-        <source>Gauss map</source>
+        <source>Gauss Map</source>
         <translation>Gauß-Abbildung</translation>
     </message>
     <message>
-        <source>Save picture…</source>
+        <source>Save Picture…</source>
         <translation>Bild speichern…</translation>
     </message>
     <message>
-        <source>Saves the three plots as they stand, as PNG or SVG.</source>
-        <translation>Speichert die drei Diagramme, wie sie sind, als PNG oder SVG.</translation>
+        <source>Saves the three plots as PNG or SVG.</source>
+        <translation>Speichert die drei Diagramme als PNG oder SVG.</translation>
     </message>
     <message>
         <source>Steps through the trajectories k of the area.</source>
@@ -1358,7 +1358,7 @@
         <translation>Wählen Sie eine Operation im Baum aus.</translation>
     </message>
     <message>
-        <source>Save picture</source>
+        <source>Save Picture</source>
         <translation>Bild speichern</translation>
     </message>
     <message>
@@ -1374,8 +1374,8 @@
         <translation>genaue Umkehrung</translation>
     </message>
     <message>
-        <source>Shows why the selected operation has its strategy: its toolpath, the Gauss map of its directions and of the vector V_k, and the cumulative angular function.</source>
-        <translation>Zeigt, warum die ausgewählte Operation ihre Strategie hat: ihren Werkzeugweg, die Gauß-Abbildung seiner Richtungen und des Vektors V_k sowie die kumulierte Winkelfunktion.</translation>
+        <source>Shows why the selected operation has its strategy. Shows the toolpath, the Gauss map of its directions and of the vector V_k, and the cumulative angular function.</source>
+        <translation>Zeigt, warum die ausgewählte Operation ihre Strategie hat. Zeigt den Werkzeugweg, die Gauß-Abbildung seiner Richtungen und des Vektors V_k sowie die kumulierte Winkelfunktion.</translation>
     </message>
     <message>
         <source>This area: {}</source>
@@ -1394,31 +1394,31 @@
         <translation>mit der schließenden Drehung φ = {}, n = {}</translation>
     </message>
     <message>
-        <source>The areas that the tool cuts without a rapid move or a plunge: first the one that shows the strategy best, then the longest.</source>
-        <translation>Die Bereiche, die das Werkzeug ohne Eilgang oder Eintauchen schneidet: zuerst der, der die Strategie am besten zeigt, dann die längsten.</translation>
+        <source>Areas that the tool cuts without a rapid move or a plunge. The area that shows the strategy best comes first, then the longest areas.</source>
+        <translation>Bereiche, die das Werkzeug ohne Eilgang oder Eintauchen schneidet. Zuerst kommt der Bereich, der die Strategie am besten zeigt, dann die längsten.</translation>
     </message>
     <message>
-        <source>&lt;p&gt;The wheel zooms, dragging moves, a double click shows all again.&lt;/p&gt;</source>
-        <translation>&lt;p&gt;Das Mausrad vergrößert, Ziehen verschiebt, ein Doppelklick zeigt wieder alles.&lt;/p&gt;</translation>
+        <source>&lt;p&gt;Use the wheel to zoom, drag to move, and double-click to show everything again.&lt;/p&gt;</source>
+        <translation>&lt;p&gt;Mit dem Mausrad vergrößern, durch Ziehen verschieben, mit einem Doppelklick wieder alles zeigen.&lt;/p&gt;</translation>
     </message>
     <message>
-        <source>{}: no move cuts sideways, so there is no direction to show</source>
-        <translation>{}: Keine Bewegung schneidet zur Seite, daher ist keine Richtung zu zeigen</translation>
+        <source>{}: No move cuts sideways, so there is no direction to show.</source>
+        <translation>{}: Keine Bewegung schneidet zur Seite, daher gibt es keine Richtung zu zeigen.</translation>
     </message>
     <message>
-        <source>&lt;p&gt;Left the toolpath with the vector V&lt;sub&gt;k&lt;/sub&gt; from the area&apos;s first point. On the unit circle the images of the trajectory v&lt;sub&gt;k&lt;/sub&gt; and of V&lt;sub&gt;k&lt;/sub&gt;; the arcs show how they moved. That of v&lt;sub&gt;k&lt;/sub&gt; goes to and fro on a part of the circle in a zigzag, and all around in a contour; that of V&lt;sub&gt;k&lt;/sub&gt; goes all around only where the path begins inside the contour. Right the cumulative angular function φ and the angle θ on level n: a contour-parallel path reaches the dashed lines ±2π, a zigzag stays between them.&lt;/p&gt;</source>
-        <translation>&lt;p&gt;Links der Werkzeugweg mit dem Vektor V&lt;sub&gt;k&lt;/sub&gt; vom ersten Punkt des Bereichs aus. Auf dem Einheitskreis die Bilder der Bewegung v&lt;sub&gt;k&lt;/sub&gt; und von V&lt;sub&gt;k&lt;/sub&gt;; die Bögen zeigen, wie sie gewandert sind. Das von v&lt;sub&gt;k&lt;/sub&gt; geht bei einem Zickzack auf einem Teil des Kreises hin und her, bei einer Kontur ganz herum; das von V&lt;sub&gt;k&lt;/sub&gt; geht nur dann ganz herum, wenn der Weg innerhalb der Kontur beginnt. Rechts die kumulierte Winkelfunktion φ und der Winkel θ auf Stufe n: Ein konturparalleler Weg erreicht die gestrichelten Linien ±2π, ein Zickzack bleibt dazwischen.&lt;/p&gt;</translation>
+        <source>&lt;p&gt;The left plot shows the toolpath with the vector V&lt;sub&gt;k&lt;/sub&gt; from the first point of the area. The unit circle shows the directions of the trajectory v&lt;sub&gt;k&lt;/sub&gt; and of V&lt;sub&gt;k&lt;/sub&gt;. Its arcs show how these directions have moved. In a zigzag, the direction of v&lt;sub&gt;k&lt;/sub&gt; moves back and forth on a part of the circle. In a contour, it moves all around the circle. The direction of V&lt;sub&gt;k&lt;/sub&gt; moves all around only if the path begins inside the contour. The right plot shows the cumulative angular function φ and the angle θ on level n. A contour-parallel path reaches the dashed lines ±2π, and a zigzag stays between them.&lt;/p&gt;</source>
+        <translation>&lt;p&gt;Das linke Diagramm zeigt den Werkzeugweg mit dem Vektor V&lt;sub&gt;k&lt;/sub&gt; vom ersten Punkt des Bereichs aus. Der Einheitskreis zeigt die Richtungen der Bewegung v&lt;sub&gt;k&lt;/sub&gt; und von V&lt;sub&gt;k&lt;/sub&gt;. Seine Bögen zeigen, wie diese Richtungen gewandert sind. Bei einem Zickzack wandert die Richtung von v&lt;sub&gt;k&lt;/sub&gt; auf einem Teil des Kreises hin und her. Bei einer Kontur wandert sie ganz herum. Die Richtung von V&lt;sub&gt;k&lt;/sub&gt; wandert nur dann ganz herum, wenn der Weg innerhalb der Kontur beginnt. Das rechte Diagramm zeigt die kumulierte Winkelfunktion φ und den Winkel θ auf Stufe n. Ein konturparalleler Weg erreicht die gestrichelten Linien ±2π, und ein Zickzack bleibt dazwischen.&lt;/p&gt;</translation>
     </message>
 </context>
 <context>
     <name>Vk_Results</name>
     <message>
-        <source>Toolpath results</source>
+        <source>Toolpath Results</source>
         <translation>Werkzeugweg-Ergebnisse</translation>
     </message>
     <message>
-        <source>Nothing is analyzed yet in this document: click Analyze toolpaths.</source>
-        <translation>In diesem Dokument ist noch nichts analysiert: Klicken Sie auf „Werkzeugwege analysieren“.</translation>
+        <source>Nothing is analyzed in this document yet. Click Analyze Toolpaths.</source>
+        <translation>In diesem Dokument ist noch nichts analysiert. Klicken Sie auf „Werkzeugwege analysieren“.</translation>
     </message>
     <message>
         <source>Export CSV</source>
@@ -1437,46 +1437,46 @@
         <translation>Strategie</translation>
     </message>
     <message>
-        <source>The machining strategy recognized from the toolpath alone</source>
-        <translation>Die Bearbeitungsstrategie, allein aus dem Werkzeugweg erkannt</translation>
+        <source>The machining strategy, recognized from the toolpath alone.</source>
+        <translation>Die Bearbeitungsstrategie, allein aus dem Werkzeugweg erkannt.</translation>
     </message>
     <message>
-        <source>Sure</source>
-        <translation>Sicher</translation>
+        <source>Confidence</source>
+        <translation>Sicherheit</translation>
     </message>
     <message>
-        <source>How sure the recognition is</source>
-        <translation>Wie sicher die Erkennung ist</translation>
+        <source>The confidence of the recognition.</source>
+        <translation>Die Sicherheit der Erkennung.</translation>
     </message>
     <message>
         <source>Length</source>
         <translation>Länge</translation>
     </message>
     <message>
-        <source>Length of the cutting moves</source>
-        <translation>Länge der schneidenden Bewegungen</translation>
+        <source>Length of the cutting moves.</source>
+        <translation>Länge der schneidenden Bewegungen.</translation>
     </message>
     <message>
-        <source>Time of FreeCAD&apos;s OpenGL simulator at its highest speed</source>
+        <source>Time in FreeCAD&apos;s OpenGL simulator at its highest speed.</source>
         <extracomment>FreeCAD&apos;s newer one, which draws the cuts of all operations before with every operation.</extracomment>
-        <translation>Zeit des OpenGL-Simulators von FreeCAD bei höchster Geschwindigkeit</translation>
+        <translation>Zeit im OpenGL-Simulator von FreeCAD bei höchster Geschwindigkeit.</translation>
     </message>
     <message>
-        <source>Memory of FreeCAD&apos;s OpenGL simulator</source>
-        <translation>Speicher des OpenGL-Simulators von FreeCAD</translation>
+        <source>Memory of FreeCAD&apos;s OpenGL simulator.</source>
+        <translation>Speicher des OpenGL-Simulators von FreeCAD.</translation>
     </message>
     <message>
-        <source>What is wrong with the operation, or will be with its simulation</source>
-        <translation>Was an der Operation nicht stimmt oder in ihrer Simulation schiefgehen wird</translation>
+        <source>Problems of the operation, and what goes wrong when you simulate it.</source>
+        <translation>Probleme der Operation, und was beim Simulieren schiefgeht.</translation>
     </message>
     <message>
-        <source>Time of FreeCAD&apos;s legacy simulator in fast-forward, at the accuracy set in the preferences</source>
+        <source>Time in FreeCAD&apos;s legacy simulator in fast-forward, at the accuracy set in the preferences.</source>
         <extracomment>FreeCAD&apos;s older one.</extracomment>
-        <translation>Zeit des alten FreeCAD-Simulators im schnellen Vorlauf, bei der Genauigkeit aus den Einstellungen</translation>
+        <translation>Zeit im alten FreeCAD-Simulator im schnellen Vorlauf, bei der Genauigkeit aus den Einstellungen.</translation>
     </message>
     <message>
-        <source>Memory of FreeCAD&apos;s legacy simulator, at the accuracy set in the preferences</source>
-        <translation>Speicher des alten FreeCAD-Simulators, bei der Genauigkeit aus den Einstellungen</translation>
+        <source>Memory of FreeCAD&apos;s legacy simulator, at the accuracy set in the preferences.</source>
+        <translation>Speicher des alten FreeCAD-Simulators, bei der Genauigkeit aus den Einstellungen.</translation>
     </message>
     <message>
         <source>Recommended image: {}</source>
@@ -1484,13 +1484,13 @@
     </message>
     <message>
         <source>Recommended
-image</source>
+Image</source>
         <translation>Empfohlenes
 Bild</translation>
     </message>
     <message>
-        <source>The finest image of the z-buffer within the budgets of the preferences</source>
-        <translation>Das feinste Bild des Z-Buffers innerhalb der Grenzen aus den Einstellungen</translation>
+        <source>The finest image of the z-buffer within your limits of time and memory.</source>
+        <translation>Das feinste Bild des Z-Buffers innerhalb Ihrer Grenzen für Zeit und Speicher.</translation>
     </message>
     <message>
         <source>none</source>
@@ -1498,13 +1498,13 @@ Bild</translation>
     </message>
     <message>
         <source>Machining
-time</source>
+Time</source>
         <translation>Bearbei-
 tungszeit</translation>
     </message>
     <message>
-        <source>Time on the machine at the programmed feeds; rapids where the tool controller gives their speed</source>
-        <translation>Zeit auf der Maschine mit den programmierten Vorschüben; Eilgänge, wo der Werkzeugcontroller ihre Geschwindigkeit nennt</translation>
+        <source>Time on the machine at the programmed feeds. Rapids are included if the tool controller has rapid speeds.</source>
+        <translation>Zeit auf der Maschine mit den programmierten Vorschüben. Eilgänge sind enthalten, wenn der Werkzeugcontroller ihre Geschwindigkeiten nennt.</translation>
     </message>
     <message>
         <source>Export &amp;CSV…</source>
@@ -1515,7 +1515,7 @@ tungszeit</translation>
         <translation>&amp;JSON exportieren…</translation>
     </message>
     <message>
-        <source>C&amp;opy to clipboard</source>
+        <source>C&amp;opy to Clipboard</source>
         <translation>In die &amp;Zwischenablage</translation>
     </message>
     <message>
@@ -1527,7 +1527,7 @@ tungszeit</translation>
         <translation>&amp;Spalten</translation>
     </message>
     <message>
-        <source>Sort as &amp;posted</source>
+        <source>Sort as &amp;Posted</source>
         <translation>Sortieren wie &amp;ausgegeben</translation>
     </message>
     <message>
@@ -1540,7 +1540,7 @@ tungszeit</translation>
     </message>
     <message>
         <source>Simulation
-time</source>
+Time</source>
         <translation>Simulations-
 zeit</translation>
     </message>
@@ -1549,8 +1549,8 @@ zeit</translation>
         <translation>Zustand</translation>
     </message>
     <message>
-        <source>Outdated: toolpath, tool or stock have changed since; analyze it again</source>
-        <translation>Veraltet: Werkzeugweg, Werkzeug oder Rohteil wurden seither geändert; erneut analysieren</translation>
+        <source>A result is outdated if the toolpath, the tool or the stock has changed since. Analyze the operation again.</source>
+        <translation>Ein Ergebnis ist veraltet, wenn sich Werkzeugweg, Werkzeug oder Rohteil seither geändert haben. Analysieren Sie die Operation erneut.</translation>
     </message>
     <message>
         <source>outdated</source>
@@ -1565,35 +1565,35 @@ zeit</translation>
         <translation>Bewegungen</translation>
     </message>
     <message>
-        <source>Number of straight moves; an arc counts as several</source>
-        <translation>Anzahl gerader Bewegungen; ein Bogen zählt als mehrere</translation>
+        <source>Number of straight moves. An arc counts as several.</source>
+        <translation>Anzahl gerader Bewegungen. Ein Bogen zählt als mehrere.</translation>
     </message>
     <message>
         <source>{simulator}
-time</source>
+Time</source>
         <translation>{simulator}:
 Zeit</translation>
     </message>
     <message>
         <source>{simulator}
-memory</source>
+Memory</source>
         <translation>{simulator}:
 Speicher</translation>
     </message>
     <message>
-        <source>Shows the analyzed operations: strategy, machining and simulation time, and what is wrong with them.</source>
-        <translation>Zeigt die analysierten Operationen: Strategie, Bearbeitungs- und Simulationszeit, und was an ihnen nicht stimmt.</translation>
+        <source>Shows the analyzed operations with their strategies, machining times, simulation times and warnings.</source>
+        <translation>Zeigt die analysierten Operationen mit ihren Strategien, Bearbeitungszeiten, Simulationszeiten und Warnungen.</translation>
     </message>
     <message>
-        <source>Outdated: toolpath, tool or stock have changed since. Analyze it again.</source>
-        <translation>Veraltet: Werkzeugweg, Werkzeug oder Rohteil wurden seither geändert. Erneut analysieren.</translation>
+        <source>This result is outdated, because the toolpath, the tool or the stock has changed. Analyze the operation again.</source>
+        <translation>Dieses Ergebnis ist veraltet, weil sich Werkzeugweg, Werkzeug oder Rohteil geändert haben. Analysieren Sie die Operation erneut.</translation>
     </message>
     <message>
-        <source>All numbers</source>
+        <source>All Numbers</source>
         <translation>Alle Zahlen</translation>
     </message>
     <message>
-        <source>Fewer numbers</source>
+        <source>Fewer Numbers</source>
         <translation>Weniger Zahlen</translation>
     </message>
     <message>
@@ -1601,20 +1601,20 @@ Speicher</translation>
         <translation>Warum?</translation>
     </message>
     <message>
-        <source>Sure: {share}</source>
-        <translation>Sicher: {share}</translation>
+        <source>Confidence: {share}</source>
+        <translation>Sicherheit: {share}</translation>
     </message>
     <message>
-        <source>Show it in the Gauss map</source>
+        <source>Show in the Gauss Map</source>
         <translation>In der Gauß-Abbildung zeigen</translation>
     </message>
     <message>
-        <source>Cutting</source>
-        <translation>Schnitt</translation>
+        <source>Cutting Length</source>
+        <translation>Schnittweg</translation>
     </message>
     <message>
-        <source>Rapids</source>
-        <translation>Eilgang</translation>
+        <source>Rapid Length</source>
+        <translation>Eilgangweg</translation>
     </message>
     <message>
         <source>Depth</source>
@@ -1625,23 +1625,23 @@ Speicher</translation>
         <translation>Filtern</translation>
     </message>
     <message>
-        <source>Shows operations with this text in name, strategy or warnings</source>
-        <translation>Zeigt Operationen mit diesem Text in Namen, Strategie oder Warnungen</translation>
+        <source>Shows operations that contain this text in their name, strategy or warnings.</source>
+        <translation>Zeigt Operationen, die diesen Text in Namen, Strategie oder Warnungen enthalten.</translation>
     </message>
     <message>
-        <source>Shows operations of this strategy</source>
-        <translation>Zeigt Operationen mit dieser Strategie</translation>
+        <source>Shows operations with this strategy.</source>
+        <translation>Zeigt Operationen mit dieser Strategie.</translation>
     </message>
     <message>
-        <source>&amp;Warnings only</source>
+        <source>&amp;Warnings Only</source>
         <translation>Nur &amp;Warnungen</translation>
     </message>
     <message>
-        <source>Shows operations with warnings, and outdated ones</source>
-        <translation>Zeigt Operationen mit Warnungen, und veraltete</translation>
+        <source>Shows operations that have warnings or are outdated.</source>
+        <translation>Zeigt Operationen, die Warnungen haben oder veraltet sind.</translation>
     </message>
     <message>
-        <source>All strategies</source>
+        <source>All Strategies</source>
         <translation>Alle Strategien</translation>
     </message>
     <message>
@@ -1657,62 +1657,62 @@ Speicher</translation>
         <translation>{count} Operationen</translation>
     </message>
     <message>
-        <source>the total of what was analyzed, not of the whole job</source>
-        <translation>die Summe des Analysierten, nicht des ganzen Auftrags</translation>
+        <source>This total covers the analyzed operations only.</source>
+        <translation>Diese Summe umfasst nur die analysierten Operationen.</translation>
     </message>
     <message>
-        <source>How long the {simulator} takes, as the marks show it</source>
-        <translation>Wie lange es dauert: {simulator}, wie in den Markierungen</translation>
+        <source>Time in the {simulator}, as the marks show it.</source>
+        <translation>Zeit mit „{simulator}“, wie die Markierungen sie zeigen.</translation>
     </message>
     <message>
-        <source>The longest that the {simulator} should take: its estimate times the factor by which estimates are off</source>
-        <translation>So lange sollte es höchstens dauern: {simulator}; die Schätzung mal dem, wie weit Schätzungen danebenliegen</translation>
+        <source>Longest time that the {simulator} is expected to take. It is the estimate, multiplied by the factor to within which estimates are right.</source>
+        <translation>Längste Zeit, die mit „{simulator}“ zu erwarten ist. Sie ist die Schätzung, multipliziert mit dem Faktor, bis auf den Schätzungen stimmen.</translation>
     </message>
     <message>
-        <source>Simulation time
-at most</source>
+        <source>Simulation Time
+at Most</source>
         <translation>Simulationszeit
 höchstens</translation>
     </message>
     <message>
-        <source>Time to simulate it in an extended z-buffer: an operation alone, on the whole stock; a job one operation after another, each on what is left</source>
+        <source>Time to simulate it in an extended z-buffer. An operation is simulated alone, on the whole stock. In a job, each operation cuts the stock that is left.</source>
         <extracomment>The paper&apos;s; its columns in CSV and JSON have no prefix.</extracomment>
-        <translation>Zeit der Simulation in einem erweiterten Z-Buffer: eine Operation allein, am ganzen Rohteil; ein Auftrag eine Operation nach der anderen, jede an dem, was noch da ist</translation>
+        <translation>Zeit der Simulation in einem erweiterten Z-Buffer. Eine Operation wird allein simuliert, am ganzen Rohteil. In einem Auftrag schneidet jede Operation das Rohteil, das noch übrig ist.</translation>
     </message>
     <message>
-        <source>Memory to simulate it in an extended z-buffer: of an operation alone, with the whole stock; of a job with the stock once</source>
-        <translation>Speicher der Simulation in einem erweiterten Z-Buffer: einer Operation allein, mit dem ganzen Rohteil; eines Auftrags mit dem Rohteil nur einmal</translation>
+        <source>Memory to simulate it in an extended z-buffer. An operation includes the whole stock. A job includes the stock once.</source>
+        <translation>Speicher der Simulation in einem erweiterten Z-Buffer. Eine Operation enthält das ganze Rohteil. Ein Auftrag enthält das Rohteil nur einmal.</translation>
     </message>
     <message>
-        <source>not in the total: its dress-up is counted instead</source>
-        <translation>nicht in der Summe: Stattdessen zählt ihre Anpassung</translation>
+        <source>This operation is not included in the total, because its dress-up is.</source>
+        <translation>Diese Operation ist nicht in der Summe enthalten, weil ihre Anpassung es ist.</translation>
     </message>
     <message>
-        <source>not in the total: it is switched off</source>
-        <translation>nicht in der Summe: Sie ist ausgeschaltet</translation>
+        <source>This operation is not included in the total, because it is switched off.</source>
+        <translation>Diese Operation ist nicht in der Summe enthalten, weil sie ausgeschaltet ist.</translation>
     </message>
     <message>
         <source>Shortest move at feed</source>
         <translation>Kürzeste Bewegung im Vorschub</translation>
     </message>
     <message>
-        <source>Median move at feed</source>
+        <source>Median Move at Feed</source>
         <translation>Median der Bewegungen im Vorschub</translation>
     </message>
     <message>
-        <source>The filter lets no operation through.</source>
-        <translation>Der Filter lässt keine Operation durch.</translation>
+        <source>No operation matches the filter.</source>
+        <translation>Keine Operation passt zum Filter.</translation>
     </message>
 </context>
 <context>
     <name>Vk_Simulate</name>
     <message>
-        <source>raw</source>
-        <translation>roh</translation>
+        <source>Raw Stock</source>
+        <translation>Rohteil</translation>
     </message>
     <message>
-        <source>machined</source>
-        <translation>bearbeitet</translation>
+        <source>Machined</source>
+        <translation>Bearbeitet</translation>
     </message>
     <message>
         <source>Material</source>
@@ -1731,15 +1731,15 @@ höchstens</translation>
         <translation>Zeit</translation>
     </message>
     <message>
-        <source>Removal rate</source>
+        <source>Removal Rate</source>
         <translation>Zeitspanvolumen</translation>
     </message>
     <message>
-        <source>Simulates the selected job or operations, or the job of the active document, and shows the part at any moment, what made each of its surfaces, and rapid moves that cut.</source>
-        <translation>Simuliert den gewählten Auftrag oder die gewählten Operationen, sonst den Auftrag des aktiven Dokuments, und zeigt das Teil in jedem Augenblick, was jede seiner Flächen gemacht hat, und Eilgänge, die schneiden.</translation>
+        <source>Simulates the selected job or operations, or the job of the active document. Shows the part at any moment, the operation that made each surface, and rapid moves that cut.</source>
+        <translation>Simuliert den gewählten Auftrag oder die gewählten Operationen, sonst den Auftrag des aktiven Dokuments. Zeigt das Teil in jedem Augenblick, die Operation, die jede Fläche gemacht hat, und Eilgänge, die schneiden.</translation>
     </message>
     <message>
-        <source>Simulate toolpaths</source>
+        <source>Simulate Toolpaths</source>
         <translation>Werkzeugwege simulieren</translation>
     </message>
     <message>
@@ -1751,8 +1751,8 @@ höchstens</translation>
         <translation>Bild speichern</translation>
     </message>
     <message>
-        <source>Folder of the Pictures</source>
-        <translation>Ordner der Bilder</translation>
+        <source>Folder for the Pictures</source>
+        <translation>Ordner für die Bilder</translation>
     </message>
     <message>
         <source>Save Removal Rates</source>
@@ -1763,7 +1763,7 @@ höchstens</translation>
         <translation>{} kann nicht geschrieben werden.</translation>
     </message>
     <message>
-        <source>Simulated part</source>
+        <source>Simulated Part</source>
         <translation>Simuliertes Teil</translation>
     </message>
     <message>
@@ -1795,24 +1795,24 @@ höchstens</translation>
         <translation>Von unten</translation>
     </message>
     <message>
-        <source>As the 3D view</source>
-        <translation>Wie die 3D-Ansicht</translation>
+        <source>As in the 3D View</source>
+        <translation>Wie in der 3D-Ansicht</translation>
     </message>
     <message>
         <source>View</source>
         <translation>Ansicht</translation>
     </message>
     <message>
-        <source>Where the part is seen from.</source>
-        <translation>Von wo das Teil gesehen wird.</translation>
+        <source>Direction from which the part is viewed.</source>
+        <translation>Richtung, aus der das Teil gesehen wird.</translation>
     </message>
     <message>
-        <source>What the surfaces are colored by.</source>
-        <translation>Wonach die Flächen gefärbt sind.</translation>
+        <source>Property that colors the surfaces.</source>
+        <translation>Eigenschaft, nach der die Flächen gefärbt sind.</translation>
     </message>
     <message>
-        <source>What the operation of this moment removes, alone or on the part.</source>
-        <translation>Was die Operation dieses Augenblicks abträgt, allein oder auf dem Teil.</translation>
+        <source>Shows the part, the material that the current operation removes, or both.</source>
+        <translation>Zeigt das Teil, das Material, das die aktuelle Operation abträgt, oder beides.</translation>
     </message>
     <message>
         <source>Part</source>
@@ -1823,7 +1823,7 @@ höchstens</translation>
         <translation>Späne</translation>
     </message>
     <message>
-        <source>Part and chips</source>
+        <source>Part and Chips</source>
         <translation>Teil und Späne</translation>
     </message>
     <message>
@@ -1831,60 +1831,60 @@ höchstens</translation>
         <translation>Speichern</translation>
     </message>
     <message>
-        <source>Save what is shown.</source>
-        <translation>Speichern, was zu sehen ist.</translation>
+        <source>Saves pictures or removal rates.</source>
+        <translation>Speichert Bilder oder Zeitspanvolumen.</translation>
     </message>
     <message>
         <source>Picture…</source>
         <translation>Bild…</translation>
     </message>
     <message>
-        <source>Pictures of the whole job…</source>
+        <source>Pictures of the Whole Job…</source>
         <translation>Bilder des ganzen Auftrags…</translation>
     </message>
     <message>
-        <source>Removal rates…</source>
+        <source>Removal Rates…</source>
         <translation>Zeitspanvolumen…</translation>
     </message>
     <message>
-        <source>Play or pause (Space).</source>
-        <translation>Abspielen oder anhalten (Leertaste).</translation>
+        <source>Plays or pauses the simulation (Space).</source>
+        <translation>Spielt die Simulation ab oder hält sie an (Leertaste).</translation>
     </message>
     <message>
-        <source>How many times as fast as the machine.</source>
-        <translation>Wie viel schneller als die Maschine.</translation>
+        <source>Speed of the playback, compared with the machine.</source>
+        <translation>Geschwindigkeit der Wiedergabe, verglichen mit der Maschine.</translation>
     </message>
     <message>
         <source>Job in {}</source>
         <translation>Auftrag in {}</translation>
     </message>
     <message>
-        <source>Real time</source>
+        <source>Real Time</source>
         <translation>Echtzeit</translation>
     </message>
     <message>
-        <source>To the beginning of the operation.</source>
-        <translation>An den Anfang der Operation.</translation>
+        <source>Go to the beginning of the operation.</source>
+        <translation>Geht an den Anfang der Operation.</translation>
     </message>
     <message>
-        <source>Back by one command of the program.</source>
-        <translation>Einen Befehl des Programms zurück.</translation>
+        <source>Go back by one command of the program.</source>
+        <translation>Geht einen Befehl des Programms zurück.</translation>
     </message>
     <message>
-        <source>Back by one trajectory.</source>
-        <translation>Eine Bewegung zurück.</translation>
+        <source>Go back by one trajectory.</source>
+        <translation>Geht eine Bewegung zurück.</translation>
     </message>
     <message>
-        <source>Forward by one trajectory.</source>
-        <translation>Eine Bewegung weiter.</translation>
+        <source>Go forward by one trajectory.</source>
+        <translation>Geht eine Bewegung weiter.</translation>
     </message>
     <message>
-        <source>Forward by one command of the program.</source>
-        <translation>Einen Befehl des Programms weiter.</translation>
+        <source>Go forward by one command of the program.</source>
+        <translation>Geht einen Befehl des Programms weiter.</translation>
     </message>
     <message>
-        <source>To the end of the operation.</source>
-        <translation>An das Ende der Operation.</translation>
+        <source>Go to the end of the operation.</source>
+        <translation>Geht an das Ende der Operation.</translation>
     </message>
     <message>
         <source>about {}</source>
@@ -1892,11 +1892,11 @@ höchstens</translation>
     </message>
     <message>
         <source>Simulating… {}</source>
-        <translation>Simuliert… {}</translation>
+        <translation>Simulieren… {}</translation>
     </message>
     <message>
-        <source>finest picture in about {}, {}</source>
-        <translation>feinstes Bild in etwa {}, {}</translation>
+        <source>The finest picture takes about {} and {}.</source>
+        <translation>Das feinste Bild braucht etwa {} und {}.</translation>
     </message>
     <message>
         <source>{} × {} pixels of {}, {} traces, {}, simulated in {}</source>
@@ -1907,11 +1907,11 @@ höchstens</translation>
         <translation>{} von {}   {}, Befehl {}: {}</translation>
     </message>
     <message>
-        <source>This surface is the raw stock&apos;s.</source>
-        <translation>Diese Fläche ist die des Rohteils.</translation>
+        <source>This is uncut stock.</source>
+        <translation>Das ist unbearbeitetes Rohteil.</translation>
     </message>
     <message>
-        <source>Time line</source>
+        <source>Time Line</source>
         <translation>Zeitleiste</translation>
     </message>
     <message>
@@ -1919,44 +1919,44 @@ höchstens</translation>
         <translation>{} wird gelesen ({} von {})…</translation>
     </message>
     <message>
-        <source>there is no closed model</source>
-        <translation>es gibt kein geschlossenes Modell</translation>
+        <source>There is no closed model.</source>
+        <translation>Es gibt kein geschlossenes Modell.</translation>
     </message>
     <message>
-        <source>gouged by {} to {}</source>
-        <translation>zu tief, {} bis {}</translation>
+        <source>Gouged, {} to {}</source>
+        <translation>Zu tief geschnitten, {} bis {}</translation>
     </message>
     <message>
-        <source>left, {} to {}</source>
-        <translation>stehen geblieben, {} bis {}</translation>
+        <source>Stock Left, {} to {}</source>
+        <translation>Rohteil übrig, {} bis {}</translation>
     </message>
     <message>
-        <source>as the model</source>
-        <translation>wie das Modell</translation>
+        <source>As the Model</source>
+        <translation>Wie das Modell</translation>
     </message>
     <message>
-        <source>no model</source>
-        <translation>kein Modell</translation>
+        <source>No Model</source>
+        <translation>Kein Modell</translation>
     </message>
     <message>
-        <source>Difference to the model</source>
+        <source>Difference to the Model</source>
         <translation>Abweichung vom Modell</translation>
     </message>
     <message>
-        <source>Smaller differences to the model do not count.</source>
-        <translation>Kleinere Abweichungen vom Modell zählen nicht.</translation>
+        <source>Differences from the model below this value are ignored.</source>
+        <translation>Abweichungen vom Modell unter diesem Wert werden übergangen.</translation>
     </message>
     <message>
-        <source>Worst places</source>
+        <source>Worst Places</source>
         <translation>Schlimmste Stellen</translation>
     </message>
     <message>
-        <source>Where the part differs most from the model. Choose a place to see it.</source>
-        <translation>Wo das Teil am meisten vom Modell abweicht. Eine Stelle wählen, um sie zu sehen.</translation>
+        <source>Places where the part differs most from the model. Choose a place to see it.</source>
+        <translation>Stellen, an denen das Teil am meisten vom Modell abweicht. Wählen Sie eine Stelle, um sie zu sehen.</translation>
     </message>
     <message>
-        <source>Crashes, gouges and fast plunges of the simulation. Choose one to see it.</source>
-        <translation>Kollisionen, zu tiefe Schnitte und zu schnelles Eintauchen in der Simulation. Eine Zeile wählen, um sie zu sehen.</translation>
+        <source>Crashes, gouges and fast plunges in the simulation. Choose one to see it.</source>
+        <translation>Kollisionen, zu tiefe Schnitte und zu schnelles Eintauchen in der Simulation. Wählen Sie eine Zeile, um sie zu sehen.</translation>
     </message>
     <message>
         <source>⚠ Warnings: {}</source>
@@ -1967,32 +1967,32 @@ höchstens</translation>
         <translation>… und {} weitere</translation>
     </message>
     <message>
-        <source>raw stock: {}</source>
+        <source>Stock: {}</source>
         <translation>Rohteil: {}</translation>
     </message>
     <message>
-        <source>{}, command {}: {} ({})</source>
-        <translation>{}, Befehl {}: {} ({})</translation>
+        <source>{}, command {} ({}): {}</source>
+        <translation>{}, Befehl {} ({}): {}</translation>
     </message>
     <message>
-        <source>removes {}</source>
-        <translation>trägt {} ab</translation>
+        <source>Removed: {}</source>
+        <translation>Abgetragen: {}</translation>
     </message>
     <message>
-        <source>removes nothing</source>
-        <translation>trägt nichts ab</translation>
+        <source>Nothing removed</source>
+        <translation>Nichts abgetragen</translation>
     </message>
     <message>
-        <source>the model comes with the finest picture</source>
-        <translation>das Modell kommt mit dem feinsten Bild</translation>
+        <source>The model is shown with the finest picture.</source>
+        <translation>Das Modell wird mit dem feinsten Bild gezeigt.</translation>
     </message>
     <message>
-        <source>They are known when the finest picture is there.</source>
-        <translation>Sie sind bekannt, wenn das feinste Bild da ist.</translation>
+        <source>Removal rates are available when the finest picture is ready.</source>
+        <translation>Die Zeitspanvolumen sind verfügbar, wenn das feinste Bild fertig ist.</translation>
     </message>
     <message>
-        <source>Saving the pictures when the finest is there…</source>
-        <translation>Die Bilder werden gespeichert, wenn das feinste da ist…</translation>
+        <source>The pictures are saved when the finest picture is ready…</source>
+        <translation>Die Bilder werden gespeichert, wenn das feinste Bild fertig ist…</translation>
     </message>
     <message>
         <source>{} of {} pictures are saved in {}.</source>
@@ -2003,34 +2003,34 @@ höchstens</translation>
         <translation>{} Bilder</translation>
     </message>
     <message>
-        <source>{}, at X {} Y {} Z {} {}</source>
-        <translation>{}, bei X {} Y {} Z {} {}</translation>
+        <source>{} (X {} Y {} Z {} {})</source>
+        <translation>{} (X {} Y {} Z {} {})</translation>
     </message>
     <message>
-        <source>What is simulated has changed. Simulate again</source>
-        <translation>Was simuliert wird, hat sich geändert. Neu simulieren</translation>
+        <source>The simulated job has changed. Simulate it again.</source>
+        <translation>Der simulierte Auftrag hat sich geändert. Simulieren Sie ihn neu.</translation>
     </message>
     <message>
-        <source>Which job?</source>
-        <translation>Welcher Auftrag?</translation>
+        <source>Choose the job to simulate:</source>
+        <translation>Wählen Sie den Auftrag, der simuliert werden soll:</translation>
     </message>
 </context>
 <context>
     <name>Vk_Strategies</name>
     <message>
-        <source>Colors the toolpaths in the 3D view by their machining strategy, rapid moves grey. The document is not changed.</source>
-        <translation>Färbt die Werkzeugwege in der 3D-Ansicht nach ihrer Bearbeitungsstrategie, Eilgänge grau. Das Dokument wird nicht geändert.</translation>
+        <source>Colors the toolpaths in the 3D view by their machining strategy, and rapid moves gray. The document is not changed.</source>
+        <translation>Färbt die Werkzeugwege in der 3D-Ansicht nach ihrer Bearbeitungsstrategie und Eilgänge grau. Das Dokument wird nicht geändert.</translation>
     </message>
     <message>
-        <source>Show strategies</source>
+        <source>Show Strategies</source>
         <translation>Strategien zeigen</translation>
     </message>
     <message>
-        <source>rapid moves</source>
+        <source>Rapid Moves</source>
         <translation>Eilgänge</translation>
     </message>
     <message>
-        <source>Drawing strategies, operations to go: {}</source>
+        <source>Drawing strategies, operations left: {}</source>
         <translation>Strategien werden gezeichnet, noch offene Operationen: {}</translation>
     </message>
     <message>
@@ -2056,15 +2056,11 @@ höchstens</translation>
 <context>
     <name>Workbench</name>
     <message>
-        <source>Toolpath analysis</source>
-        <translation>Werkzeugweg-Analyse</translation>
-    </message>
-    <message>
         <source>Toolpath Analysis</source>
         <translation>Werkzeugweg-Analyse</translation>
     </message>
     <message>
-        <source>Recognizes machining strategies of toolpaths and estimates what simulating them costs.</source>
+        <source>Recognizes machining strategies of toolpaths and estimates the cost of their simulation.</source>
         <translation>Erkennt Bearbeitungsstrategien von Werkzeugwegen und schätzt den Aufwand ihrer Simulation.</translation>
     </message>
 </context>

@@ -4,12 +4,12 @@
 <context>
     <name>App::Property</name>
     <message>
-        <source>Machining strategy recognized from the toolpath</source>
-        <translation>Estrategia de mecanizado reconocida en la trayectoria de la herramienta</translation>
+        <source>The machining strategy recognized from the toolpath.</source>
+        <translation>Estrategia de mecanizado reconocida en la trayectoria de la herramienta.</translation>
     </message>
     <message>
-        <source>Why this strategy</source>
-        <translation>Por qué esta estrategia</translation>
+        <source>The reason for this strategy.</source>
+        <translation>La razón de esta estrategia.</translation>
     </message>
     <message>
         <source>What the mark in the description says</source>
@@ -17,24 +17,24 @@
         <translation>Lo que dice la marca en la descripción</translation>
     </message>
     <message>
-        <source>How sure the recognition is, in percent</source>
-        <translation>Seguridad del reconocimiento, en tanto por ciento</translation>
+        <source>The confidence of the recognition, in percent.</source>
+        <translation>La confianza del reconocimiento, en tanto por ciento.</translation>
     </message>
     <message>
-        <source>What is wrong with the operation, unknown about it, or to be known before simulating it</source>
-        <translation>Lo que está mal o se desconoce de la operación, o que hay que saber antes de simularla</translation>
+        <source>Problems of the operation, and what to know before simulating it.</source>
+        <translation>Los problemas de la operación y lo que hay que saber antes de simularla.</translation>
     </message>
     <message>
-        <source>Length of the cutting moves</source>
-        <translation>Longitud de los movimientos de corte</translation>
+        <source>Length of the cutting moves.</source>
+        <translation>Longitud de los movimientos de corte.</translation>
     </message>
     <message>
-        <source>Time on the machine</source>
-        <translation>Tiempo en la máquina</translation>
+        <source>Time on the machine.</source>
+        <translation>Tiempo en la máquina.</translation>
     </message>
     <message>
-        <source>Estimated time of the simulation that the mark shows</source>
-        <translation>Tiempo estimado de la simulación que muestra la marca</translation>
+        <source>Estimated time of the simulation that the mark shows.</source>
+        <translation>Tiempo estimado de la simulación que muestra la marca.</translation>
     </message>
 </context>
 <context>
@@ -52,40 +52,40 @@
         <translation>{} operaciones</translation>
     </message>
     <message>
-        <source>Outdated: toolpath, tool or stock have changed since. Analyze it again.</source>
-        <translation>Anticuado: la trayectoria, la herramienta o el material han cambiado desde entonces. Analícela de nuevo.</translation>
+        <source>This result is outdated, because the toolpath, the tool or the stock has changed. Analyze the operation again.</source>
+        <translation>Este resultado está anticuado, porque la trayectoria, la herramienta o el material ha cambiado. Analice la operación de nuevo.</translation>
     </message>
     <message>
-        <source>The time in the {simulator} is not known: analyze it again.</source>
-        <translation>El tiempo en el {simulator} no se conoce: analícelo de nuevo.</translation>
+        <source>The time in the {simulator} is not known. Analyze the operation again.</source>
+        <translation>El tiempo en el {simulator} no se conoce. Analice la operación de nuevo.</translation>
     </message>
     <message>
-        <source>{strategy}, {share} sure</source>
-        <translation>{strategy}, seguro al {share}</translation>
+        <source>{strategy}, confidence {share}</source>
+        <translation>{strategy}, confianza {share}</translation>
     </message>
     <message>
-        <source>On the machine: {length} of cutting</source>
-        <translation>En la máquina: {length} de corte</translation>
+        <source>Cutting length: {length}.</source>
+        <translation>Longitud de corte: {length}.</translation>
     </message>
     <message>
-        <source>On the machine: {time}, {length} of cutting</source>
-        <translation>En la máquina: {time}, {length} de corte</translation>
+        <source>Machining time: {time}. Cutting length: {length}.</source>
+        <translation>Tiempo de mecanizado: {time}. Longitud de corte: {length}.</translation>
     </message>
     <message>
-        <source>On the machine: at least {time}, {length} of cutting</source>
-        <translation>En la máquina: al menos {time}, {length} de corte</translation>
+        <source>Machining time: at least {time}. Cutting length: {length}.</source>
+        <translation>Tiempo de mecanizado: al menos {time}. Longitud de corte: {length}.</translation>
     </message>
     <message>
-        <source>Simulating it in the {simulator}: {time}, {memory}</source>
-        <translation>Simulación en el {simulator}: {time}, {memory}</translation>
+        <source>Simulation time in the {simulator}: {time}. Memory: {memory}.</source>
+        <translation>Tiempo de simulación en el {simulator}: {time}. Memoria: {memory}.</translation>
     </message>
     <message>
-        <source>Simulating it in the {simulator}: at least {time}, {memory}</source>
-        <translation>Simulación en el {simulator}: al menos {time}, {memory}</translation>
+        <source>Simulation time in the {simulator}: at least {time}. Memory: {memory}.</source>
+        <translation>Tiempo de simulación en el {simulator}: al menos {time}. Memoria: {memory}.</translation>
     </message>
     <message>
-        <source>Simulating it alone in the {simulator}: {time}, {memory}</source>
-        <translation>Simulación por sí sola en el {simulator}: {time}, {memory}</translation>
+        <source>Simulation time of this operation alone in the {simulator}: {time}. Memory: {memory}.</source>
+        <translation>Tiempo de simulación de esta operación sola en el {simulator}: {time}. Memoria: {memory}.</translation>
     </message>
     <message>
         <source>switched off</source>
@@ -102,12 +102,12 @@
 <context>
     <name>Sentences</name>
     <message>
-        <source>nothing cuts: there are only rapid moves</source>
-        <translation>nada corta: solo hay movimientos rápidos</translation>
+        <source>No move cuts, because there are only rapid moves.</source>
+        <translation>Ningún movimiento corta, porque solo hay movimientos rápidos.</translation>
     </message>
     <message>
-        <source>nothing cuts: there are no moves</source>
-        <translation>nada corta: no hay movimientos</translation>
+        <source>No move cuts, because there are no moves.</source>
+        <translation>Ningún movimiento corta, porque no hay movimientos.</translation>
     </message>
     <message>
         <source>, counter-clockwise</source>
@@ -122,7 +122,7 @@
         <translation>que descienden con radio constante</translation>
     </message>
     <message>
-        <source>the sense of nested loops alternates</source>
+        <source>the direction of nested loops alternates</source>
         <translation>el sentido de los lazos anidados se alterna</translation>
     </message>
     <message>
@@ -130,12 +130,12 @@
         <translation>espaciados por igual en el plano, no en profundidad</translation>
     </message>
     <message>
-        <source>whose shape changes with the depth</source>
-        <translation>cuya forma cambia con la profundidad</translation>
+        <source>with a shape that changes with the depth</source>
+        <translation>con una forma que cambia con la profundidad</translation>
     </message>
     <message>
-        <source>a winding with a helical entry or bites out of the corners</source>
-        <translation>un devanado con entrada helicoidal o bocados en las esquinas</translation>
+        <source>a winding with a helical entry or with extra cuts in the corners</source>
+        <translation>un devanado con entrada helicoidal o cortes adicionales en las esquinas</translation>
     </message>
     <message>
         <source>one winding that never closes</source>
@@ -146,8 +146,8 @@
         <translation>anidados</translation>
     </message>
     <message>
-        <source>small loops move along</source>
-        <translation>lazos pequeños que avanzan</translation>
+        <source>small loops that advance along the path</source>
+        <translation>lazos pequeños que avanzan a lo largo de la trayectoria</translation>
     </message>
     <message>
         <source>an open pass lies inside a contour</source>
@@ -174,7 +174,7 @@
         <translation>un solo contorno abierto</translation>
     </message>
     <message>
-        <source>an open contour comes again</source>
+        <source>an open contour is repeated</source>
         <translation>un contorno abierto se repite</translation>
     </message>
     <message>
@@ -182,84 +182,84 @@
         <translation>trazos abiertos tan largos como la pieza</translation>
     </message>
     <message>
-        <source>short strokes that fill nothing</source>
-        <translation>trazos cortos que no rellenan nada</translation>
+        <source>short strokes that do not fill an area</source>
+        <translation>trazos cortos que no rellenan un área</translation>
     </message>
     <message>
-        <source>no cutting move in its toolpath</source>
-        <translation>ningún movimiento de corte en su trayectoria</translation>
+        <source>The toolpath has no cutting move.</source>
+        <translation>La trayectoria no tiene ningún movimiento de corte.</translation>
     </message>
     <message>
-        <source>no toolpath: recompute the operation and see FreeCAD&apos;s report view</source>
-        <translation>sin trayectoria: recalcule la operación y mire la vista de informe de FreeCAD</translation>
+        <source>The operation has no toolpath. Recompute it and read FreeCAD&apos;s report view.</source>
+        <translation>La operación no tiene trayectoria. Recalcúlela y lea la vista de informe de FreeCAD.</translation>
     </message>
     <message>
-        <source>no tool: give the operation a tool controller</source>
-        <translation>sin herramienta: asigne a la operación un controlador de herramienta</translation>
+        <source>The operation has no tool. Give it a tool controller.</source>
+        <translation>La operación no tiene herramienta. Asígnele un controlador de herramienta.</translation>
     </message>
     <message>
-        <source>no tool in {label}: choose a tool bit for it</source>
-        <translation>sin herramienta en {label}: elija una para él</translation>
+        <source>{label} has no tool. Choose a tool bit for it.</source>
+        <translation>{label} no tiene herramienta. Elija una para él.</translation>
     </message>
     <message>
-        <source>the tool in {label} has no diameter</source>
-        <translation>la herramienta de {label} no tiene diámetro</translation>
+        <source>The tool in {label} has no diameter. Enter one in its tool bit.</source>
+        <translation>La herramienta de {label} no tiene diámetro. Indique uno en la herramienta.</translation>
     </message>
     <message>
-        <source>no stock: put the toolpath into a job</source>
-        <translation>sin material: ponga la trayectoria en un trabajo</translation>
+        <source>The toolpath has no stock. Put it into a job.</source>
+        <translation>La trayectoria no tiene material en bruto. Póngala en un trabajo.</translation>
     </message>
     <message>
-        <source>no stock: give {label} a stock</source>
-        <translation>sin material: asigne un material a {label}</translation>
+        <source>{label} has no stock. Give it one in the job&apos;s settings.</source>
+        <translation>{label} no tiene material en bruto. Asígnele uno en los ajustes del trabajo.</translation>
     </message>
     <message>
-        <source>cost unknown for {labels}</source>
-        <translation>coste desconocido de {labels}</translation>
+        <source>The simulation cost of {labels} is unknown.</source>
+        <translation>Se desconoce el coste de simulación de {labels}.</translation>
     </message>
     <message>
-        <source>words without a motion before them are ignored</source>
-        <translation>palabras sin movimiento previo ignoradas</translation>
+        <source>Words without a motion before them are ignored.</source>
+        <translation>Las palabras sin un movimiento previo se ignoran.</translation>
     </message>
     <message>
-        <source>a feed rate that is not a usable number is ignored</source>
-        <translation>avance que no es un número utilizable ignorado</translation>
+        <source>A feed rate that is not a usable number is ignored.</source>
+        <translation>Un avance que no es un número utilizable se ignora.</translation>
     </message>
     <message>
-        <source>center words (I, J, K) that are not usable numbers are ignored</source>
-        <translation>palabra de centro (I, J, K) que no es un número utilizable ignorada</translation>
+        <source>Center words (I, J, K) that are not usable numbers are ignored.</source>
+        <translation>Las palabras de centro (I, J, K) que no son números utilizables se ignoran.</translation>
     </message>
     <message>
-        <source>{letter} words that are not usable numbers are ignored</source>
-        <translation>palabra {letter} que no es un número utilizable ignorada</translation>
+        <source>{letter} words that are not usable numbers are ignored.</source>
+        <translation>Las palabras {letter} que no son números utilizables se ignoran.</translation>
     </message>
     <message>
-        <source>positions beyond a kilometer are cut off there</source>
-        <translation>posición más allá de un kilómetro recortada allí</translation>
+        <source>Positions farther than a kilometer from the origin are limited to a kilometer.</source>
+        <translation>Las posiciones a más de un kilómetro del origen se limitan a un kilómetro.</translation>
     </message>
     <message>
-        <source>a drilling cycle without a depth (Z) drills nothing</source>
-        <translation>ciclo de taladrado sin profundidad (Z): ningún agujero</translation>
+        <source>A drilling cycle without a depth (Z) drills no hole.</source>
+        <translation>Un ciclo de taladrado sin profundidad (Z) no taladra ningún agujero.</translation>
     </message>
     <message>
-        <source>a drilling cycle without R starts at the current height</source>
-        <translation>ciclo de taladrado sin R: empieza donde está</translation>
+        <source>A drilling cycle without R starts at the current height.</source>
+        <translation>Un ciclo de taladrado sin R empieza a la altura actual.</translation>
     </message>
     <message>
-        <source>a drilling cycle outside the XY plane is read as one in XY</source>
-        <translation>ciclo de taladrado fuera del plano XY leído como en XY</translation>
+        <source>A drilling cycle outside the XY plane is read as one in the XY plane.</source>
+        <translation>Un ciclo de taladrado fuera del plano XY se lee como si estuviera en él.</translation>
     </message>
     <message>
-        <source>an arc whose start is not known is ignored</source>
-        <translation>arco cuyo comienzo aún no se conoce ignorado</translation>
+        <source>An arc with an unknown start is ignored.</source>
+        <translation>Un arco cuyo comienzo se desconoce se ignora.</translation>
     </message>
     <message>
-        <source>an arc without a usable center or radius is read as a line</source>
-        <translation>arco sin centro ni radio utilizables leído como recta</translation>
+        <source>An arc without a usable center or radius is read as a line.</source>
+        <translation>Un arco sin centro ni radio utilizables se lee como una recta.</translation>
     </message>
     <message>
-        <source>an arc whose end is not on its circle is read with a changing radius</source>
-        <translation>arco cuyo final no está en su círculo leído con radio variable</translation>
+        <source>An arc that does not end on its circle is read with a changing radius.</source>
+        <translation>Un arco que no termina en su círculo se lee con radio variable.</translation>
     </message>
     <message>
         <source>without an X or Y word</source>
@@ -278,8 +278,8 @@
         <translation>que es un círculo completo</translation>
     </message>
     <message>
-        <source>leave this operation out of the simulation</source>
-        <translation>deje esta operación fuera de la simulación</translation>
+        <source>Leave this operation out of the simulation.</source>
+        <translation>Deje esta operación fuera de la simulación.</translation>
     </message>
     <message>
         <source>too deep</source>
@@ -290,12 +290,12 @@
         <translation>demasiado alto</translation>
     </message>
     <message>
-        <source>move its accuracy slider to the left</source>
-        <translation>mueva su control de precisión a la izquierda</translation>
+        <source>Move its accuracy slider to the left.</source>
+        <translation>Mueva su control de precisión a la izquierda.</translation>
     </message>
     <message>
-        <source>simulate fewer operations at a time</source>
-        <translation>simule menos operaciones a la vez</translation>
+        <source>Simulate fewer operations at a time.</source>
+        <translation>Simule menos operaciones a la vez.</translation>
     </message>
     <message>
         <source>memory</source>
@@ -306,24 +306,24 @@
         <translation>el tiempo</translation>
     </message>
     <message>
-        <source>no resolution helps, not even a single pixel fits</source>
-        <translation>ninguna resolución ayuda, ni un solo píxel cabe</translation>
+        <source>None, because not even a single pixel fits into the memory.</source>
+        <translation>Ninguna, porque ni un solo píxel cabe en la memoria.</translation>
     </message>
     <message>
-        <source>the cost is that of a box around its cuts</source>
-        <translation>el coste es el de un bloque alrededor de sus cortes</translation>
+        <source>The cost is estimated for a stock that is a box around the cuts.</source>
+        <translation>El coste se estima para un material en bruto que es un bloque alrededor de los cortes.</translation>
     </message>
     <message>
-        <source>it does not touch the stock: check its depths, its placement and the stock</source>
-        <translation>no toca el material en bruto: compruebe sus profundidades, su ubicación y el bruto</translation>
+        <source>The operation does not touch the stock. Check its depths, its placement and the stock.</source>
+        <translation>La operación no toca el material en bruto. Compruebe sus profundidades, su ubicación y el material.</translation>
     </message>
     <message>
-        <source>its tool is wider than the stock: check the tool&apos;s diameter and the stock</source>
-        <translation>su herramienta es más ancha que el material en bruto: compruebe el diámetro y el bruto</translation>
+        <source>The tool is wider than the stock. Check the tool&apos;s diameter and the stock.</source>
+        <translation>La herramienta es más ancha que el material en bruto. Compruebe el diámetro de la herramienta y el material.</translation>
     </message>
     <message>
-        <source>choose a smaller image in the preferences</source>
-        <translation>elija una imagen más pequeña en las preferencias</translation>
+        <source>Choose a smaller image in the preferences.</source>
+        <translation>Elija una imagen más pequeña en las preferencias.</translation>
     </message>
     <message>
         <source>that sweeps no angle</source>
@@ -342,140 +342,140 @@
         <translation>, </translation>
     </message>
     <message>
-        <source>the corner radius must lie between 0 and {radius:mm}, not be {corner:mm}</source>
-        <translation>el radio de esquina debe estar entre 0 y {radius:mm}, no ser {corner:mm}</translation>
+        <source>The corner radius must be between 0 and {radius:mm}, not {corner:mm}.</source>
+        <translation>El radio de esquina debe estar entre 0 y {radius:mm}, no ser {corner:mm}.</translation>
     </message>
     <message>
-        <source>the tip angle must lie between 0 and pi, not be {angle:g}</source>
-        <translation>el ángulo de punta debe estar entre 0 y π, no ser {angle:g}</translation>
+        <source>The tip angle must be between 0 and pi, not {angle:g}.</source>
+        <translation>El ángulo de punta debe estar entre 0 y π, no ser {angle:g}.</translation>
     </message>
     <message>
-        <source>the stock has no volume: its upper corner must exceed its lower corner in x, y and z</source>
-        <translation>el material no tiene volumen: su esquina superior debe superar a la inferior en x, y y z</translation>
+        <source>The stock has no volume. Its upper corner must exceed its lower corner in x, y and z.</source>
+        <translation>El material no tiene volumen. Su esquina superior debe superar a la inferior en x, y y z.</translation>
     </message>
     <message>
-        <source>{length:mm4} of cutting in {count:n} move without a feed rate are not in the time</source>
-        <translation>{length:mm4} de corte en {count:n} movimiento sin avance no están en el tiempo</translation>
+        <source>The machining time does not include {length:mm4} of cutting in {count:n} move without a feed rate.</source>
+        <translation>El tiempo de mecanizado no incluye {length:mm4} de corte en {count:n} movimiento sin avance.</translation>
     </message>
     <message>
-        <source>{length:mm4} of cutting in {count:n} moves without a feed rate are not in the time</source>
-        <translation>{length:mm4} de corte en {count:n} movimientos sin avance no están en el tiempo</translation>
+        <source>The machining time does not include {length:mm4} of cutting in {count:n} moves without a feed rate.</source>
+        <translation>El tiempo de mecanizado no incluye {length:mm4} de corte en {count:n} movimientos sin avance.</translation>
     </message>
     <message>
-        <source>{length:mm4} of rapids are not in the time because the tool controller&apos;s {name} is 0</source>
-        <translation>{length:mm4} de rápidos no están en el tiempo porque {name} del controlador de herramienta es 0</translation>
+        <source>The machining time does not include {length:mm4} of rapids, because the tool controller&apos;s {name} is 0.</source>
+        <translation>El tiempo de mecanizado no incluye {length:mm4} de rápidos, porque {name} del controlador de herramienta es 0.</translation>
     </message>
     <message>
-        <source>{length:mm4} of rapids are not in the time because the tool controller&apos;s {name} and {other} are 0</source>
-        <translation>{length:mm4} de rápidos no están en el tiempo porque {name} y {other} del controlador de herramienta son 0</translation>
+        <source>The machining time does not include {length:mm4} of rapids, because the tool controller&apos;s {name} and {other} are 0.</source>
+        <translation>El tiempo de mecanizado no incluye {length:mm4} de rápidos, porque {name} y {other} del controlador de herramienta son 0.</translation>
     </message>
     <message>
         <source> and {count:n} more</source>
         <translation> y {count:n} más</translation>
     </message>
     <message>
-        <source>; passes {step:mm3} apart ask for {cell:mm2}</source>
-        <translation>; pasadas a {step:mm3} piden {cell:mm2}</translation>
+        <source> Passes {step:mm3} apart need {cell:mm2}.</source>
+        <translation> Pasadas a {step:mm3} piden {cell:mm2}.</translation>
     </message>
     <message>
-        <source>; {cell:mm2} would do for passes {step:mm3} apart</source>
-        <translation>; {cell:mm2} bastarían para pasadas a {step:mm3}</translation>
+        <source> For passes {step:mm3} apart, {cell:mm2} is fine enough.</source>
+        <translation> Para pasadas a {step:mm3} bastan {cell:mm2}.</translation>
     </message>
     <message>
-        <source>no resolution helps, the trajectories alone take {time:s}: simulate fewer operations{heaviest}</source>
-        <translation>ninguna resolución basta, solo las trayectorias tardan {time:s}: simule menos operaciones{heaviest}</translation>
+        <source>None, because the moves alone take {time:s}. Simulate fewer operations.{heaviest}</source>
+        <translation>Ninguna, porque solo los movimientos tardan {time:s}. Simule menos operaciones.{heaviest}</translation>
     </message>
     <message>
-        <source>; the heaviest is {label} with {time:s}</source>
-        <translation>; la más pesada es {label} con {time:s}</translation>
+        <source> The slowest is {label} with {time:s}.</source>
+        <translation> La más lenta es {label} con {time:s}.</translation>
     </message>
     <message>
         <source> and 1 more</source>
         <translation> y 1 más</translation>
     </message>
     <message>
-        <source>{sentence} (command {command:#})</source>
-        <translation>{sentence} (orden {command:#})</translation>
+        <source>Command {command:#}: {sentence}</source>
+        <translation>Orden {command:#}: {sentence}</translation>
     </message>
     <message>
-        <source>{sentence} ({count:n} times, first at command {command:#})</source>
-        <translation>{sentence} ({count:n} veces, primero en la orden {command:#})</translation>
+        <source>Command {command:#} (first of {count:n}): {sentence}</source>
+        <translation>Orden {command:#} (la primera de {count:n}): {sentence}</translation>
     </message>
     <message>
-        <source>the unknown code {name} is ignored</source>
-        <translation>código desconocido {name} ignorado</translation>
+        <source>The unknown code {name} is ignored.</source>
+        <translation>El código desconocido {name} se ignora.</translation>
     </message>
     <message>
-        <source>1 more unknown code is ignored</source>
-        <translation>otro código desconocido ignorado</translation>
+        <source>1 more unknown code is ignored.</source>
+        <translation>Se ignora otro código desconocido.</translation>
     </message>
     <message>
-        <source>{count:n} more unknown codes are ignored</source>
-        <translation>otros {count:n} códigos desconocidos ignorados</translation>
+        <source>{count:n} more unknown codes are ignored.</source>
+        <translation>Se ignoran otros {count:n} códigos desconocidos.</translation>
     </message>
     <message>
-        <source>the arcs and cycles would need {moves:n} moves at a tolerance of {tolerance:mm}; use a larger tolerance</source>
-        <translation>los arcos y ciclos necesitarían {moves:n} movimientos con una tolerancia de {tolerance:mm}; use una tolerancia mayor</translation>
+        <source>The arcs and cycles would need {moves:n} moves at a tolerance of {tolerance:mm}. Choose a larger tolerance in the preferences.</source>
+        <translation>Los arcos y ciclos necesitarían {moves:n} movimientos con una tolerancia de {tolerance:mm}. Elija una tolerancia mayor en las preferencias.</translation>
     </message>
     <message>
         <source>{label}: {sentence}</source>
         <translation>{label}: {sentence}</translation>
     </message>
     <message>
-        <source>could not be analyzed, please report it with the file: {error}</source>
-        <translation>no se pudo analizar, por favor infórmelo con el archivo: {error}</translation>
+        <source>The analysis failed. Please report the error together with the file: {error}</source>
+        <translation>El análisis ha fallado. Informe del error junto con el archivo: {error}</translation>
     </message>
     <message>
-        <source>phi stays between {low:turns} and {high:turns} turns over {count:n} rows{spread}, {seen}: {strategy:strategy}</source>
-        <translation>φ se mantiene entre {low:turns} y {high:turns} vueltas en {count:n} filas{spread}, {seen}: {strategy:strategy}</translation>
+        <source>Phi stays between {low:turns} and {high:turns} turns over {count:n} rows{spread}, {seen}: {strategy:strategy}.</source>
+        <translation>φ se mantiene entre {low:turns} y {high:turns} vueltas en {count:n} filas{spread}, {seen}: {strategy:strategy}.</translation>
     </message>
     <message>
-        <source>phi stays at 0 over {count:n} rows{spread}, {seen}: {strategy:strategy}</source>
-        <translation>φ se mantiene en 0 en {count:n} filas{spread}, {seen}: {strategy:strategy}</translation>
+        <source>Phi stays at 0 over {count:n} rows{spread}, {seen}: {strategy:strategy}.</source>
+        <translation>φ se mantiene en 0 en {count:n} filas{spread}, {seen}: {strategy:strategy}.</translation>
     </message>
     <message>
-        <source>phi stays between {low:turns} and {high:turns} turns over one open stroke{spread}, {seen}: {strategy:strategy}</source>
-        <translation>φ se mantiene entre {low:turns} y {high:turns} vueltas en un trazo abierto{spread}, {seen}: {strategy:strategy}</translation>
+        <source>Phi stays between {low:turns} and {high:turns} turns over one open stroke{spread}, {seen}: {strategy:strategy}.</source>
+        <translation>φ se mantiene entre {low:turns} y {high:turns} vueltas en un trazo abierto{spread}, {seen}: {strategy:strategy}.</translation>
     </message>
     <message>
-        <source>phi stays between {low:turns} and {high:turns} turns over {count:n} open strokes{spread}, {seen}: {strategy:strategy}</source>
-        <translation>φ se mantiene entre {low:turns} y {high:turns} vueltas en {count:n} trazos abiertos{spread}, {seen}: {strategy:strategy}</translation>
+        <source>Phi stays between {low:turns} and {high:turns} turns over {count:n} open strokes{spread}, {seen}: {strategy:strategy}.</source>
+        <translation>φ se mantiene entre {low:turns} y {high:turns} vueltas en {count:n} trazos abiertos{spread}, {seen}: {strategy:strategy}.</translation>
     </message>
     <message>
-        <source>phi stays at 0 over one open stroke{spread}, {seen}: {strategy:strategy}</source>
-        <translation>φ se mantiene en 0 en un trazo abierto{spread}, {seen}: {strategy:strategy}</translation>
+        <source>Phi stays at 0 over one open stroke{spread}, {seen}: {strategy:strategy}.</source>
+        <translation>φ se mantiene en 0 en un trazo abierto{spread}, {seen}: {strategy:strategy}.</translation>
     </message>
     <message>
-        <source>phi stays at 0 over {count:n} open strokes{spread}, {seen}: {strategy:strategy}</source>
-        <translation>φ se mantiene en 0 en {count:n} trazos abiertos{spread}, {seen}: {strategy:strategy}</translation>
+        <source>Phi stays at 0 over {count:n} open strokes{spread}, {seen}: {strategy:strategy}.</source>
+        <translation>φ se mantiene en 0 en {count:n} trazos abiertos{spread}, {seen}: {strategy:strategy}.</translation>
     </message>
     <message>
-        <source>phi reaches {reached:turns} turns over one loop{spread}, {seen}: {strategy:strategy}{turning}</source>
-        <translation>φ alcanza {reached:turns} vueltas en un lazo{spread}, {seen}: {strategy:strategy}{turning}</translation>
+        <source>Phi reaches {reached:turns} turns over one loop{spread}, {seen}: {strategy:strategy}{turning}.</source>
+        <translation>φ alcanza {reached:turns} vueltas en un lazo{spread}, {seen}: {strategy:strategy}{turning}.</translation>
     </message>
     <message>
-        <source>phi reaches {reached:turns} turns over {count:n} loops{spread}, {seen}: {strategy:strategy}{turning}</source>
-        <translation>φ alcanza {reached:turns} vueltas en {count:n} lazos{spread}, {seen}: {strategy:strategy}{turning}</translation>
+        <source>Phi reaches {reached:turns} turns over {count:n} loops{spread}, {seen}: {strategy:strategy}{turning}.</source>
+        <translation>φ alcanza {reached:turns} vueltas en {count:n} lazos{spread}, {seen}: {strategy:strategy}{turning}.</translation>
     </message>
     <message>
-        <source>phi lies between {low:turns} and {high:turns} turns, {seen}: {strategy:strategy}</source>
-        <translation>φ está entre {low:turns} y {high:turns} vueltas, {seen}: {strategy:strategy}</translation>
+        <source>Phi lies between {low:turns} and {high:turns} turns, {seen}: {strategy:strategy}.</source>
+        <translation>φ está entre {low:turns} y {high:turns} vueltas, {seen}: {strategy:strategy}.</translation>
     </message>
     <message>
-        <source>phi has no direction to turn, the moves are vertical at one point: {strategy:strategy}</source>
-        <translation>φ no tiene dirección, los movimientos son verticales en un punto: {strategy:strategy}</translation>
+        <source>Phi is not defined, because the moves are vertical at one point: {strategy:strategy}.</source>
+        <translation>φ no está definido, porque los movimientos son verticales en un punto: {strategy:strategy}.</translation>
     </message>
     <message>
-        <source>phi has no direction to turn, the moves are vertical at {count:n} points: {strategy:strategy}</source>
-        <translation>φ no tiene dirección, los movimientos son verticales en {count:n} puntos: {strategy:strategy}</translation>
+        <source>Phi is not defined, because the moves are vertical at {count:n} points: {strategy:strategy}.</source>
+        <translation>φ no está definido, porque los movimientos son verticales en {count:n} puntos: {strategy:strategy}.</translation>
     </message>
     <message>
-        <source>phi has no direction to turn, the moves are vertical at some points: {strategy:strategy}</source>
-        <translation>φ no tiene dirección, los movimientos son verticales en algunos puntos: {strategy:strategy}</translation>
+        <source>Phi is not defined, because the moves are vertical at some points: {strategy:strategy}.</source>
+        <translation>φ no está definido, porque los movimientos son verticales en algunos puntos: {strategy:strategy}.</translation>
     </message>
     <message>
-        <source>{count:n} sections parted by tool changes, titles, retracts or drilling show {strategies:strategy}: {strategy:strategy}</source>
-        <translation>{count:n} secciones separadas por cambios de herramienta, títulos, retiradas o taladros muestran {strategies:strategy}: {strategy:strategy}</translation>
+        <source>{count:n} sections, separated by tool changes, titles, retracts or drilling, show {strategies:strategy}: {strategy:strategy}.</source>
+        <translation>{count:n} secciones separadas por cambios de herramienta, títulos, retiradas o taladros muestran {strategies:strategy}: {strategy:strategy}.</translation>
     </message>
     <message>
         <source>, {step:mm3} apart at {depths:n} depths</source>
@@ -490,132 +490,132 @@
         <translation> en {depths:n} profundidades</translation>
     </message>
     <message>
-        <source>{count:n} bites of one sense overlap</source>
-        <translation>{count:n} bocados de un mismo sentido se solapan</translation>
+        <source>{count:n} engagements in the same direction overlap</source>
+        <translation>{count:n} cortes de un mismo sentido se solapan</translation>
     </message>
     <message>
-        <source>rows ({rows:%} of the length) and loops ({loops:%}) share the area</source>
-        <translation>filas ({rows:%} de la longitud) y lazos ({loops:%}) se reparten la superficie</translation>
+        <source>rows ({rows:%} of the length) and loops ({loops:%}) fill the same area</source>
+        <translation>filas ({rows:%} de la longitud) y lazos ({loops:%}) rellenan la misma superficie</translation>
     </message>
     <message>
         <source>{low} to {high}</source>
         <translation>{low} a {high}</translation>
     </message>
     <message>
-        <source>{what} (line {line:#})</source>
-        <translation>{what} (línea {line:#})</translation>
+        <source>Line {line:#}: {what}</source>
+        <translation>Línea {line:#}: {what}</translation>
     </message>
     <message>
-        <source>{what} ({count:n} times, first in line {line:#})</source>
-        <translation>{what} ({count:n} veces, la primera en la línea {line:#})</translation>
+        <source>Line {line:#} (first of {count:n}): {what}</source>
+        <translation>Línea {line:#} (la primera de {count:n}): {what}</translation>
     </message>
     <message>
-        <source>lines with a block delete (/) are read like the others</source>
-        <translation>las líneas con salto de bloque (/) se leen como las demás</translation>
+        <source>Lines with a block delete (/) are read like all others.</source>
+        <translation>Las líneas con salto de bloque (/) se leen como las demás.</translation>
     </message>
     <message>
-        <source>a subprogram or macro call is not read</source>
-        <translation>un subprograma o una llamada a macro no se lee</translation>
+        <source>A subprogram or macro call is ignored.</source>
+        <translation>Una llamada a subprograma o macro se ignora.</translation>
     </message>
     <message>
-        <source>jumps, loops and calls are not followed</source>
-        <translation>no se siguen saltos, bucles ni llamadas</translation>
+        <source>Jumps, loops and calls are ignored.</source>
+        <translation>Los saltos, bucles y llamadas se ignoran.</translation>
     </message>
     <message>
-        <source>variables and expressions are not read: the words with them are left out</source>
-        <translation>las variables y expresiones no se leen: se omiten las palabras que las contienen</translation>
+        <source>Words with variables or expressions are ignored.</source>
+        <translation>Las palabras con variables o expresiones se ignoran.</translation>
     </message>
     <message>
-        <source>lines that are not made of words like G1 X10 are left out</source>
-        <translation>se omiten las líneas que no constan de palabras como G1 X10</translation>
+        <source>Lines that do not consist of words like G1 X10 are ignored.</source>
+        <translation>Las líneas que no constan de palabras como G1 X10 se ignoran.</translation>
     </message>
     <message>
-        <source>coordinates that {name} changes are read as if it were not there</source>
-        <translation>las coordenadas que {name} cambia se leen como si no estuviera</translation>
+        <source>{name} is ignored. The coordinates after it are read as if it were not there.</source>
+        <translation>{name} se ignora. Las coordenadas que siguen se leen como si no estuviera.</translation>
     </message>
     <message>
-        <source>a spline ({name}) is read as a line</source>
-        <translation>un spline ({name}) se lee como una recta</translation>
+        <source>A spline ({name}) is read as a line.</source>
+        <translation>Un spline ({name}) se lee como una recta.</translation>
     </message>
     <message>
-        <source>what follows M2 or M30 is read as the same program</source>
-        <translation>lo que sigue a M2 o M30 se lee como el mismo programa</translation>
+        <source>Lines after M2 or M30 are read as part of the same program.</source>
+        <translation>Las líneas después de M2 o M30 se leen como parte del mismo programa.</translation>
     </message>
     <message>
-        <source>what follows the program&apos;s end is not read</source>
-        <translation>lo que sigue al final del programa no se lee</translation>
+        <source>Lines after the end of the program are ignored.</source>
+        <translation>Las líneas después del final del programa se ignoran.</translation>
     </message>
     <message>
-        <source>a program in the language of {name} controls (line {line:#}): post it as G-code (ISO) to have it read</source>
-        <translation>un programa en el lenguaje de los controles {name} (línea {line:#}): emítalo como código G (ISO) para que se lea</translation>
+        <source>Line {line:#}: The program is written for {name} controls. Post it as G-code (ISO) to analyze it.</source>
+        <translation>Línea {line:#}: El programa está escrito para controles {name}. Emítalo como código G (ISO) para analizarlo.</translation>
     </message>
     <message>
-        <source>not an NC program: {part:n} of its {lines:n} lines are not made of words like G1 X10, the first is line {line:#}</source>
-        <translation>no es un programa CN: {part:n} de sus {lines:n} líneas no constan de palabras como G1 X10, la primera es la línea {line:#}</translation>
+        <source>This is not an NC program. {part:n} of its {lines:n} lines do not consist of words like G1 X10. The first of them is line {line:#}.</source>
+        <translation>No es un programa CN. {part:n} de sus {lines:n} líneas no constan de palabras como G1 X10. La primera es la línea {line:#}.</translation>
     </message>
     <message>
-        <source>not an NC program: no line of it moves a tool</source>
-        <translation>no es un programa CN: ninguna línea mueve una herramienta</translation>
+        <source>This is not an NC program. None of its lines moves a tool.</source>
+        <translation>No es un programa CN. Ninguna de sus líneas mueve una herramienta.</translation>
     </message>
     <message>
-        <source>none of its moves can be read: {problems}</source>
-        <translation>no se puede leer ninguno de sus movimientos: {problems}</translation>
+        <source>None of the moves can be read. {problems}</source>
+        <translation>No se puede leer ninguno de los movimientos. {problems}</translation>
     </message>
     <message>
-        <source>not an NC program: it is not text</source>
-        <translation>no es un programa CN: no es un texto</translation>
+        <source>This is not an NC program, because it is not text.</source>
+        <translation>No es un programa CN, porque no es un texto.</translation>
     </message>
     <message>
-        <source>a program for a lathe ({name}, line {line:#}): milling strategies say nothing about it</source>
-        <translation>un programa para un torno ({name}, línea {line:#}): las estrategias de fresado no dicen nada de él</translation>
+        <source>Line {line:#}: {name} shows a program for a lathe. Milling strategies do not apply to it.</source>
+        <translation>Línea {line:#}: {name} indica un programa para un torno. Las estrategias de fresado no se le aplican.</translation>
     </message>
     <message>
-        <source>a program for a 3D printer ({name}, line {line:#}): milling strategies say nothing about it</source>
-        <translation>un programa para una impresora 3D ({name}, línea {line:#}): las estrategias de fresado no dicen nada de él</translation>
+        <source>Line {line:#}: {name} shows a program for a 3D printer. Milling strategies do not apply to it.</source>
+        <translation>Línea {line:#}: {name} indica un programa para una impresora 3D. Las estrategias de fresado no se le aplican.</translation>
     </message>
     <message>
-        <source>a program for a wire cutter ({name}, line {line:#}): milling strategies say nothing about it</source>
-        <translation>un programa para una cortadora de hilo ({name}, línea {line:#}): las estrategias de fresado no dicen nada de él</translation>
+        <source>Line {line:#}: {name} shows a program for a wire cutter. Milling strategies do not apply to it.</source>
+        <translation>Línea {line:#}: {name} indica un programa para una cortadora de hilo. Las estrategias de fresado no se le aplican.</translation>
     </message>
     <message>
-        <source>a rotary axis turns while the tool cuts (line {line:#}): the path of the tool cannot be told</source>
-        <translation>un eje rotativo gira mientras la herramienta corta (línea {line:#}): no se conoce el recorrido de la herramienta</translation>
+        <source>Line {line:#}: A rotary axis turns while the tool cuts. The tool&apos;s path is unknown here.</source>
+        <translation>Línea {line:#}: Un eje rotativo gira mientras la herramienta corta. El recorrido de la herramienta se desconoce aquí.</translation>
     </message>
     <message>
-        <source>{length:mm4} of rapids are not in the time: a program does not say how fast they are</source>
-        <translation>{length:mm4} de rápidos no están en el tiempo: un programa no dice su velocidad</translation>
+        <source>The machining time does not include {length:mm4} of rapids, because a program does not contain their speed.</source>
+        <translation>El tiempo de mecanizado no incluye {length:mm4} de rápidos, porque un programa no contiene su velocidad.</translation>
     </message>
     <message>
-        <source>no tool: the program does not say its diameter, so the cost is not known</source>
-        <translation>sin herramienta: el programa no dice su diámetro, así que el coste se desconoce</translation>
+        <source>The program does not contain the tool&apos;s diameter, so the cost is unknown.</source>
+        <translation>El programa no contiene el diámetro de la herramienta, así que el coste se desconoce.</translation>
     </message>
     <message>
-        <source>the file cannot be read: {name}</source>
-        <translation>no se puede leer el archivo: {name}</translation>
+        <source>The file cannot be read: {name}.</source>
+        <translation>No se puede leer el archivo: {name}.</translation>
     </message>
     <message>
-        <source>the file is larger than {size:bytes}</source>
-        <translation>el archivo supera {size:bytes}</translation>
+        <source>The file is larger than {size:bytes}.</source>
+        <translation>El archivo supera {size:bytes}.</translation>
     </message>
     <message>
-        <source>given up after {time:s}</source>
-        <translation>abandonado tras {time:s}</translation>
+        <source>The analysis was stopped after {time:s}.</source>
+        <translation>El análisis se detuvo tras {time:s}.</translation>
     </message>
     <message>
-        <source>the process that read it died, perhaps for lack of memory</source>
-        <translation>el proceso que lo leía murió, quizá por falta de memoria</translation>
+        <source>The process that read the file ended unexpectedly, perhaps for lack of memory.</source>
+        <translation>El proceso que leía el archivo terminó de forma inesperada, quizá por falta de memoria.</translation>
     </message>
     <message>
-        <source>it looks 25.4 times too small: inches read as millimeters?</source>
-        <translation>parece 25,4 veces demasiado pequeño: ¿pulgadas leídas como milímetros?</translation>
+        <source>The toolpath looks 25.4 times too small. Inches are probably read as millimeters.</source>
+        <translation>La trayectoria parece 25,4 veces demasiado pequeña. Probablemente se leen pulgadas como milímetros.</translation>
     </message>
     <message>
-        <source>there is nothing to simulate: choose a job, or operations with a toolpath</source>
-        <translation>no hay nada que simular: elija un trabajo u operaciones con una trayectoria</translation>
+        <source>There is nothing to simulate. Choose a job, or operations with a toolpath.</source>
+        <translation>No hay nada que simular. Elija un trabajo u operaciones con una trayectoria.</translation>
     </message>
     <message>
-        <source>these operations belong to several jobs, choose one of them: {labels}</source>
-        <translation>estas operaciones pertenecen a varios trabajos, elija uno de ellos: {labels}</translation>
+        <source>These operations belong to several jobs. Choose operations of one job only: {labels}.</source>
+        <translation>Estas operaciones pertenecen a varios trabajos. Elija operaciones de un solo trabajo: {labels}.</translation>
     </message>
     <message>
         <source>extended z-buffer</source>
@@ -630,71 +630,71 @@
         <translation>simulador OpenGL</translation>
     </message>
     <message>
-        <source>The {simulator:simulator} hangs on an arc {reason} (command {command:#}{others}): {instead}.</source>
-        <translation>El {simulator:simulator} se bloquea en un arco {reason} (orden {command:#}{others}): {instead}.</translation>
+        <source>The {simulator:simulator} hangs on an arc {reason} (command {command:#}{others}). {instead}</source>
+        <translation>El {simulator:simulator} se bloquea en un arco {reason} (orden {command:#}{others}). {instead}</translation>
     </message>
     <message>
-        <source>The {simulator:simulator} cuts {count:n} ramp at a wrong depth, up to {error:mm2} {way} (command {command:#}): do not judge depths by it.</source>
-        <translation>El {simulator:simulator} corta {count:n} rampa a una profundidad falsa, hasta {error:mm2} {way} (orden {command:#}): no juzgue las profundidades por él.</translation>
+        <source>The {simulator:simulator} cuts {count:n} ramp at a wrong depth, up to {error:mm2} {way} (command {command:#}). Do not judge depths by it.</source>
+        <translation>El {simulator:simulator} corta {count:n} rampa a una profundidad falsa, hasta {error:mm2} {way} (orden {command:#}). No juzgue las profundidades por él.</translation>
     </message>
     <message>
-        <source>The {simulator:simulator} cuts {count:n} ramps at a wrong depth, up to {error:mm2} {way} (command {command:#}): do not judge depths by it.</source>
-        <translation>El {simulator:simulator} corta {count:n} rampas a una profundidad falsa, hasta {error:mm2} {way} (orden {command:#}): no juzgue las profundidades por él.</translation>
+        <source>The {simulator:simulator} cuts {count:n} ramps at a wrong depth, up to {error:mm2} {way} (command {command:#}). Do not judge depths by it.</source>
+        <translation>El {simulator:simulator} corta {count:n} rampas a una profundidad falsa, hasta {error:mm2} {way} (orden {command:#}). No juzgue las profundidades por él.</translation>
     </message>
     <message>
-        <source>Playing takes about {longer:s} in the {simulator:simulator}: fast-forward takes about {time:s}.</source>
-        <translation>La reproducción dura unos {longer:s} en el {simulator:simulator}: el avance rápido dura unos {time:s}.</translation>
+        <source>Playing takes about {longer:s} in the {simulator:simulator}. Use fast-forward, which takes about {time:s}.</source>
+        <translation>La reproducción dura unos {longer:s} en el {simulator:simulator}. Use el avance rápido, que dura unos {time:s}.</translation>
     </message>
     <message>
-        <source>Playing takes about {time:s} in the {simulator:simulator} at its fastest: simulate fewer operations at a time.</source>
-        <translation>La reproducción dura unos {time:s} en el {simulator:simulator} a su máxima velocidad: simule menos operaciones a la vez.</translation>
+        <source>Playing takes about {time:s} in the {simulator:simulator} at its fastest. Simulate fewer operations at a time.</source>
+        <translation>La reproducción dura unos {time:s} en el {simulator:simulator} a su máxima velocidad. Simule menos operaciones a la vez.</translation>
     </message>
     <message>
-        <source>{count:n} moves are shorter than a cell of the {simulator:simulator} ({cell:mm2}), each takes its time and none is seen by itself: a coarser tolerance of the operation loses nothing there.</source>
-        <translation>{count:n} movimientos son más cortos que una celda del {simulator:simulator} ({cell:mm2}), cada uno lleva su tiempo y ninguno se ve por sí solo: una tolerancia más gruesa de la operación no pierde nada ahí.</translation>
+        <source>{count:n} moves are shorter than a cell of the {simulator:simulator} ({cell:mm2}). They take time, but cannot be seen. Choose a coarser tolerance for the operation.</source>
+        <translation>{count:n} movimientos son más cortos que una celda del {simulator:simulator} ({cell:mm2}). Llevan tiempo, pero no se ven. Elija una tolerancia más gruesa para la operación.</translation>
     </message>
     <message>
-        <source>The {simulator:simulator} takes about {memory:bytes} for this operation, more than the {allowed:bytes} allowed: {instead}.</source>
-        <translation>El {simulator:simulator} ocupa unos {memory:bytes} en esta operación, más de los {allowed:bytes} permitidos: {instead}.</translation>
+        <source>The {simulator:simulator} takes about {memory:bytes} for this operation, which is over your {allowed:bytes} limit. {instead}</source>
+        <translation>El {simulator:simulator} ocupa unos {memory:bytes} en esta operación, más que su límite de {allowed:bytes}. {instead}</translation>
     </message>
     <message>
-        <source>use the {simulator:simulator} for this operation</source>
-        <translation>use el {simulator:simulator} para esta operación</translation>
+        <source>Use the {simulator:simulator} for this operation.</source>
+        <translation>Use el {simulator:simulator} para esta operación.</translation>
     </message>
     <message>
-        <source>the tool&apos;s diameter must be a positive number of at most a kilometer, not {diameter:mm}</source>
-        <translation>el diámetro de la herramienta debe ser positivo y de un kilómetro como máximo, no {diameter:mm}</translation>
+        <source>The tool&apos;s diameter must be a positive number of at most a kilometer, not {diameter:mm}.</source>
+        <translation>El diámetro de la herramienta debe ser positivo y de un kilómetro como máximo, no {diameter:mm}.</translation>
     </message>
     <message>
-        <source>the stock&apos;s corners must be numbers within a kilometer of the origin</source>
-        <translation>las esquinas del material deben ser números a menos de un kilómetro del origen</translation>
+        <source>The corners of the stock must be numbers within a kilometer of the origin.</source>
+        <translation>Las esquinas del material deben ser números a menos de un kilómetro del origen.</translation>
     </message>
     <message>
-        <source>its feeds, up to {feed:g} mm/s, are taken for mm/min: FreeCAD&apos;s importer keeps them as mm/s</source>
-        <translation>sus avances, de hasta {feed:g} mm/s, se leen como mm/min: la importación de FreeCAD los conserva como mm/s</translation>
+        <source>Feeds up to {feed:g} mm/s are read as mm/min, because FreeCAD&apos;s G-code import does not convert them.</source>
+        <translation>Los avances de hasta {feed:g} mm/s se leen como mm/min, porque la importación de código G de FreeCAD no los convierte.</translation>
     </message>
     <message>
-        <source>the tip&apos;s diameter must lie between 0 and {diameter:mm}, not be {tip:mm}</source>
-        <translation>el diámetro de la punta debe estar entre 0 y {diameter:mm}, no ser {tip:mm}</translation>
+        <source>The diameter of the tip must be between 0 and {diameter:mm}, not {tip:mm}.</source>
+        <translation>El diámetro de la punta debe estar entre 0 y {diameter:mm}, no ser {tip:mm}.</translation>
     </message>
     <message>
-        <source>the solid&apos;s surface is not closed</source>
-        <translation>la superficie del sólido no está cerrada</translation>
+        <source>The surface of the solid is not closed.</source>
+        <translation>La superficie del sólido no está cerrada.</translation>
     </message>
     <message>
-        <source>the box around the stock of {label} is taken for it: {sentence}</source>
-        <translation>como material de {label} se toma la caja que lo rodea: {sentence}</translation>
+        <source>The stock of {label} is simulated as the box around it. {sentence}</source>
+        <translation>El material de {label} se simula como la caja que lo rodea. {sentence}</translation>
     </message>
     <message>
-        <source>{label} is not simulated exactly, but {instead}</source>
-        <translation>{label} no se simula exactamente, sino {instead}</translation>
+        <source>{label} is simulated only approximately, {instead}.</source>
+        <translation>{label} se simula solo de forma aproximada, {instead}.</translation>
     </message>
     <message>
-        <source>as an end mill of its largest diameter</source>
+        <source>as an end mill with its largest diameter</source>
         <translation>como fresa recta de su diámetro mayor</translation>
     </message>
     <message>
-        <source>as a ball end of its tip&apos;s diameter</source>
+        <source>as a ball end mill with the diameter of its tip</source>
         <translation>como fresa esférica del diámetro de su punta</translation>
     </message>
     <message>
@@ -702,40 +702,40 @@
         <translation>como broca</translation>
     </message>
     <message>
-        <source>a rotary axis ({letter}) turns while the tool cuts: the path of the tool cannot be told</source>
-        <translation>un eje rotativo ({letter}) gira mientras la herramienta corta: no se puede saber su recorrido</translation>
+        <source>A rotary axis ({letter}) turns while the tool cuts. The tool&apos;s path is unknown here.</source>
+        <translation>Un eje rotativo ({letter}) gira mientras la herramienta corta. El recorrido de la herramienta se desconoce aquí.</translation>
     </message>
     <message>
-        <source>turns of a rotary axis ({letter}) are not followed</source>
-        <translation>no se siguen los giros de un eje rotativo ({letter})</translation>
+        <source>Moves of a rotary axis ({letter}) are ignored.</source>
+        <translation>Los movimientos de un eje rotativo ({letter}) se ignoran.</translation>
     </message>
     <message>
-        <source>{letter} words are not read</source>
-        <translation>no se leen las palabras {letter}</translation>
+        <source>{letter} words are ignored.</source>
+        <translation>Las palabras {letter} se ignoran.</translation>
     </message>
     <message>
-        <source>a cycle&apos;s repeats ({letter}) are not made</source>
-        <translation>no se hacen las repeticiones de un ciclo ({letter})</translation>
+        <source>The repeats of a cycle ({letter}) are ignored.</source>
+        <translation>Las repeticiones de un ciclo ({letter}) se ignoran.</translation>
     </message>
     <message>
-        <source>further turns of an arc (P) are not made</source>
-        <translation>no se hacen las vueltas adicionales de un arco (P)</translation>
+        <source>The additional turns of an arc (P) are ignored.</source>
+        <translation>Las vueltas adicionales de un arco (P) se ignoran.</translation>
     </message>
     <message>
-        <source>inches (G20) are not followed: lengths are read in mm</source>
-        <translation>no se siguen las pulgadas (G20): las longitudes se leen en mm</translation>
+        <source>Inches (G20) are ignored. Lengths are read in mm.</source>
+        <translation>Las pulgadas (G20) se ignoran. Las longitudes se leen en mm.</translation>
     </message>
     <message>
-        <source>cutter compensation ({name}) is not followed: the path is the programmed one</source>
-        <translation>no se sigue la compensación de radio ({name}): el recorrido es el del programa</translation>
+        <source>Cutter compensation ({name}) is ignored. The programmed path is used.</source>
+        <translation>La compensación de radio ({name}) se ignora. Se usa el recorrido programado.</translation>
     </message>
     <message>
-        <source>feeds after {name} are not read</source>
-        <translation>no se leen los avances después de {name}</translation>
+        <source>Feeds after {name} are ignored.</source>
+        <translation>Los avances después de {name} se ignoran.</translation>
     </message>
     <message>
-        <source>dwells are not in the time</source>
-        <translation>las pausas no están incluidas en el tiempo</translation>
+        <source>Dwell times are not included in the machining time.</source>
+        <translation>Las pausas no están incluidas en el tiempo de mecanizado.</translation>
     </message>
     <message>
         <source>open strokes side by side at an even distance</source>
@@ -750,56 +750,56 @@
         <translation>muchos contornos pequeños de formas distintas</translation>
     </message>
     <message>
-        <source>{count:n} row{spread}, {seen}</source>
-        <translation>{count:n} fila{spread}, {seen}</translation>
+        <source>{count:n} row{spread}, {seen}.</source>
+        <translation>{count:n} fila{spread}, {seen}.</translation>
     </message>
     <message>
-        <source>{count:n} rows{spread}, {seen}</source>
-        <translation>{count:n} filas{spread}, {seen}</translation>
+        <source>{count:n} rows{spread}, {seen}.</source>
+        <translation>{count:n} filas{spread}, {seen}.</translation>
     </message>
     <message>
-        <source>one open cut{spread}, {seen}</source>
-        <translation>un corte abierto{spread}, {seen}</translation>
+        <source>One open cut{spread}, {seen}.</source>
+        <translation>Un corte abierto{spread}, {seen}.</translation>
     </message>
     <message>
-        <source>{count:n} open cuts{spread}, {seen}</source>
-        <translation>{count:n} cortes abiertos{spread}, {seen}</translation>
+        <source>{count:n} open cuts{spread}, {seen}.</source>
+        <translation>{count:n} cortes abiertos{spread}, {seen}.</translation>
     </message>
     <message>
-        <source>one loop{spread}{turning}, {seen}</source>
-        <translation>una vuelta{spread}{turning}, {seen}</translation>
+        <source>One loop{spread}{turning}, {seen}.</source>
+        <translation>Una vuelta{spread}{turning}, {seen}.</translation>
     </message>
     <message>
-        <source>{count:n} loops{spread}{turning}, {seen}</source>
-        <translation>{count:n} vueltas{spread}{turning}, {seen}</translation>
+        <source>{count:n} loops{spread}{turning}, {seen}.</source>
+        <translation>{count:n} vueltas{spread}{turning}, {seen}.</translation>
     </message>
     <message>
-        <source>straight down at one point</source>
-        <translation>recto hacia abajo en un punto</translation>
+        <source>Straight down at one point.</source>
+        <translation>Recto hacia abajo en un punto.</translation>
     </message>
     <message>
-        <source>straight down at {count:n} points</source>
-        <translation>recto hacia abajo en {count:n} puntos</translation>
+        <source>Straight down at {count:n} points.</source>
+        <translation>Recto hacia abajo en {count:n} puntos.</translation>
     </message>
     <message>
-        <source>straight down at some points</source>
-        <translation>recto hacia abajo en algunos puntos</translation>
+        <source>Straight down at some points.</source>
+        <translation>Recto hacia abajo en algunos puntos.</translation>
     </message>
     <message>
-        <source>{count:n} sections, parted by tool changes, titles, retracts or drilling: {strategies:strategy}</source>
-        <translation>{count:n} secciones, separadas por cambios de herramienta, títulos, retracciones o taladrado: {strategies:strategy}</translation>
+        <source>{count:n} sections, separated by tool changes, titles, retracts or drilling: {strategies:strategy}.</source>
+        <translation>{count:n} secciones, separadas por cambios de herramienta, títulos, retracciones o taladrado: {strategies:strategy}.</translation>
     </message>
     <message>
-        <source>{count:n} overlapping bites</source>
-        <translation>{count:n} bocados que se solapan</translation>
+        <source>{count:n} overlapping engagements</source>
+        <translation>{count:n} cortes que se solapan</translation>
     </message>
     <message>
         <source>one clockwise, the next counter-clockwise</source>
         <translation>una horaria, la siguiente antihoraria</translation>
     </message>
     <message>
-        <source>all in one cut that winds on and never closes</source>
-        <translation>todo en un corte que se enrolla y nunca se cierra</translation>
+        <source>all in one continuous cut that never closes</source>
+        <translation>todo en un corte continuo que nunca se cierra</translation>
     </message>
     <message>
         <source>one inside the other</source>
@@ -810,52 +810,52 @@
         <translation>ninguna dentro de otra</translation>
     </message>
     <message>
-        <source>cut to and fro</source>
+        <source>cut back and forth</source>
         <translation>cortadas de ida y vuelta</translation>
     </message>
     <message>
-        <source>all cut the same way</source>
+        <source>all cut in the same direction</source>
         <translation>todas cortadas en el mismo sentido</translation>
     </message>
     <message>
-        <source>phi stays between {low:turns} and {high:turns} turns over one row{spread}, {seen}: {strategy:strategy}</source>
-        <translation>φ permanece entre {low:turns} y {high:turns} vueltas en una fila{spread}, {seen}: {strategy:strategy}</translation>
+        <source>Phi stays between {low:turns} and {high:turns} turns over one row{spread}, {seen}: {strategy:strategy}.</source>
+        <translation>φ permanece entre {low:turns} y {high:turns} vueltas en una fila{spread}, {seen}: {strategy:strategy}.</translation>
     </message>
     <message>
-        <source>phi stays at 0 over one row{spread}, {seen}: {strategy:strategy}</source>
-        <translation>φ permanece en 0 en una fila{spread}, {seen}: {strategy:strategy}</translation>
+        <source>Phi stays at 0 over one row{spread}, {seen}: {strategy:strategy}.</source>
+        <translation>φ permanece en 0 en una fila{spread}, {seen}: {strategy:strategy}.</translation>
     </message>
     <message>
-        <source>One move is shorter than a cell of the {simulator:simulator} ({cell:mm2}), takes its time and is not seen by itself: a coarser tolerance of the operation loses nothing there.</source>
-        <translation>Un movimiento es más corto que una celda de {simulator:simulator} ({cell:mm2}), lleva su tiempo y no se ve por sí solo: una tolerancia más gruesa de la operación no pierde nada ahí.</translation>
+        <source>One move is shorter than a cell of the {simulator:simulator} ({cell:mm2}). It takes time, but cannot be seen. Choose a coarser tolerance for the operation.</source>
+        <translation>Un movimiento es más corto que una celda del {simulator:simulator} ({cell:mm2}). Lleva tiempo, pero no se ve. Elija una tolerancia más gruesa para la operación.</translation>
     </message>
     <message>
-        <source>which lie like those of known toolpaths ({share:%} of the votes)</source>
-        <translation>dispuestos como los de trayectorias conocidas ({share:%} de los votos)</translation>
+        <source>arranged as in known toolpaths ({share:%} of the votes)</source>
+        <translation>dispuestos como en trayectorias conocidas ({share:%} de los votos)</translation>
     </message>
     <message>
-        <source>unlike anything that machines ({share:%} of the votes)</source>
-        <translation>como nada que mecanice ({share:%} de los votos)</translation>
+        <source>unlike any known machining ({share:%} of the votes)</source>
+        <translation>distinto de todo mecanizado conocido ({share:%} de los votos)</translation>
     </message>
     <message>
-        <source>, entered by a ramp</source>
-        <translation>, con entrada en rampa</translation>
+        <source> The tool enters on a ramp.</source>
+        <translation> La herramienta entra en rampa.</translation>
     </message>
     <message>
-        <source>, entered by a ramp to and fro</source>
-        <translation>, con entrada en rampa de vaivén</translation>
+        <source> The tool enters on a ramp that goes back and forth.</source>
+        <translation> La herramienta entra en una rampa de ida y vuelta.</translation>
     </message>
     <message>
-        <source>, entered by a helix</source>
-        <translation>, con entrada en hélice</translation>
+        <source> The tool enters on a helix.</source>
+        <translation> La herramienta entra en hélice.</translation>
     </message>
     <message>
-        <source>, finished by a contour around the rows</source>
-        <translation>, con un acabado en contorno alrededor de las filas</translation>
+        <source> A contour around the rows finishes the area.</source>
+        <translation> Un contorno alrededor de las filas acaba la superficie.</translation>
     </message>
     <message>
-        <source>The {simulator:simulator} hangs on this: command {command:#} of {label}{others} is an arc {reason}.</source>
-        <translation>{simulator:simulator} se bloquea con esto: la orden {command:#} de {label}{others} es un arco {reason}.</translation>
+        <source>The {simulator:simulator} hangs on this simulation: command {command:#} of {label}{others} is an arc {reason}.</source>
+        <translation>{simulator:simulator} se bloquea en esta simulación: la orden {command:#} de {label}{others} es un arco {reason}.</translation>
     </message>
     <message>
         <source> (also in another operation)</source>
@@ -866,20 +866,20 @@
         <translation> (y {count:n} operaciones más)</translation>
     </message>
     <message>
-        <source>Playing this takes {bound} {time:s} in the {simulator:simulator}.</source>
-        <translation>{simulator:simulator}: la reproducción tarda {bound} {time:s}.</translation>
+        <source>Playing this simulation takes {bound} {time:s} in the {simulator:simulator}.</source>
+        <translation>Reproducir esta simulación tarda {bound} {time:s} en el {simulator:simulator}.</translation>
     </message>
     <message>
         <source>Fast-forward takes {bound} {time:s}.</source>
         <translation>El avance rápido tarda {bound} {time:s}.</translation>
     </message>
     <message>
-        <source>The {simulator:simulator} in fast-forward: {bound} {time:s}.</source>
-        <translation>{simulator:simulator} en avance rápido: {bound} {time:s}.</translation>
+        <source>Fast-forward in the {simulator:simulator} takes {bound} {time:s}.</source>
+        <translation>El avance rápido en el {simulator:simulator} tarda {bound} {time:s}.</translation>
     </message>
     <message>
-        <source>The {simulator:simulator}: {bound} {time:s}.</source>
-        <translation>{simulator:simulator}: {bound} {time:s}.</translation>
+        <source>The {simulator:simulator} takes {bound} {time:s}.</source>
+        <translation>El {simulator:simulator} tarda {bound} {time:s}.</translation>
     </message>
     <message>
         <source>about</source>
@@ -890,144 +890,144 @@
         <translation>al menos</translation>
     </message>
     <message>
-        <source>Simulate toolpaths shows the finished part at once, coarse at first.</source>
+        <source>Simulate Toolpaths shows the finished part at once, coarse at first.</source>
         <translation>«Simular trayectorias» muestra enseguida la pieza acabada, al principio tosca.</translation>
     </message>
     <message>
-        <source>a rapid move removes {volume:mm³2}</source>
-        <translation>un movimiento rápido quita {volume:mm³2}</translation>
+        <source>A rapid move removes {volume:mm³2}.</source>
+        <translation>Un movimiento rápido quita {volume:mm³2}.</translation>
     </message>
     <message>
-        <source>plunges into full material at {feed:mm/min3}, where its tool may plunge at {allowed:mm/min3}</source>
-        <translation>entra en pleno material a {feed:mm/min3}, su herramienta puede entrar a {allowed:mm/min3}</translation>
+        <source>The tool plunges into full material at {feed:mm/min3}. Its limit is {allowed:mm/min3}.</source>
+        <translation>La herramienta entra en pleno material a {feed:mm/min3}. Su límite es {allowed:mm/min3}.</translation>
     </message>
     <message>
-        <source>{depth:mm2} are left on the model</source>
-        <translation>quedan {depth:mm2} sobre el modelo</translation>
+        <source>{depth:mm2} of stock is left on the model.</source>
+        <translation>Quedan {depth:mm2} de material sobre el modelo.</translation>
     </message>
     <message>
-        <source>a finer picture would take longer than the {allowed:s} that the preferences allow</source>
-        <translation>una imagen más fina tardaría más que los {allowed:s} que permiten las preferencias</translation>
+        <source>A finer picture would take longer than the {allowed:s} limit in the preferences.</source>
+        <translation>Una imagen más fina tardaría más que el límite de {allowed:s} de las preferencias.</translation>
     </message>
     <message>
-        <source>as simulated, command {command:#} is wrong: {fault}</source>
-        <translation>según la simulación, la orden {command:#} está mal: {fault}</translation>
+        <source>The simulation shows a fault at command {command:#}: {fault}</source>
+        <translation>La simulación muestra un fallo en la orden {command:#}: {fault}</translation>
     </message>
     <message>
-        <source>moves in X and Z only, with passes along Z at many X, as a lathe makes them: {strategy:strategy}</source>
-        <translation>movimientos solo en X y Z, con pasadas a lo largo de Z en muchas X, como los hace un torno: {strategy:strategy}</translation>
+        <source>All moves are in X and Z, with passes along Z at many X, as on a lathe: {strategy:strategy}.</source>
+        <translation>Todos los movimientos son en X y Z, con pasadas a lo largo de Z en muchas X, como en un torno: {strategy:strategy}.</translation>
     </message>
     <message>
-        <source>the operation&apos;s placement must be numbers within a kilometer of the origin</source>
-        <translation>la ubicación de la operación debe constar de números a menos de un kilómetro del origen</translation>
+        <source>The placement of the operation must be numbers within a kilometer of the origin.</source>
+        <translation>La ubicación de la operación debe constar de números a menos de un kilómetro del origen.</translation>
     </message>
     <message>
-        <source>a line with two {letter} words: the last one is read</source>
-        <translation>una línea con dos palabras {letter}: se lee la última</translation>
+        <source>Of two {letter} words in a line, the last one is read.</source>
+        <translation>De dos palabras {letter} en una línea se lee la última.</translation>
     </message>
     <message>
-        <source>a line with two motions, such as G0 and G1: the last one is read</source>
-        <translation>una línea con dos movimientos, como G0 y G1: se lee el último</translation>
+        <source>Of two motions in a line, such as G0 and G1, the last one is read.</source>
+        <translation>De dos movimientos en una línea, como G0 y G1, se lee el último.</translation>
     </message>
     <message>
-        <source>{told}, with a little {strategies:strategy} beside it</source>
-        <translation>{told}, con un poco de {strategies:strategy} al lado</translation>
+        <source>{told} A small part is {strategies:strategy}.</source>
+        <translation>{told} Una pequeña parte es: {strategies:strategy}.</translation>
     </message>
     <message>
-        <source>{width:n} x {height:n} pixels of {pixel:mm2}, limited by the {limit}{passes}</source>
-        <translation>{width:n} × {height:n} píxeles de {pixel:mm2}, limitados por {limit}{passes}</translation>
+        <source>{width:n} x {height:n} pixels of {pixel:mm2}, limited by the {limit}.{passes}</source>
+        <translation>{width:n} × {height:n} píxeles de {pixel:mm2}, limitados por {limit}.{passes}</translation>
     </message>
     <message>
-        <source>{length:mm4} of rapids are not in the time because the operation has no tool controller: give it one with rapid speeds</source>
-        <translation>{length:mm4} de rápidos no están en el tiempo porque la operación no tiene controlador de herramienta: asígnele uno con velocidades rápidas</translation>
+        <source>The machining time does not include {length:mm4} of rapids, because the operation has no tool controller. Give it one with rapid speeds.</source>
+        <translation>El tiempo de mecanizado no incluye {length:mm4} de rápidos, porque la operación no tiene controlador de herramienta. Asígnele uno con velocidades rápidas.</translation>
     </message>
     <message>
-        <source>variables and expressions are not read: the lines with them are left out</source>
-        <translation>las variables y expresiones no se leen: se omiten las líneas que las contienen</translation>
+        <source>Lines with variables or expressions are ignored.</source>
+        <translation>Las líneas con variables o expresiones se ignoran.</translation>
     </message>
     <message>
-        <source>moves to positions of the machine ({name}) are left out: a program does not say where they are</source>
-        <translation>se omiten los movimientos a posiciones de la máquina ({name}): un programa no dice dónde están</translation>
+        <source>Moves to machine positions ({name}) are ignored, because the program does not contain these positions.</source>
+        <translation>Los movimientos a posiciones de la máquina ({name}) se ignoran, porque el programa no contiene estas posiciones.</translation>
     </message>
     <message>
-        <source>the holes of a pattern ({name}) are not made</source>
-        <translation>no se hacen los agujeros de un patrón ({name})</translation>
+        <source>The holes of a pattern ({name}) are ignored.</source>
+        <translation>Los agujeros de un patrón ({name}) se ignoran.</translation>
     </message>
     <message>
-        <source>it spans meters in whole numbers: thousandths without a decimal point read as whole units?</source>
-        <translation>abarca metros en números enteros: ¿milésimas sin punto decimal leídas como unidades enteras?</translation>
+        <source>The toolpath spans meters in whole numbers. Thousandths without a decimal point are probably read as whole units.</source>
+        <translation>La trayectoria abarca metros en números enteros. Probablemente se leen milésimas sin punto decimal como unidades enteras.</translation>
     </message>
     <message>
-        <source>The {simulator:simulator} takes about {time:s} for every picture at the end, {percent:n}% of it for arcs: simulate this operation alone.</source>
-        <translation>El {simulator:simulator} tarda al final unos {time:s} por imagen, el {percent:n} % en arcos: simule esta operación sola.</translation>
+        <source>The {simulator:simulator} slows to about {frames:g1} frames per second here, mostly because of arcs. Simulate this operation on its own.</source>
+        <translation>El {simulator:simulator} baja aquí a unas {frames:g1} imágenes por segundo, sobre todo por los arcos. Simule esta operación sola.</translation>
     </message>
     <message>
-        <source>The {simulator:simulator} takes {bound} {time:s}, longer than the {allowed:s} allowed. {better}</source>
-        <translation>El {simulator:simulator} tarda {bound} {time:s}, más de los {allowed:s} permitidos. {better}</translation>
+        <source>The {simulator:simulator} takes {bound} {time:s}, which is over your {allowed:s} limit. {better}</source>
+        <translation>El {simulator:simulator} tarda {bound} {time:s}, más que su límite de {allowed:s}. {better}</translation>
     </message>
     <message>
-        <source>the centers of arcs are read as positions (as by G90.1): only so the arcs end on their circles</source>
-        <translation>los centros de los arcos se leen como posiciones (como con G90.1): solo así los arcos terminan en sus círculos</translation>
+        <source>The centers of arcs are read as positions (as with G90.1). The arcs only close this way.</source>
+        <translation>Los centros de los arcos se leen como posiciones (como con G90.1). Solo así se cierran los arcos.</translation>
     </message>
     <message>
-        <source>strokes that rise to their ends, as V-carving does</source>
+        <source>strokes that rise toward their ends, as in V-carving</source>
         <translation>trazos que suben hacia sus extremos, como en el tallado en V</translation>
     </message>
     <message>
-        <source>cut in strokes, as between tags</source>
+        <source>cut in strokes, as between holding tags</source>
         <translation>cortados en trazos, como entre pestañas</translation>
     </message>
     <message>
-        <source>the unknown code {name} is ignored, and with it the {letters} words of its line</source>
-        <translation>código desconocido {name} ignorado, y con él las palabras {letters} de su línea</translation>
+        <source>The unknown code {name} is ignored, and the {letters} words of its line with it.</source>
+        <translation>El código desconocido {name} se ignora, y con él las palabras {letters} de su línea.</translation>
     </message>
     <message>
-        <source>probing moves are not in the time</source>
-        <translation>los movimientos de palpado no están incluidos en el tiempo</translation>
+        <source>Probing moves are not included in the machining time.</source>
+        <translation>Los movimientos de palpado no están incluidos en el tiempo de mecanizado.</translation>
     </message>
     <message>
-        <source>cuts {depth:mm2} into the model</source>
-        <translation>corta {depth:mm2} dentro del modelo</translation>
+        <source>The tool cuts {depth:mm2} into the model.</source>
+        <translation>La herramienta corta {depth:mm2} dentro del modelo.</translation>
     </message>
     <message>
-        <source>as simulated, {count:n} commands are wrong, among them {command:#}: {fault}</source>
-        <translation>según la simulación, {count:n} órdenes están mal, entre ellas la {command:#}: {fault}</translation>
+        <source>The simulation shows faults at {count:n} commands, for example at command {command:#}: {fault}</source>
+        <translation>La simulación muestra fallos en {count:n} órdenes, por ejemplo en la orden {command:#}: {fault}</translation>
     </message>
     <message>
-        <source>called {name}, but its toolpath is {strategy:strategy}</source>
-        <translation>se llama {name}, pero su trayectoria es: {strategy:strategy}</translation>
+        <source>The operation is called {name}, but its toolpath is {strategy:strategy}.</source>
+        <translation>La operación se llama {name}, pero su trayectoria es: {strategy:strategy}.</translation>
     </message>
     <message>
-        <source>not an NC program, but a zip archive: unpack it first</source>
-        <translation>no es un programa CN, sino un archivo zip: descomprímalo primero</translation>
+        <source>This is not an NC program, but a zip archive. Unpack it first.</source>
+        <translation>No es un programa CN, sino un archivo zip. Descomprímalo primero.</translation>
     </message>
     <message>
-        <source>not an NC program, but a FreeCAD document: analyze it in FreeCAD, a folder of them with the macro examples/macros/folder_to_csv.py</source>
-        <translation>no es un programa CN, sino un documento de FreeCAD: analícelo en FreeCAD, una carpeta de ellos con la macro examples/macros/folder_to_csv.py</translation>
+        <source>This is not an NC program, but a FreeCAD document. Analyze it in FreeCAD. For a folder of documents, use the macro examples/macros/folder_to_csv.py.</source>
+        <translation>No es un programa CN, sino un documento de FreeCAD. Analícelo en FreeCAD. Para una carpeta de documentos, use la macro examples/macros/folder_to_csv.py.</translation>
     </message>
     <message>
-        <source>lacks {depth:mm2} of the model: choose a larger stock, or move the model within it</source>
-        <translation>le faltan {depth:mm2} del modelo: elija un material en bruto mayor o mueva el modelo dentro de él</translation>
+        <source>The stock is {depth:mm2} too small for the model. Choose a larger stock, or move the model within it.</source>
+        <translation>El material en bruto es {depth:mm2} demasiado pequeño para el modelo. Elija un material mayor o mueva el modelo dentro de él.</translation>
     </message>
     <message>
-        <source>switched off: it has no toolpath until you switch it on and recompute it</source>
-        <translation>desactivada: no tiene trayectoria hasta que la active y la recalcule</translation>
+        <source>The operation is switched off. It has no toolpath until you switch it on and recompute it.</source>
+        <translation>La operación está desactivada. No tiene trayectoria hasta que la active y la recalcule.</translation>
     </message>
     <message>
-        <source>this is no file, but a pipe or a device</source>
-        <translation>no es un archivo, sino una tubería o un dispositivo</translation>
+        <source>This is not a file, but a pipe or a device.</source>
+        <translation>No es un archivo, sino una tubería o un dispositivo.</translation>
     </message>
     <message>
-        <source>it does not touch the stock, which is the finished part: choose a block around it as the stock</source>
-        <translation>no toca el material en bruto, que ya es la pieza terminada: elija como bruto un bloque que la rodee</translation>
+        <source>The operation does not touch the stock, which is the finished part. Choose a block around it as the stock.</source>
+        <translation>La operación no toca el material en bruto, que ya es la pieza terminada. Elija como material un bloque que la rodee.</translation>
     </message>
     <message>
-        <source>The simulation takes about {memory:bytes} at its peak, for {dexels:n} dexels and {traces:n} elements of traces, more than the {allowed:bytes} allowed: {instead}.</source>
-        <translation>La simulación ocupa unos {memory:bytes} como máximo, para {dexels:n} dexels y {traces:n} elementos de traza, más que los {allowed:bytes} permitidos: {instead}.</translation>
+        <source>The simulation takes about {memory:bytes} at its peak, for {dexels:n} dexels and {traces:n} elements of traces, which is over your {allowed:bytes} limit. {instead}</source>
+        <translation>La simulación ocupa unos {memory:bytes} como máximo, para {dexels:n} dexels y {traces:n} elementos de traza, más que su límite de {allowed:bytes}. {instead}</translation>
     </message>
     <message>
-        <source>choose an image of {width:n} x {height:n} pixels of {pixel:mm2}, or simulate fewer operations</source>
-        <translation>elija una imagen de {width:n} × {height:n} píxeles de {pixel:mm2} o simule menos operaciones</translation>
+        <source>Choose an image of {width:n} x {height:n} pixels of {pixel:mm2} in the preferences, or simulate fewer operations.</source>
+        <translation>Elija en las preferencias una imagen de {width:n} × {height:n} píxeles de {pixel:mm2} o simule menos operaciones.</translation>
     </message>
 </context>
 <context>
@@ -1093,8 +1093,8 @@
         <translation>Calibrar</translation>
     </message>
     <message>
-        <source>Never calibrated on this computer: times of FreeCAD&apos;s simulators are right within a factor of two.</source>
-        <translation>Nunca calibrado en este equipo: los tiempos de los simuladores de FreeCAD aciertan dentro de un factor dos.</translation>
+        <source>Never calibrated on this computer. The times of FreeCAD&apos;s simulators are right to within a factor of 2.</source>
+        <translation>Nunca calibrado en este equipo. Los tiempos de los simuladores de FreeCAD aciertan dentro de un factor 2.</translation>
     </message>
     <message>
         <source>General</source>
@@ -1105,19 +1105,19 @@
         <translation>Marcas en el árbol</translation>
     </message>
     <message>
-        <source>Time and memory of</source>
-        <translation>Tiempo y memoria de</translation>
+        <source>Show times for</source>
+        <translation>Mostrar tiempos de</translation>
     </message>
     <message>
-        <source>Shows the marks as colored pills in the tree; as plain text if switched off.</source>
-        <translation>Muestra las marcas como etiquetas de color en el árbol; si se desactiva, como texto sencillo.</translation>
+        <source>Shows the marks in the tree as colored pills. If switched off, shows them as plain text.</source>
+        <translation>Muestra las marcas en el árbol como etiquetas de color. Si se desactiva, las muestra como texto sencillo.</translation>
     </message>
     <message>
         <source>Show marks as pills</source>
         <translation>Mostrar las marcas como etiquetas</translation>
     </message>
     <message>
-        <source>Analyzes marked operations again after each recompute that changed them. Large toolpaths make each recompute longer.</source>
+        <source>Analyzes marked operations again after each recompute that changed them. With large toolpaths, each recompute takes longer.</source>
         <translation>Analiza de nuevo las operaciones marcadas tras cada recálculo que las haya cambiado. Las trayectorias largas alargan cada recálculo.</translation>
     </message>
     <message>
@@ -1133,16 +1133,16 @@
         <translation>Tiempo</translation>
     </message>
     <message>
-        <source>How long a simulation may take. The analysis warns of more, and recommends an accuracy that takes no longer.</source>
-        <translation>Cuánto puede durar una simulación. El análisis avisa si dura más y recomienda una precisión que no lo supere.</translation>
+        <source>Longest time that a simulation may take. The analysis warns of longer simulations and recommends an accuracy within this limit.</source>
+        <translation>Tiempo más largo que puede durar una simulación. El análisis avisa de simulaciones más largas y recomienda una precisión dentro de este límite.</translation>
     </message>
     <message>
         <source>Memory</source>
         <translation>Memoria</translation>
     </message>
     <message>
-        <source>How much memory a simulation may take. The analysis warns of more, and recommends an accuracy that takes no more.</source>
-        <translation>Cuánta memoria puede ocupar una simulación. El análisis avisa si ocupa más y recomienda una precisión que no lo supere.</translation>
+        <source>Largest memory that a simulation may take. The analysis warns of larger simulations and recommends an accuracy within this limit.</source>
+        <translation>Memoria máxima que puede ocupar una simulación. El análisis avisa de simulaciones más grandes y recomienda una precisión dentro de este límite.</translation>
     </message>
     <message>
         <source>Simulation</source>
@@ -1153,24 +1153,24 @@
         <translation>Ancho de imagen del z-buffer</translation>
     </message>
     <message>
-        <source>Width of the image whose pixels the extended z-buffer computes.</source>
-        <translation>Ancho de la imagen cuyos píxeles calcula el z-buffer extendido.</translation>
+        <source>Width of the image that the extended z-buffer computes.</source>
+        <translation>Ancho de la imagen que calcula el z-buffer extendido.</translation>
     </message>
     <message>
         <source>Z-buffer image height</source>
         <translation>Alto de imagen del z-buffer</translation>
     </message>
     <message>
-        <source>Height of the image whose pixels the extended z-buffer computes.</source>
-        <translation>Alto de la imagen cuyos píxeles calcula el z-buffer extendido.</translation>
+        <source>Height of the image that the extended z-buffer computes.</source>
+        <translation>Alto de la imagen que calcula el z-buffer extendido.</translation>
     </message>
     <message>
         <source>Z-buffer view</source>
         <translation>Vista del z-buffer</translation>
     </message>
     <message>
-        <source>Where the z-buffer looks at the part from.</source>
-        <translation>Desde dónde mira el z-buffer la pieza.</translation>
+        <source>Direction from which the part is viewed.</source>
+        <translation>Dirección desde la que se ve la pieza.</translation>
     </message>
     <message>
         <source>Top</source>
@@ -1201,32 +1201,32 @@
         <translation>Isométrica</translation>
     </message>
     <message>
-        <source>Edge of its cells in percent of the stock&apos;s longer side: 0.1 is the finest position of its slider, 1 the coarsest.</source>
-        <translation>Arista de sus celdas en tanto por ciento del lado más largo del material: 0,1 es la posición más fina de su control, 1 la más gruesa.</translation>
+        <source>Edge length of the cells, in percent of the stock&apos;s longer side. 0.1 is the finest position of the accuracy slider, 1 the coarsest.</source>
+        <translation>Arista de las celdas, en tanto por ciento del lado más largo del material. 0,1 es la posición más fina del control de precisión, 1 la más gruesa.</translation>
     </message>
     <message>
-        <source>Position of its quality slider; 10 is the best.</source>
-        <translation>Posición de su control de calidad; 10 es la mejor.</translation>
+        <source>Position of the quality slider. 10 is the best quality.</source>
+        <translation>Posición del control de calidad. 10 es la mejor calidad.</translation>
     </message>
     <message>
         <source>Arc tolerance</source>
         <translation>Tolerancia de los arcos</translation>
     </message>
     <message>
-        <source>Largest distance between an arc and the straight moves it is chopped into.</source>
-        <translation>Mayor distancia entre un arco y los movimientos rectos en que se trocea.</translation>
+        <source>Largest distance between an arc and the straight moves that replace it.</source>
+        <translation>Mayor distancia entre un arco y los movimientos rectos que lo sustituyen.</translation>
     </message>
     <message>
         <source>Calibration</source>
         <translation>Calibración</translation>
     </message>
     <message>
-        <source>Measures how fast FreeCAD&apos;s simulators are on this computer, which takes about a second, and remembers it.</source>
-        <translation>Mide en un segundo aproximadamente lo rápidos que son los simuladores de FreeCAD en este equipo, y lo recuerda.</translation>
+        <source>Measures how fast FreeCAD&apos;s simulators are on this computer, and saves the result. This takes about a second.</source>
+        <translation>Mide la velocidad de los simuladores de FreeCAD en este equipo y guarda el resultado. Tarda aproximadamente un segundo.</translation>
     </message>
     <message>
-        <source>That of FreeCAD&apos;s button: {simulator}</source>
-        <translation>El del botón de FreeCAD: {simulator}</translation>
+        <source>FreeCAD&apos;s default ({simulator})</source>
+        <translation>El del botón de FreeCAD ({simulator})</translation>
     </message>
     <message>
         <source>{simulator}: accuracy</source>
@@ -1237,16 +1237,16 @@
         <translation>{simulator}: calidad</translation>
     </message>
     <message>
-        <source>The simulator whose time the marks show. They follow at once.</source>
-        <translation>El simulador cuyo tiempo muestran las marcas. Estas lo siguen de inmediato.</translation>
+        <source>The simulator whose time the marks show. The marks change at once.</source>
+        <translation>El simulador cuyo tiempo muestran las marcas. Las marcas cambian de inmediato.</translation>
     </message>
     <message>
-        <source>Says over the view, when one of FreeCAD&apos;s simulators is started, that it would hang or take longer than the budget, and offers the better way.</source>
-        <translation>Avisa sobre la vista, al iniciar un simulador de FreeCAD, de que se bloquearía o tardaría más que el presupuesto, y ofrece un camino mejor.</translation>
+        <source>Shows a bar above the 3D view when a simulation in one of FreeCAD&apos;s simulators would hang or take too long, and suggests a faster way.</source>
+        <translation>Muestra una barra sobre la vista 3D cuando una simulación en un simulador de FreeCAD se bloquearía o tardaría demasiado, y propone un camino más rápido.</translation>
     </message>
     <message>
-        <source>Warn of simulators that hang or take too long</source>
-        <translation>Avisar si un simulador se bloquea o tarda mucho</translation>
+        <source>Warn before starting a simulation that would hang or take too long</source>
+        <translation>Avisar antes de iniciar una simulación que se bloquearía o tardaría demasiado</translation>
     </message>
     <message>
         <source>Last calibrated on {date}: times of the {simulator} are right within a factor of {factor}. Measured with FreeCAD {freecad} on {processor}, display {renderer}.</source>
@@ -1256,11 +1256,11 @@
 <context>
     <name>Vk_Analyze</name>
     <message>
-        <source>Recognizes the machining strategy of each selected operation, or of all operations of the active document, estimates what simulating it costs, and marks it in the tree.</source>
-        <translation>Reconoce la estrategia de mecanizado de cada operación seleccionada, o de todas las del documento activo, estima lo que cuesta simularla y la marca en el árbol.</translation>
+        <source>Recognizes the machining strategy of each selected operation, or of all operations of the active document. Estimates what simulating each operation costs, and marks it in the tree.</source>
+        <translation>Reconoce la estrategia de mecanizado de cada operación seleccionada, o de todas las del documento activo. Estima lo que cuesta simular cada operación y la marca en el árbol.</translation>
     </message>
     <message>
-        <source>Analyze toolpaths</source>
+        <source>Analyze Toolpaths</source>
         <translation>Analizar trayectorias</translation>
     </message>
     <message>
@@ -1268,19 +1268,19 @@
         <translation>No hay ningún documento abierto. Abra primero uno con un trabajo o una trayectoria de herramienta.</translation>
     </message>
     <message>
-        <source>Analysis cancelled, nothing changed.</source>
-        <translation>Análisis cancelado, no ha cambiado nada.</translation>
+        <source>The analysis was cancelled. Nothing has changed.</source>
+        <translation>El análisis se ha cancelado. No ha cambiado nada.</translation>
     </message>
     <message>
         <source>There is no operation to analyze in this document. Create a job with operations, or import G-code.</source>
         <translation>No hay ninguna operación que analizar en este documento. Cree un trabajo con operaciones o importe código G.</translation>
     </message>
     <message>
-        <source>The marks are in the tree&apos;s Description column, which is now visible. You can hide it again in the tree&apos;s context menu: Tree settings, Show description.</source>
-        <translation>Las marcas están en la columna Descripción del árbol, que ahora es visible. Puede ocultarla de nuevo en el menú contextual del árbol: configuración del árbol, mostrar descripción.</translation>
+        <source>The marks are in the Description column of the tree, which is now visible. To hide the column again, open the context menu of the tree and choose Tree Settings, Show Description.</source>
+        <translation>Las marcas están en la columna Descripción del árbol, que ahora es visible. Para ocultarla de nuevo, abra el menú contextual del árbol y elija: configuración del árbol, mostrar descripción.</translation>
     </message>
     <message>
-        <source>Toolpath analysis</source>
+        <source>Toolpath Analysis</source>
         <translation>Análisis de trayectorias</translation>
     </message>
     <message>
@@ -1288,20 +1288,20 @@
         <translation>Cancelar</translation>
     </message>
     <message>
-        <source>{count} operation analyzed</source>
-        <translation>{count} operación analizada</translation>
+        <source>{count} operation was analyzed.</source>
+        <translation>{count} operación analizada.</translation>
     </message>
     <message>
-        <source>{count} operations analyzed</source>
-        <translation>{count} operaciones analizadas</translation>
+        <source>{count} operations were analyzed.</source>
+        <translation>{count} operaciones analizadas.</translation>
     </message>
     <message>
-        <source>{count} has a warning</source>
-        <translation>{count} con una advertencia</translation>
+        <source>{count} has a warning.</source>
+        <translation>{count} tiene una advertencia.</translation>
     </message>
     <message>
-        <source>{count} have warnings</source>
-        <translation>{count} con advertencias</translation>
+        <source>{count} have warnings.</source>
+        <translation>{count} tienen advertencias.</translation>
     </message>
     <message>
         <source>Measuring how fast this computer simulates…</source>
@@ -1311,35 +1311,35 @@
 <context>
     <name>Vk_Clear</name>
     <message>
-        <source>Removes the marks of the selected operations, or all marks of the active document; your own descriptions stay.</source>
-        <translation>Quita las marcas de las operaciones seleccionadas, o todas las del documento activo; sus propias descripciones se conservan.</translation>
+        <source>Removes the marks of the selected operations, or all marks of the active document. Your own descriptions stay.</source>
+        <translation>Quita las marcas de las operaciones seleccionadas, o todas las del documento activo. Sus propias descripciones se conservan.</translation>
     </message>
     <message>
-        <source>Clear analysis</source>
+        <source>Clear Analysis</source>
         <translation>Borrar el análisis</translation>
     </message>
     <message>
-        <source>{count} mark removed</source>
-        <translation>{count} marca eliminada</translation>
+        <source>{count} mark was removed.</source>
+        <translation>{count} marca eliminada.</translation>
     </message>
     <message>
-        <source>{count} marks removed</source>
-        <translation>{count} marcas eliminadas</translation>
+        <source>{count} marks were removed.</source>
+        <translation>{count} marcas eliminadas.</translation>
     </message>
 </context>
 <context>
     <name>Vk_GaussMap</name>
     <message>
-        <source>Gauss map</source>
+        <source>Gauss Map</source>
         <translation>Aplicación de Gauss</translation>
     </message>
     <message>
-        <source>Save picture…</source>
+        <source>Save Picture…</source>
         <translation>Guardar imagen…</translation>
     </message>
     <message>
-        <source>Saves the three plots as they stand, as PNG or SVG.</source>
-        <translation>Guarda los tres gráficos tal como están, como PNG o SVG.</translation>
+        <source>Saves the three plots as PNG or SVG.</source>
+        <translation>Guarda los tres gráficos como PNG o SVG.</translation>
     </message>
     <message>
         <source>Steps through the trajectories k of the area.</source>
@@ -1358,7 +1358,7 @@
         <translation>Seleccione una operación en el árbol.</translation>
     </message>
     <message>
-        <source>Save picture</source>
+        <source>Save Picture</source>
         <translation>Guardar imagen</translation>
     </message>
     <message>
@@ -1374,8 +1374,8 @@
         <translation>inversión exacta</translation>
     </message>
     <message>
-        <source>Shows why the selected operation has its strategy: its toolpath, the Gauss map of its directions and of the vector V_k, and the cumulative angular function.</source>
-        <translation>Muestra por qué la operación seleccionada tiene su estrategia: su trayectoria, la aplicación de Gauss de sus direcciones y del vector V_k, y la función angular acumulada.</translation>
+        <source>Shows why the selected operation has its strategy. Shows the toolpath, the Gauss map of its directions and of the vector V_k, and the cumulative angular function.</source>
+        <translation>Muestra por qué la operación seleccionada tiene su estrategia. Muestra la trayectoria, la aplicación de Gauss de sus direcciones y del vector V_k, y la función angular acumulada.</translation>
     </message>
     <message>
         <source>This area: {}</source>
@@ -1394,31 +1394,31 @@
         <translation>con el giro de cierre φ = {}, n = {}</translation>
     </message>
     <message>
-        <source>The areas that the tool cuts without a rapid move or a plunge: first the one that shows the strategy best, then the longest.</source>
-        <translation>Las áreas que la herramienta corta sin movimiento rápido ni entrada: primero la que mejor muestra la estrategia, después las más largas.</translation>
+        <source>Areas that the tool cuts without a rapid move or a plunge. The area that shows the strategy best comes first, then the longest areas.</source>
+        <translation>Áreas que la herramienta corta sin movimiento rápido ni entrada. Primero viene la que mejor muestra la estrategia, después las más largas.</translation>
     </message>
     <message>
-        <source>&lt;p&gt;The wheel zooms, dragging moves, a double click shows all again.&lt;/p&gt;</source>
-        <translation>&lt;p&gt;La rueda amplía, arrastrar desplaza, un doble clic muestra todo de nuevo.&lt;/p&gt;</translation>
+        <source>&lt;p&gt;Use the wheel to zoom, drag to move, and double-click to show everything again.&lt;/p&gt;</source>
+        <translation>&lt;p&gt;Use la rueda para ampliar, arrastre para desplazar y haga doble clic para mostrar todo de nuevo.&lt;/p&gt;</translation>
     </message>
     <message>
-        <source>{}: no move cuts sideways, so there is no direction to show</source>
-        <translation>{}: ningún movimiento corta hacia los lados, así que no hay dirección que mostrar</translation>
+        <source>{}: No move cuts sideways, so there is no direction to show.</source>
+        <translation>{}: Ningún movimiento corta hacia los lados, así que no hay dirección que mostrar.</translation>
     </message>
     <message>
-        <source>&lt;p&gt;Left the toolpath with the vector V&lt;sub&gt;k&lt;/sub&gt; from the area&apos;s first point. On the unit circle the images of the trajectory v&lt;sub&gt;k&lt;/sub&gt; and of V&lt;sub&gt;k&lt;/sub&gt;; the arcs show how they moved. That of v&lt;sub&gt;k&lt;/sub&gt; goes to and fro on a part of the circle in a zigzag, and all around in a contour; that of V&lt;sub&gt;k&lt;/sub&gt; goes all around only where the path begins inside the contour. Right the cumulative angular function φ and the angle θ on level n: a contour-parallel path reaches the dashed lines ±2π, a zigzag stays between them.&lt;/p&gt;</source>
-        <translation>&lt;p&gt;A la izquierda, la trayectoria de la herramienta con el vector V&lt;sub&gt;k&lt;/sub&gt; desde el primer punto de la zona. En el círculo unidad, las imágenes del tramo v&lt;sub&gt;k&lt;/sub&gt; y de V&lt;sub&gt;k&lt;/sub&gt;; los arcos muestran cómo se han movido. La de v&lt;sub&gt;k&lt;/sub&gt; va y viene por una parte del círculo en un zigzag y da la vuelta entera en un contorno; la de V&lt;sub&gt;k&lt;/sub&gt; solo da la vuelta entera si la trayectoria empieza dentro del contorno. A la derecha, la función angular acumulada φ y el ángulo θ en el nivel n: una trayectoria de contornos paralelos alcanza las líneas discontinuas ±2π, un zigzag queda entre ellas.&lt;/p&gt;</translation>
+        <source>&lt;p&gt;The left plot shows the toolpath with the vector V&lt;sub&gt;k&lt;/sub&gt; from the first point of the area. The unit circle shows the directions of the trajectory v&lt;sub&gt;k&lt;/sub&gt; and of V&lt;sub&gt;k&lt;/sub&gt;. Its arcs show how these directions have moved. In a zigzag, the direction of v&lt;sub&gt;k&lt;/sub&gt; moves back and forth on a part of the circle. In a contour, it moves all around the circle. The direction of V&lt;sub&gt;k&lt;/sub&gt; moves all around only if the path begins inside the contour. The right plot shows the cumulative angular function φ and the angle θ on level n. A contour-parallel path reaches the dashed lines ±2π, and a zigzag stays between them.&lt;/p&gt;</source>
+        <translation>&lt;p&gt;El gráfico izquierdo muestra la trayectoria de la herramienta con el vector V&lt;sub&gt;k&lt;/sub&gt; desde el primer punto de la zona. El círculo unidad muestra las direcciones del tramo v&lt;sub&gt;k&lt;/sub&gt; y de V&lt;sub&gt;k&lt;/sub&gt;. Sus arcos muestran cómo se han movido estas direcciones. En un zigzag, la dirección de v&lt;sub&gt;k&lt;/sub&gt; va y viene por una parte del círculo. En un contorno, da la vuelta entera. La dirección de V&lt;sub&gt;k&lt;/sub&gt; solo da la vuelta entera si la trayectoria empieza dentro del contorno. El gráfico derecho muestra la función angular acumulada φ y el ángulo θ en el nivel n. Una trayectoria de contornos paralelos alcanza las líneas discontinuas ±2π, y un zigzag queda entre ellas.&lt;/p&gt;</translation>
     </message>
 </context>
 <context>
     <name>Vk_Results</name>
     <message>
-        <source>Toolpath results</source>
+        <source>Toolpath Results</source>
         <translation>Resultados de trayectorias</translation>
     </message>
     <message>
-        <source>Nothing is analyzed yet in this document: click Analyze toolpaths.</source>
-        <translation>Todavía no se ha analizado nada en este documento: haga clic en «Analizar trayectorias».</translation>
+        <source>Nothing is analyzed in this document yet. Click Analyze Toolpaths.</source>
+        <translation>Todavía no se ha analizado nada en este documento. Haga clic en «Analizar trayectorias».</translation>
     </message>
     <message>
         <source>Export CSV</source>
@@ -1437,46 +1437,46 @@
         <translation>Estrategia</translation>
     </message>
     <message>
-        <source>The machining strategy recognized from the toolpath alone</source>
-        <translation>La estrategia de mecanizado reconocida solo por la trayectoria</translation>
+        <source>The machining strategy, recognized from the toolpath alone.</source>
+        <translation>La estrategia de mecanizado, reconocida solo por la trayectoria.</translation>
     </message>
     <message>
-        <source>Sure</source>
-        <translation>Seguridad</translation>
+        <source>Confidence</source>
+        <translation>Confianza</translation>
     </message>
     <message>
-        <source>How sure the recognition is</source>
-        <translation>Seguridad del reconocimiento</translation>
+        <source>The confidence of the recognition.</source>
+        <translation>La confianza del reconocimiento.</translation>
     </message>
     <message>
         <source>Length</source>
         <translation>Longitud</translation>
     </message>
     <message>
-        <source>Length of the cutting moves</source>
-        <translation>Longitud de los movimientos de corte</translation>
+        <source>Length of the cutting moves.</source>
+        <translation>Longitud de los movimientos de corte.</translation>
     </message>
     <message>
-        <source>Time of FreeCAD&apos;s OpenGL simulator at its highest speed</source>
+        <source>Time in FreeCAD&apos;s OpenGL simulator at its highest speed.</source>
         <extracomment>FreeCAD&apos;s newer one, which draws the cuts of all operations before with every operation.</extracomment>
-        <translation>Tiempo del simulador OpenGL de FreeCAD a su mayor velocidad</translation>
+        <translation>Tiempo del simulador OpenGL de FreeCAD a su mayor velocidad.</translation>
     </message>
     <message>
-        <source>Memory of FreeCAD&apos;s OpenGL simulator</source>
-        <translation>Memoria del simulador OpenGL de FreeCAD</translation>
+        <source>Memory of FreeCAD&apos;s OpenGL simulator.</source>
+        <translation>Memoria del simulador OpenGL de FreeCAD.</translation>
     </message>
     <message>
-        <source>What is wrong with the operation, or will be with its simulation</source>
-        <translation>Lo que falla en la operación, o fallará en su simulación</translation>
+        <source>Problems of the operation, and what goes wrong when you simulate it.</source>
+        <translation>Los problemas de la operación y lo que falla al simularla.</translation>
     </message>
     <message>
-        <source>Time of FreeCAD&apos;s legacy simulator in fast-forward, at the accuracy set in the preferences</source>
+        <source>Time in FreeCAD&apos;s legacy simulator in fast-forward, at the accuracy set in the preferences.</source>
         <extracomment>FreeCAD&apos;s older one.</extracomment>
-        <translation>Tiempo del simulador antiguo de FreeCAD en avance rápido, con la precisión de las preferencias</translation>
+        <translation>Tiempo del simulador antiguo de FreeCAD en avance rápido, con la precisión de las preferencias.</translation>
     </message>
     <message>
-        <source>Memory of FreeCAD&apos;s legacy simulator, at the accuracy set in the preferences</source>
-        <translation>Memoria del simulador antiguo de FreeCAD, con la precisión de las preferencias</translation>
+        <source>Memory of FreeCAD&apos;s legacy simulator, at the accuracy set in the preferences.</source>
+        <translation>Memoria del simulador antiguo de FreeCAD, con la precisión de las preferencias.</translation>
     </message>
     <message>
         <source>Recommended image: {}</source>
@@ -1484,13 +1484,13 @@
     </message>
     <message>
         <source>Recommended
-image</source>
+Image</source>
         <translation>Imagen
 recomendada</translation>
     </message>
     <message>
-        <source>The finest image of the z-buffer within the budgets of the preferences</source>
-        <translation>La imagen más fina del z-buffer dentro de los límites de las preferencias</translation>
+        <source>The finest image of the z-buffer within your limits of time and memory.</source>
+        <translation>La imagen más fina del z-buffer dentro de sus límites de tiempo y memoria.</translation>
     </message>
     <message>
         <source>none</source>
@@ -1498,13 +1498,13 @@ recomendada</translation>
     </message>
     <message>
         <source>Machining
-time</source>
+Time</source>
         <translation>Tiempo de
 mecanizado</translation>
     </message>
     <message>
-        <source>Time on the machine at the programmed feeds; rapids where the tool controller gives their speed</source>
-        <translation>Tiempo en la máquina con los avances programados; rápidos si el controlador de herramienta da su velocidad</translation>
+        <source>Time on the machine at the programmed feeds. Rapids are included if the tool controller has rapid speeds.</source>
+        <translation>Tiempo en la máquina con los avances programados. Los rápidos están incluidos si el controlador de herramienta tiene velocidades rápidas.</translation>
     </message>
     <message>
         <source>Export &amp;CSV…</source>
@@ -1515,7 +1515,7 @@ mecanizado</translation>
         <translation>Exportar &amp;JSON…</translation>
     </message>
     <message>
-        <source>C&amp;opy to clipboard</source>
+        <source>C&amp;opy to Clipboard</source>
         <translation>C&amp;opiar al portapapeles</translation>
     </message>
     <message>
@@ -1527,7 +1527,7 @@ mecanizado</translation>
         <translation>Col&amp;umnas</translation>
     </message>
     <message>
-        <source>Sort as &amp;posted</source>
+        <source>Sort as &amp;Posted</source>
         <translation>Ordenar como se &amp;emite</translation>
     </message>
     <message>
@@ -1540,7 +1540,7 @@ mecanizado</translation>
     </message>
     <message>
         <source>Simulation
-time</source>
+Time</source>
         <translation>Tiempo de
 simulación</translation>
     </message>
@@ -1549,8 +1549,8 @@ simulación</translation>
         <translation>Estado</translation>
     </message>
     <message>
-        <source>Outdated: toolpath, tool or stock have changed since; analyze it again</source>
-        <translation>Desactualizado: la trayectoria, la herramienta o el material han cambiado desde entonces; analícela de nuevo</translation>
+        <source>A result is outdated if the toolpath, the tool or the stock has changed since. Analyze the operation again.</source>
+        <translation>Un resultado está desactualizado si la trayectoria, la herramienta o el material ha cambiado desde entonces. Analice la operación de nuevo.</translation>
     </message>
     <message>
         <source>outdated</source>
@@ -1565,35 +1565,35 @@ simulación</translation>
         <translation>Movimientos</translation>
     </message>
     <message>
-        <source>Number of straight moves; an arc counts as several</source>
-        <translation>Número de movimientos rectos; un arco cuenta como varios</translation>
+        <source>Number of straight moves. An arc counts as several.</source>
+        <translation>Número de movimientos rectos. Un arco cuenta como varios.</translation>
     </message>
     <message>
         <source>{simulator}
-time</source>
+Time</source>
         <translation>{simulator}:
 tiempo</translation>
     </message>
     <message>
         <source>{simulator}
-memory</source>
+Memory</source>
         <translation>{simulator}:
 memoria</translation>
     </message>
     <message>
-        <source>Shows the analyzed operations: strategy, machining and simulation time, and what is wrong with them.</source>
-        <translation>Muestra las operaciones analizadas: estrategia, tiempo de mecanizado y de simulación, y qué les pasa.</translation>
+        <source>Shows the analyzed operations with their strategies, machining times, simulation times and warnings.</source>
+        <translation>Muestra las operaciones analizadas con sus estrategias, tiempos de mecanizado, tiempos de simulación y advertencias.</translation>
     </message>
     <message>
-        <source>Outdated: toolpath, tool or stock have changed since. Analyze it again.</source>
-        <translation>Desactualizado: la trayectoria, la herramienta o el material han cambiado desde entonces. Analícela de nuevo.</translation>
+        <source>This result is outdated, because the toolpath, the tool or the stock has changed. Analyze the operation again.</source>
+        <translation>Este resultado está desactualizado, porque la trayectoria, la herramienta o el material ha cambiado. Analice la operación de nuevo.</translation>
     </message>
     <message>
-        <source>All numbers</source>
+        <source>All Numbers</source>
         <translation>Todos los números</translation>
     </message>
     <message>
-        <source>Fewer numbers</source>
+        <source>Fewer Numbers</source>
         <translation>Menos números</translation>
     </message>
     <message>
@@ -1601,20 +1601,20 @@ memoria</translation>
         <translation>¿Por qué?</translation>
     </message>
     <message>
-        <source>Sure: {share}</source>
-        <translation>Seguridad: {share}</translation>
+        <source>Confidence: {share}</source>
+        <translation>Confianza: {share}</translation>
     </message>
     <message>
-        <source>Show it in the Gauss map</source>
-        <translation>Mostrarlo en el mapa de Gauss</translation>
+        <source>Show in the Gauss Map</source>
+        <translation>Mostrar en la aplicación de Gauss</translation>
     </message>
     <message>
-        <source>Cutting</source>
-        <translation>Corte</translation>
+        <source>Cutting Length</source>
+        <translation>Longitud de corte</translation>
     </message>
     <message>
-        <source>Rapids</source>
-        <translation>Rápidos</translation>
+        <source>Rapid Length</source>
+        <translation>Longitud en rápido</translation>
     </message>
     <message>
         <source>Depth</source>
@@ -1625,23 +1625,23 @@ memoria</translation>
         <translation>Filtrar</translation>
     </message>
     <message>
-        <source>Shows operations with this text in name, strategy or warnings</source>
-        <translation>Muestra las operaciones con este texto en nombre, estrategia o advertencias</translation>
+        <source>Shows operations that contain this text in their name, strategy or warnings.</source>
+        <translation>Muestra las operaciones que contienen este texto en su nombre, estrategia o advertencias.</translation>
     </message>
     <message>
-        <source>Shows operations of this strategy</source>
-        <translation>Muestra las operaciones de esta estrategia</translation>
+        <source>Shows operations with this strategy.</source>
+        <translation>Muestra las operaciones con esta estrategia.</translation>
     </message>
     <message>
-        <source>&amp;Warnings only</source>
+        <source>&amp;Warnings Only</source>
         <translation>Solo &amp;advertencias</translation>
     </message>
     <message>
-        <source>Shows operations with warnings, and outdated ones</source>
-        <translation>Muestra las operaciones con advertencias y las desactualizadas</translation>
+        <source>Shows operations that have warnings or are outdated.</source>
+        <translation>Muestra las operaciones que tienen advertencias o están desactualizadas.</translation>
     </message>
     <message>
-        <source>All strategies</source>
+        <source>All Strategies</source>
         <translation>Todas las estrategias</translation>
     </message>
     <message>
@@ -1657,62 +1657,62 @@ memoria</translation>
         <translation>{count} operaciones</translation>
     </message>
     <message>
-        <source>the total of what was analyzed, not of the whole job</source>
-        <translation>el total de lo analizado, no de todo el trabajo</translation>
+        <source>This total covers the analyzed operations only.</source>
+        <translation>Este total incluye solo las operaciones analizadas.</translation>
     </message>
     <message>
-        <source>How long the {simulator} takes, as the marks show it</source>
-        <translation>Cuánto tarda: {simulator}, como en las marcas</translation>
+        <source>Time in the {simulator}, as the marks show it.</source>
+        <translation>Tiempo en el {simulator}, como lo muestran las marcas.</translation>
     </message>
     <message>
-        <source>The longest that the {simulator} should take: its estimate times the factor by which estimates are off</source>
-        <translation>Lo más que debería tardar: {simulator}; la estimación multiplicada por lo que suelen fallar las estimaciones</translation>
+        <source>Longest time that the {simulator} is expected to take. It is the estimate, multiplied by the factor to within which estimates are right.</source>
+        <translation>Tiempo más largo que cabe esperar en el {simulator}. Es la estimación, multiplicada por el factor dentro del cual aciertan las estimaciones.</translation>
     </message>
     <message>
-        <source>Simulation time
-at most</source>
+        <source>Simulation Time
+at Most</source>
         <translation>Tiempo de simulación
 como mucho</translation>
     </message>
     <message>
-        <source>Time to simulate it in an extended z-buffer: an operation alone, on the whole stock; a job one operation after another, each on what is left</source>
+        <source>Time to simulate it in an extended z-buffer. An operation is simulated alone, on the whole stock. In a job, each operation cuts the stock that is left.</source>
         <extracomment>The paper&apos;s; its columns in CSV and JSON have no prefix.</extracomment>
-        <translation>Tiempo de simulación en un z-buffer extendido: una operación sola, con el material en bruto entero; un trabajo operación tras operación, cada una con lo que queda</translation>
+        <translation>Tiempo de simulación en un z-buffer extendido. Una operación se simula sola, con el material entero. En un trabajo, cada operación corta el material que queda.</translation>
     </message>
     <message>
-        <source>Memory to simulate it in an extended z-buffer: of an operation alone, with the whole stock; of a job with the stock once</source>
-        <translation>Memoria de simulación en un z-buffer extendido: de una operación sola, con el material en bruto entero; de un trabajo con el material en bruto una sola vez</translation>
+        <source>Memory to simulate it in an extended z-buffer. An operation includes the whole stock. A job includes the stock once.</source>
+        <translation>Memoria de simulación en un z-buffer extendido. Una operación incluye el material entero. Un trabajo incluye el material una sola vez.</translation>
     </message>
     <message>
-        <source>not in the total: its dress-up is counted instead</source>
-        <translation>fuera del total: en su lugar cuenta su aderezo</translation>
+        <source>This operation is not included in the total, because its dress-up is.</source>
+        <translation>Esta operación no está incluida en el total, porque su aderezo lo está.</translation>
     </message>
     <message>
-        <source>not in the total: it is switched off</source>
-        <translation>fuera del total: está desactivada</translation>
+        <source>This operation is not included in the total, because it is switched off.</source>
+        <translation>Esta operación no está incluida en el total, porque está desactivada.</translation>
     </message>
     <message>
         <source>Shortest move at feed</source>
         <translation>Movimiento más corto en avance de trabajo</translation>
     </message>
     <message>
-        <source>Median move at feed</source>
+        <source>Median Move at Feed</source>
         <translation>Movimiento mediano en avance de trabajo</translation>
     </message>
     <message>
-        <source>The filter lets no operation through.</source>
-        <translation>El filtro no deja pasar ninguna operación.</translation>
+        <source>No operation matches the filter.</source>
+        <translation>Ninguna operación coincide con el filtro.</translation>
     </message>
 </context>
 <context>
     <name>Vk_Simulate</name>
     <message>
-        <source>raw</source>
-        <translation>en bruto</translation>
+        <source>Raw Stock</source>
+        <translation>Material en bruto</translation>
     </message>
     <message>
-        <source>machined</source>
-        <translation>mecanizado</translation>
+        <source>Machined</source>
+        <translation>Mecanizado</translation>
     </message>
     <message>
         <source>Material</source>
@@ -1731,15 +1731,15 @@ como mucho</translation>
         <translation>Tiempo</translation>
     </message>
     <message>
-        <source>Removal rate</source>
+        <source>Removal Rate</source>
         <translation>Caudal de viruta</translation>
     </message>
     <message>
-        <source>Simulates the selected job or operations, or the job of the active document, and shows the part at any moment, what made each of its surfaces, and rapid moves that cut.</source>
-        <translation>Simula el trabajo o las operaciones seleccionadas, o el trabajo del documento activo, y muestra la pieza en cualquier momento, qué hizo cada superficie y los movimientos rápidos que cortan.</translation>
+        <source>Simulates the selected job or operations, or the job of the active document. Shows the part at any moment, the operation that made each surface, and rapid moves that cut.</source>
+        <translation>Simula el trabajo o las operaciones seleccionadas, o el trabajo del documento activo. Muestra la pieza en cualquier momento, la operación que hizo cada superficie y los movimientos rápidos que cortan.</translation>
     </message>
     <message>
-        <source>Simulate toolpaths</source>
+        <source>Simulate Toolpaths</source>
         <translation>Simular trayectorias</translation>
     </message>
     <message>
@@ -1751,8 +1751,8 @@ como mucho</translation>
         <translation>Guardar imagen</translation>
     </message>
     <message>
-        <source>Folder of the Pictures</source>
-        <translation>Carpeta de las imágenes</translation>
+        <source>Folder for the Pictures</source>
+        <translation>Carpeta para las imágenes</translation>
     </message>
     <message>
         <source>Save Removal Rates</source>
@@ -1763,7 +1763,7 @@ como mucho</translation>
         <translation>No se puede escribir {}.</translation>
     </message>
     <message>
-        <source>Simulated part</source>
+        <source>Simulated Part</source>
         <translation>Pieza simulada</translation>
     </message>
     <message>
@@ -1795,7 +1795,7 @@ como mucho</translation>
         <translation>Desde abajo</translation>
     </message>
     <message>
-        <source>As the 3D view</source>
+        <source>As in the 3D View</source>
         <translation>Como la vista 3D</translation>
     </message>
     <message>
@@ -1803,16 +1803,16 @@ como mucho</translation>
         <translation>Vista</translation>
     </message>
     <message>
-        <source>Where the part is seen from.</source>
-        <translation>Desde dónde se ve la pieza.</translation>
+        <source>Direction from which the part is viewed.</source>
+        <translation>Dirección desde la que se ve la pieza.</translation>
     </message>
     <message>
-        <source>What the surfaces are colored by.</source>
-        <translation>Según qué se colorean las superficies.</translation>
+        <source>Property that colors the surfaces.</source>
+        <translation>Propiedad según la que se colorean las superficies.</translation>
     </message>
     <message>
-        <source>What the operation of this moment removes, alone or on the part.</source>
-        <translation>Lo que quita la operación de este momento, solo o sobre la pieza.</translation>
+        <source>Shows the part, the material that the current operation removes, or both.</source>
+        <translation>Muestra la pieza, el material que quita la operación actual o ambos.</translation>
     </message>
     <message>
         <source>Part</source>
@@ -1823,7 +1823,7 @@ como mucho</translation>
         <translation>Viruta</translation>
     </message>
     <message>
-        <source>Part and chips</source>
+        <source>Part and Chips</source>
         <translation>Pieza y viruta</translation>
     </message>
     <message>
@@ -1831,60 +1831,60 @@ como mucho</translation>
         <translation>Guardar</translation>
     </message>
     <message>
-        <source>Save what is shown.</source>
-        <translation>Guardar lo que se muestra.</translation>
+        <source>Saves pictures or removal rates.</source>
+        <translation>Guarda imágenes o caudales de viruta.</translation>
     </message>
     <message>
         <source>Picture…</source>
         <translation>Imagen…</translation>
     </message>
     <message>
-        <source>Pictures of the whole job…</source>
+        <source>Pictures of the Whole Job…</source>
         <translation>Imágenes de todo el trabajo…</translation>
     </message>
     <message>
-        <source>Removal rates…</source>
+        <source>Removal Rates…</source>
         <translation>Caudales de viruta…</translation>
     </message>
     <message>
-        <source>Play or pause (Space).</source>
-        <translation>Reproducir o pausar (Espacio).</translation>
+        <source>Plays or pauses the simulation (Space).</source>
+        <translation>Reproduce o pausa la simulación (Espacio).</translation>
     </message>
     <message>
-        <source>How many times as fast as the machine.</source>
-        <translation>Cuántas veces más rápido que la máquina.</translation>
+        <source>Speed of the playback, compared with the machine.</source>
+        <translation>Velocidad de la reproducción, comparada con la máquina.</translation>
     </message>
     <message>
         <source>Job in {}</source>
         <translation>Trabajo en {}</translation>
     </message>
     <message>
-        <source>Real time</source>
+        <source>Real Time</source>
         <translation>Tiempo real</translation>
     </message>
     <message>
-        <source>To the beginning of the operation.</source>
-        <translation>Al comienzo de la operación.</translation>
+        <source>Go to the beginning of the operation.</source>
+        <translation>Ir al comienzo de la operación.</translation>
     </message>
     <message>
-        <source>Back by one command of the program.</source>
+        <source>Go back by one command of the program.</source>
         <translation>Retroceder una orden del programa.</translation>
     </message>
     <message>
-        <source>Back by one trajectory.</source>
+        <source>Go back by one trajectory.</source>
         <translation>Retroceder un movimiento.</translation>
     </message>
     <message>
-        <source>Forward by one trajectory.</source>
+        <source>Go forward by one trajectory.</source>
         <translation>Avanzar un movimiento.</translation>
     </message>
     <message>
-        <source>Forward by one command of the program.</source>
+        <source>Go forward by one command of the program.</source>
         <translation>Avanzar una orden del programa.</translation>
     </message>
     <message>
-        <source>To the end of the operation.</source>
-        <translation>Al final de la operación.</translation>
+        <source>Go to the end of the operation.</source>
+        <translation>Ir al final de la operación.</translation>
     </message>
     <message>
         <source>about {}</source>
@@ -1895,8 +1895,8 @@ como mucho</translation>
         <translation>Simulando… {}</translation>
     </message>
     <message>
-        <source>finest picture in about {}, {}</source>
-        <translation>imagen más fina en unos {}, {}</translation>
+        <source>The finest picture takes about {} and {}.</source>
+        <translation>La imagen más fina ocupa unos {} y {}.</translation>
     </message>
     <message>
         <source>{} × {} pixels of {}, {} traces, {}, simulated in {}</source>
@@ -1907,11 +1907,11 @@ como mucho</translation>
         <translation>{} de {}   {}, orden {}: {}</translation>
     </message>
     <message>
-        <source>This surface is the raw stock&apos;s.</source>
-        <translation>Esta superficie es la del material en bruto.</translation>
+        <source>This is uncut stock.</source>
+        <translation>Esto es material sin mecanizar.</translation>
     </message>
     <message>
-        <source>Time line</source>
+        <source>Time Line</source>
         <translation>Línea de tiempo</translation>
     </message>
     <message>
@@ -1919,43 +1919,43 @@ como mucho</translation>
         <translation>Leyendo {} ({} de {})…</translation>
     </message>
     <message>
-        <source>there is no closed model</source>
-        <translation>no hay un modelo cerrado</translation>
+        <source>There is no closed model.</source>
+        <translation>No hay un modelo cerrado.</translation>
     </message>
     <message>
-        <source>gouged by {} to {}</source>
-        <translation>demasiado hondo, {} a {}</translation>
+        <source>Gouged, {} to {}</source>
+        <translation>Demasiado hondo, {} a {}</translation>
     </message>
     <message>
-        <source>left, {} to {}</source>
-        <translation>resto, {} a {}</translation>
+        <source>Stock Left, {} to {}</source>
+        <translation>Material restante, {} a {}</translation>
     </message>
     <message>
-        <source>as the model</source>
-        <translation>como el modelo</translation>
+        <source>As the Model</source>
+        <translation>Como el modelo</translation>
     </message>
     <message>
-        <source>no model</source>
-        <translation>sin modelo</translation>
+        <source>No Model</source>
+        <translation>Sin modelo</translation>
     </message>
     <message>
-        <source>Difference to the model</source>
+        <source>Difference to the Model</source>
         <translation>Diferencia con el modelo</translation>
     </message>
     <message>
-        <source>Smaller differences to the model do not count.</source>
-        <translation>Las diferencias con el modelo hasta este valor no cuentan.</translation>
+        <source>Differences from the model below this value are ignored.</source>
+        <translation>Las diferencias con el modelo por debajo de este valor se ignoran.</translation>
     </message>
     <message>
-        <source>Worst places</source>
+        <source>Worst Places</source>
         <translation>Peores lugares</translation>
     </message>
     <message>
-        <source>Where the part differs most from the model. Choose a place to see it.</source>
-        <translation>Dónde la pieza difiere más del modelo. Elija un lugar para verlo.</translation>
+        <source>Places where the part differs most from the model. Choose a place to see it.</source>
+        <translation>Lugares donde la pieza difiere más del modelo. Elija un lugar para verlo.</translation>
     </message>
     <message>
-        <source>Crashes, gouges and fast plunges of the simulation. Choose one to see it.</source>
+        <source>Crashes, gouges and fast plunges in the simulation. Choose one to see it.</source>
         <translation>Choques, cortes demasiado hondos y entradas demasiado rápidas de la simulación. Elija una para verla.</translation>
     </message>
     <message>
@@ -1967,32 +1967,32 @@ como mucho</translation>
         <translation>… y {} más</translation>
     </message>
     <message>
-        <source>raw stock: {}</source>
-        <translation>material en bruto: {}</translation>
+        <source>Stock: {}</source>
+        <translation>Material en bruto: {}</translation>
     </message>
     <message>
-        <source>{}, command {}: {} ({})</source>
-        <translation>{}, orden {}: {} ({})</translation>
+        <source>{}, command {} ({}): {}</source>
+        <translation>{}, orden {} ({}): {}</translation>
     </message>
     <message>
-        <source>removes {}</source>
-        <translation>quita {}</translation>
+        <source>Removed: {}</source>
+        <translation>Quitado: {}</translation>
     </message>
     <message>
-        <source>removes nothing</source>
-        <translation>no quita nada</translation>
+        <source>Nothing removed</source>
+        <translation>Nada quitado</translation>
     </message>
     <message>
-        <source>the model comes with the finest picture</source>
-        <translation>el modelo llega con la imagen más fina</translation>
+        <source>The model is shown with the finest picture.</source>
+        <translation>El modelo se muestra con la imagen más fina.</translation>
     </message>
     <message>
-        <source>They are known when the finest picture is there.</source>
-        <translation>Se conocen cuando está la imagen más fina.</translation>
+        <source>Removal rates are available when the finest picture is ready.</source>
+        <translation>Los caudales de viruta están disponibles cuando la imagen más fina está lista.</translation>
     </message>
     <message>
-        <source>Saving the pictures when the finest is there…</source>
-        <translation>Las imágenes se guardan cuando está la más fina…</translation>
+        <source>The pictures are saved when the finest picture is ready…</source>
+        <translation>Las imágenes se guardan cuando la imagen más fina está lista…</translation>
     </message>
     <message>
         <source>{} of {} pictures are saved in {}.</source>
@@ -2003,34 +2003,34 @@ como mucho</translation>
         <translation>{} imágenes</translation>
     </message>
     <message>
-        <source>{}, at X {} Y {} Z {} {}</source>
-        <translation>{}, en X {} Y {} Z {} {}</translation>
+        <source>{} (X {} Y {} Z {} {})</source>
+        <translation>{} (X {} Y {} Z {} {})</translation>
     </message>
     <message>
-        <source>What is simulated has changed. Simulate again</source>
-        <translation>Lo que se simula ha cambiado. Simular de nuevo</translation>
+        <source>The simulated job has changed. Simulate it again.</source>
+        <translation>El trabajo simulado ha cambiado. Simúlelo de nuevo.</translation>
     </message>
     <message>
-        <source>Which job?</source>
-        <translation>¿Qué trabajo?</translation>
+        <source>Choose the job to simulate:</source>
+        <translation>Elija el trabajo que desea simular:</translation>
     </message>
 </context>
 <context>
     <name>Vk_Strategies</name>
     <message>
-        <source>Colors the toolpaths in the 3D view by their machining strategy, rapid moves grey. The document is not changed.</source>
+        <source>Colors the toolpaths in the 3D view by their machining strategy, and rapid moves gray. The document is not changed.</source>
         <translation>Colorea las trayectorias en la vista 3D según su estrategia de mecanizado, los movimientos rápidos en gris. El documento no cambia.</translation>
     </message>
     <message>
-        <source>Show strategies</source>
+        <source>Show Strategies</source>
         <translation>Mostrar estrategias</translation>
     </message>
     <message>
-        <source>rapid moves</source>
-        <translation>movimientos rápidos</translation>
+        <source>Rapid Moves</source>
+        <translation>Movimientos rápidos</translation>
     </message>
     <message>
-        <source>Drawing strategies, operations to go: {}</source>
+        <source>Drawing strategies, operations left: {}</source>
         <translation>Dibujando estrategias, operaciones pendientes: {}</translation>
     </message>
     <message>
@@ -2056,15 +2056,11 @@ como mucho</translation>
 <context>
     <name>Workbench</name>
     <message>
-        <source>Toolpath analysis</source>
-        <translation>Análisis de trayectorias</translation>
-    </message>
-    <message>
         <source>Toolpath Analysis</source>
         <translation>Análisis de trayectorias</translation>
     </message>
     <message>
-        <source>Recognizes machining strategies of toolpaths and estimates what simulating them costs.</source>
+        <source>Recognizes machining strategies of toolpaths and estimates the cost of their simulation.</source>
         <translation>Reconoce las estrategias de mecanizado de las trayectorias y estima lo que cuesta simularlas.</translation>
     </message>
 </context>

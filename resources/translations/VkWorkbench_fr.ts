@@ -4,12 +4,12 @@
 <context>
     <name>App::Property</name>
     <message>
-        <source>Machining strategy recognized from the toolpath</source>
-        <translation>Stratégie d&apos;usinage reconnue à partir du parcours d&apos;outil</translation>
+        <source>The machining strategy recognized from the toolpath.</source>
+        <translation>Stratégie d&apos;usinage reconnue à partir du parcours d&apos;outil.</translation>
     </message>
     <message>
-        <source>Why this strategy</source>
-        <translation>Pourquoi cette stratégie</translation>
+        <source>The reason for this strategy.</source>
+        <translation>La raison de cette stratégie.</translation>
     </message>
     <message>
         <source>What the mark in the description says</source>
@@ -17,24 +17,24 @@
         <translation>Ce que dit la marque dans la description</translation>
     </message>
     <message>
-        <source>How sure the recognition is, in percent</source>
-        <translation>Certitude de la reconnaissance, en pour cent</translation>
+        <source>The confidence of the recognition, in percent.</source>
+        <translation>La confiance de la reconnaissance, en pour cent.</translation>
     </message>
     <message>
-        <source>What is wrong with the operation, unknown about it, or to be known before simulating it</source>
-        <translation>Ce qui est faux ou inconnu dans l&apos;opération, ou à savoir avant de la simuler</translation>
+        <source>Problems of the operation, and what to know before simulating it.</source>
+        <translation>Les problèmes de l&apos;opération, et ce qu&apos;il faut savoir avant de la simuler.</translation>
     </message>
     <message>
-        <source>Length of the cutting moves</source>
-        <translation>Longueur des mouvements d&apos;usinage</translation>
+        <source>Length of the cutting moves.</source>
+        <translation>Longueur des mouvements d&apos;usinage.</translation>
     </message>
     <message>
-        <source>Time on the machine</source>
-        <translation>Temps sur la machine</translation>
+        <source>Time on the machine.</source>
+        <translation>Temps sur la machine.</translation>
     </message>
     <message>
-        <source>Estimated time of the simulation that the mark shows</source>
-        <translation>Temps estimé de la simulation que montre la marque</translation>
+        <source>Estimated time of the simulation that the mark shows.</source>
+        <translation>Temps estimé de la simulation que montre la marque.</translation>
     </message>
 </context>
 <context>
@@ -52,40 +52,40 @@
         <translation>{} opérations</translation>
     </message>
     <message>
-        <source>Outdated: toolpath, tool or stock have changed since. Analyze it again.</source>
-        <translation>Périmé : le parcours, l&apos;outil ou le brut ont changé depuis. Analysez à nouveau.</translation>
+        <source>This result is outdated, because the toolpath, the tool or the stock has changed. Analyze the operation again.</source>
+        <translation>Ce résultat est périmé, car le parcours, l&apos;outil ou le brut a changé. Analysez l&apos;opération à nouveau.</translation>
     </message>
     <message>
-        <source>The time in the {simulator} is not known: analyze it again.</source>
-        <translation>Le temps dans « {simulator} » n&apos;est pas connu : analysez-le à nouveau.</translation>
+        <source>The time in the {simulator} is not known. Analyze the operation again.</source>
+        <translation>Le temps dans « {simulator} » n&apos;est pas connu. Analysez l&apos;opération à nouveau.</translation>
     </message>
     <message>
-        <source>{strategy}, {share} sure</source>
-        <translation>{strategy}, sûr à {share}</translation>
+        <source>{strategy}, confidence {share}</source>
+        <translation>{strategy}, confiance {share}</translation>
     </message>
     <message>
-        <source>On the machine: {length} of cutting</source>
-        <translation>Sur la machine : {length} d&apos;usinage</translation>
+        <source>Cutting length: {length}.</source>
+        <translation>Longueur de coupe : {length}.</translation>
     </message>
     <message>
-        <source>On the machine: {time}, {length} of cutting</source>
-        <translation>Sur la machine : {time}, {length} d&apos;usinage</translation>
+        <source>Machining time: {time}. Cutting length: {length}.</source>
+        <translation>Durée d&apos;usinage : {time}. Longueur de coupe : {length}.</translation>
     </message>
     <message>
-        <source>On the machine: at least {time}, {length} of cutting</source>
-        <translation>Sur la machine : au moins {time}, {length} d&apos;usinage</translation>
+        <source>Machining time: at least {time}. Cutting length: {length}.</source>
+        <translation>Durée d&apos;usinage : au moins {time}. Longueur de coupe : {length}.</translation>
     </message>
     <message>
-        <source>Simulating it in the {simulator}: {time}, {memory}</source>
-        <translation>Simulation dans « {simulator} » : {time}, {memory}</translation>
+        <source>Simulation time in the {simulator}: {time}. Memory: {memory}.</source>
+        <translation>Temps de simulation dans « {simulator} » : {time}. Mémoire : {memory}.</translation>
     </message>
     <message>
-        <source>Simulating it in the {simulator}: at least {time}, {memory}</source>
-        <translation>Simulation dans « {simulator} » : au moins {time}, {memory}</translation>
+        <source>Simulation time in the {simulator}: at least {time}. Memory: {memory}.</source>
+        <translation>Temps de simulation dans « {simulator} » : au moins {time}. Mémoire : {memory}.</translation>
     </message>
     <message>
-        <source>Simulating it alone in the {simulator}: {time}, {memory}</source>
-        <translation>Simulation de l&apos;opération seule dans « {simulator} » : {time}, {memory}</translation>
+        <source>Simulation time of this operation alone in the {simulator}: {time}. Memory: {memory}.</source>
+        <translation>Temps de simulation de cette seule opération dans « {simulator} » : {time}. Mémoire : {memory}.</translation>
     </message>
     <message>
         <source>switched off</source>
@@ -102,12 +102,12 @@
 <context>
     <name>Sentences</name>
     <message>
-        <source>nothing cuts: there are only rapid moves</source>
-        <translation>rien ne coupe : il n&apos;y a que des déplacements rapides</translation>
+        <source>No move cuts, because there are only rapid moves.</source>
+        <translation>Aucun mouvement ne coupe, car il n&apos;y a que des déplacements rapides.</translation>
     </message>
     <message>
-        <source>nothing cuts: there are no moves</source>
-        <translation>rien ne coupe : il n&apos;y a aucun mouvement</translation>
+        <source>No move cuts, because there are no moves.</source>
+        <translation>Aucun mouvement ne coupe, car il n&apos;y a aucun mouvement.</translation>
     </message>
     <message>
         <source>, counter-clockwise</source>
@@ -122,7 +122,7 @@
         <translation>descendant à rayon constant</translation>
     </message>
     <message>
-        <source>the sense of nested loops alternates</source>
+        <source>the direction of nested loops alternates</source>
         <translation>le sens des boucles emboîtées alterne</translation>
     </message>
     <message>
@@ -130,12 +130,12 @@
         <translation>régulièrement espacées dans le plan, pas en profondeur</translation>
     </message>
     <message>
-        <source>whose shape changes with the depth</source>
-        <translation>dont la forme change avec la profondeur</translation>
+        <source>with a shape that changes with the depth</source>
+        <translation>avec une forme qui change avec la profondeur</translation>
     </message>
     <message>
-        <source>a winding with a helical entry or bites out of the corners</source>
-        <translation>un enroulement avec entrée hélicoïdale ou morsures dans les coins</translation>
+        <source>a winding with a helical entry or with extra cuts in the corners</source>
+        <translation>un enroulement avec entrée hélicoïdale ou coupes supplémentaires dans les coins</translation>
     </message>
     <message>
         <source>one winding that never closes</source>
@@ -146,8 +146,8 @@
         <translation>emboîtées</translation>
     </message>
     <message>
-        <source>small loops move along</source>
-        <translation>de petites boucles avancent</translation>
+        <source>small loops that advance along the path</source>
+        <translation>de petites boucles qui avancent le long du parcours</translation>
     </message>
     <message>
         <source>an open pass lies inside a contour</source>
@@ -174,92 +174,92 @@
         <translation>un seul contour ouvert</translation>
     </message>
     <message>
-        <source>an open contour comes again</source>
-        <translation>un contour ouvert revient</translation>
+        <source>an open contour is repeated</source>
+        <translation>un contour ouvert est répété</translation>
     </message>
     <message>
         <source>open strokes as long as the part</source>
         <translation>des traits ouverts aussi longs que la pièce</translation>
     </message>
     <message>
-        <source>short strokes that fill nothing</source>
-        <translation>des traits courts qui ne remplissent rien</translation>
+        <source>short strokes that do not fill an area</source>
+        <translation>des traits courts qui ne remplissent pas de surface</translation>
     </message>
     <message>
-        <source>no cutting move in its toolpath</source>
-        <translation>aucun mouvement de coupe dans son parcours</translation>
+        <source>The toolpath has no cutting move.</source>
+        <translation>Le parcours n&apos;a aucun mouvement de coupe.</translation>
     </message>
     <message>
-        <source>no toolpath: recompute the operation and see FreeCAD&apos;s report view</source>
-        <translation>pas de parcours : recalculez l&apos;opération et consultez la vue rapport de FreeCAD</translation>
+        <source>The operation has no toolpath. Recompute it and read FreeCAD&apos;s report view.</source>
+        <translation>L&apos;opération n&apos;a pas de parcours. Recalculez-la et lisez la vue rapport de FreeCAD.</translation>
     </message>
     <message>
-        <source>no tool: give the operation a tool controller</source>
-        <translation>pas d&apos;outil : donnez à l&apos;opération un contrôleur d&apos;outil</translation>
+        <source>The operation has no tool. Give it a tool controller.</source>
+        <translation>L&apos;opération n&apos;a pas d&apos;outil. Donnez-lui un contrôleur d&apos;outil.</translation>
     </message>
     <message>
-        <source>no tool in {label}: choose a tool bit for it</source>
-        <translation>pas d&apos;outil dans {label} : choisissez-lui un outil</translation>
+        <source>{label} has no tool. Choose a tool bit for it.</source>
+        <translation>{label} n&apos;a pas d&apos;outil. Choisissez-lui-en un.</translation>
     </message>
     <message>
-        <source>the tool in {label} has no diameter</source>
-        <translation>l&apos;outil dans {label} n&apos;a pas de diamètre</translation>
+        <source>The tool in {label} has no diameter. Enter one in its tool bit.</source>
+        <translation>L&apos;outil dans {label} n&apos;a pas de diamètre. Donnez-lui-en un.</translation>
     </message>
     <message>
-        <source>no stock: put the toolpath into a job</source>
-        <translation>pas de brut : mettez le parcours dans une tâche</translation>
+        <source>The toolpath has no stock. Put it into a job.</source>
+        <translation>Le parcours n&apos;a pas de brut. Mettez-le dans une tâche.</translation>
     </message>
     <message>
-        <source>no stock: give {label} a stock</source>
-        <translation>pas de brut : donnez un brut à {label}</translation>
+        <source>{label} has no stock. Give it one in the job&apos;s settings.</source>
+        <translation>{label} n&apos;a pas de brut. Donnez-lui-en un dans les réglages de la tâche.</translation>
     </message>
     <message>
-        <source>cost unknown for {labels}</source>
-        <translation>coût inconnu pour {labels}</translation>
+        <source>The simulation cost of {labels} is unknown.</source>
+        <translation>Le coût de simulation est inconnu pour {labels}.</translation>
     </message>
     <message>
-        <source>words without a motion before them are ignored</source>
-        <translation>mots sans mouvement avant eux ignorés</translation>
+        <source>Words without a motion before them are ignored.</source>
+        <translation>Les mots sans mouvement avant eux sont ignorés.</translation>
     </message>
     <message>
-        <source>a feed rate that is not a usable number is ignored</source>
-        <translation>avance qui n&apos;est pas un nombre utilisable ignorée</translation>
+        <source>A feed rate that is not a usable number is ignored.</source>
+        <translation>Une avance qui n&apos;est pas un nombre utilisable est ignorée.</translation>
     </message>
     <message>
-        <source>center words (I, J, K) that are not usable numbers are ignored</source>
-        <translation>mot de centre (I, J, K) qui n&apos;est pas un nombre utilisable ignoré</translation>
+        <source>Center words (I, J, K) that are not usable numbers are ignored.</source>
+        <translation>Les mots de centre (I, J, K) qui ne sont pas des nombres utilisables sont ignorés.</translation>
     </message>
     <message>
-        <source>{letter} words that are not usable numbers are ignored</source>
-        <translation>mot {letter} qui n&apos;est pas un nombre utilisable ignoré</translation>
+        <source>{letter} words that are not usable numbers are ignored.</source>
+        <translation>Les mots {letter} qui ne sont pas des nombres utilisables sont ignorés.</translation>
     </message>
     <message>
-        <source>positions beyond a kilometer are cut off there</source>
-        <translation>position au-delà d&apos;un kilomètre tronquée</translation>
+        <source>Positions farther than a kilometer from the origin are limited to a kilometer.</source>
+        <translation>Les positions à plus d&apos;un kilomètre de l&apos;origine sont limitées à un kilomètre.</translation>
     </message>
     <message>
-        <source>a drilling cycle without a depth (Z) drills nothing</source>
-        <translation>cycle de perçage sans profondeur (Z) : pas de trou</translation>
+        <source>A drilling cycle without a depth (Z) drills no hole.</source>
+        <translation>Un cycle de perçage sans profondeur (Z) ne perce pas de trou.</translation>
     </message>
     <message>
-        <source>a drilling cycle without R starts at the current height</source>
-        <translation>cycle de perçage sans R : il commence là où il est</translation>
+        <source>A drilling cycle without R starts at the current height.</source>
+        <translation>Un cycle de perçage sans R commence à la hauteur actuelle.</translation>
     </message>
     <message>
-        <source>a drilling cycle outside the XY plane is read as one in XY</source>
-        <translation>cycle de perçage hors du plan XY lu comme dans XY</translation>
+        <source>A drilling cycle outside the XY plane is read as one in the XY plane.</source>
+        <translation>Un cycle de perçage hors du plan XY est lu comme s&apos;il était dans le plan XY.</translation>
     </message>
     <message>
-        <source>an arc whose start is not known is ignored</source>
-        <translation>arc dont le début n&apos;est pas encore connu ignoré</translation>
+        <source>An arc with an unknown start is ignored.</source>
+        <translation>Un arc dont le début est inconnu est ignoré.</translation>
     </message>
     <message>
-        <source>an arc without a usable center or radius is read as a line</source>
-        <translation>arc sans centre ni rayon utilisables lu comme une droite</translation>
+        <source>An arc without a usable center or radius is read as a line.</source>
+        <translation>Un arc sans centre ni rayon utilisables est lu comme une droite.</translation>
     </message>
     <message>
-        <source>an arc whose end is not on its circle is read with a changing radius</source>
-        <translation>arc dont la fin n&apos;est pas sur son cercle lu avec un rayon variable</translation>
+        <source>An arc that does not end on its circle is read with a changing radius.</source>
+        <translation>Un arc qui ne finit pas sur son cercle est lu avec un rayon variable.</translation>
     </message>
     <message>
         <source>without an X or Y word</source>
@@ -278,8 +278,8 @@
         <translation>qui est un cercle complet</translation>
     </message>
     <message>
-        <source>leave this operation out of the simulation</source>
-        <translation>laissez cette opération hors de la simulation</translation>
+        <source>Leave this operation out of the simulation.</source>
+        <translation>Laissez cette opération hors de la simulation.</translation>
     </message>
     <message>
         <source>too deep</source>
@@ -290,12 +290,12 @@
         <translation>trop haut</translation>
     </message>
     <message>
-        <source>move its accuracy slider to the left</source>
-        <translation>déplacez son curseur de précision vers la gauche</translation>
+        <source>Move its accuracy slider to the left.</source>
+        <translation>Déplacez son curseur de précision vers la gauche.</translation>
     </message>
     <message>
-        <source>simulate fewer operations at a time</source>
-        <translation>simulez moins d&apos;opérations à la fois</translation>
+        <source>Simulate fewer operations at a time.</source>
+        <translation>Simulez moins d&apos;opérations à la fois.</translation>
     </message>
     <message>
         <source>memory</source>
@@ -306,24 +306,24 @@
         <translation>le temps</translation>
     </message>
     <message>
-        <source>no resolution helps, not even a single pixel fits</source>
-        <translation>aucune résolution n&apos;aide, pas même un seul pixel ne tient</translation>
+        <source>None, because not even a single pixel fits into the memory.</source>
+        <translation>Aucune, car même un seul pixel ne tient pas en mémoire.</translation>
     </message>
     <message>
-        <source>the cost is that of a box around its cuts</source>
-        <translation>le coût est celui d&apos;un bloc autour de ses coupes</translation>
+        <source>The cost is estimated for a stock that is a box around the cuts.</source>
+        <translation>Le coût est estimé pour un brut qui est un bloc autour des coupes.</translation>
     </message>
     <message>
-        <source>it does not touch the stock: check its depths, its placement and the stock</source>
-        <translation>elle ne touche pas le brut : vérifier ses profondeurs, son placement et le brut</translation>
+        <source>The operation does not touch the stock. Check its depths, its placement and the stock.</source>
+        <translation>L&apos;opération ne touche pas le brut. Vérifiez ses profondeurs, son placement et le brut.</translation>
     </message>
     <message>
-        <source>its tool is wider than the stock: check the tool&apos;s diameter and the stock</source>
-        <translation>son outil est plus large que le brut : vérifier le diamètre de l&apos;outil et le brut</translation>
+        <source>The tool is wider than the stock. Check the tool&apos;s diameter and the stock.</source>
+        <translation>L&apos;outil est plus large que le brut. Vérifiez le diamètre de l&apos;outil et le brut.</translation>
     </message>
     <message>
-        <source>choose a smaller image in the preferences</source>
-        <translation>choisir une image plus petite dans les préférences</translation>
+        <source>Choose a smaller image in the preferences.</source>
+        <translation>Choisissez une image plus petite dans les préférences.</translation>
     </message>
     <message>
         <source>that sweeps no angle</source>
@@ -342,140 +342,140 @@
         <translation>, </translation>
     </message>
     <message>
-        <source>the corner radius must lie between 0 and {radius:mm}, not be {corner:mm}</source>
-        <translation>le rayon de coin doit être entre 0 et {radius:mm}, pas {corner:mm}</translation>
+        <source>The corner radius must be between 0 and {radius:mm}, not {corner:mm}.</source>
+        <translation>Le rayon de coin doit être entre 0 et {radius:mm}, pas {corner:mm}.</translation>
     </message>
     <message>
-        <source>the tip angle must lie between 0 and pi, not be {angle:g}</source>
-        <translation>l&apos;angle de pointe doit être entre 0 et π, pas {angle:g}</translation>
+        <source>The tip angle must be between 0 and pi, not {angle:g}.</source>
+        <translation>L&apos;angle de pointe doit être entre 0 et π, pas {angle:g}.</translation>
     </message>
     <message>
-        <source>the stock has no volume: its upper corner must exceed its lower corner in x, y and z</source>
-        <translation>le brut n&apos;a pas de volume : son coin supérieur doit dépasser l&apos;inférieur en x, y et z</translation>
+        <source>The stock has no volume. Its upper corner must exceed its lower corner in x, y and z.</source>
+        <translation>Le brut n&apos;a pas de volume. Son coin supérieur doit dépasser l&apos;inférieur en x, y et z.</translation>
     </message>
     <message>
-        <source>{length:mm4} of cutting in {count:n} move without a feed rate are not in the time</source>
-        <translation>{length:mm4} de coupe dans {count:n} mouvement sans avance ne sont pas dans la durée</translation>
+        <source>The machining time does not include {length:mm4} of cutting in {count:n} move without a feed rate.</source>
+        <translation>La durée d&apos;usinage ne comprend pas {length:mm4} de coupe dans {count:n} mouvement sans avance.</translation>
     </message>
     <message>
-        <source>{length:mm4} of cutting in {count:n} moves without a feed rate are not in the time</source>
-        <translation>{length:mm4} de coupe dans {count:n} mouvements sans avance ne sont pas dans la durée</translation>
+        <source>The machining time does not include {length:mm4} of cutting in {count:n} moves without a feed rate.</source>
+        <translation>La durée d&apos;usinage ne comprend pas {length:mm4} de coupe dans {count:n} mouvements sans avance.</translation>
     </message>
     <message>
-        <source>{length:mm4} of rapids are not in the time because the tool controller&apos;s {name} is 0</source>
-        <translation>{length:mm4} de déplacements rapides ne sont pas dans la durée, car {name} du contrôleur d&apos;outil vaut 0</translation>
+        <source>The machining time does not include {length:mm4} of rapids, because the tool controller&apos;s {name} is 0.</source>
+        <translation>La durée d&apos;usinage ne comprend pas {length:mm4} de déplacements rapides, car {name} du contrôleur d&apos;outil vaut 0.</translation>
     </message>
     <message>
-        <source>{length:mm4} of rapids are not in the time because the tool controller&apos;s {name} and {other} are 0</source>
-        <translation>{length:mm4} de déplacements rapides ne sont pas dans la durée, car {name} et {other} du contrôleur d&apos;outil valent 0</translation>
+        <source>The machining time does not include {length:mm4} of rapids, because the tool controller&apos;s {name} and {other} are 0.</source>
+        <translation>La durée d&apos;usinage ne comprend pas {length:mm4} de déplacements rapides, car {name} et {other} du contrôleur d&apos;outil valent 0.</translation>
     </message>
     <message>
         <source> and {count:n} more</source>
         <translation> et {count:n} autres</translation>
     </message>
     <message>
-        <source>; passes {step:mm3} apart ask for {cell:mm2}</source>
-        <translation> ; des passes espacées de {step:mm3} demandent {cell:mm2}</translation>
+        <source> Passes {step:mm3} apart need {cell:mm2}.</source>
+        <translation> Des passes espacées de {step:mm3} demandent {cell:mm2}.</translation>
     </message>
     <message>
-        <source>; {cell:mm2} would do for passes {step:mm3} apart</source>
-        <translation> ; {cell:mm2} suffiraient pour des passes espacées de {step:mm3}</translation>
+        <source> For passes {step:mm3} apart, {cell:mm2} is fine enough.</source>
+        <translation> Pour des passes espacées de {step:mm3}, {cell:mm2} suffisent.</translation>
     </message>
     <message>
-        <source>no resolution helps, the trajectories alone take {time:s}: simulate fewer operations{heaviest}</source>
-        <translation>aucune résolution ne suffit, les trajectoires seules prennent {time:s} : simuler moins d&apos;opérations{heaviest}</translation>
+        <source>None, because the moves alone take {time:s}. Simulate fewer operations.{heaviest}</source>
+        <translation>Aucune, car les mouvements seuls prennent {time:s}. Simulez moins d&apos;opérations.{heaviest}</translation>
     </message>
     <message>
-        <source>; the heaviest is {label} with {time:s}</source>
-        <translation> ; la plus lourde est {label} avec {time:s}</translation>
+        <source> The slowest is {label} with {time:s}.</source>
+        <translation> La plus lente est {label} avec {time:s}.</translation>
     </message>
     <message>
         <source> and 1 more</source>
         <translation> et 1 autre</translation>
     </message>
     <message>
-        <source>{sentence} (command {command:#})</source>
-        <translation>{sentence} (commande {command:#})</translation>
+        <source>Command {command:#}: {sentence}</source>
+        <translation>Commande {command:#} : {sentence}</translation>
     </message>
     <message>
-        <source>{sentence} ({count:n} times, first at command {command:#})</source>
-        <translation>{sentence} ({count:n} fois, d&apos;abord à la commande {command:#})</translation>
+        <source>Command {command:#} (first of {count:n}): {sentence}</source>
+        <translation>Commande {command:#} (la première de {count:n}) : {sentence}</translation>
     </message>
     <message>
-        <source>the unknown code {name} is ignored</source>
-        <translation>code inconnu {name} ignoré</translation>
+        <source>The unknown code {name} is ignored.</source>
+        <translation>Le code inconnu {name} est ignoré.</translation>
     </message>
     <message>
-        <source>1 more unknown code is ignored</source>
-        <translation>1 autre code inconnu ignoré</translation>
+        <source>1 more unknown code is ignored.</source>
+        <translation>1 autre code inconnu est ignoré.</translation>
     </message>
     <message>
-        <source>{count:n} more unknown codes are ignored</source>
-        <translation>{count:n} autres codes inconnus ignorés</translation>
+        <source>{count:n} more unknown codes are ignored.</source>
+        <translation>{count:n} autres codes inconnus sont ignorés.</translation>
     </message>
     <message>
-        <source>the arcs and cycles would need {moves:n} moves at a tolerance of {tolerance:mm}; use a larger tolerance</source>
-        <translation>les arcs et cycles demanderaient {moves:n} mouvements à une tolérance de {tolerance:mm} ; choisissez une tolérance plus grande</translation>
+        <source>The arcs and cycles would need {moves:n} moves at a tolerance of {tolerance:mm}. Choose a larger tolerance in the preferences.</source>
+        <translation>Les arcs et cycles demanderaient {moves:n} mouvements à une tolérance de {tolerance:mm}. Choisissez une tolérance plus grande dans les préférences.</translation>
     </message>
     <message>
         <source>{label}: {sentence}</source>
         <translation>{label} : {sentence}</translation>
     </message>
     <message>
-        <source>could not be analyzed, please report it with the file: {error}</source>
-        <translation>n&apos;a pas pu être analysée, merci de le signaler avec le fichier : {error}</translation>
+        <source>The analysis failed. Please report the error together with the file: {error}</source>
+        <translation>L&apos;analyse a échoué. Merci de signaler l&apos;erreur avec le fichier : {error}</translation>
     </message>
     <message>
-        <source>phi stays between {low:turns} and {high:turns} turns over {count:n} rows{spread}, {seen}: {strategy:strategy}</source>
-        <translation>φ reste entre {low:turns} et {high:turns} tours sur {count:n} lignes{spread}, {seen} : {strategy:strategy}</translation>
+        <source>Phi stays between {low:turns} and {high:turns} turns over {count:n} rows{spread}, {seen}: {strategy:strategy}.</source>
+        <translation>φ reste entre {low:turns} et {high:turns} tours sur {count:n} lignes{spread}, {seen} : {strategy:strategy}.</translation>
     </message>
     <message>
-        <source>phi stays at 0 over {count:n} rows{spread}, {seen}: {strategy:strategy}</source>
-        <translation>φ reste à 0 sur {count:n} lignes{spread}, {seen} : {strategy:strategy}</translation>
+        <source>Phi stays at 0 over {count:n} rows{spread}, {seen}: {strategy:strategy}.</source>
+        <translation>φ reste à 0 sur {count:n} lignes{spread}, {seen} : {strategy:strategy}.</translation>
     </message>
     <message>
-        <source>phi stays between {low:turns} and {high:turns} turns over one open stroke{spread}, {seen}: {strategy:strategy}</source>
-        <translation>φ reste entre {low:turns} et {high:turns} tours sur un trait ouvert{spread}, {seen} : {strategy:strategy}</translation>
+        <source>Phi stays between {low:turns} and {high:turns} turns over one open stroke{spread}, {seen}: {strategy:strategy}.</source>
+        <translation>φ reste entre {low:turns} et {high:turns} tours sur un trait ouvert{spread}, {seen} : {strategy:strategy}.</translation>
     </message>
     <message>
-        <source>phi stays between {low:turns} and {high:turns} turns over {count:n} open strokes{spread}, {seen}: {strategy:strategy}</source>
-        <translation>φ reste entre {low:turns} et {high:turns} tours sur {count:n} traits ouverts{spread}, {seen} : {strategy:strategy}</translation>
+        <source>Phi stays between {low:turns} and {high:turns} turns over {count:n} open strokes{spread}, {seen}: {strategy:strategy}.</source>
+        <translation>φ reste entre {low:turns} et {high:turns} tours sur {count:n} traits ouverts{spread}, {seen} : {strategy:strategy}.</translation>
     </message>
     <message>
-        <source>phi stays at 0 over one open stroke{spread}, {seen}: {strategy:strategy}</source>
-        <translation>φ reste à 0 sur un trait ouvert{spread}, {seen} : {strategy:strategy}</translation>
+        <source>Phi stays at 0 over one open stroke{spread}, {seen}: {strategy:strategy}.</source>
+        <translation>φ reste à 0 sur un trait ouvert{spread}, {seen} : {strategy:strategy}.</translation>
     </message>
     <message>
-        <source>phi stays at 0 over {count:n} open strokes{spread}, {seen}: {strategy:strategy}</source>
-        <translation>φ reste à 0 sur {count:n} traits ouverts{spread}, {seen} : {strategy:strategy}</translation>
+        <source>Phi stays at 0 over {count:n} open strokes{spread}, {seen}: {strategy:strategy}.</source>
+        <translation>φ reste à 0 sur {count:n} traits ouverts{spread}, {seen} : {strategy:strategy}.</translation>
     </message>
     <message>
-        <source>phi reaches {reached:turns} turns over one loop{spread}, {seen}: {strategy:strategy}{turning}</source>
-        <translation>φ atteint {reached:turns} tours sur une boucle{spread}, {seen} : {strategy:strategy}{turning}</translation>
+        <source>Phi reaches {reached:turns} turns over one loop{spread}, {seen}: {strategy:strategy}{turning}.</source>
+        <translation>φ atteint {reached:turns} tours sur une boucle{spread}, {seen} : {strategy:strategy}{turning}.</translation>
     </message>
     <message>
-        <source>phi reaches {reached:turns} turns over {count:n} loops{spread}, {seen}: {strategy:strategy}{turning}</source>
-        <translation>φ atteint {reached:turns} tours sur {count:n} boucles{spread}, {seen} : {strategy:strategy}{turning}</translation>
+        <source>Phi reaches {reached:turns} turns over {count:n} loops{spread}, {seen}: {strategy:strategy}{turning}.</source>
+        <translation>φ atteint {reached:turns} tours sur {count:n} boucles{spread}, {seen} : {strategy:strategy}{turning}.</translation>
     </message>
     <message>
-        <source>phi lies between {low:turns} and {high:turns} turns, {seen}: {strategy:strategy}</source>
-        <translation>φ est entre {low:turns} et {high:turns} tours, {seen} : {strategy:strategy}</translation>
+        <source>Phi lies between {low:turns} and {high:turns} turns, {seen}: {strategy:strategy}.</source>
+        <translation>φ est entre {low:turns} et {high:turns} tours, {seen} : {strategy:strategy}.</translation>
     </message>
     <message>
-        <source>phi has no direction to turn, the moves are vertical at one point: {strategy:strategy}</source>
-        <translation>φ n&apos;a pas de direction, les mouvements sont verticaux en un point : {strategy:strategy}</translation>
+        <source>Phi is not defined, because the moves are vertical at one point: {strategy:strategy}.</source>
+        <translation>φ n&apos;est pas défini, car les mouvements sont verticaux en un point : {strategy:strategy}.</translation>
     </message>
     <message>
-        <source>phi has no direction to turn, the moves are vertical at {count:n} points: {strategy:strategy}</source>
-        <translation>φ n&apos;a pas de direction, les mouvements sont verticaux en {count:n} points : {strategy:strategy}</translation>
+        <source>Phi is not defined, because the moves are vertical at {count:n} points: {strategy:strategy}.</source>
+        <translation>φ n&apos;est pas défini, car les mouvements sont verticaux en {count:n} points : {strategy:strategy}.</translation>
     </message>
     <message>
-        <source>phi has no direction to turn, the moves are vertical at some points: {strategy:strategy}</source>
-        <translation>φ n&apos;a pas de direction, les mouvements sont verticaux en quelques points : {strategy:strategy}</translation>
+        <source>Phi is not defined, because the moves are vertical at some points: {strategy:strategy}.</source>
+        <translation>φ n&apos;est pas défini, car les mouvements sont verticaux en quelques points : {strategy:strategy}.</translation>
     </message>
     <message>
-        <source>{count:n} sections parted by tool changes, titles, retracts or drilling show {strategies:strategy}: {strategy:strategy}</source>
-        <translation>{count:n} sections séparées par des changements d&apos;outil, des titres, des retraits ou des perçages montrent {strategies:strategy} : {strategy:strategy}</translation>
+        <source>{count:n} sections, separated by tool changes, titles, retracts or drilling, show {strategies:strategy}: {strategy:strategy}.</source>
+        <translation>{count:n} sections séparées par des changements d&apos;outil, des titres, des retraits ou des perçages montrent {strategies:strategy} : {strategy:strategy}.</translation>
     </message>
     <message>
         <source>, {step:mm3} apart at {depths:n} depths</source>
@@ -490,132 +490,132 @@
         <translation> à {depths:n} profondeurs</translation>
     </message>
     <message>
-        <source>{count:n} bites of one sense overlap</source>
-        <translation>{count:n} morsures de même sens se recouvrent</translation>
+        <source>{count:n} engagements in the same direction overlap</source>
+        <translation>{count:n} engagements de même sens se recouvrent</translation>
     </message>
     <message>
-        <source>rows ({rows:%} of the length) and loops ({loops:%}) share the area</source>
-        <translation>des lignes ({rows:%} de la longueur) et des boucles ({loops:%}) se partagent la surface</translation>
+        <source>rows ({rows:%} of the length) and loops ({loops:%}) fill the same area</source>
+        <translation>des lignes ({rows:%} de la longueur) et des boucles ({loops:%}) remplissent la même surface</translation>
     </message>
     <message>
         <source>{low} to {high}</source>
         <translation>{low} à {high}</translation>
     </message>
     <message>
-        <source>{what} (line {line:#})</source>
-        <translation>{what} (ligne {line:#})</translation>
+        <source>Line {line:#}: {what}</source>
+        <translation>Ligne {line:#} : {what}</translation>
     </message>
     <message>
-        <source>{what} ({count:n} times, first in line {line:#})</source>
-        <translation>{what} ({count:n} fois, d’abord à la ligne {line:#})</translation>
+        <source>Line {line:#} (first of {count:n}): {what}</source>
+        <translation>Ligne {line:#} (la première de {count:n}) : {what}</translation>
     </message>
     <message>
-        <source>lines with a block delete (/) are read like the others</source>
-        <translation>les lignes avec saut de bloc (/) sont lues comme les autres</translation>
+        <source>Lines with a block delete (/) are read like all others.</source>
+        <translation>Les lignes avec saut de bloc (/) sont lues comme les autres.</translation>
     </message>
     <message>
-        <source>a subprogram or macro call is not read</source>
-        <translation>un sous-programme ou appel de macro n’est pas lu</translation>
+        <source>A subprogram or macro call is ignored.</source>
+        <translation>Un appel de sous-programme ou de macro est ignoré.</translation>
     </message>
     <message>
-        <source>jumps, loops and calls are not followed</source>
-        <translation>les sauts, boucles et appels ne sont pas suivis</translation>
+        <source>Jumps, loops and calls are ignored.</source>
+        <translation>Les sauts, boucles et appels sont ignorés.</translation>
     </message>
     <message>
-        <source>variables and expressions are not read: the words with them are left out</source>
-        <translation>les variables et expressions ne sont pas lues : leurs mots sont omis</translation>
+        <source>Words with variables or expressions are ignored.</source>
+        <translation>Les mots avec des variables ou des expressions sont ignorés.</translation>
     </message>
     <message>
-        <source>lines that are not made of words like G1 X10 are left out</source>
-        <translation>les lignes qui ne sont pas faites de mots comme G1 X10 sont omises</translation>
+        <source>Lines that do not consist of words like G1 X10 are ignored.</source>
+        <translation>Les lignes qui ne sont pas faites de mots comme G1 X10 sont ignorées.</translation>
     </message>
     <message>
-        <source>coordinates that {name} changes are read as if it were not there</source>
-        <translation>les coordonnées que {name} modifie sont lues comme s’il n’était pas là</translation>
+        <source>{name} is ignored. The coordinates after it are read as if it were not there.</source>
+        <translation>{name} est ignoré. Les coordonnées qui suivent sont lues comme s&apos;il n&apos;était pas là.</translation>
     </message>
     <message>
-        <source>a spline ({name}) is read as a line</source>
-        <translation>une spline ({name}) est lue comme une droite</translation>
+        <source>A spline ({name}) is read as a line.</source>
+        <translation>Une spline ({name}) est lue comme une droite.</translation>
     </message>
     <message>
-        <source>what follows M2 or M30 is read as the same program</source>
-        <translation>ce qui suit M2 ou M30 est lu comme le même programme</translation>
+        <source>Lines after M2 or M30 are read as part of the same program.</source>
+        <translation>Les lignes après M2 ou M30 sont lues comme partie du même programme.</translation>
     </message>
     <message>
-        <source>what follows the program&apos;s end is not read</source>
-        <translation>ce qui suit la fin du programme n’est pas lu</translation>
+        <source>Lines after the end of the program are ignored.</source>
+        <translation>Les lignes après la fin du programme sont ignorées.</translation>
     </message>
     <message>
-        <source>a program in the language of {name} controls (line {line:#}): post it as G-code (ISO) to have it read</source>
-        <translation>un programme dans le langage des commandes {name} (ligne {line:#}) : sorti en code G (ISO), il sera lu</translation>
+        <source>Line {line:#}: The program is written for {name} controls. Post it as G-code (ISO) to analyze it.</source>
+        <translation>Ligne {line:#} : Le programme est écrit pour des commandes {name}. Postez-le en code G (ISO) pour l&apos;analyser.</translation>
     </message>
     <message>
-        <source>not an NC program: {part:n} of its {lines:n} lines are not made of words like G1 X10, the first is line {line:#}</source>
-        <translation>pas un programme CN : {part:n} de ses {lines:n} lignes ne sont pas faites de mots comme G1 X10, la première est la ligne {line:#}</translation>
+        <source>This is not an NC program. {part:n} of its {lines:n} lines do not consist of words like G1 X10. The first of them is line {line:#}.</source>
+        <translation>Ce n&apos;est pas un programme CN. {part:n} de ses {lines:n} lignes ne sont pas faites de mots comme G1 X10. La première est la ligne {line:#}.</translation>
     </message>
     <message>
-        <source>not an NC program: no line of it moves a tool</source>
-        <translation>pas un programme CN : aucune ligne ne déplace un outil</translation>
+        <source>This is not an NC program. None of its lines moves a tool.</source>
+        <translation>Ce n&apos;est pas un programme CN. Aucune de ses lignes ne déplace un outil.</translation>
     </message>
     <message>
-        <source>none of its moves can be read: {problems}</source>
-        <translation>aucun de ses mouvements ne peut être lu : {problems}</translation>
+        <source>None of the moves can be read. {problems}</source>
+        <translation>Aucun des mouvements ne peut être lu. {problems}</translation>
     </message>
     <message>
-        <source>not an NC program: it is not text</source>
-        <translation>pas un programme CN : ce n’est pas un texte</translation>
+        <source>This is not an NC program, because it is not text.</source>
+        <translation>Ce n&apos;est pas un programme CN, car ce n&apos;est pas un texte.</translation>
     </message>
     <message>
-        <source>a program for a lathe ({name}, line {line:#}): milling strategies say nothing about it</source>
-        <translation>un programme pour un tour ({name}, ligne {line:#}) : les stratégies de fraisage n’en disent rien</translation>
+        <source>Line {line:#}: {name} shows a program for a lathe. Milling strategies do not apply to it.</source>
+        <translation>Ligne {line:#} : {name} indique un programme pour un tour. Les stratégies de fraisage ne s&apos;y appliquent pas.</translation>
     </message>
     <message>
-        <source>a program for a 3D printer ({name}, line {line:#}): milling strategies say nothing about it</source>
-        <translation>un programme pour une imprimante 3D ({name}, ligne {line:#}) : les stratégies de fraisage n’en disent rien</translation>
+        <source>Line {line:#}: {name} shows a program for a 3D printer. Milling strategies do not apply to it.</source>
+        <translation>Ligne {line:#} : {name} indique un programme pour une imprimante 3D. Les stratégies de fraisage ne s&apos;y appliquent pas.</translation>
     </message>
     <message>
-        <source>a program for a wire cutter ({name}, line {line:#}): milling strategies say nothing about it</source>
-        <translation>un programme pour une découpe au fil ({name}, ligne {line:#}) : les stratégies de fraisage n’en disent rien</translation>
+        <source>Line {line:#}: {name} shows a program for a wire cutter. Milling strategies do not apply to it.</source>
+        <translation>Ligne {line:#} : {name} indique un programme pour une découpe au fil. Les stratégies de fraisage ne s&apos;y appliquent pas.</translation>
     </message>
     <message>
-        <source>a rotary axis turns while the tool cuts (line {line:#}): the path of the tool cannot be told</source>
-        <translation>un axe rotatif tourne pendant la coupe (ligne {line:#}) : le chemin de l’outil n’est pas connu</translation>
+        <source>Line {line:#}: A rotary axis turns while the tool cuts. The tool&apos;s path is unknown here.</source>
+        <translation>Ligne {line:#} : Un axe rotatif tourne pendant la coupe. Le trajet de l&apos;outil est inconnu ici.</translation>
     </message>
     <message>
-        <source>{length:mm4} of rapids are not in the time: a program does not say how fast they are</source>
-        <translation>{length:mm4} de rapides ne sont pas dans le temps : un programme n’en dit pas la vitesse</translation>
+        <source>The machining time does not include {length:mm4} of rapids, because a program does not contain their speed.</source>
+        <translation>La durée d&apos;usinage ne comprend pas {length:mm4} de déplacements rapides, car un programme n&apos;en contient pas la vitesse.</translation>
     </message>
     <message>
-        <source>no tool: the program does not say its diameter, so the cost is not known</source>
-        <translation>pas d’outil : le programme n’en dit pas le diamètre, donc le coût est inconnu</translation>
+        <source>The program does not contain the tool&apos;s diameter, so the cost is unknown.</source>
+        <translation>Le programme ne contient pas le diamètre de l&apos;outil, donc le coût est inconnu.</translation>
     </message>
     <message>
-        <source>the file cannot be read: {name}</source>
-        <translation>le fichier ne peut pas être lu : {name}</translation>
+        <source>The file cannot be read: {name}.</source>
+        <translation>Le fichier ne peut pas être lu : {name}.</translation>
     </message>
     <message>
-        <source>the file is larger than {size:bytes}</source>
-        <translation>le fichier dépasse {size:bytes}</translation>
+        <source>The file is larger than {size:bytes}.</source>
+        <translation>Le fichier dépasse {size:bytes}.</translation>
     </message>
     <message>
-        <source>given up after {time:s}</source>
-        <translation>abandonné après {time:s}</translation>
+        <source>The analysis was stopped after {time:s}.</source>
+        <translation>L&apos;analyse a été arrêtée après {time:s}.</translation>
     </message>
     <message>
-        <source>the process that read it died, perhaps for lack of memory</source>
-        <translation>le processus qui le lisait est mort, faute de mémoire peut-être</translation>
+        <source>The process that read the file ended unexpectedly, perhaps for lack of memory.</source>
+        <translation>Le processus qui lisait le fichier s&apos;est arrêté de façon inattendue, peut-être faute de mémoire.</translation>
     </message>
     <message>
-        <source>it looks 25.4 times too small: inches read as millimeters?</source>
-        <translation>cela semble 25,4 fois trop petit : des pouces lus comme des millimètres ?</translation>
+        <source>The toolpath looks 25.4 times too small. Inches are probably read as millimeters.</source>
+        <translation>Le parcours semble 25,4 fois trop petit. Des pouces sont probablement lus comme des millimètres.</translation>
     </message>
     <message>
-        <source>there is nothing to simulate: choose a job, or operations with a toolpath</source>
-        <translation>il n&apos;y a rien à simuler : choisissez une tâche, ou des opérations avec un parcours d&apos;outil</translation>
+        <source>There is nothing to simulate. Choose a job, or operations with a toolpath.</source>
+        <translation>Il n&apos;y a rien à simuler. Choisissez une tâche, ou des opérations avec un parcours d&apos;outil.</translation>
     </message>
     <message>
-        <source>these operations belong to several jobs, choose one of them: {labels}</source>
-        <translation>ces opérations appartiennent à plusieurs tâches, choisissez-en une : {labels}</translation>
+        <source>These operations belong to several jobs. Choose operations of one job only: {labels}.</source>
+        <translation>Ces opérations appartiennent à plusieurs tâches. Choisissez les opérations d&apos;une seule tâche : {labels}.</translation>
     </message>
     <message>
         <source>extended z-buffer</source>
@@ -630,71 +630,71 @@
         <translation>simulateur OpenGL</translation>
     </message>
     <message>
-        <source>The {simulator:simulator} hangs on an arc {reason} (command {command:#}{others}): {instead}.</source>
-        <translation>« {simulator:simulator} » se bloque sur un arc {reason} (commande {command:#}{others}) : {instead}.</translation>
+        <source>The {simulator:simulator} hangs on an arc {reason} (command {command:#}{others}). {instead}</source>
+        <translation>« {simulator:simulator} » se bloque sur un arc {reason} (commande {command:#}{others}). {instead}</translation>
     </message>
     <message>
-        <source>The {simulator:simulator} cuts {count:n} ramp at a wrong depth, up to {error:mm2} {way} (command {command:#}): do not judge depths by it.</source>
-        <translation>« {simulator:simulator} » usine {count:n} rampe à une profondeur fausse, jusqu&apos;à {error:mm2} {way} (commande {command:#}) : ne jugez pas les profondeurs d&apos;après lui.</translation>
+        <source>The {simulator:simulator} cuts {count:n} ramp at a wrong depth, up to {error:mm2} {way} (command {command:#}). Do not judge depths by it.</source>
+        <translation>« {simulator:simulator} » usine {count:n} rampe à une profondeur fausse, jusqu&apos;à {error:mm2} {way} (commande {command:#}). Ne jugez pas les profondeurs d&apos;après lui.</translation>
     </message>
     <message>
-        <source>The {simulator:simulator} cuts {count:n} ramps at a wrong depth, up to {error:mm2} {way} (command {command:#}): do not judge depths by it.</source>
-        <translation>« {simulator:simulator} » usine {count:n} rampes à une profondeur fausse, jusqu&apos;à {error:mm2} {way} (commande {command:#}) : ne jugez pas les profondeurs d&apos;après lui.</translation>
+        <source>The {simulator:simulator} cuts {count:n} ramps at a wrong depth, up to {error:mm2} {way} (command {command:#}). Do not judge depths by it.</source>
+        <translation>« {simulator:simulator} » usine {count:n} rampes à une profondeur fausse, jusqu&apos;à {error:mm2} {way} (commande {command:#}). Ne jugez pas les profondeurs d&apos;après lui.</translation>
     </message>
     <message>
-        <source>Playing takes about {longer:s} in the {simulator:simulator}: fast-forward takes about {time:s}.</source>
-        <translation>La lecture prend environ {longer:s} dans « {simulator:simulator} » : l&apos;avance rapide prend environ {time:s}.</translation>
+        <source>Playing takes about {longer:s} in the {simulator:simulator}. Use fast-forward, which takes about {time:s}.</source>
+        <translation>La lecture prend environ {longer:s} dans « {simulator:simulator} ». Utilisez l&apos;avance rapide, qui prend environ {time:s}.</translation>
     </message>
     <message>
-        <source>Playing takes about {time:s} in the {simulator:simulator} at its fastest: simulate fewer operations at a time.</source>
-        <translation>La lecture prend environ {time:s} dans « {simulator:simulator} » au plus vite : simulez moins d&apos;opérations à la fois.</translation>
+        <source>Playing takes about {time:s} in the {simulator:simulator} at its fastest. Simulate fewer operations at a time.</source>
+        <translation>La lecture prend environ {time:s} dans « {simulator:simulator} » à la plus grande vitesse. Simulez moins d&apos;opérations à la fois.</translation>
     </message>
     <message>
-        <source>{count:n} moves are shorter than a cell of the {simulator:simulator} ({cell:mm2}), each takes its time and none is seen by itself: a coarser tolerance of the operation loses nothing there.</source>
-        <translation>{count:n} mouvements sont plus courts qu&apos;une cellule de « {simulator:simulator} » ({cell:mm2}), chacun prend du temps et aucun ne se voit seul : une tolérance plus grossière de l&apos;opération n&apos;y perd rien.</translation>
+        <source>{count:n} moves are shorter than a cell of the {simulator:simulator} ({cell:mm2}). They take time, but cannot be seen. Choose a coarser tolerance for the operation.</source>
+        <translation>{count:n} mouvements sont plus courts qu&apos;une cellule de « {simulator:simulator} » ({cell:mm2}). Ils prennent du temps, mais ne se voient pas. Choisissez une tolérance plus grossière pour l&apos;opération.</translation>
     </message>
     <message>
-        <source>The {simulator:simulator} takes about {memory:bytes} for this operation, more than the {allowed:bytes} allowed: {instead}.</source>
-        <translation>« {simulator:simulator} » prend environ {memory:bytes} pour cette opération, plus que les {allowed:bytes} permis : {instead}.</translation>
+        <source>The {simulator:simulator} takes about {memory:bytes} for this operation, which is over your {allowed:bytes} limit. {instead}</source>
+        <translation>« {simulator:simulator} » prend environ {memory:bytes} pour cette opération, plus que votre limite de {allowed:bytes}. {instead}</translation>
     </message>
     <message>
-        <source>use the {simulator:simulator} for this operation</source>
-        <translation>utilisez « {simulator:simulator} » pour cette opération</translation>
+        <source>Use the {simulator:simulator} for this operation.</source>
+        <translation>Utilisez « {simulator:simulator} » pour cette opération.</translation>
     </message>
     <message>
-        <source>the tool&apos;s diameter must be a positive number of at most a kilometer, not {diameter:mm}</source>
-        <translation>le diamètre de l&apos;outil doit être positif et d&apos;un kilomètre au plus, pas {diameter:mm}</translation>
+        <source>The tool&apos;s diameter must be a positive number of at most a kilometer, not {diameter:mm}.</source>
+        <translation>Le diamètre de l&apos;outil doit être positif et d&apos;un kilomètre au plus, pas {diameter:mm}.</translation>
     </message>
     <message>
-        <source>the stock&apos;s corners must be numbers within a kilometer of the origin</source>
-        <translation>les coins du brut doivent être des nombres à moins d&apos;un kilomètre de l&apos;origine</translation>
+        <source>The corners of the stock must be numbers within a kilometer of the origin.</source>
+        <translation>Les coins du brut doivent être des nombres à moins d&apos;un kilomètre de l&apos;origine.</translation>
     </message>
     <message>
-        <source>its feeds, up to {feed:g} mm/s, are taken for mm/min: FreeCAD&apos;s importer keeps them as mm/s</source>
-        <translation>ses avances, jusqu&apos;à {feed:g} mm/s, sont lues en mm/min : l&apos;importation de FreeCAD les garde en mm/s</translation>
+        <source>Feeds up to {feed:g} mm/s are read as mm/min, because FreeCAD&apos;s G-code import does not convert them.</source>
+        <translation>Les avances jusqu&apos;à {feed:g} mm/s sont lues en mm/min, car l&apos;importation de code G de FreeCAD ne les convertit pas.</translation>
     </message>
     <message>
-        <source>the tip&apos;s diameter must lie between 0 and {diameter:mm}, not be {tip:mm}</source>
-        <translation>le diamètre de la pointe doit être compris entre 0 et {diameter:mm}, et non {tip:mm}</translation>
+        <source>The diameter of the tip must be between 0 and {diameter:mm}, not {tip:mm}.</source>
+        <translation>Le diamètre de la pointe doit être compris entre 0 et {diameter:mm}, et non {tip:mm}.</translation>
     </message>
     <message>
-        <source>the solid&apos;s surface is not closed</source>
-        <translation>la surface du solide n&apos;est pas fermée</translation>
+        <source>The surface of the solid is not closed.</source>
+        <translation>La surface du solide n&apos;est pas fermée.</translation>
     </message>
     <message>
-        <source>the box around the stock of {label} is taken for it: {sentence}</source>
-        <translation>le brut de {label} est remplacé par la boîte qui l&apos;entoure : {sentence}</translation>
+        <source>The stock of {label} is simulated as the box around it. {sentence}</source>
+        <translation>Le brut de {label} est simulé comme la boîte qui l&apos;entoure. {sentence}</translation>
     </message>
     <message>
-        <source>{label} is not simulated exactly, but {instead}</source>
-        <translation>{label} n&apos;est pas simulé exactement, mais {instead}</translation>
+        <source>{label} is simulated only approximately, {instead}.</source>
+        <translation>{label} n&apos;est simulé qu&apos;approximativement, {instead}.</translation>
     </message>
     <message>
-        <source>as an end mill of its largest diameter</source>
+        <source>as an end mill with its largest diameter</source>
         <translation>comme une fraise droite de son plus grand diamètre</translation>
     </message>
     <message>
-        <source>as a ball end of its tip&apos;s diameter</source>
+        <source>as a ball end mill with the diameter of its tip</source>
         <translation>comme une fraise hémisphérique du diamètre de sa pointe</translation>
     </message>
     <message>
@@ -702,40 +702,40 @@
         <translation>comme un foret</translation>
     </message>
     <message>
-        <source>a rotary axis ({letter}) turns while the tool cuts: the path of the tool cannot be told</source>
-        <translation>un axe rotatif ({letter}) tourne pendant la coupe : le trajet de l&apos;outil ne peut pas être déterminé</translation>
+        <source>A rotary axis ({letter}) turns while the tool cuts. The tool&apos;s path is unknown here.</source>
+        <translation>Un axe rotatif ({letter}) tourne pendant la coupe. Le trajet de l&apos;outil est inconnu ici.</translation>
     </message>
     <message>
-        <source>turns of a rotary axis ({letter}) are not followed</source>
-        <translation>les rotations d&apos;un axe rotatif ({letter}) ne sont pas suivies</translation>
+        <source>Moves of a rotary axis ({letter}) are ignored.</source>
+        <translation>Les mouvements d&apos;un axe rotatif ({letter}) sont ignorés.</translation>
     </message>
     <message>
-        <source>{letter} words are not read</source>
-        <translation>les mots {letter} ne sont pas lus</translation>
+        <source>{letter} words are ignored.</source>
+        <translation>Les mots {letter} sont ignorés.</translation>
     </message>
     <message>
-        <source>a cycle&apos;s repeats ({letter}) are not made</source>
-        <translation>les répétitions d&apos;un cycle ({letter}) ne sont pas faites</translation>
+        <source>The repeats of a cycle ({letter}) are ignored.</source>
+        <translation>Les répétitions d&apos;un cycle ({letter}) sont ignorées.</translation>
     </message>
     <message>
-        <source>further turns of an arc (P) are not made</source>
-        <translation>les tours supplémentaires d&apos;un arc (P) ne sont pas faits</translation>
+        <source>The additional turns of an arc (P) are ignored.</source>
+        <translation>Les tours supplémentaires d&apos;un arc (P) sont ignorés.</translation>
     </message>
     <message>
-        <source>inches (G20) are not followed: lengths are read in mm</source>
-        <translation>les pouces (G20) ne sont pas suivis : les longueurs sont lues en mm</translation>
+        <source>Inches (G20) are ignored. Lengths are read in mm.</source>
+        <translation>Les pouces (G20) sont ignorés. Les longueurs sont lues en mm.</translation>
     </message>
     <message>
-        <source>cutter compensation ({name}) is not followed: the path is the programmed one</source>
-        <translation>la compensation de rayon ({name}) n&apos;est pas suivie : le trajet est celui du programme</translation>
+        <source>Cutter compensation ({name}) is ignored. The programmed path is used.</source>
+        <translation>La compensation de rayon ({name}) est ignorée. Le trajet programmé est utilisé.</translation>
     </message>
     <message>
-        <source>feeds after {name} are not read</source>
-        <translation>les avances après {name} ne sont pas lues</translation>
+        <source>Feeds after {name} are ignored.</source>
+        <translation>Les avances après {name} sont ignorées.</translation>
     </message>
     <message>
-        <source>dwells are not in the time</source>
-        <translation>les temporisations ne sont pas comptées dans le temps</translation>
+        <source>Dwell times are not included in the machining time.</source>
+        <translation>Les temporisations ne sont pas comprises dans la durée d&apos;usinage.</translation>
     </message>
     <message>
         <source>open strokes side by side at an even distance</source>
@@ -750,56 +750,56 @@
         <translation>beaucoup de petits contours de formes différentes</translation>
     </message>
     <message>
-        <source>{count:n} row{spread}, {seen}</source>
-        <translation>{count:n} rangée{spread}, {seen}</translation>
+        <source>{count:n} row{spread}, {seen}.</source>
+        <translation>{count:n} rangée{spread}, {seen}.</translation>
     </message>
     <message>
-        <source>{count:n} rows{spread}, {seen}</source>
-        <translation>{count:n} rangées{spread}, {seen}</translation>
+        <source>{count:n} rows{spread}, {seen}.</source>
+        <translation>{count:n} rangées{spread}, {seen}.</translation>
     </message>
     <message>
-        <source>one open cut{spread}, {seen}</source>
-        <translation>une coupe ouverte{spread}, {seen}</translation>
+        <source>One open cut{spread}, {seen}.</source>
+        <translation>Une coupe ouverte{spread}, {seen}.</translation>
     </message>
     <message>
-        <source>{count:n} open cuts{spread}, {seen}</source>
-        <translation>{count:n} coupes ouvertes{spread}, {seen}</translation>
+        <source>{count:n} open cuts{spread}, {seen}.</source>
+        <translation>{count:n} coupes ouvertes{spread}, {seen}.</translation>
     </message>
     <message>
-        <source>one loop{spread}{turning}, {seen}</source>
-        <translation>une boucle{spread}{turning}, {seen}</translation>
+        <source>One loop{spread}{turning}, {seen}.</source>
+        <translation>Une boucle{spread}{turning}, {seen}.</translation>
     </message>
     <message>
-        <source>{count:n} loops{spread}{turning}, {seen}</source>
-        <translation>{count:n} boucles{spread}{turning}, {seen}</translation>
+        <source>{count:n} loops{spread}{turning}, {seen}.</source>
+        <translation>{count:n} boucles{spread}{turning}, {seen}.</translation>
     </message>
     <message>
-        <source>straight down at one point</source>
-        <translation>tout droit vers le bas en un point</translation>
+        <source>Straight down at one point.</source>
+        <translation>Tout droit vers le bas en un point.</translation>
     </message>
     <message>
-        <source>straight down at {count:n} points</source>
-        <translation>tout droit vers le bas en {count:n} points</translation>
+        <source>Straight down at {count:n} points.</source>
+        <translation>Tout droit vers le bas en {count:n} points.</translation>
     </message>
     <message>
-        <source>straight down at some points</source>
-        <translation>tout droit vers le bas en quelques points</translation>
+        <source>Straight down at some points.</source>
+        <translation>Tout droit vers le bas en quelques points.</translation>
     </message>
     <message>
-        <source>{count:n} sections, parted by tool changes, titles, retracts or drilling: {strategies:strategy}</source>
-        <translation>{count:n} sections, séparées par des changements d&apos;outil, des titres, des retraits ou du perçage : {strategies:strategy}</translation>
+        <source>{count:n} sections, separated by tool changes, titles, retracts or drilling: {strategies:strategy}.</source>
+        <translation>{count:n} sections, séparées par des changements d&apos;outil, des titres, des retraits ou du perçage : {strategies:strategy}.</translation>
     </message>
     <message>
-        <source>{count:n} overlapping bites</source>
-        <translation>{count:n} morsures qui se recouvrent</translation>
+        <source>{count:n} overlapping engagements</source>
+        <translation>{count:n} engagements qui se recouvrent</translation>
     </message>
     <message>
         <source>one clockwise, the next counter-clockwise</source>
         <translation>l&apos;une horaire, la suivante antihoraire</translation>
     </message>
     <message>
-        <source>all in one cut that winds on and never closes</source>
-        <translation>tout en une coupe qui s&apos;enroule sans jamais se fermer</translation>
+        <source>all in one continuous cut that never closes</source>
+        <translation>tout en une coupe continue qui ne se ferme jamais</translation>
     </message>
     <message>
         <source>one inside the other</source>
@@ -810,52 +810,52 @@
         <translation>aucune dans une autre</translation>
     </message>
     <message>
-        <source>cut to and fro</source>
+        <source>cut back and forth</source>
         <translation>coupées en aller et retour</translation>
     </message>
     <message>
-        <source>all cut the same way</source>
+        <source>all cut in the same direction</source>
         <translation>toutes coupées dans le même sens</translation>
     </message>
     <message>
-        <source>phi stays between {low:turns} and {high:turns} turns over one row{spread}, {seen}: {strategy:strategy}</source>
-        <translation>φ reste entre {low:turns} et {high:turns} tours sur une rangée{spread}, {seen} : {strategy:strategy}</translation>
+        <source>Phi stays between {low:turns} and {high:turns} turns over one row{spread}, {seen}: {strategy:strategy}.</source>
+        <translation>φ reste entre {low:turns} et {high:turns} tours sur une rangée{spread}, {seen} : {strategy:strategy}.</translation>
     </message>
     <message>
-        <source>phi stays at 0 over one row{spread}, {seen}: {strategy:strategy}</source>
-        <translation>φ reste à 0 sur une rangée{spread}, {seen} : {strategy:strategy}</translation>
+        <source>Phi stays at 0 over one row{spread}, {seen}: {strategy:strategy}.</source>
+        <translation>φ reste à 0 sur une rangée{spread}, {seen} : {strategy:strategy}.</translation>
     </message>
     <message>
-        <source>One move is shorter than a cell of the {simulator:simulator} ({cell:mm2}), takes its time and is not seen by itself: a coarser tolerance of the operation loses nothing there.</source>
-        <translation>Un déplacement est plus court qu&apos;une cellule de « {simulator:simulator} » ({cell:mm2}), prend son temps et ne se voit pas : une tolérance plus grossière de l&apos;opération n&apos;y perd rien.</translation>
+        <source>One move is shorter than a cell of the {simulator:simulator} ({cell:mm2}). It takes time, but cannot be seen. Choose a coarser tolerance for the operation.</source>
+        <translation>Un mouvement est plus court qu&apos;une cellule de « {simulator:simulator} » ({cell:mm2}). Il prend du temps, mais ne se voit pas. Choisissez une tolérance plus grossière pour l&apos;opération.</translation>
     </message>
     <message>
-        <source>which lie like those of known toolpaths ({share:%} of the votes)</source>
-        <translation>disposés comme ceux de trajectoires connues ({share:%} des votes)</translation>
+        <source>arranged as in known toolpaths ({share:%} of the votes)</source>
+        <translation>disposés comme dans des parcours connus ({share:%} des votes)</translation>
     </message>
     <message>
-        <source>unlike anything that machines ({share:%} of the votes)</source>
-        <translation>comme rien de ce qui usine ({share:%} des votes)</translation>
+        <source>unlike any known machining ({share:%} of the votes)</source>
+        <translation>différent de tout usinage connu ({share:%} des votes)</translation>
     </message>
     <message>
-        <source>, entered by a ramp</source>
-        <translation>, avec entrée en rampe</translation>
+        <source> The tool enters on a ramp.</source>
+        <translation> L&apos;outil entre en rampe.</translation>
     </message>
     <message>
-        <source>, entered by a ramp to and fro</source>
-        <translation>, avec entrée en rampe aller-retour</translation>
+        <source> The tool enters on a ramp that goes back and forth.</source>
+        <translation> L&apos;outil entre sur une rampe en aller et retour.</translation>
     </message>
     <message>
-        <source>, entered by a helix</source>
-        <translation>, avec entrée en hélice</translation>
+        <source> The tool enters on a helix.</source>
+        <translation> L&apos;outil entre en hélice.</translation>
     </message>
     <message>
-        <source>, finished by a contour around the rows</source>
-        <translation>, avec une finition en contour autour des lignes</translation>
+        <source> A contour around the rows finishes the area.</source>
+        <translation> Un contour autour des lignes finit la surface.</translation>
     </message>
     <message>
-        <source>The {simulator:simulator} hangs on this: command {command:#} of {label}{others} is an arc {reason}.</source>
-        <translation>{simulator:simulator} se bloque ici : la commande {command:#} de {label}{others} est un arc {reason}.</translation>
+        <source>The {simulator:simulator} hangs on this simulation: command {command:#} of {label}{others} is an arc {reason}.</source>
+        <translation>{simulator:simulator} se bloque dans cette simulation : la commande {command:#} de {label}{others} est un arc {reason}.</translation>
     </message>
     <message>
         <source> (also in another operation)</source>
@@ -866,20 +866,20 @@
         <translation> (et {count:n} autres opérations)</translation>
     </message>
     <message>
-        <source>Playing this takes {bound} {time:s} in the {simulator:simulator}.</source>
-        <translation>{simulator:simulator} : la lecture dure {bound} {time:s}.</translation>
+        <source>Playing this simulation takes {bound} {time:s} in the {simulator:simulator}.</source>
+        <translation>Lire cette simulation prend {bound} {time:s} dans « {simulator:simulator} ».</translation>
     </message>
     <message>
         <source>Fast-forward takes {bound} {time:s}.</source>
         <translation>L&apos;avance rapide dure {bound} {time:s}.</translation>
     </message>
     <message>
-        <source>The {simulator:simulator} in fast-forward: {bound} {time:s}.</source>
-        <translation>{simulator:simulator} en avance rapide : {bound} {time:s}.</translation>
+        <source>Fast-forward in the {simulator:simulator} takes {bound} {time:s}.</source>
+        <translation>L&apos;avance rapide dans « {simulator:simulator} » prend {bound} {time:s}.</translation>
     </message>
     <message>
-        <source>The {simulator:simulator}: {bound} {time:s}.</source>
-        <translation>{simulator:simulator} : {bound} {time:s}.</translation>
+        <source>The {simulator:simulator} takes {bound} {time:s}.</source>
+        <translation>« {simulator:simulator} » prend {bound} {time:s}.</translation>
     </message>
     <message>
         <source>about</source>
@@ -890,144 +890,144 @@
         <translation>au moins</translation>
     </message>
     <message>
-        <source>Simulate toolpaths shows the finished part at once, coarse at first.</source>
+        <source>Simulate Toolpaths shows the finished part at once, coarse at first.</source>
         <translation>« Simuler l&apos;usinage » montre tout de suite la pièce finie, d&apos;abord grossièrement.</translation>
     </message>
     <message>
-        <source>a rapid move removes {volume:mm³2}</source>
-        <translation>un déplacement rapide enlève {volume:mm³2}</translation>
+        <source>A rapid move removes {volume:mm³2}.</source>
+        <translation>Un déplacement rapide enlève {volume:mm³2}.</translation>
     </message>
     <message>
-        <source>plunges into full material at {feed:mm/min3}, where its tool may plunge at {allowed:mm/min3}</source>
-        <translation>plonge en pleine matière à {feed:mm/min3}, son outil ne peut plonger qu’à {allowed:mm/min3}</translation>
+        <source>The tool plunges into full material at {feed:mm/min3}. Its limit is {allowed:mm/min3}.</source>
+        <translation>L&apos;outil plonge en pleine matière à {feed:mm/min3}. Sa limite est de {allowed:mm/min3}.</translation>
     </message>
     <message>
-        <source>{depth:mm2} are left on the model</source>
-        <translation>{depth:mm2} restent sur le modèle</translation>
+        <source>{depth:mm2} of stock is left on the model.</source>
+        <translation>Il reste {depth:mm2} de brut sur le modèle.</translation>
     </message>
     <message>
-        <source>a finer picture would take longer than the {allowed:s} that the preferences allow</source>
-        <translation>une image plus fine prendrait plus que les {allowed:s} permis par les préférences</translation>
+        <source>A finer picture would take longer than the {allowed:s} limit in the preferences.</source>
+        <translation>Une image plus fine prendrait plus que la limite de {allowed:s} des préférences.</translation>
     </message>
     <message>
-        <source>as simulated, command {command:#} is wrong: {fault}</source>
-        <translation>d’après la simulation, la commande {command:#} est fausse : {fault}</translation>
+        <source>The simulation shows a fault at command {command:#}: {fault}</source>
+        <translation>La simulation montre un défaut à la commande {command:#} : {fault}</translation>
     </message>
     <message>
-        <source>moves in X and Z only, with passes along Z at many X, as a lathe makes them: {strategy:strategy}</source>
-        <translation>déplacements en X et Z seulement, avec des passes le long de Z à de nombreux X, comme en fait un tour : {strategy:strategy}</translation>
+        <source>All moves are in X and Z, with passes along Z at many X, as on a lathe: {strategy:strategy}.</source>
+        <translation>Tous les mouvements sont en X et Z, avec des passes le long de Z à de nombreux X, comme sur un tour : {strategy:strategy}.</translation>
     </message>
     <message>
-        <source>the operation&apos;s placement must be numbers within a kilometer of the origin</source>
-        <translation>le placement de l&apos;opération doit être fait de nombres à moins d&apos;un kilomètre de l&apos;origine</translation>
+        <source>The placement of the operation must be numbers within a kilometer of the origin.</source>
+        <translation>Le placement de l&apos;opération doit être fait de nombres à moins d&apos;un kilomètre de l&apos;origine.</translation>
     </message>
     <message>
-        <source>a line with two {letter} words: the last one is read</source>
-        <translation>une ligne avec deux mots {letter} : le dernier est lu</translation>
+        <source>Of two {letter} words in a line, the last one is read.</source>
+        <translation>De deux mots {letter} sur une ligne, le dernier est lu.</translation>
     </message>
     <message>
-        <source>a line with two motions, such as G0 and G1: the last one is read</source>
-        <translation>une ligne avec deux mouvements, comme G0 et G1 : le dernier est lu</translation>
+        <source>Of two motions in a line, such as G0 and G1, the last one is read.</source>
+        <translation>De deux mouvements sur une ligne, comme G0 et G1, le dernier est lu.</translation>
     </message>
     <message>
-        <source>{told}, with a little {strategies:strategy} beside it</source>
-        <translation>{told}, avec un peu de {strategies:strategy} à côté</translation>
+        <source>{told} A small part is {strategies:strategy}.</source>
+        <translation>{told} Une petite partie est : {strategies:strategy}.</translation>
     </message>
     <message>
-        <source>{width:n} x {height:n} pixels of {pixel:mm2}, limited by the {limit}{passes}</source>
-        <translation>{width:n} × {height:n} pixels de {pixel:mm2}, limités par {limit}{passes}</translation>
+        <source>{width:n} x {height:n} pixels of {pixel:mm2}, limited by the {limit}.{passes}</source>
+        <translation>{width:n} × {height:n} pixels de {pixel:mm2}, limités par {limit}.{passes}</translation>
     </message>
     <message>
-        <source>{length:mm4} of rapids are not in the time because the operation has no tool controller: give it one with rapid speeds</source>
-        <translation>{length:mm4} de déplacements rapides ne sont pas dans la durée, car l&apos;opération n&apos;a pas de contrôleur d&apos;outil : donnez-lui-en un avec des vitesses rapides</translation>
+        <source>The machining time does not include {length:mm4} of rapids, because the operation has no tool controller. Give it one with rapid speeds.</source>
+        <translation>La durée d&apos;usinage ne comprend pas {length:mm4} de déplacements rapides, car l&apos;opération n&apos;a pas de contrôleur d&apos;outil. Donnez-lui-en un avec des vitesses rapides.</translation>
     </message>
     <message>
-        <source>variables and expressions are not read: the lines with them are left out</source>
-        <translation>les variables et expressions ne sont pas lues : leurs lignes sont omises</translation>
+        <source>Lines with variables or expressions are ignored.</source>
+        <translation>Les lignes avec des variables ou des expressions sont ignorées.</translation>
     </message>
     <message>
-        <source>moves to positions of the machine ({name}) are left out: a program does not say where they are</source>
-        <translation>les déplacements vers des positions de la machine ({name}) sont omis : un programme ne dit pas où elles sont</translation>
+        <source>Moves to machine positions ({name}) are ignored, because the program does not contain these positions.</source>
+        <translation>Les déplacements vers des positions de la machine ({name}) sont ignorés, car le programme ne contient pas ces positions.</translation>
     </message>
     <message>
-        <source>the holes of a pattern ({name}) are not made</source>
-        <translation>les trous d&apos;un motif ({name}) ne sont pas faits</translation>
+        <source>The holes of a pattern ({name}) are ignored.</source>
+        <translation>Les trous d&apos;un motif ({name}) sont ignorés.</translation>
     </message>
     <message>
-        <source>it spans meters in whole numbers: thousandths without a decimal point read as whole units?</source>
-        <translation>cela s’étend sur des mètres en nombres entiers : des millièmes sans point décimal lus comme des unités entières ?</translation>
+        <source>The toolpath spans meters in whole numbers. Thousandths without a decimal point are probably read as whole units.</source>
+        <translation>Le parcours s&apos;étend sur des mètres en nombres entiers. Des millièmes sans point décimal sont probablement lus comme des unités entières.</translation>
     </message>
     <message>
-        <source>The {simulator:simulator} takes about {time:s} for every picture at the end, {percent:n}% of it for arcs: simulate this operation alone.</source>
-        <translation>« {simulator:simulator} » prend à la fin environ {time:s} par image, dont {percent:n} % pour les arcs : simulez cette opération seule.</translation>
+        <source>The {simulator:simulator} slows to about {frames:g1} frames per second here, mostly because of arcs. Simulate this operation on its own.</source>
+        <translation>« {simulator:simulator} » ralentit ici à environ {frames:g1} images par seconde, surtout à cause des arcs. Simulez cette opération seule.</translation>
     </message>
     <message>
-        <source>The {simulator:simulator} takes {bound} {time:s}, longer than the {allowed:s} allowed. {better}</source>
-        <translation>« {simulator:simulator} » prend {bound} {time:s}, plus que les {allowed:s} permis. {better}</translation>
+        <source>The {simulator:simulator} takes {bound} {time:s}, which is over your {allowed:s} limit. {better}</source>
+        <translation>« {simulator:simulator} » prend {bound} {time:s}, plus que votre limite de {allowed:s}. {better}</translation>
     </message>
     <message>
-        <source>the centers of arcs are read as positions (as by G90.1): only so the arcs end on their circles</source>
-        <translation>les centres des arcs sont lus comme des positions (comme avec G90.1) : ce n&apos;est qu&apos;ainsi que les arcs finissent sur leurs cercles</translation>
+        <source>The centers of arcs are read as positions (as with G90.1). The arcs only close this way.</source>
+        <translation>Les centres des arcs sont lus comme des positions (comme avec G90.1). Les arcs ne se ferment qu&apos;ainsi.</translation>
     </message>
     <message>
-        <source>strokes that rise to their ends, as V-carving does</source>
+        <source>strokes that rise toward their ends, as in V-carving</source>
         <translation>des traits qui remontent vers leurs extrémités, comme en gravure en V</translation>
     </message>
     <message>
-        <source>cut in strokes, as between tags</source>
+        <source>cut in strokes, as between holding tags</source>
         <translation>usinées en traits, comme entre des attaches</translation>
     </message>
     <message>
-        <source>the unknown code {name} is ignored, and with it the {letters} words of its line</source>
-        <translation>code inconnu {name} ignoré, et avec lui les mots {letters} de sa ligne</translation>
+        <source>The unknown code {name} is ignored, and the {letters} words of its line with it.</source>
+        <translation>Le code inconnu {name} est ignoré, et avec lui les mots {letters} de sa ligne.</translation>
     </message>
     <message>
-        <source>probing moves are not in the time</source>
-        <translation>les mouvements de palpage ne sont pas comptés dans le temps</translation>
+        <source>Probing moves are not included in the machining time.</source>
+        <translation>Les mouvements de palpage ne sont pas compris dans la durée d&apos;usinage.</translation>
     </message>
     <message>
-        <source>cuts {depth:mm2} into the model</source>
-        <translation>coupe de {depth:mm2} dans le modèle</translation>
+        <source>The tool cuts {depth:mm2} into the model.</source>
+        <translation>L&apos;outil coupe de {depth:mm2} dans le modèle.</translation>
     </message>
     <message>
-        <source>as simulated, {count:n} commands are wrong, among them {command:#}: {fault}</source>
-        <translation>d’après la simulation, {count:n} commandes sont fausses, dont la {command:#} : {fault}</translation>
+        <source>The simulation shows faults at {count:n} commands, for example at command {command:#}: {fault}</source>
+        <translation>La simulation montre des défauts à {count:n} commandes, par exemple à la commande {command:#} : {fault}</translation>
     </message>
     <message>
-        <source>called {name}, but its toolpath is {strategy:strategy}</source>
-        <translation>appelée {name}, mais son parcours est : {strategy:strategy}</translation>
+        <source>The operation is called {name}, but its toolpath is {strategy:strategy}.</source>
+        <translation>L&apos;opération s&apos;appelle {name}, mais son parcours est : {strategy:strategy}.</translation>
     </message>
     <message>
-        <source>not an NC program, but a zip archive: unpack it first</source>
-        <translation>pas un programme CN, mais une archive zip : la décompresser d’abord</translation>
+        <source>This is not an NC program, but a zip archive. Unpack it first.</source>
+        <translation>Ce n&apos;est pas un programme CN, mais une archive zip. Décompressez-la d&apos;abord.</translation>
     </message>
     <message>
-        <source>not an NC program, but a FreeCAD document: analyze it in FreeCAD, a folder of them with the macro examples/macros/folder_to_csv.py</source>
-        <translation>pas un programme CN, mais un document FreeCAD : l’analyser dans FreeCAD, un dossier entier avec la macro examples/macros/folder_to_csv.py</translation>
+        <source>This is not an NC program, but a FreeCAD document. Analyze it in FreeCAD. For a folder of documents, use the macro examples/macros/folder_to_csv.py.</source>
+        <translation>Ce n&apos;est pas un programme CN, mais un document FreeCAD. Analysez-le dans FreeCAD. Pour un dossier de documents, utilisez la macro examples/macros/folder_to_csv.py.</translation>
     </message>
     <message>
-        <source>lacks {depth:mm2} of the model: choose a larger stock, or move the model within it</source>
-        <translation>il manque {depth:mm2} du modèle : choisissez un brut plus grand ou déplacez le modèle dans le brut</translation>
+        <source>The stock is {depth:mm2} too small for the model. Choose a larger stock, or move the model within it.</source>
+        <translation>Le brut est trop petit de {depth:mm2} pour le modèle. Choisissez un brut plus grand ou déplacez le modèle dans le brut.</translation>
     </message>
     <message>
-        <source>switched off: it has no toolpath until you switch it on and recompute it</source>
-        <translation>désactivée : elle n&apos;a pas de parcours tant que vous ne l’activez et ne la recalculez pas</translation>
+        <source>The operation is switched off. It has no toolpath until you switch it on and recompute it.</source>
+        <translation>L&apos;opération est désactivée. Elle n&apos;a pas de parcours tant que vous ne l&apos;activez et ne la recalculez pas.</translation>
     </message>
     <message>
-        <source>this is no file, but a pipe or a device</source>
-        <translation>ce n&apos;est pas un fichier, mais un tube ou un périphérique</translation>
+        <source>This is not a file, but a pipe or a device.</source>
+        <translation>Ce n&apos;est pas un fichier, mais un tube ou un périphérique.</translation>
     </message>
     <message>
-        <source>it does not touch the stock, which is the finished part: choose a block around it as the stock</source>
-        <translation>elle ne touche pas le brut, qui est déjà la pièce finie : choisir comme brut un bloc qui l&apos;entoure</translation>
+        <source>The operation does not touch the stock, which is the finished part. Choose a block around it as the stock.</source>
+        <translation>L&apos;opération ne touche pas le brut, qui est déjà la pièce finie. Choisissez comme brut un bloc qui l&apos;entoure.</translation>
     </message>
     <message>
-        <source>The simulation takes about {memory:bytes} at its peak, for {dexels:n} dexels and {traces:n} elements of traces, more than the {allowed:bytes} allowed: {instead}.</source>
-        <translation>La simulation prend environ {memory:bytes} au plus fort, pour {dexels:n} dexels et {traces:n} éléments de trace, plus que les {allowed:bytes} permis : {instead}.</translation>
+        <source>The simulation takes about {memory:bytes} at its peak, for {dexels:n} dexels and {traces:n} elements of traces, which is over your {allowed:bytes} limit. {instead}</source>
+        <translation>La simulation prend environ {memory:bytes} au plus fort, pour {dexels:n} dexels et {traces:n} éléments de trace, plus que votre limite de {allowed:bytes}. {instead}</translation>
     </message>
     <message>
-        <source>choose an image of {width:n} x {height:n} pixels of {pixel:mm2}, or simulate fewer operations</source>
-        <translation>choisissez une image de {width:n} × {height:n} pixels de {pixel:mm2}, ou simulez moins d’opérations</translation>
+        <source>Choose an image of {width:n} x {height:n} pixels of {pixel:mm2} in the preferences, or simulate fewer operations.</source>
+        <translation>Choisissez dans les préférences une image de {width:n} × {height:n} pixels de {pixel:mm2}, ou simulez moins d&apos;opérations.</translation>
     </message>
 </context>
 <context>
@@ -1093,8 +1093,8 @@
         <translation>Étalonner</translation>
     </message>
     <message>
-        <source>Never calibrated on this computer: times of FreeCAD&apos;s simulators are right within a factor of two.</source>
-        <translation>Jamais étalonné sur cet ordinateur : les temps des simulateurs de FreeCAD sont justes à un facteur deux près.</translation>
+        <source>Never calibrated on this computer. The times of FreeCAD&apos;s simulators are right to within a factor of 2.</source>
+        <translation>Jamais étalonné sur cet ordinateur. Les temps des simulateurs de FreeCAD sont justes à un facteur 2 près.</translation>
     </message>
     <message>
         <source>General</source>
@@ -1105,19 +1105,19 @@
         <translation>Marques dans l&apos;arborescence</translation>
     </message>
     <message>
-        <source>Time and memory of</source>
-        <translation>Temps et mémoire de</translation>
+        <source>Show times for</source>
+        <translation>Montrer les temps de</translation>
     </message>
     <message>
-        <source>Shows the marks as colored pills in the tree; as plain text if switched off.</source>
-        <translation>Montre les marques comme des pastilles colorées dans l&apos;arborescence ; sinon comme du texte simple.</translation>
+        <source>Shows the marks in the tree as colored pills. If switched off, shows them as plain text.</source>
+        <translation>Montre les marques dans l&apos;arborescence comme des pastilles colorées. Sinon, les montre comme du texte simple.</translation>
     </message>
     <message>
         <source>Show marks as pills</source>
         <translation>Montrer les marques en pastilles</translation>
     </message>
     <message>
-        <source>Analyzes marked operations again after each recompute that changed them. Large toolpaths make each recompute longer.</source>
+        <source>Analyzes marked operations again after each recompute that changed them. With large toolpaths, each recompute takes longer.</source>
         <translation>Analyse à nouveau les opérations marquées après chaque recalcul qui les a modifiées. De longs parcours allongent chaque recalcul.</translation>
     </message>
     <message>
@@ -1133,16 +1133,16 @@
         <translation>Temps</translation>
     </message>
     <message>
-        <source>How long a simulation may take. The analysis warns of more, and recommends an accuracy that takes no longer.</source>
-        <translation>Durée permise pour une simulation. L&apos;analyse avertit en cas de dépassement et recommande une précision qui la respecte.</translation>
+        <source>Longest time that a simulation may take. The analysis warns of longer simulations and recommends an accuracy within this limit.</source>
+        <translation>Durée la plus longue permise pour une simulation. L&apos;analyse avertit si une simulation dure plus et recommande une précision dans cette limite.</translation>
     </message>
     <message>
         <source>Memory</source>
         <translation>Mémoire</translation>
     </message>
     <message>
-        <source>How much memory a simulation may take. The analysis warns of more, and recommends an accuracy that takes no more.</source>
-        <translation>Mémoire permise pour une simulation. L&apos;analyse avertit en cas de dépassement et recommande une précision qui la respecte.</translation>
+        <source>Largest memory that a simulation may take. The analysis warns of larger simulations and recommends an accuracy within this limit.</source>
+        <translation>Mémoire la plus grande permise pour une simulation. L&apos;analyse avertit si une simulation prend plus et recommande une précision dans cette limite.</translation>
     </message>
     <message>
         <source>Simulation</source>
@@ -1153,24 +1153,24 @@
         <translation>Largeur d&apos;image du z-buffer</translation>
     </message>
     <message>
-        <source>Width of the image whose pixels the extended z-buffer computes.</source>
-        <translation>Largeur de l&apos;image dont le z-buffer étendu calcule les pixels.</translation>
+        <source>Width of the image that the extended z-buffer computes.</source>
+        <translation>Largeur de l&apos;image que le z-buffer étendu calcule.</translation>
     </message>
     <message>
         <source>Z-buffer image height</source>
         <translation>Hauteur d&apos;image du z-buffer</translation>
     </message>
     <message>
-        <source>Height of the image whose pixels the extended z-buffer computes.</source>
-        <translation>Hauteur de l&apos;image dont le z-buffer étendu calcule les pixels.</translation>
+        <source>Height of the image that the extended z-buffer computes.</source>
+        <translation>Hauteur de l&apos;image que le z-buffer étendu calcule.</translation>
     </message>
     <message>
         <source>Z-buffer view</source>
         <translation>Vue du z-buffer</translation>
     </message>
     <message>
-        <source>Where the z-buffer looks at the part from.</source>
-        <translation>D&apos;où le z-buffer regarde la pièce.</translation>
+        <source>Direction from which the part is viewed.</source>
+        <translation>Direction d&apos;où la pièce est vue.</translation>
     </message>
     <message>
         <source>Top</source>
@@ -1201,19 +1201,19 @@
         <translation>Isométrique</translation>
     </message>
     <message>
-        <source>Edge of its cells in percent of the stock&apos;s longer side: 0.1 is the finest position of its slider, 1 the coarsest.</source>
-        <translation>Arête de ses cellules en pour cent du plus long côté du brut : 0,1 est la position la plus fine de son curseur, 1 la plus grossière.</translation>
+        <source>Edge length of the cells, in percent of the stock&apos;s longer side. 0.1 is the finest position of the accuracy slider, 1 the coarsest.</source>
+        <translation>Arête des cellules, en pour cent du plus long côté du brut. 0,1 est la position la plus fine du curseur de précision, 1 la plus grossière.</translation>
     </message>
     <message>
-        <source>Position of its quality slider; 10 is the best.</source>
-        <translation>Position de son curseur de qualité ; 10 est la meilleure.</translation>
+        <source>Position of the quality slider. 10 is the best quality.</source>
+        <translation>Position du curseur de qualité. 10 est la meilleure qualité.</translation>
     </message>
     <message>
         <source>Arc tolerance</source>
         <translation>Tolérance des arcs</translation>
     </message>
     <message>
-        <source>Largest distance between an arc and the straight moves it is chopped into.</source>
+        <source>Largest distance between an arc and the straight moves that replace it.</source>
         <translation>Plus grande distance entre un arc et les mouvements droits qui le remplacent.</translation>
     </message>
     <message>
@@ -1221,12 +1221,12 @@
         <translation>Étalonnage</translation>
     </message>
     <message>
-        <source>Measures how fast FreeCAD&apos;s simulators are on this computer, which takes about a second, and remembers it.</source>
-        <translation>Mesure en une seconde environ la vitesse des simulateurs de FreeCAD sur cet ordinateur, et la retient.</translation>
+        <source>Measures how fast FreeCAD&apos;s simulators are on this computer, and saves the result. This takes about a second.</source>
+        <translation>Mesure la vitesse des simulateurs de FreeCAD sur cet ordinateur et enregistre le résultat. Cela prend environ une seconde.</translation>
     </message>
     <message>
-        <source>That of FreeCAD&apos;s button: {simulator}</source>
-        <translation>Celui du bouton de FreeCAD : {simulator}</translation>
+        <source>FreeCAD&apos;s default ({simulator})</source>
+        <translation>Celui du bouton de FreeCAD ({simulator})</translation>
     </message>
     <message>
         <source>{simulator}: accuracy</source>
@@ -1237,16 +1237,16 @@
         <translation>{simulator} : qualité</translation>
     </message>
     <message>
-        <source>The simulator whose time the marks show. They follow at once.</source>
-        <translation>Le simulateur dont les marques montrent le temps. Elles suivent aussitôt.</translation>
+        <source>The simulator whose time the marks show. The marks change at once.</source>
+        <translation>Le simulateur dont les marques montrent le temps. Les marques changent aussitôt.</translation>
     </message>
     <message>
-        <source>Says over the view, when one of FreeCAD&apos;s simulators is started, that it would hang or take longer than the budget, and offers the better way.</source>
-        <translation>Signale au-dessus de la vue, au lancement d&apos;un simulateur de FreeCAD, qu&apos;il se bloquerait ou dépasserait le budget, et propose une meilleure solution.</translation>
+        <source>Shows a bar above the 3D view when a simulation in one of FreeCAD&apos;s simulators would hang or take too long, and suggests a faster way.</source>
+        <translation>Montre une barre au-dessus de la vue 3D quand une simulation dans un simulateur de FreeCAD se bloquerait ou durerait trop longtemps, et propose une solution plus rapide.</translation>
     </message>
     <message>
-        <source>Warn of simulators that hang or take too long</source>
-        <translation>Avertir des simulateurs bloqués ou trop longs</translation>
+        <source>Warn before starting a simulation that would hang or take too long</source>
+        <translation>Avertir avant une simulation qui se bloquerait ou durerait trop longtemps</translation>
     </message>
     <message>
         <source>Last calibrated on {date}: times of the {simulator} are right within a factor of {factor}. Measured with FreeCAD {freecad} on {processor}, display {renderer}.</source>
@@ -1256,11 +1256,11 @@
 <context>
     <name>Vk_Analyze</name>
     <message>
-        <source>Recognizes the machining strategy of each selected operation, or of all operations of the active document, estimates what simulating it costs, and marks it in the tree.</source>
-        <translation>Reconnaît la stratégie d&apos;usinage de chaque opération sélectionnée, ou de toutes celles du document actif, estime le coût de sa simulation et la marque dans l&apos;arborescence.</translation>
+        <source>Recognizes the machining strategy of each selected operation, or of all operations of the active document. Estimates what simulating each operation costs, and marks it in the tree.</source>
+        <translation>Reconnaît la stratégie d&apos;usinage de chaque opération sélectionnée, ou de toutes celles du document actif. Estime le coût de la simulation de chaque opération et la marque dans l&apos;arborescence.</translation>
     </message>
     <message>
-        <source>Analyze toolpaths</source>
+        <source>Analyze Toolpaths</source>
         <translation>Analyser les parcours d&apos;outil</translation>
     </message>
     <message>
@@ -1268,19 +1268,19 @@
         <translation>Aucun document n&apos;est ouvert. Ouvrez-en d&apos;abord un qui contient une tâche ou un parcours d&apos;outil.</translation>
     </message>
     <message>
-        <source>Analysis cancelled, nothing changed.</source>
-        <translation>Analyse annulée, rien n&apos;a été modifié.</translation>
+        <source>The analysis was cancelled. Nothing has changed.</source>
+        <translation>L&apos;analyse a été annulée. Rien n&apos;a été modifié.</translation>
     </message>
     <message>
         <source>There is no operation to analyze in this document. Create a job with operations, or import G-code.</source>
         <translation>Ce document ne contient aucune opération à analyser. Créez une tâche avec des opérations, ou importez du G-code.</translation>
     </message>
     <message>
-        <source>The marks are in the tree&apos;s Description column, which is now visible. You can hide it again in the tree&apos;s context menu: Tree settings, Show description.</source>
-        <translation>Les marques sont dans la colonne Description de l&apos;arborescence, désormais visible. Vous pouvez la masquer à nouveau par le menu contextuel de l&apos;arborescence : paramètres de l&apos;arborescence, afficher la description.</translation>
+        <source>The marks are in the Description column of the tree, which is now visible. To hide the column again, open the context menu of the tree and choose Tree Settings, Show Description.</source>
+        <translation>Les marques sont dans la colonne Description de l&apos;arborescence, désormais visible. Pour masquer à nouveau la colonne, ouvrez le menu contextuel de l&apos;arborescence et choisissez : paramètres de l&apos;arborescence, afficher la description.</translation>
     </message>
     <message>
-        <source>Toolpath analysis</source>
+        <source>Toolpath Analysis</source>
         <translation>Analyse des parcours d&apos;outil</translation>
     </message>
     <message>
@@ -1288,20 +1288,20 @@
         <translation>Annuler</translation>
     </message>
     <message>
-        <source>{count} operation analyzed</source>
-        <translation>{count} opération analysée</translation>
+        <source>{count} operation was analyzed.</source>
+        <translation>{count} opération a été analysée.</translation>
     </message>
     <message>
-        <source>{count} operations analyzed</source>
-        <translation>{count} opérations analysées</translation>
+        <source>{count} operations were analyzed.</source>
+        <translation>{count} opérations ont été analysées.</translation>
     </message>
     <message>
-        <source>{count} has a warning</source>
-        <translation>{count} avec un avertissement</translation>
+        <source>{count} has a warning.</source>
+        <translation>{count} a un avertissement.</translation>
     </message>
     <message>
-        <source>{count} have warnings</source>
-        <translation>{count} avec des avertissements</translation>
+        <source>{count} have warnings.</source>
+        <translation>{count} ont des avertissements.</translation>
     </message>
     <message>
         <source>Measuring how fast this computer simulates…</source>
@@ -1311,35 +1311,35 @@
 <context>
     <name>Vk_Clear</name>
     <message>
-        <source>Removes the marks of the selected operations, or all marks of the active document; your own descriptions stay.</source>
-        <translation>Enlève les marques des opérations sélectionnées, ou toutes celles du document actif ; vos propres descriptions restent.</translation>
+        <source>Removes the marks of the selected operations, or all marks of the active document. Your own descriptions stay.</source>
+        <translation>Enlève les marques des opérations sélectionnées, ou toutes celles du document actif. Vos propres descriptions restent.</translation>
     </message>
     <message>
-        <source>Clear analysis</source>
+        <source>Clear Analysis</source>
         <translation>Effacer l&apos;analyse</translation>
     </message>
     <message>
-        <source>{count} mark removed</source>
-        <translation>{count} marque supprimée</translation>
+        <source>{count} mark was removed.</source>
+        <translation>{count} marque a été supprimée.</translation>
     </message>
     <message>
-        <source>{count} marks removed</source>
-        <translation>{count} marques supprimées</translation>
+        <source>{count} marks were removed.</source>
+        <translation>{count} marques ont été supprimées.</translation>
     </message>
 </context>
 <context>
     <name>Vk_GaussMap</name>
     <message>
-        <source>Gauss map</source>
+        <source>Gauss Map</source>
         <translation>Application de Gauss</translation>
     </message>
     <message>
-        <source>Save picture…</source>
+        <source>Save Picture…</source>
         <translation>Enregistrer l&apos;image…</translation>
     </message>
     <message>
-        <source>Saves the three plots as they stand, as PNG or SVG.</source>
-        <translation>Enregistre les trois graphiques tels quels, en PNG ou SVG.</translation>
+        <source>Saves the three plots as PNG or SVG.</source>
+        <translation>Enregistre les trois graphiques en PNG ou SVG.</translation>
     </message>
     <message>
         <source>Steps through the trajectories k of the area.</source>
@@ -1358,7 +1358,7 @@
         <translation>Sélectionnez une opération dans l&apos;arborescence.</translation>
     </message>
     <message>
-        <source>Save picture</source>
+        <source>Save Picture</source>
         <translation>Enregistrer l&apos;image</translation>
     </message>
     <message>
@@ -1374,8 +1374,8 @@
         <translation>demi-tour exact</translation>
     </message>
     <message>
-        <source>Shows why the selected operation has its strategy: its toolpath, the Gauss map of its directions and of the vector V_k, and the cumulative angular function.</source>
-        <translation>Montre pourquoi l&apos;opération sélectionnée a sa stratégie : son parcours d&apos;outil, l&apos;application de Gauss de ses directions et du vecteur V_k, et la fonction angulaire cumulée.</translation>
+        <source>Shows why the selected operation has its strategy. Shows the toolpath, the Gauss map of its directions and of the vector V_k, and the cumulative angular function.</source>
+        <translation>Montre pourquoi l&apos;opération sélectionnée a sa stratégie. Montre le parcours d&apos;outil, l&apos;application de Gauss de ses directions et du vecteur V_k, et la fonction angulaire cumulée.</translation>
     </message>
     <message>
         <source>This area: {}</source>
@@ -1394,31 +1394,31 @@
         <translation>avec la rotation de fermeture φ = {}, n = {}</translation>
     </message>
     <message>
-        <source>The areas that the tool cuts without a rapid move or a plunge: first the one that shows the strategy best, then the longest.</source>
-        <translation>Les zones que l’outil usine sans déplacement rapide ni plongée : d’abord celle qui montre le mieux la stratégie, puis les plus longues.</translation>
+        <source>Areas that the tool cuts without a rapid move or a plunge. The area that shows the strategy best comes first, then the longest areas.</source>
+        <translation>Zones que l&apos;outil usine sans déplacement rapide ni plongée. La zone qui montre le mieux la stratégie vient d&apos;abord, puis les plus longues.</translation>
     </message>
     <message>
-        <source>&lt;p&gt;The wheel zooms, dragging moves, a double click shows all again.&lt;/p&gt;</source>
-        <translation>&lt;p&gt;La molette agrandit, glisser déplace, un double-clic montre de nouveau tout.&lt;/p&gt;</translation>
+        <source>&lt;p&gt;Use the wheel to zoom, drag to move, and double-click to show everything again.&lt;/p&gt;</source>
+        <translation>&lt;p&gt;Utilisez la molette pour agrandir, glissez pour déplacer, double-cliquez pour montrer de nouveau tout.&lt;/p&gt;</translation>
     </message>
     <message>
-        <source>{}: no move cuts sideways, so there is no direction to show</source>
-        <translation>{} : aucun déplacement ne coupe latéralement, il n&apos;y a donc pas de direction à montrer</translation>
+        <source>{}: No move cuts sideways, so there is no direction to show.</source>
+        <translation>{} : Aucun déplacement ne coupe latéralement, il n&apos;y a donc pas de direction à montrer.</translation>
     </message>
     <message>
-        <source>&lt;p&gt;Left the toolpath with the vector V&lt;sub&gt;k&lt;/sub&gt; from the area&apos;s first point. On the unit circle the images of the trajectory v&lt;sub&gt;k&lt;/sub&gt; and of V&lt;sub&gt;k&lt;/sub&gt;; the arcs show how they moved. That of v&lt;sub&gt;k&lt;/sub&gt; goes to and fro on a part of the circle in a zigzag, and all around in a contour; that of V&lt;sub&gt;k&lt;/sub&gt; goes all around only where the path begins inside the contour. Right the cumulative angular function φ and the angle θ on level n: a contour-parallel path reaches the dashed lines ±2π, a zigzag stays between them.&lt;/p&gt;</source>
-        <translation>&lt;p&gt;À gauche, le parcours d&apos;outil avec le vecteur V&lt;sub&gt;k&lt;/sub&gt; issu du premier point de la zone. Sur le cercle unité, les images de la trajectoire v&lt;sub&gt;k&lt;/sub&gt; et de V&lt;sub&gt;k&lt;/sub&gt; ; les arcs montrent leur mouvement. Celle de v&lt;sub&gt;k&lt;/sub&gt; va et vient sur une partie du cercle pour un zigzag et en fait le tour pour un contour ; celle de V&lt;sub&gt;k&lt;/sub&gt; n&apos;en fait le tour que si le parcours commence à l&apos;intérieur du contour. À droite, la fonction angulaire cumulée φ et l&apos;angle θ au niveau n : un parcours à contours parallèles atteint les lignes tiretées ±2π, un zigzag reste entre elles.&lt;/p&gt;</translation>
+        <source>&lt;p&gt;The left plot shows the toolpath with the vector V&lt;sub&gt;k&lt;/sub&gt; from the first point of the area. The unit circle shows the directions of the trajectory v&lt;sub&gt;k&lt;/sub&gt; and of V&lt;sub&gt;k&lt;/sub&gt;. Its arcs show how these directions have moved. In a zigzag, the direction of v&lt;sub&gt;k&lt;/sub&gt; moves back and forth on a part of the circle. In a contour, it moves all around the circle. The direction of V&lt;sub&gt;k&lt;/sub&gt; moves all around only if the path begins inside the contour. The right plot shows the cumulative angular function φ and the angle θ on level n. A contour-parallel path reaches the dashed lines ±2π, and a zigzag stays between them.&lt;/p&gt;</source>
+        <translation>&lt;p&gt;Le graphique de gauche montre le parcours d&apos;outil avec le vecteur V&lt;sub&gt;k&lt;/sub&gt; issu du premier point de la zone. Le cercle unité montre les directions de la trajectoire v&lt;sub&gt;k&lt;/sub&gt; et de V&lt;sub&gt;k&lt;/sub&gt;. Ses arcs montrent comment ces directions ont bougé. Pour un zigzag, la direction de v&lt;sub&gt;k&lt;/sub&gt; va et vient sur une partie du cercle. Pour un contour, elle en fait le tour. La direction de V&lt;sub&gt;k&lt;/sub&gt; n&apos;en fait le tour que si le parcours commence à l&apos;intérieur du contour. Le graphique de droite montre la fonction angulaire cumulée φ et l&apos;angle θ au niveau n. Un parcours à contours parallèles atteint les lignes tiretées ±2π, et un zigzag reste entre elles.&lt;/p&gt;</translation>
     </message>
 </context>
 <context>
     <name>Vk_Results</name>
     <message>
-        <source>Toolpath results</source>
+        <source>Toolpath Results</source>
         <translation>Résultats des parcours</translation>
     </message>
     <message>
-        <source>Nothing is analyzed yet in this document: click Analyze toolpaths.</source>
-        <translation>Rien n&apos;est encore analysé dans ce document : cliquez sur « Analyser les parcours d&apos;outil ».</translation>
+        <source>Nothing is analyzed in this document yet. Click Analyze Toolpaths.</source>
+        <translation>Rien n&apos;est encore analysé dans ce document. Cliquez sur « Analyser les parcours d&apos;outil ».</translation>
     </message>
     <message>
         <source>Export CSV</source>
@@ -1437,46 +1437,46 @@
         <translation>Stratégie</translation>
     </message>
     <message>
-        <source>The machining strategy recognized from the toolpath alone</source>
-        <translation>La stratégie d&apos;usinage reconnue d&apos;après le seul parcours d&apos;outil</translation>
+        <source>The machining strategy, recognized from the toolpath alone.</source>
+        <translation>La stratégie d&apos;usinage, reconnue d&apos;après le seul parcours d&apos;outil.</translation>
     </message>
     <message>
-        <source>Sure</source>
-        <translation>Fiabilité</translation>
+        <source>Confidence</source>
+        <translation>Confiance</translation>
     </message>
     <message>
-        <source>How sure the recognition is</source>
-        <translation>Fiabilité de la reconnaissance</translation>
+        <source>The confidence of the recognition.</source>
+        <translation>La confiance de la reconnaissance.</translation>
     </message>
     <message>
         <source>Length</source>
         <translation>Longueur</translation>
     </message>
     <message>
-        <source>Length of the cutting moves</source>
-        <translation>Longueur des mouvements d&apos;usinage</translation>
+        <source>Length of the cutting moves.</source>
+        <translation>Longueur des mouvements d&apos;usinage.</translation>
     </message>
     <message>
-        <source>Time of FreeCAD&apos;s OpenGL simulator at its highest speed</source>
+        <source>Time in FreeCAD&apos;s OpenGL simulator at its highest speed.</source>
         <extracomment>FreeCAD&apos;s newer one, which draws the cuts of all operations before with every operation.</extracomment>
-        <translation>Temps du simulateur OpenGL de FreeCAD à sa plus grande vitesse</translation>
+        <translation>Temps du simulateur OpenGL de FreeCAD à sa plus grande vitesse.</translation>
     </message>
     <message>
-        <source>Memory of FreeCAD&apos;s OpenGL simulator</source>
-        <translation>Mémoire du simulateur OpenGL de FreeCAD</translation>
+        <source>Memory of FreeCAD&apos;s OpenGL simulator.</source>
+        <translation>Mémoire du simulateur OpenGL de FreeCAD.</translation>
     </message>
     <message>
-        <source>What is wrong with the operation, or will be with its simulation</source>
-        <translation>Ce qui ne va pas dans l&apos;opération, ou n&apos;ira pas dans sa simulation</translation>
+        <source>Problems of the operation, and what goes wrong when you simulate it.</source>
+        <translation>Les problèmes de l&apos;opération, et ce qui ne va pas quand vous la simulez.</translation>
     </message>
     <message>
-        <source>Time of FreeCAD&apos;s legacy simulator in fast-forward, at the accuracy set in the preferences</source>
+        <source>Time in FreeCAD&apos;s legacy simulator in fast-forward, at the accuracy set in the preferences.</source>
         <extracomment>FreeCAD&apos;s older one.</extracomment>
-        <translation>Temps de l&apos;ancien simulateur de FreeCAD en avance rapide, à la précision des préférences</translation>
+        <translation>Temps de l&apos;ancien simulateur de FreeCAD en avance rapide, à la précision des préférences.</translation>
     </message>
     <message>
-        <source>Memory of FreeCAD&apos;s legacy simulator, at the accuracy set in the preferences</source>
-        <translation>Mémoire de l&apos;ancien simulateur de FreeCAD, à la précision des préférences</translation>
+        <source>Memory of FreeCAD&apos;s legacy simulator, at the accuracy set in the preferences.</source>
+        <translation>Mémoire de l&apos;ancien simulateur de FreeCAD, à la précision des préférences.</translation>
     </message>
     <message>
         <source>Recommended image: {}</source>
@@ -1484,13 +1484,13 @@
     </message>
     <message>
         <source>Recommended
-image</source>
+Image</source>
         <translation>Image
 recommandée</translation>
     </message>
     <message>
-        <source>The finest image of the z-buffer within the budgets of the preferences</source>
-        <translation>L&apos;image la plus fine du z-buffer dans les budgets des préférences</translation>
+        <source>The finest image of the z-buffer within your limits of time and memory.</source>
+        <translation>L&apos;image la plus fine du z-buffer dans vos limites de temps et de mémoire.</translation>
     </message>
     <message>
         <source>none</source>
@@ -1498,13 +1498,13 @@ recommandée</translation>
     </message>
     <message>
         <source>Machining
-time</source>
+Time</source>
         <translation>Durée
 d&apos;usinage</translation>
     </message>
     <message>
-        <source>Time on the machine at the programmed feeds; rapids where the tool controller gives their speed</source>
-        <translation>Durée sur la machine aux avances programmées ; déplacements rapides si le contrôleur d&apos;outil donne leur vitesse</translation>
+        <source>Time on the machine at the programmed feeds. Rapids are included if the tool controller has rapid speeds.</source>
+        <translation>Durée sur la machine aux avances programmées. Les déplacements rapides sont compris si le contrôleur d&apos;outil a des vitesses rapides.</translation>
     </message>
     <message>
         <source>Export &amp;CSV…</source>
@@ -1515,7 +1515,7 @@ d&apos;usinage</translation>
         <translation>Exporter en &amp;JSON…</translation>
     </message>
     <message>
-        <source>C&amp;opy to clipboard</source>
+        <source>C&amp;opy to Clipboard</source>
         <translation>C&amp;opier</translation>
     </message>
     <message>
@@ -1527,7 +1527,7 @@ d&apos;usinage</translation>
         <translation>Col&amp;onnes</translation>
     </message>
     <message>
-        <source>Sort as &amp;posted</source>
+        <source>Sort as &amp;Posted</source>
         <translation>Trier comme &amp;posté</translation>
     </message>
     <message>
@@ -1540,7 +1540,7 @@ d&apos;usinage</translation>
     </message>
     <message>
         <source>Simulation
-time</source>
+Time</source>
         <translation>Temps de
 simulation</translation>
     </message>
@@ -1549,8 +1549,8 @@ simulation</translation>
         <translation>État</translation>
     </message>
     <message>
-        <source>Outdated: toolpath, tool or stock have changed since; analyze it again</source>
-        <translation>Périmé : le parcours, l&apos;outil ou le brut ont changé depuis ; analysez-la de nouveau</translation>
+        <source>A result is outdated if the toolpath, the tool or the stock has changed since. Analyze the operation again.</source>
+        <translation>Un résultat est périmé si le parcours, l&apos;outil ou le brut a changé depuis. Analysez l&apos;opération à nouveau.</translation>
     </message>
     <message>
         <source>outdated</source>
@@ -1565,35 +1565,35 @@ simulation</translation>
         <translation>Déplacements</translation>
     </message>
     <message>
-        <source>Number of straight moves; an arc counts as several</source>
-        <translation>Nombre de déplacements droits ; un arc compte pour plusieurs</translation>
+        <source>Number of straight moves. An arc counts as several.</source>
+        <translation>Nombre de déplacements droits. Un arc compte pour plusieurs.</translation>
     </message>
     <message>
         <source>{simulator}
-time</source>
+Time</source>
         <translation>{simulator} :
 temps</translation>
     </message>
     <message>
         <source>{simulator}
-memory</source>
+Memory</source>
         <translation>{simulator} :
 mémoire</translation>
     </message>
     <message>
-        <source>Shows the analyzed operations: strategy, machining and simulation time, and what is wrong with them.</source>
-        <translation>Montre les opérations analysées : stratégie, temps d&apos;usinage et de simulation, et ce qui ne va pas.</translation>
+        <source>Shows the analyzed operations with their strategies, machining times, simulation times and warnings.</source>
+        <translation>Montre les opérations analysées avec leurs stratégies, durées d&apos;usinage, temps de simulation et avertissements.</translation>
     </message>
     <message>
-        <source>Outdated: toolpath, tool or stock have changed since. Analyze it again.</source>
-        <translation>Périmé : le parcours, l&apos;outil ou le brut ont changé depuis. Analysez-la de nouveau.</translation>
+        <source>This result is outdated, because the toolpath, the tool or the stock has changed. Analyze the operation again.</source>
+        <translation>Ce résultat est périmé, car le parcours, l&apos;outil ou le brut a changé. Analysez l&apos;opération à nouveau.</translation>
     </message>
     <message>
-        <source>All numbers</source>
+        <source>All Numbers</source>
         <translation>Tous les nombres</translation>
     </message>
     <message>
-        <source>Fewer numbers</source>
+        <source>Fewer Numbers</source>
         <translation>Moins de nombres</translation>
     </message>
     <message>
@@ -1601,20 +1601,20 @@ mémoire</translation>
         <translation>Pourquoi ?</translation>
     </message>
     <message>
-        <source>Sure: {share}</source>
-        <translation>Sûr : {share}</translation>
+        <source>Confidence: {share}</source>
+        <translation>Confiance : {share}</translation>
     </message>
     <message>
-        <source>Show it in the Gauss map</source>
-        <translation>Le montrer dans l&apos;application de Gauss</translation>
+        <source>Show in the Gauss Map</source>
+        <translation>Montrer dans l&apos;application de Gauss</translation>
     </message>
     <message>
-        <source>Cutting</source>
-        <translation>Coupe</translation>
+        <source>Cutting Length</source>
+        <translation>Longueur de coupe</translation>
     </message>
     <message>
-        <source>Rapids</source>
-        <translation>Avance rapide</translation>
+        <source>Rapid Length</source>
+        <translation>Longueur en rapide</translation>
     </message>
     <message>
         <source>Depth</source>
@@ -1625,23 +1625,23 @@ mémoire</translation>
         <translation>Filtrer</translation>
     </message>
     <message>
-        <source>Shows operations with this text in name, strategy or warnings</source>
-        <translation>Montre les opérations avec ce texte dans le nom, la stratégie ou les avertissements</translation>
+        <source>Shows operations that contain this text in their name, strategy or warnings.</source>
+        <translation>Montre les opérations qui contiennent ce texte dans leur nom, leur stratégie ou leurs avertissements.</translation>
     </message>
     <message>
-        <source>Shows operations of this strategy</source>
-        <translation>Montre les opérations de cette stratégie</translation>
+        <source>Shows operations with this strategy.</source>
+        <translation>Montre les opérations avec cette stratégie.</translation>
     </message>
     <message>
-        <source>&amp;Warnings only</source>
+        <source>&amp;Warnings Only</source>
         <translation>A&amp;vertissements seuls</translation>
     </message>
     <message>
-        <source>Shows operations with warnings, and outdated ones</source>
-        <translation>Montre les opérations avec avertissements et les périmées</translation>
+        <source>Shows operations that have warnings or are outdated.</source>
+        <translation>Montre les opérations qui ont des avertissements ou sont périmées.</translation>
     </message>
     <message>
-        <source>All strategies</source>
+        <source>All Strategies</source>
         <translation>Toutes les stratégies</translation>
     </message>
     <message>
@@ -1657,62 +1657,62 @@ mémoire</translation>
         <translation>{count} opérations</translation>
     </message>
     <message>
-        <source>the total of what was analyzed, not of the whole job</source>
-        <translation>le total de ce qui a été analysé, pas de toute la tâche</translation>
+        <source>This total covers the analyzed operations only.</source>
+        <translation>Ce total comprend seulement les opérations analysées.</translation>
     </message>
     <message>
-        <source>How long the {simulator} takes, as the marks show it</source>
-        <translation>Durée : {simulator}, comme dans les marques</translation>
+        <source>Time in the {simulator}, as the marks show it.</source>
+        <translation>Temps dans « {simulator} », comme le montrent les marques.</translation>
     </message>
     <message>
-        <source>The longest that the {simulator} should take: its estimate times the factor by which estimates are off</source>
-        <translation>Le plus long que cela devrait durer : {simulator} ; l’estimation multipliée par l’écart habituel des estimations</translation>
+        <source>Longest time that the {simulator} is expected to take. It is the estimate, multiplied by the factor to within which estimates are right.</source>
+        <translation>Temps le plus long attendu dans « {simulator} ». C&apos;est l&apos;estimation, multipliée par le facteur près duquel les estimations sont justes.</translation>
     </message>
     <message>
-        <source>Simulation time
-at most</source>
+        <source>Simulation Time
+at Most</source>
         <translation>Temps de simulation
 au plus</translation>
     </message>
     <message>
-        <source>Time to simulate it in an extended z-buffer: an operation alone, on the whole stock; a job one operation after another, each on what is left</source>
+        <source>Time to simulate it in an extended z-buffer. An operation is simulated alone, on the whole stock. In a job, each operation cuts the stock that is left.</source>
         <extracomment>The paper&apos;s; its columns in CSV and JSON have no prefix.</extracomment>
-        <translation>Temps de simulation dans un z-buffer étendu : une opération seule, sur le brut entier ; une tâche opération après opération, chacune sur ce qui reste</translation>
+        <translation>Temps de simulation dans un z-buffer étendu. Une opération est simulée seule, sur le brut entier. Dans une tâche, chaque opération coupe le brut qui reste.</translation>
     </message>
     <message>
-        <source>Memory to simulate it in an extended z-buffer: of an operation alone, with the whole stock; of a job with the stock once</source>
-        <translation>Mémoire de simulation dans un z-buffer étendu : d&apos;une opération seule, avec le brut entier ; d&apos;une tâche avec le brut une seule fois</translation>
+        <source>Memory to simulate it in an extended z-buffer. An operation includes the whole stock. A job includes the stock once.</source>
+        <translation>Mémoire de simulation dans un z-buffer étendu. Une opération comprend le brut entier. Une tâche comprend le brut une seule fois.</translation>
     </message>
     <message>
-        <source>not in the total: its dress-up is counted instead</source>
-        <translation>hors du total : son complément est compté à sa place</translation>
+        <source>This operation is not included in the total, because its dress-up is.</source>
+        <translation>Cette opération n&apos;est pas comprise dans le total, car son complément l&apos;est.</translation>
     </message>
     <message>
-        <source>not in the total: it is switched off</source>
-        <translation>hors du total : elle est désactivée</translation>
+        <source>This operation is not included in the total, because it is switched off.</source>
+        <translation>Cette opération n&apos;est pas comprise dans le total, car elle est désactivée.</translation>
     </message>
     <message>
         <source>Shortest move at feed</source>
         <translation>Déplacement le plus court en avance de travail</translation>
     </message>
     <message>
-        <source>Median move at feed</source>
+        <source>Median Move at Feed</source>
         <translation>Déplacement médian en avance de travail</translation>
     </message>
     <message>
-        <source>The filter lets no operation through.</source>
-        <translation>Le filtre ne laisse passer aucune opération.</translation>
+        <source>No operation matches the filter.</source>
+        <translation>Aucune opération ne correspond au filtre.</translation>
     </message>
 </context>
 <context>
     <name>Vk_Simulate</name>
     <message>
-        <source>raw</source>
-        <translation>brut</translation>
+        <source>Raw Stock</source>
+        <translation>Brut</translation>
     </message>
     <message>
-        <source>machined</source>
-        <translation>usiné</translation>
+        <source>Machined</source>
+        <translation>Usiné</translation>
     </message>
     <message>
         <source>Material</source>
@@ -1731,15 +1731,15 @@ au plus</translation>
         <translation>Temps</translation>
     </message>
     <message>
-        <source>Removal rate</source>
+        <source>Removal Rate</source>
         <translation>Débit de copeaux</translation>
     </message>
     <message>
-        <source>Simulates the selected job or operations, or the job of the active document, and shows the part at any moment, what made each of its surfaces, and rapid moves that cut.</source>
-        <translation>Simule la tâche ou les opérations sélectionnées, sinon la tâche du document actif, et montre la pièce à tout moment, ce qui a fait chacune de ses surfaces et les déplacements rapides qui coupent.</translation>
+        <source>Simulates the selected job or operations, or the job of the active document. Shows the part at any moment, the operation that made each surface, and rapid moves that cut.</source>
+        <translation>Simule la tâche ou les opérations sélectionnées, sinon la tâche du document actif. Montre la pièce à tout moment, l&apos;opération qui a fait chaque surface et les déplacements rapides qui coupent.</translation>
     </message>
     <message>
-        <source>Simulate toolpaths</source>
+        <source>Simulate Toolpaths</source>
         <translation>Simuler l&apos;usinage</translation>
     </message>
     <message>
@@ -1751,8 +1751,8 @@ au plus</translation>
         <translation>Enregistrer l&apos;image</translation>
     </message>
     <message>
-        <source>Folder of the Pictures</source>
-        <translation>Dossier des images</translation>
+        <source>Folder for the Pictures</source>
+        <translation>Dossier pour les images</translation>
     </message>
     <message>
         <source>Save Removal Rates</source>
@@ -1763,7 +1763,7 @@ au plus</translation>
         <translation>Impossible d&apos;écrire {}.</translation>
     </message>
     <message>
-        <source>Simulated part</source>
+        <source>Simulated Part</source>
         <translation>Pièce simulée</translation>
     </message>
     <message>
@@ -1795,7 +1795,7 @@ au plus</translation>
         <translation>Dessous</translation>
     </message>
     <message>
-        <source>As the 3D view</source>
+        <source>As in the 3D View</source>
         <translation>Comme la vue 3D</translation>
     </message>
     <message>
@@ -1803,16 +1803,16 @@ au plus</translation>
         <translation>Vue</translation>
     </message>
     <message>
-        <source>Where the part is seen from.</source>
-        <translation>D&apos;où la pièce est vue.</translation>
+        <source>Direction from which the part is viewed.</source>
+        <translation>Direction d&apos;où la pièce est vue.</translation>
     </message>
     <message>
-        <source>What the surfaces are colored by.</source>
-        <translation>Selon quoi les surfaces sont colorées.</translation>
+        <source>Property that colors the surfaces.</source>
+        <translation>Propriété selon laquelle les surfaces sont colorées.</translation>
     </message>
     <message>
-        <source>What the operation of this moment removes, alone or on the part.</source>
-        <translation>Ce que l&apos;opération de ce moment enlève, seul ou sur la pièce.</translation>
+        <source>Shows the part, the material that the current operation removes, or both.</source>
+        <translation>Montre la pièce, la matière que l&apos;opération en cours enlève, ou les deux.</translation>
     </message>
     <message>
         <source>Part</source>
@@ -1823,7 +1823,7 @@ au plus</translation>
         <translation>Copeaux</translation>
     </message>
     <message>
-        <source>Part and chips</source>
+        <source>Part and Chips</source>
         <translation>Pièce et copeaux</translation>
     </message>
     <message>
@@ -1831,60 +1831,60 @@ au plus</translation>
         <translation>Enregistrer</translation>
     </message>
     <message>
-        <source>Save what is shown.</source>
-        <translation>Enregistrer ce qui est affiché.</translation>
+        <source>Saves pictures or removal rates.</source>
+        <translation>Enregistre des images ou des débits de copeaux.</translation>
     </message>
     <message>
         <source>Picture…</source>
         <translation>Image…</translation>
     </message>
     <message>
-        <source>Pictures of the whole job…</source>
+        <source>Pictures of the Whole Job…</source>
         <translation>Images de toute la tâche…</translation>
     </message>
     <message>
-        <source>Removal rates…</source>
+        <source>Removal Rates…</source>
         <translation>Débits de copeaux…</translation>
     </message>
     <message>
-        <source>Play or pause (Space).</source>
-        <translation>Lire ou suspendre (Espace).</translation>
+        <source>Plays or pauses the simulation (Space).</source>
+        <translation>Lit ou suspend la simulation (Espace).</translation>
     </message>
     <message>
-        <source>How many times as fast as the machine.</source>
-        <translation>Combien de fois plus vite que la machine.</translation>
+        <source>Speed of the playback, compared with the machine.</source>
+        <translation>Vitesse de la lecture, par rapport à la machine.</translation>
     </message>
     <message>
         <source>Job in {}</source>
         <translation>Tâche en {}</translation>
     </message>
     <message>
-        <source>Real time</source>
+        <source>Real Time</source>
         <translation>Temps réel</translation>
     </message>
     <message>
-        <source>To the beginning of the operation.</source>
-        <translation>Au début de l&apos;opération.</translation>
+        <source>Go to the beginning of the operation.</source>
+        <translation>Aller au début de l&apos;opération.</translation>
     </message>
     <message>
-        <source>Back by one command of the program.</source>
+        <source>Go back by one command of the program.</source>
         <translation>Reculer d&apos;une commande du programme.</translation>
     </message>
     <message>
-        <source>Back by one trajectory.</source>
+        <source>Go back by one trajectory.</source>
         <translation>Reculer d&apos;un mouvement.</translation>
     </message>
     <message>
-        <source>Forward by one trajectory.</source>
+        <source>Go forward by one trajectory.</source>
         <translation>Avancer d&apos;un mouvement.</translation>
     </message>
     <message>
-        <source>Forward by one command of the program.</source>
+        <source>Go forward by one command of the program.</source>
         <translation>Avancer d&apos;une commande du programme.</translation>
     </message>
     <message>
-        <source>To the end of the operation.</source>
-        <translation>À la fin de l&apos;opération.</translation>
+        <source>Go to the end of the operation.</source>
+        <translation>Aller à la fin de l&apos;opération.</translation>
     </message>
     <message>
         <source>about {}</source>
@@ -1895,8 +1895,8 @@ au plus</translation>
         <translation>Simulation… {}</translation>
     </message>
     <message>
-        <source>finest picture in about {}, {}</source>
-        <translation>image la plus fine dans environ {}, {}</translation>
+        <source>The finest picture takes about {} and {}.</source>
+        <translation>L&apos;image la plus fine prend environ {} et {}.</translation>
     </message>
     <message>
         <source>{} × {} pixels of {}, {} traces, {}, simulated in {}</source>
@@ -1907,11 +1907,11 @@ au plus</translation>
         <translation>{} sur {}   {}, commande {} : {}</translation>
     </message>
     <message>
-        <source>This surface is the raw stock&apos;s.</source>
-        <translation>Cette surface est celle du brut.</translation>
+        <source>This is uncut stock.</source>
+        <translation>C&apos;est du brut non usiné.</translation>
     </message>
     <message>
-        <source>Time line</source>
+        <source>Time Line</source>
         <translation>Chronologie</translation>
     </message>
     <message>
@@ -1919,43 +1919,43 @@ au plus</translation>
         <translation>Lecture de {} ({} sur {})…</translation>
     </message>
     <message>
-        <source>there is no closed model</source>
-        <translation>il n’y a pas de modèle fermé</translation>
+        <source>There is no closed model.</source>
+        <translation>Il n’y a pas de modèle fermé.</translation>
     </message>
     <message>
-        <source>gouged by {} to {}</source>
-        <translation>trop profond, {} à {}</translation>
+        <source>Gouged, {} to {}</source>
+        <translation>Trop profond, {} à {}</translation>
     </message>
     <message>
-        <source>left, {} to {}</source>
-        <translation>reste, {} à {}</translation>
+        <source>Stock Left, {} to {}</source>
+        <translation>Brut restant, {} à {}</translation>
     </message>
     <message>
-        <source>as the model</source>
-        <translation>comme le modèle</translation>
+        <source>As the Model</source>
+        <translation>Comme le modèle</translation>
     </message>
     <message>
-        <source>no model</source>
-        <translation>pas de modèle</translation>
+        <source>No Model</source>
+        <translation>Pas de modèle</translation>
     </message>
     <message>
-        <source>Difference to the model</source>
+        <source>Difference to the Model</source>
         <translation>Écart au modèle</translation>
     </message>
     <message>
-        <source>Smaller differences to the model do not count.</source>
-        <translation>Les écarts au modèle jusqu’à cette valeur n’en sont pas.</translation>
+        <source>Differences from the model below this value are ignored.</source>
+        <translation>Les écarts au modèle en dessous de cette valeur sont ignorés.</translation>
     </message>
     <message>
-        <source>Worst places</source>
+        <source>Worst Places</source>
         <translation>Pires endroits</translation>
     </message>
     <message>
-        <source>Where the part differs most from the model. Choose a place to see it.</source>
-        <translation>Où la pièce s’écarte le plus du modèle. Choisissez un endroit pour le voir.</translation>
+        <source>Places where the part differs most from the model. Choose a place to see it.</source>
+        <translation>Endroits où la pièce s&apos;écarte le plus du modèle. Choisissez un endroit pour le voir.</translation>
     </message>
     <message>
-        <source>Crashes, gouges and fast plunges of the simulation. Choose one to see it.</source>
+        <source>Crashes, gouges and fast plunges in the simulation. Choose one to see it.</source>
         <translation>Collisions, coupes trop profondes et plongées trop rapides de la simulation. Choisissez-en une pour la voir.</translation>
     </message>
     <message>
@@ -1967,32 +1967,32 @@ au plus</translation>
         <translation>… et {} de plus</translation>
     </message>
     <message>
-        <source>raw stock: {}</source>
-        <translation>brut : {}</translation>
+        <source>Stock: {}</source>
+        <translation>Brut : {}</translation>
     </message>
     <message>
-        <source>{}, command {}: {} ({})</source>
-        <translation>{}, commande {} : {} ({})</translation>
+        <source>{}, command {} ({}): {}</source>
+        <translation>{}, commande {} ({}) : {}</translation>
     </message>
     <message>
-        <source>removes {}</source>
-        <translation>enlève {}</translation>
+        <source>Removed: {}</source>
+        <translation>Enlevé : {}</translation>
     </message>
     <message>
-        <source>removes nothing</source>
-        <translation>n’enlève rien</translation>
+        <source>Nothing removed</source>
+        <translation>Rien enlevé</translation>
     </message>
     <message>
-        <source>the model comes with the finest picture</source>
-        <translation>le modèle vient avec l’image la plus fine</translation>
+        <source>The model is shown with the finest picture.</source>
+        <translation>Le modèle est montré avec l&apos;image la plus fine.</translation>
     </message>
     <message>
-        <source>They are known when the finest picture is there.</source>
-        <translation>Ils sont connus quand l&apos;image la plus fine est là.</translation>
+        <source>Removal rates are available when the finest picture is ready.</source>
+        <translation>Les débits de copeaux sont disponibles quand l&apos;image la plus fine est prête.</translation>
     </message>
     <message>
-        <source>Saving the pictures when the finest is there…</source>
-        <translation>Les images sont enregistrées quand la plus fine est là…</translation>
+        <source>The pictures are saved when the finest picture is ready…</source>
+        <translation>Les images sont enregistrées quand l&apos;image la plus fine est prête…</translation>
     </message>
     <message>
         <source>{} of {} pictures are saved in {}.</source>
@@ -2003,34 +2003,34 @@ au plus</translation>
         <translation>{} images</translation>
     </message>
     <message>
-        <source>{}, at X {} Y {} Z {} {}</source>
-        <translation>{}, en X {} Y {} Z {} {}</translation>
+        <source>{} (X {} Y {} Z {} {})</source>
+        <translation>{} (X {} Y {} Z {} {})</translation>
     </message>
     <message>
-        <source>What is simulated has changed. Simulate again</source>
-        <translation>Ce qui est simulé a changé. Simuler à nouveau</translation>
+        <source>The simulated job has changed. Simulate it again.</source>
+        <translation>La tâche simulée a changé. Simulez-la à nouveau.</translation>
     </message>
     <message>
-        <source>Which job?</source>
-        <translation>Quelle tâche ?</translation>
+        <source>Choose the job to simulate:</source>
+        <translation>Choisissez la tâche à simuler :</translation>
     </message>
 </context>
 <context>
     <name>Vk_Strategies</name>
     <message>
-        <source>Colors the toolpaths in the 3D view by their machining strategy, rapid moves grey. The document is not changed.</source>
+        <source>Colors the toolpaths in the 3D view by their machining strategy, and rapid moves gray. The document is not changed.</source>
         <translation>Colore les parcours d&apos;outil dans la vue 3D selon leur stratégie d&apos;usinage, les déplacements rapides en gris. Le document n&apos;est pas modifié.</translation>
     </message>
     <message>
-        <source>Show strategies</source>
+        <source>Show Strategies</source>
         <translation>Montrer les stratégies</translation>
     </message>
     <message>
-        <source>rapid moves</source>
-        <translation>déplacements rapides</translation>
+        <source>Rapid Moves</source>
+        <translation>Déplacements rapides</translation>
     </message>
     <message>
-        <source>Drawing strategies, operations to go: {}</source>
+        <source>Drawing strategies, operations left: {}</source>
         <translation>Dessin des stratégies, opérations restantes : {}</translation>
     </message>
     <message>
@@ -2056,15 +2056,11 @@ au plus</translation>
 <context>
     <name>Workbench</name>
     <message>
-        <source>Toolpath analysis</source>
-        <translation>Analyse des parcours d&apos;outil</translation>
-    </message>
-    <message>
         <source>Toolpath Analysis</source>
         <translation>Analyse des parcours d&apos;outil</translation>
     </message>
     <message>
-        <source>Recognizes machining strategies of toolpaths and estimates what simulating them costs.</source>
+        <source>Recognizes machining strategies of toolpaths and estimates the cost of their simulation.</source>
         <translation>Reconnaît les stratégies d&apos;usinage des parcours d&apos;outil et estime le coût de leur simulation.</translation>
     </message>
 </context>

@@ -22,7 +22,7 @@ ROOT = Path(__file__).resolve().parents[2]
 ICONS = ROOT / "resources" / "icons"
 TRANSLATIONS = ROOT / "resources" / "translations"
 COMMANDS = ["Vk_Analyze", "Vk_Clear", "Vk_Results", "Vk_Strategies", "Vk_GaussMap", "Vk_Simulate"]
-TITLE = QT_TRANSLATE_NOOP("Workbench", "Toolpath analysis")  # of toolbar and menu
+TITLE = QT_TRANSLATE_NOOP("Workbench", "Toolpath Analysis")  # of toolbar and menu
 
 
 class VkWorkbench(Gui.Workbench):
@@ -33,7 +33,7 @@ class VkWorkbench(Gui.Workbench):
     def __init__(self) -> None:
         VkWorkbench.MenuText = translate("Workbench", "Toolpath Analysis")
         VkWorkbench.ToolTip = translate(
-            "Workbench", "Recognizes machining strategies of toolpaths and estimates what simulating them costs."
+            "Workbench", "Recognizes machining strategies of toolpaths and estimates the cost of their simulation."
         )
 
     def Initialize(self) -> None:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Messages: codes with arguments, which programs compare and `sentences` puts into words."""
+"""Messages: codes with arguments, which programs compare and `sentences` renders."""
 
 from __future__ import annotations
 
@@ -14,16 +14,15 @@ Argument = Union[int, float, str, None, "Message", Tuple[Any, ...]]
 
 @dataclass(frozen=True, init=False, repr=False)
 class Message:
-    """Something to be said: a code of the table, and what its sentence is filled with.
+    """A code of the table of sentences, with the arguments of the sentence.
 
     Parameters
     ----------
     code : str
-        Which sentence.
     **arguments : int, float, str, None, Message, or sequence of these
-        What is filled in: numbers in mm, s, rad, bytes and shares of 1; labels and other names, which nobody
-        translates; parts of the sentence that are messages of their own; None for a part that is not there. A
-        strategy, as any member of an enum, is kept by its value.
+        Values for the places of the sentence: numbers in mm, s, rad, bytes and shares of 1; labels and other names,
+        which are not translated; messages for parts of the sentence; None for a missing part. Members of an enum,
+        such as strategies, are stored by their value.
     """
 
     code: str
@@ -36,12 +35,12 @@ class Message:
 
     @property
     def arguments(self) -> dict[str, Argument]:
-        """What the sentence is filled with, by name."""
+        """The arguments by name."""
         return dict(self._items)
 
     @property
     def codes(self) -> tuple[str, ...]:
-        """Its code and those of its parts, in the order of the arguments' names."""
+        """The codes of the message and of the messages in it, in the order of the arguments' names."""
         return (self.code, *(code for _, value in self._items for code in _codes_of(value)))
 
     def __repr__(self) -> str:
@@ -53,22 +52,22 @@ class Message:
 
     @classmethod
     def from_data(cls, data: Any) -> Message:
-        """Return the message that `as_data` made this of.
+        """Return the message that `as_data` returned `data` for.
 
         Raises
         ------
         ValueError
-            If no message looks like that.
+            If `data` is not the data of a message.
         """
         if isinstance(data, dict) and set(data) == {"code", "arguments"}:
             code, arguments = data["code"], data["arguments"]
             if isinstance(code, str) and isinstance(arguments, dict):
                 return cls(code, **{name: _of_data(value) for name, value in arguments.items()})
-        raise ValueError(f"no message: {data!r}")
+        raise ValueError(f"not a message: {data!r}")
 
 
 def _plain(value: Any) -> Argument:
-    """Return an argument that can be compared, and written as JSON: numbers without their numpy types, for example."""
+    """Return an argument that can be compared and written as JSON, e.g. numpy numbers as Python numbers."""
     if value is None or isinstance(value, Message):
         return value
     if isinstance(value, Enum):
@@ -78,7 +77,7 @@ def _plain(value: Any) -> Argument:
     if isinstance(value, Integral):
         return int(value)
     if isinstance(value, Real):
-        # JSON has no such numbers; as text they also equal themselves.
+        # JSON has no infinity and no NaN. Stored as text, a NaN also equals itself.
         return float(value) if isfinite(value) else str(float(value))
     if isinstance(value, (list, tuple)):
         return tuple(map(_plain, value))

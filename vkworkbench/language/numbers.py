@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Numbers as a person reads them: two or three significant digits and a unit."""
+"""Numbers for people: two or three significant digits and a unit."""
 
 from __future__ import annotations
 
@@ -8,14 +8,14 @@ from math import floor, inf, log10, tau
 
 from vkworkbench.language.marking import QT_TRANSLATE_NOOP
 
-# From which factor on a number is said to be "about" and has one digit; from which on it has two.
+# An estimate that may be off by ROUGH or more has one digit and an "about". Above ESTIMATED it has two digits.
 ROUGH, ESTIMATED = 2.0, 1.05
-# Units of time, their lengths, and from which time on the next one is taken, s.
+# Units of time: the name, the length and the time from which the next unit is used, s.
 _UNITS = (("ms", 1e-3, 1.0), ("s", 1.0, 60.0), ("min", 60.0, 3600.0), ("h", 3600.0, inf))
 ABOUT = QT_TRANSLATE_NOOP("Sentences", "about {number}")
 _BETWEEN = QT_TRANSLATE_NOOP("Sentences", "{low} to {high}")
 _PERCENT = QT_TRANSLATE_NOOP("Sentences", "{number}%")
-# What documents call the simulators; a window calls FreeCAD's own as its menu does.
+# Names of the simulators in documents. The window uses the names of FreeCAD's menu.
 _SIMULATORS = {
     "z-buffer": QT_TRANSLATE_NOOP("Sentences", "extended z-buffer"),
     "legacy": QT_TRANSLATE_NOOP("Sentences", "legacy simulator"),
@@ -25,32 +25,30 @@ _THOUSANDS = re.compile(r"^-?\d{4,}")
 
 
 class Reader:
-    """How somebody reads: this one English, with millimetres.
-
-    Whoever reads another language, or in other units, is a subclass.
+    """Language, units and number format of a person. This class is for English and millimetres; others are subclasses.
 
     Attributes
     ----------
     decimal, thousands : str
-        What separates the decimals, and groups of three digits.
+        Separators of decimals and of groups of three digits.
     """
 
     decimal, thousands = ".", ","
 
     def translate(self, context: str, text: str) -> str:
-        """Return a text that is marked for translation in the reader's language."""
+        """Return the translation of a marked text into the reader's language."""
         return text
 
     def simulator(self, name: str) -> str:
-        """Return what the reader knows a simulator as, by the name of its entry in the table of simulators."""
+        """Return the reader's name for a simulator, from the name of its entry in the table of simulators."""
         return self.translate("Sentences", _SIMULATORS.get(name, name))
 
     def length_unit(self, millimetres: float) -> tuple[float, str]:
-        """Return the unit in which a length of that size is read: how many mm it is, and its name."""
+        """Return the unit for a length of this size: its size in mm, and its name."""
         return 1.0, "mm"
 
     def length(self, millimetres: float) -> str:
-        """Return a length in mm, m from 10 m on."""
+        """Return a length in mm, or in m from 10 m on."""
         if millimetres < 10_000:
             return f"{self._digits(millimetres)} mm"
         return f"{self._digits(millimetres / 1e3)} m"
@@ -61,27 +59,27 @@ class Reader:
         return f"{self.number(millimetres / factor, digits)} {unit}"
 
     def volume(self, cubic_millimetres: float, digits: int) -> str:
-        """Return a volume with a number of significant digits, e.g. ``"212 mm³"``, in the unit that its side has."""
+        """Return a volume with a number of significant digits, e.g. ``"212 mm³"``, in the cube of the unit of its side."""
         factor, unit = self.length_unit(cubic_millimetres ** (1 / 3))
         return f"{self.number(cubic_millimetres / factor**3, digits)} {unit}³"
 
     def number(self, value: float, digits: int = 6) -> str:
-        """Return a number with a number of significant digits; a large one to the unit."""
+        """Return a number with a number of significant digits. Large numbers are rounded to whole numbers."""
         text = f"{value:.{digits}g}"
         if "e+" in text:
             text = f"{value:.0f}"
         return self.separated(_THOUSANDS.sub(lambda number: f"{int(number.group()):,}", text))
 
     def decimals(self, value: float, places: int) -> str:
-        """Return a number with that many decimals."""
+        """Return a number with a number of decimals."""
         return self.separated(f"{value:.{places}f}")
 
     def is_one(self, count: int) -> bool:
-        """Whether the reader's language says a count as it says one."""
+        """Return whether the reader's language uses the singular for a count."""
         return count == 1
 
     def count(self, number: int) -> str:
-        """Return how many there are, e.g. ``"5,752"``."""
+        """Return a count, e.g. ``"5,752"``."""
         return self.separated(f"{number:,}")
 
     def share(self, share: float) -> str:
@@ -89,45 +87,45 @@ class Reader:
         return self.translate("Sentences", _PERCENT).replace("{number}", f"{100 * share:.0f}")
 
     def turns(self, angle: float) -> str:
-        """Return an angle, rad, in turns, to hundredths: what rounding left is nothing."""
+        """Return an angle, rad, in turns with two decimals. Angles below half a hundredth of a turn are ``"0"``."""
         turns = round(angle / tau, 2)
         return self.separated(f"{turns:+.2f}") if turns else "0"
 
-    def time(self, seconds: float, factor: float = 1.0, finer: int = 0) -> str:
+    def time(self, seconds: float, factor: float = 1.0, extra_digits: int = 0) -> str:
         """Return a duration, e.g. ``"12 ms"``, ``"1.4 s"``, ``"3.0 min"``, ``"2.5 h"``.
 
         Parameters
         ----------
         seconds : float
         factor : float
-            The true time is between this one divided and multiplied by this; it has as many digits as that allows.
-        finer : int
-            How many digits more an exact one has than usual.
+            The true time is between `seconds` / `factor` and `seconds` * `factor`, which limits the number of digits.
+        extra_digits : int
+            Number of additional digits of an exact duration.
         """
         if factor > ESTIMATED and 0 < seconds < inf:
             return self._rounded_time(seconds, 1 if factor >= ROUGH else 2)
         if seconds < 0.9995:
-            return f"{self._digits(seconds * 1e3, finer)} ms"
+            return f"{self._digits(seconds * 1e3, extra_digits)} ms"
         if seconds < 60:
-            return f"{self._digits(seconds, finer)} s"
+            return f"{self._digits(seconds, extra_digits)} s"
         if seconds < 3600:
-            return f"{self._digits(seconds / 60, finer)} min"
-        return f"{self._digits(seconds / 3600, finer)} h"
+            return f"{self._digits(seconds / 60, extra_digits)} min"
+        return f"{self._digits(seconds / 3600, extra_digits)} h"
 
     def estimated_time(self, seconds: float, factor: float) -> str:
-        """Return a duration, see :meth:`time`, with "about" before it where the true one may be half or twice of it."""
+        """Return a duration as :meth:`time` does, after "about" if `factor` is `ROUGH` or more."""
         text = self.time(seconds, factor)
         return self.translate("Sentences", ABOUT).replace("{number}", text) if factor >= ROUGH else text
 
-    def memory(self, size: float, finer: int = 0) -> str:
-        """Return a memory size in bytes as kB, MB or GB (powers of 1000), with so many digits more than usual."""
+    def memory(self, size: float, extra_digits: int = 0) -> str:
+        """Return a memory size, given in bytes, in kB, MB or GB (powers of 1000)."""
         for unit, factor in (("GB", 1e9), ("MB", 1e6)):
             if size >= 0.9995 * factor:
-                return f"{self._digits(size / factor, finer)} {unit}"
-        return f"{self._digits(size / 1e3, finer)} kB"
+                return f"{self._digits(size / factor, extra_digits)} {unit}"
+        return f"{self._digits(size / 1e3, extra_digits)} kB"
 
     def between(self, low: str, high: str) -> str:
-        """Return two numbers between which the true one is."""
+        """Return a range of numbers."""
         return self.translate("Sentences", _BETWEEN).replace("{low}", low).replace("{high}", high)
 
     def _rounded_time(self, seconds: float, digits: int) -> str:
@@ -138,16 +136,16 @@ class Reader:
             text = f"{self.separated(f'{value:,.{places}f}')} {unit}"
             if value * length < most:
                 break
-            seconds = max(seconds, most)  # 59.7 s are a minute
+            seconds = max(seconds, most)  # 59.7 s is shown as a minute
         return text
 
-    def _digits(self, value: float, finer: int = 0) -> str:
+    def _digits(self, value: float, extra_digits: int = 0) -> str:
         if value >= 9.95 or value == 0:
-            return self.separated(f"{value:,.{finer}f}")
-        return self.separated(f"{value:.{1 + finer}f}" if value >= 0.095 else f"{value:.{2 + finer}g}")
+            return self.separated(f"{value:,.{extra_digits}f}")
+        return self.separated(f"{value:.{1 + extra_digits}f}" if value >= 0.095 else f"{value:.{2 + extra_digits}g}")
 
     def separated(self, english: str) -> str:
-        """Return an English number, alone or in a text without other points and commas, with the reader's separators."""
+        """Return a text with an English number and no other points or commas, with the reader's separators."""
         return english.translate({ord("."): self.decimal, ord(","): self.thousands})
 
 

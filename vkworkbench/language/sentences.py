@@ -1,13 +1,24 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Messages in words: the sentence of a code in the reader's language, filled with the arguments as he reads them.
+"""Sentences of messages, in the reader's language, units and number format.
 
-A place of a template is ``{name}`` or ``{name:quantity}``. Without a quantity stands there a text as it is, or another
-message. A quantity says what a number is: ``n`` how many, ``#`` the number of a line or command, counted from 1, ``g`` a number,
-``mm`` a length, ``mm³`` a volume, ``mm/min`` a speed (these with the significant digits behind them, e.g. ``mm3``), ``s`` a duration in s, ``bytes``,
-``%`` a share of 1, ``turns`` an angle in rad, ``strategy`` a strategy and ``simulator`` a simulator by its name.
+A template is the sentence of a code. It has places ``{name}`` or ``{name:quantity}`` for the arguments of the message.
+A place without a quantity takes a text, or another message. These are the quantities:
 
-Durations and sizes have few digits, and where two of a sentence would read the same though they are not, more of them:
-"more than the 2.0 GB allowed" is not said of 2.0 GB.
+* ``n``: a count
+* ``#``: the number of a line or command, counted from 1
+* ``g``: a number
+* ``mm``, ``mm³``, ``mm/min``: a length, a volume, a speed
+* ``s``: a duration in s
+* ``bytes``: a memory size
+* ``%``: a share of 1
+* ``turns``: an angle in rad
+* ``strategy``: a strategy, by its value
+* ``simulator``: a simulator, by its name
+
+``g``, ``mm``, ``mm³`` and ``mm/min`` may be followed by the number of significant digits, e.g. ``mm3``.
+
+Durations and sizes have few digits. If two different ones of a sentence would look the same, both get more digits, so
+that no sentence says "about 2.0 GB, which is over your 2.0 GB limit".
 """
 
 from __future__ import annotations
@@ -22,7 +33,7 @@ from vkworkbench.language.numbers import ENGLISH, Reader
 from vkworkbench.language.table import PLAIN, TABLE
 
 _PLACE = re.compile(r"\{(\w+)(?::([^{}\d]+)(\d*))?\}")
-_BETWEEN = QT_TRANSLATE_NOOP("Sentences", ", ")
+_COMMA = QT_TRANSLATE_NOOP("Sentences", ", ")
 
 _QUANTITIES: dict[str, Callable[[Reader, Any, int], str]] = {
     "n": lambda reader, value, digits: reader.count(value),
@@ -31,74 +42,94 @@ _QUANTITIES: dict[str, Callable[[Reader, Any, int], str]] = {
     "mm": lambda reader, value, digits: reader.measure(float(value), digits),
     "mm³": lambda reader, value, digits: reader.volume(float(value), digits),
     "mm/min": lambda reader, value, digits: f"{reader.measure(float(value), digits)}/min",
-    "s": lambda reader, value, finer: reader.time(value, finer=finer),
-    "bytes": lambda reader, value, finer: reader.memory(value, finer),
+    "s": lambda reader, value, extra: reader.time(value, extra_digits=extra),
+    "bytes": lambda reader, value, extra: reader.memory(value, extra),
     "%": lambda reader, value, digits: reader.share(value),
     "turns": lambda reader, value, digits: reader.turns(value),
     "simulator": lambda reader, value, digits: reader.simulator(value),
     "strategy": lambda reader, value, digits: reader.translate("Strategy", value),
 }
-_ROUNDED = ("s", "bytes")  # they take how many digits more than usual are read
-_FINEST = 6
+_ROUNDED = ("s", "bytes")  # quantities with few digits, which take a number of extra digits
+_DEFAULT_DIGITS = 6
+_MOST_EXTRA_DIGITS = 6
 
 
 def render(message: Message, reader: Reader = ENGLISH, *, plain: bool = False) -> str:
-    """Return the sentence of a message, without a full stop unless it is several.
+    """Return the sentence of a message.
 
     Parameters
     ----------
     message : Message
     reader : Reader
     plain : bool
-        Whether a machinist's words are taken where the table has them, instead of the paper's.
+        Whether to use a machinist's words instead of the paper's terms, where the table has them.
 
     Raises
     ------
     LookupError, TypeError, ValueError
-        If the table has no such message: another version may have written it.
+        If the table has no such message. Another version may have written it.
     """
     arguments = message.arguments
     template = reader.translate("Sentences", _template(message, reader, plain))
-    finer = {quantity: _told_apart(template, arguments, quantity, reader) for quantity in _ROUNDED}
+    extra = {quantity: _extra_digits(template, arguments, quantity, reader) for quantity in _ROUNDED}
 
-    def filled(place: re.Match[str]) -> str:
+    def fill(place: re.Match[str]) -> str:
         name, quantity, digits = place.groups()
-        return _shown(arguments[name], quantity, finer.get(quantity, int(digits or 6)), reader, plain)
+        return _text(arguments[name], quantity, extra.get(quantity, int(digits or _DEFAULT_DIGITS)), reader, plain)
 
-    return _PLACE.sub(filled, template)
+    return _PLACE.sub(fill, template)
 
 
-def _told_apart(template: str, arguments: dict[str, Argument], quantity: str, reader: Reader) -> int:
-    """With how many digits more than usual no two different numbers of this quantity read the same."""
+def _extra_digits(template: str, arguments: dict[str, Argument], quantity: str, reader: Reader) -> int:
+    """Return how many extra digits make all different numbers of a quantity look different."""
     numbers = {arguments[place[1]] for place in _PLACE.finditer(template) if place[2] == quantity}
-    read = _QUANTITIES[quantity]
-    enough = (finer for finer in range(_FINEST) if len({read(reader, one, finer) for one in numbers}) == len(numbers))
-    return next(enough, _FINEST)
+    text = _QUANTITIES[quantity]
+    enough = (
+        extra for extra in range(_MOST_EXTRA_DIGITS) if len({text(reader, n, extra) for n in numbers}) == len(numbers)
+    )
+    return next(enough, _MOST_EXTRA_DIGITS)
 
 
 def _template(message: Message, reader: Reader, plain: bool) -> str:
-    """The text of the table: of one or of more where it tells them apart."""
-    known = _plain_words(message) if plain else None
-    known = known or TABLE[message.code]
-    if isinstance(known, str):
-        return known
-    one, more = known
+    """Return the template of a message: the singular or the plural one, if the table has both."""
+    template = _plain_template(message) if plain else None
+    template = template or TABLE[message.code]
+    if isinstance(template, str):
+        return template
+    singular, plural = template
     count: Any = message.arguments["count"]
-    return one if reader.is_one(count) else more
+    return singular if reader.is_one(count) else plural
 
 
-def _plain_words(message: Message) -> str | tuple[str, str] | None:
+def _plain_template(message: Message) -> str | tuple[str, str] | None:
     seen = message.arguments.get("seen")
-    together = f"{message.code} {seen.code}" if isinstance(seen, Message) else message.code
-    return PLAIN.get(together) or PLAIN.get(message.code)
+    key = f"{message.code} {seen.code}" if isinstance(seen, Message) else message.code
+    return PLAIN.get(key) or PLAIN.get(message.code)
 
 
-def _shown(value: Argument, quantity: str | None, digits: int, reader: Reader, plain: bool) -> str:
+def _text(value: Argument, quantity: str | None, digits: int, reader: Reader, plain: bool) -> str:
     if isinstance(value, tuple):
-        between = reader.translate("Sentences", _BETWEEN)
-        return between.join(_shown(one, quantity, digits, reader, plain) for one in value)
+        sentences = all(isinstance(one, Message) for one in value)
+        separator = " " if sentences else reader.translate("Sentences", _COMMA)
+        return separator.join(_text(one, quantity, digits, reader, plain) for one in value)
     if quantity:
         return _QUANTITIES[quantity](reader, value, digits)
     if isinstance(value, Message):
         return render(value, reader, plain=plain)
     return "" if value is None else str(value)
+
+
+class Unusable(ValueError):
+    """An input cannot be used. The message says why.
+
+    Attributes
+    ----------
+    what : Message
+    """
+
+    def __init__(self, what: Message) -> None:
+        super().__init__(what)
+        self.what = what
+
+    def __str__(self) -> str:
+        return render(self.what)

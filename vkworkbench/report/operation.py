@@ -124,7 +124,7 @@ class OperationReport(Costs):
     @property
     def error(self) -> str | None:
         """What is wrong or unknown in English, sentences with semicolons between them; None where nothing is."""
-        return "; ".join(map(render, self.remarks)) or None
+        return " ".join(map(render, self.remarks)) or None
 
     @property
     def messages(self) -> tuple[Message, ...]:
@@ -241,7 +241,7 @@ def cells_of(operation: OperationReport) -> dict[str, Any]:
     told = operation.simulated.cells() if operation.simulated else dict.fromkeys(FACT_COLUMNS)
     row.update({f"simulated_{name}": value for name, value in told.items()})
     row["codes"] = "; ".join(" ".join(message.codes) for message in operation.messages)
-    row["cautions"] = "; ".join(row["cautions"])
-    row["machining_notes"] = "; ".join(row["machining_notes"])
+    row["cautions"] = " ".join(row["cautions"])
+    row["machining_notes"] = " ".join(row["machining_notes"])
     row["spans"] = "; ".join(f"{s['strategy']} {s['first_command']}-{s['last_command']}" for s in row["spans"])
     return {name: as_cell(value) for name, value in row.items()}

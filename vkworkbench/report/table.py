@@ -53,7 +53,7 @@ def _row(o: OperationReport, simulator: str) -> tuple[str, ...]:
         f"{o.confidence:.0%}",
         ENGLISH.count(o.trajectories),
         *(("", "", "", "") if _is_idle(o) else _measures(o, simulator)),
-        printable("; ".join(map(render, told)), 200),
+        printable(" ".join(map(render, told)), 200),
     )
 
 

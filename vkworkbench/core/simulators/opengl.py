@@ -264,6 +264,5 @@ def cautions(task: Task, cost: OpenGLCost | None, conditions: Conditions) -> lis
     if cost is not None and cost.seconds > conditions.time_budget:
         found.append(Caution("long-play", Message("opengl-long-play", simulator=NAME, time=cost.seconds)))
     if cost is not None and cost.frame_seconds > SLOWEST_FRAME and 2 * cost.arc_draws > cost.draws:
-        percent = round(100 * cost.arc_draws / cost.draws)
-        found.append(Caution("arcs", Message("opengl-arcs", simulator=NAME, time=cost.frame_seconds, percent=percent)))
+        found.append(Caution("arcs", Message("opengl-arcs", simulator=NAME, frames=1 / cost.frame_seconds)))
     return found

@@ -33,22 +33,22 @@ ZBUFFER = Simulator(
     factor_column=None,
     time_tooltip=QT_TRANSLATE_NOOP(
         "Vk_Results",
-        "Time to simulate it in an extended z-buffer: an operation alone, on the whole stock; a job one operation after "
-        "another, each on what is left",
+        "Time to simulate it in an extended z-buffer. An operation is simulated alone, "
+        "on the whole stock. In a job, each operation cuts the stock that is left.",
     ),
     memory_tooltip=QT_TRANSLATE_NOOP(
         "Vk_Results",
-        "Memory to simulate it in an extended z-buffer: of an operation alone, with the whole stock; of a job with the "
-        "stock once",
+        "Memory to simulate it in an extended z-buffer. An operation includes the whole "
+        "stock. A job includes the stock once.",
     ),
     advice=Advice(
         choose=zbuffer.finest_image,
         numbers=lambda chosen: (chosen.view.width, chosen.view.height) if chosen.view else (0, 0),
         form="{} × {}",
         column="resolution",
-        title=QT_TRANSLATE_NOOP("Vk_Results", "Recommended\nimage"),
+        title=QT_TRANSLATE_NOOP("Vk_Results", "Recommended\nImage"),
         tooltip=QT_TRANSLATE_NOOP(
-            "Vk_Results", "The finest image of the z-buffer within the budgets of the preferences"
+            "Vk_Results", "The finest image of the z-buffer within your limits of time and memory."
         ),
         sentence=QT_TRANSLATE_NOOP("Vk_Results", "Recommended image: {}"),
         none=QT_TRANSLATE_NOOP("Vk_Results", "none"),
@@ -72,10 +72,10 @@ LEGACY = Simulator(
     factor_column="legacy_factor",
     time_tooltip=QT_TRANSLATE_NOOP(
         "Vk_Results",
-        "Time of FreeCAD's legacy simulator in fast-forward, at the accuracy set in the preferences",
+        "Time in FreeCAD's legacy simulator in fast-forward, at the accuracy set in the preferences.",
     ),
     memory_tooltip=QT_TRANSLATE_NOOP(
-        "Vk_Results", "Memory of FreeCAD's legacy simulator, at the accuracy set in the preferences"
+        "Vk_Results", "Memory of FreeCAD's legacy simulator, at the accuracy set in the preferences."
     ),
     preferences=("legacy_accuracy",),
 )

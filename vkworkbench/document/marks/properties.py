@@ -23,18 +23,18 @@ MARK = "ToolpathMark"
 _SHOWN, _HIDDEN = 9, 13
 # Not "Length": FreeCAD's lead-in dress-up has a property of that name.
 _TYPES = {
-    MARK: ("App::PropertyString", QT_TRANSLATE_NOOP("App::Property", "What the mark in the description says")),
+    MARK: ("App::PropertyString", QT_TRANSLATE_NOOP("App::Property", "The text of the mark in the description.")),
     "Strategy": ("App::PropertyString", QT_TRANSLATE_NOOP(
-        "App::Property", "Machining strategy recognized from the toolpath")),
+        "App::Property", "The machining strategy recognized from the toolpath.")),
     "Confidence": ("App::PropertyPercent", QT_TRANSLATE_NOOP(
-        "App::Property", "How sure the recognition is, in percent")),
-    "Reason": ("App::PropertyString", QT_TRANSLATE_NOOP("App::Property", "Why this strategy")),
+        "App::Property", "The confidence of the recognition, in percent.")),
+    "Reason": ("App::PropertyString", QT_TRANSLATE_NOOP("App::Property", "The reason for this strategy.")),
     "Remarks": ("App::PropertyString", QT_TRANSLATE_NOOP(
-        "App::Property", "What is wrong with the operation, unknown about it, or to be known before simulating it")),
-    "CuttingLength": ("App::PropertyLength", QT_TRANSLATE_NOOP("App::Property", "Length of the cutting moves")),
-    "MachiningTime": ("App::PropertyTime", QT_TRANSLATE_NOOP("App::Property", "Time on the machine")),
+        "App::Property", "Problems of the operation, and what to know before simulating it.")),
+    "CuttingLength": ("App::PropertyLength", QT_TRANSLATE_NOOP("App::Property", "Length of the cutting moves.")),
+    "MachiningTime": ("App::PropertyTime", QT_TRANSLATE_NOOP("App::Property", "Time on the machine.")),
     "SimulationTime": ("App::PropertyTime", QT_TRANSLATE_NOOP(
-        "App::Property", "Estimated time of the simulation that the mark shows")),
+        "App::Property", "Estimated time of the simulation that the mark shows.")),
 }  # fmt: skip
 
 

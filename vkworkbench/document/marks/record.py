@@ -90,12 +90,12 @@ class Record(Costs):
 
     @property
     def english_reason(self) -> str:
-        return "; ".join(map(render, self.reason))
+        return " ".join(map(render, self.reason))
 
     @property
     def english_remarks(self) -> str:
         """Remarks and serious cautions in English, separated by semicolons."""
-        return "; ".join([*map(render, self.remarks), *(c.message for c in self.cautions if c.code in SERIOUS)])
+        return " ".join([*map(render, self.remarks), *(c.message for c in self.cautions if c.code in SERIOUS)])
 
 
 def of_operation(report: OperationReport, simulator: str) -> Record:

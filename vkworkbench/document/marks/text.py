@@ -65,7 +65,7 @@ def text_of(record: Record, chosen: Preferences) -> str:
     time, warning = time_of(record, chosen), f" {WARNING}" if is_warned(record, chosen) else ""
     parts = [first, *([f"{PLAY} {time}{warning}"] if time else [])]
     if record.remarks and not is_switched_off(record):
-        remark = _shortened("; ".join(map(render, record.remarks)))
+        remark = _shortened(" ".join(map(render, record.remarks)))
         parts.append(remark if time else f"{WARNING} {remark}")
     return SEPARATOR.join([*parts, *([OUTDATED] if record.outdated else [])])
 

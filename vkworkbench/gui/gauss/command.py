@@ -16,11 +16,12 @@ class GaussMapCommand(DocumentCommand):
     """Show the Gauss map panel, or hide it."""
 
     name = "Vk_GaussMap"
-    menu = QT_TRANSLATE_NOOP("Vk_GaussMap", "Gauss map")
+    menu = QT_TRANSLATE_NOOP("Vk_GaussMap", "Gauss Map")
     tooltip = QT_TRANSLATE_NOOP(
         "Vk_GaussMap",
-        "Shows why the selected operation has its strategy: its toolpath, the Gauss map of its directions and "
-        "of the vector V_k, and the cumulative angular function.",
+        "Shows why the selected operation has its strategy. Shows the toolpath, the "
+        "Gauss map of its directions and of the vector V_k, and the cumulative angular "
+        "function.",
     )
     keys = "V, G"
 

@@ -25,7 +25,7 @@ def analyze(what) -> Report:
         If the user pressed Esc or Cancel.
     """
     note_renderer()
-    progress = _Progress(translate("Vk_Analyze", "Analyze toolpaths"), Gui.getMainWindow())
+    progress = _Progress(translate("Vk_Analyze", "Analyze Toolpaths"), Gui.getMainWindow())
     try:
         return vkworkbench.analyze(what, progress=progress.show, cancelled=progress.cancelled)
     finally:

@@ -17,7 +17,7 @@ from vkworkbench.gui.qt.names import QLocale
 from vkworkbench.language import Message, Reader, render
 
 # The English sentences are ASCII, for files and terminals. A window shows the typographic characters of the translations.
-_TYPESET = (("phi ", "φ "), ("} x {", "} × {"))
+_TYPESET = (("Phi ", "φ "), ("} x {", "} × {"))
 
 
 class User(Reader):
@@ -65,13 +65,8 @@ def sentence(message: Message) -> str:
 
 def plain_sentence(message: Message) -> str:
     """Return the sentence of a message for the user, in a machinist's words if the message has them."""
-    return render(message, user(), plain=True)
-
-
-def as_sentence(text: str) -> str:
-    """Return a text with a capital letter and a full stop. Several sentences have both already."""
-    full_stop = "。" if is_chinese(text[-1:]) else "."
-    return f"{text[:1].upper()}{text[1:]}" + ("" if text.endswith((".", "。")) else full_stop)
+    text = render(message, user(), plain=True)
+    return text[:1].upper() + text[1:]  # the sentence may begin with a part that continues other sentences
 
 
 def is_chinese(text: str) -> bool:

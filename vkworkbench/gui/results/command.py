@@ -16,10 +16,10 @@ class ResultsCommand(DocumentCommand):
     """Show the results panel, or hide it."""
 
     name = "Vk_Results"
-    menu = QT_TRANSLATE_NOOP("Vk_Results", "Toolpath results")
+    menu = QT_TRANSLATE_NOOP("Vk_Results", "Toolpath Results")
     tooltip = QT_TRANSLATE_NOOP(
         "Vk_Results",
-        "Shows the analyzed operations: strategy, machining and simulation time, and what is wrong with them.",
+        "Shows the analyzed operations with their strategies, machining times, simulation times and warnings.",
     )
     keys = "V, R"
 

@@ -25,16 +25,19 @@ class Filter(QWidget):
         self.changed: Callable[[], None] = lambda: None
         self.words = QLineEdit()
         self.words.setPlaceholderText(translate("Vk_Results", "Filter"))
-        explain(self.words, translate("Vk_Results", "Shows operations with this text in name, strategy or warnings"))
+        explain(
+            self.words,
+            translate("Vk_Results", "Shows operations that contain this text in their name, strategy or warnings."),
+        )
         self.words.setClearButtonEnabled(True)
         self.words.setMinimumWidth(80)
         self.words.textChanged.connect(lambda text: self.changed())
         self.strategies = QComboBox()
-        explain(self.strategies, translate("Vk_Results", "Shows operations of this strategy"))
+        explain(self.strategies, translate("Vk_Results", "Shows operations with this strategy."))
         self.strategies.setSizeAdjustPolicy(QComboBox.AdjustToContents)
         self.strategies.currentIndexChanged.connect(lambda number: self.changed())
-        self.warnings = QCheckBox(translate("Vk_Results", "&Warnings only"))
-        self.warnings.setToolTip(translate("Vk_Results", "Shows operations with warnings, and outdated ones"))
+        self.warnings = QCheckBox(translate("Vk_Results", "&Warnings Only"))
+        self.warnings.setToolTip(translate("Vk_Results", "Shows operations that have warnings or are outdated."))
         self.warnings.toggled.connect(lambda on: self.changed())
         row = QHBoxLayout(self)
         row.setContentsMargins(0, 0, 0, 0)
@@ -68,7 +71,7 @@ class Filter(QWidget):
             return
         self.strategies.blockSignals(True)
         self.strategies.clear()
-        self.strategies.addItem(translate("Vk_Results", "All strategies"), "")
+        self.strategies.addItem(translate("Vk_Results", "All Strategies"), "")
         for strategy in offered:
             self.strategies.addItem(strategy_name(strategy), strategy.value)
         self.strategies.setCurrentIndex(1 + offered.index(chosen) if chosen else 0)

@@ -95,8 +95,8 @@ def rows_of(findings: Iterable[Finding]) -> list[Row]:
 def _operation(finding: Finding, chosen: Preferences) -> Row:
     obj, notices = finding.operation.object, notices_of(finding.mark, chosen)
     if not finding.operation.counted and finding.operation.job is not None and not is_switched_off(finding.mark):
-        dressed = translate("Vk_Results", "not in the total: its dress-up is counted instead")
-        inactive = translate("Vk_Results", "not in the total: it is switched off")
+        dressed = translate("Vk_Results", "This operation is not included in the total, because its dress-up is.")
+        inactive = translate("Vk_Results", "This operation is not included in the total, because it is switched off.")
         notices.append(Notice(Level.NOTE, dressed if finding.operation.active else inactive))
     found = finding.report or finding.mark
     return Row(found, obj.Name, obj.Label, tuple(notices), finding.mark.outdated, finding.mark)
@@ -117,7 +117,7 @@ def _job(job, findings: list[Finding], chosen: Preferences) -> Row:
     record = replace(of_total(replace(total, costs={}), [f.mark for f in counted], ""), costs=total.costs)
     notices = notices_of(record, chosen)
     if total.operations < posted:
-        text = translate("Vk_Results", "the total of what was analyzed, not of the whole job")
+        text = translate("Vk_Results", "This total covers the analyzed operations only.")
         notices.append(Notice(Level.NOTE, text))
     rows = tuple(_operation(finding, chosen) for finding in findings)
     return Row(total, job.Name, job.Label, tuple(notices), outdated, posted=posted, rows=rows)

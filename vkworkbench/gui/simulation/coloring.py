@@ -80,7 +80,7 @@ class Coloring:
 
 def by_material(zbuffer: ZBuffer, job: Job) -> Coloring:
     return Coloring(palette(CUT), lambda: (
-        (_name(RAW), translate("Vk_Simulate", "raw")), (_name(CUT), translate("Vk_Simulate", "machined")),
+        (_name(RAW), translate("Vk_Simulate", "Raw Stock")), (_name(CUT), translate("Vk_Simulate", "Machined")),
     ))  # fmt: skip
 
 
@@ -117,8 +117,8 @@ def by_difference(zbuffer: ZBuffer, job: Job) -> Coloring:
     seen, tolerance = job.seen, job.tolerance
     if seen is None:
         return Coloring(palette(CUT), lambda: ((_name(CUT), (
-            translate("Vk_Simulate", "the model comes with the finest picture") if job.awaited
-            else translate("Vk_Simulate", "there is no closed model")
+            translate("Vk_Simulate", "The model is shown with the finest picture.") if job.awaited
+            else translate("Vk_Simulate", "There is no closed model.")
         )),))  # fmt: skip
 
     def colors(at: ZBuffer) -> np.ndarray:
@@ -128,10 +128,10 @@ def by_difference(zbuffer: ZBuffer, job: Job) -> Coloring:
     def legend() -> Entries:
         least, most = user().measure(tolerance, 2), user().measure(DEEPEST * tolerance, 2)
         return (
-            *_stations(GOUGED, translate("Vk_Simulate", "gouged by {} to {}").format(least, most)),
-            (_name(MET), translate("Vk_Simulate", "as the model")),
-            *_stations(LEFT, translate("Vk_Simulate", "left, {} to {}").format(least, most)),
-            (_name(NO_MODEL), translate("Vk_Simulate", "no model")),
+            *_stations(GOUGED, translate("Vk_Simulate", "Gouged, {} to {}").format(least, most)),
+            (_name(MET), translate("Vk_Simulate", "As the Model")),
+            *_stations(LEFT, translate("Vk_Simulate", "Stock Left, {} to {}").format(least, most)),
+            (_name(NO_MODEL), translate("Vk_Simulate", "No Model")),
         )
 
     return Coloring(colors, legend)
@@ -142,8 +142,8 @@ COLORINGS: tuple[tuple[str, Callable[[ZBuffer, Job], Coloring]], ...] = (
     (QT_TRANSLATE_NOOP("Vk_Simulate", "Operation"), by_operation),
     (QT_TRANSLATE_NOOP("Vk_Simulate", "Strategy"), by_strategy),
     (QT_TRANSLATE_NOOP("Vk_Simulate", "Time"), by_time),
-    (QT_TRANSLATE_NOOP("Vk_Simulate", "Removal rate"), by_removal_rate),
-    (QT_TRANSLATE_NOOP("Vk_Simulate", "Difference to the model"), by_difference),
+    (QT_TRANSLATE_NOOP("Vk_Simulate", "Removal Rate"), by_removal_rate),
+    (QT_TRANSLATE_NOOP("Vk_Simulate", "Difference to the Model"), by_difference),
 )
 
 

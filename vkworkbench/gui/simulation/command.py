@@ -12,7 +12,7 @@ from vkworkbench.gui.qt import widgets
 from vkworkbench.gui.qt.document_command import DocumentCommand, selected_operations
 from vkworkbench.gui.qt.names import QInputDialog, Qt
 from vkworkbench.gui.qt.plain_text import inform
-from vkworkbench.gui.qt.sentences import as_sentence, sentence
+from vkworkbench.gui.qt.sentences import sentence
 from vkworkbench.gui.qt.text import QT_TRANSLATE_NOOP, translate
 from vkworkbench.language import Unusable
 
@@ -21,11 +21,12 @@ class SimulateCommand(DocumentCommand):
     """Simulate the selected job or operations, or the job of the active document. If it has several jobs, ask for one."""
 
     name = "Vk_Simulate"
-    menu = QT_TRANSLATE_NOOP("Vk_Simulate", "Simulate toolpaths")
+    menu = QT_TRANSLATE_NOOP("Vk_Simulate", "Simulate Toolpaths")
     tooltip = QT_TRANSLATE_NOOP(
         "Vk_Simulate",
-        "Simulates the selected job or operations, or the job of the active document, and shows the part at any "
-        "moment, what made each of its surfaces, and rapid moves that cut.",
+        "Simulates the selected job or operations, or the job of the active document. "
+        "Shows the part at any moment, the operation that made each surface, and rapid "
+        "moves that cut.",
     )
     keys = "V, S"
 
@@ -45,8 +46,8 @@ def _ask_which(jobs: list) -> None:
     labels = [f"{number}. {job.Label}" for number, job in enumerate(jobs, 1)]  # two jobs may have the same label
     dialog = QInputDialog(Gui.getMainWindow())
     dialog.setAttribute(Qt.WA_DeleteOnClose)
-    dialog.setWindowTitle(translate("Vk_Simulate", "Simulate toolpaths"))
-    dialog.setLabelText(translate("Vk_Simulate", "Which job?"))
+    dialog.setWindowTitle(translate("Vk_Simulate", "Simulate Toolpaths"))
+    dialog.setLabelText(translate("Vk_Simulate", "Choose the job to simulate:"))
     dialog.setComboBoxItems(labels)
     dialog.textValueSelected.connect(lambda label: open_tab(jobs[labels.index(label)]))
     dialog.open()
@@ -60,7 +61,7 @@ def open_tab(what):
     try:
         copy = copy_job(what)
     except Unusable as error:
-        inform(translate("Vk_Simulate", "Simulate toolpaths"), as_sentence(sentence(error.what)), window)
+        inform(translate("Vk_Simulate", "Simulate Toolpaths"), sentence(error.what), window)
         return None
     tab = SimulationTab(copy)
     tab.setWindowTitle(translate("Vk_Simulate", "Simulation: {}").format(_title(copy)))

@@ -41,7 +41,7 @@ _VIEWS = (
     (QT_TRANSLATE_NOOP("Vk_Simulate", "Rear"), "Rear"),
     (QT_TRANSLATE_NOOP("Vk_Simulate", "Left"), "Left"),
     (QT_TRANSLATE_NOOP("Vk_Simulate", "Bottom"), "Bottom"),
-    (QT_TRANSLATE_NOOP("Vk_Simulate", "As the 3D view"), None),
+    (QT_TRANSLATE_NOOP("Vk_Simulate", "As in the 3D View"), None),
 )
 PART, CHIPS, BOTH = range(3)
 GAP = 4  # px between rows, and within them
@@ -73,25 +73,27 @@ class SceneBar(QWidget):
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self.views = _menu(translate("Vk_Simulate", "View"), translate("Vk_Simulate", "Where the part is seen from."))
+        self.views = _menu(
+            translate("Vk_Simulate", "View"), translate("Vk_Simulate", "Direction from which the part is viewed.")
+        )
         for text, name in _VIEWS:
             action = self.views.menu().addAction(user().translate("Vk_Simulate", text))
             action.triggered.connect(lambda *_, n=name: self.looked.emit(n))
-        self.colorings = _combo(translate("Vk_Simulate", "What the surfaces are colored by."))
+        self.colorings = _combo(translate("Vk_Simulate", "Property that colors the surfaces."))
         for text, _ in COLORINGS:
             self.colorings.addItem(user().translate("Vk_Simulate", text))
         self.chips = _combo(
-            translate("Vk_Simulate", "What the operation of this moment removes, alone or on the part.")
+            translate("Vk_Simulate", "Shows the part, the material that the current operation removes, or both.")
         )
         self.chips.addItem(translate("Vk_Simulate", "Part"))
         self.chips.addItem(translate("Vk_Simulate", "Chips"))
-        self.chips.addItem(translate("Vk_Simulate", "Part and chips"))
+        self.chips.addItem(translate("Vk_Simulate", "Part and Chips"))
         self.colorings.currentIndexChanged.connect(lambda *_: self.recolored.emit())
         self.chips.currentIndexChanged.connect(lambda *_: self.chosen.emit())
         self.legend = Legend()
         factor, unit = user().length_unit(TOLERANCE)
         self.tolerance = QDoubleSpinBox()
-        explain(self.tolerance, translate("Vk_Simulate", "Smaller differences to the model do not count."))
+        explain(self.tolerance, translate("Vk_Simulate", "Differences from the model below this value are ignored."))
         self.tolerance.setDecimals(3)
         self.tolerance.setPrefix("± ")
         self.tolerance.setSuffix(f" {unit}")
@@ -101,24 +103,24 @@ class SceneBar(QWidget):
         self.tolerance.valueChanged.connect(lambda *_: self.recolored.emit())
         self._unit = factor
         self.worst = _menu(
-            translate("Vk_Simulate", "Worst places"),
-            translate("Vk_Simulate", "Where the part differs most from the model. Choose a place to see it."),
+            translate("Vk_Simulate", "Worst Places"),
+            translate("Vk_Simulate", "Places where the part differs most from the model. Choose a place to see it."),
         )
         self.warnings = _menu(
-            "", translate("Vk_Simulate", "Crashes, gouges and fast plunges of the simulation. Choose one to see it.")
+            "", translate("Vk_Simulate", "Crashes, gouges and fast plunges in the simulation. Choose one to see it.")
         )
         bold = self.warnings.font()
         bold.setBold(True)
         self.warnings.setFont(bold)
         self.warnings.hide()
-        save = _menu(translate("Vk_Simulate", "Save"), translate("Vk_Simulate", "Save what is shown."))
+        save = _menu(translate("Vk_Simulate", "Save"), translate("Vk_Simulate", "Saves pictures or removal rates."))
         *_, self.rates = (self._saving(save.menu(), text, work) for text, work in (
             (translate("Vk_Simulate", "Picture…"), exports.save_picture),
-            (translate("Vk_Simulate", "Pictures of the whole job…"), exports.save_frames),
-            (translate("Vk_Simulate", "Removal rates…"), exports.save_rates),
+            (translate("Vk_Simulate", "Pictures of the Whole Job…"), exports.save_frames),
+            (translate("Vk_Simulate", "Removal Rates…"), exports.save_rates),
         ))  # fmt: skip
         self.rates.setEnabled(False)
-        self.rates.setToolTip(translate("Vk_Simulate", "They are known when the finest picture is there."))
+        self.rates.setToolTip(translate("Vk_Simulate", "Removal rates are available when the finest picture is ready."))
         self.controls, self.differences = QWidget(), QWidget()
         _fill(self.controls, self.views, self.colorings, None, self.warnings, self.chips, save)
         _fill(self.differences, self.tolerance, self.worst, None)
@@ -184,20 +186,20 @@ class PlayBar(QWidget):
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.play_button = SymbolButton(PLAY)
-        explain(self.play_button, translate("Vk_Simulate", "Play or pause (Space)."))
+        explain(self.play_button, translate("Vk_Simulate", "Plays or pauses the simulation (Space)."))
         self.play_button.clicked.connect(lambda *_: self.play_clicked.emit())
-        self.speeds = _combo(translate("Vk_Simulate", "How many times as fast as the machine."))
+        self.speeds = _combo(translate("Vk_Simulate", "Speed of the playback, compared with the machine."))
         for speed in _SPEEDS:
             text = translate("Vk_Simulate", "Job in {}").format(user().time(_WHOLE)) if speed is None else f"×{speed}"
-            self.speeds.addItem(text if speed != 1 else translate("Vk_Simulate", "Real time"))
+            self.speeds.addItem(text if speed != 1 else translate("Vk_Simulate", "Real Time"))
         self.speeds.setCurrentIndex(len(_SPEEDS) - 1)
         self.steps = {by: self._step(by, tooltip) for by, tooltip in (
-            (-3, translate("Vk_Simulate", "To the beginning of the operation.")),
-            (-2, translate("Vk_Simulate", "Back by one command of the program.")),
-            (-1, translate("Vk_Simulate", "Back by one trajectory.")),
-            (1, translate("Vk_Simulate", "Forward by one trajectory.")),
-            (2, translate("Vk_Simulate", "Forward by one command of the program.")),
-            (3, translate("Vk_Simulate", "To the end of the operation.")),
+            (-3, translate("Vk_Simulate", "Go to the beginning of the operation.")),
+            (-2, translate("Vk_Simulate", "Go back by one command of the program.")),
+            (-1, translate("Vk_Simulate", "Go back by one trajectory.")),
+            (1, translate("Vk_Simulate", "Go forward by one trajectory.")),
+            (2, translate("Vk_Simulate", "Go forward by one command of the program.")),
+            (3, translate("Vk_Simulate", "Go to the end of the operation.")),
         )}  # fmt: skip
         self.text = OneLine()
         self.text.setTextInteractionFlags(Qt.TextSelectableByMouse)

@@ -41,12 +41,12 @@ def save_frames(player) -> None:
 
     The pictures are saved after the finest simulation is finished.
     """
-    title = translate("Vk_Simulate", "Folder of the Pictures")
+    title = translate("Vk_Simulate", "Folder for the Pictures")
     chosen = QFileDialog.getExistingDirectory(player, title, str(Path(_proposed(player, "")).parent))
     if not chosen:
         return
-    text = translate("Vk_Simulate", "Saving the pictures when the finest is there…")
-    dialog = progress.dialog_of(translate("Vk_Simulate", "Simulate toolpaths"), text, player, delay=0)
+    text = translate("Vk_Simulate", "The pictures are saved when the finest picture is ready…")
+    dialog = progress.dialog_of(translate("Vk_Simulate", "Simulate Toolpaths"), text, player, delay=0)
     dialog.setMaximum(_FRAMES)
 
     def going_on(done: int) -> bool:
@@ -158,7 +158,7 @@ def _proposed(player, suffix: str) -> str:
 
 def _not_written(player, path: str) -> None:
     warn(
-        translate("Vk_Simulate", "Simulate toolpaths"),
+        translate("Vk_Simulate", "Simulate Toolpaths"),
         translate("Vk_Simulate", "{} cannot be written.").format(path),
         player,
     )

@@ -274,8 +274,8 @@ class Player(QWidget):
             return text
         first, end = moment.of_command(moment.noticed)
         volume = float(self.volumes[first:end].sum())
-        removed = translate("Vk_Simulate", "removes {}").format(user().volume(volume, 2))
-        return text + "   " + (removed if volume else translate("Vk_Simulate", "removes nothing"))
+        removed = translate("Vk_Simulate", "Removed: {}").format(user().volume(volume, 2))
+        return text + "   " + (removed if volume else translate("Vk_Simulate", "Nothing removed"))
 
     # Requests of the user
 
@@ -303,7 +303,7 @@ class Player(QWidget):
         if self.simulation is None:  # the shown scene comes from reading the job
             return
         if trajectory < 0:
-            self.play_bar.text.show_text(translate("Vk_Simulate", "This surface is the raw stock's."))
+            self.play_bar.text.show_text(translate("Vk_Simulate", "This is uncut stock."))
             return
         self.moment.after(trajectory)
         self._select(self.clock.cuts.source(trajectory).cut)

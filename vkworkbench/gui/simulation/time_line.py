@@ -114,7 +114,7 @@ class TimeLine(KeyedWidget):
         self.setFocusPolicy(Qt.StrongFocus)
         self.setBackgroundRole(QPalette.Base)  # so that a theme's style sheet sets the background
         self.setMouseTracking(True)
-        self.setAccessibleName(translate("Vk_Simulate", "Time line"))
+        self.setAccessibleName(translate("Vk_Simulate", "Time Line"))
 
     def show_job(self, blocks: tuple[Block, ...], total: float) -> None:
         """Show the operations of a job that takes `total` s."""

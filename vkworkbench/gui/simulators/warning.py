@@ -153,7 +153,7 @@ def watch(panel: QWidget, simulator: str) -> None:
 
 def _title(way: str, simulator: str) -> str:
     if way == better_way.OURS:
-        return translate("Vk_Simulate", "Simulate toolpaths")
+        return translate("Vk_Simulate", "Simulate Toolpaths")
     if way == simulator:
         return translate("Vk_Warning", "Fast-forward")
     return translate("Vk_Warning", "Use the {simulator}").format(simulator=user().simulator(way))

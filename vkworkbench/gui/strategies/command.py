@@ -17,11 +17,11 @@ class StrategiesCommand(DocumentCommand):
     """Switch the colours of the active document on or off."""
 
     name = "Vk_Strategies"
-    menu = QT_TRANSLATE_NOOP("Vk_Strategies", "Show strategies")
+    menu = QT_TRANSLATE_NOOP("Vk_Strategies", "Show Strategies")
     tooltip = QT_TRANSLATE_NOOP(
         "Vk_Strategies",
-        "Colors the toolpaths in the 3D view by their machining strategy, rapid moves grey. The document is not "
-        "changed.",
+        "Colors the toolpaths in the 3D view by their machining strategy, and rapid "
+        "moves gray. The document is not changed.",
     )
     keys = "V, C"
 
@@ -41,7 +41,7 @@ class StrategiesCommand(DocumentCommand):
                 "Vk_Strategies",
                 "There is no toolpath to color in this document. Create a job with operations, or import G-code.",
             )
-            inform(translate("Vk_Strategies", "Show strategies"), text, Gui.getMainWindow())
+            inform(translate("Vk_Strategies", "Show Strategies"), text, Gui.getMainWindow())
             return
         view.show(document, lambda: follow_document(FreeCAD.ActiveDocument))
 

@@ -34,7 +34,7 @@ class Legend:
         """Show the colours and names of these strategies and of rapids."""
         seen = set(strategies)
         entries = [(s.color, strategy_name(s)) for s in Strategy if s in seen]
-        entries.append((RAPID, translate("Vk_Strategies", "rapid moves")))
+        entries.append((RAPID, translate("Vk_Strategies", "Rapid Moves")))
         if entries != self._entries:
             self._entries = entries
             _fill(self._image, _painted(entries))

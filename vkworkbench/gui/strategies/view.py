@@ -129,7 +129,7 @@ class _Drawer:
                 batch.append((key, source_of(obj)))
         self._at_work = [key for key, _ in batch]
         if batch:
-            text = translate("Vk_Strategies", "Drawing strategies, operations to go: {}")
+            text = translate("Vk_Strategies", "Drawing strategies, operations left: {}")
             self._background.start(text.format(len(batch) + len(self._pending)), _work(batch), self._show, self._ended)
 
     def _show(self, result: tuple[Key, Drawing | None]) -> None:

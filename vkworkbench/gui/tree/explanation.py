@@ -5,7 +5,7 @@ from __future__ import annotations
 
 from vkworkbench.document.marks.record import Record
 from vkworkbench.gui.qt.plain_text import lines
-from vkworkbench.gui.qt.sentences import as_sentence, plain_sentence, strategy_name, user
+from vkworkbench.gui.qt.sentences import plain_sentence, strategy_name, user
 from vkworkbench.gui.qt.text import translate
 from vkworkbench.gui.tree.layout import pill_text
 from vkworkbench.gui.tree.notices import Level, Notice, notices_of
@@ -18,17 +18,21 @@ def explanation(record: Record, chosen: Preferences) -> str:
     """Return the explanation of a mark, as HTML without a paragraph."""
     texts = [f"<b>{lines(_title(record))}</b>"]
     if not is_switched_off(record):
-        texts += [lines(as_sentence(plain_sentence(reason))) for reason in record.reason]
+        texts += [lines(plain_sentence(reason)) for reason in record.reason]
     if record.trajectories:
         texts.append(lines(_machining(record)))
     names = sorted(record.costs, key=lambda name: name != chosen.simulator)
     texts += [lines(_simulation(record, name)) for name in names]
     texts += map(_notice, notices_of(record, chosen))
     if chosen.simulator not in record.costs and record.costs:
-        text = translate("Pills", "The time in the {simulator} is not known: analyze it again.")
+        text = translate("Pills", "The time in the {simulator} is not known. Analyze the operation again.")
         texts.append(f"<i>{lines(text.format(simulator=user().simulator(chosen.simulator)))}</i>")
     if record.outdated:
-        text = translate("Pills", "Outdated: toolpath, tool or stock have changed since. Analyze it again.")
+        text = translate(
+            "Pills",
+            "This result is outdated, because the toolpath, the tool or the stock has "
+            "changed. Analyze the operation again.",
+        )
         texts.append(f"<i>{lines(text)}</i>")
     return "<br>".join(texts)
 
@@ -41,18 +45,18 @@ def _notice(notice: Notice) -> str:
 def _title(record: Record) -> str:
     if record.strategy is None or not record.strategy.is_answer:
         return pill_text(record)
-    text = translate("Pills", "{strategy}, {share} sure")
+    text = translate("Pills", "{strategy}, confidence {share}")
     return text.format(strategy=strategy_name(record.strategy), share=user().share(record.confidence))
 
 
 def _machining(record: Record) -> str:
     length = user().length(record.length)
     if not record.machining_seconds:  # "at least 0 s" says nothing
-        return translate("Pills", "On the machine: {length} of cutting").format(length=length)
+        return translate("Pills", "Cutting length: {length}.").format(length=length)
     time = user().time(record.machining_seconds)
-    text = translate("Pills", "On the machine: {time}, {length} of cutting")
+    text = translate("Pills", "Machining time: {time}. Cutting length: {length}.")
     if record.left_out:
-        text = translate("Pills", "On the machine: at least {time}, {length} of cutting")
+        text = translate("Pills", "Machining time: at least {time}. Cutting length: {length}.")
     return text.format(time=time, length=length)
 
 
@@ -65,9 +69,9 @@ def _simulation(record: Record, name: str) -> str:
         if factor < ROUGH
         else reader.between(reader.time(seconds / factor, factor), reader.time(seconds * factor, factor))
     )
-    text = translate("Pills", "Simulating it alone in the {simulator}: {time}, {memory}")
+    text = translate("Pills", "Simulation time of this operation alone in the {simulator}: {time}. Memory: {memory}.")
     if record.strategy is None:
-        text = translate("Pills", "Simulating it in the {simulator}: {time}, {memory}")
+        text = translate("Pills", "Simulation time in the {simulator}: {time}. Memory: {memory}.")
     if record.incomplete:
-        text = translate("Pills", "Simulating it in the {simulator}: at least {time}, {memory}")
+        text = translate("Pills", "Simulation time in the {simulator}: at least {time}. Memory: {memory}.")
     return text.format(simulator=reader.simulator(name), time=time, memory=reader.memory(memory))

@@ -117,7 +117,7 @@ def layouts(record: Record, words: str, chosen: Preferences, metrics, most_of_re
     is_error = _is_error(record)
     has_pill = not is_error or record.strategy is None or record.strategy.is_answer
     remark = (
-        "" if is_switched_off(record) else "; ".join(map(sentence, record.remarks))
+        "" if is_switched_off(record) else " ".join(map(sentence, record.remarks))
     )  # the pill says that it is switched off
     if most_of_remark is not None:
         remark = remark[:most_of_remark]

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The table of all that is said: codes and their templates, one file for each subject.
+"""The table of all sentences: the template of each code, one file for each subject.
 
-A template is one text, or two, for one and for more, where the message counts something in its argument ``count``.
-`PLAIN` has the words of a machinist for codes whose template in `TABLE` speaks in the paper's terms.
+A template is one text. If the message has an argument ``count``, it may be two texts: the singular and the plural.
+`PLAIN` has templates in a machinist's words for codes whose template in `TABLE` uses the paper's terms.
 """
 
 from __future__ import annotations

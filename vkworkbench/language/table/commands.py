@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What could not be used of an operation's commands."""
+"""Sentences about commands that are ignored or read differently than a machine would."""
 
 from __future__ import annotations
 
@@ -7,50 +7,57 @@ from vkworkbench.language.marking import QT_TRANSLATE_NOOP
 
 COMMANDS: dict[str, str | tuple[str, str]] = {
     "in-commands": (
-        QT_TRANSLATE_NOOP("Sentences", "{sentence} (command {command:#})"),
-        QT_TRANSLATE_NOOP("Sentences", "{sentence} ({count:n} times, first at command {command:#})"),
+        QT_TRANSLATE_NOOP("Sentences", "Command {command:#}: {sentence}"),
+        QT_TRANSLATE_NOOP("Sentences", "Command {command:#} (first of {count:n}): {sentence}"),
     ),
-    "words-without-motion": QT_TRANSLATE_NOOP("Sentences", "words without a motion before them are ignored"),
-    "unusable-feed": QT_TRANSLATE_NOOP("Sentences", "a feed rate that is not a usable number is ignored"),
-    "unusable-centre": QT_TRANSLATE_NOOP("Sentences", "center words (I, J, K) that are not usable numbers are ignored"),
-    "unusable-word": QT_TRANSLATE_NOOP("Sentences", "{letter} words that are not usable numbers are ignored"),
-    "position-cut-off": QT_TRANSLATE_NOOP("Sentences", "positions beyond a kilometer are cut off there"),
-    "cycle-without-depth": QT_TRANSLATE_NOOP("Sentences", "a drilling cycle without a depth (Z) drills nothing"),
-    "cycle-without-retract": QT_TRANSLATE_NOOP("Sentences", "a drilling cycle without R starts at the current height"),
-    "cycle-outside-xy": QT_TRANSLATE_NOOP("Sentences", "a drilling cycle outside the XY plane is read as one in XY"),
-    "arc-before-start": QT_TRANSLATE_NOOP("Sentences", "an arc whose start is not known is ignored"),
-    "arc-as-line": QT_TRANSLATE_NOOP("Sentences", "an arc without a usable center or radius is read as a line"),
+    "words-without-motion": QT_TRANSLATE_NOOP("Sentences", "Words without a motion before them are ignored."),
+    "unusable-feed": QT_TRANSLATE_NOOP("Sentences", "A feed rate that is not a usable number is ignored."),
+    "unusable-centre": QT_TRANSLATE_NOOP(
+        "Sentences", "Center words (I, J, K) that are not usable numbers are ignored."
+    ),
+    "unusable-word": QT_TRANSLATE_NOOP("Sentences", "{letter} words that are not usable numbers are ignored."),
+    "position-cut-off": QT_TRANSLATE_NOOP(
+        "Sentences", "Positions farther than a kilometer from the origin are limited to a kilometer."
+    ),
+    "cycle-without-depth": QT_TRANSLATE_NOOP("Sentences", "A drilling cycle without a depth (Z) drills no hole."),
+    "cycle-without-retract": QT_TRANSLATE_NOOP("Sentences", "A drilling cycle without R starts at the current height."),
+    "cycle-outside-xy": QT_TRANSLATE_NOOP(
+        "Sentences", "A drilling cycle outside the XY plane is read as one in the XY plane."
+    ),
+    "arc-before-start": QT_TRANSLATE_NOOP("Sentences", "An arc with an unknown start is ignored."),
+    "arc-as-line": QT_TRANSLATE_NOOP("Sentences", "An arc without a usable center or radius is read as a line."),
     "arc-of-changing-radius": QT_TRANSLATE_NOOP(
-        "Sentences", "an arc whose end is not on its circle is read with a changing radius"
+        "Sentences", "An arc that does not end on its circle is read with a changing radius."
     ),
     "absolute-centres": QT_TRANSLATE_NOOP(
-        "Sentences", "the centers of arcs are read as positions (as by G90.1): only so the arcs end on their circles"
+        "Sentences", "The centers of arcs are read as positions (as with G90.1). The arcs only close this way."
     ),
-    "unknown-code": QT_TRANSLATE_NOOP("Sentences", "the unknown code {name} is ignored"),
+    "unknown-code": QT_TRANSLATE_NOOP("Sentences", "The unknown code {name} is ignored."),
     "unknown-code-with-words": QT_TRANSLATE_NOOP(
-        "Sentences", "the unknown code {name} is ignored, and with it the {letters} words of its line"
+        "Sentences", "The unknown code {name} is ignored, and the {letters} words of its line with it."
     ),
     "more-unknown-codes": (
-        QT_TRANSLATE_NOOP("Sentences", "1 more unknown code is ignored"),
-        QT_TRANSLATE_NOOP("Sentences", "{count:n} more unknown codes are ignored"),
+        QT_TRANSLATE_NOOP("Sentences", "1 more unknown code is ignored."),
+        QT_TRANSLATE_NOOP("Sentences", "{count:n} more unknown codes are ignored."),
     ),
-    # What a machine understands and is not read here.
+    # Features that a machine has and this reader ignores.
     "rotary-cuts": QT_TRANSLATE_NOOP(
-        "Sentences", "a rotary axis ({letter}) turns while the tool cuts: the path of the tool cannot be told"
+        "Sentences", "A rotary axis ({letter}) turns while the tool cuts. The tool's path is unknown here."
     ),
-    "rotary-not-read": QT_TRANSLATE_NOOP("Sentences", "turns of a rotary axis ({letter}) are not followed"),
-    "word-not-read": QT_TRANSLATE_NOOP("Sentences", "{letter} words are not read"),
-    "repeats-not-read": QT_TRANSLATE_NOOP("Sentences", "a cycle's repeats ({letter}) are not made"),
-    "turns-not-read": QT_TRANSLATE_NOOP("Sentences", "further turns of an arc (P) are not made"),
-    "inches-not-read": QT_TRANSLATE_NOOP("Sentences", "inches (G20) are not followed: lengths are read in mm"),
+    "rotary-not-read": QT_TRANSLATE_NOOP("Sentences", "Moves of a rotary axis ({letter}) are ignored."),
+    "word-not-read": QT_TRANSLATE_NOOP("Sentences", "{letter} words are ignored."),
+    "repeats-not-read": QT_TRANSLATE_NOOP("Sentences", "The repeats of a cycle ({letter}) are ignored."),
+    "turns-not-read": QT_TRANSLATE_NOOP("Sentences", "The additional turns of an arc (P) are ignored."),
+    "inches-not-read": QT_TRANSLATE_NOOP("Sentences", "Inches (G20) are ignored. Lengths are read in mm."),
     "compensation-not-read": QT_TRANSLATE_NOOP(
-        "Sentences", "cutter compensation ({name}) is not followed: the path is the programmed one"
+        "Sentences", "Cutter compensation ({name}) is ignored. The programmed path is used."
     ),
-    "feed-mode-not-read": QT_TRANSLATE_NOOP("Sentences", "feeds after {name} are not read"),
-    "dwell-untimed": QT_TRANSLATE_NOOP("Sentences", "dwells are not in the time"),
-    "probing-untimed": QT_TRANSLATE_NOOP("Sentences", "probing moves are not in the time"),
+    "feed-mode-not-read": QT_TRANSLATE_NOOP("Sentences", "Feeds after {name} are ignored."),
+    "dwell-untimed": QT_TRANSLATE_NOOP("Sentences", "Dwell times are not included in the machining time."),
+    "probing-untimed": QT_TRANSLATE_NOOP("Sentences", "Probing moves are not included in the machining time."),
     "too-many-moves": QT_TRANSLATE_NOOP(
         "Sentences",
-        "the arcs and cycles would need {moves:n} moves at a tolerance of {tolerance:mm}; use a larger tolerance",
+        "The arcs and cycles would need {moves:n} moves at a tolerance of "
+        "{tolerance:mm}. Choose a larger tolerance in the preferences.",
     ),
 }
