@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The tab of *Simulate toolpaths* beside FreeCAD's own simulators, on the same jobs, in real windows.
+"""The tab of *Simulate Toolpaths* beside FreeCAD's own simulators, on the same jobs, in real windows.
 
     benchmarks/in_window.sh simulation_tab [0.20.2|1.0.0|1.1.3]
 

@@ -37,7 +37,7 @@ START, EACH = 0.5, 50e-6  # s
 
 STOCK = Stock((-10, -10, -20), (60, 60, 0))
 VIEWS = {name: View(direction, width=80, height=60) for name, direction in DIRECTIONS.items()}
-REFUSALS = "tolerance must be", "the arcs and cycles would need"  # the documented ValueErrors
+REFUSALS = "tolerance must be", "The arcs and cycles would need"  # the documented ValueErrors
 
 CODES = ["G0", "G1", "G2", "G3", "G00", "G01", "g1", "G17", "G18", "G19", "G20", "G21", "G38.2", "G40", "G43", "G54",
          "G73", "G80", "G81", "G82", "G83", "G85", "G89", "G90", "G91", "G90.1", "G91.1", "G94", "G98", "G99",

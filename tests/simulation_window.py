@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Helpers of the tests that open the tab of *Simulate toolpaths*, share it, wait for it, and drag in it."""
+"""Helpers of the tests that open the tab of *Simulate Toolpaths*, share it, wait for it, and drag in it."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ from vkworkbench import preferences
 from vkworkbench.gui.qt import docks
 from vkworkbench.gui.simulation.tab import SimulationTab
 
-COMMAND = "Simulate toolpaths"
+COMMAND = "Simulate Toolpaths"
 # Without a graphics card, each change in FreeCAD's window costs in proportion to all pixels of the window.
 WHOLE = 1024, 700  # px, size of the window for the whole job, as in the documents
 SMALL = 860, 560  # px, size of the window for smaller jobs

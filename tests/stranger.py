@@ -37,7 +37,7 @@ def main() -> int:
     window.idle(3.0)
 
     Gui.SendMsgToActiveView("ViewFit")
-    step(window, "Analyze toolpaths", "Vk_Analyze")
+    step(window, "Analyze Toolpaths", "Vk_Analyze")
     window.wait(lambda: marks.is_marked(document.getObject("Job")), 60)
     window.idle(1.0)
     said = window.dismiss()
@@ -46,21 +46,21 @@ def main() -> int:
     window.screenshot("stranger-1-marks")
     assert window.descriptions()["Face"].startswith("⟦zigzag")
 
-    assert is_shown(window, "Toolpath results")
+    assert is_shown(window, "Toolpath Results")
 
     Gui.Selection.clearSelection()
     Gui.Selection.addSelection(document.getObjectsByLabel("Face")[0])
-    step(window, "Gauss map", "Vk_GaussMap")
-    window.wait(lambda: is_shown(window, "Gauss map"))
+    step(window, "Gauss Map", "Vk_GaussMap")
+    window.wait(lambda: is_shown(window, "Gauss Map"))
     window.idle(2.0)
     window.screenshot("stranger-2-gauss-map")
 
     Gui.Selection.clearSelection()
-    step(window, "Show strategies", "Vk_Strategies")
+    step(window, "Show Strategies", "Vk_Strategies")
     window.idle(2.0)
     window.screenshot("stranger-3-strategies")
 
-    step(window, "Simulate toolpaths", "Vk_Simulate")
+    step(window, "Simulate Toolpaths", "Vk_Simulate")
     window.wait(lambda: tabs(window))
     (tab,) = tabs(window)
     player = shown(tab, window)

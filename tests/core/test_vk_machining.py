@@ -98,17 +98,21 @@ def test_unknown_rapid_speeds_are_named_and_left_out():
     both = machining(linearize(commands))
     assert both.rapid_seconds is None and both.seconds == pytest.approx(1)
     assert both.notes == (
-        "104 mm of rapids are not in the time because the tool controller's HorizRapid and VertRapid are 0",
+        "The machining time does not include 104 mm of rapids, because the tool controller's HorizRapid and VertRapid are 0.",
     )
     one = machining(linearize(commands), horizontal_rapid=50.0)
     assert one.rapid_seconds == pytest.approx(2)
-    assert one.notes == ("4 mm of rapids are not in the time because the tool controller's VertRapid is 0",)
+    assert one.notes == (
+        "The machining time does not include 4 mm of rapids, because the tool controller's VertRapid is 0.",
+    )
     level = machining(linearize([*commands[:2], ("G1", {"Z": 0.0, "F": 1.0})]))  # no rapid asks for the other one
-    assert level.notes == ("100 mm of rapids are not in the time because the tool controller's HorizRapid is 0",)
+    assert level.notes == (
+        "The machining time does not include 100 mm of rapids, because the tool controller's HorizRapid is 0.",
+    )
     none = machining(linearize(commands), controller=False)
     assert none.rapid_seconds is None
     assert none.notes == (
-        "104 mm of rapids are not in the time because the operation has no tool controller: give it one with rapid speeds",
+        "The machining time does not include 104 mm of rapids, because the operation has no tool controller. Give it one with rapid speeds.",
     )
 
 
@@ -134,7 +138,7 @@ def test_moves_without_a_feed_are_named_and_left_out():
     commands = [("G0", {"X": 0.0, "Y": 0.0, "Z": 0.0}), ("G1", {"X": 30.0}), ("G1", {"X": 80.0, "F": 5.0})]
     some = machining(linearize(commands))
     assert some.cutting_seconds == pytest.approx(10)
-    assert some.notes == ("30 mm of cutting in 1 move without a feed rate are not in the time",)
+    assert some.notes == ("The machining time does not include 30 mm of cutting in 1 move without a feed rate.",)
     none = machining(linearize(commands[:2]))
     assert none.cutting_seconds is None and none.seconds is None and none.cutting_length == 30
 

@@ -58,10 +58,10 @@ def test_a_part_holds_what_lies_between_its_ends_and_no_problems():
 def test_problem_has_first_command_and_count():
     (problem,) = linearize([*COMMANDS, ("G999", {})]).problems
     assert problem == Problem(10, problem.what, 2) and not problem.of_time
-    assert problem.message == "the unknown code 'G999' is ignored"
+    assert problem.message == "The unknown code 'G999' is ignored."
     assert problem.remark == Message("in-commands", sentence=problem.what, count=2, command=11)
-    assert str(problem) == "the unknown code 'G999' is ignored (2 times, first at command 11)"  # counted from 1
-    assert str(Problem(4, problem.what)) == "the unknown code 'G999' is ignored (command 5)"
+    assert str(problem) == "Command 11 (first of 2): The unknown code 'G999' is ignored."  # counted from 1
+    assert str(Problem(4, problem.what)) == "Command 5: The unknown code 'G999' is ignored."
     assert not problem.takes_time
 
 

@@ -69,7 +69,7 @@ def test_a_dressed_up_operation_is_not_counted_again(report):
 def test_table_names_every_operation_and_the_total(report):
     lines = str(report).splitlines()
     assert len(lines) == len(report.operations) + 4
-    assert lines[0].split()[:4] == ["operation", "strategy", "sure", "moves"]  # the words of the panel
+    assert lines[0].split()[:4] == ["operation", "strategy", "confidence", "moves"]  # the words of the panel
     for o in report.operations:
         (line,) = [line for line in lines if line.split("  ")[0].strip("()") == o.label]
         assert o.strategy.value in line and f"{o.trajectories:,}" in line
@@ -161,7 +161,7 @@ def test_what_can_be_analyzed(small, zigzag_commands):
     with pytest.raises(TypeError, match="not str"):
         vkworkbench.analyze([second, "Job"])
     (missing,) = vkworkbench.analyze("Job").operations  # a name is that of a file
-    assert missing.error == "the file cannot be read: No such file or directory"
+    assert missing.error == "The file cannot be read: No such file or directory."
 
 
 def test_no_document(small):
@@ -321,7 +321,7 @@ def test_a_stop_needs_no_tool(small):
 def test_an_operation_with_a_tool_that_moves_nothing_is_told(small):
     small.add("Drill", [("(Drill)", {}), ("G90", {}), ("G80", {})])
     (drill,) = vkworkbench.analyze(small.document).operations
-    assert drill.strategy == "empty" and drill.error == "no cutting move in its toolpath"
+    assert drill.strategy == "empty" and drill.error == "The toolpath has no cutting move."
     assert "0 ms" not in str(vkworkbench.analyze(small.document)).splitlines()[2]
 
 
@@ -329,9 +329,9 @@ BAD_PATHS = {
     "Empty": ([], "no toolpath"),
     "Rapids": ([("G0", {"X": 1.0, "Y": 1.0, "Z": 1.0}), ("G0", {"X": 9.0})], "no cutting move"),
     "NaN": ([*[("G0", {"X": 0.0, "Y": 0.0, "Z": 1.0}), ("G1", {"X": 9.0}), ("G1", {"X": float("nan"), "Y": 4.0})]],
-            "X words that are not usable numbers are ignored (command 3)"),
+            "Command 3: X words that are not usable numbers are ignored."),
     "Unknown": ([("G0", {"X": 0.0, "Y": 0.0, "Z": 1.0}), ("G1", {"X": 9.0}), ("G123", {"X": 5.0})],
-                "the unknown code 'G123' is ignored"),
+                "The unknown code 'G123' is ignored."),
     "No centre": ([("G0", {"X": 0.0, "Y": 0.0, "Z": 1.0}), ("G1", {"X": 9.0}), ("G2", {"X": 5.0, "Y": 4.0})],
                   "arc without a usable center"),
 }  # fmt: skip
@@ -386,8 +386,8 @@ def test_labels_in_remarks_are_arguments_of_their_codes(small, zigzag_commands, 
         ),
     )
     assert row.error == (
-        f"{label}: the tool's diameter must be a positive number of at most a kilometer, not 0 mm; "
-        f"the unknown code 'G123' is ignored (command {len(zigzag_commands) + 1})"
+        f"{label}: The tool's diameter must be a positive number of at most a kilometer, not 0 mm. "
+        f"Command {len(zigzag_commands) + 1}: The unknown code 'G123' is ignored."
     )
     report.to_csv(tmp_path / "r.csv")
     report.to_json(tmp_path / "r.json")
@@ -417,7 +417,7 @@ def test_a_tool_whose_diameter_is_no_number():
     class Operation:
         Name, ToolController = "Op", Controller
 
-    with pytest.raises(ValueError, match="the tool in Odd has no diameter"):
+    with pytest.raises(ValueError, match="The tool in Odd has no diameter"):
         read_tool(Operation)
 
 
@@ -572,7 +572,7 @@ def test_rapids_without_a_tool_controller_are_not_blamed_on_one(small, zigzag_co
     small.add("Without", zigzag_commands, controller=None)
     told = {o.label: o.machining.notes for o in vkworkbench.analyze(small.document).operations}
     assert "tool controller's VertRapid is 0" in told["With"][0]
-    assert "has no tool controller: give it one" in told["Without"][0] and "VertRapid" not in told["Without"][0]
+    assert "has no tool controller. Give it one" in told["Without"][0] and "VertRapid" not in told["Without"][0]
 
 
 @pytest.mark.parametrize("fixtures, count", [(["G54"], 1), (["G54", "G55", "G59"], 3), ([], 1)])

@@ -224,7 +224,7 @@ def test_too_many_moves_are_said(small, zigzag_commands, monkeypatch):
     )
     small.add("Sound", zigzag_commands)
     found = rows(small.document)
-    assert "use a larger tolerance" in found["Arcs"].error and found["Sound"].error is None
+    assert "Choose a larger tolerance" in found["Arcs"].error and found["Sound"].error is None
 
 
 @pytest.mark.parametrize("diameter", [1e300, 1e-300, 1e6, -5, float("nan"), float("inf")])

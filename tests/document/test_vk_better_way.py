@@ -56,14 +56,17 @@ def test_nothing_is_said_within_the_budget():
 def test_a_long_play_has_its_fast_forward():
     found = better_way("legacy", [record(play=6120.0, forward=34.0)], BUDGET)
     assert found.way == "legacy"
-    assert said(found) == "Playing this takes about 1.7 h in the legacy simulator. Fast-forward takes about 34 s."
+    assert (
+        said(found)
+        == "Playing this simulation takes about 1.7 h in the legacy simulator. Fast-forward takes about 34 s."
+    )
 
 
 def test_the_opengl_simulator_gives_way_to_the_legacy_one():
     found = better_way("OpenGL", [record(opengl=6120.0, play=6120.0, forward=34.0)], BUDGET)
     assert found.way == "legacy"
     assert said(found) == (
-        "Playing this takes about 1.7 h in the OpenGL simulator. The legacy simulator in fast-forward: about 34 s."
+        "Playing this simulation takes about 1.7 h in the OpenGL simulator. Fast-forward in the legacy simulator takes about 34 s."
     )
 
 
@@ -90,7 +93,10 @@ def test_in_a_freecad_without_the_opengl_simulator(monkeypatch):
 @pytest.mark.parametrize("other", [None, record("Old", outdated=True), replace(record(), costs={})])
 def test_what_is_not_known_makes_it_the_least(other):
     found = better_way("legacy", [record(play=6120.0, forward=34.0), other], BUDGET)
-    assert said(found) == "Playing this takes at least 1.7 h in the legacy simulator. Fast-forward takes at least 34 s."
+    assert (
+        said(found)
+        == "Playing this simulation takes at least 1.7 h in the legacy simulator. Fast-forward takes at least 34 s."
+    )
 
 
 def test_of_several_one_that_is_known_in_part_makes_it_the_least():

@@ -340,7 +340,7 @@ def test_open_transaction(small, zigzag_commands):
     op.Label = "Renamed"
     vkworkbench.clear(document)
     document.commitTransaction()
-    assert document.UndoNames == ["Again", "Analyze toolpaths"]
+    assert document.UndoNames == ["Again", "Analyze Toolpaths"]
     document.undo()
     assert op.Label == "Zigzag" and marks.is_marked(op)
     document.undo()

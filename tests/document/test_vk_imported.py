@@ -15,7 +15,7 @@ from vkworkbench.document.job.recognition import source_of
 
 ROWS = "".join(f"G1 X{2 * (k % 2) + 0.1:.4f} Y{0.1 * k + 0.1:.4f}\nG1 Y{0.1 * (k + 1) + 0.1:.4f}\n" for k in range(12))
 PROGRAM = f"G20\nM6 T1\nG0 X0.1 Y0.1 Z1.5\nG1 Z0.7 F20\n{ROWS}G0 Z1.5\n"
-TOO_SMALL = "it looks 25.4 times too small: inches read as millimeters?"
+TOO_SMALL = "The toolpath looks 25.4 times too small. Inches are probably read as millimeters."
 
 
 def importer():

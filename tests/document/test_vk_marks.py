@@ -78,7 +78,7 @@ def test_codes_of_a_mark(small, zigzag_commands, label):
     assert op.Remarks.startswith(o.error) and small.controller.Label in op.Remarks
     assert "⚠" in op.Label2 and op.Label2.count("⟦") == op.Label2.count("⟧") == 1
     assert marks.read(small.job).remarks == (Message("cost-unknown", labels=["Zigzag"]),)
-    assert small.job.Remarks == "cost unknown for Zigzag" and marks.read(small.job).reason == ()
+    assert small.job.Remarks == "The simulation cost of Zigzag is unknown." and marks.read(small.job).reason == ()
 
 
 def test_codes_survive_a_file(small, zigzag_commands, tmp_path):
@@ -235,14 +235,14 @@ def test_one_undo_step_and_clear_leave_no_trace(example):
     count = example.UndoCount
     vkworkbench.mark(vkworkbench.analyze(example))
     after = state()
-    assert example.UndoNames[0] == "Analyze toolpaths" and example.UndoCount == count + 1
+    assert example.UndoNames[0] == "Analyze Toolpaths" and example.UndoCount == count + 1
     assert job.Label2.startswith("the user's own words ⟦")
     example.undo()
     assert state() == before
     example.redo()
     assert state() == after
     assert vkworkbench.clear(example) == len(after) - sum(after[name] == before[name] for name in after)
-    assert state() == before and example.UndoNames[0] == "Clear analysis"
+    assert state() == before and example.UndoNames[0] == "Clear Analysis"
     example.undo()
     assert state() == after
 
@@ -347,7 +347,7 @@ def test_two_documents_have_an_undo_step_each(small, zigzag_commands):
         other.UndoMode = 1
         other.copyObject(small.document.getObject("Op"), False)
         vkworkbench.mark(vkworkbench.analyze([small.document, other]))
-        assert small.document.UndoNames[0] == other.UndoNames[0] == "Analyze toolpaths"
+        assert small.document.UndoNames[0] == other.UndoNames[0] == "Analyze Toolpaths"
         small.document.undo()
         assert not marked(small.document) and len(marked(other)) == 1
     finally:

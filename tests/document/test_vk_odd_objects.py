@@ -90,7 +90,7 @@ def test_tool_controllers(sound, zigzag_commands, name, type_id):
     controller = bare(sound, "Controller")
     Odd(controller, name, type_id, VALUES[type_id])
     row = odd_row(sound, operation(sound, zigzag_commands, controller))
-    assert row.strategy == "zigzag" and ("no tool" in row.error or "no diameter" in row.error)
+    assert row.strategy == "zigzag" and ("no tool." in row.error or "no diameter" in row.error)
     assert row.machining.left_out
 
 

@@ -34,7 +34,9 @@ def test_a_fault_is_told_with_its_operation(small):
     expected = {"count": 2, "command": 2, "fault": CRASH}
     assert told(small) == {"First": [], "Second": [expected]} == told(small)
     (row,) = vkworkbench.analyze(small.document.getObjectsByLabel("Second")[0]).operations
-    assert "2 commands are wrong, among them 2: a rapid move removes 22 mm³" in row.error
+    assert (
+        "The simulation shows faults at 2 commands, for example at command 2: A rapid move removes 22 mm³." in row.error
+    )
 
 
 def test_it_is_gone_when_its_toolpath_changed_or_one_before_it(small):

@@ -97,7 +97,7 @@ def test_where_no_image_is_named_the_finest_that_fits_is_taken_and_told(small):
         assert 0.4 < frame.width / usual.width < 0.8 and frame.height == pytest.approx(frame.width * 3 / 4, abs=1)
         assert render(remark) == f"{frame.width} x {frame.height} pixels of {frame.pixel:.2f} mm, limited by the memory"
     assert vkworkbench.simulate(small.job, memory_budget=2 * needed).job.remarks == ()
-    with pytest.raises(OverBudget, match=r"choose an image of 4\d\d x \d+ pixels"):
+    with pytest.raises(OverBudget, match=r"Choose an image of 4\d\d x \d+ pixels"):
         vkworkbench.simulate(small.job, view=usual, memory_budget=needed / 2)
     # Nobody would recognise much in so coarse an image.
     with pytest.raises(OverBudget) as refused:
@@ -127,7 +127,7 @@ def test_it_refuses_what_cannot_be(small):
     with pytest.raises(Unusable, match="nothing to simulate"):
         vkworkbench.simulate(small.job)
     op = small.add("First", slot(10.0))
-    with pytest.raises(OverBudget, match="allowed: simulate fewer operations at a time"):
+    with pytest.raises(OverBudget, match=r"limit\. Simulate fewer operations at a time"):
         vkworkbench.simulate(op, memory_budget=1e6)
     with pytest.raises(TypeError, match="only a document, a job or operations have toolpaths, not int"):
         vkworkbench.simulate(7)
@@ -279,7 +279,7 @@ def test_what_is_not_read_of_a_toolpath_is_told(small):
     assert [operation.label for operation in done.job.operations] == ["Odd"]
     odd, turned, nowhere = map(render, done.job.remarks)
     assert odd.startswith("Odd: ") and "G999" in odd
-    assert turned.startswith("Turned: ") and "the path of the tool cannot be told" in turned
+    assert turned.startswith("Turned: ") and "The tool's path is unknown here." in turned
     assert nowhere.startswith("Lost: ") and "X words that are not usable numbers" in nowhere
     with pytest.raises(Unusable, match="Lost: X words that are not usable numbers"):
         vkworkbench.simulate(lost)

@@ -97,7 +97,7 @@ class Window:
                 dock.setVisible(shown[dock.objectName()])
                 dock.raise_()  # in 1.x the task panel may cover the tree
         for bar in self.find(QtGui.QToolBar):
-            if bar.objectName() == "Toolpath analysis":  # a row of its own, where it has room for all its buttons
+            if bar.objectName() == "Toolpath Analysis":  # a row of its own, where it has room for all its buttons
                 self.main.insertToolBarBreak(bar)
         self.settle()
 
@@ -124,8 +124,8 @@ class Window:
         QTest.mouseClick(self.button(text), QtCore.Qt.LeftButton)
 
     def analyze(self, document):
-        """Click *Analyze toolpaths* on the example job, and wait for its marks."""
-        self.click("Analyze toolpaths")
+        """Click *Analyze Toolpaths* on the example job, and wait for its marks."""
+        self.click("Analyze Toolpaths")
         self.wait(lambda: document.getObject("Job").Label2)
         self.settle()
 
@@ -265,7 +265,7 @@ def marked(opened, kept_document, window):
         window.tree.expandAll()
         kept_document.has_marks()
     elif not any(map(docks.is_seen, window.find(QtGui.QDockWidget, docks.RESULTS))):
-        window.click("Toolpath results")
+        window.click("Toolpath Results")
     window.settle()
     return opened
 

@@ -25,7 +25,7 @@ def test_the_first_click_marks_the_job_and_shows_the_column(opened, window):
     FreeCAD.ParamGet("User parameter:BaseApp/Preferences/Mod/VkWorkbench").RemBool("DescriptionShown")
     if freecad.version() >= (1, 0):
         FreeCAD.ParamGet("User parameter:BaseApp/Preferences/TreeView").SetBool("HideColumn", True)
-    window.click("Analyze toolpaths")
+    window.click("Analyze Toolpaths")
     window.wait(lambda: marked(opened))
     window.wait(lambda: not window.tree.isColumnHidden(1) and window.tree.columnWidth(1) > 100)
     # As many as have a sign in the results: for the time that the OpenGL simulator takes for arcs, for example.
@@ -33,8 +33,8 @@ def test_the_first_click_marks_the_job_and_shows_the_column(opened, window):
     told = sum(row.is_warned for row in rows)
     count = vkworkbench.analyze(opened).totals[0].operations
     assert f"⟦{count} operations" in opened.getObject("Job").Label2
-    warned = f", {told} has a warning" if told == 1 else f", {told} have warnings" if told else ""
-    assert window.main.statusBar().currentMessage() == f"{count} operations analyzed{warned}"
+    warned = f" {told} has a warning." if told == 1 else f" {told} have warnings." if told else ""
+    assert window.main.statusBar().currentMessage() == f"{count} operations were analyzed.{warned}"
     texts = window.dismiss()
     # Only where the column was hidden is there anything to say.
     assert [("Description column" in text) for text in texts] == ([] if freecad.version() < (1, 0) else [True])
@@ -47,12 +47,12 @@ def test_the_first_click_marks_the_job_and_shows_the_column(opened, window):
 
     Gui.runCommand("Std_Undo")
     window.wait(lambda: not marked(opened))
-    window.click("Analyze toolpaths")
+    window.click("Analyze Toolpaths")
     window.wait(lambda: marked(opened))
     assert window.dismiss() == []  # said once
-    window.click("Clear analysis")
+    window.click("Clear Analysis")
     window.wait(lambda: not marked(opened))
-    assert "marks removed" in window.main.statusBar().currentMessage()
+    assert "marks were removed." in window.main.statusBar().currentMessage()
 
 
 def test_a_very_long_name_does_not_push_the_marks_out_of_sight(opened, window):
@@ -73,7 +73,7 @@ def test_a_very_long_name_does_not_push_the_marks_out_of_sight(opened, window):
     window.settle()
     assert view.columnWidth(0) == wider
     face.Label = "Face"
-    window.click("Analyze toolpaths")
+    window.click("Analyze Toolpaths")
     window.wait(lambda: header.sectionResizeMode(0) == before and view.columnWidth(0) < 300)
 
 
@@ -89,13 +89,13 @@ def test_the_tree_is_brought_before_the_tasks(opened, window):
             tabs.setCurrentIndex(1)
     trees = tree.trees()
     window.wait(lambda: all(view.visibleRegion().isEmpty() for view in trees))
-    window.click("Analyze toolpaths")
+    window.click("Analyze Toolpaths")
     window.wait(lambda: marked(opened))
     window.wait(lambda: any(not view.visibleRegion().isEmpty() for view in trees))
 
 
 def test_the_click_and_the_macro_give_the_same_numbers(opened, window):
-    window.click("Analyze toolpaths")
+    window.click("Analyze Toolpaths")
     window.wait(lambda: marked(opened))
     for o in vkworkbench.analyze(opened).operations:
         obj = opened.getObject(o.name)
@@ -106,7 +106,7 @@ def test_the_click_and_the_macro_give_the_same_numbers(opened, window):
 def test_selected_operations_only(opened, window):
     face = opened.getObjectsByLabel("Face")[0]
     Gui.Selection.addSelection(face)
-    window.click("Analyze toolpaths")
+    window.click("Analyze Toolpaths")
     window.wait(lambda: marked(opened))
     assert marked(opened) == [face]
 
@@ -114,11 +114,11 @@ def test_selected_operations_only(opened, window):
 def test_nothing_to_analyze_is_said(window):
     document = FreeCAD.newDocument("Empty")
     window.activate("VkWorkbench")
-    window.click("Analyze toolpaths")
+    window.click("Analyze Toolpaths")
     window.wait(window.boxes)
     assert ["no operation" in text for text in window.dismiss()] == [True]
     FreeCAD.closeDocument(document.Name)
-    window.wait(lambda: not window.button("Analyze toolpaths").isEnabled())
+    window.wait(lambda: not window.button("Analyze Toolpaths").isEnabled())
     Gui.runCommand("Vk_Analyze")  # what a macro could still do
     Gui.runCommand("Vk_Clear")
 
@@ -163,7 +163,7 @@ def test_esc_cancels_and_changes_nothing(opened, window):
             QtCore.QTimer.singleShot(20, press_esc)
 
     QtCore.QTimer.singleShot(20, press_esc)
-    window.click("Analyze toolpaths")
+    window.click("Analyze Toolpaths")
     window.settle()
     assert pressed and pressed[0]  # the operation's name
     assert "cancelled" in window.main.statusBar().currentMessage()
@@ -177,24 +177,24 @@ def menu_texts(menu):
 
 def test_guests_in_freecads_own_workbench(opened, window):
     window.activate(CAM)
-    assert window.button("Analyze toolpaths").isVisible() and window.button("Clear analysis").isVisible()
+    assert window.button("Analyze Toolpaths").isVisible() and window.button("Clear Analysis").isVisible()
     menus = [m for m in window.find(QtGui.QMenu) if m.title().replace("&", "") in ("CAM", "Path")]
-    assert {"Analyze toolpaths", "Clear analysis"} <= set(menu_texts(menus[0]))
+    assert {"Analyze Toolpaths", "Clear Analysis"} <= set(menu_texts(menus[0]))
     own_toolbars = [t for t in window.find(QtGui.QToolBar) if t.isVisible()]
     assert len(own_toolbars) > 5  # the workbench's own are still there
-    window.click("Analyze toolpaths")
+    window.click("Analyze Toolpaths")
     window.wait(lambda: marked(opened))
 
 
 def test_resources_of_the_commands(window):
     window.activate("VkWorkbench")
-    for name in ("Analyze toolpaths", "Clear analysis"):
+    for name in ("Analyze Toolpaths", "Clear Analysis"):
         action = window.button(name).defaultAction()
         assert not action.icon().isNull() and action.toolTip() and action.statusTip()
 
 
 def test_an_edit_shows_outdated_in_the_tree(opened, window):
-    window.click("Analyze toolpaths")
+    window.click("Analyze Toolpaths")
     window.wait(lambda: marked(opened))
     drill = opened.getObjectsByLabel("Drill holes")[0]
     opened.openTransaction("Depth")

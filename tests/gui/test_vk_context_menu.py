@@ -13,7 +13,7 @@ from vkworkbench import freecad
 from vkworkbench.document.marks import marks
 
 CAM = "PathWorkbench" if freecad.version() < (1, 0) else "CAMWorkbench"
-OURS = {"Analyze toolpaths", "Clear analysis", "Toolpath results", "Show strategies", "Gauss map"}
+OURS = {"Analyze Toolpaths", "Clear Analysis", "Toolpath Results", "Show Strategies", "Gauss Map"}
 
 
 @pytest.fixture(scope="module", params=["VkWorkbench", CAM])
@@ -119,6 +119,6 @@ def test_they_do_not_come_on_a_model_and_a_tool(tree):
 
 def test_an_entry_does_what_it_says(tree, window):
     tree.click("Imported", 1)
-    tree.menu_of("Imported", choose="Analyze toolpaths")
+    tree.menu_of("Imported", choose="Analyze Toolpaths")
     document = tree.document
     window.wait(lambda: [obj.Label for obj in document.Objects if marks.is_marked(obj)] == ["Imported"])

@@ -142,7 +142,7 @@ def test_the_job_is_opened_once(untouched, opened, window):
     operations = cell(window, "Face").parent()
     assert window.tree.isExpanded(job.sibling(job.row(), 0)) and window.tree.isExpanded(operations)
     window.tree.collapseAll()  # from then on it is the user's own
-    window.click("Analyze toolpaths")
+    window.click("Analyze Toolpaths")
     window.settle()
     assert not window.tree.isExpanded(cell(window, "Face").parent())
 

@@ -82,7 +82,7 @@ def view(opened, window):
     """The view, opened by its button unless the test before left it open, with a zigzag selected."""
     select(labelled(opened, "Face"))
     if not any(dock.isVisible() for dock in window.find(QtGui.QDockWidget, "VkGaussMap")):
-        window.click("Gauss map")
+        window.click("Gauss Map")
     view = View(window)
     window.wait(lambda: view.title.text().startswith("Face") and not view.dock._background.works)
     return view
@@ -112,7 +112,7 @@ def test_it_follows_the_selection(view, opened, window):
     assert same(view.picture(), shown)  # nothing selected: it stays
 
     select(labelled(opened, "Drill holes"))
-    window.wait(lambda: "no move cuts sideways" in view.title.text())
+    window.wait(lambda: "No move cuts sideways" in view.title.text())
     assert not view.canvas.isVisible() and not view.slider.isVisible()
     select(labelled(opened, "Adaptive pocket"))
     window.wait(view.canvas.isVisible)
@@ -125,7 +125,7 @@ def test_an_operation_that_is_switched_off_says_so(view, opened, window):
     face.Active = False
     opened.recompute()
     window.wait(lambda: "switch it on" in view.title.text())
-    assert view.title.text().startswith("Face: switched off") and not view.canvas.isVisible()
+    assert view.title.text().startswith("Face: The operation is switched off.") and not view.canvas.isVisible()
     face.Active = True
     opened.recompute()
     window.wait(view.canvas.isVisible)
@@ -183,12 +183,12 @@ def test_an_edit_is_shown(view, opened, window):
 
 
 def test_hidden_it_does_nothing_and_shown_again_it_is_up_to_date(view, opened, window):
-    window.click("Gauss map")
+    window.click("Gauss Map")
     assert not view.dock.isVisible()
     select(labelled(opened, "Bore"))
     window.settle()
     assert view.title.text().startswith("Face")
-    window.click("Gauss map")
+    window.click("Gauss Map")
     window.wait(lambda: view.title.text().startswith("Bore"))
 
 
@@ -362,8 +362,8 @@ def test_the_numbers_are_those_of_mark_and_table(view, opened, window, label, tm
     first, second, *rest = view.title.text().split("\n")
     (third,) = rest or [second]
     assert not rest or second not in third  # nothing is said twice
-    assert first == f"{label}: {found.strategy.value} {found.confidence:.0%}, {found.reason.replace('phi', 'φ')}"
-    assert "φ" in first and "phi" not in view.title.text()  # one name for it, wherever it stands
+    assert first == f"{label}: {found.strategy.value} {found.confidence:.0%}. {found.reason.replace('Phi', 'φ')}"
+    assert "φ" in first and "phi" not in view.title.text().lower()  # one name for it, wherever it stands
     assert f"level n = {row['level']}," in second
     assert second.startswith("φ between {} and {} turns".format(*map(ENGLISH.turns, found.phi_range)))
     # What is drawn goes exactly as far as what is said of the area, its closing turn included.

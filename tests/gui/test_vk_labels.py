@@ -35,11 +35,11 @@ def test_gauss_map_shows_labels_as_text(opened, window):
     face.Label = HTML
     Gui.Selection.clearSelection()
     Gui.Selection.addSelection(face)
-    window.click("Gauss map")
+    window.click("Gauss Map")
     title = window.first(QtGui.QDockWidget, "VkGaussMap").title
     window.wait(lambda: title.text().startswith(HTML))
     assert title.textFormat() == QtCore.Qt.PlainText
-    window.click("Gauss map")
+    window.click("Gauss Map")
 
 
 @pytest.fixture
@@ -64,7 +64,7 @@ def test_tooltips_show_labels_as_text(opened, window, trap):
     face.Label = trap
     face.ToolController.Label = f"{trap} tool"
     face.ToolController.Tool.Diameter = 0
-    window.click("Analyze toolpaths")
+    window.click("Analyze Toolpaths")
     window.wait(lambda: "⟦" in face.Label2)
     window.dismiss()
     model = window.first(QtGui.QDockWidget, "VkResults").model

@@ -79,7 +79,7 @@ def cancel(window, order, number, beats):
     timer.timeout.connect(beat)
     timer.start(10)
     RESULTS.clear()
-    window.click("Analyze toolpaths")
+    window.click("Analyze Toolpaths")
     timer.stop()
     assert pressed, "the analysis was over before Esc"
     assert "cancelled" in window.main.statusBar().currentMessage()

@@ -61,7 +61,7 @@ def test_esc_ends_the_measurement_and_with_it_the_analysis(opened, window, never
     monkeypatch.setattr(calibration, "measure_speed", endless)
     undo, labels = opened.UndoCount, []
     timer = pressing_escape(window, labels, "measuring")
-    window.click("Analyze toolpaths")
+    window.click("Analyze Toolpaths")
     timer.stop()
     assert set(labels) == {"Measuring how fast this computer simulates…"}
     assert "cancelled" in window.main.statusBar().currentMessage() and dialog() is None

@@ -24,7 +24,7 @@ from vkworkbench.document.marks.text import Burden, burden, is_warned, time_of
 from vkworkbench.gui.qt import colors
 from vkworkbench.gui.qt.colors import readable
 from vkworkbench.gui.qt.saving import with_suffix
-from vkworkbench.gui.qt.sentences import as_sentence, user
+from vkworkbench.gui.qt.sentences import user
 from vkworkbench.gui.results import findings
 from vkworkbench.gui.results.columns import Column
 from vkworkbench.gui.tree.explanation import explanation
@@ -34,7 +34,7 @@ OPENGL = freecad.version() >= (1, 0)
 
 @pytest.fixture
 def panel(marked, window):
-    """The panel after a click on Analyze toolpaths."""
+    """The panel after a click on *Analyze Toolpaths*."""
     yield dock(window)
     dock(window).tree.sortByColumn(-1, QtCore.Qt.AscendingOrder)
     dock(window).filter.words.clear()
@@ -109,8 +109,8 @@ def text_of(panel):
 FIRST = [
     "Operation",
     "Strategy",
-    "Machining time",
-    "Simulation time",
+    "Machining Time",
+    "Simulation Time",
     "Warnings",
 ]  # and the state, where one is outdated
 
@@ -130,7 +130,7 @@ def test_jobs_are_branches_with_their_total(panel, opened, window):
 
 def test_six_columns_at_first_and_all_others_in_a_menu(panel, opened, window):
     assert shown(panel) == FIRST
-    named = ["Simulate toolpaths", *(user().simulator(name) for name in ("legacy", *(["OpenGL"] if OPENGL else [])))]
+    named = ["Simulate Toolpaths", *(user().simulator(name) for name in ("legacy", *(["OpenGL"] if OPENGL else [])))]
     assert titles(panel)[:6] == [*FIRST[:4], "State", "Warnings"]
     assert titles(panel)[6:] == [
         "Simulation time at most", "Sure", "Moves", "Length",
@@ -138,13 +138,13 @@ def test_six_columns_at_first_and_all_others_in_a_menu(panel, opened, window):
         "Recommended image",
     ]  # fmt: skip
     own = user().simulator(freecad.own_simulator())
-    assert column(panel, "Simulation time") == column(panel, f"{own} time")
-    assert all(column(panel, "Simulation time").values())
+    assert column(panel, "Simulation Time") == column(panel, f"{own} Time")
+    assert all(column(panel, "Simulation Time").values())
     costs = [o.costs[freecad.own_simulator()] for o in vkworkbench.analyze(opened).operations]
-    at_most = list(column(panel, "Simulation time at most").values())[1:]
+    at_most = list(column(panel, "Simulation Time at Most").values())[1:]
     assert at_most == [user().time(cost.seconds * cost.factor) for cost in costs]
     sizes = [(o.resolution.view.width, o.resolution.view.height) for o in vkworkbench.analyze(opened).operations]
-    assert list(column(panel, "Recommended image").values())[1:] == [
+    assert list(column(panel, "Recommended Image").values())[1:] == [
         f"{width:,} × {height:,}" for width, height in sizes
     ]
     length = next(action for action in panel.columns.actions() if action.text() == "Length")
@@ -302,9 +302,9 @@ def test_on_a_low_screen_it_shows_rows_rather_than_titles(panel, opened, window)
 def test_a_click_on_a_title_sorts_within_the_job(panel, opened, window):
     operations = vkworkbench.analyze(opened).operations
     rising = [o.label for o in sorted(operations, key=lambda o: o.machining.seconds)]
-    click_header(window, panel, "Machining time")
+    click_header(window, panel, "Machining Time")
     first = labels(panel)
-    click_header(window, panel, "Machining time")
+    click_header(window, panel, "Machining Time")
     second = labels(panel)
     assert first[0] == second[0] == "Job"
     assert {tuple(first[1:]), tuple(second[1:])} == {tuple(rising), tuple(reversed(rising))}
@@ -334,7 +334,7 @@ def test_the_filter(panel, opened, window):
     assert labels(panel) == ["Job", *strategies]
     assert text_of(panel) == "Select an operation to read what it does and why."
     window.type(panel.filter.words, "not in the job")
-    assert not labels(panel) and text_of(panel) == "The filter lets no operation through."
+    assert not labels(panel) and text_of(panel) == "No operation matches the filter."
 
 
 def test_a_click_on_a_row_selects_the_operation(panel, opened, window):
@@ -356,7 +356,7 @@ def test_plain_words_first_and_the_papers_terms_behind_why(panel, opened, window
     length = user().length(found.length)
     assert f"Cutting {length}" in text_of(panel).replace("\n", " ") and text_of(panel).count(length) == 1
     shortest = user().measure(found.machining.shortest, 3)
-    assert f"Shortest move at feed {shortest}" in text_of(panel).replace("\n", " ")
+    assert f"Shortest Move at Feed {shortest}" in text_of(panel).replace("\n", " ")
     window.see_all()
     window.screenshot("panel-why")
     panel.details.anchorClicked.emit(QtCore.QUrl("why"))
@@ -402,7 +402,7 @@ def test_the_keyboard(panel, opened, window):
 
 
 def test_selecting_in_freecad_moves_the_row(panel, opened, window):
-    click_header(window, panel, "Machining time")
+    click_header(window, panel, "Machining Time")
     for label in ("Drill holes", "Face"):
         Gui.Selection.clearSelection()
         Gui.Selection.addSelection(labelled(opened, label))
@@ -487,9 +487,9 @@ def test_copy_is_the_tree_as_shown(panel, window):
 
 
 def test_the_command_shows_and_hides_it(panel, window):
-    window.click("Toolpath results")
+    window.click("Toolpath Results")
     window.wait(lambda: not panel.isVisible())
-    window.click("Toolpath results")
+    window.click("Toolpath Results")
     window.wait(panel.isVisible)
     window.wait(lambda: window.main.focusWidget() is panel.tree)
 
@@ -505,10 +505,10 @@ def test_the_simulation_time_is_that_of_the_marks(panel, opened, window):
     try:
         for name in ("legacy", *(["OpenGL"] if OPENGL else []), "z-buffer"):
             preferences.write(mark_simulator=name)
-            title = f"{'Simulate toolpaths' if name == 'z-buffer' else user().simulator(name)} time"
+            title = f"{'Simulate Toolpaths' if name == 'z-buffer' else user().simulator(name)} Time"
             # In an event of its own, which on a busy computer takes its time.
-            window.wait(lambda title=title: column(panel, "Simulation time") == column(panel, title))
-            shown = column(panel, "Simulation time")
+            window.wait(lambda title=title: column(panel, "Simulation Time") == column(panel, title))
+            shown = column(panel, "Simulation Time")
             if name == "z-buffer" and marks.read(opened.getObject("Job")).cost(name) is None:
                 continue
             for obj in filter(marks.is_marked, opened.Objects):
@@ -548,14 +548,14 @@ def test_what_has_a_sign_in_the_tree_has_one_in_the_results(panel, opened, windo
     harmless = [label for label, text in column(panel, "Warnings").items() if text and not sign(panel, label)]
     try:
         preferences.write(time_budget=0.1, mark_simulator="legacy")
-        window.wait(lambda: "100 ms allowed" in (column(panel, "Warnings")["Job"] or ""))
+        window.wait(lambda: "100 ms limit" in (column(panel, "Warnings")["Job"] or ""))
         window.settle()
         for obj in filter(marks.is_marked, opened.Objects):
             assert ("⚠" in obj.Label2) == bool(sign(panel, obj.Label)), obj.Label
             told = column(panel, "Warnings")[obj.Label]
             if burden(marks.read(obj), preferences.read()) is Burden.OVER:
-                assert ", longer than the 100 ms allowed. Simulate toolpaths shows" in told
-                assert told.split(";")[0] in explanation(marks.read(obj), preferences.read())
+                assert ", which is over your 100 ms limit. Simulate Toolpaths shows" in told
+                assert told.split(". ")[0] in explanation(marks.read(obj), preferences.read())
         panel.filter.warnings.setChecked(True)
         assert sign(panel, "Job") and "Job" in labels(panel)
         window.screenshot("panel-over-the-budget")
@@ -587,7 +587,7 @@ def test_what_it_is_called_against_what_it_does(panel, opened, window):
     face, pocket = labelled(opened, "Face"), labelled(opened, "Pocket around island")
     assert not any("called" in remark for remark in column(panel, "Warnings").values())
     face.Path, pocket.Path = pocket.Path, face.Path
-    window.click("Analyze toolpaths")
+    window.click("Analyze Toolpaths")
     window.settle()
     remarks = column(panel, "Warnings")
     assert "called ZigZag, but its toolpath is contour-parallel" in remarks["Face"]
@@ -602,15 +602,18 @@ def test_what_is_wrong_is_said(panel, opened, window):
     bore = labelled(opened, "Bore")
     bore.ToolController = None
     labelled(opened, "Face").Active = False
-    window.click("Analyze toolpaths")
+    window.click("Analyze Toolpaths")
     window.settle()
     remarks = column(panel, "Warnings")
-    assert "no tool" in remarks["Bore"]
-    assert remarks["Face"].endswith("not in the total: it is switched off")
-    *cautions, told = remarks["Cut out"].split("; ")
-    assert told == "not in the total: its dress-up is counted instead"
-    assert all(" takes about " in caution for caution in cautions)  # a slow computer's simulator has a caution
-    assert remarks["Job"].startswith("cost unknown for Bore")  # what else is told depends on the computer's speed
+    assert "The operation has no tool." in remarks["Bore"]
+    assert remarks["Face"].endswith("This operation is not included in the total, because it is switched off.")
+    cautions, _, rest = remarks["Cut out"].partition(
+        "This operation is not included in the total, because its dress-up is."
+    )
+    assert not rest and (not cautions or " takes about " in cautions)  # a slow computer's simulator has a caution
+    assert remarks["Job"].startswith(
+        "The simulation cost of Bore is unknown."
+    )  # what else is told depends on the computer's speed
 
 
 def test_an_operation_that_is_switched_off_says_so_without_an_analysis(panel, opened, window):
@@ -622,7 +625,7 @@ def test_an_operation_that_is_switched_off_says_so_without_an_analysis(panel, op
     opened.recompute()
     window.wait(lambda: face.Label2 == "⟦switched off⟧")
     window.wait(lambda: column(panel, "Strategy")["Face"] == "switched off")
-    assert not column(panel, "Machining time")["Face"] and not sign(panel, "Face")
+    assert not column(panel, "Machining Time")["Face"] and not sign(panel, "Face")
     assert column(panel, "State").get("Face", "") == "" and opened.getObject("Job").Label2 != total
     window.screenshot("panel-switched-off-later")
     face.Active = True
@@ -635,11 +638,11 @@ def test_an_operation_that_is_switched_off_is_no_error(panel, opened, window):
     face = labelled(opened, "Face")
     face.Active = False
     opened.recompute()
-    window.click("Analyze toolpaths")
+    window.click("Analyze Toolpaths")
     window.wait(lambda: column(panel, "Strategy")["Face"] == "switched off")
-    assert not column(panel, "Machining time")["Face"] and not sign(panel, "Face")
+    assert not column(panel, "Machining Time")["Face"] and not sign(panel, "Face")
     assert (
-        column(panel, "Warnings")["Face"].startswith("switched off: ")
+        column(panel, "Warnings")["Face"].startswith("The operation is switched off. ")
         and "total" not in column(panel, "Warnings")["Face"]
     )
     assert "warning" not in window.main.statusBar().currentMessage()
@@ -647,11 +650,11 @@ def test_an_operation_that_is_switched_off_is_no_error(panel, opened, window):
     click_row(window, panel, "Face")
     assert "Why?" not in text_of(panel) and "0 ms" not in text_of(panel) and "0.00" not in text_of(panel)
     text = explanation(marks.read(face), preferences.read())
-    assert "switched off" in text and "⚠" not in text and "On the machine" not in text and "empty" not in text
+    assert "switched off" in text and "⚠" not in text and "Machining time" not in text and "empty" not in text
     window.screenshot("panel-switched-off")
     face.Active = True
     opened.recompute()
-    window.click("Analyze toolpaths")
+    window.click("Analyze Toolpaths")
     window.wait(lambda: column(panel, "Strategy")["Face"] == "zigzag")
 
 
@@ -666,7 +669,7 @@ def test_an_analysis_fills_the_panel_once_in_an_event_of_its_own(panel, opened, 
         return find(document)
 
     monkeypatch.setattr(findings, "read_findings", finds)
-    window.click("Analyze toolpaths")
+    window.click("Analyze Toolpaths")
     window.wait(lambda: panel.isVisible() and events)
     window.settle()
     assert len(events) == 1 and "Activated" not in events[0]
@@ -690,7 +693,7 @@ def test_rows_live_with_the_document(panel, opened, window):
     window.wait(lambda: "Top" not in labels(panel))
     other = FreeCAD.newDocument("Other")
     window.wait(lambda: labels(panel) == [])
-    assert "Analyze toolpaths" in text_of(panel) and not panel.csv.isEnabled()
+    assert "Analyze Toolpaths" in text_of(panel) and not panel.csv.isEnabled()
     FreeCAD.closeDocument(other.Name)
     FreeCAD.setActiveDocument(opened.Name)
     window.wait(lambda: len(labels(panel)) > 3)
@@ -726,7 +729,7 @@ def test_the_jobs_row_says_what_its_mark_says(panel, opened, window):
 def test_one_operation_analyzed_again_keeps_the_others(panel, opened, window):
     count = len(labels(panel))
     Gui.Selection.addSelection(labelled(opened, "Face"))
-    window.click("Analyze toolpaths")
+    window.click("Analyze Toolpaths")
     window.settle()
     assert len(labels(panel)) == count
 
@@ -734,7 +737,7 @@ def test_one_operation_analyzed_again_keeps_the_others(panel, opened, window):
 def test_the_total_of_a_part_says_that_it_is_one(opened, window):
     posted = vkworkbench.analyze(opened).totals[0].operations
     Gui.Selection.addSelection(labelled(opened, "Face"))
-    window.click("Analyze toolpaths")
+    window.click("Analyze Toolpaths")
     window.wait(lambda: dock(window) is not None and dock(window).isVisible())
     window.dismiss()
     assert column(dock(window), "Strategy")["Job"] == f"1 of {posted} operations"
@@ -769,7 +772,7 @@ def test_beside_the_report_view_it_is_a_tab(opened, window):
     window.main.setGeometry(0, 0, 1024, 700)
     window.settle()
     try:
-        window.click("Analyze toolpaths")
+        window.click("Analyze Toolpaths")
         window.wait(lambda: dock(window) is not None and dock(window).isVisible())
         window.dismiss()
         panel = dock(window)
@@ -784,21 +787,21 @@ def test_beside_the_report_view_it_is_a_tab(opened, window):
 
 
 def test_results_and_gauss_map_share_their_place(opened, window):
-    window.click("Toolpath results")
-    window.click("Gauss map")
+    window.click("Toolpath Results")
+    window.click("Gauss Map")
     window.settle()
     results, gauss = (window.first(QtGui.QDockWidget, name) for name in ("VkResults", "VkGaussMap"))
     assert gauss in window.main.tabifiedDockWidgets(results)
     assert gauss.width() > 0.9 * window.main.width() and not gauss.visibleRegion().isEmpty()
-    window.click("Toolpath results")  # from behind to the front
+    window.click("Toolpath Results")  # from behind to the front
     window.settle()
     assert not results.visibleRegion().isEmpty() and gauss.visibleRegion().isEmpty()
-    window.click("Toolpath results")
-    window.click("Gauss map")
+    window.click("Toolpath Results")
+    window.click("Gauss Map")
     window.settle()
     assert not results.isVisible()
     if not gauss.visibleRegion().isEmpty():
-        window.click("Gauss map")
+        window.click("Gauss Map")
     assert not gauss.isVisible()
 
 
@@ -816,12 +819,12 @@ def test_a_document_that_is_opened_with_marks_fills_it(panel, opened, window, tm
         assert {title: column(panel, title) for title in FIRST} == before
         click_row(window, panel, label)
         assert (
-            text_of(panel).split("Cutting")[0] == page.split("Cutting")[0]
+            text_of(panel).split("Cutting Length")[0] == page.split("Cutting Length")[0]
         )  # after it lengths that a mark does not keep
         window.screenshot("panel-from-marks")
-        assert "Rapids" not in text_of(panel)
-        window.click("Analyze toolpaths")  # of the selected operation, whose mark stays as it is
-        window.wait(lambda: "Rapids" in text_of(panel), 10)
+        assert "Rapid Length" not in text_of(panel)
+        window.click("Analyze Toolpaths")  # of the selected operation, whose mark stays as it is
+        window.wait(lambda: "Rapid Length" in text_of(panel), 10)
         save_as(window, panel.csv, tmp_path / "results.csv")
         with open(tmp_path / "results.csv", newline="", encoding="utf-8") as file:
             rows = list(csv.DictReader(file))
@@ -836,7 +839,7 @@ def test_the_total_of_the_z_buffer_is_one_number(opened, window, tmp_path):
     results, again = None, None
     preferences.write(mark_simulator="z-buffer")
     try:
-        window.click("Analyze toolpaths")
+        window.click("Analyze Toolpaths")
         window.wait(lambda: dock(window) is not None and dock(window).isVisible())
         results = dock(window)
         report = vkworkbench.analyze(opened)
@@ -845,16 +848,16 @@ def test_the_total_of_the_z_buffer_is_one_number(opened, window, tmp_path):
         assert total.seconds < sum(o.estimate.seconds for o in report.operations if o.counted)
         assert marks.read(opened.getObject("Job")).cost("z-buffer") == total.cost("z-buffer")
         click_row(window, results, "Job")
-        title = "Simulate toolpaths memory"
+        title = "Simulate Toolpaths Memory"
         memory = column(results, title)["Job"]
-        assert column(results, "Simulation time")["Job"] == told and told in text_of(results)
+        assert column(results, "Simulation Time")["Job"] == told and told in text_of(results)
         assert memory == user().memory(total.memory_bytes)
         again = tmp_path / "again.FCStd"
         opened.saveCopy(str(again))
         again = FreeCAD.openDocument(str(again))
         window.wait(lambda: FreeCAD.ActiveDocument.Name == again.Name and len(labels(results)) > 3)
         window.settle()
-        assert column(results, "Simulation time")["Job"] == told
+        assert column(results, "Simulation Time")["Job"] == told
         assert column(results, title)["Job"] == memory
     finally:
         preferences.write(mark_simulator="own")
@@ -867,7 +870,7 @@ def test_the_total_of_the_z_buffer_is_one_number(opened, window, tmp_path):
 
 
 def test_what_is_cleared_is_not_shown(panel, opened, window):
-    window.click("Clear analysis")
+    window.click("Clear Analysis")
     window.wait(lambda: labels(panel) == [])
     Gui.runCommand("Std_Undo")
     window.wait(lambda: len(labels(panel)) > 3)
@@ -877,23 +880,16 @@ def test_many_millimetres_are_metres():
     assert (user().length(9_999.0), user().length(318_629.67)) == ("9,999.00 mm", "319 m")
 
 
-@pytest.mark.parametrize(
-    ("title", "name", "told", "sentence"),
-    [
-        ("Machi-\nning\ntime", "Machining time", "rows", "Rows."),
-        ("加工\n时间", "加工时间", "一圈套一圈", "一圈套一圈。"),
-    ],
-)
-def test_titles_and_sentences_in_one_line(title, name, told, sentence):
+@pytest.mark.parametrize(("title", "name"), [("Machi-\nning\nTime", "Machining Time"), ("加工\n时间", "加工时间")])
+def test_column_title_is_one_line_in_names(title, name):
     assert Column("key", title, "", None).name == name
-    assert as_sentence(told) == sentence == as_sentence(sentence)
 
 
 def test_the_page_tells_what_to_do_without_a_document(window):
     assert not FreeCAD.listDocuments()
     document = FreeCAD.newDocument("Empty")
     window.activate("VkWorkbench")
-    window.click("Toolpath results")
+    window.click("Toolpath Results")
     window.wait(lambda: dock(window) is not None and dock(window).isVisible())
     window.wait(lambda: text_of(dock(window)).startswith("Nothing is analyzed yet"))
     FreeCAD.closeDocument(document.Name)

@@ -145,7 +145,7 @@ def test_a_least_time_of_nothing_is_not_told():
     record = Record(Strategy.EMPTY, trajectories=1, machining_seconds=0.0, left_out=(untimed,),
                     remarks=(Message("no-cutting-move"),))  # fmt: skip
     text = explanation(record, preferences.read())
-    assert "0 ms" not in text and "On the machine: " in text
+    assert "0 ms" not in text and "Cutting length: " in text
     (machining,) = [one for one in columns(freecad.version(), "legacy")[0] if one.key == "machining_time"]
     assert machining.text(Row(record, "Op", "Op", mark=record)) == ""
 
@@ -205,13 +205,13 @@ def test_tooltip_tells_why_and_how_much(marked, window):
     assert not re.search(r"\d (?:ms|s|min|h|mm|m|kB|MB)\b", QtGui.QToolTip.text())  # in one line
     known = marks.read(obj)
     (reason,) = known.reason
-    assert plain_sentence(reason)[1:].replace("<", "&lt;").replace(">", "&gt;") in text and "φ" not in text
+    assert plain_sentence(reason).replace("<", "&lt;").replace(">", "&gt;") in text and "φ" not in text
     assert (
-        "On the machine: " in text
-        and f"{user().time(known.machining_seconds)}, {user().length(known.length)} of cutting" in text
+        f"Machining time: {user().time(known.machining_seconds)}. Cutting length: {user().length(known.length)}."
+        in text
     )
     for name in freecad.own_simulators():
-        assert f"Simulating it alone in the {freecad.simulator_title(name)}: " in text
+        assert f"Simulation time of this operation alone in the {freecad.simulator_title(name)}: " in text
     window.see_all()
     window.screenshot("pill-tooltip")
     obj.ToolpathMark = as_json(replace(known, remarks=(Message("not-analysed", error="a <b>&c remark"),)))

@@ -26,7 +26,7 @@ def nameless(widget):
     ]
 
 
-@pytest.mark.parametrize(("command", "dock"), [("Toolpath results", "VkResults"), ("Gauss map", "VkGaussMap")])
+@pytest.mark.parametrize(("command", "dock"), [("Toolpath Results", "VkResults"), ("Gauss Map", "VkGaussMap")])
 def test_the_controls_of_docks_have_names(opened, window, command, dock):
     window.click(command)
     window.wait(lambda: window.first(QtGui.QDockWidget, dock))
@@ -40,13 +40,13 @@ def test_the_controls_of_the_simulation_have_names(opened, window, small):
     (tab,) = tabs(window)
     player = shown(tab, window)
     assert nameless(tab) == []
-    assert player.play_bar.play_button.accessibleName() == "Play or pause (Space)."
+    assert player.play_bar.play_button.accessibleName() == "Plays or pauses the simulation (Space)."
     window.press(tab, QtCore.Qt.Key_Escape)
     window.wait(lambda: not tabs(window))
 
 
 def test_the_button_that_closes_the_warning_has_a_name(window):
     line = Line(area_of_views())
-    line.way.setText("Simulate toolpaths")
+    line.way.setText("Simulate Toolpaths")
     assert nameless(line) == []
     line.end()

@@ -254,8 +254,7 @@ def test_a_crash_is_found_in_three_clicks(desk, window):
 
     QtCore.QTimer.singleShot(300, choose)
     window.click_on(warnings)  # the first click
-    assert texts[0].startswith(f"Pocket around island, command {number + 1}: a rapid move removes ")
-    assert texts[0].endswith(f"({code})")
+    assert texts[0].startswith(f"Pocket around island, command {number + 1} ({code}): A rapid move removes ")
     window.wait(lambda: player.pictures.is_current)
     source = player.simulation.source(player.moment.done - 1)
     assert source == (player.job.operations[2], number)
@@ -335,7 +334,7 @@ def test_a_model_that_is_still_to_come_is_not_called_missing(simulated):
         drawing.color()
         said.append(drawing._coloring().legend()[0][1])
     drawing.seen = seen
-    assert said == ["the model comes with the finest picture", "there is no closed model"]
+    assert said == ["The model is shown with the finest picture.", "There is no closed model."]
 
 
 def test_what_is_saved_is_proposed_beside_the_document(simulated, desk, tmp_path, monkeypatch):
@@ -392,7 +391,7 @@ def test_an_error_in_a_picture_is_told_and_the_next_one_is_drawn(simulated, wind
 def test_the_legend_is_whole_in_a_narrow_tab(simulated, window):
     bar = simulated.scene_bar
     legend = Legend(window.main)
-    legends = [(("#808080", "the model comes with the finest picture "[:length] * 5),) for length in range(1, 41)]
+    legends = [(("#808080", "The model is shown with the finest picture. "[:length] * 5),) for length in range(1, 41)]
     for index in range(bar.colorings.count()):
         bar.colorings.setCurrentIndex(index)
         window.wait(lambda: simulated.pictures.is_current)
@@ -508,7 +507,7 @@ def test_the_cost_is_told_before_and_after_the_simulation(desk, window, monkeypa
     desk.kept(desk.small)
     player = shown(desk.simulate(), window)
     (cost, text, simulation), *_ = told
-    assert simulation is None and text.startswith("finest picture in about") and "MB" in text
+    assert simulation is None and text.startswith("The finest picture takes about") and "MB" in text
     zbuffer = player.simulation.zbuffer
     assert cost.memory_bytes == pytest.approx(zbuffer.peak.bytes(), rel=0.3)
     assert f"{zbuffer.traces:,} traces" in player.state.text() and "simulated in" in player.state.text()
@@ -606,7 +605,7 @@ def test_costs_have_a_part_per_pixel_and_a_fixed_part():
 
 @pytest.mark.parametrize("wide", [True, False])
 def test_a_choice_is_whole_or_ends_in_an_ellipsis(window, wide):
-    box, text = controls._combo(""), "Difference to the model"
+    box, text = controls._combo(""), "Difference to the Model"
     box.setParent(window.main)
     box.addItem(text)
     box.show()

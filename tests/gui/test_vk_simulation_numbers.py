@@ -126,11 +126,11 @@ def test_what_the_stock_lacks_is_not_cut_into_the_model():
         for at in (zbuffer.at(0), zbuffer)
     )
     judged, known = judge(finished, None, 0.1, [], compares=False), KnownFaults(job, Clock(job))
-    lacks = "raw stock: lacks 3 mm of the model: choose a larger stock, or move the model within it"
+    lacks = "Stock: The stock is 3 mm too small for the model. Choose a larger stock, or move the model within it."
     assert [known.text(fault) for fault in differences(uncut, 0.1)] == [lacks]
     for found in (judged.faults, judged.proved):
         slot, stock = (known.text(fault) for fault in found)
-        assert slot.startswith("Op 0, command ") and "cuts 8 mm into the model" in slot and stock == lacks
+        assert slot.startswith("Op 0, command ") and "The tool cuts 8 mm into the model." in slot and stock == lacks
     known.keep(judged.proved)
     assert [fault.gouged for fault in known.gouges] == [8.0, 3.0]  # other views take both into account
 
@@ -155,8 +155,8 @@ def test_places_that_differ_alike_are_told_apart():
     known = KnownFaults(job, Clock(job))
     left = [Fault(None, None, None, (x, 2.0, 19.25), Message("leaves-material", depth=1.0), False) for x in (1.5, 58.0)]
     assert [known.text_with_place(fault) for fault in left] == [
-        "raw stock: 1 mm are left on the model, at X 1.5 Y 2 Z 19.25 mm",
-        "raw stock: 1 mm are left on the model, at X 58 Y 2 Z 19.25 mm",
+        "Stock: 1 mm of stock is left on the model. (X 1.5 Y 2 Z 19.25 mm)",
+        "Stock: 1 mm of stock is left on the model. (X 58 Y 2 Z 19.25 mm)",
     ]
 
 

@@ -63,7 +63,7 @@ def test_a_part_of_the_stock_tells_nothing_of_what_is_beside_it(tab, window, tmp
     assert (player.volumes == before).all() and (player.time_line._air == air).all()
     player.moment.after(int(moves[0]))
     window.wait(lambda: player.pictures.is_current)
-    assert player.play_bar.text.text() == said and "removes nothing" not in said
+    assert player.play_bar.text.text() == said and "Nothing removed" not in said
     exports.write_rates(player, tmp_path / "rates.csv")
     volumes = [float(line.split(",")[5]) for line in (tmp_path / "rates.csv").read_text().splitlines()[1:]]
     assert volumes == pytest.approx(before.tolist(), rel=1e-4)

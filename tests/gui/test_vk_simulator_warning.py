@@ -108,7 +108,7 @@ def test_a_long_play_is_told_with_fast_forward(marked, window):
     Gui.activeView().viewIsometric()
     Gui.SendMsgToActiveView("ViewFit")
     window.screenshot("warning-play")
-    assert line.text.text().startswith("Playing this takes about ") and line.way.text() == "Fast-forward"
+    assert line.text.text().startswith("Playing this simulation takes about ") and line.way.text() == "Fast-forward"
     assert not re.search(r"\d (?:ms|s|min|h)\b", line.text.text())  # in one line
     assert not line.isModal() and not window.boxes()
     assert line.text.height() >= line.text.heightForWidth(line.text.width())
@@ -173,7 +173,7 @@ def test_an_operation_that_hangs_it_is_named(marked, window):
     window.screenshot("warning-hangs")
     assert f"command {command + 1} of Bore" in line.text.text().replace("\u00a0", " ")
     if OLD:
-        assert line.way.text() == "Simulate toolpaths"
+        assert line.way.text() == "Simulate Toolpaths"
     else:
         assert line.way.text() == f"Use the {freecad.simulator_title('OpenGL')}"
     window.click_on(line.way)
@@ -217,7 +217,7 @@ def test_the_opengl_simulator_gives_way_to_a_faster_one(marked, window):
     preferences.write(time_budget=max(0.5 * opengl, 0.1))
     line = warned(window, "OpenGL")
     window.screenshot("warning-opengl")
-    taken = "Simulate toolpaths" if legacy > 0.5 * opengl else f"Use the {freecad.simulator_title('legacy')}"
+    taken = "Simulate Toolpaths" if legacy > 0.5 * opengl else f"Use the {freecad.simulator_title('legacy')}"
     assert line.way.text() == taken and freecad.simulator_title("OpenGL") in line.text.text()
     window.click_on(line.way)
     if legacy > 0.5 * opengl:

@@ -18,7 +18,7 @@ from vkworkbench.gui.qt import colors
 from vkworkbench.gui.strategies import lines as strategy_lines
 from vkworkbench.gui.strategies import view as strategy_view
 
-SWITCH = "Show strategies"
+SWITCH = "Show Strategies"
 
 
 @pytest.fixture

@@ -150,7 +150,7 @@ def test_the_window_in_each_language(language, opened, window):
     assert list(cut_off_headers(results.tree)) == []
     results.close()
 
-    window.click(FreeCAD.Qt.translate("Vk_GaussMap", "Gauss map"))
+    window.click(FreeCAD.Qt.translate("Vk_GaussMap", "Gauss Map"))
     gauss = dock(window, "VkGaussMap")
     window.wait(lambda: gauss.title.text().startswith("Face"))
     window.settle()
@@ -160,7 +160,7 @@ def test_the_window_in_each_language(language, opened, window):
 
 
 def test_the_command_is_not_taken_for_a_simulator_of_freecads(language):
-    ours = FreeCAD.Qt.translate("Vk_Simulate", "Simulate toolpaths")
+    ours = FreeCAD.Qt.translate("Vk_Simulate", "Simulate Toolpaths")
     for name in freecad.own_simulators():  # their columns stand side by side, and so do their entries in a menu
         theirs = freecad.simulator_title(name)
         assert SequenceMatcher(None, ours, theirs).ratio() < 0.65, (ours, theirs)
@@ -206,8 +206,8 @@ def test_sentences_of_the_example_in_german(opened, german):
         Message("in-commands", sentence=Message("words-without-motion"), count=7, command=3),
     )
     assert list(map(sentence, two)) == [
-        "kein Werkzeug: Der Operation einen Werkzeugcontroller geben",
-        "Wörter ohne Bewegung davor übergangen (7-mal, zuerst bei Befehl 3)",
+        "Die Operation hat kein Werkzeug. Geben Sie ihr einen Werkzeugcontroller.",
+        "Befehl 3 (der erste von 7): Wörter ohne eine Bewegung davor werden übergangen.",
     ]
 
 
@@ -221,8 +221,8 @@ def test_numbers_as_the_user_reads_them(german):
     apart, rows = Message("passes-need", step=2.54, cell=0.635), Message("apart-at-depths", step=2.4, depths=3)
     try:
         FreeCAD.Units.setSchema(3)  # inches
-        assert sentence(apart) == "; Bahnen im Abstand von 0,1 in verlangen 0,025 in"
-        assert sentence(rows) == " im Abstand von 0,0945 in auf 3 Tiefen"  # not "in in"
+        assert sentence(apart) == " Bahnen im Abstand von 0,1 in brauchen 0,025 in."
+        assert sentence(rows) == " im Abstand von 0,0945 in in 3 Tiefen"  # not "in in"
         assert reader.length(25.4) == "1,00 in"
         for schema in range(9):  # whatever unit a schema takes
             FreeCAD.Units.setSchema(schema)
@@ -246,7 +246,7 @@ def test_a_mark_panel_and_gauss_map_in_german(opened, german, window):
     text = explanation(marks.read(face), preferences.read())
     panel = docks.find(docks.RESULTS)
     shown = text + panel.details.toPlainText()
-    assert "Auf der Maschine: " in text and "16 Zeilen im Abstand von" in text and "φ bleibt" not in shown
+    assert "Bearbeitungszeit: " in text and "16 Zeilen im Abstand von" in text and "φ bleibt" not in shown
     assert re.search(r"\d,\d+ mm", shown) and not re.search(r"\d\.\d\d?\b", shown), shown
     assert not re.search(r"\b(φ stays|turns|the|of|limited)\b", shown), shown
     assert re.search(r"\b\d+ %", text), text
@@ -264,7 +264,7 @@ def test_a_mark_panel_and_gauss_map_in_german(opened, german, window):
     window.screenshot("german-tooltip-and-panel")
     QtGui.QToolTip.hideText()
     panel.close()
-    window.click(FreeCAD.Qt.translate("Vk_GaussMap", "Gauss map"))
+    window.click(FreeCAD.Qt.translate("Vk_GaussMap", "Gauss Map"))
     gauss = docks.find(docks.GAUSS_MAP)
     window.wait(lambda: gauss.title.text().startswith("Face"))
     window.settle()
@@ -282,4 +282,4 @@ def test_pills_have_the_users_numbers(german):
     metrics = QtGui.QFontMetrics(QtGui.QFont())
     (full, *_) = layouts(record, "own words", Preferences(mark_simulator="z-buffer"), metrics, None)
     assert full.pieces[0].text == "Zickzack 70 %" and "▶ 1,4 s" in full.text
-    assert full.text.endswith("kein Werkzeug: Der Operation einen Werkzeugcontroller geben  own words")
+    assert full.text.endswith("Die Operation hat kein Werkzeug. Geben Sie ihr einen Werkzeugcontroller.  own words")

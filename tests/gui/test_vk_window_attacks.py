@@ -22,7 +22,7 @@ from vkworkbench.document.marks import marks
 from vkworkbench.gui.qt import widgets
 from vkworkbench.gui.strategies import view as strategy_view
 
-SWITCH = "Show strategies"
+SWITCH = "Show Strategies"
 
 
 @pytest.fixture(autouse=True)
@@ -294,7 +294,7 @@ def test_no_text_of_a_document_is_html_in_results_and_views(html, window, trap):
         window.settle()
         found.extend(seen_as_html(ours(window), trap))
 
-    window.click("Analyze toolpaths")
+    window.click("Analyze Toolpaths")
     window.wait(lambda: marks.is_marked(html.getObject("Stranger")))
     look()
     results = window.first(QtGui.QDockWidget, "VkResults")
@@ -309,10 +309,10 @@ def test_no_text_of_a_document_is_html_in_results_and_views(html, window, trap):
     for operation in find(html)[:2]:
         Gui.Selection.clearSelection()
         Gui.Selection.addSelection(operation.object)
-        window.click("Gauss map")
+        window.click("Gauss Map")
         window.settle()
         look()
-        window.click("Gauss map")
+        window.click("Gauss Map")
     window.click(SWITCH)
     window.wait(lambda: drawn(html))
     look()
@@ -360,7 +360,7 @@ def test_few_commands_that_are_a_great_many_moves(opened, window, text, trajecto
     opened.recompute()
     Gui.Selection.clearSelection()
     Gui.Selection.addSelection(op)
-    window.click("Analyze toolpaths")
+    window.click("Analyze Toolpaths")
     window.wait(lambda: marks.is_marked(op))
     window.dismiss()
     known = marks.read(op)
@@ -368,10 +368,10 @@ def test_few_commands_that_are_a_great_many_moves(opened, window, text, trajecto
         assert not known.trajectories and known.remarks
     else:
         assert known.trajectories > trajectories
-    window.click("Gauss map")
+    window.click("Gauss Map")
     title = window.first(QtGui.QDockWidget, "VkGaussMap").title
     window.wait(lambda: "Few" in title.text() and "Reading" not in title.text())
-    window.click("Gauss map")
+    window.click("Gauss Map")
     window.click(SWITCH)
     window.wait(lambda: drawn(opened))
     window.click(SWITCH)

@@ -18,7 +18,7 @@ from vkworkbench.report.total import Total, counted_in
 def table_of(operations: Sequence[OperationReport], totals: Sequence[Total], simulator: str) -> str:
     """Return operations, and below a rule the totals of their jobs, with the costs in a simulator."""
     header: tuple[str, ...] = (
-        "operation", "strategy", "sure", "moves", "cutting", "machining", f"{simulator} time", f"{simulator} memory", "",
+        "operation", "strategy", "confidence", "moves", "cutting", "machining", f"{simulator} time", f"{simulator} memory", "",
     )  # fmt: skip
     rows: list[tuple[str, ...]] = [_row(o, simulator) for o in operations]
     below: list[tuple[str, ...]] = [_total_row(t, operations, simulator) for t in totals]

@@ -323,7 +323,7 @@ def test_words_that_are_no_numbers_are_named_and_skipped():
         ("G1", {"X": None, "Y": 4}),
     )
     assert ends(toolpath) == [[0, 3, 0], [0, 4, 0]]
-    assert messages(toolpath) == ["X words that are not usable numbers are ignored (5 times, first at command 2)"]
+    assert messages(toolpath) == ["Command 2 (first of 5): X words that are not usable numbers are ignored."]
 
 
 @pytest.mark.parametrize("before", [[], [("G81", {"X": 1, "Y": 0, "Z": -2, "R": 1, "F": 1}), ("G80", {})]])
@@ -336,15 +336,15 @@ def test_words_that_continue_no_motion_move_nothing(before):
 def test_unknown_codes_are_named():
     toolpath = path(START, ("G999", {}), ("Ж7", {}), ("G1", {"X": 1}), ("M3", {"S": 1000}), ("G54", {}))
     assert messages(toolpath) == [
-        "the unknown code 'G999' is ignored (command 2)",
-        "the unknown code 'Ж7' is ignored (command 3)",
+        "Command 2: The unknown code 'G999' is ignored.",
+        "Command 3: The unknown code 'Ж7' is ignored.",
     ]
 
 
 @pytest.mark.parametrize("arc, message", [
-    ({"X": 1, "Y": 1}, "an arc without a usable center or radius is read as a line"),
-    ({"X": 10, "Y": 0, "R": 1}, "an arc without a usable center or radius is read as a line"),
-    ({"X": 10, "Y": 0, "I": 2, "J": 0}, "an arc whose end is not on its circle is read with a changing radius"),
+    ({"X": 1, "Y": 1}, "An arc without a usable center or radius is read as a line."),
+    ({"X": 10, "Y": 0, "R": 1}, "An arc without a usable center or radius is read as a line."),
+    ({"X": 10, "Y": 0, "I": 2, "J": 0}, "An arc that does not end on its circle is read with a changing radius."),
 ])  # fmt: skip
 def test_impossible_arcs_end_where_they_should(arc, message):
     toolpath = path(START, ("G2", arc))
@@ -354,7 +354,7 @@ def test_impossible_arcs_end_where_they_should(arc, message):
 
 def test_arc_before_its_start_is_known():
     toolpath = path(("G2", {"X": 1, "Y": 1, "I": 1}), ("G1", {"X": 5}))
-    assert messages(toolpath) == ["an arc whose start is not known is ignored (command 1)"]
+    assert messages(toolpath) == ["Command 1: An arc with an unknown start is ignored."]
     assert toolpath.points.tolist() == [[1, 1, 0], [5, 1, 0]]
 
 

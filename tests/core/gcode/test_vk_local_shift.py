@@ -48,4 +48,6 @@ def test_local_shift_moves_holes_and_retract_level():
 
 
 def test_without_axes_it_is_another_code():
-    assert said("G1 X1\nG52\nX2") == ["coordinates that G52 changes are read as if it were not there (line 5)"]
+    assert said("G1 X1\nG52\nX2") == [
+        "Line 5: G52 is ignored. The coordinates after it are read as if it were not there."
+    ]

@@ -147,7 +147,7 @@ def test_repeats_are_a_number_in_any_unit(inches):
 @pytest.mark.parametrize("times", [2, 3])
 def test_repeats_that_are_not_made_are_told(letter, times):
     assert said(f"G0 X0 Y0 Z5\nG81 X10 Z-4 R1 {letter}{times} F100\nG80") == [
-        f"a cycle's repeats ({letter}) are not made (line 2)"
+        f"Line 2: The repeats of a cycle ({letter}) are ignored."
     ]
 
 
@@ -159,7 +159,7 @@ def test_the_pecks_of_haas_are_no_repeats(code):
         ("I.3 J.05 K.1", "JK"), ("I.3", ""), ("I.3 K1", "K"), ("Q.3 I.5 J.1 K.2", "IJK"), ("Q.3 K.2", "K"), ("Q.3 J1", "J")
     ):  # fmt: skip
         assert points(text.format(words)) == pecked, words
-        assert said(text.format(words)) == [f"{letter} words are not read (line 3)" for letter in unread]
+        assert said(text.format(words)) == [f"Line 3: {letter} words are ignored." for letter in unread]
     repeated = text.replace("X2.", "G91 X1. Z-1.1 R0 K2").format("I.3")
     assert {x for x, *_ in points(repeated)} == {0, 25.4, 50.8, 76.2}
 
@@ -256,47 +256,47 @@ def test_commands_keep_their_lines():
 @pytest.mark.parametrize(
     ("line", "sentence"),
     [
-        ("/G1 X5", "lines with a block delete (/) are read like the others (line 5)"),
-        ("#1=[2+3]", "variables and expressions are not read: the lines with them are left out (line 5)"),
-        ("G1 X#1 Y[2+#<d>]", "variables and expressions are not read: the words with them are left out (line 5)"),
-        ("M98 P1000", "a subprogram or macro call is not read (line 5)"),
-        ("G65 P9000 X5 Y6", "a subprogram or macro call is not read (line 5)"),
-        ("G66 P9000 X5 Y6", "a subprogram or macro call is not read (line 5)"),
-        ("O100 call [1]", "jumps, loops and calls are not followed (line 5)"),
-        ("WHILE [#1 LT 5] DO1", "jumps, loops and calls are not followed (line 5)"),
-        ("G68 X0 Y0 R45", "coordinates that G68 changes are read as if it were not there (line 5)"),
-        ("G92 X0", "coordinates that G92 changes are read as if it were not there (line 5)"),
-        ("G5 X10 Y2 I1 J1 P1 Q1", "a spline (G5) is read as a line (line 5)"),
-        ("G999", "the unknown code 'G999' is ignored (line 5)"),
-        ("WHAT IS THIS?", "lines that are not made of words like G1 X10 are left out (line 5)"),
-        ("M30\nG1 X10", "what follows M2 or M30 is read as the same program (line 6)"),
-        ("M30\nO2000\nG1 X99", "what follows the program's end is not read (line 7)"),
-        ("M99\nG1 X99", "what follows the program's end is not read (line 6)"),
-        ("M99 P10\nG1 X9", "jumps, loops and calls are not followed (line 5)"),
-        ("N40 L10 P3", "a subprogram or macro call is not read (line 5)"),
-        ("L0105", "a subprogram or macro call is not read (line 5)"),
-        ("G70 I40. J0 L8", "the holes of a pattern (G70) are not made (line 5)"),
-        ("G71 I4. J0 K5. L8", "the holes of a pattern (G71) are not made (line 5)"),
-        ("G72 I4. J45 L8", "the holes of a pattern (G72) are not made (line 5)"),
-        ("G71 Z1.", "the unknown code 'G71' is ignored (line 5)"),
-        ("X10 ,R5.\nY9\nX0 ,R.5", ",R words are not read (2 times, first in line 5)"),
-        ("X10 , C2\nY9", ",C words are not read (line 5)"),
-        ("X10 ,A30", ",A words are not read (line 5)"),
-        ("G1 X99 #5=2", "variables and expressions are not read: the lines with them are left out (line 5)"),
-        ("G55 G0 X9", "coordinates that G55 changes are read as if it were not there (line 5)"),
-        ("G54\nG54 X9\nG55 X1", "coordinates that G55 changes are read as if it were not there (line 7)"),
-        ("G54.1 P2", "coordinates that G54.1 changes are read as if it were not there (line 5)"),
+        ("/G1 X5", "Line 5: Lines with a block delete (/) are read like all others."),
+        ("#1=[2+3]", "Line 5: Lines with variables or expressions are ignored."),
+        ("G1 X#1 Y[2+#<d>]", "Line 5: Words with variables or expressions are ignored."),
+        ("M98 P1000", "Line 5: A subprogram or macro call is ignored."),
+        ("G65 P9000 X5 Y6", "Line 5: A subprogram or macro call is ignored."),
+        ("G66 P9000 X5 Y6", "Line 5: A subprogram or macro call is ignored."),
+        ("O100 call [1]", "Line 5: Jumps, loops and calls are ignored."),
+        ("WHILE [#1 LT 5] DO1", "Line 5: Jumps, loops and calls are ignored."),
+        ("G68 X0 Y0 R45", "Line 5: G68 is ignored. The coordinates after it are read as if it were not there."),
+        ("G92 X0", "Line 5: G92 is ignored. The coordinates after it are read as if it were not there."),
+        ("G5 X10 Y2 I1 J1 P1 Q1", "Line 5: A spline (G5) is read as a line."),
+        ("G999", "Line 5: The unknown code 'G999' is ignored."),
+        ("WHAT IS THIS?", "Line 5: Lines that do not consist of words like G1 X10 are ignored."),
+        ("M30\nG1 X10", "Line 6: Lines after M2 or M30 are read as part of the same program."),
+        ("M30\nO2000\nG1 X99", "Line 7: Lines after the end of the program are ignored."),
+        ("M99\nG1 X99", "Line 6: Lines after the end of the program are ignored."),
+        ("M99 P10\nG1 X9", "Line 5: Jumps, loops and calls are ignored."),
+        ("N40 L10 P3", "Line 5: A subprogram or macro call is ignored."),
+        ("L0105", "Line 5: A subprogram or macro call is ignored."),
+        ("G70 I40. J0 L8", "Line 5: The holes of a pattern (G70) are ignored."),
+        ("G71 I4. J0 K5. L8", "Line 5: The holes of a pattern (G71) are ignored."),
+        ("G72 I4. J45 L8", "Line 5: The holes of a pattern (G72) are ignored."),
+        ("G71 Z1.", "Line 5: The unknown code 'G71' is ignored."),
+        ("X10 ,R5.\nY9\nX0 ,R.5", "Line 5 (first of 2): ,R words are ignored."),
+        ("X10 , C2\nY9", "Line 5: ,C words are ignored."),
+        ("X10 ,A30", "Line 5: ,A words are ignored."),
+        ("G1 X99 #5=2", "Line 5: Lines with variables or expressions are ignored."),
+        ("G55 G0 X9", "Line 5: G55 is ignored. The coordinates after it are read as if it were not there."),
+        ("G54\nG54 X9\nG55 X1", "Line 7: G55 is ignored. The coordinates after it are read as if it were not there."),
+        ("G54.1 P2", "Line 5: G54.1 is ignored. The coordinates after it are read as if it were not there."),
         (
             "G91 G28 X0 Z0\nG90 X5\nX6",
-            "moves to positions of the machine (G28) are left out: a program does not say where they are (line 5)",
+            "Line 5: Moves to machine positions (G28) are ignored, because the program does not contain these positions.",
         ),
         (
             "G30 P2 X0\nX5",
-            "moves to positions of the machine (G30) are left out: a program does not say where they are (line 5)",
+            "Line 5: Moves to machine positions (G30) are ignored, because the program does not contain these positions.",
         ),
         (
             "G53 G0 Y0\nX5",
-            "moves to positions of the machine (G53) are left out: a program does not say where they are (line 5)",
+            "Line 5: Moves to machine positions (G53) are ignored, because the program does not contain these positions.",
         ),
     ],
 )
@@ -308,11 +308,11 @@ def test_what_is_not_read_is_said_with_its_line(line, sentence):
 
 
 def test_work_offsets_are_told_where_they_change_after_a_move():
-    changed = "coordinates that {} changes are read as if it were not there ({})"
+    changed = "{1}: {0} is ignored. The coordinates after it are read as if it were not there."
     assert said("G0 G17 G40 G80\nG55\n" + PLAIN + "G55\nX5") == []
-    assert said("G54.1 P1\n" + PLAIN + "G54.1 P1\nX5\nG54.1 P2\nX5") == [changed.format("G54.1", "line 8")]
+    assert said("G54.1 P1\n" + PLAIN + "G54.1 P1\nX5\nG54.1 P2\nX5") == [changed.format("G54.1", "Line 8")]
     assert said("G55 P1\n" + PLAIN + "G55\nG54\nX5\nG55\nX4\nG54") == [
-        changed.format("G54", "2 times, first in line 7"), changed.format("G55", "line 9")
+        changed.format("G54", "Line 7 (first of 2)"), changed.format("G55", "Line 9")
     ]  # fmt: skip
     assert said("G0 G17 G40 G80\nG92 X0 Y0\n" + PLAIN) == []
 
@@ -322,7 +322,7 @@ def test_work_offset_is_silent_before_moves_only(code):
     other = "G55" if code == "G54" else "G54"
     assert said(code + "\n" + PLAIN + code) == []
     assert said(other + "\n" + PLAIN + code) == [
-        f"coordinates that {code} changes are read as if it were not there (line 6)"
+        f"Line 6: {code} is ignored. The coordinates after it are read as if it were not there."
     ]
 
 
@@ -349,7 +349,7 @@ def test_machine_positions_at_ends_do_not_matter():
 def test_lines_with_a_block_delete_behind_their_number():
     text = "N1 G21 G90\nN2 G0 X0 Y0 Z5\nN3 /G1 Z-1 F60\n/N4 G1 X10\nN5 /2 Y2\n/3 N6 X4"
     assert points(text)[1:] == [[0, 0, -1], [10, 0, -1], [10, 2, -1], [4, 2, -1]]
-    assert said(text) == ["lines with a block delete (/) are read like the others (4 times, first in line 3)"]
+    assert said(text) == ["Line 3 (first of 4): Lines with a block delete (/) are read like all others."]
 
 
 def test_words_of_siemens_that_say_what_others_say():
@@ -383,20 +383,20 @@ def test_a_subprogram_that_stands_before_its_caller(call):
     for end in ("M99", "M99 P7", ""):
         text = "%\n" + subprogram.format(end) + "%\nO0001\n" + PLAIN + call + "\nX5\nM30\n%\n"
         assert points(text) == [list(p) for p in POINTS] + [[5, 2, -1]]
-        assert said(text) == ["a subprogram or macro call is not read (2 times, first in line 2)"]
+        assert said(text) == ["Line 2 (first of 2): A subprogram or macro call is ignored."]
 
 
 def test_a_program_that_is_not_called_ends_at_m99():
     text = "O1000 (M98 P1000)\n" + PLAIN + "M99\nO2\nG1 X99\nM30"
     assert points(text) == [list(p) for p in POINTS]
-    assert said(text) == ["what follows the program's end is not read (line 8)"]
+    assert said(text) == ["Line 8: Lines after the end of the program are ignored."]
 
 
 def test_a_block_that_is_called_is_not_cut_behind_the_end():
     text = PLAIN + "M97 P1000 L3\nX5\nM97 P2000\nM30\n(HOLE)\nN1000 G91\nG1 X9 F9\nG90 M99\nN2000 X99\nM99"
     assert points(text) == [list(p) for p in POINTS] + [[x, 2, -1] for x in (19, 28, 37, 5, 99)]
     assert said(text) == []
-    assert said(text + "\nN3000 X3\nM99") == ["what follows the program's end is not read (line 15)"]
+    assert said(text + "\nN3000 X3\nM99") == ["Line 15: Lines after the end of the program are ignored."]
 
 
 HEIDENHAIN = (
@@ -431,10 +431,10 @@ def test_centres_of_heidenhain_are_coordinates_and_stay(arc):
 
 
 def test_what_is_not_read_of_heidenhain_is_told():
-    shifted = "the unknown code 'G54' is ignored, and with it the X words of its line (line 8)"
+    shifted = "Line 8: The unknown code 'G54' is ignored, and the X words of its line with it."
     for line, sentence in (
-        ("N70 G54 X+7 *", shifted), ("N70 G73 G90 H+20 *", "the unknown code 'G73' is ignored (line 8)"),
-        ("N70 G91 I+5 *", "I words are not read (line 8)"),
+        ("N70 G54 X+7 *", shifted), ("N70 G73 G90 H+20 *", "Line 8: The unknown code 'G73' is ignored."),
+        ("N70 G91 I+5 *", "Line 8: I words are ignored."),
     ):  # fmt: skip
         text = HEIDENHAIN.format(line + "\nG90 X+0 *")
         assert said(text) == [sentence] and len(points(text)) == 3
@@ -449,52 +449,52 @@ def test_a_move_in_the_line_of_the_end_does_not_follow_it():
 def test_a_return_that_may_be_skipped_ends_nothing():
     text = PLAIN + "/M99\nX5\nM99 P10\nX6"
     assert points(text)[-2:] == [[5, 2, -1], [6, 2, -1]]
-    assert said(text)[1:] == ["jumps, loops and calls are not followed (2 times, first in line 5)"]
+    assert said(text)[1:] == ["Line 5 (first of 2): Jumps, loops and calls are ignored."]
 
 
 def test_a_subprogram_is_not_cut_where_it_is_defined():
     text = "O<hole> sub\nG1 X99 Y#1\nO<hole> endsub\n" + PLAIN
     assert points(text) == [list(p) for p in POINTS]
-    assert said(text) == ["a subprogram or macro call is not read (2 times, first in line 1)"]
+    assert said(text) == ["Line 1 (first of 2): A subprogram or macro call is ignored."]
 
 
 def test_problems_count():
     assert said(PLAIN + "#1=[1]+1\n#2=#1\n") == [
-        "variables and expressions are not read: the lines with them are left out (2 times, first in line 5)"
+        "Line 5 (first of 2): Lines with variables or expressions are ignored."
     ]
 
 
 @pytest.mark.parametrize(
     ("text", "sentence"),
     [
-        ("0 BEGIN PGM PART MM\n1 BLK FORM 0.1 Z X+0\n2 TOOL CALL 1 Z S2000\n3 L X+10 Y+5 R0 FMAX\n", "Heidenhain controls (line 1)"),
-        ("N10 G0 X0 Y0\nN20 CYCLE81(10,0,2,-5)\n", "Siemens controls (line 2)"),
-        ("G0 X0\nG1 X=IC(5) F100\n", "Siemens controls (line 2)"),
-        ("G0 X0\nN50 G2 X15 Y40 TURN=2\n", "Siemens controls (line 2)"),
-        ("G0 X0\nG1 X=R1 Y20\n", "Siemens controls (line 2)"),
-        ("G0 X0\nN20 R10=5\n", "Siemens controls (line 2)"),
-        ("G0 X0\nG3 Z-5 I5 J0 TURN=3\n", "Siemens controls (line 2)"),
-        ("G0 X0\nG1 X9 RND=2\n", "Siemens controls (line 2)"),
-        ("G0 X0\nX9 CHF = 2\n", "Siemens controls (line 2)"),
-        ("G0 X0\nG1 AP=30 RP=20\n", "Siemens controls (line 2)"),
-        ("DEF REAL DEPTH\nG0 X0\n", "Siemens controls (line 1)"),
-        ("solid cube\nfacet normal 0 0 1\nouter loop\n", "not an NC program: 3 of its 3 lines are not made of words"),
-        ("Dear Sir,\nplease find enclosed\nthe drawing\n", "not an NC program"),
-        ("", "not an NC program: no line of it moves a tool"),
-        ("G21\nG90\nM30\n", "not an NC program: no line of it moves a tool"),
-        ("#1=[2+3]\nG65 P9000\n", "none of its moves can be read: variables and expressions"),
-        ("#1=[2+3]\nG1 X#1 Y[#1*2] F200\n", "none of its moves can be read: variables and expressions"),
+        ("0 BEGIN PGM PART MM\n1 BLK FORM 0.1 Z X+0\n2 TOOL CALL 1 Z S2000\n3 L X+10 Y+5 R0 FMAX\n", "Line 1: The program is written for Heidenhain controls"),
+        ("N10 G0 X0 Y0\nN20 CYCLE81(10,0,2,-5)\n", "Line 2: The program is written for Siemens controls"),
+        ("G0 X0\nG1 X=IC(5) F100\n", "Line 2: The program is written for Siemens controls"),
+        ("G0 X0\nN50 G2 X15 Y40 TURN=2\n", "Line 2: The program is written for Siemens controls"),
+        ("G0 X0\nG1 X=R1 Y20\n", "Line 2: The program is written for Siemens controls"),
+        ("G0 X0\nN20 R10=5\n", "Line 2: The program is written for Siemens controls"),
+        ("G0 X0\nG3 Z-5 I5 J0 TURN=3\n", "Line 2: The program is written for Siemens controls"),
+        ("G0 X0\nG1 X9 RND=2\n", "Line 2: The program is written for Siemens controls"),
+        ("G0 X0\nX9 CHF = 2\n", "Line 2: The program is written for Siemens controls"),
+        ("G0 X0\nG1 AP=30 RP=20\n", "Line 2: The program is written for Siemens controls"),
+        ("DEF REAL DEPTH\nG0 X0\n", "Line 1: The program is written for Siemens controls"),
+        ("solid cube\nfacet normal 0 0 1\nouter loop\n", "This is not an NC program. 3 of its 3 lines do not consist of words"),
+        ("Dear Sir,\nplease find enclosed\nthe drawing\n", "This is not an NC program."),
+        ("", "This is not an NC program. None of its lines moves a tool."),
+        ("G21\nG90\nM30\n", "This is not an NC program. None of its lines moves a tool."),
+        ("#1=[2+3]\nG65 P9000\n", "None of the moves can be read. Line"),
+        ("#1=[2+3]\nG1 X#1 Y[#1*2] F200\n", "None of the moves can be read. Line"),
     ],
 )  # fmt: skip
 def test_no_milling_program(text, sentence):
-    with pytest.raises(Unusable, match=r"^[a-z]") as error:
+    with pytest.raises(Unusable, match=r"^[A-Z].*\.$") as error:
         read_program(text)
     assert sentence in str(error.value)
 
 
 def test_a_text_is_a_program_while_half_of_its_lines_are_words():
     assert len(read_program("what\nG0 X0 Y0 Z0\nG1 X5 F60").toolpath()) == 1
-    with pytest.raises(Unusable, match="not made of words"):
+    with pytest.raises(Unusable, match="do not consist of words"):
         read_program("what\nis\nthis\nG0 X0 Y0 Z0\nG1 X5 F60")
     assert len(read_program("what\nis\nG0 X0 Y0 Z0\nG1 X5 F60\nG1 X6").toolpath()) == 2
 
@@ -502,24 +502,30 @@ def test_a_text_is_a_program_while_half_of_its_lines_are_words():
 @pytest.mark.parametrize(
     ("text", "sentence"),
     [
-        ("G18\nG0 X50 Z2\nG1 Z-20 F.2", "a program for a lathe (G18, line 1)"),
-        ("G0 X50 Z2\nG71 P10 Q20 U.5 W.1\nN10 G1 X20\nN20 Z-30", "a program for a lathe (G71, line 2)"),
-        ("G0 X50 Z2\nG72 P10 Q20 U.5 W.1\nN10 G1 X20\nN20 Z-30", "a program for a lathe (G72, line 2)"),
-        ("G0 X50 Z2\nG76 P10 Q20\nG1 Z-30", "a program for a lathe (G76, line 2)"),
-        ("G7\nG0 X50 Z2\nG1 Z-20 F.2", "a program for a lathe (G7, line 1)"),
-        ("G0 X50 Z2\nG8\nG1 Z-20 F.2", "a program for a lathe (G8, line 2)"),
-        ("G0 X50 Z2\nG96 S200 M3\nG1 Z-20 F.2", "a program for a lathe (G96, line 2)"),
-        ("G21\nT0202\nG0 X50 Z2\nG1 Z-20 F100", "a program for a lathe (T0202, line 2)"),
-        ("G21 G97\nG0 X52 Z2\nG90 X48 Z-20 F0.2\nX44", "a program for a lathe (G90, line 3)"),
-        ("G20\nG0 X2 Z.1\nG90 X1.8 Z-1 F.008\nX1.6", "a program for a lathe (G90, line 3)"),
-        ("G0 X52 Z2 G99\nG1 X48\nF0.2\nZ-20", "a program for a lathe (G99, line 1)"),
-        ("G18 T1 M6\nG0 X50 Z2\nG1 Z-20 F.2", "a program for a lathe (G18, line 1)"),
-        ("G99 G18\nG50 S4000\nG0 X50 Y0 Z2\nG96 S200 M3\nG1 Z-20 F.2\nG91 Y0", "a program for a lathe (G96, line 4)"),
-        ("G0 X50 Z1\nG1 Z0 F.1\nG3 X52 Z-1 I0 K-1", "a program for a lathe (K, line 3)"),
-        ("G0 X50 Z1\nG1 Z0 F.1\nG3 X52 Z-1 R1", "a program for a lathe (R, line 3)"),
-        ("M104 S200\nG1 X5 Y5 Z.2 F600\nG1 X9 E1", "a program for a 3D printer (M104, line 1)"),
-        ("G1 X0 Z0 F600\n" + "".join(f"X{i} E{i}\n" for i in range(1, 12)), "a program for a 3D printer (E, line 2)"),
-        ("G1 X0 Y0 U0 V0 F100\nG1 X10 Y1 U10 V2", "a program for a wire cutter (U, V, line 1)"),
+        ("G18\nG0 X50 Z2\nG1 Z-20 F.2", "Line 1: G18 shows a program for a lathe."),
+        ("G0 X50 Z2\nG71 P10 Q20 U.5 W.1\nN10 G1 X20\nN20 Z-30", "Line 2: G71 shows a program for a lathe."),
+        ("G0 X50 Z2\nG72 P10 Q20 U.5 W.1\nN10 G1 X20\nN20 Z-30", "Line 2: G72 shows a program for a lathe."),
+        ("G0 X50 Z2\nG76 P10 Q20\nG1 Z-30", "Line 2: G76 shows a program for a lathe."),
+        ("G7\nG0 X50 Z2\nG1 Z-20 F.2", "Line 1: G7 shows a program for a lathe."),
+        ("G0 X50 Z2\nG8\nG1 Z-20 F.2", "Line 2: G8 shows a program for a lathe."),
+        ("G0 X50 Z2\nG96 S200 M3\nG1 Z-20 F.2", "Line 2: G96 shows a program for a lathe."),
+        ("G21\nT0202\nG0 X50 Z2\nG1 Z-20 F100", "Line 2: T0202 shows a program for a lathe."),
+        ("G21 G97\nG0 X52 Z2\nG90 X48 Z-20 F0.2\nX44", "Line 3: G90 shows a program for a lathe."),
+        ("G20\nG0 X2 Z.1\nG90 X1.8 Z-1 F.008\nX1.6", "Line 3: G90 shows a program for a lathe."),
+        ("G0 X52 Z2 G99\nG1 X48\nF0.2\nZ-20", "Line 1: G99 shows a program for a lathe."),
+        ("G18 T1 M6\nG0 X50 Z2\nG1 Z-20 F.2", "Line 1: G18 shows a program for a lathe."),
+        (
+            "G99 G18\nG50 S4000\nG0 X50 Y0 Z2\nG96 S200 M3\nG1 Z-20 F.2\nG91 Y0",
+            "Line 4: G96 shows a program for a lathe.",
+        ),
+        ("G0 X50 Z1\nG1 Z0 F.1\nG3 X52 Z-1 I0 K-1", "Line 3: K shows a program for a lathe."),
+        ("G0 X50 Z1\nG1 Z0 F.1\nG3 X52 Z-1 R1", "Line 3: R shows a program for a lathe."),
+        ("M104 S200\nG1 X5 Y5 Z.2 F600\nG1 X9 E1", "Line 1: M104 shows a program for a 3D printer."),
+        (
+            "G1 X0 Z0 F600\n" + "".join(f"X{i} E{i}\n" for i in range(1, 12)),
+            "Line 2: E shows a program for a 3D printer.",
+        ),
+        ("G1 X0 Y0 U0 V0 F100\nG1 X10 Y1 U10 V2", "Line 1: U, V shows a program for a wire cutter."),
     ],
 )
 def test_other_machines_say_so(text, sentence):

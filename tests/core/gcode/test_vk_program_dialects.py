@@ -23,20 +23,25 @@ def test_work_offsets_of_haas_and_siemens(code):
     assert said(f"G0 {code} X1 Y2\nZ5\n{code}\nG1 Z-1 F60\nG0 Z5") == []
     assert last(f"G0 {code} X7 Y8") == (7, 8, -1)
     name = code.split(maxsplit=1)[0]
-    assert said(PLAIN + code) == [f"coordinates that {name} changes are read as if it were not there (line 5)"]
+    assert said(PLAIN + code) == [
+        f"Line 5: {name} is ignored. The coordinates after it are read as if it were not there."
+    ]
 
 
 def test_the_offsets_of_haas_have_numbers():
     assert said("G154 P1\n" + PLAIN + "G154 P1\nX5\nG154 P2\nX6") == [
-        "coordinates that G154 changes are read as if it were not there (line 8)"
+        "Line 8: G154 is ignored. The coordinates after it are read as if it were not there."
     ]
 
 
 def test_the_offsets_of_an_okuma():
     begin = "G15 H1\nG21 G90\nG0 X0 Y0\nG56 HA Z5\nG1 Z-1 F60\nG41 DA X10 Y2\nG40\nG55 H2 Z7\nG15 H1\n"
-    assert said(begin) == ["cutter compensation (G41) is not followed: the path is the programmed one (line 6)"]
+    assert said(begin) == ["Line 6: Cutter compensation (G41) is ignored. The programmed path is used."]
     assert read_program(begin).toolpath().points[:, 2].tolist() == [5, -1, -1, 7]
-    assert said(begin + "G15 H2\nX5")[-1] == "coordinates that G15 changes are read as if it were not there (line 10)"
+    assert (
+        said(begin + "G15 H2\nX5")[-1]
+        == "Line 10: G15 is ignored. The coordinates after it are read as if it were not there."
+    )
 
 
 @pytest.mark.parametrize(
@@ -57,22 +62,22 @@ def test_units_of_siemens():
 def test_words_that_go_with_an_unknown_code_are_told():
     assert last("G777 X5 Z-9") == (10, 2, -1)
     assert said(PLAIN + "G777 Z-9 X5 F90\nX6\nG777 P1\nG777 Y5") == [
-        "the unknown code 'G777' is ignored, and with it the X, Z words of its line (line 5)",
-        "the unknown code 'G777' is ignored (line 7)",
-        "the unknown code 'G777' is ignored, and with it the Y words of its line (line 8)",
+        "Line 5: The unknown code 'G777' is ignored, and the X, Z words of its line with it.",
+        "Line 7: The unknown code 'G777' is ignored.",
+        "Line 8: The unknown code 'G777' is ignored, and the Y words of its line with it.",
     ]
 
 
 def test_axes_of_a_mirror_are_no_targets():
     assert last("G50.1 X0. Y0.") == last("G51.1 X0.") == (10, 2, -1)
     assert said("G50.1 X0. Y0.\n" + PLAIN + "G50.1 X0.\nX5") == []
-    mirrored = "coordinates that G51.1 changes are read as if it were not there (line {})"
+    mirrored = "Line {}: G51.1 is ignored. The coordinates after it are read as if it were not there."
     assert said(PLAIN + "G51.1 X0.\nX5\nG50.1 X0.\nX6") == [mirrored.format(5)]
     assert said("G51.1 X0.\n" + PLAIN + "G50.1 X0.") == [mirrored.format(1)]
 
 
 def test_a_program_is_not_its_own_subprogram():
-    called = "a subprogram or macro call is not read (line 6)"
+    called = "Line 6: A subprogram or macro call is ignored."
     for call in ("M98 P10500", "M98 P500", "G65 P500 A1"):
         text = "O00500\n" + PLAIN + call + "\nX5\nM30"
         assert said(text) == [called] and read_program(text).toolpath().points[-1, 0] == 5
@@ -82,13 +87,13 @@ def test_a_program_is_not_its_own_subprogram():
 def test_p10500_is_once_500_where_there_is_no_10500(other, calls_500):
     text = f"O500\n{PLAIN}M99\n%\nO{other}\nG1 X77\nM99\n%\nO1\nM98 P10500\nG0 X3\nM30"
     assert (
-        "a subprogram or macro call is not read (line 1)" in said(text)
+        "Line 1: A subprogram or macro call is ignored." in said(text)
     ) == calls_500  # what is read ends before the call
     assert read_program(text).toolpath().points[-1, 0] == (77 if calls_500 else 10)
 
 
 def test_a_call_of_a_program_on_the_data_server():
-    assert said(PLAIN + "M198 P1234\nX5\nM198") == ["a subprogram or macro call is not read (line 5)"]
+    assert said(PLAIN + "M198 P1234\nX5\nM198") == ["Line 5: A subprogram or macro call is ignored."]
     kept = read_program("O1234\nG1 X99\nM99\nO1\n" + PLAIN + "M198 P1234").toolpath()
     assert kept.points[0].tolist() == [0, 0, 5]
 
@@ -135,7 +140,7 @@ def test_the_drilling_cycles_of_a_fagor():
     relative = read_program("G21\nG0 X0 Y0 Z20\nG91 G99 G82 X5 Y7 Z-18 I-6 F100\nG80").toolpath()
     assert relative.points[1:][~relative.rapid].tolist() == [[5, 7, -4]]
     assert said("G21 G90\nG0 X0 Y0 Z50\nG99 G81 X5 Y7 Z2 I-18 F100\nG80") == []
-    assert said("G21 G90\nG0 X0 Y0 Z50\nG99 G81 X5 Y7 Z-18 R2 I-3 F100\nG80") == ["I words are not read (line 3)"]
+    assert said("G21 G90\nG0 X0 Y0 Z50\nG99 G81 X5 Y7 Z-18 R2 I-3 F100\nG80") == ["Line 3: I words are ignored."]
 
 
 def test_line_numbers_that_nobody_has_filled_in():

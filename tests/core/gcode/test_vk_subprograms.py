@@ -51,7 +51,7 @@ def test_it_is_run_where_it_is_called(text):
 def test_subprogram_ends_at_next_one_or_at_its_return(end):
     text = f"O1\n{BEFORE}M98 P2000\nG1 X5\nM30\nO2000\n{STEP}{end}"
     assert points(text)[-2:] == [(0, 0, -1), (5, 0, -1)]
-    assert said(text)[-1] == f"what follows the program's end is not read (line {16 + end.startswith('/')})"
+    assert said(text)[-1] == f"Line {16 + end.startswith('/')}: Lines after the end of the program are ignored."
 
 
 def test_it_may_be_called_not_once():
@@ -61,9 +61,7 @@ def test_it_may_be_called_not_once():
 def test_what_it_does_stands_in_the_line_of_its_call():
     text = f"O1\n{BEFORE}M98 P2000\nG1 X5\nM98 P2000\nM30\nO2000 (STEP)\n{STEP}#1=#2\nM99"
     assert sorted(set(path_of(text).command.tolist())) == [5, 6, 7]
-    assert said(text) == [
-        "variables and expressions are not read: the lines with them are left out (2 times, first in line 5)"
-    ]
+    assert said(text) == ["Line 5 (first of 2): Lines with variables or expressions are ignored."]
 
 
 def test_operations_are_divided_within_subprograms_too():
@@ -94,7 +92,7 @@ def test_operations_are_divided_within_subprograms_too():
 def test_one_that_is_called_otherwise_or_is_not_there_is_told(call):
     text = f"O1\n{BEFORE}G1 X1\n{call}\nX5\nM30\nO2000\nG91\nM99"
     assert points(text)[-1] == (5, 0, 0)
-    assert said(text) == ["a subprogram or macro call is not read (line 6)"]
+    assert said(text) == ["Line 6: A subprogram or macro call is ignored."]
 
 
 @pytest.mark.parametrize(
@@ -112,10 +110,10 @@ def test_what_calls_itself_ends():
     for other in (2000, 3000):
         text = itself.format(other, other)
         assert points(text)[-2:] == [(6, 0, 0), (7, 0, 0)] and points(text).count((6, 0, 0)) == 1
-        assert said(text)[0] == "a subprogram or macro call is not read (2 times, first in line 5)"
+        assert said(text)[0] == "Line 5 (first of 2): A subprogram or macro call is ignored."
     within = f"{BEFORE}M97 P10\nX7\nM30\nN10 G1 X5\nM97 P10\nX6\nM99"
     assert points(within)[-3:] == [(5, 0, 0), (6, 0, 0), (7, 0, 0)]
-    assert said(within) == ["a subprogram or macro call is not read (line 4)"]
+    assert said(within) == ["Line 4: A subprogram or macro call is ignored."]
 
 
 def test_what_would_run_for_hours_is_given_up(monkeypatch):
@@ -123,6 +121,6 @@ def test_what_would_run_for_hours_is_given_up(monkeypatch):
     chain = "".join(f"O{k}\nG1 X{k}\nM98 P{k + 1} L99999999\nM99\n" for k in range(100, 130))
     text = f"O1\n{BEFORE}M98 P100 L99999999\nX7\nM30\n{chain}"
     assert points(text)[-1] == (7, 0, 0) and max(x for x, _, _ in points(text)) == 109
-    assert all(one.startswith("a subprogram or macro call is not read (") for one in said(text)[:1])
+    assert all(one.endswith(": A subprogram or macro call is ignored.") for one in said(text)[:1])
     empty = f"O1\n{BEFORE}M98 P100 L99999999\nG1 X7\nM30\nO100\nM99"
     assert points(empty)[-1] == (7, 0, 0)

@@ -124,5 +124,5 @@ def test_a_program_that_turns_says_so():
 
 
 def test_a_program_that_moves_nothing_but_what_is_not_read():
-    with pytest.raises(Unusable, match=r"turns of a rotary axis \(A\) are not followed"):
+    with pytest.raises(Unusable, match=r"Moves of a rotary axis \(A\) are ignored"):
         read_program("G1 A5\nG1 A9")

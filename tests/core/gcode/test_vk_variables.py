@@ -43,17 +43,20 @@ def test_it_stands_for_the_number_that_was_set_last():
 @pytest.mark.parametrize("change", ["#1=[#2+3]", "#1=ROUND[#2]", "#1=#9"])
 def test_what_is_calculated_is_not_read(change):
     text = f"G21\n#1=-1\n#2=5\n#3=60\n{MOVES}{change}\nG1 Z#1 X20\n"
-    assert "variables and expressions are not read: the words with them are left out (line 9)" in said(text)
+    assert "Line 9: Words with variables or expressions are ignored." in said(text)
     assert points(text)[-1] == [20, 0, -1]
 
 
 @pytest.mark.parametrize("flow", ["WHILE [#1 LT 9] DO1\nEND1", "IF [#1 EQ 0] GOTO 10", "o100 call [1]"])
 def test_in_programs_with_jumps_no_number_is_sure(flow):
     text = f"G21\n#1=-1\n#2=5\n#3=60\nG0 X0 Y0 Z5\nG1 X1 Z#1\n{flow}\nX5\n"
-    assert any("variables and expressions are not read: the words with them" in message for message in said(text))
+    assert any("Words with variables or expressions" in message for message in said(text))
     assert min(point[2] for point in points(text)) == 5
 
 
 def test_a_variable_that_nothing_sets_and_one_behind_another():
-    assert "the words with them are left out (line 4)" in said("G21\n#1=4\nG0 X0 Y0 Z5\nG1 X1 Z##1\nX5\n")[0]
-    assert "the words with them are left out (line 3)" in said("G21\nG0 X0 Y0 Z5\nG1 X1 Z#5\nX5\n")[0]
+    assert (
+        "Line 4: Words with variables or expressions are ignored."
+        in said("G21\n#1=4\nG0 X0 Y0 Z5\nG1 X1 Z##1\nX5\n")[0]
+    )
+    assert "Line 3: Words with variables or expressions are ignored." in said("G21\nG0 X0 Y0 Z5\nG1 X1 Z#5\nX5\n")[0]

@@ -101,8 +101,8 @@ def test_every_message_in_every_language(language):
 )
 def test_labels_stay_as_they_are(label):
     message = Message("heaviest", label=label, time=3.0)
-    assert render(message) == f"; the heaviest is {label} with 3.0 s"
-    assert render(message, German()) == f"; am schwersten wiegt {label} mit 3,0 s"
+    assert render(message) == f" The slowest is {label} with 3.0 s."
+    assert render(message, German()) == f" Am längsten braucht {label} mit 3,0 s."
     assert Message.from_data(json.loads(json.dumps(message.as_data()))) == message
 
 
@@ -120,11 +120,11 @@ def wrong_reasons():
             yield kind, found.reason
         for reader in map(Translated, LANGUAGES):
             shown = render(found.why, reader)
-            if re.search(r"\b(phi|turns|over|the|and)\b|[{}]", shown):
+            if re.search(r"\b(Phi|turns|over|the|and)\b|[{}]", shown):
                 yield kind, shown
         for reader in (ENGLISH, *map(Translated, LANGUAGES)):
             shown = render(found.why, reader, plain=True)
-            if not shown or re.search(r"\bphi\b|φ|[{}]", shown):
+            if not shown or re.search(r"\bPhi\b|φ|[{}]", shown):
                 yield kind, shown
 
 
@@ -146,9 +146,9 @@ def test_a_reason_holds_its_numbers():
 
 def test_numbers_as_each_reads_them():
     message = Message("passes-need", step=2.54, cell=0.635)
-    assert render(message) == "; passes 2.54 mm apart ask for 0.64 mm"
-    assert render(message, German()) == "; Bahnen im Abstand von 2,54 mm verlangen 0,64 mm"
-    assert render(message, Inches()) == "; passes 0.1 in apart ask for 0.025 in"
+    assert render(message) == " Passes 2.54 mm apart need 0.64 mm."
+    assert render(message, German()) == " Bahnen im Abstand von 2,54 mm brauchen 0,64 mm."
+    assert render(message, Inches()) == " Passes 0.1 in apart need 0.025 in."
     german = German()
     assert (german.count(1234567), german.decimals(3.14159, 2)) == ("1.234.567", "3,14")
     assert (german.share(0.98), ENGLISH.share(0.98)) == ("98 %", "98%")
@@ -175,17 +175,17 @@ def test_numbers_have_two_or_three_digits_and_a_unit(kind, number, text):
     (3.1e9, "3.1 GB", "2.0 GB"), (2.04e9, "2.04 GB", "2.00 GB"), (2.0004e9, "2.0004 GB", "2.0000 GB"), (2e9, "2.0 GB", "2.0 GB"),
 ])  # fmt: skip
 def test_what_is_more_than_another_reads_so(memory, needed, allowed):
-    """Rounded it took "about 2.0 GB, more than the 2.0 GB allowed"."""
+    """No sentence says "about 2.0 GB, which is over your 2.0 GB limit"."""
     told = render(Message("memory", simulator="legacy", memory=memory, allowed=2e9, instead=Message("smaller-image")))
-    assert f"takes about {needed} for this operation, more than the {allowed} allowed" in told
+    assert f"takes about {needed} for this operation, which is over your {allowed} limit." in told
 
 
 def test_times_that_differ_read_differently():
     close = Message("legacy-long-play", simulator="legacy", longer=602.0, time=598.0)
-    assert "10.03 min in the legacy simulator: fast-forward takes about 9.97 min" in render(close)
+    assert "10.03 min in the legacy simulator. Use fast-forward, which takes about 9.97 min" in render(close)
     assert "10,03 min" in render(close, German()) and "9,97 min" in render(close, German())
-    assert (ENGLISH.time(0.0501, finer=2), ENGLISH.memory(50.25, 2)) == ("50.10 ms", "0.05025 kB")
-    assert (ENGLISH.time(2.0, finer=2), ENGLISH.time(36_000.0, finer=1)) == ("2.000 s", "10.0 h")
+    assert (ENGLISH.time(0.0501, extra_digits=2), ENGLISH.memory(50.25, 2)) == ("50.10 ms", "0.05025 kB")
+    assert (ENGLISH.time(2.0, extra_digits=2), ENGLISH.time(36_000.0, extra_digits=1)) == ("2.000 s", "10.0 h")
 
 
 def test_a_volume_is_read_in_the_unit_of_its_side():
@@ -218,7 +218,7 @@ def test_strategies_are_named_by_their_values(strategy):
 
 def test_plain_words_leave_out_the_papers_terms():
     """Where a reason speaks in the paper's terms, a machinist has other words of the same numbers."""
-    terms = re.compile(r"\b(phi|half-turns|level)\b")
+    terms = re.compile(r"\b(Phi|half-turns|level)\b")
     spoken = {code for code in TABLE for template in templates(code) if terms.search(PLACE.sub("", template))}
     assert spoken - set(PLAIN) <= {"sections"}
     for code, known in PLAIN.items():
@@ -230,8 +230,8 @@ def test_plain_words_leave_out_the_papers_terms():
     bites = Message("bites-overlap", count=132)
     spread = Message("apart-at-depths", step=1.0, depths=3)
     why = Message("strokes", low=-1.0, high=9.0, count=5, spread=spread, seen=bites, strategy=Strategy.ADAPTIVE)
-    assert render(why, plain=True) == "132 overlapping bites, 1 mm apart at 3 depths"
-    assert render(why).startswith("phi stays")
+    assert render(why, plain=True) == "132 overlapping engagements, 1 mm apart at 3 depths"
+    assert render(why).startswith("Phi stays")
 
 
 def test_one_and_more():
@@ -295,15 +295,15 @@ def test_what_is_no_message_is_refused_with_a_value_error(data):
 def test_an_error_that_carries_its_message():
     error = Unusable(Message("tip-angle", angle=4.0))
     assert isinstance(error, ValueError) and error.what.code == "tip-angle"
-    assert str(error) == "the tip angle must lie between 0 and pi, not be 4"
+    assert str(error) == "The tip angle must be between 0 and pi, not 4."
 
 
 def test_a_number_in_a_sentence_has_six_digits():
-    assert str(Unusable(Message("tip-angle", angle=10 / 3))).endswith("not be 3.33333")
+    assert str(Unusable(Message("tip-angle", angle=10 / 3))).endswith("not 3.33333.")
 
 
 def test_list_argument_is_joined_for_the_reader():
     several = Message("tip-angle", angle=(0.5, 4.0))
-    assert render(several).endswith("not be 0.5, 4") and "0,5, 4" in render(several, German())
+    assert render(several).endswith("not 0.5, 4.") and "0,5, 4" in render(several, German())
     both = Message("in-commands", sentence=(Message("no-moves"), Message("only-rapids")), count=1, command=3)
-    assert render(both).startswith(f"{render(Message('no-moves'))}, {render(Message('only-rapids'))} (")
+    assert render(both) == f"Command 3: {render(Message('no-moves'))} {render(Message('only-rapids'))}"

@@ -101,7 +101,7 @@ def check(commands, diameter, file):
     assert found.level in {s.top_level for s in each}
     assert found.paper == paper_verdict(areas)
     # What the mark, its tooltip and the panel say.
-    if found.reason.startswith("phi "):
+    if found.reason.startswith("Phi "):
         shown = [ENGLISH.turns(phi) for phi in found.phi_range]
         numbers = NUMBER.findall(found.reason.partition(" turns")[0])
         assert numbers in (shown, [ENGLISH.turns(farthest(found.phi_range))], ["0"]), found.reason

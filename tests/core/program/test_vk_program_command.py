@@ -96,7 +96,7 @@ def test_a_table_for_each_program(folder, inside):
     done = run(folder, "--jobs", 2)
     assert done.returncode == 1
     assert done.stdout.count("Face") == 3 and done.stdout.count("zigzag") == 3
-    assert f"{folder / 'b.nc'}\nnot an NC program: it is not text\n" in done.stdout
+    assert f"{folder / 'b.nc'}\nThis is not an NC program, because it is not text.\n" in done.stdout
     assert done.stderr.splitlines()[-1] == "3 operations in 4 files, 1 could not be read."
     (folder / "b.nc").unlink()
     assert inside(folder).returncode == 0
@@ -276,7 +276,7 @@ def apart_in_a_thread(*asked):
 def test_after_a_program_that_is_given_up_the_next_is_read(folder, endless):
     """The next one may take longer than threads can wait."""
     late, other = apart_in_a_thread((endless, 0.5), (folder / "a.nc", 1e10))
-    assert late.error == "given up after 500 ms" and not late.counted
+    assert late.error == "The analysis was stopped after 500 ms." and not late.counted
     assert str(other.strategy) == "zigzag"
 
 
@@ -288,7 +288,9 @@ def test_an_analysis_that_fails_costs_only_its_program(folder, inside, monkeypat
 
     monkeypatch.setattr(command_line, "analyze_apart", fails)
     done = inside(folder)
-    assert "could not be analyzed, please report it with the file: MemoryError: none left\n" in done.stdout
+    assert (
+        "The analysis failed. Please report the error together with the file: MemoryError: none left\n" in done.stdout
+    )
     assert done.stderr.splitlines()[-1] == "2 operations in 4 files, 2 could not be read."
 
 
@@ -314,7 +316,7 @@ def test_a_table_is_seen_when_its_program_is_read(tmp_path, monkeypatch):
 def test_a_program_that_never_ends_costs_only_itself(folder, tmp_path, endless):
     done = run(folder, endless, "--csv", tmp_path / "out.csv", "--timeout", "20", "--jobs", 2)
     errors = {Path(row["document"]).name: row["error"] for row in rows_of(tmp_path / "out.csv")}
-    assert errors.pop("endless.nc") == "given up after 20 s"
+    assert errors.pop("endless.nc") == "The analysis was stopped after 20 s."
     assert errors.pop("b.nc") and len(errors) == 3 and not any(errors.values())
     assert done.stderr.splitlines()[-1] == "3 operations in 5 files, 2 could not be read."
 
@@ -339,7 +341,7 @@ def test_a_process_that_dies_costs_only_its_program(tmp_path):
     thread.join(60)
     apart.end_workers()
     (died,), (alive,) = found
-    assert died.error.startswith("the process that read it died") and not died.counted
+    assert died.error.startswith("The process that read the file ended") and not died.counted
     assert str(alive.strategy) == "zigzag"
 
 
@@ -507,7 +509,7 @@ def test_the_same_on_a_dask_cluster(folder, tmp_path, inside, endless, scheduler
     for line in there.read_bytes().splitlines():
         (late if b"endless.nc" in line else found).append(line)
     assert sorted(found) == sorted(here.read_bytes().splitlines())
-    assert len(late) == 1 and b"given up after 5.0 s" in late[0]
+    assert len(late) == 1 and b"stopped after 5.0 s" in late[0]
     started = client.run(lambda: len(__import__("vkworkbench.program.apart", fromlist=["apart"])._workers))
     assert len(started) == 2 and all(started.values())  # both had something to do
 

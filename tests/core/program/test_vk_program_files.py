@@ -64,21 +64,21 @@ def test_no_text(data):
 
 
 @pytest.mark.parametrize("first, told", [
-    ("Document.xml", "a FreeCAD document: analyze it in FreeCAD"), ("bracket.nc", "a zip archive: unpack it first"),
+    ("Document.xml", "a FreeCAD document. Analyze it in FreeCAD"), ("bracket.nc", "a zip archive. Unpack it first"),
 ])  # fmt: skip
 def test_what_is_packed_says_what_to_do(tmp_path, first, told):
     path = tmp_path / "part.FCStd"
     with zipfile.ZipFile(path, "w") as archive:
         archive.writestr(first, PROGRAM)
     (row,) = vkworkbench.analyze(path).operations
-    assert row.error.startswith(f"not an NC program, but {told}")
+    assert row.error.startswith(f"This is not an NC program, but {told}")
 
 
 def test_a_drawing_is_no_program_with_variables(tmp_path):
     path = tmp_path / "logo.svg"
     path.write_text('<?xml version="1.0"?>\n<svg width="10">\n<path d="M0 0L9 9"/>\n</svg>\n')
     (row,) = vkworkbench.analyze(path).operations
-    assert row.error.startswith("not an NC program: 4 of its 4 lines are not made of words")
+    assert row.error.startswith("This is not an NC program. 4 of its 4 lines do not consist of words")
 
 
 def test_packed_files(tmp_path):
@@ -105,7 +105,7 @@ def test_a_file_larger_than_any_toolpath_is_refused(tmp_path, monkeypatch):
     path.write_bytes(b"G1 X10")
     assert read_bytes(path) == b"G1 X10"
     path.write_bytes(b"G1 X100")
-    with pytest.raises(Unusable, match="the file is larger than"):
+    with pytest.raises(Unusable, match="The file is larger than"):
         read_bytes(path)
 
 
@@ -117,7 +117,7 @@ def test_a_pipe_or_a_device_is_no_file(tmp_path):
         tmp_path / "linked.nc",
         Path("/dev/zero"),
     ):  # to wait for them would take for ever
-        with pytest.raises(Unusable, match=r"^this is no file, but a pipe or a device$"):
+        with pytest.raises(Unusable, match=r"^This is not a file, but a pipe or a device\.$"):
             read_bytes(path)
     for path, told in ((tmp_path, "Is a directory"), (tmp_path / "none.nc", "No such file or directory")):
         with pytest.raises(Unusable, match=told):
@@ -150,7 +150,7 @@ def test_a_folder_that_cannot_be_read_is_told(tmp_path, monkeypatch):
     monkeypatch.setattr(os, "scandir", refuse)
     rows = vkworkbench.analyze(tmp_path).operations
     assert [Path(row.document).name for row in rows] == ["a.nc", "a.nc", "closed"]
-    assert rows[-1].error.startswith("the file cannot be read: ") and not rows[-1].counted
+    assert rows[-1].error.startswith("The file cannot be read: ") and not rows[-1].counted
 
 
 def test_folders_and_files(tmp_path):
@@ -223,10 +223,12 @@ def test_one_row_for_each_operation(tmp_path):
     assert (face.document, face.job, face.counted) == (str(path), "bracket.nc", True)
     assert (face.spans[0].first_command, face.spans[0].last_command) == (8, 48)
     assert face.estimate.traces > 0 and face.resolution is not None and face.error is None
-    assert holes.estimate is None and holes.error.startswith("no tool: the program does not say its diameter")
+    assert holes.estimate is None and holes.error.startswith("The program does not contain the tool's diameter")
     assert face.length == pytest.approx(6 + 20 + 19 * 40)
     assert face.machining.seconds == pytest.approx(face.length / 10)
-    assert face.machining.notes == ("6 mm of rapids are not in the time: a program does not say how fast they are",)
+    assert face.machining.notes == (
+        "The machining time does not include 6 mm of rapids, because a program does not contain their speed.",
+    )
     (total,) = report.totals
     assert (total.operations, total.label, total.incomplete) == (2, "bracket.nc", True)
     assert "Face" in str(report) and "bracket.nc: 2 operations" in str(report)
@@ -313,11 +315,11 @@ def test_what_cannot_be_read_costs_only_itself(tmp_path):
     report = vkworkbench.analyze([tmp_path, tmp_path / "missing.nc"])
     errors = {Path(row.document).name: row.error for row in report.operations if not row.counted}
     assert errors == {
-        "a.nc": "not an NC program: it is not text",
-        "c.nc": "a program in the language of Heidenhain controls (line 1): post it as G-code (ISO) to have it read",
-        "e.nc": "no cutting move in its toolpath; variables and expressions are not read: the lines with them are left "
-        "out (line 2); variables and expressions are not read: the words with them are left out (line 3)",
-        "missing.nc": "the file cannot be read: No such file or directory",
+        "a.nc": "This is not an NC program, because it is not text.",
+        "c.nc": "Line 1: The program is written for Heidenhain controls. Post it as G-code (ISO) to analyze it.",
+        "e.nc": "The toolpath has no cutting move. Line 2: Lines with variables or expressions are ignored. "
+        "Line 3: Words with variables or expressions are ignored.",
+        "missing.nc": "The file cannot be read: No such file or directory.",
     }
     # Of what cannot be read nothing is known; what has no cut is empty, and was read unless something in it was not.
     strategies = {Path(row.document).name: str(row.strategy) for row in report.operations}
@@ -341,7 +343,7 @@ def test_program_of_rapids_cuts_nothing_in_unknown_time(tmp_path):
     (tmp_path / "rapids.nc").write_text("G21\nG0 X0 Y0 Z5\nG0 X50\nM30\n")
     report = vkworkbench.analyze(tmp_path)
     (row,) = report.operations
-    assert row.counted and str(row.strategy) == "empty" and row.error == "no cutting move in its toolpath"
+    assert row.counted and str(row.strategy) == "empty" and row.error == "The toolpath has no cutting move."
     _, _, line, _, total = str(report).splitlines()
     assert re.search(r" 0 mm +\? ", line) and re.search(r" 0 mm +\? ", total)
 
@@ -349,10 +351,10 @@ def test_program_of_rapids_cuts_nothing_in_unknown_time(tmp_path):
 @pytest.mark.parametrize(
     ("text", "error"),
     [
-        ("G0 X50 Z2\nG96 S200 M3\nG1 Z-20 F.2\n", "a program for a lathe (G96, line 2)"),
-        ("G0 X0 Y0 A0 Z5\nG1 Z0 F100\nX9 A9\nX0 A18\n", "a rotary axis turns while the tool cuts (line 3)"),
-        ("M104 S200\nG1 X5 Y5 E1 F600\nX9\n", "a program for a 3D printer (M104, line 1)"),
-        ("T0101\nG0 X52 Z2\nG90 X48 Z-20 F0.2\nX44\nG0 X99\n", "a program for a lathe (G90, line 3)"),
+        ("G0 X50 Z2\nG96 S200 M3\nG1 Z-20 F.2\n", "Line 2: G96 shows a program for a lathe."),
+        ("G0 X0 Y0 A0 Z5\nG1 Z0 F100\nX9 A9\nX0 A18\n", "Line 3: A rotary axis turns while the tool cuts."),
+        ("M104 S200\nG1 X5 Y5 E1 F600\nX9\n", "Line 1: M104 shows a program for a 3D printer."),
+        ("T0101\nG0 X52 Z2\nG90 X48 Z-20 F0.2\nX44\nG0 X99\n", "Line 3: G90 shows a program for a lathe."),
     ],
 )
 def test_what_is_no_milling_has_no_strategy(tmp_path, text, error):
@@ -455,7 +457,7 @@ def test_thousandths_without_a_decimal_point_are_noticed(tmp_path, place, said):
     path = tmp_path / "increments.nc"
     path.write_text(f"G21\n(T1 D=6 - end mill)\nT1 M6\nG0 X0 Y0 Z5000\nG1 Z-1000 F600\n{rows}G0 Z5000\n")
     (row,) = vkworkbench.analyze(path).operations
-    asked = "it spans meters in whole numbers: thousandths without a decimal point read as whole units?"
+    asked = "The toolpath spans meters in whole numbers. Thousandths without a decimal point are probably read as whole units."
     assert (asked in (row.error or "")) is said
     assert row.length > 20 * 20_000
 
@@ -467,7 +469,7 @@ def test_inches_without_g20_are_noticed(tmp_path, unit, said):
     path.write_text(f"{unit}(T1 D=0.25 - end mill)\nT1 M6\nG0 X0 Y0 Z.5\nG1 Z-.1 F20\n{rows}G0 Z.5\n")
     (row,) = vkworkbench.analyze(path).operations
     assert str(row.strategy) == "zigzag"
-    assert (row.error == "it looks 25.4 times too small: inches read as millimeters?") is said
+    assert (row.error == "The toolpath looks 25.4 times too small. Inches are probably read as millimeters.") is said
 
 
 @pytest.mark.parametrize("tool", ["T1 1/4 END MILL", "T1 6.35mm END MILL"])
@@ -489,4 +491,4 @@ def test_program_with_inch_tools_is_in_inches(tmp_path, tool, said):
     path = tmp_path / "inch.nc"
     path.write_text(f"({tool})\nT1 M6\nG0 X0 Y0 Z3\nG1 Z-.1 F20\nX36\nY4\nX0\nY0\nG0 Z3\n")
     (row,) = vkworkbench.analyze(path).operations
-    assert (row.error == "it looks 25.4 times too small: inches read as millimeters?") is said
+    assert (row.error == "The toolpath looks 25.4 times too small. Inches are probably read as millimeters.") is said

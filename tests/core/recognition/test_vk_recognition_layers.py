@@ -107,7 +107,7 @@ def test_a_contour_around_the_rows_is_their_finishing_pass(last):
     inside = [("G0", {"Z": 2.0}), ("G0", {"X": 0.0, "Y": 0.0}), ("G1", {"Z": DEEP, "F": 5.0}), *rows()]
     found = recognize(linearize(inside + contour if last else contour + inside), tool_diameter=3.0)
     assert found.strategy is Strategy.ZIGZAG and found.finishing
-    assert found.reason.endswith(", finished by a contour around the rows")
+    assert found.reason.endswith(" A contour around the rows finishes the area.")
     alone = recognize(linearize(inside), tool_diameter=3.0)
     assert alone.strategy is Strategy.ZIGZAG and not alone.finishing
 

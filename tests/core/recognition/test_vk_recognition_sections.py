@@ -274,7 +274,7 @@ def test_pattern_with_few_holes_keeps_its_name(program):
     assert found.strategy is Strategy.CONTOUR_PARALLEL
     assert [s.strategy for s in found.spans] == [Strategy.CONTOUR_PARALLEL, Strategy.DRILLING]
     assert found.spans[1].share < 0.05
-    assert found.reason.endswith("with a little drilling beside it"), found.reason
+    assert found.reason.endswith(" A small part is drilling."), found.reason
     assert found.passes == 12  # the numbers are those of the pattern
 
 

@@ -326,7 +326,7 @@ def test_reasons_are_written_as_people_write():
     one = recognize(linearize(squares([20])))
     assert "over one loop" in one.reason and "+1.00 turns" in one.reason
     straight = recognize(linearize([*START, ("G1", {"X": 50.0})]))
-    assert "phi stays at 0 over one open stroke" in straight.reason
+    assert "Phi stays at 0 over one open stroke" in straight.reason
 
 
 @pytest.mark.parametrize("turn", [1, -1])

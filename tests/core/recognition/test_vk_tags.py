@@ -113,7 +113,7 @@ def test_tagged_strokes_form_contour_at_each_depth(to_and_fro, tool):
     assert np.array_equal(around.index, moves.index)
     found = recognize(linearize(programs.program(strokes)), tool_diameter=tool)
     assert (found.strategy, found.depths) == (Strategy.PROFILE, 3), found.reason
-    assert "over 3 loops at 3 depths, cut in strokes, as between tags" in found.reason
+    assert "over 3 loops at 3 depths, cut in strokes, as between holding tags" in found.reason
 
 
 def test_unlike_strokes_and_deep_rows_are_not_a_contour():
@@ -131,7 +131,7 @@ def test_unlike_strokes_and_deep_rows_are_not_a_contour():
 def test_a_contour_over_tags_is_a_profile(tags, tool):
     found = recognize(linearize(programs.program(parts_of_sides(tags=tags))), tool_diameter=tool)
     assert found.strategy is Strategy.PROFILE and found.confidence > 0.9, found.reason
-    assert "over one loop, cut in strokes, as between tags: profile" in found.reason
+    assert "over one loop, cut in strokes, as between holding tags: profile" in found.reason
 
 
 def unchanged(strokes):
@@ -184,7 +184,7 @@ def test_reason_depends_on_share_of_strokes():
     parts = parts_of_sides()
     length = 400.0 - 8 * TAG
     assert joined_over_tags(areas([*parts, hole]))[1] == pytest.approx(length / (length + 120))
-    for holes, seen in ((1, "cut in strokes, as between tags"), (4, "no nested offsets")):
+    for holes, seen in ((1, "cut in strokes, as between holding tags"), (4, "no nested offsets")):
         others = [[(x + 40.0 * k, y, z) for x, y, z in hole] for k in range(holes)]
         found = recognize(linearize(programs.program([*parts, *others])), tool_diameter=6.0)
         assert found.strategy is Strategy.PROFILE and seen in found.reason, found.reason

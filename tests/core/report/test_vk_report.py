@@ -140,8 +140,8 @@ def test_job_length_is_unknown_if_an_operation_is():
 def test_table_lists_contradiction_before_other_remarks():
     rows = replace(operation("One").recognition, strategy=Strategy.ZIGZAG)
     _, one, two, _ = lines(report(operation("One", called="Offset", recognition=rows), operation("Two")))
-    assert "  called Offset, but its toolpath is zigzag; no tool: give" in one
-    assert "called" not in two and "  no tool: give" in two
+    assert "  The operation is called Offset, but its toolpath is zigzag. The operation has no tool. Give" in one
+    assert "called" not in two and "  The operation has no tool. Give" in two
 
 
 def test_where_nothing_moves_there_are_no_times_to_tell():

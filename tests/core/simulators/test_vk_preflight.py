@@ -130,7 +130,9 @@ def test_a_long_play_is_announced_with_the_faster_way():
     opengl = opengl_cost(Task(path, Tool("endmill", 6.0), STOCK), constants=Constants(refresh=0.035, draw=25e-6))
     found = [one for one in check(commands, (1, 1), legacy=legacy, OpenGL=opengl) if one.code == "long-play"]
     assert len(found) == 2  # 20,001 commands of 25 ms, a mesh of a million cells of 27 ns and its triangles
-    assert re.search(r"about 18 min in the legacy simulator: fast-forward takes about 2\d s\.", found[0].message)
+    assert re.search(
+        r"about 18 min in the legacy simulator\. Use fast-forward, which takes about 2\d s\.", found[0].message
+    )
     only_legacy = check(commands, (0, 20), legacy=legacy, OpenGL=opengl)
     assert [one.code for one in only_legacy if one.code == "long-play"] == ["long-play"]
 

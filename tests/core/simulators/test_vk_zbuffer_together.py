@@ -104,4 +104,4 @@ def test_the_image_of_a_job_is_chosen_for_the_job():
     needed = memory_needed([Cut(slot(15), TOOL)] * 5, stock=STOCK, view=chosen.view)
     assert needed == pytest.approx(0.98e8, rel=0.01)
     hopeless = together(costs, **{**asked, "seconds": 1e-9}, memory_bytes=1e8)[1]["z-buffer"]
-    assert hopeless.view is None and "; the heaviest is a with " in hopeless.explanation
+    assert hopeless.view is None and " The slowest is a with " in hopeless.explanation

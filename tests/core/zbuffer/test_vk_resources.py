@@ -478,11 +478,14 @@ def test_where_no_resolution_helps_it_says_what_does():
     found = estimate(toolpath, None, tool=tool, stock=STOCK, view=View(), speed=Speed(trajectory=1.0))
     chosen = best_resolution([found], seconds=10)
     assert chosen.view is None
-    assert chosen.explanation.startswith("no resolution helps, the trajectories alone take")
+    assert chosen.explanation.startswith("None, because the moves alone take")
     assert "fewer operations" in chosen.explanation
     one = 1 / (found.view.width * found.view.height)
     assert (chosen.seconds, chosen.memory_bytes) == (found.seconds_in(one), found.peak.bytes(one))
-    assert best_resolution([found], memory_bytes=10).explanation == "no resolution helps, not even a single pixel fits"
+    assert (
+        best_resolution([found], memory_bytes=10).explanation
+        == "None, because not even a single pixel fits into the memory."
+    )
 
 
 def test_the_heaviest_of_two_operations_is_named_but_none_that_is_alone():
@@ -493,9 +496,10 @@ def test_the_heaviest_of_two_operations_is_named_but_none_that_is_alone():
 def test_an_image_tells_passes_apart_with_four_pixels_between_them():
     found = estimate(*PATHS["zigzag"][:1], None, tool=FLAT, stock=STOCK, view=View())
     assert (
-        "0.75 mm would do for passes 3 mm apart" in best_resolution([found], memory_bytes=2e7, stepover=3).explanation
+        "For passes 3 mm apart, 0.75 mm is fine enough."
+        in best_resolution([found], memory_bytes=2e7, stepover=3).explanation
     )
-    assert "passes 3 mm apart ask for 0.75 mm" in best_resolution([found], memory_bytes=1.44e7, stepover=3).explanation
+    assert "Passes 3 mm apart need 0.75 mm." in best_resolution([found], memory_bytes=1.44e7, stepover=3).explanation
     assert "passes" not in best_resolution([found], memory_bytes=2e7).explanation  # nobody knows of any
 
 

@@ -85,7 +85,7 @@ def test_too_large_a_simulation_is_refused_before_it_starts():
     assert error.allowed == 1e6 and error.needed > 1e7
     said = error.what.arguments
     assert (said["memory"], said["allowed"]) == (error.needed, 1e6) and said["traces"] > 0 and said["dexels"] > 0
-    assert "1.0 MB" in str(error) and str(error).endswith("allowed: simulate fewer operations at a time.")
+    assert "1.0 MB" in str(error) and str(error).endswith("limit. Simulate fewer operations at a time.")
     assert error.size is None
     assert simulate(path, **solids, memory_budget=error.needed * 1.01).traces > 0
     with pytest.raises(OverBudget):  # nothing is an amount, too
@@ -101,7 +101,7 @@ def test_a_refusal_names_the_finest_image_that_fits(pixel):
     with pytest.raises(OverBudget) as refused:
         simulate(path, **{**solids, "view": view}, memory_budget=allowed)
     width, height = refused.value.size
-    assert height == width * 3 // 4 and f"choose an image of {width} x {height} pixels of " in str(refused.value)
+    assert height == width * 3 // 4 and f"Choose an image of {width} x {height} pixels of " in str(refused.value)
     fits = view.of_size(width, height)
     found = simulate(path, **{**solids, "view": fits}, memory_budget=allowed).frame
     assert found.pixel == pytest.approx(frame.pixel * 400 / width, rel=0.01)  # the same field

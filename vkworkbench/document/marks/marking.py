@@ -56,7 +56,7 @@ def mark(report: Report, *, undo_step: bool = True) -> int:
         document = FreeCAD.listDocuments().get(name)
         if document is None or document.Uid != operations[-1].document_id:
             continue
-        with transaction(document, "Analyze toolpaths") if undo_step else nullcontext():
+        with transaction(document, "Analyze Toolpaths") if undo_step else nullcontext():
             marked += _mark(document, operations)
     return marked
 
@@ -105,7 +105,7 @@ def clear(what=None) -> int:
         if marks.is_marked(obj):
             marked.setdefault(obj.Document.Name, {})[obj.Name] = obj
     for name, objects in marked.items():
-        with transaction(FreeCAD.getDocument(name), "Clear analysis"):
+        with transaction(FreeCAD.getDocument(name), "Clear Analysis"):
             for obj in objects.values():
                 marks.erase(obj)
     return sum(map(len, marked.values()))

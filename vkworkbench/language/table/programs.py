@@ -74,7 +74,7 @@ PROGRAMS: dict[str, str | tuple[str, str]] = {
     "increments-as-units": QT_TRANSLATE_NOOP(
         "Sentences",
         "The toolpath spans meters in whole numbers. Thousandths without a decimal point "
-"are probably read as whole units.",
+        "are probably read as whole units.",
     ),
     "feeds-per-minute": QT_TRANSLATE_NOOP(
         "Sentences",
