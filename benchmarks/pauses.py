@@ -127,12 +127,12 @@ def measure(count: int) -> None:
     done = {
         "a changed path is recomputed, no marks": (
             lambda: change(operations[0]), document.recompute, lambda: True),
-        "Analyze toolpaths": (RESULTS.clear, analyze, is_marked),
-        "Analyze toolpaths, nothing changed": (lambda: None, analyze, is_marked),
+        "Analyze Toolpaths": (RESULTS.clear, analyze, is_marked),
+        "Analyze Toolpaths, nothing changed": (lambda: None, analyze, is_marked),
         "a changed path is recomputed, marked": (
             lambda: change(operations[0]), document.recompute, lambda: is_idle() and marks.is_outdated(operations[0])),
         "switching to the marked document": (lambda: activate(other), lambda: activate(document), is_idle),
-        "Show strategies": (lambda: strategies(0), lambda: strategies(1), lambda: not strategy_view.is_drawing()),
+        "Show Strategies": (lambda: strategies(0), lambda: strategies(1), lambda: not strategy_view.is_drawing()),
         "a changed path, strategies shown": (
             lambda: change(operations[0]), document.recompute, lambda: is_idle() and not strategy_view.is_drawing()),
         "Gauss map": (hide_gauss_map, lambda: (gauss_map_command.show(), select()), gauss_map_is_there),

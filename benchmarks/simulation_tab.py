@@ -171,7 +171,7 @@ class Waiting:
 
 
 def tab(document):
-    """Simulate toolpaths."""
+    """Simulate Toolpaths."""
     told: list[Estimate] = []
     show = StateLine.show_expected
     StateLine.show_expected = lambda line, cost: (told.append(cost), show(line, cost))

@@ -63,7 +63,7 @@ def test_a_mark_tells_its_format():
 
 def test_reasons_are_told_in_english():
     reasons = Message("not-nested"), Message("moves-nothing")
-    assert replace(WHOLE, reason=reasons).english_reason == "; ".join(map(render, reasons))
+    assert replace(WHOLE, reason=reasons).english_reason == " ".join(map(render, reasons))
 
 
 class Asked(dict):

@@ -123,7 +123,7 @@ class OperationReport(Costs):
 
     @property
     def error(self) -> str | None:
-        """What is wrong or unknown in English, sentences with semicolons between them; None where nothing is."""
+        """The remarks in English; None if there are none."""
         return " ".join(map(render, self.remarks)) or None
 
     @property

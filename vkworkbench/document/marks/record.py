@@ -94,7 +94,7 @@ class Record(Costs):
 
     @property
     def english_remarks(self) -> str:
-        """Remarks and serious cautions in English, separated by semicolons."""
+        """Remarks and serious cautions in English."""
         return " ".join([*map(render, self.remarks), *(c.message for c in self.cautions if c.code in SERIOUS)])
 
 
