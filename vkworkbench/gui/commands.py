@@ -26,11 +26,12 @@ class AnalyzeCommand(DocumentCommand):
     """Analyse and mark the selected operations, or all operations of the active document."""
 
     name = "Vk_Analyze"
-    menu = QT_TRANSLATE_NOOP("Vk_Analyze", "Analyze toolpaths")
+    menu = QT_TRANSLATE_NOOP("Vk_Analyze", "Analyze Toolpaths")
     tooltip = QT_TRANSLATE_NOOP(
         "Vk_Analyze",
-        "Recognizes the machining strategy of each selected operation, or of all operations of the active "
-        "document, estimates what simulating it costs, and marks it in the tree.",
+        "Recognizes the machining strategy of each selected operation, or of all "
+        "operations of the active document. Estimates what simulating each operation "
+        "costs, and marks it in the tree.",
     )
     keys = "V, K"
 
@@ -42,7 +43,7 @@ class AnalyzeCommand(DocumentCommand):
         try:
             report = progress.analyze(selected_operations() or document)
         except vkworkbench.Cancelled:
-            _status(translate("Vk_Analyze", "Analysis cancelled, nothing changed."))
+            _status(translate("Vk_Analyze", "The analysis was cancelled. Nothing has changed."))
             return
         if is_gone(document):  # closed during the analysis
             return
@@ -59,15 +60,15 @@ class AnalyzeCommand(DocumentCommand):
         results.show()
         warned = _warned(report)
         one, more = (
-            translate("Vk_Analyze", "{count} operation analyzed"), translate("Vk_Analyze", "{count} operations analyzed")
+            translate("Vk_Analyze", "{count} operation was analyzed."), translate("Vk_Analyze", "{count} operations were analyzed.")
         )  # fmt: skip
         # Like the job's total: without inactive operations and bases of dress-ups, unless only these were analysed.
         text = plural(one, more, sum(o.counted for o in report.operations) or len(report.operations))
         if warned:
             one, more = (
-                translate("Vk_Analyze", "{count} has a warning"), translate("Vk_Analyze", "{count} have warnings")
+                translate("Vk_Analyze", "{count} has a warning."), translate("Vk_Analyze", "{count} have warnings.")
             )  # fmt: skip
-            text += ", " + plural(one, more, warned)
+            text += " " + plural(one, more, warned)
         _status(text)
 
 
@@ -75,11 +76,11 @@ class ClearCommand(DocumentCommand):
     """Remove the marks of the selected operations, or of the whole active document."""
 
     name = "Vk_Clear"
-    menu = QT_TRANSLATE_NOOP("Vk_Clear", "Clear analysis")
+    menu = QT_TRANSLATE_NOOP("Vk_Clear", "Clear Analysis")
     tooltip = QT_TRANSLATE_NOOP(
         "Vk_Clear",
-        "Removes the marks of the selected operations, or all marks of the active document; your own "
-        "descriptions stay.",
+        "Removes the marks of the selected operations, or all marks of the active "
+        "document. Your own descriptions stay.",
     )
 
     def Activated(self) -> None:
@@ -87,7 +88,10 @@ class ClearCommand(DocumentCommand):
             return
         with column.steady_columns():
             cleared = vkworkbench.clear(selected_operations() or FreeCAD.ActiveDocument)
-        one, more = translate("Vk_Clear", "{count} mark removed"), translate("Vk_Clear", "{count} marks removed")
+        one, more = (
+            translate("Vk_Clear", "{count} mark was removed."),
+            translate("Vk_Clear", "{count} marks were removed."),
+        )
         _status(plural(one, more, cleared))
 
 
@@ -130,13 +134,14 @@ def _show_description() -> None:
         if was_hidden:
             _inform(translate(
                 "Vk_Analyze",
-                "The marks are in the tree's Description column, which is now visible. You can hide it again in the "
-                "tree's context menu: Tree settings, Show description.",
+                "The marks are in the Description column of the tree, which is now visible. To "
+"hide the column again, open the context menu of the tree and choose Tree "
+"Settings, Show Description.",
             ))  # fmt: skip
 
 
 def _inform(text: str) -> None:
-    inform(translate("Vk_Analyze", "Toolpath analysis"), text, Gui.getMainWindow())
+    inform(translate("Vk_Analyze", "Toolpath Analysis"), text, Gui.getMainWindow())
 
 
 def _status(text: str) -> None:

@@ -42,7 +42,7 @@ class PreferencesPage:
         from vkworkbench.core.simulators import LEGACY, OPENGL, SIMULATORS, available
 
         present = available(freecad.version())
-        own = translate("VkPreferences", "That of FreeCAD's button: {simulator}")
+        own = translate("VkPreferences", "FreeCAD's default ({simulator})")
         self.form.mark_simulator.addItem(own.format(simulator=user().simulator(freecad.own_simulator())))
         self.form.mark_simulator.addItems([user().simulator(simulator.name) for simulator in present])
         accuracy, quality = (
@@ -127,7 +127,8 @@ class PreferencesPage:
         if known is None:
             return translate(
                 "VkPreferences",
-                "Never calibrated on this computer: times of FreeCAD's simulators are right within a factor of two.",
+                "Never calibrated on this computer. The times of FreeCAD's simulators are right "
+                "to within a factor of 2.",
             )
         text = translate(
             "VkPreferences",

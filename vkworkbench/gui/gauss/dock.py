@@ -58,7 +58,7 @@ class GaussMapDock(QDockWidget):
     """Shows the selected operation while visible, beginning with the area that explains its strategy best."""
 
     def __init__(self, parent: QWidget) -> None:
-        super().__init__(translate("Vk_GaussMap", "Gauss map"), parent)
+        super().__init__(translate("Vk_GaussMap", "Gauss Map"), parent)
         self.setObjectName(docks.GAUSS_MAP)
         self._shown: tuple[str, str] | None = None  # document and operation
         self._reading: Reading | None = None
@@ -76,12 +76,12 @@ class GaussMapDock(QDockWidget):
         self.chooser = QComboBox()
         self.chooser.setSizeAdjustPolicy(QComboBox.AdjustToContents)
         explain(self.chooser, translate(
-            "Vk_GaussMap", "The areas that the tool cuts without a rapid move or a plunge: first the one that shows the strategy best, "
-            "then the longest."
+            "Vk_GaussMap", "Areas that the tool cuts without a rapid move or a plunge. The area that shows "
+"the strategy best comes first, then the longest areas."
         ))  # fmt: skip
         self.chooser.currentIndexChanged.connect(self._choose_area)
-        self.saver = QPushButton(translate("Vk_GaussMap", "Save picture…"))
-        self.saver.setToolTip(translate("Vk_GaussMap", "Saves the three plots as they stand, as PNG or SVG."))
+        self.saver = QPushButton(translate("Vk_GaussMap", "Save Picture…"))
+        self.saver.setToolTip(translate("Vk_GaussMap", "Saves the three plots as PNG or SVG."))
         self.saver.clicked.connect(self._save)
         self.slider = QSlider(Qt.Horizontal)
         explain(self.slider, translate("Vk_GaussMap", "Steps through the trajectories k of the area."))
@@ -95,13 +95,17 @@ class GaussMapDock(QDockWidget):
         self.canvas.setMinimumSize(300, _MIN_LINES * self.canvas.fontMetrics().height())
         self.canvas.setToolTip(translate(
             "Vk_GaussMap",
-            "<p>Left the toolpath with the vector V<sub>k</sub> from the area's first point. On the unit circle "
-            "the images of the trajectory v<sub>k</sub> and of V<sub>k</sub>; the arcs show how they moved. That of "
-            "v<sub>k</sub> goes to and fro on a part of the circle in a zigzag, and all around in a contour; that of "
-            "V<sub>k</sub> goes all around only where the path begins inside the contour. Right the cumulative "
-            "angular function φ and the angle θ on level n: a contour-parallel path reaches the dashed lines "
-            "±2π, a zigzag stays between them.</p>",
-        ) + translate("Vk_GaussMap", "<p>The wheel zooms, dragging moves, a double click shows all again.</p>"))  # fmt: skip
+            "<p>The left plot shows the toolpath with the vector V<sub>k</sub> from the "
+"first point of the area. The unit circle shows the directions of the trajectory "
+"v<sub>k</sub> and of V<sub>k</sub>. Its arcs show how these directions have "
+"moved. In a zigzag, the direction of v<sub>k</sub> moves back and forth on a "
+"part of the circle. In a contour, it moves all around the circle. The direction "
+"of V<sub>k</sub> moves all around only if the path begins inside the contour. "
+"The right plot shows the cumulative angular function φ and the angle θ on level "
+"n. A contour-parallel path reaches the dashed lines ±2π, and a zigzag stays "
+"between them.</p>",
+        ) + translate("Vk_GaussMap", "<p>Use the wheel to zoom, drag to move, and double-click to show everything "
+"again.</p>"))  # fmt: skip
         self.setWidget(self._laid_out())
         self._enable(False)
 
@@ -188,7 +192,7 @@ class GaussMapDock(QDockWidget):
             self._say(sentence(Message("of", label=self._label, sentence=Message("inactive"))))
             return
         if drawn is None:
-            text = translate("Vk_GaussMap", "{}: no move cuts sideways, so there is no direction to show")
+            text = translate("Vk_GaussMap", "{}: No move cuts sideways, so there is no direction to show.")
             self._say(text.format(self._label))
             return
         self._reading, figure = drawn
@@ -231,7 +235,7 @@ class GaussMapDock(QDockWidget):
         self.canvas.show_figure(figure)
         reached = _reached(found.phi_range, found.level, found.reversals)
         here = _reached(signature.phi_range, signature.top_level, len(signature.reversals))
-        texts = [f"{self._label}: {self._verdict()}, {sentence(found.why)}", reached]
+        texts = [f"{self._label}: {self._verdict()}. {sentence(found.why)}", reached]
         if here != reached:
             texts.append(translate("Vk_GaussMap", "This area: {}").format(here))
         self.title.setText("\n".join(texts))
@@ -318,7 +322,7 @@ class GaussMapDock(QDockWidget):
     def _save(self) -> None:
         document = FreeCAD.listDocuments()[self._shown[0]]
         name = "".join("_" if c in _NOT_IN_NAMES else c for c in self._label)
-        title, forms = translate("Vk_GaussMap", "Save picture"), "PNG (*.png);;SVG (*.svg)"
+        title, forms = translate("Vk_GaussMap", "Save Picture"), "PNG (*.png);;SVG (*.svg)"
         path, chosen = QFileDialog.getSaveFileName(self, title, proposed(document, f"{name}.png"), forms)
         if not path:
             return

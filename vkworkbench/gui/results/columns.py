@@ -84,35 +84,37 @@ def columns(version: tuple[int, ...], marked: str) -> tuple[list[Column], list[C
     first = [
         Column(OPERATION, translate("Vk_Results", "Operation"), "", lambda row: row.label),
         Column(STRATEGY, translate("Vk_Results", "Strategy"),
-               translate("Vk_Results", "The machining strategy recognized from the toolpath alone"),
+               translate("Vk_Results", "The machining strategy, recognized from the toolpath alone."),
                lambda row: row.kind),
-        Column("machining_time", translate("Vk_Results", "Machining\ntime"),
-               translate("Vk_Results", "Time on the machine at the programmed feeds; rapids where the tool "
-                                       "controller gives their speed"),
+        Column("machining_time", translate("Vk_Results", "Machining\nTime"),
+               translate("Vk_Results", "Time on the machine at the programmed feeds. Rapids are included if the tool "
+"controller has rapid speeds."),
                lambda row: row.found.machining_seconds or None, _as("time"), least=lambda row: not row.machining_complete),
-        Column("simulation_time", translate("Vk_Results", "Simulation\ntime"),
+        Column("simulation_time", translate("Vk_Results", "Simulation\nTime"),
                time.format(simulator=user().simulator(marked)),
                partial(_seconds, marked), factor=partial(_factor, marked), least=_is_bound),
         Column(STATE, translate("Vk_Results", "State"),
-               translate("Vk_Results", "Outdated: toolpath, tool or stock have changed since; analyze it again"),
+               translate("Vk_Results", "A result is outdated if the toolpath, the tool or the stock has changed since. "
+"Analyze the operation again."),
                lambda row: translate("Vk_Results", "outdated") if row.outdated else None),
         Column(WARNINGS, translate("Vk_Results", "Warnings"),
-               translate("Vk_Results", "What is wrong with the operation, or will be with its simulation"),
-               lambda row: "; ".join(notice.text for notice in row.notices) or None),
+               translate("Vk_Results", "Problems of the operation, and what goes wrong when you simulate it."),
+               lambda row: " ".join(notice.text for notice in row.notices) or None),
     ]  # fmt: skip
     longest = translate(
         "Vk_Results",
-        "The longest that the {simulator} should take: its estimate times the factor by which estimates are off",
+        "Longest time that the {simulator} is expected to take. It is the estimate, "
+        "multiplied by the factor to within which estimates are right.",
     )
     others = [
-        Column("longest", translate("Vk_Results", "Simulation time\nat most"), longest.format(simulator=user().simulator(marked)),
+        Column("longest", translate("Vk_Results", "Simulation Time\nat Most"), longest.format(simulator=user().simulator(marked)),
                partial(_longest, marked), _as("time")),
-        Column("sure", translate("Vk_Results", "Sure"), translate("Vk_Results", "How sure the recognition is"),
+        Column("sure", translate("Vk_Results", "Confidence"), translate("Vk_Results", "The confidence of the recognition."),
                _confidence, _as("share")),
         Column("moves", translate("Vk_Results", "Moves"),
-               translate("Vk_Results", "Number of straight moves; an arc counts as several"),
+               translate("Vk_Results", "Number of straight moves. An arc counts as several."),
                lambda row: row.found.trajectories, _as("count")),
-        Column(LENGTH, translate("Vk_Results", "Length"), translate("Vk_Results", "Length of the cutting moves"),
+        Column(LENGTH, translate("Vk_Results", "Length"), translate("Vk_Results", "Length of the cutting moves."),
                lambda row: row.found.length, _as("length")),
         *(column for simulator in simulators for column in _of_simulator(simulator)),
         *(_of_advice(simulator) for simulator in simulators if simulator.advice),
@@ -152,8 +154,8 @@ def _of_simulator(simulator: Simulator) -> tuple[Column, Column]:
     """Return the columns with time and memory of a simulator, for an operation or a whole job."""
     name, text = simulator.name, partial(FreeCAD.Qt.translate, "Vk_Results")
     # The name of the command for our simulator.
-    called = translate("Vk_Simulate", "Simulate toolpaths") if simulator is ZBUFFER else user().simulator(name)
-    time, memory = translate("Vk_Results", "{simulator}\ntime"), translate("Vk_Results", "{simulator}\nmemory")
+    called = translate("Vk_Simulate", "Simulate Toolpaths") if simulator is ZBUFFER else user().simulator(name)
+    time, memory = translate("Vk_Results", "{simulator}\nTime"), translate("Vk_Results", "{simulator}\nMemory")
     return (
         Column(f"{name} time", time.format(simulator=called), text(simulator.time_tooltip),
                partial(_seconds, name), factor=partial(_factor, name), least=_is_bound),

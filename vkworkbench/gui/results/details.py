@@ -8,7 +8,7 @@ import FreeCAD
 from vkworkbench.core.simulators import SIMULATORS
 from vkworkbench.gui.qt import colors
 from vkworkbench.gui.qt.plain_text import lines
-from vkworkbench.gui.qt.sentences import as_sentence, plain_sentence, sentence, user
+from vkworkbench.gui.qt.sentences import plain_sentence, sentence, user
 from vkworkbench.gui.qt.text import translate
 from vkworkbench.gui.results.columns import LENGTH, OPERATION, STATE, STRATEGY, WARNINGS
 from vkworkbench.gui.results.rows import Row
@@ -38,15 +38,19 @@ def page(row: Row, first: list, others: list, opened: set[str]) -> str:
         parts.append(_strategy(row, WHY in opened))
     parts += [_notice(notice) for notice in row.notices]
     if row.outdated:
-        text = translate("Vk_Results", "Outdated: toolpath, tool or stock have changed since. Analyze it again.")
+        text = translate(
+            "Vk_Results",
+            "This result is outdated, because the toolpath, the tool or the stock has "
+            "changed. Analyze the operation again.",
+        )
         parts.append(f"<i>{lines(text)}</i>")
     html = "".join(f"<p>{part}</p>" for part in parts)
     html += _table(_cells(row, first) + _machining(row))
     if NUMBERS not in opened:
-        return html + "<p>" + _link(NUMBERS, translate("Vk_Results", "All numbers")) + "</p>"
+        return html + "<p>" + _link(NUMBERS, translate("Vk_Results", "All Numbers")) + "</p>"
     html += _table(_cells(row, others) + _moves(row))
     html += "".join(f"<p>{lines(advice)}</p>" for advice in _advice(row))
-    return html + "<p>" + _link(NUMBERS, translate("Vk_Results", "Fewer numbers")) + "</p>"
+    return html + "<p>" + _link(NUMBERS, translate("Vk_Results", "Fewer Numbers")) + "</p>"
 
 
 def _title(row: Row) -> str:
@@ -55,15 +59,14 @@ def _title(row: Row) -> str:
 
 def _strategy(row: Row, why: bool) -> str:
     link = _link(WHY, translate("Vk_Results", "Why?"))
-    seen = "; ".join(map(plain_sentence, row.mark.reason))
-    text = f"{lines(as_sentence(seen))} {link}"
+    text = f"{lines(' '.join(map(plain_sentence, row.mark.reason)))} {link}"
     if not why:
         return text
     more = [lines(sentence(reason)) for reason in row.mark.reason]
     if row.strategy.is_answer:
-        sure = translate("Vk_Results", "Sure: {share}").format(share=user().share(row.found.confidence))
+        sure = translate("Vk_Results", "Confidence: {share}").format(share=user().share(row.found.confidence))
         more.append(lines(sure))
-    more.append(_link(GAUSS_MAP, translate("Vk_Results", "Show it in the Gauss map")))
+    more.append(_link(GAUSS_MAP, translate("Vk_Results", "Show in the Gauss Map")))
     return "<br>".join([text, *more])
 
 
@@ -81,12 +84,12 @@ def _machining(row: Row) -> list[tuple[str, str, str]]:
     if not row.found.trajectories:
         return []
     length = user().length
-    cells = [(translate("Vk_Results", "Cutting"), length(row.found.length), "")]
+    cells = [(translate("Vk_Results", "Cutting Length"), length(row.found.length), "")]
     if row.is_total:
         return cells
     if isinstance(row.found, OperationReport):  # a mark does not store these
         machining = row.found.machining
-        cells.append((translate("Vk_Results", "Rapids"), length(machining.rapid_length), ""))
+        cells.append((translate("Vk_Results", "Rapid Length"), length(machining.rapid_length), ""))
         if machining.depth is not None:
             cells.append((translate("Vk_Results", "Depth"), length(machining.depth), ""))
     return cells + [("", sentence(message), "") for message in row.found.left_out]
@@ -98,8 +101,8 @@ def _moves(row: Row) -> list[tuple[str, str, str]]:
         return []
     machining, measure = row.found.machining, user().measure
     return [
-        (translate("Vk_Results", "Shortest move at feed"), measure(machining.shortest, 3), ""),
-        (translate("Vk_Results", "Median move at feed"), measure(machining.median, 3), ""),
+        (translate("Vk_Results", "Shortest Move at Feed"), measure(machining.shortest, 3), ""),
+        (translate("Vk_Results", "Median Move at Feed"), measure(machining.median, 3), ""),
     ]
 
 

@@ -45,7 +45,7 @@ class ResultsDock(QDockWidget):
     """Shows the results of the active document. Its selection and FreeCAD's selection follow each other."""
 
     def __init__(self, parent: QWidget) -> None:
-        super().__init__(translate("Vk_Results", "Toolpath results"), parent)
+        super().__init__(translate("Vk_Results", "Toolpath Results"), parent)
         self.setObjectName(docks.RESULTS)
         self._findings: list[findings.Finding] = []
         self._following = False  # whether the tree is being changed to follow FreeCAD
@@ -68,7 +68,7 @@ class ResultsDock(QDockWidget):
         self.details.anchorClicked.connect(lambda url: self._open(url.toString()))
         self.csv = self._action(translate("Vk_Results", "Export &CSV…"), lambda: self._export("csv"))
         self.json = self._action(translate("Vk_Results", "Export &JSON…"), lambda: self._export("json"))
-        self.copy = self._action(translate("Vk_Results", "C&opy to clipboard"), self._copy)
+        self.copy = self._action(translate("Vk_Results", "C&opy to Clipboard"), self._copy)
         self._choices: list[QAction] = []  # one for each column except the first
         self.columns = self._columns_menu()
         self._show_columns()
@@ -115,7 +115,7 @@ class ResultsDock(QDockWidget):
             action.toggled.connect(lambda on: self._keep_columns())
             self._choices.append(action)
         menu.addSeparator()
-        as_posted = menu.addAction(translate("Vk_Results", "Sort as &posted"))
+        as_posted = menu.addAction(translate("Vk_Results", "Sort as &Posted"))
         as_posted.triggered.connect(lambda checked=False: self.tree.sortByColumn(-1, Qt.AscendingOrder))
         return menu
 
@@ -244,9 +244,9 @@ class ResultsDock(QDockWidget):
         if FreeCAD.ActiveDocument is None:
             text = lines(translate("Vk_Analyze", "No document is open. Open one with a job or a toolpath first."))
         elif not self.model.rows:
-            text = lines(translate("Vk_Results", "Nothing is analyzed yet in this document: click Analyze toolpaths."))
+            text = lines(translate("Vk_Results", "Nothing is analyzed in this document yet. Click Analyze Toolpaths."))
         elif not self.order.rowCount():
-            text = lines(translate("Vk_Results", "The filter lets no operation through."))
+            text = lines(translate("Vk_Results", "No operation matches the filter."))
         elif not rows:
             text = lines(translate("Vk_Results", "Select an operation to read what it does and why."))
         elif len(rows) == 1:

@@ -167,16 +167,16 @@ class KnownFaults:
     def text(self, fault: Fault) -> str:
         """Return a fault as text, with operation, command and G-code."""
         if fault.cut is None:
-            return translate("Vk_Simulate", "raw stock: {}").format(sentence(fault.what))
-        text = translate("Vk_Simulate", "{}, command {}: {} ({})")
+            return translate("Vk_Simulate", "Stock: {}").format(sentence(fault.what))
+        text = translate("Vk_Simulate", "{}, command {} ({}): {}")
         label, code = self.job.operations[fault.cut].label, self.job.listings[fault.cut][fault.command]
-        return text.format(label, fault.command + 1, sentence(fault.what), code)
+        return text.format(label, fault.command + 1, code, sentence(fault.what))
 
     def text_with_place(self, fault: Fault) -> str:
         """Return a fault as text with its position, because one command may have several faults."""
         factor, unit = user().length_unit(max(map(abs, fault.place)))
         x, y, z = (user().number(round(value / factor, 3), 5) for value in fault.place)
-        return translate("Vk_Simulate", "{}, at X {} Y {} Z {} {}").format(self.text(fault), x, y, z, unit)
+        return translate("Vk_Simulate", "{} (X {} Y {} Z {} {})").format(self.text(fault), x, y, z, unit)
 
     def marks(self, found: list[Fault]) -> tuple[Warned, ...]:
         """Return faults as marks on the time line. Missing stock has no moment."""

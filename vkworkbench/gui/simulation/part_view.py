@@ -102,7 +102,7 @@ class PartView(QWidget):
         self.setSizePolicy(QSizePolicy.Expanding, QSizePolicy.Expanding)
         self.setFocusPolicy(Qt.StrongFocus)
         self.setBackgroundRole(QPalette.Base)  # so that a theme's style sheet sets the background
-        self.setAccessibleName(translate("Vk_Simulate", "Simulated part"))
+        self.setAccessibleName(translate("Vk_Simulate", "Simulated Part"))
 
     @property
     def background(self) -> tuple[int, int, int]:

@@ -15,7 +15,6 @@ from vkworkbench.document.simulation.job import SimulatedJob
 from vkworkbench.gui.qt import widgets
 from vkworkbench.gui.qt.names import QPainter, QPushButton, Qt, QTimer, QVBoxLayout, QWidget, Signal, single_shot
 from vkworkbench.gui.qt.plain_text import inform
-from vkworkbench.gui.qt.sentences import as_sentence
 from vkworkbench.gui.qt.text import translate
 from vkworkbench.gui.simulation.player import Player
 from vkworkbench.gui.simulation.reading import Reading
@@ -52,7 +51,7 @@ class SimulationTab(KeyedWidget):
         self.copy = copy
         self.player: Player | None = None
         self._open = True
-        self.again = QPushButton(translate("Vk_Simulate", "What is simulated has changed. Simulate again"))
+        self.again = QPushButton(translate("Vk_Simulate", "The simulated job has changed. Simulate it again."))
         self.again.clicked.connect(lambda *_: self.outdated.emit())
         self.again.hide()
         self._layout = QVBoxLayout(self)
@@ -83,7 +82,7 @@ class SimulationTab(KeyedWidget):
             return
         self.window_of().close()
         if not isinstance(error, Cancelled):
-            inform(translate("Vk_Simulate", "Simulate toolpaths"), as_sentence(error_text(error)), Gui.getMainWindow())
+            inform(translate("Vk_Simulate", "Simulate Toolpaths"), error_text(error), Gui.getMainWindow())
 
     def _show(self, player: Player) -> None:
         self.player = player

@@ -202,7 +202,7 @@ class StateLine(OneLine):
 
     def show_expected(self, cost: Estimate) -> None:
         """Show the expected cost of the finest picture."""
-        self._expected = translate("Vk_Simulate", "finest picture in about {}, {}").format(
+        self._expected = translate("Vk_Simulate", "The finest picture takes about {} and {}.").format(
             user().time(cost.seconds), user().memory(cost.memory_bytes)
         )
         self._say(self._shown, self._expected)
@@ -211,10 +211,10 @@ class StateLine(OneLine):
         """Show the progress, and the remaining time until the finest picture."""
         left, memory = refining.left()
         if left is not None:
-            text = translate("Vk_Simulate", "finest picture in about {}, {}")
+            text = translate("Vk_Simulate", "The finest picture takes about {} and {}.")
             self._expected = text.format(user().time(left), user().memory(memory))
         working = translate("Vk_Simulate", "Simulating… {}").format(user().share(refining.share))
-        self._say(self._shown, ", ".join(filter(None, (working, self._expected))))
+        self._say(self._shown, working, self._expected)
 
     def show_refined(self, done: Refined) -> None:
         """Show size and cost of the picture."""
