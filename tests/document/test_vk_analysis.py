@@ -294,7 +294,7 @@ def test_inactive_operation(small, zigzag_commands):
     op = small.add("Off", [("(inactive operation)", {})])
     op.Active = False
     (off,) = vkworkbench.analyze(small.document).operations
-    assert off.strategy == "empty" and not off.counted and off.error.startswith("switched off")
+    assert off.strategy == "empty" and not off.counted and off.error.startswith("The operation is switched off.")
     assert off.remarks[0].code == "inactive"  # for programs
     report = vkworkbench.analyze(small.document)
     assert small.document.getObject(off.name) is op and report.totals[0].operations == 0
@@ -478,7 +478,7 @@ def test_an_error_of_our_own_costs_one_row_only(small, zigzag_commands, monkeypa
     monkeypatch.setattr(analysis, "recognize_operation", broken)
     report = vkworkbench.analyze(small.document)
     rows = rows_of_a_failure(report)
-    assert "please report" in rows[0].error and rows[1].error is None
+    assert "Please report" in rows[0].error and rows[1].error is None
 
 
 def test_an_operation_for_which_memory_does_not_suffice_costs_no_other_mark(small, zigzag_commands, monkeypatch):

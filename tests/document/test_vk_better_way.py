@@ -119,7 +119,7 @@ def test_a_mark_over_the_budget_says_the_way_that_its_start_offers(simulator, ti
     offered = better_way(simulator, [record(**{"play": 1e4, **times})], chosen)
     assert too_long(record(), chosen) is None
     assert render(too_long(over, chosen)) == (
-        f"The {simulator} simulator takes about 10.02 min, longer than the 10.00 min allowed. {render(offered.better)}"
+        f"The {simulator} simulator takes about 10.02 min, which is over your 10.00 min limit. {render(offered.better)}"
     )
     least = render(too_long(replace(over, incomplete=True), chosen))
     assert "takes at least 10.02 min" in least and "about" not in least

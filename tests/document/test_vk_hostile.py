@@ -113,7 +113,7 @@ def test_job_without_stock_is_marked_with_the_cost_of_a_box_around_its_cuts(smal
     small.job.Stock = None
     vkworkbench.mark(vkworkbench.analyze(small.document))
     assert op.Label2.startswith("⟦zigzag ") and "no stock" in op.Label2 and marks.read(op).costs
-    assert "a box around its cuts" in op.Remarks
+    assert "a box around the cuts" in op.Remarks
 
 
 def test_operations_beside_the_stock(small, zigzag_commands):

@@ -99,7 +99,7 @@ def test_small_work_of_freecads_own_is_not_doubted(small, zigzag_commands):
     assert TOO_SMALL not in (vkworkbench.analyze(operation).operations[0].error or "")
 
 
-MINUTES = "are taken for mm/min"
+MINUTES = "are read as mm/min"
 
 
 def test_the_time_of_an_import_is_that_of_its_feeds_in_a_minute(small, tmp_path):

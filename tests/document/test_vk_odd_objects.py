@@ -198,5 +198,5 @@ def test_a_rotary_axis_that_cuts_is_no_drilling(small):
     ]
     small.add("Turned", commands)
     (row,) = vkworkbench.analyze(small.document).operations
-    assert row.strategy == "unknown" and "a rotary axis (A) turns while the tool cuts" in row.error
+    assert row.strategy == "unknown" and "A rotary axis (A) turns while the tool cuts" in row.error
     assert "rotary axis" in row.reason

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The commands *Analyze toolpaths* and *Clear analysis*; they call the functions for macros."""
+"""The commands *Analyze Toolpaths* and *Clear Analysis*; they call the functions for macros."""
 
 from __future__ import annotations
 
