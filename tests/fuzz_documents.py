@@ -153,7 +153,7 @@ class Session:
         str(report)
         json.dumps([row.as_dict() for row in report.operations])
         for row in report.operations:
-            assert "please report" not in (row.error or ""), row.error
+            assert "Please report" not in (row.error or ""), row.error
         assert before == {obj.Name: (obj.Label, obj.Label2, list(obj.State)) for obj in find_all(what)}
         return report
 

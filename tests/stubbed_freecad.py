@@ -162,7 +162,7 @@ def main():
         print(report)
         report.to_csv(Path(folder) / "report.csv")
         report.to_json(Path(folder) / "report.json")
-        assert not any("please report" in (row.error or "") for row in report.operations)
+        assert not any("Please report" in (row.error or "") for row in report.operations)
         assert vkworkbench.mark(report) == len(operations)
         assert not any(map(marks.is_outdated, operations))
         operations[0].Path = Toolpath(operations[0].Path.Commands[:-2])

@@ -28,7 +28,7 @@ def rows(what):
     str(report)
     json.dumps([row.as_dict() for row in report.operations])
     for row in report.operations:
-        assert "please report" not in (row.error or ""), row.error
+        assert "Please report" not in (row.error or ""), row.error
     vkworkbench.mark(report)
     watcher.check(document)
     assert [obj.Label for obj in document.Objects if marks.is_outdated(obj)] == []

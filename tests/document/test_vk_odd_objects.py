@@ -49,7 +49,7 @@ def odd_row(small, op):
     vkworkbench.clear(small.document)
     str(report)
     row = rows["Odd"]
-    assert "please report" not in (row.error or ""), row.error
+    assert "Please report" not in (row.error or ""), row.error
     return row
 
 

@@ -149,7 +149,7 @@ def test_an_error_is_not_kept(small, zigzag_commands, monkeypatch):
 
     with monkeypatch.context() as broken:
         broken.setattr(recognition_module, "recognize", fail)
-        assert "please report" in vkworkbench.analyze(small.document).operations[0].error
+        assert "Please report" in vkworkbench.analyze(small.document).operations[0].error
     assert vkworkbench.analyze(small.document).operations[0].error is None
 
 
