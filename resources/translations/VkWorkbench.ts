@@ -13,11 +13,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>What the mark in the description says</source>
-        <extracomment>The results of this session.</extracomment>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>The reason for this strategy.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -35,6 +30,10 @@
     </message>
     <message>
         <source>Estimated time of the simulation that the mark shows.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The confidence of the recognition, in percent.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -204,22 +203,6 @@
     </message>
     <message>
         <source> and {count:n} more</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>; passes {step:mm3} apart ask for {cell:mm2}</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>; {cell:mm2} would do for passes {step:mm3} apart</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>no resolution helps, the trajectories alone take {time:s}: simulate fewer operations{heaviest}</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>; the heaviest is {label} with {time:s}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1039,14 +1022,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Position {position:n} of {positions:n}, with cells of {cell:mm2}. Playing takes {time:s}.{passes}</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>None, because playing takes {longer:s} even at the coarsest. Use fast-forward, which takes about {time:s} at the finest.{heaviest}</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>The toolpath looks 25.4 times too small. Inches are probably read as millimeters.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -1214,11 +1189,67 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Last calibrated on {date}. The {simulator} makes {moves} cuts per second. Its times are right to within a factor of {factor}, and every simulation that you run improves them. Measured with FreeCAD {freecad} on {processor}, display {renderer}.</source>
+        <source>Last calibrated on {date}: times of the {simulator} are right within a factor of {factor}. Measured with FreeCAD {freecad} on {processor}, display {renderer}.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Last calibrated on {date}: times of the {simulator} are right within a factor of {factor}. Measured with FreeCAD {freecad} on {processor}, display {renderer}.</source>
+        <source>Show times for</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The simulator whose time the marks show. The marks change at once.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Shows the marks in the tree as colored pills. If switched off, shows them as plain text.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Analyzes marked operations again after each recompute that changed them. With large toolpaths, each recompute takes longer.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Shows a bar above the 3D view when a simulation in one of FreeCAD&apos;s simulators would hang or take too long, and suggests a faster way.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Warn before starting a simulation that would hang or take too long</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Longest time that a simulation may take. The analysis warns of longer simulations and recommends an accuracy within this limit.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Largest memory that a simulation may take. The analysis warns of larger simulations and recommends an accuracy within this limit.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Width of the image that the extended z-buffer computes.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Height of the image that the extended z-buffer computes.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Direction from which the part is viewed.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Edge length of the cells, in percent of the stock&apos;s longer side. 0.1 is the finest position of the accuracy slider, 1 the coarsest.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Position of the quality slider. 10 is the best quality.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Largest distance between an arc and the straight moves that replace it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Measures how fast FreeCAD&apos;s simulators are on this computer, and saves the result. This takes about a second.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -1234,22 +1265,6 @@
     </message>
     <message>
         <source>Cancel</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>{count} operation analyzed</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>{count} operations analyzed</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>{count} has a warning</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>{count} have warnings</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1426,15 +1441,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Machining
-time</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Time on the machine at the programmed feeds; rapids where the tool controller gives their speed</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Export &amp;CSV…</source>
         <translation type="unfinished"></translation>
     </message>
@@ -1499,44 +1505,6 @@ time</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>the total of what was analyzed, not of the whole job</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>How long the {simulator} takes, as the marks show it</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The longest that the {simulator} should take: its estimate times the factor by which estimates are off</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Simulation time
-at most</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Time to simulate it in an extended z-buffer: an operation alone, on the whole stock; a job one operation after another, each on what is left</source>
-        <extracomment>The paper&apos;s; its columns in CSV and JSON have no prefix.</extracomment>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Memory to simulate it in an extended z-buffer: of an operation alone, with the whole stock; of a job with the stock once</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>not in the total: its dress-up is counted instead</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>not in the total: it is switched off</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Shortest move at feed</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Recommended
 Image</source>
         <translation type="unfinished"></translation>
@@ -1555,25 +1523,12 @@ Image</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Recommended
-Accuracy</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The finest position of the legacy simulator&apos;s accuracy slider (1 to 10) within your limits of time and memory.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Time in FreeCAD&apos;s OpenGL simulator at its highest speed.</source>
         <extracomment>FreeCAD&apos;s newer one, which draws the cuts of all operations before with every operation.</extracomment>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Memory of FreeCAD&apos;s OpenGL simulator.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Between {} and {}. Runs of this simulator on this computer make it more exact.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1731,6 +1686,15 @@ Memory</source>
     </message>
     <message>
         <source>This total covers the analyzed operations only.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Time to simulate it in an extended z-buffer. An operation is simulated alone, on the whole stock. In a job, each operation cuts the stock that is left.</source>
+        <extracomment>The paper&apos;s; its columns in CSV and JSON have no prefix.</extracomment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Memory to simulate it in an extended z-buffer. An operation includes the whole stock. A job includes the stock once.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

@@ -12,9 +12,9 @@
         <translation>Der Grund für diese Strategie.</translation>
     </message>
     <message>
-        <source>What the mark in the description says</source>
+        <source>The text of the mark in the description.</source>
         <extracomment>The results of this session.</extracomment>
-        <translation>Was die Markierung in der Beschreibung sagt</translation>
+        <translation>Der Text der Markierung in der Beschreibung.</translation>
     </message>
     <message>
         <source>The confidence of the recognition, in percent.</source>
@@ -1692,7 +1692,7 @@ höchstens</translation>
         <translation>Diese Operation ist nicht in der Summe enthalten, weil sie ausgeschaltet ist.</translation>
     </message>
     <message>
-        <source>Shortest move at feed</source>
+        <source>Shortest Move at Feed</source>
         <translation>Kürzeste Bewegung im Vorschub</translation>
     </message>
     <message>

@@ -12,9 +12,9 @@
         <translation>La razón de esta estrategia.</translation>
     </message>
     <message>
-        <source>What the mark in the description says</source>
+        <source>The text of the mark in the description.</source>
         <extracomment>The results of this session.</extracomment>
-        <translation>Lo que dice la marca en la descripción</translation>
+        <translation>El texto de la marca en la descripción.</translation>
     </message>
     <message>
         <source>The confidence of the recognition, in percent.</source>
@@ -1692,7 +1692,7 @@ como mucho</translation>
         <translation>Esta operación no está incluida en el total, porque está desactivada.</translation>
     </message>
     <message>
-        <source>Shortest move at feed</source>
+        <source>Shortest Move at Feed</source>
         <translation>Movimiento más corto en avance de trabajo</translation>
     </message>
     <message>

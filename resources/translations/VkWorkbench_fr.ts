@@ -12,9 +12,9 @@
         <translation>La raison de cette stratégie.</translation>
     </message>
     <message>
-        <source>What the mark in the description says</source>
+        <source>The text of the mark in the description.</source>
         <extracomment>The results of this session.</extracomment>
-        <translation>Ce que dit la marque dans la description</translation>
+        <translation>Le texte de la marque dans la description.</translation>
     </message>
     <message>
         <source>The confidence of the recognition, in percent.</source>
@@ -1692,7 +1692,7 @@ au plus</translation>
         <translation>Cette opération n&apos;est pas comprise dans le total, car elle est désactivée.</translation>
     </message>
     <message>
-        <source>Shortest move at feed</source>
+        <source>Shortest Move at Feed</source>
         <translation>Déplacement le plus court en avance de travail</translation>
     </message>
     <message>

@@ -12,9 +12,9 @@
         <translation>判定为此策略的理由。</translation>
     </message>
     <message>
-        <source>What the mark in the description says</source>
+        <source>The text of the mark in the description.</source>
         <extracomment>The results of this session.</extracomment>
-        <translation>说明中的标记内容</translation>
+        <translation>说明中标记的文字。</translation>
     </message>
     <message>
         <source>The confidence of the recognition, in percent.</source>
@@ -1692,7 +1692,7 @@ at Most</source>
         <translation>此操作不计入合计，因为它已停用。</translation>
     </message>
     <message>
-        <source>Shortest move at feed</source>
+        <source>Shortest Move at Feed</source>
         <translation>最短的进给移动</translation>
     </message>
     <message>

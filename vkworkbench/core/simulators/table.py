@@ -95,8 +95,8 @@ OPENGL = Simulator(
         "opengl_memory_bytes": lambda cost: cost.memory_bytes,
     },
     factor_column="opengl_factor",
-    time_tooltip=QT_TRANSLATE_NOOP("Vk_Results", "Time of FreeCAD's OpenGL simulator at its highest speed"),
-    memory_tooltip=QT_TRANSLATE_NOOP("Vk_Results", "Memory of FreeCAD's OpenGL simulator"),
+    time_tooltip=QT_TRANSLATE_NOOP("Vk_Results", "Time in FreeCAD's OpenGL simulator at its highest speed."),
+    memory_tooltip=QT_TRANSLATE_NOOP("Vk_Results", "Memory of FreeCAD's OpenGL simulator."),
     preferences=("opengl_quality",),
 )
 

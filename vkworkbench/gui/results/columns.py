@@ -80,7 +80,7 @@ def columns(version: tuple[int, ...], marked: str) -> tuple[list[Column], list[C
         Name of the simulator whose time the marks show.
     """
     simulators = available(version)
-    time = translate("Vk_Results", "How long the {simulator} takes, as the marks show it")
+    time = translate("Vk_Results", "Time in the {simulator}, as the marks show it.")
     first = [
         Column(OPERATION, translate("Vk_Results", "Operation"), "", lambda row: row.label),
         Column(STRATEGY, translate("Vk_Results", "Strategy"),

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What goes wrong in a simulator, and which image is recommended."""
+"""Sentences about problems of simulators, and about the recommended image."""
 
 from __future__ import annotations
 
@@ -122,5 +122,5 @@ SIMULATORS: dict[str, str | tuple[str, str]] = {
         "Sentences",
         "None, because the moves alone take {time:s}. Simulate fewer operations.{heaviest}",
     ),
-    "heaviest": QT_TRANSLATE_NOOP("Sentences", "; the heaviest is {label} with {time:s}"),
+    "heaviest": QT_TRANSLATE_NOOP("Sentences", " The slowest is {label} with {time:s}."),
 }
