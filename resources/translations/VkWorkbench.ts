@@ -1189,10 +1189,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Last calibrated on {date}: times of the {simulator} are right within a factor of {factor}. Measured with FreeCAD {freecad} on {processor}, display {renderer}.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Show times for</source>
         <translation type="unfinished"></translation>
     </message>
@@ -1250,6 +1246,10 @@
     </message>
     <message>
         <source>Measures how fast FreeCAD&apos;s simulators are on this computer, and saves the result. This takes about a second.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Last calibrated on {date}. The times of the {simulator} are right to within a factor of {factor}. Measured with FreeCAD {freecad} on {processor}, display {renderer}.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

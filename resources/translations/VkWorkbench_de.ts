@@ -1249,8 +1249,8 @@
         <translation>Vor dem Start einer Simulation warnen, die hängen bliebe oder zu lange dauerte</translation>
     </message>
     <message>
-        <source>Last calibrated on {date}: times of the {simulator} are right within a factor of {factor}. Measured with FreeCAD {freecad} on {processor}, display {renderer}.</source>
-        <translation>Zuletzt kalibriert am {date}: Zeiten von „{simulator}“ stimmen bis auf den Faktor {factor}. Gemessen mit FreeCAD {freecad} auf {processor}, Anzeige {renderer}.</translation>
+        <source>Last calibrated on {date}. The times of the {simulator} are right to within a factor of {factor}. Measured with FreeCAD {freecad} on {processor}, display {renderer}.</source>
+        <translation>Zuletzt kalibriert am {date}. Die Zeiten von „{simulator}“ stimmen bis auf den Faktor {factor}. Gemessen mit FreeCAD {freecad} auf {processor}, Anzeige {renderer}.</translation>
     </message>
 </context>
 <context>

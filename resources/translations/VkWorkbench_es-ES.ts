@@ -1249,8 +1249,8 @@
         <translation>Avisar antes de iniciar una simulación que se bloquearía o tardaría demasiado</translation>
     </message>
     <message>
-        <source>Last calibrated on {date}: times of the {simulator} are right within a factor of {factor}. Measured with FreeCAD {freecad} on {processor}, display {renderer}.</source>
-        <translation>Última calibración el {date}: los tiempos del {simulator} aciertan dentro de un factor {factor}. Medido con FreeCAD {freecad} en {processor}, pantalla {renderer}.</translation>
+        <source>Last calibrated on {date}. The times of the {simulator} are right to within a factor of {factor}. Measured with FreeCAD {freecad} on {processor}, display {renderer}.</source>
+        <translation>Última calibración el {date}. Los tiempos del {simulator} aciertan dentro de un factor {factor}. Medido con FreeCAD {freecad} en {processor}, pantalla {renderer}.</translation>
     </message>
 </context>
 <context>

@@ -1249,8 +1249,8 @@
         <translation>Avertir avant une simulation qui se bloquerait ou durerait trop longtemps</translation>
     </message>
     <message>
-        <source>Last calibrated on {date}: times of the {simulator} are right within a factor of {factor}. Measured with FreeCAD {freecad} on {processor}, display {renderer}.</source>
-        <translation>Dernier étalonnage le {date} : les temps de « {simulator} » sont justes à un facteur {factor} près. Mesuré avec FreeCAD {freecad} sur {processor}, affichage {renderer}.</translation>
+        <source>Last calibrated on {date}. The times of the {simulator} are right to within a factor of {factor}. Measured with FreeCAD {freecad} on {processor}, display {renderer}.</source>
+        <translation>Dernier étalonnage le {date}. Les temps de « {simulator} » sont justes à un facteur {factor} près. Mesuré avec FreeCAD {freecad} sur {processor}, affichage {renderer}.</translation>
     </message>
 </context>
 <context>

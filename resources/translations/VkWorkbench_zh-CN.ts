@@ -1249,8 +1249,8 @@
         <translation>在启动会卡死或耗时过长的模拟之前警告</translation>
     </message>
     <message>
-        <source>Last calibrated on {date}: times of the {simulator} are right within a factor of {factor}. Measured with FreeCAD {freecad} on {processor}, display {renderer}.</source>
-        <translation>上次校准于 {date}：{simulator}的时间误差在 {factor} 倍以内。测量环境：FreeCAD {freecad}，{processor}，显示 {renderer}。</translation>
+        <source>Last calibrated on {date}. The times of the {simulator} are right to within a factor of {factor}. Measured with FreeCAD {freecad} on {processor}, display {renderer}.</source>
+        <translation>上次校准于 {date}。{simulator}的时间误差在 {factor} 倍以内。测量环境：FreeCAD {freecad}，{processor}，显示 {renderer}。</translation>
     </message>
 </context>
 <context>

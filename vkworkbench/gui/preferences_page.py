@@ -132,8 +132,9 @@ class PreferencesPage:
             )
         text = translate(
             "VkPreferences",
-            "Last calibrated on {date}: times of the {simulator} are right within a factor of {factor}. Measured with "
-            "FreeCAD {freecad} on {processor}, display {renderer}.",
+            "Last calibrated on {date}. The times of the {simulator} are right to within a "
+            "factor of {factor}. Measured with FreeCAD {freecad} on {processor}, display "
+            "{renderer}.",
         )
         return text.format(
             date=_local_date(known.date), factor=user().number(known.constants.legacy_factor, 2),
