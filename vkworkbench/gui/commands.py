@@ -135,8 +135,8 @@ def _show_description() -> None:
             _inform(translate(
                 "Vk_Analyze",
                 "The marks are in the Description column of the tree, which is now visible. To "
-"hide the column again, open the context menu of the tree and choose Tree "
-"Settings, Show Description.",
+                "hide the column again, open the context menu of the tree and choose Tree "
+                "Settings, Show Description.",
             ))  # fmt: skip
 
 

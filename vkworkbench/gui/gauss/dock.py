@@ -77,7 +77,7 @@ class GaussMapDock(QDockWidget):
         self.chooser.setSizeAdjustPolicy(QComboBox.AdjustToContents)
         explain(self.chooser, translate(
             "Vk_GaussMap", "Areas that the tool cuts without a rapid move or a plunge. The area that shows "
-"the strategy best comes first, then the longest areas."
+            "the strategy best comes first, then the longest areas."
         ))  # fmt: skip
         self.chooser.currentIndexChanged.connect(self._choose_area)
         self.saver = QPushButton(translate("Vk_GaussMap", "Save Picture…"))
@@ -96,16 +96,16 @@ class GaussMapDock(QDockWidget):
         self.canvas.setToolTip(translate(
             "Vk_GaussMap",
             "<p>The left plot shows the toolpath with the vector V<sub>k</sub> from the "
-"first point of the area. The unit circle shows the directions of the trajectory "
-"v<sub>k</sub> and of V<sub>k</sub>. Its arcs show how these directions have "
-"moved. In a zigzag, the direction of v<sub>k</sub> moves back and forth on a "
-"part of the circle. In a contour, it moves all around the circle. The direction "
-"of V<sub>k</sub> moves all around only if the path begins inside the contour. "
-"The right plot shows the cumulative angular function φ and the angle θ on level "
-"n. A contour-parallel path reaches the dashed lines ±2π, and a zigzag stays "
-"between them.</p>",
+            "first point of the area. The unit circle shows the directions of the trajectory "
+            "v<sub>k</sub> and of V<sub>k</sub>. Its arcs show how these directions have "
+            "moved. In a zigzag, the direction of v<sub>k</sub> moves back and forth on a "
+            "part of the circle. In a contour, it moves all around the circle. The direction "
+            "of V<sub>k</sub> moves all around only if the path begins inside the contour. "
+            "The right plot shows the cumulative angular function φ and the angle θ on level "
+            "n. A contour-parallel path reaches the dashed lines ±2π, and a zigzag stays "
+            "between them.</p>",
         ) + translate("Vk_GaussMap", "<p>Use the wheel to zoom, drag to move, and double-click to show everything "
-"again.</p>"))  # fmt: skip
+                                     "again.</p>"))  # fmt: skip
         self.setWidget(self._laid_out())
         self._enable(False)
 

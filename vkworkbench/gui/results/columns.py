@@ -88,14 +88,14 @@ def columns(version: tuple[int, ...], marked: str) -> tuple[list[Column], list[C
                lambda row: row.kind),
         Column("machining_time", translate("Vk_Results", "Machining\nTime"),
                translate("Vk_Results", "Time on the machine at the programmed feeds. Rapids are included if the tool "
-"controller has rapid speeds."),
+                                       "controller has rapid speeds."),
                lambda row: row.found.machining_seconds or None, _as("time"), least=lambda row: not row.machining_complete),
         Column("simulation_time", translate("Vk_Results", "Simulation\nTime"),
                time.format(simulator=user().simulator(marked)),
                partial(_seconds, marked), factor=partial(_factor, marked), least=_is_bound),
         Column(STATE, translate("Vk_Results", "State"),
                translate("Vk_Results", "A result is outdated if the toolpath, the tool or the stock has changed since. "
-"Analyze the operation again."),
+                                       "Analyze the operation again."),
                lambda row: translate("Vk_Results", "outdated") if row.outdated else None),
         Column(WARNINGS, translate("Vk_Results", "Warnings"),
                translate("Vk_Results", "Problems of the operation, and what goes wrong when you simulate it."),
