@@ -48,7 +48,7 @@ def in_rounds(runs):
 
 
 def beside(predicted, seconds):
-    """A prediction, the median of the runs' seconds, which counts, and all of these seconds, in words."""
+    """Return a prediction, the median time of the runs and all their times as text."""
     each = " ".join(f"{taken:.2f}" for taken in seconds)
     return f"{predicted:7.2f} s  {median(seconds or [math.nan]):7.2f} s  of {each}"
 

@@ -7,8 +7,8 @@
 Cuts the operations of the example job and, where the environment variable VKWORKBENCH_CORPUS names files of
 JSON lines (id, label, tool_diameter, stock, commands; optionally gzipped, separated by colons), up to 60 of
 each. Errors are ratios, the larger of prediction and truth over the smaller. Timings need a quiet computer; runs from
-which a virtual machine's host took time are left out, and the median of those of one simulation counts: the shortest
-would favour short simulations, which fit into the moments when a shared processor is fast.
+which a virtual machine's host took time are left out. The median run of each simulation counts: the shortest run would
+favour short simulations, which fit into the moments when a shared processor is fast.
 """
 
 from __future__ import annotations
@@ -19,6 +19,7 @@ import sys
 import tempfile
 import time
 from pathlib import Path
+from unittest import mock
 
 import FreeCAD
 import numpy as np
@@ -36,7 +37,7 @@ from records import with_stock
 
 from vkworkbench import freecad
 from vkworkbench.core import Tool, linearize
-from vkworkbench.core.simulators import OPENGL, Task, available, legacy_cost
+from vkworkbench.core.simulators import DEFAULTS, OPENGL, Task, available, legacy, legacy_cost
 from vkworkbench.document.computer.calibration import calibrate
 from vkworkbench.document.job.operations import find
 from vkworkbench.document.job.setting import read_stock, read_tool
@@ -44,7 +45,8 @@ from vkworkbench.document.job.setting import read_stock, read_tool
 ACCURACIES = (0.1, 0.5, 1.0)
 MOST = 60
 OUT = sys.__stdout__
-FEW = 1000  # triangles; fewer count as so many: they take no time
+FEW = 1000  # triangles; smaller meshes count as this number, because they take almost no time
+LOOKS = 12  # moments of a play at which the true mesh is counted
 
 
 def main() -> int:
@@ -95,11 +97,16 @@ def headless(samples):
     """Cut every sample at every accuracy and print how far the predictions were off."""
     constants = calibrate().constants
     errors = {accuracy: [] for accuracy in ACCURACIES}
+    simpler = {}
     for _, commands, tool, stock in samples:
         task = Task(linearize(commands), tool, stock)
         for accuracy in ACCURACIES:
             predicted = legacy_cost(task, accuracy=accuracy, constants=constants)
-            mesh, facets, cells = really(commands, tool, stock, predicted.resolution, accuracy)
+            mesh, looks, cells = really(commands, tool, stock, predicted.resolution, accuracy)
+            facets = looks[-1]
+            if accuracy == ACCURACIES[0]:
+                for name, ratio in simpler_plays(task, predicted, looks):
+                    simpler.setdefault(name, []).append(max(ratio, 1 / ratio))
             predicted_mesh, own_mesh = (
                 constants.cell * cells + constants.facet * count for count in (predicted.facets, facets)
             )
@@ -115,10 +122,34 @@ def headless(samples):
             print(f"  accuracy {accuracy:.1f} %  {name:26}{quantiles(values)}", file=OUT)
         bias = np.median(np.array(rows)[:, 3])
         print(f"  accuracy {accuracy:.1f} %  {'mesh, predicted / true':26}{bias:.2f}", file=OUT)
+    print("time of a play from the predicted meshes over that from the true ones, median / worst:", file=OUT)
+    for name, ratios in simpler.items():
+        print(f"  {name:40}{np.median(ratios):.2f} / {max(ratios):.2f}", file=OUT)
+
+
+def simpler_plays(task, predicted, looks):
+    """Names of the model of the mesh and of simpler ones, and predicted over true time of a play, with usual constants."""
+    every = [legacy.BOX, *looks]
+    true = float(np.add(every[1:], every[:-1]).mean() / 2)
+    tool, stock = task.cutting
+    last, mean = legacy._triangles(task.toolpath, tool, stock, predicted.resolution)
+    whole = [np.ones((1, 1), bool)] * legacy._LOOKS
+    with mock.patch.object(legacy, "floors", return_value=(whole, 1.0)):
+        _, without_floor = legacy._triangles(task.toolpath, tool, stock, predicted.resolution)
+    for name, facets in (
+        ("as it is", mean),
+        ("without the map of the lower face", without_floor),
+        ("without looking while it is cut", 0.75 * last),
+        ("without any map, 2000 triangles", 2000.0),
+    ):
+        guess, truth = (
+            DEFAULTS.redraw + legacy._mesh_seconds(DEFAULTS, predicted.cells, count) for count in (facets, true)
+        )
+        yield name, guess / truth
 
 
 def really(commands, tool, stock, resolution, accuracy):
-    """Cut with FreeCAD as its panel does; return the seconds to make the mesh, its triangles, and the cells."""
+    """Cut with FreeCAD as its panel does; return the seconds of the last mesh, the triangles of some, and the cells."""
     size = stock.upper - stock.lower
     sim = PathSim()
     sim.BeginSimulation(Part.makeBox(*size, FreeCAD.Vector(*stock.lower)), resolution)
@@ -126,15 +157,19 @@ def really(commands, tool, stock, resolution, accuracy):
     top = float(stock.upper[2])
     moves = straight(commands, resolution, top)
     position = FreeCAD.Placement(FreeCAD.Vector(0, 0, top), FreeCAD.Rotation())
-    for move in moves:
+    looks, looked_at = [], {len(moves) * look // LOOKS for look in range(1, LOOKS)}
+    for done, move in enumerate(moves, 1):
         position = sim.ApplyCommand(position, move)
+        if done in looked_at:
+            looks.append(sum(mesh.CountFacets for mesh in sim.GetResultMesh()))
     times = []
     for _ in range(2):
         begin = time.perf_counter()
         outer, inner = sim.GetResultMesh()
         times.append(time.perf_counter() - begin)
     cells = (int(size[0] / resolution) + 1) * (int(size[1] / resolution) + 1)
-    return min(times), outer.CountFacets + inner.CountFacets, cells
+    looks.append(outer.CountFacets + inner.CountFacets)
+    return min(times), looks, cells
 
 
 def straight(commands, resolution, top):

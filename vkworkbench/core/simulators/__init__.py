@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What simulating costs, simulator by simulator: the paper's extended z-buffer and FreeCAD's own, one entry each.
+"""The cost of simulating in each simulator: the paper's extended z-buffer, and FreeCAD's own simulators.
 
 In: `Task`, one operation's toolpath with tool and stock; `Conditions`, the FreeCAD, the computer and the settings.
-Out: the table `SIMULATORS`, each with its Cost of one operation or of several together, its advice for a budget and
-what real runs teach it about the `Constants`; `Caution`, what to know before a simulation is started.
+Out: the table `SIMULATORS`, whose entries compute the Cost of one operation or of several in sequence, and the finest
+setting within a budget; `Caution`, a warning before a simulation is started.
 """
 
 from vkworkbench.core.simulators.constants import DEFAULTS, Constants

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What simulating an operation or a job costs in every simulator."""
+"""The cost of simulating an operation or a job in every simulator."""
 
 from __future__ import annotations
 
@@ -14,14 +14,15 @@ from vkworkbench.core.zbuffer import Resolution
 
 
 class Costs:
-    """What the simulators take for an operation, or for several one after another, by the simulators' names.
+    """The costs of an operation, or of several in sequence, by the simulators' names.
 
     Attributes
     ----------
     costs : mapping of str to Cost
-        Computed when they are asked for. Without simulators that this FreeCAD does not have, and without those whose cost is not known.
+        Each cost is computed at its first use. Simulators that this FreeCAD does not have, and simulators whose cost is
+        unknown, are missing.
     advice : mapping of str to Resolution
-        The finest setting of a simulator within the budget of the preferences; the same simulators are missing.
+        The finest setting of a simulator within the budget of the preferences.
     """
 
     costs: Mapping[str, Any]
@@ -29,13 +30,13 @@ class Costs:
 
     @property
     def legacy(self) -> LegacyCost | None:
-        """What FreeCAD's legacy simulator takes, at the accuracy of the preferences."""
+        """The cost in FreeCAD's legacy simulator, at the accuracy of the preferences."""
         cost: LegacyCost | None = self.costs.get(LEGACY.name)
         return cost
 
     @property
     def opengl(self) -> OpenGLCost | None:
-        """What FreeCAD's OpenGL simulator takes; None also where this FreeCAD has none."""
+        """The cost in FreeCAD's OpenGL simulator; None also if this FreeCAD does not have one."""
         cost: OpenGLCost | None = self.costs.get(OPENGL.name)
         return cost
 
@@ -46,7 +47,7 @@ class Costs:
         return chosen
 
     def cost(self, simulator: str) -> tuple[float, float] | None:
-        """Return seconds and bytes of simulating it, None where they are not known.
+        """Return the time and the memory of a simulation, s and bytes; None if they are unknown.
 
         Parameters
         ----------
@@ -57,7 +58,7 @@ class Costs:
         Raises
         ------
         ValueError
-            If there is no simulator of that name.
+            If `simulator` is not the name of a simulator.
         """
         cost = self._of(simulator)
         return None if cost is None else (cost.seconds, float(cost.memory_bytes))
@@ -81,7 +82,7 @@ class Costs:
         return columns
 
     def factors(self) -> dict[str, float]:
-        """Return the factors of these times, see :meth:`factor`, for CSV and JSON."""
+        """Return the factors of the times in FreeCAD's simulators, see :meth:`factor`, for CSV and JSON."""
         return {s.factor_column: self.factor(s.name) for s in _beside_the_papers() if s.factor_column is not None}
 
     def advice_messages(self) -> dict[str, Any]:

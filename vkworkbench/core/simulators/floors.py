@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Coarse maps of what a path leaves of the stock's lower face while it is cut."""
+"""Coarse maps of the material left at the stock's lower face while a toolpath cuts."""
 
 from __future__ import annotations
 
@@ -10,7 +10,8 @@ from vkworkbench.core.stocks import Solid
 from vkworkbench.core.tool import Tool
 from vkworkbench.core.toolpath import Toolpath
 
-# Cells along the stock's longer side. Cells become larger where the moves would pass over more rows of cells in all.
+# Number of cells along the stock's longer side, and maximum number of rows of cells that all moves together may pass over:
+# with more, the cells become larger.
 _CELLS = 500
 _MOST_ROWS = 300_000
 
@@ -18,22 +19,22 @@ _MOST_ROWS = 300_000
 def floors(
     toolpath: Toolpath, *, tool: Tool, stock: Solid, thickness: float, parts: int = 1
 ) -> tuple[list[np.ndarray], float]:
-    """Map where the path leaves material at the lower face of the stock's bounding box.
+    """Map where the toolpath leaves material at the lower face of the stock's bounding box.
 
-    The map is finer than that of the heights. That is affordable because only moves that cut through count, and each of
-    them, a disc swept along a line, covers one interval of a row of cells.
+    The map is finer than the map of the heights, because it takes less time: only moves that cut through count, and each
+    such move, a disc swept along a line, covers one interval of a row of cells.
 
     Parameters
     ----------
     toolpath, tool, stock, parts
         As in :func:`~vkworkbench.core.simulators.heightmap.heightmaps`.
     thickness : float
-        Material no thicker than this counts as cut through, mm.
+        Maximum thickness of material that counts as cut through, mm.
 
     Returns
     -------
     kept : list of (nx, ny) bool
-        Where material is left after each part.
+        Cells where material is left after each part.
     size : float
         Edge of a cell, mm.
     """
@@ -71,7 +72,13 @@ def floors(
 def _swept_rows(
     begin: np.ndarray, end: np.ndarray, radius: np.ndarray, size: float, columns: int, rows: int
 ) -> tuple[np.ndarray, ...]:
-    """Cells under discs swept along lines: index of the line, row, first column and the one after the last."""
+    """Return the cells under discs swept along lines, row by row.
+
+    Returns
+    -------
+    of, row, first, after : (k,) int64
+        Index of the line, row, first column, and the column after the last.
+    """
     lowest = np.ceil((np.minimum(begin, end)[:, 1] - radius) / size - 0.5).clip(0, rows).astype(int)
     above = (np.floor((np.maximum(begin, end)[:, 1] + radius) / size - 0.5) + 1).clip(0, rows).astype(int)
     counts = np.maximum(above - lowest, 0)

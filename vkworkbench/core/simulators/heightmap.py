@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Coarse maps of the heights that a path leaves while it is cut."""
+"""Coarse maps of the stock's heights while a toolpath cuts."""
 
 from __future__ import annotations
 
@@ -9,18 +9,20 @@ from vkworkbench.core.stocks import Solid
 from vkworkbench.core.tool import Tool
 from vkworkbench.core.toolpath import Toolpath
 
+# Number of cells along the stock's longer side, and maximum number along the tool's radius.
 _CELLS = 100
 _CELLS_PER_RADIUS = 16
+# Maximum number of points at which a toolpath is sampled.
 _MOST_SAMPLES = 300_000
-# Samples worked on at once, so that they stay in the processor's cache.
+# Points processed at once, so that they stay in the processor's cache.
 _SAMPLES_AT_ONCE = 16_384
 
 
 def heightmaps(toolpath: Toolpath, *, tool: Tool, stock: Solid, parts: int = 1) -> tuple[list[np.ndarray], float]:
-    """Heights the tool leaves on the stock's bounding box, cut as the legacy simulator does: rapids cut too.
+    """Compute the heights that the tool leaves of the stock's bounding box, where rapids cut, too.
 
-    The lowest height of the tip over each cell is spread over the tool's disc, so the cost is O(n) for the
-    path and independent of it for the maps.
+    The lowest height of the tip over each cell is spread over the tool's disc: the time is O(n) for the toolpath, and
+    constant for the maps.
 
     Parameters
     ----------
@@ -31,16 +33,16 @@ def heightmaps(toolpath: Toolpath, *, tool: Tool, stock: Solid, parts: int = 1) 
     stock : Solid
         Anything with ``lower`` and ``upper`` corners, mm.
     parts : int
-        Number of maps: one after each of so many equal parts of the commands that move.
+        Number of maps. The commands that move are divided into this number of equal parts; a map shows the stock after
+        each part.
 
     Returns
     -------
     maps : list of (nx, ny) float64
-        Height of the stock's surface in every cell, mm; at the stock's bottom where the path cuts through.
-        The last is that of the whole path.
+        Height of the stock's surface in every cell, mm; the stock's bottom where the toolpath cuts through. The last map
+        shows the finished part.
     size : float
-        Edge of a cell, mm: a hundredth of the longer side, or a sixteenth of the tool's radius if that is
-        more.
+        Edge of a cell, mm: a hundredth of the longer side, or a sixteenth of the tool's radius if that is longer.
     """
     lower, upper = np.asarray(stock.lower, float), np.asarray(stock.upper, float)
     size = float(max((upper - lower)[:2].max() / _CELLS, tool.radius / _CELLS_PER_RADIUS))
@@ -70,12 +72,12 @@ def heightmaps(toolpath: Toolpath, *, tool: Tool, stock: Solid, parts: int = 1) 
 
 
 def _stamp(tips: np.ndarray, points: np.ndarray, origin: np.ndarray, size: float, spacing: float) -> None:
-    """Lower the cells that a polyline passes over to its height there, sampled at most `spacing` apart."""
+    """Lower the cells under a polyline to its height; it is sampled at points at most `spacing` apart."""
     if len(points) == 0:
         return
     moves = np.diff(points, axis=0)
     lengths = np.abs(moves[:, :2]).max(axis=1)
-    # A path that would need more samples passes over every cell many times: wider spacing misses none.
+    # A toolpath with more samples passes over every cell many times: a wider spacing misses no cell.
     spacing = max(spacing, float(lengths.sum()) / _MOST_SAMPLES)
     _lower(tips, points[:1].T, origin, size)
     low = np.flatnonzero(np.minimum(points[:-1, 2], points[1:, 2]) < tips.max())
@@ -101,7 +103,7 @@ def _lower(tips: np.ndarray, points: np.ndarray, origin: np.ndarray, size: float
     inside = np.flatnonzero((column >= 0) & (column < tips.shape[0]) & (row >= 0) & (row < tips.shape[1]))
     if not len(inside):
         return
-    # The maps have less than 2^16 cells, and numbers so short are sorted by radix.
+    # The maps have less than 2^16 cells, and numpy sorts 16-bit numbers by radix.
     cell = (column[inside] * tips.shape[1] + row[inside]).astype(np.uint16)
     order = np.argsort(cell, kind="stable")
     cell = cell[order]
@@ -111,14 +113,14 @@ def _lower(tips: np.ndarray, points: np.ndarray, origin: np.ndarray, size: float
 
 
 def grid_shape(stock: Solid, size: float) -> np.ndarray:
-    """Numbers of cells of an edge of `size` mm that cover the stock's bounding box in X and Y, (2,) int."""
+    """Return the numbers of cells of `size` mm that cover the stock's bounding box in X and Y, (2,) int."""
     side = np.asarray(stock.upper, float)[:2] - np.asarray(stock.lower, float)[:2]
     result: np.ndarray = np.maximum(np.ceil(side / size - 1e-9), 1).astype(int)
     return result
 
 
 def motions_done(toolpath: Toolpath, parts: int) -> np.ndarray:
-    """Return how many moves are done before and after each of `parts` equal parts of the commands, (parts + 1,) int."""
+    """Return the number of trajectories before and after each of `parts` equal parts of the commands, (parts + 1,) int."""
     moving = np.unique(toolpath.command)
     ends = np.append(moving, toolpath.commands)[np.arange(parts + 1) * len(moving) // parts]
     return np.searchsorted(toolpath.command, ends)

@@ -157,8 +157,8 @@ def _uncut_seconds(constants: Constants, cells: int) -> float:
 def legacy_together(costs: Sequence[LegacyCost]) -> LegacyCost:
     """Estimate the legacy simulator for several operations, run one after another at one accuracy.
 
-    It starts once, shows the uncut stock once and makes one last mesh; every mesh that play makes also has the
-    triangles of the operations before.
+    The simulator starts once, shows the uncut stock once and makes one last mesh. Every mesh of a play also has the
+    triangles of the earlier operations.
 
     Parameters
     ----------

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What goes wrong or takes long in FreeCAD's legacy simulator, found in O(n)."""
+"""Warnings of errors and long times in FreeCAD's legacy simulator, in O(n)."""
 
 from __future__ import annotations
 
@@ -12,12 +12,13 @@ from vkworkbench.core.simulators.simulator import Caution, Conditions, Task
 from vkworkbench.core.toolpath import Toolpath
 from vkworkbench.language import Message
 
+# Maximum number of moves shorter than a cell, and maximum error of a ramp's depth, mm, without a warning.
 MOST_SHORT_MOVES = 2000
-RAMP_ERROR = 0.1  # mm
+RAMP_ERROR = 0.1
 
 
 def cautions(task: Task, cost: LegacyCost | None, conditions: Conditions) -> list[Caution]:
-    """Find what goes wrong or takes long in it: arcs only if the words are known, ramps only if the tool is known."""
+    """Find errors and long times: arcs only if the words are known, ramps only if the tool is known."""
     found = _hangs(task, conditions.version)
     if task.tool is not None:
         found += _ramps(task.toolpath, task.tool.diameter)
@@ -27,11 +28,11 @@ def cautions(task: Task, cost: LegacyCost | None, conditions: Conditions) -> lis
 
 
 def _hangs(task: Task, version: tuple[int, ...]) -> list[Caution]:
-    """Arcs on which ``PerformCutVoxel`` raises an error, after which the legacy simulator never goes on.
+    """Find arcs on which ``PerformCutVoxel`` raises an error, after which the legacy simulator never ends.
 
-    It computes with the words X, Y and, before FreeCAD 1.1, Z of an arc even where they are absent, and
-    divides by a number of chords. That is 0 where the computed radius or sweep is 0: for full circles, and where start
-    and end lie in the same direction from the centre, as in FreeCAD's Deburr. Arcs with a K word are cut by other code.
+    ``PerformCutVoxel`` computes with the words X, Y and, before FreeCAD 1.1, Z of an arc even if they are absent, and
+    divides by the number of chords. The number of chords is 0 if the computed radius or sweep is 0: for full circles, and
+    if start and end lie in the same direction from the centre, as in FreeCAD's Deburr. Other code cuts arcs with a K word.
     """
     words = task.words
     if words is None:
@@ -71,17 +72,17 @@ def _hangs(task: Task, version: tuple[int, ...]) -> list[Caution]:
 
 
 def _last_word(words: Words, letter: str, rows: np.ndarray) -> np.ndarray:
-    """The last value of a parameter before each of the commands `rows`; NaN before the first."""
+    """Return the last value of a parameter before each of the commands `rows`; NaN before the first."""
     values = words.column(letter)[0]
     known = np.flatnonzero(~np.isnan(values))
     return np.append(np.nan, values[known])[np.searchsorted(known, rows)]
 
 
 def _ramps(toolpath: Toolpath, diameter: float) -> list[Caution]:
-    """Sloping lines longer than the tool is wide.
+    """Find sloping lines longer than the tool's diameter.
 
-    ``ApplyLinearTool`` divides the rise by the steps across the tool and adds it at every step along the
-    move, so the far end is cut at ``length / diameter`` times the rise.
+    ``ApplyLinearTool`` divides the rise by the number of steps across the tool and adds the quotient at every step along
+    the move, so the far end is cut at ``length / diameter`` times the rise.
     """
     moves = np.diff(toolpath.points, axis=0)
     level = np.hypot(moves[:, 0], moves[:, 1])

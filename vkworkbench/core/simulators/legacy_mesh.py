@@ -1,21 +1,20 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The size of the legacy simulator's mesh of a stock, from coarse maps of its heights and of its lower face."""
+"""The number of triangles in the legacy simulator's mesh, from coarse maps of the part's heights and lower face."""
 
 from __future__ import annotations
 
 import numpy as np
 
-# A step in height between two cells is a wall, not a slope, if it is higher than this many cells' edges, or more than
+# A step in height between two cells is a wall, not a slope, if it is higher than this number of cells' edges, or more than
 # twice as high as the steps beside it.
 _WALL = 1.8
-# Triangles per corner of a wall, per cell of wall, per rectangle on a slope and of a plain box, fitted to FreeCAD's
+# Triangles per corner of a wall, per cell of a wall, per rectangle on a slope, and of an uncut box. Fitted to FreeCAD's
 # meshes (benchmarks/simulators.py).
 _CORNER, _ALONG, _RECTANGLE, BOX = 3.6, 0.26, 3.65, 12.0
-# FreeCAD's rectangles are no longer than this many times their width (VolSim.cpp).
+# Maximum length of FreeCAD's rectangles, in widths (VolSim.cpp).
 _LONGEST = 5
-# The simulator's grid is finer than the map and follows curved outlines more closely. So it has this many times more
-# rectangles than the map has, scaled by the number of cells; fitted to FreeCAD's meshes of round holes, discs and
-# slanted cuts.
+# Rectangles of the simulator's grid over rectangles of the map times the ratio of their cells. The grid is finer and
+# follows curved outlines more closely. Fitted to FreeCAD's meshes of round holes, discs and slanted cuts.
 _FINER = 1.05
 
 
@@ -23,9 +22,9 @@ def mesh_facets(heights: np.ndarray, size: float, resolution: float, *, floor: n
     """Count the triangles of the mesh that the legacy simulator makes of a stock.
 
     The triangles cover the stock with rectangles of cells whose heights differ by less than a cell's edge. On a slope of
-    (gx, gy) such a rectangle spans 1/gx by 1/gy cells, no longer than 5:1, so there are gx gy of them per cell. A flat
-    floor has a few, and each wall a few per corner. A lower face that is cut through is divided into many, see
-    :func:`bottom_rectangles`; their number grows with that of the cells.
+    (gx, gy) a rectangle spans 1/gx by 1/gy cells, at most 5:1, so there are gx gy rectangles per cell. A flat floor has
+    a few rectangles, and each wall a few per corner. A lower face that is cut through is divided into many rectangles, see
+    :func:`bottom_rectangles`; their number grows with the number of cells.
 
     Parameters
     ----------
@@ -36,9 +35,9 @@ def mesh_facets(heights: np.ndarray, size: float, resolution: float, *, floor: n
     resolution : float
         Edge of a cell of the simulator, mm.
     floor : (mx, my) bool
-        Map of what is left of the lower face.
+        Cells of the lower face where material is left.
     floor_size : float
-        Edge of a cell of that map, mm.
+        Edge of a cell of `floor`, mm.
 
     Returns
     -------
@@ -66,22 +65,22 @@ def mesh_facets(heights: np.ndarray, size: float, resolution: float, *, floor: n
 
 
 def bottom_rectangles(kept: np.ndarray) -> int:
-    """Rectangles that the legacy simulator makes of what is left of the lower face (``TesselBot`` in VolSim.cpp).
+    """Count the rectangles into which the legacy simulator divides the lower face (``TesselBot`` in VolSim.cpp).
 
-    From the first free cell a rectangle grows to the right and upwards in turn. If it is longer than 5:1, FreeCAD
-    by mistake takes a single cell, five widths further on, and starts again. Beside a curved outline nearly all
-    rectangles are that long, so the face is divided into pieces of about one by five cells.
+    From the first free cell a rectangle grows to the right and upwards in turn. If the rectangle is longer than 5:1,
+    FreeCAD by mistake takes a single cell, five widths further on, and starts again. Beside a curved outline nearly all
+    rectangles are longer than 5:1, so the face is divided into pieces of about one by five cells.
 
     Parameters
     ----------
     kept : (nx, ny) bool
-        Where the stock is not cut through.
+        Cells where the stock is not cut through.
 
     Returns
     -------
     int
     """
-    # Each row and each column is one integer; its set bits are the free cells: stock that is in no rectangle yet.
+    # Each row and each column is one integer. Its set bits are the free cells: stock without a rectangle so far.
     columns, rows = _bits(kept), _bits(kept.T)
     count = 0
     for y in range(len(rows)):
@@ -100,9 +99,9 @@ def bottom_rectangles(kept: np.ndarray) -> int:
 
 
 def _grown(columns: list[int], rows: list[int], x: int, y: int) -> tuple[int, int]:
-    """Grow the rectangle of the first free cell of a row; return its width and height.
+    """Grow a rectangle from the first free cell of a row; return its width and height.
 
-    To the left of that cell nothing of the row is free, so it grows to the right and upwards only.
+    To the left of the first free cell no cell of the row is free, so the rectangle grows to the right and upwards only.
     """
     width = height = 1
     right = up = True
@@ -113,7 +112,7 @@ def _grown(columns: list[int], rows: list[int], x: int, y: int) -> tuple[int, in
         top = ((1 << width) - 1) << x
         up = y + height < len(rows) and rows[y + height] & top == top
         height += up
-    if up:  # as far as all its columns are free
+    if up:  # as far as all columns are free
         height += _ones(_common(columns[x : x + width]) >> (y + height))
     elif right:
         width += _ones(_common(rows[y : y + height]) >> (x + width))
@@ -132,7 +131,7 @@ def _common(lines: list[int]) -> int:
 
 
 def _ones(bits: int) -> int:
-    """Number of set bits below the lowest bit that is not set."""
+    """Return the number of set bits below the lowest bit that is not set."""
     return (~bits & (bits + 1)).bit_length() - 1
 
 
@@ -143,7 +142,7 @@ def _clear(lines: list[int], first: int, count: int, begin: int, length: int) ->
 
 
 def _may_be_walls(step: np.ndarray, size: float) -> np.ndarray:
-    """Which steps along the first axis are walls if they are higher than a cell of the simulator."""
+    """Return which steps along the first axis are walls if they are higher than a cell of the simulator."""
     around = np.pad(step, ((1, 1), (0, 0)))
     alone = (around[:-2] < step / 2) & (around[2:] < step / 2)
     return alone | (step >= _WALL * size)

@@ -38,10 +38,9 @@ class Motions:
 
 
 def motions(toolpath: Toolpath) -> Motions:
-    """Join the chords of each arc, and reduce each drilling cycle to the three motions both simulators make of it.
+    """Join the chords of each arc, and reduce each drilling cycle to the three motions of both simulators.
 
-    Arcs in the ZX and YZ planes stay chords: the simulators read every arc as one in XY, so what they would
-    draw has nothing to do with the path.
+    Arcs in the ZX and YZ planes stay chords: the simulators read every arc as an arc in XY, and draw something else.
 
     Parameters
     ----------
@@ -51,7 +50,7 @@ def motions(toolpath: Toolpath) -> Motions:
     Returns
     -------
     Motions
-        m <= n motions in order, without those of no length.
+        m <= n motions in order, without motions of length 0.
     """
     n = len(toolpath)
     if n == 0:
@@ -67,8 +66,8 @@ def motions(toolpath: Toolpath) -> Motions:
     width = np.add.reduceat(np.where(arc, 2 * np.abs(np.sin(toolpath.sweep / 2)), 0.0), first)
     radius = np.divide(np.add.reduceat(chords, first), width, out=np.zeros(len(first)), where=width > 0)
 
-    # A drilling cycle: over the hole at the retract height, straight down, straight up; pecks are not shown. It ends there,
-    # whatever the height that it returns to: the next motion begins at the retract height.
+    # A drilling cycle moves over the hole at the retract height, straight down and straight up; pecks are not shown. The
+    # next motion begins at the retract height, whatever the height to which the cycle returns.
     cycle = toolpath.cycle[first]
     lowest = np.minimum.reduceat(points[1:, 2], first)
     retract = _height_before_first_feed(toolpath, first)
@@ -87,7 +86,7 @@ def motions(toolpath: Toolpath) -> Motions:
 
 
 def _height_before_first_feed(toolpath: Toolpath, first: np.ndarray) -> np.ndarray:
-    """Height where the first move at feed of each group of trajectories begins."""
+    """Return the height at which the first move at feed of each group of trajectories begins, mm."""
     n = len(toolpath)
     index = np.where(toolpath.rapid, n, np.arange(n))
     result: np.ndarray = toolpath.points[np.minimum.reduceat(index, first), 2]

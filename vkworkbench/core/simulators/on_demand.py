@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Values that are computed when somebody asks for them."""
+"""Values that are computed at their first use."""
 
 from __future__ import annotations
 
@@ -10,20 +10,20 @@ from typing import Any, Mapping
 
 
 class OnDemand(Mapping[str, Any]):
-    """Values by name, each computed when it is first asked for, and only then: whoever asks gets the same one.
+    """Values by name, each computed once, at its first use.
 
-    A value whose computation fails is missing, and the error goes to the log. To copy or to send the mapping computes
-    all of it, and so does going through it; whether there are any names is told without.
+    A value whose computation fails is missing, and the error is written to the log. Iterating over the mapping, copying or
+    pickling it computes all values; `bool` computes none.
 
     Parameters
     ----------
     makers : dict of str to callable
-        What computes each value. A KeyError says that there is none.
+        A function for each value. It raises KeyError if the value does not exist.
     """
 
     def __init__(self, makers: dict[str, Callable[[], Any]]) -> None:
         self._names = tuple(makers)
-        self._makers = dict(makers)  # a maker goes when it is done, with all that it held
+        self._makers = dict(makers)  # a function is dropped after its call, with all objects that it holds
         self._made: dict[str, Any] = {}
         self._lock = threading.RLock()
 
@@ -55,5 +55,5 @@ class OnDemand(Mapping[str, Any]):
         return dict, (dict(self),)
 
     def computed(self) -> tuple[str, ...]:
-        """Return the names whose values are there already."""
+        """Return the names of the values that have been computed."""
         return tuple(self._made)

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What FreeCAD's OpenGL simulator (``CAMSimulator.PathSim``) will cost, from exact counts of its draw calls.
+"""The cost of FreeCAD's OpenGL simulator (``CAMSimulator.PathSim``), from exact counts of its draw calls.
 
-It keeps nothing between two frames: each draws every motion made so far nine times. The counts follow
+The simulator keeps nothing between two frames: each frame draws every motion made so far nine times. The counts follow
 MillPathSegment.cpp and MillSimulation.cpp of FreeCAD 1.0.0.
 """
 
@@ -52,13 +52,13 @@ class OpenGLWork:
     Attributes
     ----------
     steps : (m,) float64
-        Steps of each motion; playing advances by as many of them per frame as its speed says.
+        Steps of each motion; the speed of a play is its number of steps per frame.
     draws : (m,) float64
-        Draw calls that each motion, once done, costs every frame.
+        Draw calls of each finished motion in every frame.
     area : (m,) float64
-        Area of all that is drawn for each motion in one pass, as seen in the first view, mm^2.
+        Area drawn for each motion in one pass, as seen in the first view, mm^2.
     arc : (m,) bool
-        Which motions are arcs; an arc is drawn as far as it is done, anything else is drawn whole at once.
+        Which motions are arcs. An arc is drawn as far as it has been played, a straight motion is drawn whole at once.
     """
 
     steps: np.ndarray
@@ -68,7 +68,7 @@ class OpenGLWork:
 
 
 def opengl_work(made: Motions, *, diameter: float, quality: int = 10) -> OpenGLWork:
-    """Count what the OpenGL simulator does (``MillPathSegment`` and ``RenderSimulation``).
+    """Count the work of the OpenGL simulator (``MillPathSegment`` and ``RenderSimulation``).
 
     Parameters
     ----------
@@ -83,7 +83,7 @@ def opengl_work(made: Motions, *, diameter: float, quality: int = 10) -> OpenGLW
     -------
     OpenGLWork
     """
-    # The size of the stock is not known yet when the simulator asks for it, so its 100 mm always count.
+    # The simulator asks for the size of the stock before the stock is known, and always gets 100 mm.
     resolution = min(max(100 * 0.05 / quality, 0.5), 4.0)
     small_step = np.pi / (8 if quality >= 8 else 4 if quality >= 4 else 2)
 
@@ -98,7 +98,7 @@ def opengl_work(made: Motions, *, diameter: float, quality: int = 10) -> OpenGLW
 
 
 def _seen(made: Motions, diameter: float, small: np.ndarray, chords: np.ndarray) -> np.ndarray:
-    """Return the area of what is drawn for each motion, as seen in the first view, (m,) mm^2.
+    """Return the area drawn for each motion, as seen in the first view, (m,) mm^2.
 
     A straight motion is drawn as the box that it sweeps and the front half of the tool, a vertical one as the tool, an
     arc as a box for every chord and the tool at its end, a small arc as the tool at the end of every chord.
@@ -126,7 +126,7 @@ def outline_segments(tool: Tool) -> int:
 
 @dataclass(frozen=True)
 class OpenGLCost:
-    """What the OpenGL simulator takes for one operation.
+    """The cost of one operation, or of several in sequence, in the OpenGL simulator.
 
     Attributes
     ----------
@@ -139,7 +139,7 @@ class OpenGLCost:
     draws : int
         Draw calls of the last frame.
     arc_draws : int
-        Those of them for arcs.
+        Draw calls of the last frame for arcs.
     steps : int
         Steps of the whole operation.
     constants : Constants
@@ -156,7 +156,7 @@ class OpenGLCost:
 
     @property
     def seconds(self) -> float:
-        """float : the time shown for this simulator, that of playing at the highest speed, s."""
+        """float : the time shown for this simulator, which is the time of a play at the highest speed, s."""
         return self.play_seconds[max(self.play_seconds)]
 
     @property
@@ -166,7 +166,7 @@ class OpenGLCost:
 
     @property
     def frame_seconds(self) -> float:
-        """float : one frame at the end, s; the display is that slow whenever the part is turned."""
+        """float : time of the last frame, and of each frame while the finished part is turned, s."""
         return max(self.constants.refresh, self.constants.frame + self.drawing_seconds)
 
 
@@ -228,7 +228,7 @@ def opengl_cost(
 def opengl_together(costs: Sequence[OpenGLCost]) -> OpenGLCost:
     """Estimate the OpenGL simulator for several operations, played one after another.
 
-    Every frame of an operation also draws all motions of those before, so playing takes more than the sum.
+    Every frame of an operation also draws all motions of the earlier operations, so a play takes more than the sum.
 
     Parameters
     ----------
@@ -259,7 +259,7 @@ def opengl_together(costs: Sequence[OpenGLCost]) -> OpenGLCost:
 
 
 def cautions(task: Task, cost: OpenGLCost | None, conditions: Conditions) -> list[Caution]:
-    """Find what takes long in it."""
+    """Find long times, and slow pictures because of arcs."""
     found = []
     if cost is not None and cost.seconds > conditions.time_budget:
         found.append(Caution("long-play", Message("opengl-long-play", simulator=NAME, time=cost.seconds)))

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What to know before a simulation is started: the cautions of every simulator, and too much memory."""
+"""Warnings before a simulation is started: the cautions of every simulator, and too much memory."""
 
 from __future__ import annotations
 
@@ -11,20 +11,20 @@ from vkworkbench.language import Message
 
 
 def preflight(task: Task, costs: Mapping[str, Cost], conditions: Conditions) -> tuple[Caution, ...]:
-    """Find what goes wrong, takes too long or too much memory in the simulators.
+    """Find errors in the simulators, and simulations that take too long or too much memory.
 
     Parameters
     ----------
     task : Task
-        Without words nothing is said of its commands, without a tool nothing of its ramps.
+        Without words there is no caution about commands, without a tool none about ramps.
     costs : mapping of str to Cost
-        The predicted costs by the simulators' names. Without one nothing is said of that simulator's time and memory.
+        The predicted costs by the simulators' names. Without a cost there is no caution about time and memory.
     conditions : Conditions
 
     Returns
     -------
     tuple of Caution
-        The worst first; empty when there is nothing to say.
+        The worst first.
     """
     simulators = available(conditions.version)
     found = [c for s in simulators if s.cautions for c in s.cautions(task, costs.get(s.name), conditions)]
@@ -43,7 +43,7 @@ def preflight(task: Task, costs: Mapping[str, Cost], conditions: Conditions) -> 
 
 
 def _surely_fits(simulator: Simulator, task: Task, conditions: Conditions) -> bool:
-    """Whether a quick bound of the memory is allowed."""
+    """Return whether even a quick upper bound of the memory is within the budget."""
     if simulator.most_bytes is None or not (task.tool and task.stock):
         return False
     return simulator.most_bytes(task, conditions) <= conditions.memory_budget

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The interface of a simulator: its entry in the table (table.py), and what its functions are given."""
+"""The interface of a simulator: its entry in the table (table.py), and the arguments of its functions."""
 
 from __future__ import annotations
 
@@ -22,17 +22,17 @@ from vkworkbench.language import Message, render
 
 @dataclass(frozen=True, eq=False)
 class Task:
-    """What is to be simulated: one operation.
+    """One operation to simulate.
 
     Attributes
     ----------
     toolpath : Toolpath
     tool : Tool or None
-        No cost is predicted where the tool or the stock is None. In FreeCAD's legacy simulator a shank wider than the
-        cutting edge cuts as well; give its diameter then.
+        Without a tool or a stock there is no cost. In FreeCAD's legacy simulator a shank wider than the cutting edge cuts as
+        well; give its diameter then.
     stock : Solid or None
     words : Words or None
-        Of the commands; in them the simulators look for what they handle wrongly.
+        Words of the commands, in which the simulators look for commands that they handle wrongly.
     recognition : Recognition or None
     """
 
@@ -44,7 +44,7 @@ class Task:
 
     @cached_property
     def motions(self) -> Motions:
-        """The motions that FreeCAD's simulators make of the toolpath; computed once for all of them."""
+        """The motions that FreeCAD's simulators make of the toolpath, computed once."""
         return motions(self.toolpath)
 
     @property
@@ -54,14 +54,14 @@ class Task:
         Raises
         ------
         ValueError
-            If one of them is not known: then no cost is predicted.
+            If the tool or the stock is unknown.
         """
         if self.tool is None or self.stock is None:
             raise ValueError("no cost is predicted without tool and stock")
         return self.tool, self.stock
 
     def without_words(self) -> Task:
-        """Return the same task without the words, which take more memory than all the rest."""
+        """Return the same task without the words, which take more memory than everything else."""
         bare = replace(self, words=None)
         vars(bare)["motions"] = self.motions
         return bare
@@ -74,11 +74,11 @@ class Conditions:
     Attributes
     ----------
     version : tuple of int
-        Of FreeCAD, at least major and minor; empty where there is none.
+        Version of FreeCAD, at least major and minor; empty without FreeCAD.
     constants : Constants
-        What the work of FreeCAD's simulators costs on this computer.
+        Costs of the unit work of FreeCAD's simulators on this computer.
     speed : Speed
-        Of this computer, for the extended z-buffer.
+        Speed of this computer, for the extended z-buffer.
     view : View
         Image of the extended z-buffer.
     legacy_accuracy : float
@@ -86,7 +86,7 @@ class Conditions:
     opengl_quality : int
         Position of the OpenGL simulator's quality slider, 1 to 10.
     memory_budget, time_budget : float
-        Bytes and s that one operation may take; more gives a caution.
+        Memory, bytes, and time, s, that one operation may take; more gives a caution.
     """
 
     version: tuple[int, ...] = ()
@@ -100,7 +100,7 @@ class Conditions:
 
 
 class Cost(Protocol):
-    """What a simulator takes for an operation, or for several one after another.
+    """The cost of an operation, or of several in sequence, in one simulator.
 
     Attributes
     ----------
@@ -111,33 +111,33 @@ class Cost(Protocol):
 
     @property
     def seconds(self) -> float:
-        """Of computing and of showing it."""
+        """Time of the simulation and of its display, s."""
 
     @property
     def memory_bytes(self) -> float:
-        """At its peak."""
+        """Memory of the simulation at its peak, bytes."""
 
     @property
     def factor(self) -> float:
-        """How far the time may be off."""
+        """Factor by which the time may be off, at least 1."""
 
 
-# The codes of cautions: what never ends, what is too much, what is wrong, what is only slow.
+# The codes of cautions: simulations that never end, take too much memory or time, are wrong, or are slow.
 WORST_FIRST = "legacy-hangs", "memory", "long-play", "legacy-ramp", "arcs", "short-moves"
 
 
 @dataclass(frozen=True)
 class Caution:
-    """Something to know before a simulation is started.
+    """A warning before a simulation is started.
 
     Attributes
     ----------
     code : str
-        What it is, for programs: one of `WORST_FIRST`, or one that a further simulator adds, which comes behind.
+        One of `WORST_FIRST`, or the code of a further simulator, which is sorted behind them.
     what : Message
         What happens and what to do.
     command : int or None
-        Index of the first command concerned; None where it is the operation as a whole.
+        Index of the first command concerned; None if the caution concerns the whole operation.
     """
 
     code: str
@@ -146,7 +146,7 @@ class Caution:
 
     @property
     def message(self) -> str:
-        """What happens and what to do in English, one or two sentences with full stops."""
+        """The caution and the advice in English, one or two sentences with full stops."""
         return render(self.what)
 
     def __str__(self) -> str:
@@ -155,22 +155,22 @@ class Caution:
 
 @dataclass(frozen=True)
 class Advice:
-    """How a simulator's finest setting within a budget is chosen, and how it is shown.
+    """Functions and texts for a simulator's finest setting within a budget.
 
     Attributes
     ----------
     choose : callable
-        ``choose(costs, memory_bytes=, seconds=, stepover=, labels=)`` is the choice for operations one after another,
-        an object with the message `why` and its English `explanation`.
+        ``choose(costs, memory_bytes=, seconds=, stepover=, labels=)`` returns the choice for operations in sequence: an
+        object with the message `why` and its English `explanation`.
     numbers : callable
-        The numbers of a choice, which `form` shows; all 0 where no setting helps.
+        Returns the numbers of a choice; all 0 if no setting is within the budget.
     form : str
-        The format string of these numbers.
+        Format string for the numbers of a choice.
     column : str
         Name of its column in CSV and JSON.
     title, tooltip, sentence, none : str
-        Title and tooltip of its column in the panel, the sentence below the table, which may name the ``{simulator}``, and
-        the text where no setting helps. Translated in the context "Vk_Results".
+        Title and tooltip of the column in the panel, the sentence below the table, which may name the ``{simulator}``, and
+        the text if no setting is within the budget. Translated in the context "Vk_Results".
     """
 
     choose: Callable[..., Any]
@@ -185,37 +185,37 @@ class Advice:
 
 @dataclass(frozen=True, eq=False)
 class Simulator:
-    """One simulator whose cost is predicted: all that the rest of the add-on asks of it.
+    """The functions and texts of one simulator whose cost is predicted.
 
     Attributes
     ----------
     name : str
-        Stable: it is stored in preferences and documents, and what macros ask for.
+        Name in preferences, documents and macros. It never changes.
     since : tuple of int
-        The first FreeCAD that has it; empty for what does not need FreeCAD.
+        The first FreeCAD that has the simulator; empty if it does not need FreeCAD.
     predict : callable
-        ``predict(task, conditions)`` is the Cost of one operation whose tool and stock are known.
+        ``predict(task, conditions)`` returns the Cost of one operation whose tool and stock are known.
     together : callable
-        ``together(costs)`` is the Cost of several operations, one after another.
+        ``together(costs)`` returns the Cost of several operations in sequence.
     cautions : callable or None
-        ``cautions(task, cost, conditions)`` are the Cautions for one operation; the cost may be None.
-        None where nothing goes wrong in it.
+        ``cautions(task, cost, conditions)`` returns the Cautions for one operation; the cost may be None. None if the
+        simulator has no errors of its own.
     kept : type
         The dataclass whose fields documents keep for each of its costs.
     less_memory : Message
-        What helps where it takes too much memory.
+        Advice for simulations that take too much memory.
     columns : dict of str to callable
-        Its columns in CSV and JSON: names, and the functions that take their numbers from a cost.
+        Columns in CSV and JSON: names, and functions that return a number from a cost.
     factor_column : str or None
-        Column of the cost's factor, which comes after the columns of all simulators; None where `columns` has it.
+        Column of the cost's factor, behind the columns of all simulators; None if `columns` has the factor.
     time_tooltip, memory_tooltip : str
-        Tooltips of its columns in the panel; translated in the context "Vk_Results".
+        Tooltips of the columns in the panel; translated in the context "Vk_Results".
     advice : Advice or None
     preferences : tuple of str
-        Names of the preferences that have no effect without it.
+        Names of the preferences that have no effect without the simulator.
     most_bytes : callable or None
-        ``most_bytes(task, conditions)`` is a quick bound of the memory of one operation: the cost is not asked for where
-        even that is allowed.
+        ``most_bytes(task, conditions)`` returns a quick upper bound of the memory of one operation. The cost is not computed
+        if even the bound is within the budget.
     """
 
     name: str
@@ -234,5 +234,5 @@ class Simulator:
     most_bytes: Callable[[Task, Conditions], float] | None = None
 
     def figures(self, cost: Cost | None) -> dict[str, Any]:
-        """Return the columns with a cost's numbers; empty cells where there is none."""
+        """Return the columns with the numbers of a cost; without a cost the cells are empty."""
         return {name: None if cost is None else number(cost) for name, number in self.columns.items()}

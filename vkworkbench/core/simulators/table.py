@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The table of the simulators whose costs are told: a new one is a module with its model and an entry here."""
+"""The table of simulators. A new simulator is a module with its model, and an entry in this table."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from vkworkbench.core.simulators.on_demand import OnDemand
 from vkworkbench.core.simulators.simulator import Advice, Conditions, Cost, Simulator, Task
 from vkworkbench.language import QT_TRANSLATE_NOOP, Message
 
-#: The paper's; its columns in CSV and JSON have no prefix.
+#: The paper's simulator; its columns in CSV and JSON have no prefix.
 ZBUFFER = Simulator(
     name=zbuffer.NAME,
     since=(),
@@ -55,7 +55,7 @@ ZBUFFER = Simulator(
     ),
 )
 
-#: FreeCAD's older one.
+#: FreeCAD's older simulator.
 LEGACY = Simulator(
     name=legacy.NAME,
     since=(0,),
@@ -80,7 +80,7 @@ LEGACY = Simulator(
     preferences=("legacy_accuracy",),
 )
 
-#: FreeCAD's newer one, which draws the cuts of all operations before with every operation.
+#: FreeCAD's newer simulator, which draws the cuts of all earlier operations with every operation.
 OPENGL = Simulator(
     name=opengl.NAME,
     since=opengl.SINCE,
@@ -109,13 +109,13 @@ def available(version: tuple[int, ...]) -> tuple[Simulator, ...]:
     Parameters
     ----------
     version : tuple of int
-        Of FreeCAD, at least major and minor; empty where there is none.
+        Version of FreeCAD, at least major and minor; empty without FreeCAD.
     """
     return tuple(simulator for simulator in SIMULATORS if tuple(version) >= simulator.since)
 
 
 def predict(task: Task, conditions: Conditions) -> tuple[OnDemand, OnDemand]:
-    """Predict the cost of an operation, whose tool and stock are known, in every simulator of this FreeCAD.
+    """Predict the cost of an operation with known tool and stock in every simulator of this FreeCAD.
 
     Parameters
     ----------
@@ -125,8 +125,7 @@ def predict(task: Task, conditions: Conditions) -> tuple[OnDemand, OnDemand]:
     Returns
     -------
     costs, advice : OnDemand
-        The cost, and the finest setting within the budget, by the simulators' names; each is computed when it is asked
-        for.
+        The cost, and the finest setting within the budget, by the simulators' names; each is computed at its first use.
     """
     task = task.without_words()
     stepover = task.recognition and task.recognition.stepover
@@ -160,7 +159,7 @@ def together(
     Returns
     -------
     costs, advice : OnDemand
-        As of :func:`predict`; without the simulators of which no cost is known.
+        As from :func:`predict`, without the simulators whose cost is unknown.
     """
 
     def known(name: str) -> tuple[list[str], list[Cost]]:

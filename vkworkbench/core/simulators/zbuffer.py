@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The paper's extended z-buffer as one simulator among the others."""
+"""The paper's extended z-buffer as an entry of the table of simulators."""
 
 from __future__ import annotations
 
@@ -15,18 +15,18 @@ from vkworkbench.core.zbuffer import Cut, Estimate, Resolution, Speed, best_reso
 from vkworkbench.core.zbuffer import most_bytes as most_bytes_of
 
 NAME = "z-buffer"
-# Jobs whose estimates are kept: a total is asked for anew whenever it is shown.
+# Number of jobs whose estimates are cached: a total is computed whenever it is shown.
 _JOBS = 8
 
 
 @dataclass(frozen=True)
 class ZBufferCost:
-    """What one operation takes, as far as a mark keeps it, or the sum of several.
+    """The part of an estimate that marks keep, or the sum of several.
 
     Attributes
     ----------
     seconds, memory_bytes, factor, stock_bytes : float
-        As of :class:`~vkworkbench.core.zbuffer.Estimate`.
+        As in :class:`~vkworkbench.core.zbuffer.Estimate`.
     """
 
     seconds: float
@@ -44,10 +44,10 @@ def predict(task: Task, conditions: Conditions) -> Estimate:
 
 
 def together(costs: Sequence[Estimate | ZBufferCost]) -> Estimate | ZBufferCost:
-    """Estimate several operations one after another in one z-buffer: it holds the stock once, and each cuts what is left.
+    """Estimate several operations in sequence in one z-buffer, where each cuts the stock that the earlier ones left.
 
-    Where some of them are known from marks alone, or have stocks or images of their own, their costs are added up, the
-    stock counted once: what two of them cut counts in both.
+    If an operation is known from its mark alone, or the operations have different stocks or images, the costs are added
+    and the stock counts once. Material that two operations cut then counts twice.
     """
     if len(costs) == 1:
         return costs[0]
@@ -65,7 +65,7 @@ def together(costs: Sequence[Estimate | ZBufferCost]) -> Estimate | ZBufferCost:
 
 
 def _common(estimates: Sequence[Estimate]) -> tuple[Solid, View, Speed] | None:
-    """Return what all of them are of: the stock, the image and the computer; None where these are not the same."""
+    """Return the stock, the image and the speed that all estimates have in common; None if one of them differs."""
     (view, speed), *more = {(one.view, one.speed) for one in estimates}
     stock, *others = (one.stock for one in estimates)
     if more or stock is None or not all(other is not None and is_same(stock, other) for other in others):
@@ -79,12 +79,12 @@ def _of_job(cuts: tuple[Cut, ...], stock: Solid, view: View, speed: Speed) -> Es
 
 
 def finest_image(costs: Sequence[Estimate], **asked: Any) -> Resolution:
-    """Choose the finest image for operations one after another; see `best_resolution`."""
+    """Choose the finest image for operations in sequence; see `best_resolution`."""
     whole = together(costs)
     return best_resolution(costs, whole=whole if isinstance(whole, Estimate) else None, **asked)
 
 
 def most_bytes(task: Task, conditions: Conditions) -> float:
-    """Bound its memory, bytes, in much less time than the estimate takes."""
+    """Return an upper bound of the memory, bytes, in much less time than the estimate takes."""
     tool, stock = task.cutting
     return most_bytes_of(task.toolpath, tool=tool, stock=stock, view=conditions.view)

@@ -23,21 +23,21 @@ from vkworkbench.core.zbuffer import WORK_UNITS, Speed, measure_speed
 from vkworkbench.document.computer.measuring import as_slow_here, measure_legacy
 from vkworkbench.worker import processes
 
-# Names of OpenGL renderers that draw on the processor and wait for no screen, and the times of a frame and of a draw
-# call as measured with them, s.
+# Names of OpenGL renderers that draw on the processor and do not wait for the screen, and the times of a frame and of a
+# draw call measured with them, s.
 _SOFTWARE = ("llvmpipe", "softpipe", "swr", "swiftshader", "gdi generic", "microsoft basic render")
 _SOFTWARE_OPENGL = {"frame": 42e-3, "draw": 15e-6}
-# Times with them to show a command of a play and a new percent of a fast-forward, s. Qt 6, with which FreeCAD 1.1
-# comes, paints the window on the processor, too.
+# Times with such a renderer to show a command of a play and a new percent of a fast-forward, s. Qt 6, which FreeCAD 1.1
+# uses, paints the window on the processor, too.
 _SOFTWARE_PANEL = {"redraw": 40e-3}
 _SOFTWARE_PANEL_QT6 = {"redraw": 56e-3, "repaint": 30e-3}
-# Making meshes takes this many times longer where pictures between them are drawn on the same processor.
+# Factor by which a mesh takes longer if the same processor draws pictures between the meshes.
 _SOFTWARE_MESH = 1.5
 # Fields of a Speed that are measured.
 _MEASURED = [field.name for field in fields(Speed) if field.name != "processes"]
-# What a damaged file raises where it holds other things than a calibration, numbers too large or lists nested too deep.
+# Errors that a damaged file raises: other data than a calibration, numbers that are too large, lists nested too deep.
 _UNREADABLE = (TypeError, LookupError, ValueError, AttributeError, ArithmeticError, RecursionError)
-# Largest possible constant. These constants may be 0, measured or by default.
+# Largest possible constant, and the constants that may be 0.
 _LARGEST = 1e15
 _MAY_BE_ZERO = frozenset(["repaint", "facet", "refresh"])
 
@@ -49,11 +49,11 @@ class Calibration:
     Attributes
     ----------
     constants : Constants
-        What the unit work costs there.
+        Costs of the unit work.
     date : str
         Day of the measurement, ISO 8601.
     freecad, processor, renderer : str
-        With what it was measured: it holds for nothing else.
+        FreeCAD, processor and renderer of the measurement; the calibration is used with no others.
     """
 
     constants: Constants
@@ -75,28 +75,28 @@ def processor() -> str:
 
 
 def constants(renderer: str = "") -> Constants:
-    """Return the constants of this computer, measured ones where there are any.
+    """Return the constants of this computer: the measured ones, or the defaults before the first measurement.
 
     Parameters
     ----------
     renderer : str
-        OpenGL's name of its renderer; empty where there is no window.
+        OpenGL's name of its renderer; empty without a window.
     """
     known = load(renderer)
     return known.constants if known else _for_renderer(DEFAULTS, renderer)
 
 
 def measured_constants(renderer: str = "", going_on: Callable[[], object] = lambda: None) -> Constants:
-    """Return the constants of this computer; if there is a window and they never were measured, measure them now.
+    """Return the constants of this computer; in a window, measure them if they were never measured.
 
     Without a window FreeCAD would write the progress of the calibration's meshes into a macro's output.
 
     Parameters
     ----------
     renderer : str
-        OpenGL's name of its renderer; empty where there is no window.
+        OpenGL's name of its renderer; empty without a window.
     going_on : callable
-        Called every tenth of a second while it is measured; it may raise to end the measurement.
+        Called every tenth of a second during a measurement; it may raise an error to end the measurement.
     """
     if FreeCAD.GuiUp and load(renderer) is None:
         with suppress(OSError):  # a calibration that cannot be saved is made again the next time
@@ -105,12 +105,12 @@ def measured_constants(renderer: str = "", going_on: Callable[[], object] = lamb
 
 
 def measured_speed(going_on: Callable[[], object] = lambda: None) -> Speed:
-    """Return how fast this computer simulates in the extended z-buffer, measured now if it never was.
+    """Return the speed of this computer in the extended z-buffer; measure it if it was never measured.
 
     Parameters
     ----------
     going_on : callable
-        Called every tenth of a second while it is measured; it may raise to end the measurement.
+        Called every tenth of a second during a measurement; it may raise an error to end the measurement.
     """
     known = _speed()
     if known is None:
@@ -121,12 +121,12 @@ def measured_speed(going_on: Callable[[], object] = lambda: None) -> Speed:
 
 
 def known_speed() -> Speed:
-    """Return how fast this computer simulates in the extended z-buffer, or the usual speed where it never was measured."""
+    """Return the speed of this computer in the extended z-buffer, or the default speed before the first measurement."""
     return _on_all_cores(_speed() or Speed())
 
 
 def _on_all_cores(speed: Speed) -> Speed:
-    """The measured speed of one process, for as many as can work at once."""
+    """Return the speed of all processes that can work at once, from the measured speed of one process."""
     return replace(speed, processes=processes())
 
 
@@ -157,7 +157,7 @@ def load(renderer: str = "") -> Calibration | None:
 
 
 def _least(name: str) -> float:
-    """Return the smallest possible value of a constant: 1 for a factor, and more than 0 for what takes time everywhere."""
+    """Return the smallest possible value of a constant: 1 for a factor, 0 for `_MAY_BE_ZERO`, otherwise more than 0."""
     if name.endswith("factor"):
         return 1.0
     return 0.0 if name in _MAY_BE_ZERO else sys.float_info.min
@@ -169,18 +169,18 @@ def calibrate(
     clock: Callable[[], float] = processor_clock,
     going_on: Callable[[], object] = lambda: None,
 ) -> Calibration:
-    """Measure the extended z-buffer and the legacy simulator on this computer, until it is steady, and remember it.
+    """Measure the extended z-buffer and the legacy simulator on this computer until the times are steady, and keep them.
 
     The timer and the display cannot be measured so: their constants are scaled by the time of a mesh.
 
     Parameters
     ----------
     renderer : str
-        OpenGL's name of its renderer; empty where there is no window.
+        OpenGL's name of its renderer; empty without a window.
     clock : callable
-        Tells the time, s.
+        Returns the time, s.
     going_on : callable
-        Called every tenth of a second; it may raise to end the measurement: what was known stays.
+        Called every tenth of a second; it may raise an error to end the measurement. The earlier calibration then stays.
 
     Returns
     -------
@@ -201,16 +201,16 @@ def calibrate(
 
 
 def _write(new: dict) -> None:
-    """Put records into the file."""
+    """Write records into the file, beside the records that it has."""
     path = _path()
     path.parent.mkdir(parents=True, exist_ok=True)
-    # Another FreeCAD may read it at this moment: it sees the old file or the new one.
+    # Another FreeCAD may read the file at this moment: it reads the old file or the new one.
     fresh = path.with_suffix(f".{os.getpid()}")
     try:
         fresh.write_text(json.dumps({**_records(), **new}, indent=1))
         fresh.replace(path)
     finally:
-        with suppress(OSError):  # where it took the place of the old one it is no longer there
+        with suppress(OSError):  # after `replace` the file does not exist under this name
             fresh.unlink()
 
 
@@ -221,7 +221,7 @@ def _path() -> Path:
 def _records() -> dict:
     try:
         records = json.loads(_path().read_text())
-        json.dumps(records)  # what cannot be written again, nested too deep, is lost
+        json.dumps(records)  # records nested too deep cannot be written again and are ignored
     except (OSError, *_UNREADABLE):
         return {}
     return records if isinstance(records, dict) else {}

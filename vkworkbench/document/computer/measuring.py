@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""FreeCAD's legacy simulator, timed on this computer piece by piece."""
+"""Times of FreeCAD's legacy simulator on this computer, piece by piece."""
 
 from __future__ import annotations
 
@@ -35,7 +35,7 @@ def measure_legacy(clock: Callable[[], float], going_on: Callable[[], object]) -
 
 
 def _rough() -> PathSim:
-    """Return a stock of 50 x 60 cells whose heights differ so that its mesh joins none of them."""
+    """Return a stock of 50 x 60 cells with so different heights that its mesh does not join any cells."""
     sim = PathSim()
     sim.BeginSimulation(Part.makeBox(50, 60, 20), 1.0)
     sim.SetToolShape(Part.makeCylinder(0.55, 20), 1.0)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The task panels of FreeCAD's simulators: what is chosen in them. Loads no numpy."""
+"""The task panels of FreeCAD's simulators, and the operations chosen in them. Does not import numpy."""
 
 from __future__ import annotations
 
@@ -19,10 +19,10 @@ _PARTS = {
 
 
 def panels() -> list[QWidget]:
-    """Return the simulators' panels that are open and work; all of them have one name.
+    """Return the simulators' panels that are open and work; all panels have the same name.
 
-    FreeCAD 1.x keeps each that was closed, and PySide may take parts of the next for what was at their address: then
-    FreeCAD says that its command failed, and the panel is nowhere, or they are not found.
+    FreeCAD 1.x keeps closed panels, and PySide may confuse widgets of the next panel with deleted widgets at the same
+    address. Then FreeCAD reports that its command failed, and the panel or its widgets are not found.
     """
     return [
         panel
@@ -37,7 +37,7 @@ def simulator_of(panel: QWidget) -> str:
 
 
 def chosen_in(panel: QWidget) -> tuple[object, list]:
-    """Return the job that is chosen in a simulator's panel and its operations that are ticked; none where they are not known."""
+    """Return the job that is chosen in a simulator's panel and its operations that are ticked; without operations if they are unknown."""
     jobs = FreeCAD.ActiveDocument.findObjects("Path::FeaturePython", "Job.*")
     job = jobs[panel.findChild(QComboBox, "comboJobs").currentIndex()]
     operations = [obj for obj in freecad.OPERATIONS.of(job).OutList if is_active(obj)]
@@ -56,7 +56,7 @@ def tick(panel: QWidget, operations: list) -> None:
 
 
 def close() -> None:
-    """Close a simulator's panel as its own button does: it takes away what it has put into the document."""
+    """Close a simulator's panel by its own button, which removes its objects from the document."""
     docks = [dock for dock in widgets.docks() if dock.objectName() in freecad.TASK_DOCKS]
     for buttons in widgets.find(QDialogButtonBox):
         if any(dock.isAncestorOf(buttons) for dock in docks):

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""A line over the view when one of FreeCAD's simulators is started that would hang or take too long.
+"""A line over the 3D view when a started simulator of FreeCAD would hang or take too long.
 
-It blocks nothing, and says and offers the better way. What it says is from marks that are not outdated.
+The line blocks nothing and offers a faster way. Its text comes from marks that are not outdated.
 """
 
 from __future__ import annotations
@@ -35,8 +35,8 @@ from vkworkbench.gui.simulators import panels as simulator_panels
 
 NAME = "VkSimulatorWarning"
 _MARGIN = 8  # px, from the view's edges
-_LOOK = 200  # ms between two looks whether the panel is still open
-# A style of its own: it stands over the 3D view, whatever the theme.
+_LOOK = 200  # ms between two checks whether the panel is still open
+# Style of the line over the 3D view, the same in every theme.
 _STYLE = """
 QFrame#VkSimulatorWarning { background-color: #fff4ce; border: 1px solid #c77700; border-radius: 4px; }
 QLabel { background-color: transparent; color: #1a1a1a; border: none; }
@@ -48,7 +48,7 @@ QToolButton:hover, QToolButton:focus { background-color: #f0dca0; }
 
 
 class Line(QFrame):
-    """The line: what is to be known, a button for the better way, and one to close it."""
+    """The line: its text, a button for the faster way, and a button to close the line."""
 
     def __init__(self, area: QMdiArea) -> None:
         super().__init__(area)
@@ -73,7 +73,7 @@ class Line(QFrame):
         return False
 
     def place(self) -> None:
-        """Put it across the top of the views, as high as its text needs."""
+        """Place the line across the top of the views, as high as its text needs."""
         area = self.parentWidget()
         width = area.width() - 2 * _MARGIN
         self.setGeometry(_MARGIN, area.viewport().y() + _MARGIN, width, self.heightForWidth(width))
@@ -85,9 +85,9 @@ class Line(QFrame):
 
 
 class OpenPanel(QObject):
-    """What is said while a panel of a simulator is open; it follows what is ticked there.
+    """The warning while a simulator's panel is open; it follows the ticks of the operations in the panel.
 
-    It belongs to its line and keeps nothing of the panel, see `widgets`.
+    The line is its parent, and it keeps no reference to the panel, see `widgets`.
     """
 
     def __init__(self, panel: QWidget, simulator: str) -> None:
@@ -99,8 +99,8 @@ class OpenPanel(QObject):
         self._line.hide()
         self._line.way.clicked.connect(self._take)
         self._line.close_button.clicked.connect(self._end)
-        self._changed = single_shot(self._say, self)  # all of a list's ticks change at once
-        self._open = QTimer(self)  # looks: a widget that tells of its own end PySide keeps beyond it
+        self._changed = single_shot(self._say, self)  # a whole list of ticks changes at once
+        self._open = QTimer(self)  # no signal of the panel: PySide would keep the deleted widget
         self._open.timeout.connect(self._look)
         self._open.start(_LOOK)
         panel.findChild(QListWidget, "listOperations").itemChanged.connect(lambda item: self._changed.start())
@@ -130,7 +130,7 @@ class OpenPanel(QObject):
         self._line.hide()
 
     def _take(self) -> None:
-        """Take the better way."""
+        """Start the faster way."""
         way, panel = self._found.way, next(iter(simulator_panels.panels()), None)
         self._end()
         if panel is None:  # closed since the last look
@@ -145,7 +145,7 @@ class OpenPanel(QObject):
 
 
 def watch(panel: QWidget, simulator: str) -> None:
-    """Say what is to be known of what is ticked in a simulator's panel, as long as it is open."""
+    """Show the warning for the operations ticked in a simulator's panel, as long as the panel is open."""
     for line in widgets.find(Line):
         line.end()
     OpenPanel(panel, simulator)

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Notices that the user starts one of FreeCAD's simulators. Loads no numpy before that.
+"""Notices that the user starts one of FreeCAD's simulators. Does not import numpy before that.
 
-Their commands can be called from menus, drop-down buttons and macros, and only some of these trigger the command's
-action; but always a task panel opens. So the task view is watched for a new child, of which it gets one with each task.
+Menus, drop-down buttons and macros can start a simulator, and only some of them trigger the command's action; but a task
+panel always opens. So this module watches the task view for a new child, which each task adds.
 """
 
 from __future__ import annotations
@@ -17,11 +17,11 @@ from vkworkbench.gui.simulators.panels import panels, simulator_of
 
 
 class TaskWatch(QObject):
-    """Looks for a simulator's panel whenever a task view shows another task."""
+    """Look for a simulator's panel whenever a task view shows another task."""
 
     def __init__(self, view: QWidget) -> None:
         super().__init__(view)
-        self._changed = single_shot(self._look, self)  # the panel is complete once FreeCAD is done with it
+        self._changed = single_shot(self._look, self)  # after FreeCAD has completed the panel
         view.installEventFilter(self)
 
     def eventFilter(self, view, event) -> bool:
@@ -36,18 +36,18 @@ class TaskWatch(QObject):
                 _opened(panel)
 
 
-_watched: dict[QWidget, TaskWatch] = {}  # kept: what belongs to a widget goes when Python lets go of the widget
+_watched: dict[QWidget, TaskWatch] = {}  # Python deletes a watch unless it is referenced
 
 
 def watch() -> None:
-    """Watch the task views that there are now, each once."""
+    """Watch all existing task views, each once."""
     for view in widgets.find(QWidget):
         if view.metaObject().className() == "Gui::TaskView::TaskView" and view not in _watched:
             _watched[view] = TaskWatch(view)
 
 
 def _opened(panel: QWidget) -> None:
-    """Warn of what the marks know about the simulation that a panel will start."""
+    """Show the warning of the marks for a simulator's panel."""
     if preferences.read().warn_of_simulators and any(map(may_have_mark, FreeCAD.ActiveDocument.Objects)):
         from vkworkbench.gui.simulators import warning as simulator_warning
 
