@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Costs as they are kept in a document: there and back nothing is lost, and what is no cost is refused."""
+"""Costs in documents: they come back complete, and impossible data are refused."""
 
 from __future__ import annotations
 
@@ -32,7 +32,7 @@ def sent(name, cost):
 
 
 @pytest.mark.parametrize("name", ["legacy", "OpenGL"])
-def test_all_numbers_come_back(costs, name):
+def test_all_numbers_of_a_cost_come_back(costs, name):
     back = from_data(name, sent(name, costs[name]))
     for field in fields(costs[name]):
         assert getattr(back, field.name) == getattr(costs[name], field.name), field.name
@@ -43,13 +43,13 @@ def test_all_numbers_come_back(costs, name):
     )
 
 
-def test_of_the_z_buffer_is_kept_what_a_total_takes(costs):
+def test_z_buffer_keeps_the_numbers_for_totals(costs):
     estimated = costs["z-buffer"]
     back = from_data("z-buffer", sent("z-buffer", estimated))
     assert back == ZBufferCost(estimated.seconds, estimated.memory_bytes, estimated.factor, estimated.stock_bytes)
 
 
-def test_of_the_constants_only_those_that_are_the_computers_own(costs):
+def test_only_constants_other_than_the_defaults_are_kept(costs):
     assert sent("legacy", costs["legacy"])["constants"] == {"start": 0.5, "draw": 2e-6}
     usual = replace(costs["legacy"], constants=Constants())
     assert sent("legacy", usual)["constants"] == {} and from_data("legacy", sent("legacy", usual)) == usual
@@ -66,7 +66,7 @@ def test_impossible_number_is_refused(costs, wrong):
         from_data("legacy", {**data, "constants": {"start": wrong}})
 
 
-def test_nothing_is_a_measure_but_no_speed_is_no_cost(costs):
+def test_0_is_accepted_but_not_a_play_without_speeds(costs):
     assert from_data("legacy", {**sent("legacy", costs["legacy"]), "facets": 0}).facets == 0
     with pytest.raises(ValueError, match="no play_seconds"):
         from_data("OpenGL", {**sent("OpenGL", costs["OpenGL"]), "play_seconds": {}})

@@ -116,7 +116,7 @@ def test_half_the_size_at_half_the_cell_makes_equal_meshes():
 
 
 def test_mirror_image_makes_as_many_triangles():
-    """A step beside one of less than half its height is a wall, whichever side the lower one is on."""
+    """A step beside another step of less than half its height is a wall, on either side."""
     heights = np.tile(np.cumsum([0.0, 0.0, 1.2, 3.0, 0.0, 0.0, 0.7, 0.7])[:, None], 6)
     there, back = (
         mesh_facets(one, 4.0, 0.5, floor=np.ones((1, 1), bool), floor_size=4.0) for one in (heights, heights[::-1])
@@ -266,7 +266,7 @@ def test_round_part_breaks_the_bottom_to_pieces():
 
 
 def bottom_of_freecad(kept):
-    """``TesselBot`` and its loop in VolSim.cpp, cell by cell; the top has been marked before."""
+    """Count rectangles like ``TesselBot`` and its loop in VolSim.cpp, cell by cell."""
     kept, count = kept.copy(), 0
     columns, rows = kept.shape
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Costs are computed when they are asked for, once; what is not asked for is not computed."""
+"""Costs are computed once, at their first use, and not before."""
 
 from __future__ import annotations
 
@@ -43,7 +43,7 @@ def task():
     return Task(path, Tool("endmill", 5.0), STOCK, words, recognize(path))
 
 
-def test_a_cost_is_computed_when_it_is_asked_for_and_once(asked):
+def test_cost_is_computed_once_at_its_first_use(asked):
     costs, advice = predict(task(), Conditions(version=(1, 1)))
     assert asked == [] and costs and advice
     first = costs["legacy"]
@@ -56,7 +56,7 @@ def test_a_cost_is_computed_when_it_is_asked_for_and_once(asked):
     assert set(costs) == {"z-buffer", "legacy", "OpenGL"} and len(asked) == 3
 
 
-def test_a_total_asks_for_the_costs_it_shows(asked):
+def test_total_computes_only_the_costs_that_it_shows(asked):
     each = [predict(task(), Conditions(version=(1, 1)))[0] for _ in range(3)]
     costs, advice = together(each, labels=["a", "b", "c"], stepover=2.0, **BUDGET)
     assert asked == []
@@ -65,7 +65,7 @@ def test_a_total_asks_for_the_costs_it_shows(asked):
     assert advice["z-buffer"].view and asked == 3 * ["OpenGL"] + 3 * ["z-buffer"]
 
 
-def test_what_is_to_be_known_before_a_simulation_asks_for_no_rays_where_a_bound_tells(asked):
+def test_preflight_draws_no_rays_if_the_bound_is_allowed(asked):
     whole = task()
     costs, _ = predict(whole, Conditions(version=(1, 1)))
     assert not preflight(whole, costs, Conditions(version=(1, 1)))
@@ -79,7 +79,7 @@ def test_what_is_to_be_known_before_a_simulation_asks_for_no_rays_where_a_bound_
     assert [caution for caution in preflight(whole, costs, few) if caution.what.arguments["simulator"] == "z-buffer"]
 
 
-def test_the_order_of_asking_changes_no_number():
+def test_order_of_use_changes_no_number():
     conditions = Conditions(version=(1, 1), legacy_accuracy=0.5, view=View((1, 1, -1), 200, 150))
     names = [simulator.name for simulator in SIMULATORS]
     forwards, backwards = (predict(task(), conditions) for _ in range(2))
@@ -90,25 +90,25 @@ def test_the_order_of_asking_changes_no_number():
     assert {n: a.explanation for n, a in forwards[1].items()} == {n: a.explanation for n, a in backwards[1].items()}
 
 
-def test_what_is_sent_or_copied_is_computed():
+def test_pickled_or_copied_mapping_is_computed():
     costs, _ = predict(task(), Conditions(version=(1, 1)))
     sent = pickle.loads(pickle.dumps(costs))
     assert type(sent) is dict and sent == dict(costs) == dict(copy.deepcopy(costs))
 
 
-def test_it_tells_what_was_computed_and_shows_as_a_dictionary():
+def test_computed_names_and_repr():
     costs = OnDemand({"a": lambda: 1, "b": lambda: 2})
     assert costs.computed() == () and costs["b"] == 2 and costs.computed() == ("b",)
     assert repr(costs) == "{'a': 1, 'b': 2}"
 
 
-def test_what_was_computed_holds_nothing_else():
+def test_computed_value_drops_its_function():
     costs, _ = predict(task(), Conditions(version=(1, 1)))
     dict(costs)
     assert not costs._makers
 
 
-def test_a_cost_that_cannot_be_computed_is_missing(caplog):
+def test_failed_cost_is_missing(caplog):
     def fail():
         raise ZeroDivisionError
 

@@ -27,7 +27,7 @@ TOOL = Tool("endmill", 6.0)
 
 
 def arcs(count, radius):
-    """Half circles to and fro."""
+    """Half circles back and forth."""
     commands = [("G0", {"X": 40.0, "Y": 30.0, "Z": 10.0})]
     for i in range(count):
         x = 40.0 + (2 * radius if i % 2 == 0 else 0.0)
@@ -169,9 +169,9 @@ def test_play_grows_with_the_square_of_the_motions():
 
 
 def test_earlier_cuts_are_free_while_frames_wait_for_the_screen():
-    """Two times 100 steps; a picture of the first waits for 1 s, and grows to 1 s of drawing while the second goes on.
+    """Two operations of 100 steps each. A frame of the first operation waits 1 s for the screen, and its drawing ends at 1 s.
 
-    Then it takes 1 s and what the second has drawn of its own 1 s, half a second in the mean, instead of 1 s.
+    A frame of the second operation takes 1.5 s on average: 1 s for the first operation, and half of its own 1 s.
     """
     waiting = Constants(refresh=1.0, frame=0.0)
     one = replace(

@@ -41,14 +41,14 @@ def without(*letters):
     return {letter: value for letter, value in HALF.items() if letter not in letters}
 
 
-def test_a_sound_arc_and_a_sound_line_raise_nothing():
+def test_sound_arc_and_line_give_no_caution():
     commands = [START, ("G3", HALF), ("G1", {"X": 40.0, "F": 5.0})]
     assert check(commands, diameter=6.0) == ()
     assert check([], diameter=6.0) == ()
 
 
 @pytest.mark.parametrize("version, hangs", [((0, 20), True), ((1, 0), True), ((1, 1), False)])
-def test_an_arc_without_z_hangs_the_legacy_simulator_before_1_1(version, hangs):
+def test_arc_without_z_hangs_before_1_1(version, hangs):
     found = check([START, ("G3", without("Z")), ("G2", {**without("Z"), "X": 10.0, "I": 10.0})], version)
     assert bool(found) == hangs
     if hangs:
@@ -65,41 +65,41 @@ def test_an_arc_without_z_hangs_the_legacy_simulator_before_1_1(version, hangs):
     ({**HALF, "X": 12.0}, "sweeps no angle"),
     ({**HALF, "X": 8.0, "I": 10.0}, "sweeps no angle"),
 ])  # fmt: skip
-def test_arcs_that_stop_the_legacy_simulator_of_every_version(version, arc, reason):
+def test_arcs_that_hang_every_version(version, arc, reason):
     found = check([("(arc)", {}), START, ("G3", arc)], version)
     assert [(one.code, one.command) for one in found] == [("legacy-hangs", 2)]
     assert reason in found[0].message
 
 
-def test_an_arc_that_sweeps_nothing_about_a_centre_below_its_start():
+def test_arc_without_sweep_below_its_start_hangs():
     start = ("G0", {"X": 0.0, "Y": 10.0, "Z": 5.0})
     (found,) = check([start, ("G3", {"X": 0.0, "Y": 12.0, "Z": 5.0, "I": 0.0, "J": -10.0})])
     assert "sweeps no angle" in found.message
     assert check([start, ("G3", {"X": -10.0, "Y": 0.0, "Z": 5.0, "I": 0.0, "J": -10.0})]) == ()
 
 
-def test_an_arc_begins_where_the_line_before_it_ends():
+def test_arc_begins_where_the_line_before_it_ends():
     """From (0, 10) a quarter turn about (0, 0); from (10, 0), where it was before, it would end above its centre's start."""
     line = ("G1", {"X": 0.0, "Y": 10.0, "F": 5.0})
     assert check([START, line, ("G2", {"X": 10.0, "Y": 0.0, "Z": 5.0, "I": 0.0, "J": -10.0})]) == ()
 
 
-def test_a_k_word_of_nothing_is_none():
+def test_k_word_of_0_does_not_count():
     (found,) = check([START, ("G3", {**without("I", "J"), "K": 0.0})], (1, 1))
     assert "without a center" in found.message
 
 
-def test_arcs_with_a_k_word_take_another_way():
+def test_arcs_with_a_k_word_do_not_hang():
     assert check([START, ("G3", {**without("Z"), "K": 1.0})]) == ()
 
 
-def test_a_long_ramp_is_cut_too_deep_by_its_length_over_the_diameter():
+def test_long_ramp_is_cut_at_the_wrong_depth():
     commands = [("G0", {"X": 0.0, "Y": 0.0, "Z": 20.0}), ("G1", {"X": 60.0, "Z": 15.0, "F": 5.0})]
     (found,) = check(commands, diameter=8.0)
     assert found.code == "legacy-ramp" and found.command == 1
     # 5 mm over 60 mm with a tool of 8 mm: 5 * (60 / 8 - 1) = 32.5 mm beyond the ramp's end.
     assert "32 mm too deep" in found.message or "33 mm too deep" in found.message
-    # Of several the worst is named, counted from one as users do, and where it is too high.
+    # The caution names the worst of several ramps, and its command counted from one.
     (found,) = check([*commands, ("G1", {"X": 0.0, "Z": 25.0})], diameter=8.0)
     assert (found.what.arguments["count"], found.what.arguments["command"], found.command) == (2, 3, 1)
     assert "too high" in found.message
@@ -107,11 +107,11 @@ def test_a_long_ramp_is_cut_too_deep_by_its_length_over_the_diameter():
     assert "too high" in found.message
 
 
-def test_a_rapid_that_rises_over_the_part_is_no_ramp():
+def test_rising_rapid_is_not_a_ramp():
     assert check([("G0", {"X": 0.0, "Y": 0.0, "Z": 20.0}), ("G0", {"X": 90.0, "Z": 20.9})], diameter=8.0) == ()
 
 
-def test_short_slopes_plunges_helices_and_lifts_are_no_ramps():
+def test_slopes_plunges_helices_and_lifts_are_not_ramps():
     points = np.linspace(0, 40, 81)
     surface = [("G1", {"X": x, "Z": 15 + math.sin(x / 5), "F": 5.0}) for x in points.tolist()]
     assert check([("G0", {"X": 0.0, "Y": 0.0, "Z": 20.0})] + surface, diameter=8.0) == ()
@@ -123,7 +123,7 @@ def zigzag(rows):
     return [START] + [("G1", {"X": 10.0 + 20 * (i % 4 in (0, 1)), "Y": 0.001 * i, "F": 5.0}) for i in range(rows)]
 
 
-def test_a_long_play_is_announced_with_the_faster_way():
+def test_long_play_is_announced_with_the_faster_way():
     commands = zigzag(20000)
     path = linearize(commands)
     legacy = legacy_cost(Task(path, Tool("endmill", 6.0), STOCK))
@@ -137,7 +137,7 @@ def test_a_long_play_is_announced_with_the_faster_way():
     assert [one.code for one in only_legacy if one.code == "long-play"] == ["long-play"]
 
 
-def test_arcs_that_dominate_a_slow_frame():
+def test_arcs_that_dominate_a_slow_frame_give_a_caution():
     arcs = [START] + [("G3", HALF), ("G3", {"X": 10.0, "Y": 0.0, "Z": 5.0, "I": 10.0, "J": 0.0})] * 1000
     slow = opengl_cost(Task(linearize(arcs), Tool("endmill", 6.0), STOCK))
     (found,) = [one for one in check(arcs, OpenGL=slow) if one.code == "arcs"]
@@ -145,7 +145,7 @@ def test_arcs_that_dominate_a_slow_frame():
     assert check(arcs[:5], OpenGL=opengl_cost(Task(linearize(arcs[:5]), Tool("endmill", 6.0), STOCK))) == ()
 
 
-def test_thousands_of_moves_shorter_than_a_cell():
+def test_thousands_of_short_moves_give_a_caution():
     commands = [START] + [("G1", {"X": 10.0 + 0.01 * i, "F": 5.0}) for i in range(1, 3000)]
     path = linearize(commands)
     legacy = legacy_cost(Task(path, Tool("endmill", 6.0), STOCK))
@@ -157,14 +157,14 @@ def test_thousands_of_moves_shorter_than_a_cell():
 
 
 @pytest.mark.parametrize("memory, too_much", [(0.9e9, False), (1.1e9, True)])
-def test_a_gigabyte_is_allowed_where_nothing_else_is_said(memory, too_much):
+def test_default_memory_budget_is_a_gigabyte(memory, too_much):
     cost = SimpleNamespace(memory_bytes=memory, play_seconds=1.0, resolution=0.1)
     found = preflight(Task(linearize([])), {"legacy": cost}, Conditions(version=(1, 0)))
     assert [one.code for one in found] == ["memory"] * too_much
     assert all("1.1 GB" in str(one) and "1 GB" in str(one) for one in found)
 
 
-def test_a_cell_is_a_thousandth_of_the_stocks_longer_side_where_nothing_else_is_said():
+def test_default_cell_is_a_thousandth_of_the_longer_side():
     """FreeCAD's slider stands there. 100 mm and 60 mm: 1001 x 601 corners."""
     task = Task(
         linearize([START, ("G1", {"X": 20.0, "F": 5.0})]), Tool("endmill", 6.0), Stock((0, 0, 0), (100, 60, 20))
@@ -172,7 +172,7 @@ def test_a_cell_is_a_thousandth_of_the_stocks_longer_side_where_nothing_else_is_
     assert predict(task, Conditions(version=(1, 0)))[0]["legacy"].cells == 1001 * 601
 
 
-def test_memory_beyond_the_budget():
+def test_memory_beyond_the_budget_gives_a_caution():
     commands = zigzag(100)
     path = linearize(commands)
     tool = Tool("endmill", 6.0)
@@ -191,8 +191,8 @@ def test_memory_beyond_the_budget():
     assert check(commands, **costs, memory_budget=1e8) == ()
 
 
-def test_the_worst_is_told_first(monkeypatch):
-    """Whichever simulator it is of."""
+def test_worst_caution_is_first(monkeypatch):
+    """The order does not depend on the simulator."""
     told = [Caution(code, Message("no-moves")) for code in ("short-moves", "legacy-ramp", "long-play", "legacy-hangs")]
     simulators = [
         replace(s, cautions=lambda *_, own=own: own) for s, own in zip(available((1, 1)), (told[:2], told[2:]))

@@ -63,7 +63,7 @@ def test_entries_do_not_collide():
     assert preferences.OWN not in names and SIMULATORS[0] is ZBUFFER
 
 
-def test_preferences_that_only_one_reads_are_preferences():
+def test_preferences_of_a_simulator_exist():
     known = {field.name for field in fields(preferences.Preferences)}
     form = (ROOT / "resources" / "ui" / "preferences.ui").read_text(encoding="utf-8")
     for simulator in SIMULATORS:
@@ -74,7 +74,7 @@ def test_preferences_that_only_one_reads_are_preferences():
 
 @dataclass(frozen=True)
 class WireframeCost:
-    """Of a simulator that takes a second for every trajectory."""
+    """The cost of a simulator that takes a second for every trajectory."""
 
     seconds: float
     memory_bytes: float
@@ -116,7 +116,7 @@ def row(version):
     )  # fmt: skip
 
 
-def test_one_more_entry_is_predicted_warned_of_and_written_everywhere(wireframe, tmp_path):
+def test_one_more_entry_appears_everywhere(wireframe, tmp_path):
     operation = row((1, 2))
     count = operation.trajectories
     assert operation.cost("wireframe") == (float(count), 1e3 * count) and operation.factor("wireframe") == 3.0
@@ -139,13 +139,13 @@ def test_one_more_entry_is_predicted_warned_of_and_written_everywhere(wireframe,
     assert kept.from_data("wireframe", as_kept) == total.costs["wireframe"]
 
 
-def test_advice_as_numbers_is_nothing_where_nothing_meets_the_budget():
+def test_advice_numbers_are_0_if_nothing_is_in_the_budget():
     why = Message("no-image")
     assert ZBUFFER.advice.numbers(Resolution(None, 1.0, 1.0, why)) == (0, 0)
     assert ZBUFFER.advice.numbers(Resolution(View(width=40, height=30), 1.0, 1.0, why)) == (40, 30)
 
 
-def test_without_a_tool_or_a_stock_nothing_is_predicted():
+def test_no_prediction_without_tool_or_stock():
     path, tool = linearize(ROWS), Tool("endmill", 5.0)
     assert Task(path, tool, STOCK).cutting == (tool, STOCK)
     for known in ((None, STOCK), (tool, None), (None, None)):
@@ -153,12 +153,12 @@ def test_without_a_tool_or_a_stock_nothing_is_predicted():
             Task(path, *known).cutting  # noqa: B018
 
 
-def test_a_caution_reads_as_its_message():
+def test_caution_as_text_is_its_message():
     caution = Caution("wires", Message("leave-out"))
     assert str(caution) == caution.message != ""
 
 
-def test_costs_by_their_own_names_are_those_of_the_table():
+def test_named_costs_equal_the_costs_of_the_table():
     operation = row((1, 1))
     assert operation.legacy is operation.costs["legacy"] and operation.opengl is operation.costs["OpenGL"]
     assert operation.resolution is operation.advice["z-buffer"]
@@ -167,7 +167,7 @@ def test_costs_by_their_own_names_are_those_of_the_table():
     assert (without.legacy, without.opengl) == (None, None)
 
 
-def test_a_mistyped_name_is_no_simulator_whose_cost_is_not_known():
+def test_mistyped_simulator_name_is_refused():
     operation = row(())
     total = Report((operation,), {("D", "Job"): "Job"}, {"memory_bytes": 1e9, "seconds": 1e3}).totals[0]
     for of in (operation, total):
@@ -177,7 +177,7 @@ def test_a_mistyped_name_is_no_simulator_whose_cost_is_not_known():
                 ask("opengl")
 
 
-def test_a_freecad_without_it_says_nothing_of_it(wireframe):
+def test_freecad_without_a_simulator_has_no_cost_of_it(wireframe):
     operation = row((1, 1))
     assert set(operation.costs) == {"z-buffer", "legacy", "OpenGL"}
     assert operation.cost("wireframe") is None and operation.factor("wireframe") == 1.0

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What a job takes in the z-buffer: one stock for all its operations."""
+"""The cost of a job in the z-buffer: one stock for all its operations."""
 
 from __future__ import annotations
 
@@ -57,7 +57,7 @@ def test_the_order_of_the_operations_counts():
     assert first.traces < 0.7 * last.traces
 
 
-def test_one_operation_is_what_it_is_alone_and_a_job_is_estimated_once():
+def test_one_operation_alone_and_a_job_estimated_once():
     costs = alone(slot(5), slot(15))
     assert zbuffer.together(costs[:1]) is costs[0]
     assert zbuffer.together(costs) is zbuffer.together(list(costs))
