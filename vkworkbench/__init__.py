@@ -1,15 +1,15 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Tell the machining strategy and the simulation cost of FreeCAD's Path/CAM operations from their toolpaths.
+"""Recognise the machining strategies of FreeCAD's Path/CAM operations, and estimate their simulation cost.
 
     import vkworkbench
     report = vkworkbench.analyze()     # the active document, a job, or operations; writes nothing
-    report = vkworkbench.analyze("program.nc")     # an NC program, several, or a folder; needs no FreeCAD
+    report = vkworkbench.analyze("program.nc")     # one or more NC programs, or a folder; works without FreeCAD
     print(report)
-    vkworkbench.mark(report)           # into the tree, one undo step
+    vkworkbench.mark(report)           # marks the tree in one undo step
     vkworkbench.clear()
     vkworkbench.simulate(job, view="Isometric").at(100)     # the part after 100 trajectories
 
-Importing this package is cheap; what the functions need is loaded when they are first called.
+Importing this package is cheap, because the functions load their modules when they are first called.
 """
 
 from __future__ import annotations
@@ -31,32 +31,32 @@ _HOMES = {
 
 
 def analyze(what=None, *, progress=None, cancelled=None):
-    """Analyse operations of FreeCAD, or NC programs: strategy, lengths and what simulating them costs.
+    """Recognise the strategies of operations or NC programs, and estimate lengths, times and simulation costs.
 
     Parameters
     ----------
     what : Document, DocumentObject, path, or iterable of them, optional
         A document (all its jobs and imported toolpaths), a job, or operations; the active document if None. Or files
-        of NC programs, and folders of them.
+        and folders of NC programs.
     progress : callable, optional
-        Called before each operation or file with how many are done, how many there are, and its label.
+        Called before each operation or file with the number of finished ones, the number of all, and the label.
     cancelled : callable, optional
-        Asked while it goes on; True ends the analysis.
+        Called during the analysis. If it returns True, the analysis ends.
 
     Returns
     -------
     Report
-        One row for each operation; what is wrong with one is in its row and stops no other.
+        One row for each operation. A problem of an operation is in its row, and does not stop the others.
 
     Raises
     ------
     ValueError
-        If `what` is None and no document is open, or if a file's name is empty, or a program's text.
+        If `what` is None and no document is open, or if the name of a file is empty or the text of a program.
     ReferenceError
-        If an object of it was deleted, or its document closed.
+        If an object of `what` was deleted, or its document was closed.
     TypeError
-        If `what` is something else; without FreeCAD files and folders are all there is. Or if `progress` or `cancelled` is
-        nothing that can be called.
+        If `what` has another type. Without FreeCAD, only files and folders are accepted. Or if `progress` or `cancelled`
+        cannot be called.
     Cancelled
         If `cancelled` returned True.
     """
@@ -66,7 +66,7 @@ def analyze(what=None, *, progress=None, cancelled=None):
     for name, given in (("progress", progress), ("cancelled", cancelled)):
         of_kind(name, given, (Callable, type(None)), "a function")
     if isinstance(what, Iterable) and not isinstance(what, (str, bytes)):
-        what = list(what)  # a generator can be looked at once
+        what = list(what)  # a generator can be read only once
     home = program
     if not program.is_path(what):
         try:
@@ -82,7 +82,7 @@ def analyze(what=None, *, progress=None, cancelled=None):
 
 
 def __dir__() -> list[str]:
-    """Return what there is, without FreeCAD what needs none: ``help`` and completion load all that is named here."""
+    """Return the names of the package. ``help`` and completion load all of them, so names that need FreeCAD are left out without it."""
     homes = _HOMES.items()
     return sorted({*globals(), *(name for name, home in homes if "FreeCAD" in sys.modules or "document" not in home)})
 

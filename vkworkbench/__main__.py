@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""``python3 -m vkworkbench``: NC programs on the command line; see `vkworkbench.program`."""
+"""The command ``python3 -m vkworkbench``, see `vkworkbench.program`."""
 
 import sys
 

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What FreeCAD calls things, and since which version: nothing else in the add-on knows.
+"""The names of FreeCAD's properties, commands and docks in each version. No other module contains them.
 
-A property is known by what it means. A document keeps the names of the FreeCAD that made it, so the newest name that an
-object has is read, whatever FreeCAD runs. Loads no numpy: it is needed when FreeCAD starts.
+A document keeps the property names of the FreeCAD that saved it. Therefore the newest name that an object has is read in any
+FreeCAD. This module does not load numpy, because it is needed when FreeCAD starts.
 """
 
 from __future__ import annotations
@@ -14,20 +14,20 @@ from functools import lru_cache
 
 import FreeCAD
 
-TOOLPATH = "Path::Feature"  # the type of all that has a Path
-LINK = "App::Link"  # stands for another object, and answers for its properties
-COMPOUND = "Path::FeatureCompound"  # the type of what has the paths of its members once more
+TOOLPATH = "Path::Feature"  # type of all objects with a Path
+LINK = "App::Link"  # type of links, which have the properties of the linked object
+COMPOUND = "Path::FeatureCompound"  # type of compounds, which repeat the paths of their members
 # The workbench for machining and its menu: since 1.0, and before.
 WORKBENCHES = {"CAMWorkbench": "&CAM", "PathWorkbench": "&Path"}
-TREE_DOCKS = ("Combo View", "Model", "Tree view")  # docks with the tree: in 0.20, since 1.0, and one of its own
+TREE_DOCKS = ("Combo View", "Model", "Tree view")  # docks with the tree: in 0.20, since 1.0, and the separate one
 TASK_DOCKS = ("Combo View", "Tasks")  # docks with the task view: in 0.20, since 1.0
-DESCRIPTION_HIDDEN_SINCE = (1, 0)  # the tree's Description column can be hidden, and is at first
+DESCRIPTION_HIDDEN_SINCE = (1, 0)  # the tree's Description column is hidden by default
 QT6_SINCE = (1, 1)
 TIME_PROPERTY_SINCE = (1, 0)  # App::PropertyTime
 
 
 def version() -> tuple[int, int, int]:
-    """Return the version of this FreeCAD, e.g. ``(0, 20, 2)``; a part that does not begin with a number is 0."""
+    """Return the version of this FreeCAD, e.g. ``(0, 20, 2)``. Parts that do not begin with a number are 0."""
     return _numbers(tuple(FreeCAD.Version()[:3]))
 
 
@@ -36,8 +36,8 @@ def _numbers(parts: tuple[str, ...]) -> tuple[int, ...]:
     return tuple(int(re.match(r"\d*", part).group() or 0) for part in parts)
 
 
-# FreeCAD's simulators by the names of their entries in core/simulators: what the menu calls them since which version,
-# the newest first, with the context of that text and the command's name.
+# FreeCAD's simulators, by the names of their entries in core/simulators. Each has, newest first: the version of FreeCAD, the
+# translation context of its menu text, its menu text, and the name of its command.
 _SIMULATORS = {
     "legacy": (
         ((1, 1), "CAM_Simulator", "Legacy CAM Simulator", "CAM_Simulator"),
@@ -49,28 +49,28 @@ _SIMULATORS = {
         ((1, 0), "CAM_Simulator", "New CAM Simulator", "CAM_SimulatorGL"),
     ),
 }
-_LEGACY_FIRST = (1, 1)  # a preference makes the button start the legacy simulator
+_LEGACY_FIRST = (1, 1)  # since this version, a preference of FreeCAD makes the button start the legacy simulator
 
 
 def simulator_title(name: str) -> str | None:
-    """Return what this FreeCAD's menu calls a simulator, in the user's language; None where it has none such."""
+    """Return the menu text of a simulator in the user's language; None if this FreeCAD does not have it."""
     entry = _simulator(name)
     return FreeCAD.Qt.translate(*entry[:2]) if entry else None
 
 
 def simulator_command(name: str) -> str | None:
-    """Return the name of the command that starts a simulator; None where this FreeCAD has none such."""
+    """Return the name of the command that starts a simulator; None if this FreeCAD does not have it."""
     entry = _simulator(name)
     return entry[2] if entry else None
 
 
 def own_simulators() -> tuple[str, ...]:
-    """Return the names of the simulators that this FreeCAD has."""
+    """Return the names of the simulators of this FreeCAD."""
     return tuple(name for name in _SIMULATORS if _simulator(name))
 
 
 def own_simulator() -> str:
-    """Return the name of the simulator that this FreeCAD's own button starts."""
+    """Return the name of the simulator of FreeCAD's button."""
     chosen = FreeCAD.ParamGet("User parameter:BaseApp/Preferences/Mod/CAM")
     legacy = version() >= _LEGACY_FIRST and chosen.GetBool("DefaultSimulatorLegacy", False)
     return "legacy" if legacy or _simulator("OpenGL") is None else "OpenGL"
@@ -83,18 +83,18 @@ def _simulator(name: str) -> tuple[str, str, str] | None:
 
 @dataclass(frozen=True)
 class Property:
-    """A property, known by what it means.
+    """A property of FreeCAD's objects.
 
     Attributes
     ----------
     newest : str
-        Its name today.
+        Name in the newest version.
     since : tuple of int
-        The version that gave it this name.
+        First version with this name.
     before : tuple of str
-        Its names in versions before, the newest first.
+        Names in earlier versions, the newest first.
     fingerprint : {"path", "setting"} or None
-        Of which part of a mark's fingerprint it is: a change of it may make the mark outdated.
+        Part of a mark's fingerprint that contains the property. If it changes, the mark may be outdated.
     """
 
     newest: str
@@ -104,29 +104,29 @@ class Property:
 
     @property
     def names(self) -> tuple[str, ...]:
-        """tuple of str : all its names, the newest first."""
+        """tuple of str : all names, the newest first."""
         return (self.newest, *self.before)
 
     @property
     def name(self) -> str:
-        """str : its name in this FreeCAD."""
+        """str : the name in this FreeCAD."""
         return self.newest if version() >= self.since else self.before[0]
 
     def is_in(self, obj) -> bool:
-        """Whether an object has it, set or not."""
+        """Return whether an object has the property, even if it is not set."""
         return any(hasattr(obj, name) for name in self.names)
 
     def values(self, obj) -> Iterator:
-        """Return what an object has under its names, the newest first, without what is not set."""
+        """Yield the set values of an object under all names, the newest name first."""
         found = (getattr(obj, name, None) for name in self.names)
         return (value for value in found if value is not None)
 
     def of(self, obj, default=None):
-        """Return its value, a default where an object does not have it or it is not set."""
+        """Return the value for an object, or a default if it is missing or not set."""
         return next(self.values(obj), default)
 
     def number(self, obj) -> float | None:
-        """Return its value as a number in FreeCAD's own units: mm, degrees, mm/s; None where it is no number."""
+        """Return the value as a number in FreeCAD's units (mm, degrees, mm/s); None if it is not a number."""
         value = self.of(obj)
         if isinstance(value, bool):
             return None
@@ -136,12 +136,12 @@ class Property:
             return None
 
 
-# What has a toolpath, and what it is made from.
+# Operations and other objects with a toolpath.
 PATH = Property("Path", fingerprint="path")
 PLACEMENT = Property("Placement", fingerprint="path")
 BASE = Property("Base")
 COPIES = Property("Copies")
-CLEARANCE_HEIGHT = Property("ClearanceHeight")  # every operation of FreeCAD's that follows a shape has one
+CLEARANCE_HEIGHT = Property("ClearanceHeight")  # all operations of FreeCAD that machine a shape have one
 ACTIVE = Property("Active", fingerprint="setting")
 CONTROLLER = Property("ToolController", fingerprint="setting")
 POCKET_PATTERN = Property("ClearingPattern", since=(1, 1), before=("OffsetPattern",))
@@ -150,7 +150,7 @@ SURFACE_PATTERN = Property("CutPattern")
 OPERATIONS = Property("Operations")
 TOOLS = Property("Tools")
 GROUP = Property("Group", fingerprint="setting")
-# Work offsets, G54 to G59; all operations are posted once for each.
+# Work offsets, G54 to G59. All operations are posted once for each.
 FIXTURES = Property("Fixtures", fingerprint="setting")
 STOCK = Property("Stock", fingerprint="setting")
 MODEL = Property("Model")
@@ -162,8 +162,8 @@ SPINDLE_SPEED = Property("SpindleSpeed")
 HORIZONTAL_RAPID = Property("HorizRapid", fingerprint="setting")
 VERTICAL_RAPID = Property("VertRapid", fingerprint="setting")
 VERTICAL_FEED = Property("VertFeed")
-GCODE = Property("Gcode")  # the lines of a file that FreeCAD imported as a custom operation
-# A tool; the last name of its shape is that of 0.20's tools without a tool bit.
+GCODE = Property("Gcode")  # lines of a file that FreeCAD imported as a custom operation
+# A tool. The last name of its shape is for tools of 0.20 without a tool bit.
 TOOL_SHAPE = Property("ShapeType", since=(1, 1), before=("ShapeName", "ToolType"), fingerprint="setting")
 TOOL_SHAPE_FILE = Property("ShapeID", since=(1, 1), before=("BitShape",), fingerprint="setting")
 DIAMETER = Property("Diameter", fingerprint="setting")
@@ -171,20 +171,20 @@ CORNER_RADIUS = Property("CornerRadius", fingerprint="setting")  # since 1.1
 FLAT_RADIUS = Property("FlatRadius", fingerprint="setting")  # before 1.1: radius of a bull nose's flat part
 TIP_ANGLE = Property("TipAngle", fingerprint="setting")
 CUTTING_ANGLE = Property("CuttingEdgeAngle", fingerprint="setting")
-TIP_DIAMETER = Property("TipDiameter", fingerprint="setting")  # of a V-bit's or chamfer mill's flat end
+TIP_DIAMETER = Property("TipDiameter", fingerprint="setting")  # flat end of a V-bit or chamfer mill
 
 _PROPERTIES = tuple(entry for entry in globals().values() if isinstance(entry, Property))
 
 
 def names_in_fingerprint(part: str) -> frozenset[str]:
-    """Return the names of the properties on which a part of a mark's fingerprint, "path" or "setting", depends."""
+    """Return the names of the properties in a part of a mark's fingerprint, "path" or "setting"."""
     return frozenset(name for entry in _PROPERTIES if entry.fingerprint == part for name in entry.names)
 
 
 def is_imported(obj) -> bool:
-    """Whether a toolpath may come from a file: a custom operation, or an object that no operation of FreeCAD's makes.
+    """Return whether a toolpath may come from a file: it is a custom operation, or not an operation of FreeCAD.
 
-    What another version has made has no proxy, but the properties of an operation, or of what dresses one up.
+    An operation or dress-up from another version has no proxy, but it has its properties.
     """
     if GCODE.is_in(obj):
         return True
@@ -192,9 +192,9 @@ def is_imported(obj) -> bool:
 
 
 def operation_name(obj) -> str:
-    """Return FreeCAD's name of an operation's kind, e.g. ``"Profile"``: the module of its proxy, alike in all versions.
+    """Return FreeCAD's name for the type of an operation, e.g. ``"Profile"``. It is the module of the proxy in all versions.
 
-    In a document of another version the proxy may be missing; the name is then not that of an operation.
+    In a document from another version, the proxy may be missing. The name is then not the name of an operation.
     """
     name = type(getattr(obj, "Proxy", None)).__module__.rpartition(".")[2]
     return name[len("Path") :] if name.startswith("Path") else name

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What callers give, checked where it enters: the errors say what an argument takes, and what it got."""
+"""Checks of arguments of public functions. The errors name the accepted values and the given one."""
 
 from __future__ import annotations
 
@@ -15,62 +15,62 @@ T = TypeVar("T")
 
 
 def positive(number: float) -> bool:
-    """Whether a number is finite and more than 0."""
+    """Return whether a number is finite and greater than 0."""
     return 0 < number < np.inf
 
 
 def not_negative(number: float) -> bool:
-    """Whether a number is finite and at least 0."""
+    """Return whether a number is finite and at least 0."""
     return 0 <= number < np.inf
 
 
 def number(name: str, given: Any, takes: str, fits: Callable[[float], bool] = lambda _: True) -> float:
-    """Return a number that was given; FreeCAD's quantities are numbers, and so are texts of one.
+    """Return an argument as a float. FreeCAD's quantities and texts of numbers are accepted.
 
     Parameters
     ----------
     name : str
-        What the argument is called.
+        Name of the argument.
     given : object
     takes : str
-        What it takes, e.g. ``"a positive number of mm"``.
+        Description of the accepted values, e.g. ``"a positive number of mm"``.
     fits : callable
-        Tells whether it takes that number; any by default.
+        Returns whether a number is accepted. The default accepts all numbers.
 
     Raises
     ------
     ValueError
-        Where it does not take this number, or text.
+        If the number or text is not accepted.
     TypeError
-        Where it is nothing like a number.
+        If the type is not accepted.
     """
     return _read(name, given, takes, float, fits)
 
 
 def numbers(name: str, given: Any, takes: str, fits: Callable[[np.ndarray], bool] = lambda _: True) -> np.ndarray:
-    """Return an array of float64 that was given, itself if it is one; the arguments and errors are those of `number`."""
+    """Return an argument as an array of float64, without a copy if possible. Arguments and errors are as in `number`."""
     return _read(name, given, takes, lambda given: np.asarray(given, float), fits)
 
 
 def whole(name: str, given: Any, takes: str, fits: Callable[[int], bool] = lambda _: True) -> int:
-    """Return a whole number that was given; the arguments and errors are those of `number`, but 1.0 is none."""
+    """Return an argument as an int. Arguments and errors are as in `number`. 1.0 is not accepted."""
     return _read(name, given, takes, index, fits)
 
 
 def of_kind(name: str, given: Any, kinds: Any, takes: str) -> None:
-    """Check that what was given is of a type, or of one of several.
+    """Check the type of an argument.
 
     Raises
     ------
     TypeError
-        Where it is not.
+        If the argument is not an instance of `kinds`.
     """
     if not isinstance(given, kinds):
         raise TypeError(f"{name} is {takes}, not {type(given).__name__}")
 
 
 def check_file_name(path: Any) -> None:
-    """Check that `path` names a file: a number would be one that is open; the error is that of `of_kind`."""
+    """Check that `path` is the name of a file. `open` would accept the number of an open file, too. The error is as in `of_kind`."""
     of_kind("path", path, (str, bytes, PathLike), "the name of a file")
 
 

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The user's preferences: what each means and its default stand here and nowhere else.
+"""The user's preferences with their meanings and defaults.
 
-A click and a macro read the same ones. They are kept in FreeCAD's parameters, in ``Mod/VkWorkbench``, each under
-its name in capitals, e.g. ``ImageWidth``; the page in FreeCAD's preferences shows them. Imports no numpy: the page is
+Commands and macros use the same preferences. FreeCAD stores them in its parameters, in ``Mod/VkWorkbench``, with names such
+as ``ImageWidth``. A page in FreeCAD's preferences shows them. This module does not import numpy, because the page is
 registered when FreeCAD starts.
 """
 
@@ -13,10 +13,10 @@ from collections.abc import Callable
 from dataclasses import dataclass, field, fields
 from functools import cached_property
 
-OWN = "own"  # the simulator that this FreeCAD's own button starts
+OWN = "own"  # the simulator of FreeCAD's button
 GROUP = "User parameter:BaseApp/Preferences/Mod/VkWorkbench"
 
-# Where the eye looks, as FreeCAD names its standard views.
+# View directions by the names of FreeCAD's standard views.
 DIRECTIONS = {
     "Top": (0, 0, -1), "Front": (0, 1, 0), "Right": (-1, 0, 0), "Rear": (0, -1, 0), "Left": (1, 0, 0),
     "Bottom": (0, 0, 1), "Isometric": (-1, 1, -1),
@@ -32,7 +32,7 @@ def _choice(default: str, choices: Callable[[], tuple[str, ...]]):
 
 
 def _simulators() -> tuple[str, ...]:
-    """Names of the simulators that this FreeCAD has."""
+    """Return the names of the simulators of this FreeCAD."""
     from vkworkbench.core.simulators import available
     from vkworkbench.freecad import version
 
@@ -41,40 +41,39 @@ def _simulators() -> tuple[str, ...]:
 
 @dataclass(frozen=True)
 class Preferences:
-    """What the user prefers.
+    """The user's preferences.
 
     Attributes
     ----------
     mark_simulator : {"own", "z-buffer", "legacy", "OpenGL"}
-        Whose time the marks show: of the simulator that this FreeCAD's own button starts, of the paper's extended
-        z-buffer, of FreeCAD's legacy simulator in fast-forward, or of its OpenGL simulator at its highest speed.
-        FreeCAD 0.20 has no OpenGL simulator.
+        Simulator whose time the marks show: the simulator of FreeCAD's button, the paper's extended z-buffer, FreeCAD's
+        legacy simulator in fast-forward, or its OpenGL simulator at the highest speed. FreeCAD 0.20 has no OpenGL simulator.
     legacy_accuracy : float
-        Edge of a cell of the legacy simulator in percent of the stock's longer side: 0.1 is the finest position of
+        Edge length of the legacy simulator's cells, in percent of the stock's longer side. 0.1 is the finest position of
         its slider, 1 the coarsest.
     opengl_quality : int
-        Position of the OpenGL simulator's quality slider; 10 is the best.
+        Position of the OpenGL simulator's quality slider. 10 is the best quality.
     time_budget : float
-        Time that a simulation may take, s: more gives a warning, and recommended settings stay within it.
+        Time limit of a simulation, s. Longer simulations get a warning, and recommended settings are within the limit.
     memory_budget : float
-        Memory that it may take, MB, likewise.
+        Memory limit of a simulation, MB, with the same effects.
     image_width, image_height : int
-        Image of the extended z-buffer, pixels; the paper's by default (section 1).
+        Image of the extended z-buffer, pixels. The default is the paper's image (section 1).
     view_direction : str
-        From where the z-buffer is seen, one of FreeCAD's standard views.
+        View direction of the z-buffer: one of FreeCAD's standard views.
     tolerance : float
-        mm between an arc and the chords it is chopped into.
+        Largest distance between an arc and the chords that replace it, mm.
     analyze_after_recompute : bool
         Whether marked operations are analysed again after each recompute that changed them.
     show_pills : bool
-        Whether the tree shows marks as coloured pills; as plain text if not.
+        Whether the tree shows marks as coloured pills instead of plain text.
     warn_of_simulators : bool
-        Whether a line over the view tells, when one of FreeCAD's simulators is started, that it hangs or takes longer
-        than the budget, and the better way.
+        Whether a bar above the 3D view warns of simulations in FreeCAD's simulators that would hang or exceed the time
+        limit.
     renderer : str
-        OpenGL's name of what draws on this computer, noted by the last calibration; not on the page.
+        OpenGL's name of the renderer at the last calibration. Not on the page.
     result_columns : str
-        Columns of the results that are shown or hidden otherwise than at first, with commas; not on the page.
+        Columns of the results whose visibility differs from the default, separated by commas. Not on the page.
     """
 
     mark_simulator: str = _choice(OWN, _simulators)
@@ -94,7 +93,7 @@ class Preferences:
 
     @cached_property
     def simulator(self) -> str:
-        """Name of the simulator whose time the marks show."""
+        """Name of the simulator whose time the marks show, never "own"."""
         if self.mark_simulator != OWN:
             return self.mark_simulator
         from vkworkbench.freecad import own_simulator
@@ -103,7 +102,7 @@ class Preferences:
 
     @cached_property
     def simulators(self) -> tuple[str, ...]:
-        """Names of the simulators whose costs are seen, in marks and in columns of the results."""
+        """Names of the simulators whose costs are shown, in marks and in columns of the results."""
         columns = [key.split(" ")[0] for key in self.result_columns.split(",")]
         return self.simulator, *(name for name in _simulators() if name in columns and name != self.simulator)
 
@@ -113,19 +112,19 @@ class Preferences:
 
     @property
     def budget(self) -> dict[str, float]:
-        """Of memory and time, bytes and s, as ``best_resolution`` takes it."""
+        """Limits of memory, bytes, and time, s, as ``best_resolution`` takes them."""
         return {"memory_bytes": self.memory_budget_bytes, "seconds": self.time_budget}
 
     @property
     def view(self):
-        """The View that these preferences describe."""
+        """The `View` of the z-buffer."""
         from vkworkbench.core import View
 
         return View(DIRECTIONS[self.view_direction], self.image_width, self.image_height)
 
 
 def read() -> Preferences:
-    """Return the preferences as they are now; the default for an impossible value, and outside FreeCAD for all."""
+    """Return the present preferences. Impossible values become defaults, and so do all values outside FreeCAD."""
     if "FreeCAD" not in sys.modules:
         return Preferences()
     import FreeCAD
@@ -141,7 +140,7 @@ def read() -> Preferences:
 
 
 def write(**values) -> None:
-    """Set preferences by their names."""
+    """Store preferences, given by name."""
     import FreeCAD
 
     group = FreeCAD.ParamGet(GROUP)
@@ -152,7 +151,7 @@ def write(**values) -> None:
 
 
 def observe(changed: Callable[[str], None]) -> None:
-    """Call a function with the name of each preference that changes from now on, or of all; whoever changes them."""
+    """Call a function with the name of each preference that changes from now on, no matter who changes it."""
     import FreeCAD
 
     names = {entry(preference.name): preference.name for preference in fields(Preferences)}
@@ -164,18 +163,18 @@ def observe(changed: Callable[[str], None]) -> None:
 
     group, observer = FreeCAD.ParamGet(GROUP), Observer()
     group.Attach(observer)
-    _observers.append((group, observer))  # FreeCAD keeps neither alive
+    _observers.append((group, observer))  # FreeCAD does not keep them alive
 
 
 _observers: list = []
 
 
 def entry(name: str) -> str:
-    """Return the name of a preference's parameter."""
+    """Return the name of the parameter that stores a preference."""
     return "".join(word.capitalize() for word in name.split("_"))
 
 
 def _possible(value, limits) -> bool:
     if "choices" in limits:
-        return value in limits["choices"]()  # the parameters may be those of a newer FreeCAD
+        return value in limits["choices"]()  # another FreeCAD with other simulators may have stored the value
     return not limits or limits["least"] <= value <= limits["most"]

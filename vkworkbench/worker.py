@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Work in processes of their own: Python runs one thread at a time, and a process that crashes costs its own work only."""
+"""Work in separate processes, because Python runs one thread at a time, and because a crash then affects one process only."""
 
 from __future__ import annotations
 
@@ -15,30 +15,28 @@ from typing import Any
 
 import numpy as np
 
-# This package's folder, and that of the numpy that is used here.
+# Folders of this package and of numpy.
 _FOLDERS = [str(Path(__file__).resolve().parents[1]), str(Path(np.__file__).resolve().parents[1])]
-# Windows would open a console for each.
+# Without this flag, Windows opens a console for each process.
 _NO_WINDOW: int = getattr(subprocess, "CREATE_NO_WINDOW", 0)
 
 
 class WorkerDied(Exception):
-    """A process could not be started, is of another Python or numpy, has died, or was ended."""
+    """A process could not be started, has another Python or numpy, has died, or was ended."""
 
 
 class Worker:
-    """A process that does one kind of work for one argument after the other.
-
-    It ends when this process does.
+    """A process that applies one function to one argument after the other. It ends with this process.
 
     Parameters
     ----------
     work : callable
-        What it does with an argument. Work, arguments and results must be picklable.
+        Function of one argument. The function, its arguments and its results must be picklable.
 
     Raises
     ------
     WorkerDied
-        Where there is no Python to start it with.
+        If no Python was found to run the process.
     """
 
     def __init__(self, work: Callable[[Any], Any]) -> None:
@@ -59,11 +57,11 @@ class Worker:
 
     @property
     def lives(self) -> bool:
-        """Whether the process can be asked."""
+        """Whether the process is running."""
         return self._process.poll() is None
 
     def get_ready(self) -> None:
-        """Wait until the process has started and knows its work.
+        """Wait until the process has started, and send the function.
 
         Raises
         ------
@@ -78,7 +76,7 @@ class Worker:
         self._ready = True
 
     def __call__(self, argument: Any) -> Any:
-        """Have it do its work, and wait for the result.
+        """Apply the function to an argument in the process, and wait for the result.
 
         Raises
         ------
@@ -89,15 +87,15 @@ class Worker:
         return self._answer()
 
     def kill(self) -> None:
-        """Make the process die: who waits for a result is told so. Any thread may do it."""
+        """Kill the process. A thread that waits for a result gets a `WorkerDied`. Any thread may call this."""
         self._process.kill()
 
     def end(self) -> None:
-        """Make the process die, and wait until it has."""
+        """Kill the process, and wait until it has ended."""
         self._process.kill()
         self._process.wait()
         for pipe in (self._process.stdin, self._process.stdout):
-            with suppress(OSError), _broken_pipes_are_errors():  # what was not said yet is, when it is closed
+            with suppress(OSError), _broken_pipes_are_errors():  # closing flushes the buffered message
                 pipe.close()  # type: ignore[union-attr] # both are pipes
 
     def _say(self, what: Any) -> None:
@@ -105,24 +103,24 @@ class Worker:
             with _broken_pipes_are_errors():
                 pickle.dump(what, self._process.stdin, pickle.HIGHEST_PROTOCOL)  # type: ignore[arg-type]
                 self._process.stdin.flush()  # type: ignore[union-attr]
-        except (OSError, ValueError):  # the other end, or this one, is closed
+        except (OSError, ValueError):  # one end of the pipe is closed
             self.end()
             raise WorkerDied from None
 
     def _answer(self) -> Any:
         try:
             return pickle.load(self._process.stdout)  # type: ignore[arg-type] # of this package's own process
-        # No answer, or none that this process can hold.
+        # There is no answer, or it does not fit into the memory.
         except (EOFError, OSError, ValueError, MemoryError, pickle.UnpicklingError):
             self.end()
             raise WorkerDied from None
 
 
 def serve() -> None:
-    """Be the other process: take the work from the standard input, then arguments until it ends, and answer each."""
-    signal.signal(signal.SIGINT, signal.SIG_IGN)  # Ctrl-C is for the parent process, which then ends the input
+    """Run the other process: read the function from the standard input, then arguments until its end, and answer each."""
+    signal.signal(signal.SIGINT, signal.SIG_IGN)  # the parent process handles Ctrl-C, and then ends the input
     answers = os.fdopen(os.dup(sys.stdout.fileno()), "wb")
-    os.dup2(2, 1)  # no other output may come between the answers
+    os.dup2(2, 1)  # other output must not mix with the answers
 
     def say(answer: Any) -> None:
         pickle.dump(answer, answers, pickle.HIGHEST_PROTOCOL)
@@ -136,12 +134,12 @@ def serve() -> None:
 
 
 def interpreter() -> str | None:
-    """Return the Python that runs what this process runs; FreeCAD, which is not one itself, has it beside it.
+    """Return the Python interpreter of this process. FreeCAD is not an interpreter itself, but has one in its folders.
 
     Returns
     -------
     str or None
-        Path of the program; None where there is none.
+        Path of the interpreter; None if none was found.
     """
     own = Path(sys.executable or "")
     if own.stem.startswith("python"):
@@ -155,7 +153,7 @@ def interpreter() -> str | None:
 
 
 def processes() -> int:
-    """Return how many processes can work at once: one for each core that this one may use, where others can be started."""
+    """Return the number of processes for parallel work: one for each usable core, or 1 if no process can be started."""
     if interpreter() is None:
         return 1
     if hasattr(os, "sched_getaffinity"):
@@ -165,8 +163,8 @@ def processes() -> int:
 
 @contextmanager
 def _broken_pipes_are_errors() -> Iterator[None]:
-    """Let no signal end this process when it writes to one that has died: Python ignores it, FreeCAD 1.0 does not."""
-    if not hasattr(signal, "pthread_sigmask"):  # on Windows there is none
+    """Block the signal for a write to a dead process, which would end FreeCAD 1.0. Python ignores it."""
+    if not hasattr(signal, "pthread_sigmask"):  # Windows has no such signal
         yield
         return
     before = signal.pthread_sigmask(signal.SIG_BLOCK, [signal.SIGPIPE])
@@ -179,5 +177,5 @@ def _broken_pipes_are_errors() -> Iterator[None]:
 
 
 def _versions() -> tuple[tuple[int, ...], str]:
-    """Return what must be the same for results to be so: Python and numpy."""
+    """Return the versions of Python and numpy, which must be equal in both processes for equal results."""
     return tuple(sys.version_info[:3]), np.__version__

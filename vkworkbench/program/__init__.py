@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""NC programs from files, without FreeCAD: standard library and numpy only.
+"""Analysis of NC programs in files. Uses numpy and the standard library, but not FreeCAD.
 
-In: files and folders, as a macro or the command line names them.
-Out: `Report`, one row for each operation of each program; `main`, the command ``python3 -m vkworkbench``.
+In: paths of files and folders, from a macro or the command line.
+Out: `Report`, with one row for each operation of each program; `main`, the command ``python3 -m vkworkbench``.
 """
 
 from vkworkbench.program.analysis import analyze, is_path

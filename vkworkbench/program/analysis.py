@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""From an NC program's file to a report: one row for each operation, divided by titles and tool changes."""
+"""Analyse the file of an NC program: one row for each operation, separated by titles and tool changes."""
 
 from __future__ import annotations
 
@@ -42,7 +42,7 @@ from vkworkbench.report import Cancelled, OperationReport, Report, without_resul
 
 
 def is_path(what) -> bool:
-    """Whether something names files: a path, or several."""
+    """Return whether an argument is a path, or a list of paths."""
     if isinstance(what, (str, os.PathLike)):
         return True
     return (
@@ -56,16 +56,16 @@ def analyze(
     progress: Callable[[int, int, str], None] | None = None,
     cancelled: Callable[[], bool] | None = None,
 ) -> Report:
-    """Analyse NC programs: strategy, lengths and what simulating their operations costs. Needs no FreeCAD.
+    """Recognise the strategies of NC programs, and estimate lengths, times and simulation costs. FreeCAD is not needed.
 
     Parameters
     ----------
     what : path, or iterable of paths
-        Files, and folders in which all NC programs are taken.
+        Files, and folders. All NC programs in a folder are analysed.
     progress : callable, optional
-        Called before each file with how many are done, how many there are, and its name.
+        Called before each file with the number of finished files, the number of all files, and the name of the file.
     cancelled : callable, optional
-        Asked before each file; True ends the analysis.
+        Called before each file. If it returns True, the analysis ends.
 
     Returns
     -------
@@ -75,7 +75,7 @@ def analyze(
     Raises
     ------
     ValueError
-        Where a name is empty, or a program's text.
+        If a name is empty, or the text of a program.
     Cancelled
         If `cancelled` returned True.
     """
@@ -92,7 +92,7 @@ def analyze(
 
 
 def report_of(rows: Iterable[OperationReport], chosen: Preferences) -> Report:
-    """Return the report of some programs' rows."""
+    """Return the report of the rows of one or more programs."""
     rows = tuple(rows)
     return Report(rows, {(row.document, row.job): row.job for row in rows if row.counted}, chosen.budget)
 
@@ -103,20 +103,20 @@ def analyze_file(path: Path, chosen: Preferences) -> tuple[OperationReport, ...]
     Returns
     -------
     tuple of OperationReport
-        One row for each operation with a cut. Its document is the file's path, its job the file's name, its name and
-        the commands of its spans are lines of the text, counted from 1. A program that cuts nothing has one row, and
-        so has a file that cannot be read, which is not counted, with the reason among its remarks.
+        One row for each operation with a cut. The document of a row is the file's path, and its job is the file's name.
+        Its name and the commands of its spans are line numbers, counted from 1. A program without a cut has one row. A
+        file that cannot be read has one row with the reason in its remarks, which is not counted.
     """
     try:
         return tuple(_rows(path, read_program(text_of(read_bytes(path))), chosen))
     except Unusable as error:
         return (unread(path, error.what),)
-    except Exception as error:  # an error of this add-on costs this file only
+    except Exception as error:  # an error in this add-on must not stop the analysis of the other files
         return (unread(path, Message("not-analysed", error=f"{type(error).__name__}: {error}")),)
 
 
 def unread(path: Path, why: Message) -> OperationReport:
-    """Return the row of a file without results, which says why: no strategy, length or time of it is known."""
+    """Return the row of a file without results, with the reason."""
     return without_results(
         why, document=str(path), name="", label=path.name, job=path.name, counted=False, fingerprint=""
     )
@@ -124,7 +124,7 @@ def unread(path: Path, why: Message) -> OperationReport:
 
 @dataclass(frozen=True)
 class _Whole:
-    """What all operations of a program have in common.
+    """Common data of all operations of a program.
 
     Attributes
     ----------
@@ -132,13 +132,13 @@ class _Whole:
     program : Program
     chosen : Preferences
     stock : Stock or None
-        A box around all cuts; None where no tool is known.
+        A box around all cuts; None if no tool is known.
     inches : bool
-        Whether its inches are read as millimetres.
+        Whether the program is in inches that are read as millimetres.
     remarks : tuple of Message
-        What is to be said of each.
+        Remarks on every operation.
     undivided : bool
-        Whether no title and no tool change tells whether it is one operation.
+        Whether the program has no titles and no tool changes, so that it may contain several operations.
     """
 
     path: Path
@@ -155,8 +155,8 @@ def _rows(path: Path, program: Program, chosen: Preferences) -> list[OperationRe
     inches = not program.unit_told and (
         looks_like_inches(toolpath) or any(tells_inches(text) for _, _, text in program.comments)
     )
-    if inches:  # the sizes of some tools are told with their unit
-        sections = tuple(map(_as_read, split_sections(replace(program, inches=True))))
+    if inches:  # some comments give the size of a tool with its unit
+        sections = tuple(map(_scaled_to_millimetres, split_sections(replace(program, inches=True))))
     bounds = np.searchsorted(toolpath.command, [section.first for section in sections[1:]])
     parts = [toolpath.part(int(a), int(b)) for a, b in zip([0, *bounds], [*bounds, len(toolpath)])]
     cutting = [(part, section) for part, section in zip(parts, sections) if not part.rapid.all()]
@@ -177,18 +177,18 @@ def _rows(path: Path, program: Program, chosen: Preferences) -> list[OperationRe
 
 
 def _without_cuts(path: Path, program: Program, toolpath: Toolpath) -> OperationReport:
-    """Return the row of a program that cuts nothing."""
+    """Return the row of a program without a cut."""
     row = unread(path, program.other or Message("no-cutting-move"))
     row = replace(row, remarks=(*row.remarks, *map(at_line, toolpath.problems)))
     if program.other:
         return replace(row, counted=True)
-    counted = all(problem.of_time for problem in toolpath.problems)  # else what is not read may be what cuts
+    counted = all(problem.of_time for problem in toolpath.problems)  # ignored commands may be the cuts
     return replace(row, counted=counted, recognition=recognize(toolpath), trajectories=len(toolpath),
                    machining=_machining(toolpath, toolpath.problems))  # fmt: skip
 
 
 def _row(whole: _Whole, part: Toolpath, section: Section, problems: list[Problem]) -> OperationReport:
-    """Return the row of one operation, of which these are the problems."""
+    """Return the row of one operation with its problems."""
     program, chosen, stock, tool = whole.program, whole.chosen, whole.stock, section.tool
     remarks = [*whole.remarks, *map(at_line, problems)]
     unlike_milling = program.other or _rotary(program, section)
@@ -218,8 +218,8 @@ def _row(whole: _Whole, part: Toolpath, section: Section, problems: list[Problem
     )
 
 
-def _as_read(section: Section) -> Section:
-    """Return an operation of inches that are read as millimetres with its tool in that size."""
+def _scaled_to_millimetres(section: Section) -> Section:
+    """Return a section in inches that are read as millimetres, with its tool scaled in the same way."""
     tool = section.tool
     if tool is None:
         return section
@@ -228,13 +228,13 @@ def _as_read(section: Section) -> Section:
 
 
 def _rotary(program: Program, section: Section) -> Message | None:
-    """Return the message about a rotary axis that turns during a cut of this operation, None if none does."""
+    """Return a message if a rotary axis turns during a cut of the operation; None otherwise."""
     line = next((line for line in program.rotary if section.first <= line <= section.last), None)
     return None if line is None else Message("rotary", line=line)
 
 
 def _machining(part: Toolpath, problems: Iterable[Problem]) -> Machining:
-    """Return lengths and times; a program has no tool controller that could say how fast rapids are."""
+    """Return lengths and times. Rapids have no time, because a program does not contain their speed."""
     found = machining(part)
     left_out = [message for message in found.left_out if message.code == "cutting-untimed"]
     if found.rapid_length:
@@ -244,6 +244,6 @@ def _machining(part: Toolpath, problems: Iterable[Problem]) -> Machining:
 
 
 def _stock(toolpath: Toolpath, tools: list[Tool | None]) -> Stock | None:
-    """Return a box around all cuts of a program; None where no tool is known."""
+    """Return a box around all cuts of a program; None if no tool is known."""
     known = [tool for tool in tools if tool]
     return stock_around(toolpath, max(known, key=lambda tool: tool.diameter)) if known else None

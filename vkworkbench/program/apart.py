@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""One program analysed in a process of its own: one that crashes or never ends costs its own file only."""
+"""Analysis of a program in a separate process, so that a crash or an endless analysis affects one file only."""
 
 from __future__ import annotations
 
@@ -19,19 +19,19 @@ _workers: weakref.WeakSet[Worker] = weakref.WeakSet()
 
 
 def analyze_apart(path: Path, chosen: Preferences, patience: float) -> tuple[OperationReport, ...]:
-    """Analyse one program in another process, as `analyze_file`; each thread keeps its process for the next.
+    """Analyse one program as `analyze_file` does, in a separate process. Each thread reuses its process.
 
     Parameters
     ----------
     path : Path
     chosen : Preferences
     patience : float
-        Time for the analysis, s, after which it is given up; starting a process is not counted.
+        Time limit of the analysis, s. The start of the process is not included.
 
     Returns
     -------
     tuple of OperationReport
-        Where the process died or was given up, one row that says so.
+        If the process died or exceeded the time limit, one row with this reason.
     """
     begin = float("inf")
     try:
@@ -50,13 +50,13 @@ def analyze_apart(path: Path, chosen: Preferences, patience: float) -> tuple[Ope
 
 
 def end_workers() -> None:
-    """End the processes of all threads; what they work on is lost."""
+    """End the processes of all threads. Their unfinished work is lost."""
     for worker in list(_workers):
         worker.end()
 
 
 def _worker() -> Worker:
-    """Return this thread's process, ready, a new one where it died."""
+    """Return the process of this thread, ready for work. A process that died is replaced."""
     worker = getattr(_of_thread, "worker", None)
     if worker is None or not worker.lives:
         worker = _of_thread.worker = Worker(_analyze)

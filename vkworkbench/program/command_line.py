@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""``python3 -m vkworkbench``: many NC programs, on all cores or on a Dask cluster."""
+"""The command ``python3 -m vkworkbench``, which analyses NC programs on all cores or on a Dask cluster."""
 
 from __future__ import annotations
 
@@ -25,21 +25,21 @@ from vkworkbench.worker import processes
 
 _WRONG, _UNREAD, _STOPPED = 2, 1, 130  # exit statuses
 _CONNECT = 30  # s
-_AHEAD = 4  # files handed out for each one that is worked on
+_AHEAD = 4  # files in the queue for each process
 _STANDARD_OUTPUT = "-"
-# What only this process could read: the programs are read in others. <(...) of a shell is such a file, too.
+# Only this process could read these files, but other processes read the programs. The shell's <(...) is such a file.
 _STANDARD_INPUT = re.compile(r"-|/dev/stdin|/(?:dev|proc/self)/fd/\d+")
 
 
 class _Wrong(Exception):
-    """What was asked for cannot be done, or not to its end."""
+    """The command cannot be done, or not completely."""
 
 
 def main(arguments: list[str] | None = None) -> int:
     """Run the command, and return its exit status.
 
-    0: all programs were read; 1: some could not be; 2: nothing could be done, or not be written; 130: stopped with
-    Ctrl-C.
+    0: all programs were read. 1: some programs could not be read. 2: nothing could be done, or the results could not be
+    written. 130: stopped with Ctrl-C.
     """
     asked = _parser().parse_args(arguments)
     for name in ("stdout", "stderr"):
@@ -51,14 +51,14 @@ def main(arguments: list[str] | None = None) -> int:
     except _Wrong as error:
         print(f"vkworkbench: {error}", file=sys.stderr)
         return _WRONG
-    except BrokenPipeError:  # the reader of the output has gone, as with "| head"
+    except BrokenPipeError:  # the reader of the output has ended, e.g. "| head"
         return _STOPPED
     finally:
         _drop_unwritten()
 
 
 def _drop_unwritten() -> None:
-    """Drop what the standard output does not take: Python would try it once more at its end, and complain."""
+    """Drop unwritten output. Python would try to write it at the end, and print an error."""
     try:
         sys.stdout.flush()
     except OSError:
@@ -68,20 +68,25 @@ def _drop_unwritten() -> None:
 def _parser() -> argparse.ArgumentParser:
     parser = argparse.ArgumentParser(
         "python3 -m vkworkbench",
-        description="Tell the machining strategy of each operation in NC programs (G-code), and what simulating it costs.",
-        epilog="Exit status: 0 all programs were read, 1 some could not be, 2 nothing could be done or not be written, "
-        "130 stopped.",
+        description="Recognize the machining strategy of each operation in NC programs (G-code), and estimate the cost of "
+        "its simulation.",
+        epilog="Exit status: 0: all programs were read. 1: some programs could not be read. 2: nothing could be done, or the "
+        "results could not be written. 130: stopped.",
     )
-    parser.add_argument("what", nargs="+", metavar="FILE|FOLDER", help="NC programs, and folders of them")
+    parser.add_argument("what", nargs="+", metavar="FILE|FOLDER", help="NC programs, and folders with NC programs")
     output = parser.add_mutually_exclusive_group()
     output.add_argument("--csv", metavar="PATH", help="write a CSV file instead of a table; - is the standard output")
-    output.add_argument("--json-lines", metavar="PATH", help="write a JSON object a line, likewise")
-    parser.add_argument("--resume", action="store_true", help="go on with the results in PATH after a stop")
-    parser.add_argument("--jobs", type=_positive(int), metavar="N", help="processes; one per core if not given")
+    output.add_argument("--json-lines", metavar="PATH", help="write one JSON object per line instead of a table")
+    parser.add_argument("--resume", action="store_true", help="continue the results in PATH")
+    parser.add_argument("--jobs", type=_positive(int), metavar="N", help="number of processes (default: one per core)")
     parser.add_argument(
-        "--timeout", type=_positive(float), default=600.0, metavar="SECONDS", help="give a program up (default: 600)"
+        "--timeout",
+        type=_positive(float),
+        default=600.0,
+        metavar="SECONDS",
+        help="time limit for each program (default: 600)",
     )
-    parser.add_argument("--scheduler", metavar="ADDRESS", help="work on a Dask cluster, e.g. tcp://host:8786")
+    parser.add_argument("--scheduler", metavar="ADDRESS", help="use a Dask cluster, e.g. tcp://host:8786")
     return parser
 
 
@@ -106,7 +111,7 @@ def _run(asked: argparse.Namespace) -> int:
         raise _Wrong(str(error)) from None
     if not paths:
         raise _Wrong(f"no NC programs in {', '.join(asked.what)}")
-    # Before any results: an earlier file of them is not lost for want of it.
+    # The executor comes before the results: if it fails, an existing file of results is not lost.
     with _executor(asked, len(paths)) as (executor, ahead):
         return _work(asked, paths, executor, ahead)
 
@@ -115,7 +120,7 @@ def _work(asked: argparse.Namespace, paths: list[Path], executor: Executor, ahea
     """Analyze the programs, write the results, and return the exit status."""
     results = _results(asked, paths)
     place = asked.csv or asked.json_lines or _STANDARD_OUTPUT
-    goes_on = "" if place == _STANDARD_OUTPUT else "; --resume goes on"
+    advice = "" if place == _STANDARD_OUTPUT else "; continue with --resume"
     todo = [path for path in paths if results is None or str(path) not in results.done]
     progress = Progress(todo, sys.stderr)
     operations, unread_files, stopped = 0, 0, False
@@ -123,23 +128,23 @@ def _work(asked: argparse.Namespace, paths: list[Path], executor: Executor, ahea
         with closing(_analyzed(todo, executor, ahead, asked.timeout)) as analyzed:
             for path, rows in analyzed:
                 progress.add(path)
-                with _writing(place, goes_on):
+                with _writing(place, advice):
                     if results is None:
                         progress.clear()
                         _show(path, rows)
                     else:
                         results.add(rows)
                 operations += sum(row.counted for row in rows)
-                unread_files += not rows[0].counted  # that row is then the only one
+                unread_files += not rows[0].counted  # an unread file has one row only
     except KeyboardInterrupt:
         stopped = True
     finally:
         progress.clear()
         if results is not None:
-            with _writing(place, goes_on):
+            with _writing(place, advice):
                 results.close()
     if stopped:
-        print(f"Stopped after {progress.files} of {len(todo)} files{goes_on}.", file=sys.stderr)
+        print(f"Stopped after {progress.files} of {len(todo)} files{advice}.", file=sys.stderr)
         return _STOPPED
     before = f", {how_many(len(paths) - len(todo), 'file')} done before" if len(todo) < len(paths) else ""
     unread_before = sum(str(path) in results.unread for path in paths) if results is not None else 0
@@ -151,35 +156,35 @@ def _work(asked: argparse.Namespace, paths: list[Path], executor: Executor, ahea
 
 
 def _results(asked: argparse.Namespace, programs: list[Path]) -> Results | None:
-    """Return where the rows of some programs go, None for a table."""
+    """Return the results to which the rows are added; None for a table."""
     path = asked.csv or asked.json_lines
     if asked.resume and path in (None, _STANDARD_OUTPUT):
-        raise _Wrong("--resume needs the results' file: --csv PATH or --json-lines PATH")
+        raise _Wrong("--resume needs a file of results: --csv PATH or --json-lines PATH")
     if path is None:
         return None
-    if is_called_a_program(path):  # "--csv bracket.nc old-programs/" would lose a program
-        raise _Wrong(f"{path} is called as an NC program is: give the results' file another name")
+    if is_called_a_program(path):  # e.g. "--csv bracket.nc old-programs/" would overwrite a program
+        raise _Wrong(f"{path} has the suffix of an NC program: give the file of results another name")
     if any(_is_same_file(path, program) for program in programs):
-        raise _Wrong(f"{path} is one of the programs: give the results' file another name")
+        raise _Wrong(f"{path} is one of the programs: give the file of results another name")
     any_row = unread(Path(), Message("moves-nothing"))
     form = Csv(cells_of(any_row)) if asked.csv else JsonLines()
     try:
         with _writing(path):
             return Results(path, form, resume=asked.resume)
     except ValueError as error:
-        raise _Wrong(f"cannot go on with {path}: {error}") from None
+        raise _Wrong(f"cannot continue {path}: {error}") from None
 
 
 @contextmanager
-def _writing(path: str, goes_on: str = "") -> Iterator[None]:
-    """Tell what cannot be written, and how to go on."""
+def _writing(path: str, advice: str = "") -> Iterator[None]:
+    """Raise an error for a file that cannot be written, with advice on how to continue."""
     try:
         yield
     except BrokenPipeError:
         raise
     except OSError as error:
         name = "the standard output" if path == _STANDARD_OUTPUT else path
-        raise _Wrong(f"cannot write {name}: {error.strerror}{goes_on}") from None
+        raise _Wrong(f"cannot write {name}: {error.strerror}{advice}") from None
 
 
 def _is_same_file(one: str, other: Path) -> bool:
@@ -190,13 +195,13 @@ def _is_same_file(one: str, other: Path) -> bool:
 
 @contextmanager
 def _executor(asked: argparse.Namespace, files: int) -> Iterator[tuple[Executor, int]]:
-    """Give the executor of so many files, and how many of them it is handed ahead."""
+    """Yield an executor for a number of files, and the number of files that it gets at once."""
     if asked.scheduler:
         with _cluster(asked.scheduler) as both:
             yield both
         return
     jobs = min(asked.jobs or processes(), files)
-    executor = ThreadPoolExecutor(jobs)  # each thread waits for a process of its own
+    executor = ThreadPoolExecutor(jobs)  # each thread waits for its own process
     try:
         yield executor, _AHEAD * jobs
     finally:
@@ -228,7 +233,7 @@ def _cluster(address: str) -> Iterator[tuple[Executor, int]]:
 def _analyzed(
     paths: Iterable[Path], executor: Executor, ahead: int, patience: float
 ) -> Iterator[tuple[Path, tuple[OperationReport, ...]]]:
-    """Give each program with its rows, in the order in which they become ready; closed, drop those not begun."""
+    """Yield each program with its rows when they are ready. Closing the iterator cancels the waiting programs."""
     chosen = preferences.read()
     rest = iter(paths)
     pending: dict[Future, Path] = {}
@@ -239,7 +244,7 @@ def _analyzed(
             if not pending:
                 return
             ready = wait(pending, return_when=FIRST_COMPLETED).done
-            for future in [future for future in pending if future in ready]:  # of several that are, in their order
+            for future in [future for future in pending if future in ready]:  # in the order of submission
                 path = pending.pop(future)
                 yield path, _rows(path, future)
     finally:
@@ -248,7 +253,7 @@ def _analyzed(
 
 
 def _rows(path: Path, future: Future) -> tuple[OperationReport, ...]:
-    """Return the rows of a program; if its computer left the cluster for good, one row that says so."""
+    """Return the rows of a program. If its computer has left the cluster, one row says so."""
     try:
         return future.result()
     except ModuleNotFoundError as error:
@@ -258,5 +263,5 @@ def _rows(path: Path, future: Future) -> tuple[OperationReport, ...]:
 
 
 def _show(path: Path, rows: tuple[OperationReport, ...]) -> None:
-    told = report_of(rows, preferences.read()) if rows[0].counted else rows[0].error
-    print(f"{printable(str(path), sys.maxsize)}\n{told}\n", flush=True)
+    shown = report_of(rows, preferences.read()) if rows[0].counted else rows[0].error
+    print(f"{printable(str(path), sys.maxsize)}\n{shown}\n", flush=True)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Files and folders of NC programs: which there are, and their text."""
+"""Find the files of NC programs, and read their texts."""
 
 from __future__ import annotations
 
@@ -14,33 +14,33 @@ from pathlib import Path
 
 from vkworkbench.language import Message, Unusable
 
-# Suffixes of NC programs. In a folder other files are left out; a file that is named itself is read in any case.
+# Suffixes of NC programs. Other files in folders are skipped. A file that is named directly is always read.
 _SUFFIXES = frozenset([
     ".nc", ".ngc", ".gcode", ".gc", ".g", ".tap", ".cnc", ".ncc", ".ncf", ".iso",
     ".eia", ".din", ".min", ".mpf", ".spf", ".prg", ".fnc", ".nc1", ".ptp", ".mcd",
 ])  # fmt: skip
-MOST_BYTES = 400_000_000  # of text; some ten million lines, more than a toolpath may have
+MOST_BYTES = 400_000_000  # largest text: about ten million lines, more than a toolpath can have
 _PACKED = {".xz": lzma.open, ".gz": gzip.open}
 _MARKS = ((codecs.BOM_UTF8, "utf-8-sig"), (codecs.BOM_UTF16_LE, "utf-16"), (codecs.BOM_UTF16_BE, "utf-16"))
-# Three letters beyond ASCII side by side are Cyrillic: Western languages have them one at a time.
+# Three neighbouring letters beyond ASCII mean Cyrillic text. In Western languages these letters are single.
 _CYRILLIC = re.compile(rb"[\xc0-\xff]{3}")
-# What a serial line carries beside a text: the leader of a punched tape, and DC1 to DC4, which start and stop a device.
+# Characters that serial lines add to a text: the leader of a punched tape, and DC1 to DC4, which start and stop a device.
 _OF_THE_LINE = b"\0\x11\x12\x13\x14"
 _TEXT_CONTROLS = frozenset(b"\t\n\r\f\x0b")
-_ZIP, _FIRST_NAME = b"PK\3\4", 30  # how an archive begins, and from which byte on the name of its first file stands
+_ZIP, _FIRST_NAME = b"PK\3\4", 30  # the first bytes of an archive, and the offset of the name of its first file
 
 
 def find_programs(what: Iterable[str | os.PathLike]) -> Iterator[Path]:
-    """Return the files named, and in folders, at any depth, those whose suffix is that of an NC program.
+    """Yield the named files, and all files in the named folders that have the suffix of an NC program.
 
-    Each file comes once, those of a folder in the order of their names. Links to folders are followed. A folder that
-    cannot be read comes itself: what reads it tells why.
+    Folders are searched at any depth, in the order of names, and through links. Each file comes once. A folder that cannot
+    be read is yielded itself, so that reading it reports the error.
 
     Raises
     ------
     ValueError
-        Where a name is empty: what a file dialog returns that was cancelled is not the current folder. Or where it is
-        the text of a program.
+        If a name is empty, e.g. from a cancelled file dialog: it does not mean the current folder. Or if a name is the text
+        of a program.
     """
     what = list(what)
     if "" in what:
@@ -63,7 +63,7 @@ def _in_folder(folder: Path) -> Iterator[Path]:
     walked: set[str] = set()
     for root, folders, names in os.walk(folder, onerror=closed.append, followlinks=True):
         place = os.path.realpath(root)
-        if place in walked:  # a link that leads here again
+        if place in walked:  # a link to a parent folder
             folders.clear()
             continue
         walked.add(place)
@@ -76,7 +76,7 @@ def _in_folder(folder: Path) -> Iterator[Path]:
 
 
 def is_called_a_program(name: str) -> bool:
-    """Whether a file has the suffix of an NC program, packed or not."""
+    """Return whether a file has the suffix of an NC program, compressed or not."""
     suffixes = [suffix.lower() for suffix in Path(name).suffixes]
     if suffixes and suffixes[-1] in _PACKED:
         suffixes.pop()
@@ -84,17 +84,17 @@ def is_called_a_program(name: str) -> bool:
 
 
 def _is_endless(path: str | Path) -> bool:
-    """Whether it is a pipe or a device, whose end may never come."""
+    """Return whether a path is a pipe or a device, which may never end."""
     return os.path.exists(path) and not os.path.isfile(path) and not os.path.isdir(path)
 
 
 def read_bytes(path: Path) -> bytes:
-    """Return a file's content, unpacked.
+    """Return the content of a file, decompressed.
 
     Raises
     ------
     Unusable
-        If it cannot be read, or is too large.
+        If the file cannot be read, or is too large.
     """
     if _is_endless(path):
         raise Unusable(Message("no-file"))
@@ -109,12 +109,12 @@ def read_bytes(path: Path) -> bytes:
 
 
 def text_of(data: bytes) -> str:
-    """Return a program's text in whatever encoding: Unicode with a mark, UTF-8, else Windows' Cyrillic or Western one.
+    """Return the text of a program. The encoding is Unicode with a mark, UTF-8, or Windows' Cyrillic or Western encoding.
 
     Raises
     ------
     Unusable
-        If it is no text.
+        If the data is not text.
     """
     if data.startswith(_ZIP):
         of_freecad = data.startswith(b"Document.xml", _FIRST_NAME)
@@ -125,7 +125,7 @@ def text_of(data: bytes) -> str:
     encoding = _unmarked_utf16(data)
     if encoding:
         data = data.decode(encoding, "ignore").encode()
-    data = data.translate(None, _OF_THE_LINE).strip(b"\x1a\x7f")  # tapes begin with DEL, too; DOS ends a text with SUB
+    data = data.translate(None, _OF_THE_LINE).strip(b"\x1a\x7f")  # tapes begin with DEL, and DOS texts end with SUB
     controls = sum(data.count(code) for code in range(32) if code not in _TEXT_CONTROLS)
     if controls > 0.01 * len(data):
         raise Unusable(Message("no-text"))
@@ -136,7 +136,7 @@ def text_of(data: bytes) -> str:
 
 
 def _unmarked_utf16(data: bytes) -> str | None:
-    """Return the kind of UTF-16 in which every other byte of a text is 0, as it is of Latin letters; None for none."""
+    """Return the UTF-16 encoding of a text in which every other byte is 0, as in Latin letters; None for other texts."""
     zeros = [data[first::2].count(0) for first in (0, 1)]
     if min(zeros) > 0.01 * max(zeros) or 4 * max(zeros) <= len(data):
         return None

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""How many of many files are done, and how long the rest takes."""
+"""Progress of the analysis of many files, with the remaining time."""
 
 from __future__ import annotations
 
@@ -12,19 +12,19 @@ from typing import TextIO
 
 from vkworkbench.language import ENGLISH
 
-_PAUSE = 0.2, 30.0  # s between two reports, to a terminal and to a file
-_SMALL = 2000  # bytes that are added to a file's size for the work that every file takes
+_PAUSE = 0.2, 30.0  # time between two reports to a terminal and to a file, s
+_SMALL = 2000  # work for opening a file, in bytes of a program
 
 
 class Progress:
-    """Reports progress to a stream; the remaining time is estimated from the sizes of the files.
+    """Report the progress to a stream. The remaining time is estimated from the sizes of the files.
 
     Parameters
     ----------
     paths : iterable of Path
-        What there is to do.
+        Files to analyse.
     stream : TextIO
-        On a terminal one line changes; anything else gets a new line now and then.
+        A terminal shows one changing line. Other streams get a new line for each report.
     """
 
     def __init__(self, paths: Iterable[Path], stream: TextIO) -> None:
@@ -37,11 +37,11 @@ class Progress:
 
     @property
     def files(self) -> int:
-        """How many files are done."""
+        """Number of finished files."""
         return self._files
 
     def add(self, path: Path) -> None:
-        """Note that a file is done."""
+        """Count a file as finished."""
         self._files += 1
         self._done += self._sizes[path]
         now = time.monotonic()
@@ -53,7 +53,7 @@ class Progress:
             self._stream.flush()
 
     def clear(self) -> None:
-        """Make room for other output in the terminal."""
+        """Clear the line in the terminal for other output."""
         if self._terminal:
             self._stream.write("\r\x1b[K")
             self._stream.flush()

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Results written as they come, one line of CSV or JSON for each operation; a stopped run can be continued."""
+"""Files of results, with one line of CSV or JSON for each operation. A stopped run can be continued."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ _CONTROL = re.compile(r"[\x00-\x1f\x7f-\x9f\u2028\u2029]")
 
 
 def _bytes(text: str) -> bytes:
-    """Return a text in UTF-8; a file's name may hold bytes that are none."""
+    """Return a text in UTF-8. File names may contain bytes that are not UTF-8."""
     return text.encode("utf-8", "surrogateescape")
 
 
@@ -27,7 +27,7 @@ def _text(data: bytes) -> str:
 
 
 class JsonLines:
-    """One JSON object a line, in mm, s, rad and bytes, as `OperationReport.as_dict`."""
+    """One JSON object per line, in mm, s, rad and bytes, as in `OperationReport.as_dict`."""
 
     header = b""
 
@@ -35,16 +35,16 @@ class JsonLines:
         return _bytes(json.dumps(row.as_dict(), ensure_ascii=False) + "\n")
 
     def document(self, line: bytes) -> tuple[str, bool]:
-        """Return the file that a line is about, and whether it was read.
+        """Return the file of a line, and whether the file was read.
 
-        Raises ValueError, LookupError or TypeError for any other line.
+        Raises ValueError, LookupError or TypeError for other lines.
         """
         row = json.loads(_text(line))
         return row["document"], row["counted"]
 
 
 class Csv:
-    """One line of a table for each operation, as `cells_of`, below a line with the names of the columns."""
+    """One line for each operation, as in `cells_of`, below a line with the names of the columns."""
 
     def __init__(self, names: Iterable[str]) -> None:
         self._names = list(names)
@@ -56,7 +56,7 @@ class Csv:
         return self._written(cells[name] for name in self._names)
 
     def document(self, line: bytes) -> tuple[str, bool]:
-        """Return the file that a line is about, and whether it was read. Raises ValueError for any other line."""
+        """Return the file of a line, and whether the file was read. Raises ValueError for other lines."""
         (cells,) = csv.reader([_text(line)])
         if len(cells) != len(self._names):
             raise ValueError(line)
@@ -71,7 +71,7 @@ class Csv:
 
 
 class Results:
-    """A file of results, or the standard output, to which the rows of one program after the other are added.
+    """A file of results, or the standard output. Rows are added program by program.
 
     Parameters
     ----------
@@ -79,19 +79,19 @@ class Results:
         ``"-"`` for the standard output.
     form : JsonLines or Csv
     resume : bool
-        Whether to continue the file. Its last program is done again: its rows may not be complete.
+        Whether to continue an existing file. Its last program is analysed again, because its rows may be incomplete.
 
     Attributes
     ----------
     done : set of str
-        The programs whose rows are there already.
+        Programs whose rows are in the file already.
     unread : set of str
-        Those of them that could not be read.
+        Programs in `done` that could not be read.
 
     Raises
     ------
     ValueError
-        If the file that is to be continued holds other lines.
+        If the existing file has other lines.
     OSError
         If the file cannot be written.
     """
@@ -100,7 +100,7 @@ class Results:
         self._form = form
         self.done: set[str] = set()
         self.unread: set[str] = set()
-        self._file: BinaryIO | io.FileIO  # files without a buffer: what a full disk does not take is not tried again
+        self._file: BinaryIO | io.FileIO  # without a buffer: data that a full disk refused is not written again
         if path == "-":
             self._file = sys.stdout.buffer
         elif resume and Path(path).exists():
@@ -128,23 +128,23 @@ class Results:
         self._file.flush()
 
     def _keep(self, file: BinaryIO) -> int:
-        """Fill `done`, and return how many bytes of a file stay."""
+        """Fill `done` and `unread`, and return the number of bytes to keep."""
         place, begin, last = 0, 0, None
         header = self._form.header
         for line in file:
             place += len(line)
             if not line.endswith(b"\n"):
-                break  # the run was stopped while it wrote this line
+                break  # the run was stopped during this line
             if header:
                 if line != header:
-                    raise ValueError("its columns are others")
+                    raise ValueError("it has other columns")
                 header = b""
                 begin = place
                 continue
             try:
                 document, read = self._form.document(line)
             except (ValueError, LookupError, TypeError):
-                raise ValueError("a line of it is no result of this command") from None
+                raise ValueError("it has a line that is not a result of this command") from None
             if document != last:
                 self.done.add(document)
                 if not read:

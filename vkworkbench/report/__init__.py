@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What was found becomes plain data, printed as a table, saved as CSV or JSON.
+"""Results as plain data, which can be printed as a table and saved as CSV or JSON.
 
-In: for each operation `Recognition`, costs, cautions and remarks (Messages); what a simulation told of it.
-Out: `Report`, a row for each operation (`OperationReport`) and a `Total` for each job; `SimulationFacts`.
+In: the `Recognition`, costs, cautions and remarks (Messages) of each operation; the facts of a simulation.
+Out: `Report`, with an `OperationReport` for each operation and a `Total` for each job; `SimulationFacts`.
 """
 
 from vkworkbench.report.operation import (

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What was found about one operation: plain data, and the cells of one line of a table."""
+"""The results of one operation as plain data, and as the cells of a row of a table."""
 
 from __future__ import annotations
 
@@ -15,43 +15,43 @@ from vkworkbench.language import Message, render
 from vkworkbench.report.spreadsheet import as_cell
 from vkworkbench.report.text_table import printable
 
-# Cautions on what hangs a simulator, or takes longer or more memory than the user allows.
+# Codes of cautions about simulations that hang, or that exceed the user's limits of time and memory.
 HANGS = frozenset({"legacy-hangs"})
 SERIOUS = HANGS | {"long-play", "memory"}
 
 
 @dataclass(frozen=True)
 class OperationReport(Costs):
-    """What was found about one operation.
+    """The results of one operation.
 
     Attributes
     ----------
     document, name, label : str
         Internal names of the document and of the object, and the object's label.
     job : str or None
-        Internal name of the job it belongs to.
+        Internal name of the operation's job.
     counted : bool
-        Whether it counts in its job's total: not where a dress-up stands for it, nor where it is inactive.
+        Whether the operation counts in its job's total. Inactive operations and operations with a dress-up do not.
     recognition : Recognition
         Strategy, confidence, reason and spans with their evidence.
     trajectories : int
         Number of straight moves, arcs divided into chords.
     machining : Machining
-        Own lengths and machining time (FreeCAD's are wrong for arcs).
+        Lengths and machining time, computed here because FreeCAD's are wrong for arcs.
     costs, advice : mapping
-        As of `Costs`; empty where `remarks` says why.
+        As in `Costs`. If they are empty, `remarks` has the reason.
     cautions : tuple of Caution
-        What will go wrong or take long in FreeCAD's simulators, the worst first.
+        Problems and long times in FreeCAD's simulators, the worst first.
     remarks : tuple of Message
-        What is wrong with it or unknown about it.
+        Problems of the operation, and missing information.
     fingerprint : str
-        Of the path, tool and stock that were analysed; empty for a program.
+        Fingerprint of the analysed path, tool and stock; empty for a program.
     document_id : str
-        Tells the document from another one of the same name; empty for a program.
+        Distinguishes documents with the same name; empty for a program.
     called : str or None
-        FreeCAD's name of its kind or its pattern where its toolpath surely does something else, e.g. ``"Offset"`` of a zigzag.
+        FreeCAD's name of the operation's type or pattern, if its toolpath contradicts it, e.g. ``"Offset"`` for a zigzag.
     simulated : CutFacts or None
-        What a simulation told of it; None where none was asked: see `Report.with_facts`.
+        Facts of a simulation, see `Report.with_facts`; None without a simulation.
     """
 
     document: str
@@ -72,7 +72,7 @@ class OperationReport(Costs):
     simulated: CutFacts | None = None
 
     def __repr__(self) -> str:
-        """Return a line: all that is known of it fills pages of a console."""
+        """Return one line, because all attributes would fill pages of a console."""
         return f"<OperationReport of {printable(self.label)}: {self.strategy}>"
 
     @property
@@ -82,38 +82,38 @@ class OperationReport(Costs):
 
     @property
     def confidence(self) -> float:
-        """How sure that is, 0 to 1."""
+        """Confidence of the strategy, 0 to 1."""
         return self.recognition.confidence
 
     @property
     def reason(self) -> str:
-        """Why, in one English sentence."""
+        """The reason for the strategy in English."""
         return self.recognition.reason
 
     @property
     def spans(self) -> tuple[Span, ...]:
-        """The sections of one strategy each."""
+        """The sections of the operation, each with one strategy."""
         return self.recognition.spans
 
     @property
     def estimate(self) -> Estimate | None:
-        """Dexels, traces, memory and time of simulating it in the extended z-buffer."""
+        """Dexels, traces, memory and time of a simulation in the extended z-buffer."""
         cost: Estimate | None = self.costs.get(ZBUFFER.name)
         return cost
 
     @property
     def length(self) -> float:
-        """Cutting length, mm, arcs by their exact length."""
+        """Cutting length, mm, with the exact length of arcs."""
         return self.machining.cutting_length
 
     @property
     def machining_seconds(self) -> float | None:
-        """Time of the moves whose speed is known, s; None where none is."""
+        """Time of the moves with a known speed, s; None if no speed is known."""
         return self.machining.seconds
 
     @property
     def left_out(self) -> tuple[Message, ...]:
-        """What that time leaves out; empty where it is complete."""
+        """Moves that `machining_seconds` does not include; empty if the time is complete."""
         return self.machining.left_out
 
     @property
@@ -128,11 +128,11 @@ class OperationReport(Costs):
 
     @property
     def messages(self) -> tuple[Message, ...]:
-        """All that is told of it: the reason, remarks, cautions, and what the machining time leaves out."""
+        """The reason, the remarks, the cautions, and the notes on the machining time."""
         return (self.recognition.why, *self.remarks, *(c.what for c in self.cautions), *self.machining.left_out)
 
     def as_dict(self) -> dict[str, Any]:
-        """Return the report as numbers, strings and lists, in mm, s, rad and bytes."""
+        """Return the results as numbers, strings and lists, in mm, s, rad and bytes."""
         found = self.recognition
         return {
             "document": self.document,
@@ -187,7 +187,7 @@ class OperationReport(Costs):
 
 
 def _paper(verdict: PaperVerdict | None) -> dict[str, Any]:
-    """Return what the paper's rule says to the letter, with V_k, in rad and mm; empty cells where it says nothing."""
+    """Return the verdict of the paper's own rule and V_k, in rad and mm; None in all cells without a verdict."""
     return {
         "paper_strategy": verdict and verdict.strategy.value,
         "paper_level": verdict and verdict.level,
@@ -202,13 +202,14 @@ def _paper(verdict: PaperVerdict | None) -> dict[str, Any]:
 
 
 def without_results(why: Message, **whose: Any) -> OperationReport:
-    """Return the row of something of which nothing is known, and why: no strategy, length, time or cost.
+    """Return a row without a strategy, length, time or cost.
 
     Parameters
     ----------
     why : Message
-    whose
-        The fields of `OperationReport` that say whose row it is, and the fingerprint.
+        The reason, which becomes the row's remark.
+    **whose
+        The fields of `OperationReport` that identify the operation, and the fingerprint.
     """
     return OperationReport(
         recognition=Recognition(Strategy.UNKNOWN, 0.0, why), trajectories=0,
@@ -217,29 +218,29 @@ def without_results(why: Message, **whose: Any) -> OperationReport:
 
 
 def is_switched_off(found: Any) -> bool:
-    """Whether an OperationReport or Record is of an operation without a toolpath because it is switched off."""
+    """Return whether the operation of an OperationReport or Record is switched off, and so has no toolpath."""
     return any(remark.code == "inactive" for remark in found.remarks)
 
 
 def contradiction(found: Any) -> Message | None:
-    """Return what an OperationReport or Record says of its name, where its toolpath surely does something else; else None."""
+    """Return a message if the name in an OperationReport or Record contradicts its toolpath; None otherwise."""
     return Message("called", name=found.called, strategy=found.strategy) if found.called else None
 
 
 def cells_of(operation: OperationReport) -> dict[str, Any]:
-    """Return an operation's report as the cells of one line of a table.
+    """Return the results of an operation as the cells of a row of a table.
 
-    What a simulation told has the columns ``simulated_...``, empty where there was none, with commands counted from 0;
-    ``codes`` has the codes of its messages, each followed by those of the messages in it. ``spans`` has the first and last
-    command of each strategy as `Span` has them: indices into ``Path.Commands``, counted from 0, or lines of a program,
-    counted from 1. Sentences count both from 1.
-    A text cell that a spreadsheet would take for a formula gets an apostrophe in front.
+    The facts of a simulation are in the columns ``simulated_...``, with commands counted from 0. These columns are empty
+    without a simulation. ``codes`` has the code of each message, followed by the codes of the messages in it. ``spans`` has
+    the first and last command of each strategy, as in `Span`: indices into ``Path.Commands``, counted from 0, or lines of a
+    program, counted from 1. Sentences count both from 1. Texts that a spreadsheet would calculate as formulas begin with an
+    apostrophe.
     """
     row = operation.as_dict()
     del row["messages"]
     del row["simulated"]
-    told = operation.simulated.cells() if operation.simulated else dict.fromkeys(FACT_COLUMNS)
-    row.update({f"simulated_{name}": value for name, value in told.items()})
+    facts = operation.simulated.cells() if operation.simulated else dict.fromkeys(FACT_COLUMNS)
+    row.update({f"simulated_{name}": value for name, value in facts.items()})
     row["codes"] = "; ".join(" ".join(message.codes) for message in operation.messages)
     row["cautions"] = " ".join(row["cautions"])
     row["machining_notes"] = " ".join(row["machining_notes"])

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What an analysis found: plain data, printed as a table, saved as CSV or JSON."""
+"""The results of an analysis as plain data, which can be printed as a table and saved as CSV or JSON."""
 
 from __future__ import annotations
 
@@ -18,30 +18,30 @@ from vkworkbench.report.table import table_of
 from vkworkbench.report.text_table import how_many
 from vkworkbench.report.total import Total, counted_in, total_of
 
-_NO_UTF8 = "surrogateescape"  # the name of a file may hold bytes that are none
+_NO_UTF8 = "surrogateescape"  # the name of a file may contain bytes that are not UTF-8
 
 
 class Cancelled(Exception):
-    """The analysis was cancelled; nothing has been changed."""
+    """The analysis was cancelled. Nothing has changed."""
 
 
 @dataclass(frozen=True)
 class Report:
-    """All operations analysed, in the order of their jobs: going through it gives them one by one.
+    """All analysed operations, in the order of their jobs. Iterating over the report yields the operations.
 
     Attributes
     ----------
     operations : tuple of OperationReport
     jobs : dict
-        Label of each job by (document name, job name).
+        Label of each job, by (document name, job name).
     budget : dict
-        Of memory and time, as `best_resolution` takes it.
+        Limits of memory and time, as `best_resolution` takes them.
     fixtures : dict
-        How often each job's operations are posted, where that is known, likewise.
+        Number of times that the operations of a job are posted, if known, by (document name, job name).
     simulated : dict
-        What a simulation told of each job as a whole, where there was one, likewise.
+        Facts of a simulation of the whole job, if there was one, by (document name, job name).
     simulator : str
-        Whose time and memory the table shows, as of :meth:`Costs.cost`: where there are marks, that of the marks.
+        Name of the simulator whose time and memory the table shows: the one that the marks show, if there are marks.
     """
 
     operations: tuple[OperationReport, ...]
@@ -52,9 +52,10 @@ class Report:
     simulator: str = ZBUFFER.name
 
     def with_facts(self, facts: SimulationFacts) -> Report:
-        """Return the report with what a simulation told of its operations, and of the job if all of it was simulated.
+        """Return the report with the facts of a simulation.
 
-        Of what has another toolpath, tool or stock now than it had in the simulation nothing is told.
+        An operation gets its facts only if its toolpath, tool and stock are the simulated ones. A job gets its facts only if
+        all its operations have theirs.
 
         Parameters
         ----------
@@ -64,26 +65,26 @@ class Report:
         Raises
         ------
         TypeError
-            If `facts` is something else, as the simulation itself is.
+            If `facts` is something else, e.g. the simulation itself.
         """
         of_kind("facts", facts, SimulationFacts, "what a simulation's facts() returns")
-        told = {
-            (*names, fingerprint): of_one
-            for names, fingerprint, (_, of_one) in zip(facts.names, facts.fingerprints, facts.operations)
+        known = {
+            (*names, fingerprint): cut_facts
+            for names, fingerprint, (_, cut_facts) in zip(facts.names, facts.fingerprints, facts.operations)
         }
         operations = tuple(
-            replace(o, simulated=told.get((o.document, o.name, o.fingerprint), o.simulated)) for o in self.operations
+            replace(o, simulated=known.get((o.document, o.name, o.fingerprint), o.simulated)) for o in self.operations
         )
         jobs = {}
         for key in self.jobs:
             cutting = [o for o in counted_in(self.operations, *key) if o.trajectories]
-            if {(o.document, o.name, o.fingerprint) for o in cutting} == set(told):
+            if {(o.document, o.name, o.fingerprint) for o in cutting} == set(known):
                 jobs[key] = facts.job
         return replace(self, operations=operations, simulated={**self.simulated, **jobs})
 
     @property
     def totals(self) -> tuple[Total, ...]:
-        """One total for each job, nothing counted twice."""
+        """The total of each job, with every operation counted once."""
         return tuple(self._total(*key, label) for key, label in self.jobs.items())
 
     def _total(self, document: str, job: str, label: str) -> Total:
@@ -92,7 +93,7 @@ class Report:
         return replace(total, simulated=self.simulated.get((document, job)))
 
     def __repr__(self) -> str:
-        """Return what stands in a console where somebody asks for the report itself: printed it is the table."""
+        """Return one line for consoles. `print` prints the table."""
         return f"<Report of {how_many(len(self), 'operation')}>"
 
     def __iter__(self) -> Iterator[OperationReport]:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What a simulation told of its operations: plain data, printed as a table, saved as CSV or JSON."""
+"""The facts of a simulation as plain data, which can be printed as a table and saved as CSV or JSON."""
 
 from __future__ import annotations
 
@@ -22,22 +22,22 @@ from vkworkbench.report.text_table import how_many, line, printable, widths_of
 
 @dataclass(frozen=True)
 class SimulationFacts:
-    """What a simulation told. Commands are counted from 0, as in ``Path.Commands``.
+    """The facts of a simulation. Commands are counted from 0, as in ``Path.Commands``.
 
     Attributes
     ----------
     operations : tuple of (str, CutFacts)
-        Each operation's label and facts, in their order.
+        Label and facts of each operation, in the order of simulation.
     job : CutFacts
-        All together.
+        Facts of all operations together.
     names : tuple of (str, str)
-        Internal names of each operation's document and object.
+        Internal names of the document and the object of each operation.
     fingerprints : tuple of str
-        Of each operation's toolpath, tool and stock, as they were simulated.
+        Fingerprint of the simulated toolpath, tool and stock of each operation.
     trajectories : mapping of str to ndarray
-        What each trajectory does, by columns; see `core.zbuffer.trajectory_table`.
+        Columns with one value for each trajectory, see `core.zbuffer.trajectory_table`.
     remarks : tuple of Message
-        What is to be known of the simulation itself, e.g. what was not simulated exactly.
+        Remarks on the simulation, e.g. tools that were simulated only approximately.
     """
 
     operations: tuple[tuple[str, CutFacts], ...]
@@ -48,11 +48,11 @@ class SimulationFacts:
     remarks: tuple[Message, ...] = ()
 
     def __repr__(self) -> str:
-        """Return what stands in a console where somebody asks for them themselves: printed they are the table."""
+        """Return one line for consoles. `print` prints the table."""
         return f"<SimulationFacts of {how_many(len(self.operations), 'operation')}>"
 
     def as_dict(self) -> dict[str, Any]:
-        """Return it as numbers, strings and lists, in mm, s, mm^3 and mm^3/min."""
+        """Return the facts as numbers, strings and lists, in mm, s, mm^3 and mm^3/min."""
         return {
             "operations": [{"label": label, **facts.as_dict()} for label, facts in self.operations],
             "job": self.job.as_dict(),
@@ -60,7 +60,7 @@ class SimulationFacts:
         }
 
     def to_csv(self, path: str | os.PathLike[str]) -> None:
-        """Write one line for each operation, with a header; of what is wrong the number of places and the worst."""
+        """Write a header and one line for each operation, with the number of faults of each kind and the worst one."""
         check_file_name(path)
         rows = [{"label": as_cell(label), **facts.cells()} for label, facts in self.operations]
         with open(path, "w", newline="", encoding="utf-8") as file:
@@ -69,15 +69,15 @@ class SimulationFacts:
             writer.writerows(rows)
 
     def to_json(self, path: str | os.PathLike[str]) -> None:
-        """Write all of it, with every place where something is wrong."""
+        """Write all facts, with the place of every fault."""
         check_file_name(path)
         with open(path, "w", encoding="utf-8") as file:
             json.dump(self.as_dict(), file, indent=1, ensure_ascii=False)
 
     def trajectories_to_csv(self, path: str | os.PathLike[str]) -> None:
-        """Write one line for each trajectory, with a header: its operation, command, and what it removes.
+        """Write a header and one line for each trajectory: its operation, its command and the removed volume.
 
-        A rate that nobody knows is an empty cell.
+        Unknown rates are empty cells.
         """
         check_file_name(path)
         table = dict(self.trajectories)
@@ -108,7 +108,7 @@ class SimulationFacts:
 
 
 def _cells(column: np.ndarray) -> list[Any]:
-    """Return the cells of a column: empty ones for what is not a number, which a spreadsheet would take for a word."""
+    """Return the cells of a column. NaN becomes an empty cell, because spreadsheets would read it as text."""
     return [None if isinstance(value, float) and isnan(value) else value for value in column.tolist()]
 
 

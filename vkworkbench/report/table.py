@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The table of a report, as it is printed."""
+"""The printed table of a report."""
 
 from __future__ import annotations
 
@@ -16,19 +16,19 @@ from vkworkbench.report.total import Total, counted_in
 
 
 def table_of(operations: Sequence[OperationReport], totals: Sequence[Total], simulator: str) -> str:
-    """Return operations, and below a rule the totals of their jobs, with the costs in a simulator."""
+    """Return the table of operations with their costs in a simulator, and the totals of their jobs below a line."""
     header: tuple[str, ...] = (
         "operation", "strategy", "confidence", "moves", "cutting", "machining", f"{simulator} time", f"{simulator} memory", "",
     )  # fmt: skip
     rows: list[tuple[str, ...]] = [_row(o, simulator) for o in operations]
     below: list[tuple[str, ...]] = [_total_row(t, operations, simulator) for t in totals]
-    names = _told_apart([*(o.document for o in operations), *(t.document for t in totals)])
-    if len(names) > 1:  # each has a "Job"
+    names = _short_names([*(o.document for o in operations), *(t.document for t in totals)])
+    if len(names) > 1:  # the jobs of several documents may have the same label
         header = ("document", *header)
         rows = [(names[o.document], *row) for o, row in zip(operations, rows)]
         below = [(names[t.document], *row) for t, row in zip(totals, below)]
     widths = widths_of([header, *rows, *below])
-    left = {*range(len(widths) - 7), len(widths) - 1}  # the six between them are numbers
+    left = {*range(len(widths) - 7), len(widths) - 1}  # all columns except the six with numbers
     rule = "  ".join("-" * width for width in widths[:-1])
     title, *shown = (line(row, widths, left) for row in (header, *rows))
     lines = [title, rule, *shown]
@@ -37,8 +37,8 @@ def table_of(operations: Sequence[OperationReport], totals: Sequence[Total], sim
     return "\n".join(lines)
 
 
-def _told_apart(documents: Iterable[str]) -> dict[str, str]:
-    """Return what documents are called in a table: programs, whose names are paths, without the folder of them all."""
+def _short_names(documents: Iterable[str]) -> dict[str, str]:
+    """Return the documents' names for the table. The names of programs are paths, which lose their common folder."""
     parts = {name: PurePath(name).parts for name in documents}
     shared = next((depth for depth, names in enumerate(zip_longest(*parts.values())) if len(set(names)) > 1), 0)
     return {name: printable(str(PurePath(*of_name[shared:])), 200) for name, of_name in parts.items()}
@@ -46,19 +46,19 @@ def _told_apart(documents: Iterable[str]) -> dict[str, str]:
 
 def _row(o: OperationReport, simulator: str) -> tuple[str, ...]:
     wrong = contradiction(o)
-    told = o.remarks if wrong is None else (wrong, *o.remarks)
+    remarks = o.remarks if wrong is None else (wrong, *o.remarks)
     return (
         printable(o.label) if o.counted or o.job is None else f"({printable(o.label)})",
         o.strategy.value,
         f"{o.confidence:.0%}",
         ENGLISH.count(o.trajectories),
         *(("", "", "", "") if _is_idle(o) else _measures(o, simulator)),
-        printable(" ".join(map(render, told)), 200),
+        printable(" ".join(map(render, remarks)), 200),
     )
 
 
 def _is_idle(o: OperationReport) -> bool:
-    """Whether nothing moves, so that there are no times to tell: it is switched off, a stop, or lacks its toolpath."""
+    """Return whether an operation has no moves: it is switched off, a stop, or has no toolpath. It gets no times."""
     return o.strategy is Strategy.EMPTY and not o.trajectories
 
 
@@ -81,12 +81,12 @@ def _total_row(t: Total, operations: Sequence[OperationReport], simulator: str) 
 
 
 def _is_measured(o: OperationReport) -> bool:
-    """Whether its cutting length is known: where nothing cuts it is 0, and so is the cutting time."""
+    """Return whether the cutting length is known. It may be 0."""
     return bool(o.length) or o.machining.cutting_seconds is not None
 
 
 def _machining(length: float, seconds: float, complete: bool, measured: bool) -> tuple[str, str]:
-    """Return the cutting length and the machining time; a question mark for what is 0 because it is not known."""
+    """Return the cutting length and the machining time as texts; unknown ones are question marks."""
     time = ENGLISH.time(seconds)
     if complete:
         return ENGLISH.length(length), time
@@ -94,7 +94,7 @@ def _machining(length: float, seconds: float, complete: bool, measured: bool) ->
 
 
 def _cost(of: Costs, simulator: str, least: bool) -> tuple[str, str]:
-    """Return the time and the memory of a simulation, as marks say them."""
+    """Return the time and the memory of a simulation as texts, in the same form as in marks."""
     cost = of.cost(simulator)
     if cost is None:
         return "?", "?"

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""A table to be printed: texts of documents as its cells, and columns as wide as their widest cell."""
+"""Printed tables, whose columns are as wide as their widest cell."""
 
 from __future__ import annotations
 
@@ -10,22 +10,22 @@ _CONTROL = re.compile(r"[\x00-\x1f\x7f-\x9f]+")
 
 
 def printable(text: str, longest: int = 60) -> str:
-    """Return a text that fits into its cell; control characters would break the table or steer the terminal."""
+    """Return a text of limited length without control characters, which would break the table or control the terminal."""
     text = _CONTROL.sub(" ", text)
     return text if len(text) <= longest else text[: longest - 1] + "…"
 
 
 def how_many(number: int, thing: str) -> str:
-    """Return how many things there are in English, e.g. ``"1 operation"``, ``"2 operations"``."""
+    """Return a number with a noun in English, e.g. ``"1 operation"``, ``"2 operations"``."""
     return f"{number} {thing}" + ("" if number == 1 else "s")
 
 
 def widths_of(rows: Sequence[Sequence[str]]) -> list[int]:
-    """Return how many characters wide the columns of these rows are."""
+    """Return the widths of the columns, in characters."""
     return [max(map(len, column)) for column in zip(*rows)]
 
 
 def line(row: Sequence[str], widths: Sequence[int], left: Collection[int]) -> str:
-    """Return a row as a line; the columns `left` hold texts, which begin below one another, all others numbers."""
+    """Return a row as a line. The columns `left` are aligned to the left, all others to the right."""
     cells = (cell.ljust(w) if i in left else cell.rjust(w) for i, (cell, w) in enumerate(zip(row, widths)))
     return "  ".join(cells).rstrip()

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What the operations of a job take together."""
+"""The total of the operations of a job."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from vkworkbench.report.text_table import how_many, printable
 
 @dataclass(frozen=True)
 class Total(Costs):
-    """What the operations of one job that are posted take together.
+    """The total of all posted operations of one job.
 
     Attributes
     ----------
@@ -26,17 +26,17 @@ class Total(Costs):
     length : float
         Cutting length for one fixture, mm.
     fixtures : int
-        How often they are posted, once for each work offset (G54 to G59) of the job.
+        Number of times that the operations are posted: once for each work offset (G54 to G59) of the job.
     machining_seconds : float
-        Time of the moves whose speed is known, for all fixtures.
+        Time of the moves with a known speed, for all fixtures, s.
     machining_complete : bool
-        Whether that is the time of all moves; else it is the least that they take.
+        Whether `machining_seconds` includes all moves. If not, it is a lower bound.
     incomplete : bool
-        Whether some operation's cost is unknown, so that the sums are lower bounds.
+        Whether the cost of an operation is unknown, so that the costs are lower bounds.
     costs, advice : mapping
-        As of `Costs`, for the operations one after another; empty where no operation's cost is known.
+        As in `Costs`, for one run of all operations; empty if the cost of no operation is known.
     simulated : CutFacts or None
-        What a simulation of all of them told; None where none was asked.
+        Facts of a simulation of all operations; None without a simulation.
     """
 
     document: str
@@ -58,13 +58,13 @@ class Total(Costs):
 
     @property
     def seconds(self) -> float:
-        """Of the extended z-buffer, s; 0 where no operation's cost is known."""
+        """Time of a simulation in the extended z-buffer, s; 0 if it is unknown."""
         cost = self.cost(ZBUFFER.name)
         return cost[0] if cost else 0
 
     @property
     def memory_bytes(self) -> float:
-        """Of the extended z-buffer, likewise."""
+        """Memory of a simulation in the extended z-buffer, bytes; 0 if it is unknown."""
         cost = self.cost(ZBUFFER.name)
         return cost[1] if cost else 0
 
@@ -97,18 +97,18 @@ def counted_in(operations: Iterable[OperationReport], document: str, job: str) -
 def total_of(
     document: str, job: str, label: str, counted: Sequence[Any], budget: dict[str, float] | None, fixtures: int = 1
 ) -> Total:
-    """Return what operations take together, one after another: the one computation of every total that is shown.
+    """Return the total of operations that run one after another. All shown totals come from this function.
 
     Parameters
     ----------
     document, job, label : str
-        As of :class:`Total`.
+        As in :class:`Total`.
     counted : sequence of OperationReport or Record
-        The operations that are posted, in their order.
+        The posted operations, in their order.
     budget : dict or None
-        As of :class:`Report`; without one nothing is advised.
+        As in :class:`Report`. Without a budget, there is no advice.
     fixtures : int
-        How often the operations are posted.
+        Number of times that the operations are posted.
     """
     known = [o for o in counted if o.costs]
     costs: Mapping[str, Any]
@@ -135,5 +135,5 @@ def total_of(
 
 
 def has_unknown_cost(operation: Any) -> bool:
-    """Whether an OperationReport or Record is of what cuts, and its cost is not known: its job takes more than is told."""
+    """Return whether the operation of an OperationReport or Record cuts, but its cost is unknown."""
     return operation.trajectories > 0 and operation.strategy is not Strategy.EMPTY and not operation.costs

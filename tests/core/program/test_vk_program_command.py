@@ -196,12 +196,12 @@ def test_wrong_arguments_say_what_to_do(folder, tmp_path, inside):
         ((folder, "/dev/stdin"), "standard input is not read: give a file"),
         (("/dev/fd/63",), "standard input is not read: give a file"),
         (("/proc/self/fd/0",), "standard input is not read: give a file"),
-        ((folder, "--resume"), "--resume needs the results' file"),
-        ((folder, "--csv", other, "--resume"), f"cannot go on with {other}: its columns are others"),
+        ((folder, "--resume"), "--resume needs a file of results"),
+        ((folder, "--csv", other, "--resume"), f"cannot continue {other}: it has other columns"),
         ((folder, "--csv", tmp_path / "no" / "x.csv"), "cannot write"),
-        ((folder, "--csv", folder / "a.nc"), f"{folder / 'a.nc'} is called as an NC program is"),
+        ((folder, "--csv", folder / "a.nc"), f"{folder / 'a.nc'} has the suffix of an NC program"),
         ((folder, "--json-lines", folder / "a.nc"), "give the results' file another name"),
-        ((folder, "--csv", folder / "a.nc.gz"), f"{folder / 'a.nc.gz'} is called as an NC program is"),
+        ((folder, "--csv", folder / "a.nc.gz"), f"{folder / 'a.nc.gz'} has the suffix of an NC program"),
         ((folder, "--jobs", "0"), "invalid value '0': it takes a whole number above 0"),
         ((folder, "--timeout", "soon"), "invalid value 'soon': it takes a number above 0"),
         ((), "required: FILE|FOLDER"),
@@ -361,7 +361,7 @@ def test_ctrl_c_ends_it_with_all_its_processes(folder, tmp_path, endless):
     process.send_signal(signal.SIGINT)
     _, said = process.communicate(timeout=120)
     assert process.returncode == 130
-    assert said.splitlines()[-1] == "Stopped after 4 of 5 files; --resume goes on." and "Traceback" not in said
+    assert said.splitlines()[-1] == "Stopped after 4 of 5 files; continue with --resume." and "Traceback" not in said
     assert children and not any(Path(f"/proc/{child}/cmdline").exists() for child in children)
     assert len(rows_of(out)) == len(NAMES)
 
@@ -371,7 +371,11 @@ def test_who_stops_it_is_told_how_it_goes_on(folder, tmp_path, inside, monkeypat
         raise KeyboardInterrupt
 
     monkeypatch.setattr(command_line, "analyze_apart", stopped)
-    for asked, goes_on in (((), ""), (("--csv", "-"), ""), (("--csv", tmp_path / "out.csv"), "; --resume goes on")):
+    for asked, goes_on in (
+        ((), ""),
+        (("--csv", "-"), ""),
+        (("--csv", tmp_path / "out.csv"), "; continue with --resume"),
+    ):
         done = inside(folder, *asked)
         assert done.returncode == 130 and done.stderr.splitlines()[-1] == f"Stopped after 0 of 4 files{goes_on}."
 
@@ -431,7 +435,7 @@ def test_a_disk_that_is_full_is_told_in_one_line_and_resumed(folder, tmp_path, k
     for most in (size - 20, 10):  # no room for the last line; none for the first
         with room_for(most):
             done = inside(folder, kind, out)
-        then = "" if kind == "--csv" and most == 10 else "; --resume goes on"
+        then = "" if kind == "--csv" and most == 10 else "; continue with --resume"
         assert done.returncode == 2 and done.stderr == f"vkworkbench: cannot write {out}: File too large{then}\n"
         assert len(out.read_bytes()) == most
         assert inside(folder, kind, out, "--resume").returncode == 1
@@ -445,7 +449,7 @@ def test_a_full_disk_ends_the_command_with_one_line(folder, tmp_path):
     environment = {**os.environ, "PYTHONDONTWRITEBYTECODE": "1"}  # bytecode cut off at the limit would stay
     with room_for(10):
         done = run(folder, "--json-lines", out, "--jobs", 1, env=environment)
-    told = f"vkworkbench: cannot write {out}: File too large; --resume goes on\n"
+    told = f"vkworkbench: cannot write {out}: File too large; continue with --resume\n"
     assert (done.returncode, done.stderr, len(out.read_bytes())) == (2, told, 10)
 
 
