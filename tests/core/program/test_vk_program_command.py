@@ -200,7 +200,7 @@ def test_wrong_arguments_say_what_to_do(folder, tmp_path, inside):
         ((folder, "--csv", other, "--resume"), f"cannot continue {other}: it has other columns"),
         ((folder, "--csv", tmp_path / "no" / "x.csv"), "cannot write"),
         ((folder, "--csv", folder / "a.nc"), f"{folder / 'a.nc'} has the suffix of an NC program"),
-        ((folder, "--json-lines", folder / "a.nc"), "give the results' file another name"),
+        ((folder, "--json-lines", folder / "a.nc"), "give the file of results another name"),
         ((folder, "--csv", folder / "a.nc.gz"), f"{folder / 'a.nc.gz'} has the suffix of an NC program"),
         ((folder, "--jobs", "0"), "invalid value '0': it takes a whole number above 0"),
         ((folder, "--timeout", "soon"), "invalid value 'soon': it takes a number above 0"),
