@@ -6,7 +6,7 @@
 
 Each threshold is divided by a thousand, halved, doubled and multiplied by a thousand; shares, cosines and angles move
 to the ends of their range in place of the thousand. The toolpaths are those of toolpaths/synthetic.py, strokes.py and of the files
-(as recognition.py reads them). NAME, as ROWS or ROWS.FARTHER, asks for some thresholds only. Needs numpy only.
+(as recognition.py reads them). NAME, as ROWS or ROWS.MAX_DISTANCE, asks for some thresholds only. Needs numpy only.
 
 Printed for each move: how many of the verdicts change, how many right ones become wrong (-) and wrong ones right (+).
 After a ~ stand the answers that keep their strategy and change in a number or in the confidence. For the thresholds

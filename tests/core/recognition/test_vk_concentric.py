@@ -124,10 +124,10 @@ def test_what_makes_an_elected_strategy_sure():
     votes[zigzag], votes[profile] = 0.6, 0.4
     of = Proposal(zigzag, list(Family).index(Family.ROWS), True)
     first, second = np.sort(standing(votes, of))[:-3:-1]
-    odds = np.log((0.6 + VOTES.NONE) / (0.4 + VOTES.NONE))
+    odds = np.log((0.6 + VOTES.MIN_SHARE) / (0.4 + VOTES.MIN_SHARE))
     assert grounds(votes, of) == pytest.approx([1, odds, 1, 1, first - second, 1]) and first > second > 0.4
     against = Proposal(profile, NO_LETTER, False)
     votes[zigzag], votes[profile] = 1.0, 0.0
     first, second = np.sort(standing(votes, against))[:-3:-1]
-    odds = np.log((1 + VOTES.NONE) / VOTES.NONE)
+    odds = np.log((1 + VOTES.MIN_SHARE) / VOTES.MIN_SHARE)
     assert grounds(votes, against) == pytest.approx([1, odds, 0, 0, first - second, 0])

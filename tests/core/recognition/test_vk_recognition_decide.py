@@ -235,7 +235,7 @@ def test_one_case_has_the_votes_of_many():
 def test_grounds_are_six_numbers():
     votes = np.zeros(len(STRATEGIES))
     votes[STRATEGIES.index(Strategy.ZIGZAG)], votes[STRATEGIES.index(Strategy.ENGRAVING)] = 0.7, 0.3
-    odds = np.log((0.7 + VOTES.NONE) / (0.3 + VOTES.NONE))
+    odds = np.log((0.7 + VOTES.MIN_SHARE) / (0.3 + VOTES.MIN_SHARE))
     # The rules propose it, with a tool: their share, and that of its class, are added to its votes.
     ahead = 0.7 + VOTES.RULES + VOTES.CLASS * (0.7 + VOTES.RULES_OF_CLASS)
     second = max(VOTES.CLASS * (0.7 + VOTES.RULES_OF_CLASS), (1 + VOTES.CLASS) * 0.3)

@@ -9,7 +9,7 @@ from vkworkbench.core.paper import monotonous_areas
 from vkworkbench.core.recognition.patterns.entries import find_entry, without_entries
 from vkworkbench.core.recognition.patterns.footprints import count_depths
 from vkworkbench.core.recognition.patterns.neighbours import _percentiles
-from vkworkbench.core.recognition.thresholds import SAME
+from vkworkbench.core.recognition.thresholds import ROUNDING
 from vkworkbench.core.recognition.verdict.crossings import _median
 from vkworkbench.core.recognition.verdict.forest import Forest
 
@@ -36,9 +36,9 @@ def test_percentiles_by_row_are_those_of_numpy():
     [
         ([], 0),
         ([-1.0], 1),
-        ([-1.0, -1.0 - SAME.HEIGHT / 2], 1),
-        ([0.0, 2 * SAME.HEIGHT, 0.0], 2),
-        ([0.0, 0.6 * SAME.HEIGHT, 1.2 * SAME.HEIGHT], 1),  # each near the next
+        ([-1.0, -1.0 - ROUNDING.HEIGHT / 2], 1),
+        ([0.0, 2 * ROUNDING.HEIGHT, 0.0], 2),
+        ([0.0, 0.6 * ROUNDING.HEIGHT, 1.2 * ROUNDING.HEIGHT], 1),  # each near the next
         ([-3.0, -1.0, -3.0, -2.0], 3),
     ],
 )

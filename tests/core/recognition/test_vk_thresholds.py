@@ -55,7 +55,7 @@ FILES = sorted(set((CORE / "recognition").rglob("*.py")) - set(HOMES))
 
 
 def declared(home, parse):
-    """Yield the name of each threshold of a file, e.g. ``"ROWS.LONG"``, and the comment above the threshold."""
+    """Yield the name of each threshold of a file, e.g. ``"ROWS.MIN_LENGTH"``, and the comment above the threshold."""
     lines = home.read_text(encoding="utf-8").splitlines()
     for subject in parse(home).body:
         for line in subject.body if isinstance(subject, ast.ClassDef) else ():

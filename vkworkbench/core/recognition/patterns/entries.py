@@ -7,7 +7,7 @@ import numpy as np
 
 from vkworkbench.core.paper import TURN, Areas
 from vkworkbench.core.recognition.patterns.spurs import some_moves
-from vkworkbench.core.recognition.thresholds import ENOUGH, ENTRY, SAME
+from vkworkbench.core.recognition.thresholds import ENTRY, MAJORITY, ROUNDING
 
 LEVEL = 1e-6  # mm; a move that descends by more is no level one
 ENTRIES = ("plunge", "ramp", "zigzag ramp", "helix")
@@ -32,7 +32,7 @@ def find_entry(moves: Areas) -> str | None:
     after = np.arange(len(moves)) >= np.repeat(first, moves.end - moves.start)
     level = np.where(after & (np.abs(moves.dz) < LEVEL), moves.length, 0.0)
     following = np.where(after, moves.length, 0.0).sum()
-    if level.sum() <= ENOUGH.SHARE * following:
+    if level.sum() <= MAJORITY.SHARE * following:
         return None
     followed = np.add.reduceat(level, moves.start) > 0
     entry = followed & (first > begin)
@@ -40,7 +40,7 @@ def find_entry(moves: Areas) -> str | None:
         return ENTRIES[0]
     begin, last = begin[entry], first[entry] - 1
     drop = moves.z[begin] - moves.dz[begin] - moves.z[last]
-    if drop.max() < SAME.HEIGHT:
+    if drop.max() < ROUNDING.HEIGHT:
         return ENTRIES[0]
     turned = np.abs(moves.phi[last])
     reversed_ = np.cumsum(np.bincount(moves.unsigned, minlength=len(moves)))
@@ -77,7 +77,7 @@ def without_entries(moves: Areas) -> tuple[Areas, float]:
     first, last = start + down[chosen], end - up[chosen]
     way = np.append(0.0, np.cumsum(moves.length))
     level = np.append(0.0, np.cumsum(np.where(np.abs(moves.dz) < LEVEL, moves.length, 0.0)))
-    mostly = level[last] - level[first] > ENOUGH.SHARE * (way[last] - way[first])
+    mostly = level[last] - level[first] > MAJORITY.SHARE * (way[last] - way[first])
     pattern, gone = _boxes(moves, first, last), np.zeros(len(moves) + 1, np.int64)
     leads = []
     for begin, stop in ((start, first), (last, end)):
@@ -121,7 +121,7 @@ def _ways_in(moves: Areas) -> tuple[np.ndarray, np.ndarray]:
     ahead = dx[turns] * dx[turns - 1] + dy[turns] * dy[turns - 1]
     back = (begin > moves.start) & (end > begin) & (ahead < -ENTRY.BACK * length[turns] * length[turns - 1])
     gap_x, gap_y = x[end - 1] + dx[end - 1] - x[moves.start], y[end - 1] + dy[end - 1] - y[moves.start]
-    back &= np.hypot(gap_x, gap_y) < SAME.PLACE
+    back &= np.hypot(gap_x, gap_y) < ROUNDING.PLACE
     return np.where(back, begin, moves.start), np.where(back | (begin == moves.start), end, moves.start)
 
 

@@ -7,7 +7,7 @@ import numpy as np
 
 from vkworkbench.core.paper import OFF_ROUND
 from vkworkbench.core.recognition.patterns.pieces import Pieces
-from vkworkbench.core.recognition.thresholds import SAME
+from vkworkbench.core.recognition.thresholds import ROUNDING
 
 _PRIMES = (73856093, 19349663, 83492791, 49979687, 86028121)
 
@@ -31,7 +31,7 @@ def footprints(pieces: Pieces, index: np.ndarray) -> tuple[np.ndarray, int]:
     """
     # A quarter of the length: it is the side of a square, and as exact as the sides of the box.
     measures = np.column_stack([pieces.box[index], pieces.length[index] / 4])
-    key = np.floor(measures / SAME.GROUND + OFF_ROUND).astype(np.int64)
+    key = np.floor(measures / ROUNDING.GROUND + OFF_ROUND).astype(np.int64)
     key = (key * _PRIMES).sum(axis=1)
     unique, group = np.unique(key, return_inverse=True)
     return group.ravel(), len(unique)
@@ -46,22 +46,22 @@ def come_again(pieces: Pieces, index: np.ndarray) -> tuple[np.ndarray, int]:
     lowest, highest = np.full(distinct, np.inf), np.full(distinct, -np.inf)
     np.minimum.at(lowest, group, z)
     np.maximum.at(highest, group, z)
-    return (highest - lowest > SAME.HEIGHT)[group], distinct
+    return (highest - lowest > ROUNDING.HEIGHT)[group], distinct
 
 
 def count_depths(z: np.ndarray) -> int:
     """Count the different heights in z (k,), mm."""
     if not len(z):
         return 0
-    if np.ptp(z) <= SAME.HEIGHT:
+    if np.ptp(z) <= ROUNDING.HEIGHT:
         return 1
     z = np.sort(z)
-    return 1 + int((z[1:] - z[:-1] > SAME.HEIGHT).sum())
+    return 1 + int((z[1:] - z[:-1] > ROUNDING.HEIGHT).sum())
 
 
 def number_depths(z: np.ndarray) -> np.ndarray:
     """Number the different heights in z (k,), mm, from the lowest: (k,) int."""
     order = np.argsort(z)
     number = np.zeros(len(z), np.int64)
-    number[order[1:]] = np.cumsum(z[order][1:] - z[order][:-1] > SAME.HEIGHT)
+    number[order[1:]] = np.cumsum(z[order][1:] - z[order][:-1] > ROUNDING.HEIGHT)
     return number

@@ -9,7 +9,7 @@ import numpy as np
 
 from vkworkbench.core.paper import Areas
 from vkworkbench.core.recognition.patterns.pieces import Pieces
-from vkworkbench.core.recognition.thresholds import NEIGHBOURS, NESTS, ROWS, SAME
+from vkworkbench.core.recognition.thresholds import NEIGHBOURS, NESTS, ROUNDING, ROWS
 
 
 @dataclass(frozen=True)
@@ -69,10 +69,10 @@ def find_neighbours(moves: Areas, pieces: Pieces, index: np.ndarray, tool: float
         a, b = slice(None, -lag), slice(lag, None)
         distance, on = _distances(x[a], y[a], x[b], y[b])
         enough = on.mean(axis=1) > NEIGHBOURS.FACING
-        enough &= (np.abs(z[a] - z[b]) < SAME.HEIGHT) | ~flat[a] | ~flat[b]
+        enough &= (np.abs(z[a] - z[b]) < ROUNDING.HEIGHT) | ~flat[a] | ~flat[b]
         low, middle, high = spans = np.zeros((3, len(enough)))
         spans[:, enough] = _percentiles(distance[enough], on[enough], (10, 50, 90))
-        enough &= (middle > SAME.RING) & (high < np.minimum(length[a], length[b]) / ROWS.LONG)
+        enough &= (middle > ROUNDING.RING) & (high < np.minimum(length[a], length[b]) / ROWS.MIN_LENGTH)
         if tool:
             enough &= high < NESTS.REACH * tool
         nearer = enough & (middle < step[b])
@@ -84,7 +84,7 @@ def find_neighbours(moves: Areas, pieces: Pieces, index: np.ndarray, tool: float
     if beside.sum() < 2:
         return None
     usual = float(np.median(step[beside]))
-    beside &= step < NEIGHBOURS.FARTHER * usual
+    beside &= step < NEIGHBOURS.MAX_DISTANCE * usual
     total = length[beside].sum()
     even = beside & (spread < NEIGHBOURS.EVEN * step)
     # The first of each row of neighbours has none before it.

@@ -7,7 +7,7 @@ from typing import Dict, Tuple
 
 import numpy as np
 
-from vkworkbench.core.recognition.thresholds import ENOUGH, NESTS, SAME, WATERLINES
+from vkworkbench.core.recognition.thresholds import MAJORITY, NESTS, ROUNDING, WATERLINES
 
 
 class Inward(Dict[int, Tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]]):
@@ -42,15 +42,15 @@ class Inward(Dict[int, Tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]]):
         low, high, mean = moved.min(axis=0), moved.max(axis=0), moved.sum(axis=0) / 4
         around, one_way = length[lag:] + length[:-lag], low * high > 0
         near, loose = np.minimum(np.abs(low), np.abs(high)), slack[lag:]
-        some = np.flatnonzero((near < SAME.PLACE) & (slack[lag:] == 1) & (slack[:-lag] == 1))
+        some = np.flatnonzero((near < ROUNDING.PLACE) & (slack[lag:] == 1) & (slack[:-lag] == 1))
         if len(some):
             shares, alike, least, shared = _beside_shared_sides(moved[:, some], sides[:, some + lag] + sides[:, some])
             some = some[shares]
             one_way[some], near[some] = alike, least
-            around[some] = np.maximum(around[some] - shared, SAME.PLACE)
+            around[some] = np.maximum(around[some] - shared, ROUNDING.PLACE)
         step = 2 * np.abs(enclosed[lag:] - enclosed[:-lag]) / around
-        fits = near > NESTS.SIDE_AT_LEAST * step / loose - SAME.PLACE
-        fits &= near < NESTS.SIDE_AT_MOST * step * loose + SAME.PLACE
+        fits = near > NESTS.SIDE_AT_LEAST * step / loose - ROUNDING.PLACE
+        fits &= near < NESTS.SIDE_AT_MOST * step * loose + ROUNDING.PLACE
         self[lag] = low, high, mean, np.where(one_way & fits, np.minimum(step, near), 0.0)
         return self[lag]
 
@@ -74,7 +74,7 @@ def _beside_shared_sides(moved: np.ndarray, sides: np.ndarray) -> tuple[np.ndarr
     along : (s,) float
         How long both rings run along the sides that they share, mm.
     """
-    still = np.abs(moved) < SAME.PLACE
+    still = np.abs(moved) < ROUNDING.PLACE
     count = np.count_nonzero(still, axis=0)
     shares = np.flatnonzero((count > 0) & (count <= NESTS.SHARED))
     moved, still = moved[:, shares], still[:, shares]
@@ -117,17 +117,17 @@ def reach(
     found, chained, joined = [], False, False
     for lag in range(1, min(NESTS.NEXT, len(z) - 1) + 1):
         mean, step = inward[lag][2:]
-        even = (step > SAME.RING) & (step <= NESTS.LARGEST_STEP * np.maximum(size[lag:], size[:-lag]))
+        even = (step > ROUNDING.RING) & (step <= NESTS.LARGEST_STEP * np.maximum(size[lag:], size[:-lag]))
         drop = np.abs(z[lag:] - z[:-lag])
         if lag == 1:
             steps, drops = step[even], drop[even]
-            pair = even & (drop < SAME.HEIGHT) & (area[1:] == area[:-1])
+            pair = even & (drop < ROUNDING.HEIGHT) & (area[1:] == area[:-1])
             linked = np.append(pair, False) | np.append(False, pair)
-            joined = bool(linked.mean() > ENOUGH.SHARE)
+            joined = bool(linked.mean() > MAJORITY.SHARE)
         signed = np.copysign(step, mean)
         chain = even[lag:] & even[:-lag] & (np.abs(signed[lag:] - signed[:-lag]) < NESTS.SIMILAR_STEP * step[lag:])
         # At another depth a wall that slopes a little moves the ring by less than any step.
-        true = even & ((drop < SAME.HEIGHT) | ~flat[lag:] | ~flat[:-lag])
+        true = even & ((drop < ROUNDING.HEIGHT) | ~flat[lag:] | ~flat[:-lag])
         if chain.any():
             chained = True
             # The next ring of the nest is the one `lag` rings on. The step from a way in, or to a wall, is another.
@@ -144,7 +144,7 @@ def reach(
     usual = middle(every, 4)
     regular = np.count_nonzero(np.abs(every - usual) < NESTS.SIMILAR_STEP * usual) / len(every)
     too_large = usual > NESTS.TOO_LARGE * size.max()
-    if not joined and (not chained or regular < ENOUGH.SHARE or too_large):
+    if not joined and (not chained or regular < MAJORITY.SHARE or too_large):
         return min(NESTS.STEPS * usual, NESTS.REACH_OF_SIZE * float(size.max())), steps, drops
     return NESTS.STEPS * usual, steps, drops
 
@@ -158,7 +158,7 @@ def evenness(steps: np.ndarray, drops: np.ndarray) -> float:
         Relative spread of the steps in the plane over that in depth: under 1 where the plane is divided more
         evenly; 0 where there is no depth.
     """
-    if len(steps) < 3 or drops.max() < SAME.HEIGHT:
+    if len(steps) < 3 or drops.max() < ROUNDING.HEIGHT:
         return 0.0
     spread = [np.ptp(np.percentile(v, (10, 90))) / max(np.median(v), 1e-9) for v in (steps, drops)]
     return float((spread[0] + WATERLINES.ROUNDING) / (spread[1] + WATERLINES.ROUNDING))

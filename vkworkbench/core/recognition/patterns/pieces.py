@@ -9,7 +9,7 @@ from functools import cached_property
 import numpy as np
 
 from vkworkbench.core.paper import TURN, Areas, axis_of, closing_turns, is_closed, is_one_turn, winding_turns
-from vkworkbench.core.recognition.thresholds import LITTLE, PASSES, PIECES, SAME, WINDINGS
+from vkworkbench.core.recognition.thresholds import NEGLIGIBLE, PASSES, PIECES, ROUNDING, WINDINGS
 
 LOOP, WINDING, ZIGZAG, STROKE = range(4)
 
@@ -69,7 +69,7 @@ class Pieces:
     @property
     def flat(self) -> np.ndarray:
         """Whether each piece stays at one height, (k,)."""
-        return self.rise < SAME.HEIGHT
+        return self.rise < ROUNDING.HEIGHT
 
 
 def cut_pieces(moves: Areas) -> Pieces:
@@ -95,7 +95,7 @@ def cut_pieces(moves: Areas) -> Pieces:
     kind = np.where(loop[start] | (closed & is_one_turn(net)), LOOP, STROKE)
     # Only these may go back and forth: open pieces of three moves or more, and loops that turn back by a turn in all.
     able = np.where(kind == LOOP, parts.turned > np.abs(net) + TURN, parts.end - parts.start > 2)
-    if parts.length[able].sum() < LITTLE.LINKS * parts.length.sum():
+    if parts.length[able].sum() < NEGLIGIBLE.LINKS * parts.length.sum():
         able[:] = False  # the links between loops
     alternating, constant, passes, parallel = half_turns(moves, parts, able)
     opened = kind != LOOP
@@ -137,9 +137,9 @@ def _comes_back(moves: Areas, cut: np.ndarray) -> np.ndarray:
     start = np.flatnonzero(begins[:-1])
     parts, k = _Stretches(moves, start), np.searchsorted(start, back)
     ground = np.column_stack([parts.boxes(), parts.length / 4])
-    same = np.abs(ground[k] - ground[k - 1]).max(axis=1) < SAME.GROUND
+    same = np.abs(ground[k] - ground[k - 1]).max(axis=1) < ROUNDING.GROUND
     back, k = back[same], k[same]
-    return back[off_line(moves, parts.start[k], parts.end[k]) > SAME.GROUND]
+    return back[off_line(moves, parts.start[k], parts.end[k]) > ROUNDING.GROUND]
 
 
 def off_line(moves: Areas, start: np.ndarray, end: np.ndarray) -> np.ndarray:

@@ -12,7 +12,7 @@ from vkworkbench.core.paper import TURN
 from vkworkbench.core.recognition.patterns.footprints import come_again, count_depths
 from vkworkbench.core.recognition.patterns.nesting import Inward, evenness, middle, reach
 from vkworkbench.core.recognition.patterns.pieces import WINDING, Pieces
-from vkworkbench.core.recognition.thresholds import ENOUGH, NESTS, RINGS, SAME, TROCHOIDS, WATERLINES, WINDINGS
+from vkworkbench.core.recognition.thresholds import MAJORITY, NESTS, RINGS, ROUNDING, TROCHOIDS, WATERLINES, WINDINGS
 
 
 @dataclass(frozen=True)
@@ -175,7 +175,7 @@ class _Shapes(NamedTuple):
 def _shapes(pieces: Pieces, index: np.ndarray) -> _Shapes:
     sides, winding = pieces.box.T.take(index, axis=1), pieces.kind[index] == WINDING
     size = np.maximum(*(sides[2:] - sides[:2]))
-    whole = np.abs(pieces.net[index]) > WINDINGS.WHOLE * TURN
+    whole = np.abs(pieces.net[index]) > WINDINGS.LAST_TURN * TURN
     sides[2:] *= -1
     return _Shapes(
         sides=sides,
@@ -185,7 +185,7 @@ def _shapes(pieces: Pieces, index: np.ndarray) -> _Shapes:
         enclosed=np.abs(pieces.enclosed[index]),
         length=pieces.length[index],
         sense=np.sign(pieces.net[index]),
-        wavy=pieces.wavy[index] | (winding & (pieces.back[index] > WINDINGS.WAVERING * TURN)),
+        wavy=pieces.wavy[index] | (winding & (pieces.back[index] > WINDINGS.WAVY_TURN * TURN)),
         slack=np.where(winding, 2.0, 1.0),
         turn=winding & whole & pieces.flat[index],
         rest=winding & ~whole,
@@ -197,16 +197,18 @@ def _compare(r: _Shapes, inward: Inward, limit: float, lag: int) -> dict[str, np
     a, b = slice(None, -lag), slice(lag, None)
     low, high, mean, step = inward[lag]
     larger, smaller = np.maximum(r.size[a], r.size[b]), np.minimum(r.size[a], r.size[b])
-    same_height = np.abs(r.z[a] - r.z[b]) < SAME.HEIGHT
+    same_height = np.abs(r.z[a] - r.z[b]) < ROUNDING.HEIGHT
     # Rings on a sculptured surface have no depth of their own: nearness in the plane decides.
     beside = same_height | ~r.flat[a] | ~r.flat[b]
-    same_side = np.minimum(SAME.RING + SAME.RING_OF_SIZE * larger, max(SAME.RING_OF_REACH * limit, SAME.RING))
+    same_side = np.minimum(
+        ROUNDING.RING + ROUNDING.RING_OF_SIZE * larger, max(ROUNDING.RING_OF_REACH * limit, ROUNDING.RING)
+    )
     same_box = np.maximum(-low, high) < same_side
-    same_area = np.abs(r.enclosed[a] - r.enclosed[b]) < SAME.AREA * np.maximum(r.enclosed[a], r.enclosed[b])
+    same_area = np.abs(r.enclosed[a] - r.enclosed[b]) < ROUNDING.AREA * np.maximum(r.enclosed[a], r.enclosed[b])
     # However large rings are: what has moved in on all sides by as much as the distance is no rounding at the same height.
-    even = (~same_box | (same_height & (step > SAME.RING))) & (step > NESTS.APART) & (step <= limit)
+    even = (~same_box | (same_height & (step > ROUNDING.RING))) & (step > NESTS.APART) & (step <= limit)
     # The sides of an offset move all by the same. Passes of a lattice that wind by chance seldom lie so.
-    alike = high - low <= NESTS.EQUAL_SIDES * np.abs(mean) + SAME.PLACE
+    alike = high - low <= NESTS.EQUAL_SIDES * np.abs(mean) + ROUNDING.PLACE
     even &= ~(r.wavy[a] & r.wavy[b]) | alike
     # Parallel curves differ in length by their distance times their turn (Steiner), unless bays close between them.
     longer, shorter = np.maximum(r.length[a], r.length[b]), np.minimum(r.length[a], r.length[b])
@@ -237,7 +239,7 @@ def _equal(steps: np.ndarray) -> bool:
     if len(steps) < 2:
         return False
     equal = np.abs(steps / middle(steps) - 1) < WINDINGS.EQUAL
-    return bool(equal[0] and np.count_nonzero(equal) > ENOUGH.SHARE * len(equal))
+    return bool(equal[0] and np.count_nonzero(equal) > MAJORITY.SHARE * len(equal))
 
 
 def _widths(length: np.ndarray, enclosed: np.ndarray, slack: np.ndarray) -> np.ndarray:
@@ -264,5 +266,5 @@ def _sloped(pieces: Pieces, index: np.ndarray) -> np.ndarray:
     if not drop.any():
         return np.zeros(len(index), bool)
     off_middle = pieces.z[index] - pieces.last_z[index] + drop / 2
-    result: np.ndarray = (np.abs(drop) > SAME.HEIGHT) & (np.abs(off_middle) < RINGS.STEADY * np.abs(drop))
+    result: np.ndarray = (np.abs(drop) > ROUNDING.HEIGHT) & (np.abs(off_middle) < RINGS.STEADY * np.abs(drop))
     return result

@@ -9,7 +9,7 @@ from typing import NamedTuple
 import numpy as np
 
 from vkworkbench.core.paper import Areas, axis_of
-from vkworkbench.core.recognition.thresholds import ENOUGH, LITTLE, NESTS, ROWS, SAME
+from vkworkbench.core.recognition.thresholds import MAJORITY, NEGLIGIBLE, NESTS, ROUNDING, ROWS
 
 _ROUNDING = 1e-9  # rad; by less than this an axis below 0 is 0, and not pi
 
@@ -87,13 +87,13 @@ def find_rows(moves: Areas, chosen: np.ndarray) -> list[Rows]:
         found.append(family)
         total -= moves.length.take(family.moves).sum()
         # Where nearly everything is in rows, the rest are the links between them.
-        if len(found) == 2 or total < LITTLE.FAMILY * found[0].length:
+        if len(found) == 2 or total < NEGLIGIBLE.FAMILY * found[0].length:
             break
         left = np.zeros(len(moves), bool)
         left[chosen] = True
         left[family.moves] = False
         chosen = np.flatnonzero(left)
-    if len(found) == 2 and found[1].length < LITTLE.FAMILY * found[0].length:
+    if len(found) == 2 and found[1].length < NEGLIGIBLE.FAMILY * found[0].length:
         found.pop()
     return found
 
@@ -143,12 +143,12 @@ class Steps(NamedTuple):
 def steps_between(place: np.ndarray, length: np.ndarray) -> Steps | None:
     """Measure passes by their places across their direction, (k,) mm, and lengths, (k,) mm; None where all lie on one line."""
     lateral, shorter = np.abs(place[1:] - place[:-1]), np.minimum(length[1:], length[:-1])
-    aside = lateral > SAME.PLACE
+    aside = lateral > ROUNDING.PLACE
     if not aside.any():
         return None
     usual = weighted_median(lateral[aside], shorter[aside])
-    neighbour = aside & (lateral <= ROWS.FARTHER * usual)
-    even = float(shorter[neighbour & (lateral >= ROWS.NEARER * usual)].sum() / shorter[aside].sum())
+    neighbour = aside & (lateral <= ROWS.MAX_DISTANCE * usual)
+    even = float(shorter[neighbour & (lateral >= ROWS.MIN_DISTANCE * usual)].sum() / shorter[aside].sum())
     return Steps(shorter, aside, neighbour, usual, even)
 
 
@@ -166,12 +166,12 @@ def _densest(moves: Areas, chosen: np.ndarray) -> Rows | None:
     apart = np.flatnonzero(((on[1:] > on[:-1] + 1) | (area[1:] > area[:-1])) & ~new)
     before, after = on[apart], on[apart + 1]
     shift = (moves.y[after] - moves.y[before]) * u - (moves.x[after] - moves.x[before]) * v
-    new[apart] = np.abs(shift) > SAME.PLACE
+    new[apart] = np.abs(shift) > ROUNDING.PLACE
     begin = np.flatnonzero(np.concatenate([[True], new]))
     passed = np.add.reduceat(length, begin)
     typical = weighted_median(passed, passed)
     # Links that follow the boundary run along the axis here and there. They are short, and no rows.
-    long = passed > LITTLE.PASS * typical
+    long = passed > NEGLIGIBLE.PASS * typical
     begin, passed = begin[long], passed[long]
     first = on[begin]
     q, sense, area = moves.y[first] * u - moves.x[first] * v, forward[begin], area[begin]
@@ -191,7 +191,7 @@ def _densest(moves: Areas, chosen: np.ndarray) -> Rows | None:
     # that was sampled on a grid looks like a staircase.
     onward = steps.neighbour & ~turned & (area[1:] != area[:-1])
     q = np.sort(q[: ROWS.SAMPLE])
-    gaps = np.diff(q[np.append(True, q[1:] - q[:-1] > SAME.PLACE)])
+    gaps = np.diff(q[np.append(True, q[1:] - q[:-1] > ROUNDING.PLACE)])
     pitch = float(np.median(gaps)) if len(gaps) else steps.usual
     return Rows(
         axis=axis,
@@ -218,20 +218,20 @@ def _period(gaps: np.ndarray, pitch: float) -> float:
     after each line only inside a set.
     """
     place = np.append(0.0, np.cumsum(gaps))
-    apart = [place[lag:] - place[:-lag] for lag in range(1, min(ROWS.SETS, len(gaps)) + 1)]
+    apart = [place[lag:] - place[:-lag] for lag in range(1, min(ROWS.MAX_PERIOD, len(gaps)) + 1)]
     if not apart:
         return pitch
     distance = np.concatenate(apart)
     distance = distance[distance < ROWS.FARTHEST * pitch]  # farther on begins another pocket, however far away
-    width = max(SAME.PLACE, ROWS.SAME_GAP * pitch)
+    width = max(ROUNDING.PLACE, ROWS.SAME_GAP * pitch)
     cell = np.rint(distance / width).astype(np.int64)
     often = np.bincount(cell, minlength=2)
     often[:-1] += often[1:]  # no border between cells divides what is one distance
     able = np.searchsorted(place, place[-1] - width * np.arange(-1, len(often) - 1))  # lines with room for another
     share = np.where(2 * able >= len(place), often / np.maximum(able, 1), 0.0)
     score = often * share  # what comes again after many lines by chance comes seldom
-    most = int(np.argmax(score > ROWS.OFTEN * score.max()))  # twice the distance comes as often
-    if share[most] <= ENOUGH.SHARE:
+    most = int(np.argmax(score > ROWS.PITCH_FREQUENCY * score.max()))  # twice the distance comes as often
+    if share[most] <= MAJORITY.SHARE:
         return pitch
     return float(np.median(distance[(cell == most) | (cell == most + 1)]))
 
@@ -300,7 +300,7 @@ def filling(families: list[Rows], tool: float, *, length: float, contour: bool) 
     # The tool cuts a grid as a ball runs on a billiard table, and no row is followed by its neighbour. Two families of
     # many long rows that are nearly everything fill the area all the same. The sides of contours do not cross.
     if sum(f.length for f in families) > ROWS.GRID * length and _cross(*families):
-        if all(f.count >= ENOUGH.TIMES and f.typical > ROWS.LONG * f.pitch for f in families):
+        if all(f.count >= MAJORITY.REPETITIONS and f.typical > ROWS.MIN_LENGTH * f.pitch for f in families):
             return families
     return []
 
@@ -317,21 +317,21 @@ def _cross(one: Rows, other: Rows) -> bool:
         & (at < lies[..., 2] - ROWS.END * (lies[..., 2] - lies[..., 1]))
         for at, lies in ((here, one.lies[:, None]), (there, other.lies))
     ]
-    return bool((inside[0] & inside[1]).any(axis=1).mean() > ENOUGH.SHARE)
+    return bool((inside[0] & inside[1]).any(axis=1).mean() > MAJORITY.SHARE)
 
 
 def _fills(f: Rows, tool: float) -> bool:
     """Tell whether passes lie side by side as rows do: long moves, short steps between them (paper, section 2.1)."""
     # In teeth that are two steps wide the rows are short, but there are many, and they are even.
-    longer = ROWS.LONG_IF_MANY if f.lines >= ROWS.MANY and f.even > ROWS.EVEN else ROWS.LONG
-    if f.opposite + f.same <= ROWS.BESIDE * f.once or f.typical <= longer * f.step:
+    longer = ROWS.MIN_LENGTH_IF_MANY if f.lines >= ROWS.MANY and f.even > ROWS.EVEN else ROWS.MIN_LENGTH
+    if f.opposite + f.same <= ROWS.WITH_NEIGHBOUR * f.once or f.typical <= longer * f.step:
         return False
     if f.step < ROWS.RETRACED * tool:
         return False  # the same pass again
     reach = NESTS.REACH * tool
     if tool and f.step > reach and (f.period > reach or f.step > ROWS.LEFT_BETWEEN * f.period):
         return False
-    regular = f.count > 2 and f.even > ENOUGH.SHARE
+    regular = f.count > 2 and f.even > MAJORITY.SHARE
     return regular or (f.count == 2 and f.step <= tool)
 
 

@@ -17,14 +17,14 @@ from vkworkbench.core.recognition.patterns.spurs import without_spurs
 from vkworkbench.core.recognition.patterns.strokes import relate_strokes
 from vkworkbench.core.recognition.patterns.tags import joined_over_tags
 from vkworkbench.core.recognition.thresholds import (
-    ENOUGH,
     LETTERS,
-    LITTLE,
+    MAJORITY,
+    NEGLIGIBLE,
     NESTS,
     POCKET,
     RINGS,
+    ROUNDING,
     ROWS,
-    SAME,
     STROKES,
     WINDINGS,
 )
@@ -91,18 +91,18 @@ class Section:
         self.retraced = float(p.length[slots].sum()) / self.length
         self.rings = r = relate_rings(p, _long(p, (kind == LOOP) | (kind == WINDING)), tool)
         opened = kind == STROKE
-        if p.length[opened].sum() < LITTLE.LINKS * self.length:
+        if p.length[opened].sum() < NEGLIGIBLE.LINKS * self.length:
             opened[:] = False
         self.strokes = relate_strokes(p, _long(p, opened))
         angle, places = _turned_against(moves, p, r)
-        self.aside = angle > WINDINGS.ASIDE * TURN
+        self.aside = angle > WINDINGS.STEP_ASIDE * TURN
         # Concave corners and links to the next loop turn by more at once, and at few places.
         self.hunting = p.flat[r.index] & (places >= WINDINGS.CORRECTIONS) & (angle < WINDINGS.CORRECTION * places)
         # Wavy loops that are offsets of one another follow a concave contour and are no rows.
         wavy = p.wavy[r.index]
-        if wavy.any() and r.nested[wavy].mean() > ENOUGH.SHARE:
+        if wavy.any() and r.nested[wavy].mean() > MAJORITY.SHARE:
             wavy[:] = False
-        bouncing = r.winding & ~self.hunting & (r.back > WINDINGS.BOUNCING * TURN)
+        bouncing = r.winding & ~self.hunting & (r.back > WINDINGS.LATTICE_TURN * TURN)
         self.lattice = ~r.nested & (r.crossing | bouncing | wavy)
         rowlike = (kind == ZIGZAG) | (kind == STROKE)
         rowlike[r.index[self.lattice]] = True
@@ -120,12 +120,12 @@ class Section:
         """Return `families` and `rows` of the pieces that may hold some; `closed` tells which of them are loops."""
         p = self.pieces
         length = float(p.length[rowlike].sum())
-        if length <= LITTLE.ROWS * self.length:
+        if length <= NEGLIGIBLE.ROWS * self.length:
             return [], []  # the links between loops
         chosen = np.arange(len(self.moves))
         if not rowlike.all():
             chosen = np.flatnonzero(np.repeat(rowlike, p.end - p.start))
-        contour = p.length[closed].sum() > ENOUGH.SHARE * length
+        contour = p.length[closed].sum() > MAJORITY.SHARE * length
         families = find_rows(self.moves, chosen)
         return families, filling(families, self.tool, length=length, contour=contour)
 
@@ -135,8 +135,8 @@ class Section:
         main = max(self.rows, key=lambda f: f.length)
         along = np.abs(m.dx * np.cos(main.axis) + m.dy * np.sin(main.axis)) > np.cos(ROWS.ALIGNED) * m.length
         of_rows = np.add.reduceat(np.where(along, m.length, 0.0), p.start)[k]
-        narrow = 2 * np.abs(p.enclosed[k]) < ROWS.FARTHER * main.step * of_rows
-        result: np.ndarray = narrow & (of_rows > ENOUGH.SHARE * p.length[k]) & ~self.rings.nested
+        narrow = 2 * np.abs(p.enclosed[k]) < ROWS.MAX_DISTANCE * main.step * of_rows
+        result: np.ndarray = narrow & (of_rows > MAJORITY.SHARE * p.length[k]) & ~self.rings.nested
         return result
 
     def share(self, rings: np.ndarray) -> float:
@@ -189,10 +189,10 @@ class Section:
         for place in np.unique(rank)[: RINGS.WALLS]:
             wall, largest = np.full((depths, 4), np.nan), order[rank == place]
             wall[of_ring[largest]] = p.box[ring[largest]]
-            inside |= _inward(p.box[k], wall[of_row]) >= -SAME.PLACE
+            inside |= _inward(p.box[k], wall[of_row]) >= -ROUNDING.PLACE
         rows = np.full((depths, 4), np.inf)
         np.minimum.at(rows, of_row, p.box[k] * _LOW)
-        amid = p.flat[ring] & ~self.rings.nested & (_inward(p.box[ring], rows[of_ring] * _LOW) >= -SAME.PLACE)
+        amid = p.flat[ring] & ~self.rings.nested & (_inward(p.box[ring], rows[of_ring] * _LOW) >= -ROUNDING.PLACE)
         of_rows = float(p.length[k[inside]].sum() / p.length[k].sum())
         return of_rows, float(self.rings.length[amid].sum() / self.rings.length.sum())
 
@@ -204,7 +204,7 @@ class Section:
         p, ring = self.pieces, self.rings.index
         after = np.clip(np.searchsorted(ring, k), 0, len(ring) - 1)
         for beside in (ring[after], ring[np.maximum(after - 1, 0)]):
-            yield beside, _inward(p.box[k], p.box[beside]), np.abs(p.z[k] - p.z[beside]) < SAME.HEIGHT
+            yield beside, _inward(p.box[k], p.box[beside]), np.abs(p.z[k] - p.z[beside]) < ROUNDING.HEIGHT
 
     def filled(self) -> float:
         """Share of the cutting length in open strokes that clear the inside of a ring.
@@ -221,7 +221,7 @@ class Section:
         inside = np.zeros(len(k), bool)
         width = np.abs(p.enclosed) / p.length
         for beside, gap, level in self._beside(k):
-            within = (gap >= -SAME.PLACE) & ((gap < NESTS.REACH * self.tool) | (self.tool == 0))
+            within = (gap >= -ROUNDING.PLACE) & ((gap < NESTS.REACH * self.tool) | (self.tool == 0))
             inside |= level & within & (width[k] < POCKET.WIDTH * width[beside])
         return float(p.length[k[inside]].sum()) / self.length
 
@@ -256,8 +256,8 @@ def _retraced(moves: Areas, p: Pieces) -> np.ndarray:
     """Return the indices of the zigzags that never leave their line, as ramps into a slot do: they make no rows."""
     index = np.flatnonzero(p.kind == ZIGZAG)
     # Those lie between their ends, or go over them again: nothing is enclosed.
-    index = index[np.abs(p.enclosed[index]) < SAME.PLACE * p.length[index]]
-    on_line: np.ndarray = index[off_line(moves, p.start[index], p.end[index]) < SAME.PLACE]
+    index = index[np.abs(p.enclosed[index]) < ROUNDING.PLACE * p.length[index]]
+    on_line: np.ndarray = index[off_line(moves, p.start[index], p.end[index]) < ROUNDING.PLACE]
     return on_line
 
 
@@ -267,7 +267,7 @@ def _long(p: Pieces, which: np.ndarray) -> np.ndarray:
     if not len(index):
         return index
     length = p.length[index]
-    result: np.ndarray = index[length > LITTLE.PIECE * length.max()]
+    result: np.ndarray = index[length > NEGLIGIBLE.PIECE * length.max()]
     return result
 
 

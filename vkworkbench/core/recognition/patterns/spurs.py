@@ -8,7 +8,7 @@ from dataclasses import replace
 import numpy as np
 
 from vkworkbench.core.paper import Areas, closing_turns
-from vkworkbench.core.recognition.thresholds import SAME, SPURS
+from vkworkbench.core.recognition.thresholds import ROUNDING, SPURS
 
 
 def without_spurs(moves: Areas) -> Areas:
@@ -25,9 +25,9 @@ def without_spurs(moves: Areas) -> Areas:
     out = out[inside[out] & inside[out + 2]]
     back_x = moves.dx[out] + moves.dx[out + 1]
     back_y = moves.dy[out] + moves.dy[out + 1]
-    level = np.abs(moves.dz[out]) + np.abs(moves.dz[out + 1]) < SAME.HEIGHT
+    level = np.abs(moves.dz[out]) + np.abs(moves.dz[out + 1]) < ROUNDING.HEIGHT
     shorter = moves.length[out] < np.minimum(moves.length[out - 1], moves.length[out + 2])
-    out = out[level & shorter & (np.hypot(back_x, back_y) < SAME.PLACE)]
+    out = out[level & shorter & (np.hypot(back_x, back_y) < ROUNDING.PLACE)]
     area = np.searchsorted(moves.start, out, side="right") - 1
     spent = np.bincount(area, moves.length[out] + moves.length[out + 1], len(moves.start))
     out = out[moves.closed[area] & (spent[area] < SPURS.LENGTH * moves.area_length[area])]

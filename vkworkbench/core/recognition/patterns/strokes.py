@@ -11,7 +11,7 @@ from vkworkbench.core.paper import TURN
 from vkworkbench.core.recognition.patterns.footprints import count_depths, footprints
 from vkworkbench.core.recognition.patterns.pieces import Pieces
 from vkworkbench.core.recognition.patterns.rows import weighted_median
-from vkworkbench.core.recognition.thresholds import BITES, SAME, WINDINGS
+from vkworkbench.core.recognition.thresholds import BITES, ROUNDING, WINDINGS
 
 
 @dataclass(frozen=True)
@@ -65,12 +65,12 @@ def relate_strokes(pieces: Pieces, index: np.ndarray) -> Strokes:
         none = np.zeros(0, bool)
         return Strokes(index, length, none, none, none, 0, 0, 0.0)
     bends = np.abs(pieces.net[index]) > BITES.BENT * TURN
-    bent = np.flatnonzero(bends & (pieces.back[index] < WINDINGS.WAVERING * TURN))
+    bent = np.flatnonzero(bends & (pieces.back[index] < WINDINGS.WAVY_TURN * TURN))
     sense = np.sign(pieces.net[index[bent]])
     common = np.sign((length[bent] * sense).sum())
     box, z = pieces.box[index[bent]], pieces.z[index]
     meets = (box[:-1, :2] < box[1:, 2:]) & (box[1:, :2] < box[:-1, 2:])
-    meets = meets.all(axis=1) & (np.abs(np.diff(z[bent])) < SAME.HEIGHT)
+    meets = meets.all(axis=1) & (np.abs(np.diff(z[bent])) < ROUNDING.HEIGHT)
     beside = np.zeros(len(bent), bool)
     beside[:-1] |= meets
     beside[1:] |= meets

@@ -8,7 +8,7 @@ from dataclasses import replace
 import numpy as np
 
 from vkworkbench.core.paper import TURN, TURNS, Areas, closing_turns, directions, turned
-from vkworkbench.core.recognition.thresholds import ENOUGH, SAME, TAGS
+from vkworkbench.core.recognition.thresholds import MAJORITY, ROUNDING, TAGS
 
 
 def joined_over_tags(moves: Areas) -> tuple[Areas, float]:
@@ -48,7 +48,9 @@ def joined_over_tags(moves: Areas) -> tuple[Areas, float]:
     turned_by = np.add.reduceat(
         moves.phi[moves.end - 1] + closing_turns(moves.alpha, moves.start[behind], moves.end), first
     )
-    contour = (last > first) & (bridged < ENOUGH.SHARE) & (np.abs(turned_by) > TURN / 2) & _goes_on(moves, last, first)
+    contour = (
+        (last > first) & (bridged < MAJORITY.SHARE) & (np.abs(turned_by) > TURN / 2) & _goes_on(moves, last, first)
+    )
     if not contour.any():
         return strokes, 0.0
     of_contour = np.repeat(contour, last - first + 1)
@@ -70,10 +72,10 @@ def _pass_by_pass(moves: Areas) -> Areas:
     count, first, last = len(moves.start), moves.start, moves.end - 1
     end_x, end_y = moves.x[last] + moves.dx[last], moves.y[last] + moves.dy[last]
     ends = np.array([moves.x[first], moves.y[first], end_x, end_y])
-    there = (np.abs(ends[:, 1:] - ends[:, :-1]) < SAME.PLACE).all(axis=0)
-    back = (np.abs(ends[:, 1:] - ends[[2, 3, 0, 1], :-1]) < SAME.PLACE).all(axis=0)
+    there = (np.abs(ends[:, 1:] - ends[:, :-1]) < ROUNDING.PLACE).all(axis=0)
+    back = (np.abs(ends[:, 1:] - ends[[2, 3, 0, 1], :-1]) < ROUNDING.PLACE).all(axis=0)
     again = (there | back) & ~moves.closed[1:]
-    again &= np.abs(np.diff(moves.area_length)) < SAME.PLACE
+    again &= np.abs(np.diff(moves.area_length)) < ROUNDING.PLACE
     stroke = np.flatnonzero(np.append(True, ~again))
     passes = np.diff(stroke, append=count)
     onward = (passes[1:] == passes[:-1]) & (passes[1:] > 1) & _goes_on(moves, stroke[:-1], stroke[1:])
@@ -128,5 +130,5 @@ def _goes_on(moves: Areas, one: np.ndarray, two: np.ndarray) -> np.ndarray:
     ahead = np.minimum(before, after) > TAGS.AHEAD * gap
     near = gap < np.maximum(moves.area_length[one], moves.area_length[two])
     back = np.abs(closing_turns(moves.alpha, start, end + 1)) > np.pi - TURNS.UNSIGNED
-    result: np.ndarray = ((gap < SAME.PLACE) | (ahead & near)) & ~back
+    result: np.ndarray = ((gap < ROUNDING.PLACE) | (ahead & near)) & ~back
     return result

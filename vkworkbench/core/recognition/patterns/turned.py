@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from vkworkbench.core.recognition.thresholds import LATHE, SAME
+from vkworkbench.core.recognition.thresholds import LATHE, ROUNDING
 from vkworkbench.core.toolpath import Toolpath
 
 
@@ -29,6 +29,6 @@ def is_turned(toolpath: Toolpath) -> bool:
     passes = np.flatnonzero(cuts & (-dz > dx))
     passes = passes[passes < len(cuts) - 1]
     passes = passes[cuts[passes + 1] & ~steep[passes + 1]]
-    if len(np.unique(np.rint(x[passes + 1] / SAME.PLACE))) < LATHE.PASSES:
+    if len(np.unique(np.rint(x[passes + 1] / ROUNDING.PLACE))) < LATHE.PASSES:
         return False
     return bool(-dz[passes].sum() > LATHE.LONGER * dx[cuts & ~steep].sum())

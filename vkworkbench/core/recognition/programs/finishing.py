@@ -8,7 +8,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from vkworkbench.core.recognition.thresholds import PARTS, SAME
+from vkworkbench.core.recognition.thresholds import PARTS, ROUNDING
 from vkworkbench.core.recognition.verdict.recognition import Recognition
 from vkworkbench.core.strategy import Family, Strategy
 from vkworkbench.core.toolpath import Toolpath
@@ -52,7 +52,7 @@ def within_operations(toolpath: Toolpath, cut: Sequence[CutSection], doubtful: C
         low, high = np.min(area.boxes, axis=(0, 1)), np.max(area.boxes, axis=(0, 1))
         # Only the contours next to the cleared area that go around it; others may be another operation.
         outward = np.array(walls.boxes if area is one else walls.boxes[::-1])
-        if abs(low[2] - outward[0, 0, 2]) > SAME.HEIGHT:
+        if abs(low[2] - outward[0, 0, 2]) > ROUNDING.HEIGHT:
             continue
         least = np.minimum.accumulate(outward[:, 0, :2])
         most = np.maximum.accumulate(outward[:, 1, :2])
@@ -78,7 +78,7 @@ def _runs(toolpath: Toolpath, cut: Sequence[CutSection], doubtful: Collection[in
             continue
         box, last = _box(toolpath, section.found), runs[-1] if runs else None
         follows = last and last.clears is clears and _meet(last.sections[-1], section, doubtful)
-        if last and follows and abs(last.boxes[-1][0, 2] - box[0, 2]) < SAME.HEIGHT:
+        if last and follows and abs(last.boxes[-1][0, 2] - box[0, 2]) < ROUNDING.HEIGHT:
             last.sections.append(section)
             last.boxes.append(box)
         else:

@@ -13,7 +13,7 @@ from vkworkbench.core.gcode import title_of
 from vkworkbench.core.paper import Areas, monotonous_areas
 from vkworkbench.core.recognition.patterns.footprints import count_depths, number_depths
 from vkworkbench.core.recognition.programs.finishing import CutSection, within_operations
-from vkworkbench.core.recognition.thresholds import ENOUGH, PARTS, ROWS, SAME, VISITS
+from vkworkbench.core.recognition.thresholds import MAJORITY, PARTS, ROUNDING, ROWS, VISITS
 from vkworkbench.core.recognition.verdict.operation import cutting_length, recognize_one, spans_of
 from vkworkbench.core.recognition.verdict.recognition import Recognition
 from vkworkbench.core.strategy import Family, Strategy
@@ -56,8 +56,8 @@ def _in_layers(toolpath: Toolpath, moves: Areas) -> bool:
     drilled, milled = set(depth[: len(bottom)].tolist()), set(depth[len(bottom) :].tolist())
     if len(drilled) < PARTS.LAYERS or not drilled <= milled:
         return False
-    places = np.unique(np.rint(bottom[:, :2] / SAME.PLACE), axis=0)
-    return len(places) > ENOUGH.SHARE * len(bottom)
+    places = np.unique(np.rint(bottom[:, :2] / ROUNDING.PLACE), axis=0)
+    return len(places) > MAJORITY.SHARE * len(bottom)
 
 
 class Sections:
@@ -196,7 +196,7 @@ def _one_span(one: Recognition) -> Recognition:
         return one
     share = sum(s.share for s in one.spans if s.strategy.family is Family.ROWS)
     rows = max((s for s in one.spans), key=lambda s: s.share if s.strategy.family is Family.ROWS else -1.0).strategy
-    strategy = rows if share > ENOUGH.SHARE else one.strategy
+    strategy = rows if share > MAJORITY.SHARE else one.strategy
     first, last = one.spans[0], one.spans[-1]
     span = replace(first, last=last.last, last_command=last.last_command, strategy=strategy, share=1.0)
     return replace(one, spans=(span,))
@@ -230,7 +230,7 @@ def _agree(
     a title. The sections that count must have more than half of the length.
     """
     clear = [k for k, r in enumerate(found) if r.strategy is not Strategy.UNKNOWN and not _short(r, 2)]
-    if share[clear].sum() < ENOUGH.SHARE or whole.strategy in {found[k].strategy for k in clear}:
+    if share[clear].sum() < MAJORITY.SHARE or whole.strategy in {found[k].strategy for k in clear}:
         return whole
     longest = found[max(clear, key=lambda k: share[k])]
     runs = [(found[0].spans[0].first, found[-1].spans[-1].last, longest.strategy)]

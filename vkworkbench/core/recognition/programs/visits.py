@@ -10,7 +10,7 @@ import numpy as np
 
 from vkworkbench.core.paper import TURN, Areas, monotonous_areas
 from vkworkbench.core.recognition.programs.borders import MEASURES, TREES
-from vkworkbench.core.recognition.thresholds import SAME, VISITS
+from vkworkbench.core.recognition.thresholds import ROUNDING, VISITS
 from vkworkbench.core.recognition.verdict.forest import Forest
 from vkworkbench.core.toolpath import Toolpath
 
@@ -115,7 +115,7 @@ def find_visits(toolpath: Toolpath, moves: Areas) -> Visits | None:
     z = toolpath.points[:, 2]
     between = np.column_stack([blocks.last[:-1] + 1, np.maximum(blocks.first[1:], blocks.last[:-1] + 1) + 1]).ravel()
     reached = np.maximum.reduceat(np.append(z, -np.inf), between)[::2]
-    parted = reached >= reached.max() - SAME.HEIGHT
+    parted = reached >= reached.max() - ROUNDING.HEIGHT
     if not parted.any():
         return None
     begin = np.flatnonzero(np.append(True, parted))
@@ -201,11 +201,11 @@ def compare_visits(visits: Visits) -> np.ndarray:
         return np.minimum(np.abs(np.log((values[a] + least) / (values[b] + least))), 6.0)
 
     def same(values: np.ndarray) -> np.ndarray:
-        result: np.ndarray = (np.abs(values[b] - values[a]) < SAME.HEIGHT).astype(float)
+        result: np.ndarray = (np.abs(values[b] - values[a]) < ROUNDING.HEIGHT).astype(float)
         return result
 
     def higher(values: np.ndarray) -> np.ndarray:
-        return (values[b] > values[a] + SAME.HEIGHT).astype(float)
+        return (values[b] > values[a] + ROUNDING.HEIGHT).astype(float)
 
     size = np.maximum(np.hypot(*(visits.high - visits.low).T), VISITS.SMALL)
     moved = np.maximum(np.abs(visits.low[b] - visits.low[a]), np.abs(visits.high[b] - visits.high[a])).max(axis=1)
@@ -215,12 +215,12 @@ def compare_visits(visits: Visits) -> np.ndarray:
     measures = {
         "feed": differ(visits.feed),
         "same_feed": (differ(visits.fastest) < VISITS.FEED).astype(float),
-        "same_ground": (moved < VISITS.PLACE * np.maximum(size[a], size[b]) + SAME.GROUND).astype(float),
+        "same_ground": (moved < VISITS.PLACE * np.maximum(size[a], size[b]) + ROUNDING.GROUND).astype(float),
         "overlap": shared / (ground[a] + ground[b] - shared),
         "inside": shared / np.minimum(ground[a], ground[b]),
         "same_bottom": same(visits.bottom),
         "higher_bottom": higher(visits.bottom),
-        "deeper": (visits.bottom[b] - visits.bottom[a]) / max(highest - lowest, SAME.HEIGHT),
+        "deeper": (visits.bottom[b] - visits.bottom[a]) / max(highest - lowest, ROUNDING.HEIGHT),
         "same_top": same(visits.top),
         "same_begin": same(visits.begin),
         "higher_begin": higher(visits.begin),
@@ -276,7 +276,7 @@ def _cut_again(visits: Visits) -> tuple[np.ndarray, np.ndarray]:
     for back in range(1, min(VISITS.EARLIER, len(visits) - 1) + 1):
         share = _shared_ground(visits, back) / ground[back:]
         higher = visits.bottom[back:] - visits.bottom[:-back]
-        for of, deep in zip(again[:, back - 1 :], (higher > -SAME.HEIGHT, higher > SAME.HEIGHT)):
+        for of, deep in zip(again[:, back - 1 :], (higher > -ROUNDING.HEIGHT, higher > ROUNDING.HEIGHT)):
             np.maximum(of, share * deep, out=of)
     return again[0], again[1]
 

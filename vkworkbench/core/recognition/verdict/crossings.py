@@ -8,7 +8,7 @@ from typing import NamedTuple
 import numpy as np
 
 from vkworkbench.core.paper import Areas, directions
-from vkworkbench.core.recognition.thresholds import SAME, SCAN
+from vkworkbench.core.recognition.thresholds import ROUNDING, SCAN
 
 NAMES = (
     "step", "keep", "opposite", "monotonous", "alternating", "even", "count", "signed", "tight", "run", "next", "other",
@@ -168,14 +168,14 @@ def _neighbours(crossed: Crossings, extent: float, by_depth: bool) -> dict[str, 
     if by_depth:
         depth = np.rint((z - z.min()) / SCAN.DEPTH)
         group = line * (depth.max() + 1) + depth
-    order = np.argsort(group * (2 * np.ptp(place) + SAME.PLACE) + place)
+    order = np.argsort(group * (2 * np.ptp(place) + ROUNDING.PLACE) + place)
     line, group, place, slope, alpha = (values[order] for values in (line, group, place, slope, alpha))
     sides = np.bincount(line, weights=np.sign(slope))
     told = {"signed": float(np.abs(sides).sum() / len(line))}
     gap = place[1:] - place[:-1]
     aside = gap * (np.abs(slope[1:]) + np.abs(slope[:-1])) / 2
     same = group[1:] == group[:-1]
-    apart = same & (aside > SAME.PLACE)
+    apart = same & (aside > ROUNDING.PLACE)
     beside = apart & (np.abs(np.sin(alpha[1:] - alpha[:-1])) < SCAN.PARALLEL)
     passes = np.count_nonzero(beside)
     told["other"] = 1 - passes / max(1, int(np.count_nonzero(apart)))

@@ -168,7 +168,7 @@ def grounds(votes: np.ndarray, proposed: Proposal) -> np.ndarray:
     has = standing(votes, proposed)
     said = int(np.argmax(has))
     ahead = has[said] - np.partition(has, -2)[-2]
-    odds = np.log((votes[said] + VOTES.NONE) / (1 + VOTES.NONE - votes[said]))
+    odds = np.log((votes[said] + VOTES.MIN_SHARE) / (1 + VOTES.MIN_SHARE - votes[said]))
     return np.array([1.0, odds, said == proposed.rules, CLASS[said] == proposed.letter, ahead, proposed.tool], float)
 
 

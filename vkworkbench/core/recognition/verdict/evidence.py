@@ -11,7 +11,7 @@ from vkworkbench.core.paper import farthest
 from vkworkbench.core.recognition.patterns.footprints import count_depths
 from vkworkbench.core.recognition.patterns.pieces import LOOP
 from vkworkbench.core.recognition.patterns.section import Section
-from vkworkbench.core.recognition.thresholds import ENOUGH, ENTRY, LITTLE, RINGS, SAME
+from vkworkbench.core.recognition.thresholds import ENTRY, MAJORITY, NEGLIGIBLE, RINGS, ROUNDING
 from vkworkbench.core.recognition.verdict.rules import Verdict
 from vkworkbench.core.strategy import Family, Strategy
 from vkworkbench.language import ENGLISH, Message
@@ -41,7 +41,7 @@ def gather_evidence(section: Section, verdict: Verdict) -> Evidence:
     sense = milling = stepover = passes = None
     if len(rings) and around:
         turned = float((np.sign(section.pieces.net[rings.index]) * rings.length).sum() / rings.length.sum())
-        sense = "ccw" if turned > ENOUGH.SHARE else "cw" if turned < -ENOUGH.SHARE else None
+        sense = "ccw" if turned > MAJORITY.SHARE else "cw" if turned < -MAJORITY.SHARE else None
         passes = len(rings)
         if np.isfinite(rings.step) and verdict.strategy is not Strategy.PROFILE:
             stepover = rings.step
@@ -52,7 +52,7 @@ def gather_evidence(section: Section, verdict: Verdict) -> Evidence:
         # Grids are not cut row by row, even if one family of rows looks like it.
         passes, stepover = sum(f.count for f in rows), main.step
         longest = max(section.families, key=lambda f: f.length)
-        if len(rows) > 1 or sum(f.length for f in section.families) > (1 + ENOUGH.SHARE) * longest.length:
+        if len(rows) > 1 or sum(f.length for f in section.families) > (1 + MAJORITY.SHARE) * longest.length:
             stepover = longest.period
     if verdict.step and not stepover:
         passes, stepover = verdict.count, verdict.step
@@ -76,18 +76,18 @@ def _heights(section: Section) -> np.ndarray:
     A zigzag with ramps to several depths without a lift is one piece with several heights.
     """
     pieces, moves = section.pieces, section.moves
-    counts = pieces.length > LITTLE.PIECE * pieces.length.max()
+    counts = pieces.length > NEGLIGIBLE.PIECE * pieces.length.max()
     flat: np.ndarray = pieces.z[counts & pieces.flat]
     if pieces.flat.all():
         return flat
     # For pieces with ramps or tags, use the heights of their level moves.
     level = np.flatnonzero(
-        np.repeat(counts & ~pieces.flat, pieces.end - pieces.start) & (np.abs(moves.dz) < SAME.HEIGHT)
+        np.repeat(counts & ~pieces.flat, pieces.end - pieces.start) & (np.abs(moves.dz) < ROUNDING.HEIGHT)
     )
     of = np.searchsorted(pieces.start, level, side="right") - 1
     nearly = np.bincount(of, moves.length[level], len(pieces)) > ENTRY.LEVEL * pieces.length
     level = level[nearly[of]]
-    of, height = of[nearly[of]], np.rint(moves.z[level] / SAME.HEIGHT)
+    of, height = of[nearly[of]], np.rint(moves.z[level] / ROUNDING.HEIGHT)
     order = np.lexsort((height, of))
     level, of, height = level[order], of[order], height[order]
     begin = np.flatnonzero(np.append(True, (of[1:] != of[:-1]) | (height[1:] != height[:-1]))[: len(of)])

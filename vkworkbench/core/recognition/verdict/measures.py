@@ -8,7 +8,7 @@ import numpy as np
 from vkworkbench.core.paper import TURN, Areas
 from vkworkbench.core.recognition.patterns.pieces import LOOP, WINDING
 from vkworkbench.core.recognition.patterns.section import Section
-from vkworkbench.core.recognition.thresholds import MEASURED, SAME, WINDINGS
+from vkworkbench.core.recognition.thresholds import MEASURED, ROUNDING, WINDINGS
 from vkworkbench.core.recognition.verdict.crossings import Sample, scan
 
 FLAGS = ("nested", "sloped", "round", "stacked", "deeper", "alone", "moved", "opposite", "crossing")  # of rings
@@ -40,7 +40,7 @@ def _of_areas(s: Section, extent: float) -> dict[str, float]:
     m = s.moves
     last = m.end - 1
     net = m.phi[last] - m.phi[m.start]
-    turned = max(float(np.abs(m.turning).sum()), SAME.HEIGHT)
+    turned = max(float(np.abs(m.turning).sum()), ROUNDING.HEIGHT)
     # The paper's quantities, area by area: how far phi ranges, its net turn, and V_k of the last trajectory.
     share, number = m.area_length / m.area_length.sum(), len(m.start)
     ranges = m.phi_extent / TURN
@@ -70,10 +70,10 @@ def _of_areas(s: Section, extent: float) -> dict[str, float]:
 def _of_moves(m: Areas, sample: Sample) -> dict[str, float]:
     """Measure directions, turns and heights of some moves by their length."""
     length, turned, climbs = sample.length, np.abs(m.turning[sample.chosen]), np.abs(m.dz[sample.chosen])
-    total, whole = float(length.sum()), max(float(turned.sum()), SAME.HEIGHT)
+    total, whole = float(length.sum()), max(float(turned.sum()), ROUNDING.HEIGHT)
     return {
         "climbs": float(climbs.sum()) / total,
-        "level": float(length[climbs <= SAME.HEIGHT * length].sum()) / total,
+        "level": float(length[climbs <= ROUNDING.HEIGHT * length].sum()) / total,
         "corners": float(turned[turned > WINDINGS.CORNER].sum()) / whole,
         "smooth": float(turned[turned < WINDINGS.CORNER / 2].sum()) / whole,
         "one_way": float(np.hypot(sample.dx.sum(), sample.dy.sum())) / total,
@@ -144,7 +144,7 @@ def _of_rings(s: Section, extent: float) -> dict[str, float]:
         "distinct": r.distinct / number,
         "ring_depths": float(np.log1p(r.depths)),
         "evenness": float(np.log1p(min(r.evenness, MEASURED.EVENNESS))),
-        "drift": float(np.hypot(*(centre[-1] - centre[0]))) / moved if moved > SAME.PLACE * number else 0.0,
+        "drift": float(np.hypot(*(centre[-1] - centre[0]))) / moved if moved > ROUNDING.PLACE * number else 0.0,
         "ring_length": length / number / extent,
     }
 
@@ -160,7 +160,7 @@ def _of_rows(s: Section, extent: float) -> dict[str, float]:
         "zigzags": s.zigzag,
         "lines_of_rows": float(np.log1p(main.lines)) if main else 0.0,
         "row_count": float(np.log1p(sum(f.count for f in rows))),
-        "row_slender": float(np.log1p(main.typical / max(main.step, SAME.PLACE))) if main else -1.0,
+        "row_slender": float(np.log1p(main.typical / max(main.step, ROUNDING.PLACE))) if main else -1.0,
         "row_even": main.even if main else -1.0,
         "row_length": main.typical / extent if main else -1.0,
     }
