@@ -1,2 +1,2 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Patterns of one section: its pieces, how they lie to each other, and what they measure."""
+"""Patterns of one section: its pieces, and the relations between the pieces."""

@@ -46,19 +46,19 @@ def find_arcs(moves: Areas, pieces: Pieces, index: np.ndarray) -> ConcentricArcs
     """Find the arcs around a common centre.
 
     Every move d of a circle around c is at a right angle to the ray from c to its middle m. The centre is the point c
-    with the least squares of d (m - c). Straight rows have none.
+    that minimises the squares of d (m - c). Straight rows have no centre.
 
     Parameters
     ----------
     moves : Areas
     pieces : Pieces
     index : (k,) int
-        The pieces that may be arcs.
+        Pieces that may be arcs.
 
     Returns
     -------
     ConcentricArcs or None
-        None where there are no three arcs around one centre.
+        None if fewer than three arcs have one centre.
     """
     chosen = np.zeros(len(pieces), bool)
     chosen[index] = True
@@ -96,9 +96,9 @@ def find_arcs(moves: Areas, pieces: Pieces, index: np.ndarray) -> ConcentricArcs
 def _rays(
     x: np.ndarray, y: np.ndarray, dx: np.ndarray, dy: np.ndarray, length: np.ndarray
 ) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray] | None:
-    """Return the rays from the common centre of moves to their middles, (k,) mm each, and which moves are square to them.
+    """Return the rays from the common centre of moves to their middles (x, y and length, (k,) mm), and which moves are perpendicular.
 
-    None where there is no such centre: of a ray its way in x, in y, and its length.
+    Return None if the moves have no common centre.
     """
     weight = 1 / length
     for _ in range(3):  # again and again without links and pieces of the boundary, which have other centres

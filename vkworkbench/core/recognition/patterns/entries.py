@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""How the tool enters the material before the pattern of an area begins, and the pattern without that."""
+"""Entries: how the tool enters the material before the pattern of an area, and the pattern without entries."""
 
 from __future__ import annotations
 
@@ -9,17 +9,17 @@ from vkworkbench.core.paper import TURN, Areas
 from vkworkbench.core.recognition.patterns.spurs import some_moves
 from vkworkbench.core.recognition.thresholds import ENTRY, MAJORITY, ROUNDING
 
-LEVEL = 1e-6  # mm; a move that descends by more is no level one
+LEVEL = 1e-6  # mm; a move that descends by more is not level
 ENTRIES = ("plunge", "ramp", "zigzag ramp", "helix")
 
 
 def find_entry(moves: Areas) -> str | None:
-    """Return how most of the depth is entered: one of `ENTRIES`; None where nothing level follows.
+    """Return the entry to most of the depth: one of `ENTRIES`; None if no level move follows.
 
-    An entry is what descends at the start of an area, before the first level move, or behind a level way out on which it
-    comes back: it winds (helix), goes to and fro (zigzag ramp), or does neither (ramp). Other areas that begin level were
-    plunged into. Where most of what follows goes on descending, that is the operation, and no entry: a helical bore, a
-    surface.
+    An entry is the descent at the start of an area, before the first level move, or after a level move outwards on which the
+    descent returns. It winds (helix), goes back and forth (zigzag ramp), or does neither (ramp). Other areas that begin level are
+    entered by a plunge. If most of the following moves also descend, the descent is the operation and not an entry, as in a
+    helical bore or a surface.
 
     Parameters
     ----------
@@ -50,10 +50,10 @@ def find_entry(moves: Areas) -> str | None:
 
 
 def without_entries(moves: Areas) -> tuple[Areas, float]:
-    """Take the ways in and out from the areas: what descends at their starts, and what climbs at their ends.
+    """Remove lead-ins and lead-outs: descents at the start and climbs at the end of areas.
 
-    They are taken out where most of what is left of their area is level, and leads farther than they do. A helix that
-    ends by one flat turn leads nowhere: it is the operation, as the ramp along a contour is a part of that contour.
+    A lead is removed only if most of the remaining area is level and leads farther than the lead. A helix that ends with one flat
+    turn leads nowhere, so the helix is the operation. A ramp along a contour is part of the contour.
 
     Parameters
     ----------
@@ -63,9 +63,9 @@ def without_entries(moves: Areas) -> tuple[Areas, float]:
     Returns
     -------
     Areas
-        The pattern, and in it at least one move of every area.
+        The pattern, with at least one move of every area.
     float
-        Share of the length in ways in that wind.
+        Share of the length in helical lead-ins.
     """
     if not moves.climbs:
         return moves, 0.0
@@ -96,7 +96,7 @@ def without_entries(moves: Areas) -> tuple[Areas, float]:
 
 
 def share_rising(moves: Areas) -> float:
-    """Return the share of the length along which areas climb to their ends, as the strokes of V-carving do in corners.
+    """Return the share of the length along which areas climb to their ends, as V-carving does in corners.
 
     Parameters
     ----------
@@ -110,9 +110,10 @@ def share_rising(moves: Areas) -> float:
 
 
 def _ways_in(moves: Areas) -> tuple[np.ndarray, np.ndarray]:
-    """Return where the descent at the start of each area begins and where it has ended, (a,) moves; its start twice where none is.
+    """Return the first move of the descent at the start of each area, and the move after the descent, (a,) each.
 
-    Some ramps first go out level, at the height from which they come back on the same way to where they began.
+    Both are the start of the area if it does not begin with a descent. Some ramps first move outwards at their height, and return
+    along the same line.
     """
     x, y, dx, dy, length = moves.x, moves.y, moves.dx, moves.dy, moves.length
     begin = _first(moves.start, moves.end, np.abs(moves.dz) >= LEVEL)
@@ -126,14 +127,14 @@ def _ways_in(moves: Areas) -> tuple[np.ndarray, np.ndarray]:
 
 
 def _first(start: np.ndarray, end: np.ndarray, which: np.ndarray) -> np.ndarray:
-    """Return the first of these moves in each stretch start[i] .. end[i] - 1, end[i] where there is none, (a,)."""
+    """Return the first chosen move in each stretch start[i] .. end[i] - 1, or end[i], (a,)."""
     at = np.append(np.flatnonzero(which), len(which))
     first: np.ndarray = np.minimum(at[np.searchsorted(at, start)], end)
     return first
 
 
 def _way_out(moves: Areas) -> np.ndarray:
-    """Return how many moves at the end of each area climb, (a,)."""
+    """Return the number of climbing moves at the end of each area, (a,)."""
     at = np.append(-1, np.flatnonzero(moves.dz <= LEVEL))
     climbing: np.ndarray = moves.end - 1 - np.maximum(at[np.searchsorted(at, moves.end) - 1], moves.start - 1)
     return climbing

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Footprints: which pieces cover the same ground when they are seen from above, at whatever depth."""
+"""Footprints: pieces that cover the same ground, seen from above, at any depth."""
 
 from __future__ import annotations
 
@@ -27,9 +27,9 @@ def footprints(pieces: Pieces, index: np.ndarray) -> tuple[np.ndarray, int]:
     -------
     group : (k,) int
     groups : int
-        How many different footprints there are.
+        Number of different footprints.
     """
-    # A quarter of the length: it is the side of a square, and as exact as the sides of the box.
+    # A quarter of the length is the side of a square, which is rounded like the sides of the box.
     measures = np.column_stack([pieces.box[index], pieces.length[index] / 4])
     key = np.floor(measures / ROUNDING.GROUND + OFF_ROUND).astype(np.int64)
     key = (key * _PRIMES).sum(axis=1)
@@ -38,7 +38,7 @@ def footprints(pieces: Pieces, index: np.ndarray) -> tuple[np.ndarray, int]:
 
 
 def come_again(pieces: Pieces, index: np.ndarray) -> tuple[np.ndarray, int]:
-    """Tell which pieces come again at another depth, and count the different footprints."""
+    """Return which pieces are repeated at another depth, and the number of different footprints."""
     if not len(index):
         return np.zeros(0, bool), 0
     group, distinct = footprints(pieces, index)

@@ -14,14 +14,14 @@ from vkworkbench.core.recognition.thresholds import NEIGHBOURS, NESTS, ROUNDING,
 
 @dataclass(frozen=True)
 class Neighbours:
-    """Strokes that lie beside the next but one, two or three.
+    """Strokes with a neighbour among the next three strokes.
 
     Attributes
     ----------
     count : int
         Number of strokes with a neighbour.
     share : float
-        Share of the strokes' length that has one.
+        Share of the strokes' length that has a neighbour.
     even : float
         Share of that length whose neighbour keeps its distance, as an offset does.
     onward : float
@@ -38,24 +38,24 @@ class Neighbours:
 
 
 def find_neighbours(moves: Areas, pieces: Pieces, index: np.ndarray, tool: float) -> Neighbours | None:
-    """Compare every stroke with the next three at its height: whether they lie side by side, a step apart.
+    """Compare every stroke with the next three at its height: whether they are neighbours, a step apart.
 
-    Two curves lie side by side where the foot of the perpendicular from most points of the one lies on the other.
-    Offsets keep their distance; passes of constant engagement come from one wall to another, and do not.
+    Two curves are neighbours if the foot of the perpendicular from most points of one lies on the other. Offsets keep their
+    distance; passes with constant engagement run from wall to wall with a changing distance.
 
     Parameters
     ----------
     moves : Areas
     pieces : Pieces
     index : (k,) int
-        The pieces that are open strokes; the first thousand are looked at.
+        Open strokes; only the first thousand are compared.
     tool : float
         Tool diameter, mm; 0 where unknown.
 
     Returns
     -------
     Neighbours or None
-        None where there are none.
+        None without neighbours.
     """
     index = index[: ROWS.SAMPLE]
     k = len(index)
@@ -87,7 +87,7 @@ def find_neighbours(moves: Areas, pieces: Pieces, index: np.ndarray, tool: float
     beside &= step < NEIGHBOURS.MAX_DISTANCE * usual
     total = length[beside].sum()
     even = beside & (spread < NEIGHBOURS.EVEN * step)
-    # The first of each row of neighbours has none before it.
+    # The first stroke of each row of neighbours has no neighbour before it.
     first = np.append(~beside[:-1] & beside[1:], False)
     return Neighbours(
         count=int((beside | first).sum()),
@@ -109,9 +109,9 @@ def _sampled(moves: Areas, pieces: Pieces, index: np.ndarray) -> tuple[np.ndarra
 
 
 def _percentiles(values: np.ndarray, of: np.ndarray, percent: tuple[float, ...]) -> np.ndarray:
-    """Return percentiles (p, rows) of those values (rows, k) in each row that are chosen, of (rows, k) bool, at least one.
+    """Return percentiles (p, rows) of the chosen values (rows, k) in each row; `chosen` (rows, k) has at least one per row.
 
-    numpy's `nanpercentile` takes the rows one after the other; here those with as many values go together.
+    numpy's `nanpercentile` computes one row after the other. Here rows with the same number of values are computed together.
     """
     ascending, count = np.sort(np.where(of, values, np.inf), axis=1), of.sum(axis=1)
     found = np.empty((len(percent), len(values)))

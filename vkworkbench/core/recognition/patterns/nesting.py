@@ -11,17 +11,17 @@ from vkworkbench.core.recognition.thresholds import MAJORITY, NESTS, ROUNDING, W
 
 
 class Inward(Dict[int, Tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]]):
-    """How far each ring lies inside the one that was cut `lag` rings before it: inward[lag], each (k - lag,).
+    """Distances of each ring inside the ring that was cut `lag` rings earlier: inward[lag], each (k - lag,).
 
     Four arrays in mm: the least and the most that one of the four sides of the bounding box lies inside, their
     mean (negative where the later ring is the outer one), and the distance between the two rings, 0 where
     neither is an offset of the other.
 
-    Two parallel curves lie 2 dA / (P1 + P2) apart, with the difference of their areas and their lengths
-    (Steiner's formula), however they are turned. All four sides of an offset's box move the same way, the
-    least of them by about that distance, or by more where a sharp corner touches the box. A box that moved by
-    much less or more than the distance tells that an island takes a part of the area. The offsets in a pocket that is open
-    at a straight side share that side, and one beside it at most: these do not move, and only the others tell the distance.
+    Two parallel curves are 2 dA / (P1 + P2) apart, with the difference of their areas and the sum of their lengths (Steiner's
+    formula), in any orientation. All four sides of an offset's box move inwards, the least by about this distance, or by more if
+    a sharp corner touches the box. If the box moves by much less or more than the distance, an island covers a part of the area.
+    The offsets in a pocket that is open at a straight side share this side, and at most one side beside it. Shared sides do not
+    move, and only the other sides show the distance.
 
     Parameters
     ----------
@@ -30,7 +30,7 @@ class Inward(Dict[int, Tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]]):
     enclosed, length : (k,) float
         mm2, mm.
     slack : (k,) float
-        1 for closed loops; 2 for turns of windings, which are open and enclose only about as much.
+        1 for closed loops; 2 for turns of windings, which are open, so that their areas are approximate.
     """
 
     def __init__(self, sides: np.ndarray, enclosed: np.ndarray, length: np.ndarray, slack: np.ndarray) -> None:
@@ -56,23 +56,23 @@ class Inward(Dict[int, Tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]]):
 
 
 def _beside_shared_sides(moved: np.ndarray, sides: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
-    """Measure pairs of closed rings whose boxes share a side or two, by how far their sides moved, and the sums of both boxes' sides.
+    """Measure pairs of closed rings whose boxes share one or two sides.
 
     Parameters
     ----------
     moved, sides : (4, k) float
-        mm.
+        Shift of each side, and sum of both boxes' sides, mm.
 
     Returns
     -------
     shares : (s,) int
-        Which of the pairs do.
+        Pairs that share sides.
     alike : (s,) bool
-        Whether their other sides moved the same way, none much farther than another.
+        Whether the other sides moved the same way by similar distances.
     least : (s,) float
-        By how much the other sides moved at least, mm.
+        Smallest shift of the other sides, mm.
     along : (s,) float
-        How long both rings run along the sides that they share, mm.
+        Length of both rings along the shared sides, mm.
     """
     still = np.abs(moved) < ROUNDING.PLACE
     count = np.count_nonzero(still, axis=0)
@@ -88,12 +88,12 @@ def _beside_shared_sides(moved: np.ndarray, sides: np.ndarray) -> tuple[np.ndarr
 def reach(
     inward: Inward, size: np.ndarray, z: np.ndarray, flat: np.ndarray, tool: float, area: np.ndarray
 ) -> tuple[float, np.ndarray, np.ndarray]:
-    """Tell how far apart the rings of one nest may lie.
+    """Return the largest distance of rings in one nest, with their even steps.
 
-    A little over the tool's diameter: farther apart nothing between them is cut and they are two contours.
-    Twice the usual step, where the tool is unknown; but only where at least three rings lie inside one another, or most are
-    linked at their depth without a lift. Two contours of one part, as a washer has them, are no pocket when one lies
-    inside the other and both come again at every depth; the way from one to the other would cut into the part.
+    With a tool, the distance is slightly more than the tool's diameter: rings that are farther apart leave uncut ground between
+    them and are separate contours. Without a tool, the distance is twice the usual step, but only if at least three rings are
+    nested, or if most rings are linked at their depth without a lift. Two contours of one part, such as a washer, are not a pocket
+    if one is inside the other and both are repeated at every depth; a link between them would cut into the part.
 
     Parameters
     ----------
@@ -104,14 +104,14 @@ def reach(
     tool : float
         Tool diameter, mm; 0 where unknown.
     area : (k,) int
-        The monotonous area that each ring lies in.
+        Monotonous area of each ring.
 
     Returns
     -------
     limit : float
-        mm.
+        Largest distance, mm.
     steps, drops : (s,) float
-        Distance in the plane and in height from each ring to the next one, where they are even, mm.
+        Even distances from each ring to the next one, in the plane and in height, mm.
     """
     steps = drops = np.zeros(0)
     found, chained, joined = [], False, False
@@ -126,11 +126,11 @@ def reach(
             joined = bool(linked.mean() > MAJORITY.SHARE)
         signed = np.copysign(step, mean)
         chain = even[lag:] & even[:-lag] & (np.abs(signed[lag:] - signed[:-lag]) < NESTS.SIMILAR_STEP * step[lag:])
-        # At another depth a wall that slopes a little moves the ring by less than any step.
+        # At another depth, a slightly sloped wall shifts the ring by less than a step.
         true = even & ((drop < ROUNDING.HEIGHT) | ~flat[lag:] | ~flat[:-lag])
         if chain.any():
             chained = True
-            # The next ring of the nest is the one `lag` rings on. The step from a way in, or to a wall, is another.
+            # The next ring of the nest is `lag` rings later. Steps from a lead-in, or to a wall, differ.
             of_chain = np.zeros(len(step), bool)
             of_chain[lag:] = chain
             of_chain[:-lag] |= chain
@@ -140,7 +140,7 @@ def reach(
     every = np.concatenate(found) if any(map(len, found)) else steps
     if tool or not len(every):
         return NESTS.REACH * tool, steps, drops
-    # Where the rings around islands are cut between those of the boundary, the smaller steps are the true ones.
+    # If rings around islands are cut between boundary rings, the smaller steps are right.
     usual = middle(every, 4)
     regular = np.count_nonzero(np.abs(every - usual) < NESTS.SIMILAR_STEP * usual) / len(every)
     too_large = usual > NESTS.TOO_LARGE * size.max()
@@ -150,13 +150,13 @@ def reach(
 
 
 def evenness(steps: np.ndarray, drops: np.ndarray) -> float:
-    """Compare how regular the steps in the plane and in depth are.
+    """Compare the regularity of the steps in the plane and in depth.
 
     Returns
     -------
     float
-        Relative spread of the steps in the plane over that in depth: under 1 where the plane is divided more
-        evenly; 0 where there is no depth.
+        Relative spread of the steps in the plane, divided by the relative spread in depth. Below 1 if the plane is divided more
+        evenly; 0 for rings of a single depth.
     """
     if len(steps) < 3 or drops.max() < ROUNDING.HEIGHT:
         return 0.0

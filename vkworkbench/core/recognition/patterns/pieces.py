@@ -16,23 +16,23 @@ LOOP, WINDING, ZIGZAG, STROKE = range(4)
 
 @dataclass(frozen=True)
 class Pieces:
-    """What the k pieces of the areas measure.
+    """Measures of the k pieces of the areas.
 
     Attributes
     ----------
     start, end : (k,) int
         The moves of piece i are start[i] .. end[i] - 1.
     kind : (k,) int
-        LOOP: closed, with a net turn of 2 pi. WINDING: one of several turns that go on into one another. ZIGZAG:
-        back and forth, the half-turns between its passes alternate in sign. STROKE: anything else, open.
+        LOOP: closed, with a net turn of 2 pi. WINDING: one of several consecutive turns. ZIGZAG: back and forth, with half-turns
+        of alternating sign between its passes. STROKE: any other piece.
     area : (k,) int
-        The monotonous area each piece lies in.
+        Monotonous area of each piece.
     length : (k,) float
         Length in the plane, mm.
     net : (k,) float
-        Turn from the first to the last move, rad; of a loop with the closing turn: +-2 pi.
+        Turn from the first to the last move, rad; for a loop with the closing turn, +-2 pi.
     back : (k,) float
-        Turning that undid itself, sum |turn| - |net|, rad; 0 of a convex curve.
+        Turning that cancels out, sum |turn| - |net|, rad; 0 for a convex curve.
     enclosed : (k,) float
         Signed area between the piece and its chord, mm2.
     box : (k, 4) float
@@ -40,10 +40,9 @@ class Pieces:
     z, last_z, rise, drop : (k,) float
         Mean height, height of the end, range of heights and height gained from start to end, mm.
     passes : (k,) int
-        How often it goes along its axis, one way or the other.
+        Number of passes along its axis, in either direction.
     wavy : (k,) bool
-        Loops and windings with half-turns that alternate: they follow a concave contour, or they are zigzags that
-        end where they began.
+        Loops and windings with alternating half-turns: concave contours, or zigzags that end at their start.
     """
 
     start: np.ndarray
@@ -78,7 +77,7 @@ def cut_pieces(moves: Areas) -> Pieces:
     Parameters
     ----------
     moves : Areas
-        With at least one move.
+        At least one move.
     """
     first, end = moves.loops
     loop = np.zeros(len(moves) + 1, bool)
@@ -93,7 +92,7 @@ def cut_pieces(moves: Areas) -> Pieces:
     parts = _Stretches(moves, start)
     net, closed = parts.net()
     kind = np.where(loop[start] | (closed & is_one_turn(net)), LOOP, STROKE)
-    # Only these may go back and forth: open pieces of three moves or more, and loops that turn back by a turn in all.
+    # Only open pieces of at least three moves, and loops whose turns back add up to a full turn, may go back and forth.
     able = np.where(kind == LOOP, parts.turned > np.abs(net) + TURN, parts.end - parts.start > 2)
     if parts.length[able].sum() < NEGLIGIBLE.LINKS * parts.length.sum():
         able[:] = False  # the links between loops
@@ -117,16 +116,16 @@ def cut_pieces(moves: Areas) -> Pieces:
 
 
 def _comes_back(moves: Areas, cut: np.ndarray) -> np.ndarray:
-    """Return the exact reversals between a bent pass and the same one back: a contour that comes again on a ramp.
+    """Return the exact reversals between a bent pass and the same pass backwards: a contour repeated on a ramp.
 
-    Where the tool goes down between the passes, an area ends there. A straight pass to and fro is left in one piece: it
-    may lead into the material, or be a row of a zigzag.
+    If the tool plunges between the passes, an area ends there. A straight pass back and forth stays one piece, because it may be an
+    entry or a row of a zigzag.
 
     Parameters
     ----------
     moves : Areas
     cut : (m + 1,) bool
-        The moves before which something begins anyway.
+        Moves before which a piece begins for other reasons.
     """
     begins = cut.copy()
     begins[moves.reversals] = begins[-1] = True
@@ -161,7 +160,7 @@ def off_line(moves: Areas, start: np.ndarray, end: np.ndarray) -> np.ndarray:
 
 
 class _Stretches:
-    """All moves, cut into k consecutive stretches, and what is measured of every stretch."""
+    """All moves, divided into k consecutive stretches, with the measures of every stretch."""
 
     def __init__(self, moves: Areas, start: np.ndarray) -> None:
         self.moves = moves
@@ -244,19 +243,19 @@ class _Stretches:
 def half_turns(
     moves: Areas, parts: _Stretches, able: np.ndarray
 ) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
-    """Tell back-and-forth from around by the signs of the half-turns between passes.
+    """Distinguish back-and-forth from around by the signs of the half-turns between passes.
 
     A pass is a run of moves one way along the axis of its stretch. Between two opposite passes phi turns by pi or
-    -pi: in a zigzag the signs alternate, around a contour they stay the same (paper, section 3.2). The signs, other
-    than the paper's -pi <= phi <= pi, do not depend on the first trajectory, and they hold with islands and concave
-    borders. An exact reversal has no sign; it goes back on its own line and counts as alternating.
+    -pi: in a zigzag the signs alternate, around a contour they stay the same (paper, section 3.2). Unlike the paper's
+    condition -pi <= phi <= pi, the signs do not depend on the first trajectory, and they work with islands and concave borders.
+    An exact reversal has no sign; it returns on the same line and counts as alternating.
 
     Parameters
     ----------
     moves : Areas
     parts : _Stretches
     able : (k,) bool
-        The stretches to look at; the others have one pass.
+        Stretches to measure; other stretches have one pass.
 
     Returns
     -------

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""How the rings of an operation, closed loops and turns of windings, lie to one another."""
+"""Relations between the rings of an operation: closed loops and turns of windings."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ from vkworkbench.core.recognition.thresholds import MAJORITY, NESTS, RINGS, ROUN
 
 @dataclass(frozen=True)
 class Rings:
-    """Relations among k rings, each flag (k,) bool unless said otherwise.
+    """Relations of k rings; arrays are (k,) bool unless stated otherwise.
 
     Attributes
     ----------
@@ -26,39 +26,39 @@ class Rings:
     length : (k,) float
         mm.
     nested : array
-        Another ring of the same depth lies beside it: all four sides of its box are moved in, or out, and
-        the distance between the two is no more than a tool cuts.
+        Another ring of the same depth is an offset: all four sides of the box are shifted inwards, or outwards, and the distance
+        is within the reach of the tool.
     opposite : array
-        The next such ring turns the other way.
+        The next nested ring turns the other way.
     deeper : array
-        A ring of another shape lies over or under it.
+        A ring of another shape is above or below.
     repeated : array
-        The same ring comes again at another depth.
+        The ring is repeated at another depth.
     stacked : array
-        It comes again next, with no other pattern between, as the turns of a helix do.
+        The ring is repeated next, without another pattern between, as in a helix.
     moved : array
-        A ring of about its size lies shifted beside it and overlaps it: trochoids.
+        A ring of similar size is shifted and overlaps: trochoids.
     crossing : array
-        A ring of another shape touches the same four sides: passes of a lattice that run from wall to wall.
+        A ring of another shape touches the same four sides: passes of a lattice from wall to wall.
     alone : array
-        None of these.
+        The ring has none of these relations.
     winding, round, sloped : array
-        A turn of a winding; a circle; descends or climbs steadily all along.
+        A turn of a winding; a circle; a ring with a steady descent or climb.
     back : (k,) float
-        Turning that undid itself, rad.
+        Turning that cancels out, rad.
     step : float
-        Distance from a ring to the next one nested in it (median), mm; nan where none are nested.
+        Distance from a ring to the next nested one (median), mm; NaN without nested rings.
     growing : float
-        Share of the steps that go outward; nan where none are nested.
+        Share of outward steps; NaN without nested rings.
     equidistant : bool
-        Whether the level turns of windings, three at least, lie at one distance from the next, from the first on.
+        Whether the level turns of windings, at least three, are evenly spaced.
     distinct, depths : int
-        Number of different rings seen from above, and of depths.
+        Number of different footprints, and of depths.
     depth_range : float
         From the lowest to the highest ring, mm.
     evenness : float
-        Spread of the steps in the plane over their spread in depth: circles laid on a dome are even in the
-        plane, waterlines of it in depth.
+        Spread of the steps in the plane, divided by the spread in depth. Circles on a dome are even in the plane, its waterlines
+        in depth.
     """
 
     index: np.ndarray
@@ -95,7 +95,7 @@ def relate_rings(pieces: Pieces, index: np.ndarray, tool: float) -> Rings:
     ----------
     pieces : Pieces
     index : (k,) int
-        The pieces that are rings.
+        Pieces that are rings.
     tool : float
         Tool diameter, mm; 0 where unknown.
     """
@@ -153,10 +153,10 @@ def relate_rings(pieces: Pieces, index: np.ndarray, tool: float) -> Rings:
 
 
 class _Shapes(NamedTuple):
-    """What k rings are compared by, (k,) each.
+    """The measures by which k rings are compared, (k,) each.
 
-    Sides (4, k) and slack as of :class:`Inward`, size the longer side; turn tells the whole level turns of windings, rest
-    what is left of a winding behind its last turn.
+    Sides (4, k) and slack as in :class:`Inward`; size is the longer side; turn marks full level turns of windings, rest marks the
+    rest of a winding after its last full turn.
     """
 
     sides: np.ndarray
@@ -193,30 +193,31 @@ def _shapes(pieces: Pieces, index: np.ndarray) -> _Shapes:
 
 
 def _compare(r: _Shapes, inward: Inward, limit: float, lag: int) -> dict[str, np.ndarray]:
-    """Tell how each ring lies to the one that is cut `lag` rings after it, (k - lag,) bool for each relation."""
+    """Return the relations of each ring to the ring that is cut `lag` rings later, (k - lag,) bool each."""
     a, b = slice(None, -lag), slice(lag, None)
     low, high, mean, step = inward[lag]
     larger, smaller = np.maximum(r.size[a], r.size[b]), np.minimum(r.size[a], r.size[b])
     same_height = np.abs(r.z[a] - r.z[b]) < ROUNDING.HEIGHT
-    # Rings on a sculptured surface have no depth of their own: nearness in the plane decides.
+    # Rings on a sculptured surface have no own depth, so the distance in the plane decides.
     beside = same_height | ~r.flat[a] | ~r.flat[b]
     same_side = np.minimum(
         ROUNDING.RING + ROUNDING.RING_OF_SIZE * larger, max(ROUNDING.RING_OF_REACH * limit, ROUNDING.RING)
     )
     same_box = np.maximum(-low, high) < same_side
     same_area = np.abs(r.enclosed[a] - r.enclosed[b]) < ROUNDING.AREA * np.maximum(r.enclosed[a], r.enclosed[b])
-    # However large rings are: what has moved in on all sides by as much as the distance is no rounding at the same height.
+    # At one height, a shift of all four sides by the full step is an offset, even if it is within the rounding allowed for large
+    # rings.
     even = (~same_box | (same_height & (step > ROUNDING.RING))) & (step > NESTS.APART) & (step <= limit)
-    # The sides of an offset move all by the same. Passes of a lattice that wind by chance seldom lie so.
+    # All sides of an offset move by the same distance. Passes of a lattice that wind by chance rarely do.
     alike = high - low <= NESTS.EQUAL_SIDES * np.abs(mean) + ROUNDING.PLACE
     even &= ~(r.wavy[a] & r.wavy[b]) | alike
-    # Parallel curves differ in length by their distance times their turn (Steiner), unless bays close between them.
+    # Parallel curves differ in length by distance times turn (Steiner), unless bays close between them.
     longer, shorter = np.maximum(r.length[a], r.length[b]), np.minimum(r.length[a], r.length[b])
     parallel = (longer - shorter < NESTS.LONGER * np.abs(mean)) | (shorter > NESTS.LENGTH_ALIKE * longer)
     even &= parallel | (r.slack[a] + r.slack[b] > 2)  # a winding is as long as all its turns
     moved = beside & ~same_box & (low < 0) & (high > 0)
     if moved.any():
-        # Trochoids bite into one another; ribs in a row, and the loops around them, stay apart. A part of a turn has no place.
+        # Trochoids overlap; ribs in a row, and loops around them, do not. A part of a turn has no place.
         centre, width = (r.sides[:2] - r.sides[2:]) / 2, _widths(r.length, r.enclosed, r.slack)
         moved &= np.hypot(*(centre[:, b] - centre[:, a])) < np.minimum(width[a], width[b])
         moved &= (np.abs(mean) < TROCHOIDS.SWAY * (high - low)) & (high - low < TROCHOIDS.STEP * smaller)
@@ -235,7 +236,7 @@ def _compare(r: _Shapes, inward: Inward, limit: float, lag: int) -> dict[str, np
 
 
 def _equal(steps: np.ndarray) -> bool:
-    """Tell whether the first and most of the steps (s,), two at least, are as long as the usual one."""
+    """Return whether the first step and most of the steps (s,), at least two, have the usual length."""
     if len(steps) < 2:
         return False
     equal = np.abs(steps / middle(steps) - 1) < WINDINGS.EQUAL
@@ -243,13 +244,13 @@ def _equal(steps: np.ndarray) -> bool:
 
 
 def _widths(length: np.ndarray, enclosed: np.ndarray, slack: np.ndarray) -> np.ndarray:
-    """Return the narrower side of the rectangle of the same area and perimeter, however a ring is turned, (k,) mm."""
+    """Return the shorter side of a rectangle with the same area and perimeter, (k,) mm, in any orientation of a ring."""
     result: np.ndarray = slack * (length / 4 - np.sqrt(np.maximum((length / 4) ** 2 - enclosed, 0)))
     return result
 
 
 def _go_on(turns: np.ndarray, mean: np.ndarray) -> np.ndarray:
-    """Tell which turns go on to a third ring: an outline and the hole in it are cut in opposite senses, too."""
+    """Return which turns continue to a third ring. An outline and its hole also have opposite senses."""
     onward = turns[1:] & turns[:-1] & (mean[1:] * mean[:-1] > 0)
     result = np.zeros(len(turns), bool)
     result[:-1] |= onward
@@ -258,9 +259,9 @@ def _go_on(turns: np.ndarray, mean: np.ndarray) -> np.ndarray:
 
 
 def _sloped(pieces: Pieces, index: np.ndarray) -> np.ndarray:
-    """Tell which pieces change their height steadily: the mean height lies in the middle of the drop.
+    """Return which pieces change their height steadily, with the mean height in the middle of the drop.
 
-    A contour that ramps in over its first moves and is flat then does not.
+    A contour with a ramp over its first moves only does not.
     """
     drop = pieces.drop[index]
     if not drop.any():

@@ -11,7 +11,7 @@ import numpy as np
 from vkworkbench.core.paper import Areas, axis_of
 from vkworkbench.core.recognition.thresholds import MAJORITY, NEGLIGIBLE, NESTS, ROUNDING, ROWS
 
-_ROUNDING = 1e-9  # rad; by less than this an axis below 0 is 0, and not pi
+_ROUNDING = 1e-9  # rad; an axis less than this below 0 is 0 and not pi
 
 
 @dataclass(frozen=True)
@@ -29,25 +29,25 @@ class Rows:
     count : int
         Number of rows.
     lines : int
-        Number of different lines they lie on, counted up to a thousand rows.
+        Number of different lines, counted for up to a thousand rows.
     once : float
-        Length of the passes without those that go over the line of the last one again, at another depth, mm.
+        Length of the passes, without passes that repeat the line of the previous pass at another depth, mm.
     opposite, same : float
         Length of the passes whose neighbour runs the other way, and the same way, mm.
     step : float
         Distance between rows cut one after the other (median by length), mm.
     pitch : float
-        Distance between neighbouring rows in whatever order (median), mm.
+        Distance between neighbouring rows in any order (median), mm.
     period : float
-        Distance after which rows come again, mm. A lattice whose passes bounce off the boundary has two sets of
-        lines, in each pocket; inside each they are one stepover apart, from one set to the other by any distance.
-        There the period is the stepover; of evenly spaced rows it is the pitch.
+        Distance after which the lines repeat, mm. A lattice whose passes bounce off the boundary has two sets of lines in each
+        pocket. Lines of one set are one stepover apart; the distance between the sets is arbitrary. There the period is the
+        stepover; for evenly spaced rows it is the pitch.
     even : float
         Share of the steps that are about as long as the usual one.
     lies : (p, 3) float
-        Of some passes from all over: place across the axis, and from where to where along it, ascending, mm.
+        Sample of passes: position across the axis, and beginning and end along the axis, ascending, mm.
     moves : (k,) int
-        The moves the passes are made of.
+        Moves of the passes.
     """
 
     axis: float
@@ -69,14 +69,14 @@ class Rows:
 def find_rows(moves: Areas, chosen: np.ndarray) -> list[Rows]:
     """Find up to two families of parallel rows among the chosen moves.
 
-    On the Gauss image rows are two opposite points of the circle, one for each way. The axis of a family is where
-    the image, both ways taken together, is densest. Grids and crossed rasters have a second family.
+    In the Gauss image, rows are two opposite points of the circle. The axis of a family is where the image, with opposite
+    directions joined, is densest. Grids and crossed rasters have a second family.
 
     Parameters
     ----------
     moves : Areas
     chosen : (k,) int
-        The moves to look at, ascending.
+        Moves to search, ascending.
     """
     found: list[Rows] = []
     total = moves.length.take(chosen).sum()
@@ -86,7 +86,7 @@ def find_rows(moves: Areas, chosen: np.ndarray) -> list[Rows]:
             break
         found.append(family)
         total -= moves.length.take(family.moves).sum()
-        # Where nearly everything is in rows, the rest are the links between them.
+        # The few remaining moves are links; do not look for a second family of rows.
         if len(found) == 2 or total < NEGLIGIBLE.FAMILY * found[0].length:
             break
         left = np.zeros(len(moves), bool)
@@ -99,7 +99,7 @@ def find_rows(moves: Areas, chosen: np.ndarray) -> list[Rows]:
 
 
 def weighted_median(values: np.ndarray, weights: np.ndarray) -> float:
-    """Return the value at half the weight; of many values every second, third, ... one is looked at.
+    """Return the weighted median. Of many values, a regular sample is used.
 
     Parameters
     ----------
@@ -114,23 +114,23 @@ def weighted_median(values: np.ndarray, weights: np.ndarray) -> float:
 
 
 def dot(a: np.ndarray, b: np.ndarray) -> float:
-    """Return the sum of the products of two arrays (k,) in this thread: BLAS starts others, and waits for them."""
+    """Return the sum of products of two arrays (k,) in this thread, because BLAS would start other threads and wait for them."""
     return float(np.einsum("i,i->", a, b))
 
 
 class Steps(NamedTuple):
-    """How k passes lie beside those that are cut before them.
+    """Relations of k passes to the passes cut before them.
 
     Attributes
     ----------
     shorter : (k-1,) float
         Length of the shorter of two passes, mm.
     aside, neighbour : (k-1,) bool
-        Whether they do not lie on one line, and whether they are no farther apart than usual.
+        Whether two passes are on different lines, and whether their distance is at most the usual one.
     usual : float
-        Distance between them (median by length), mm.
+        Usual distance (median by length), mm.
     even : float
-        Share of the steps that are about that long.
+        Share of the steps of about the usual length.
     """
 
     shorter: np.ndarray
@@ -141,7 +141,7 @@ class Steps(NamedTuple):
 
 
 def steps_between(place: np.ndarray, length: np.ndarray) -> Steps | None:
-    """Measure passes by their places across their direction, (k,) mm, and lengths, (k,) mm; None where all lie on one line."""
+    """Compare passes, given by positions across their direction and lengths, (k,) mm each; None if all are on one line."""
     lateral, shorter = np.abs(place[1:] - place[:-1]), np.minimum(length[1:], length[:-1])
     aside = lateral > ROUNDING.PLACE
     if not aside.any():
@@ -153,15 +153,15 @@ def steps_between(place: np.ndarray, length: np.ndarray) -> Steps | None:
 
 
 def _densest(moves: Areas, chosen: np.ndarray) -> Rows | None:
-    """Return the rows along the densest direction; None where no move keeps to it."""
+    """Return the rows along the densest direction; None if no move has this direction."""
     axis, along, aligned, length = _main_axis(moves, chosen)
     u, v = np.cos(axis), np.sin(axis)
     on, forward, length = chosen.take(aligned), along.take(aligned) > 0, length.take(aligned)
     if not len(on):
         return None
     area = np.searchsorted(moves.start, on, side="right") if len(moves.start) > 1 else np.zeros(len(on), np.int64)
-    # A pass ends where the next move runs the other way. It goes on over links and lifts while it stays on its line:
-    # a row that islands interrupt is one row.
+    # A pass ends where the next move runs the other way. It continues over links and lifts on the same line, so that a row
+    # interrupted by islands is one row.
     new = forward[1:] != forward[:-1]
     apart = np.flatnonzero(((on[1:] > on[:-1] + 1) | (area[1:] > area[:-1])) & ~new)
     before, after = on[apart], on[apart + 1]
@@ -170,7 +170,7 @@ def _densest(moves: Areas, chosen: np.ndarray) -> Rows | None:
     begin = np.flatnonzero(np.concatenate([[True], new]))
     passed = np.add.reduceat(length, begin)
     typical = weighted_median(passed, passed)
-    # Links that follow the boundary run along the axis here and there. They are short, and no rows.
+    # Short links along the boundary that happen to be parallel to the axis are not rows.
     long = passed > NEGLIGIBLE.PASS * typical
     begin, passed = begin[long], passed[long]
     first = on[begin]
@@ -187,8 +187,8 @@ def _densest(moves: Areas, chosen: np.ndarray) -> Rows | None:
     if steps is None:
         return Rows(axis, total, passed[0], typical, 1, 1, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, lies, on)
     turned = sense[1:] != sense[:-1]
-    # Two passes the same way in one area, with no lift between them, are steps of one stroke and no rows: a contour
-    # that was sampled on a grid looks like a staircase.
+    # Two passes in the same direction in one area, without a lift, are steps of one stroke and not rows: a contour that was
+    # sampled on a grid looks like a staircase.
     onward = steps.neighbour & ~turned & (area[1:] != area[:-1])
     q = np.sort(q[: ROWS.SAMPLE])
     gaps = np.diff(q[np.append(True, q[1:] - q[:-1] > ROUNDING.PLACE)])
@@ -212,10 +212,9 @@ def _densest(moves: Areas, chosen: np.ndarray) -> Rows | None:
 
 
 def _period(gaps: np.ndarray, pitch: float) -> float:
-    """Return the distance after which most lines come again, mm, of the gaps between all lines in their order; else their pitch.
+    """Return the distance after which most lines repeat, mm, from the gaps between all lines in order; otherwise their pitch.
 
-    A lattice has two sets of lines, and two in each of its pockets: from one set to another it is any distance, but the same
-    after each line only inside a set.
+    A lattice has two sets of lines in each pocket. The distance between two sets is arbitrary; only inside a set it repeats.
     """
     place = np.append(0.0, np.cumsum(gaps))
     apart = [place[lag:] - place[:-lag] for lag in range(1, min(ROWS.MAX_PERIOD, len(gaps)) + 1)]
@@ -237,18 +236,18 @@ def _period(gaps: np.ndarray, pitch: float) -> float:
 
 
 def _main_axis(moves: Areas, chosen: np.ndarray) -> tuple[float, np.ndarray, np.ndarray, np.ndarray]:
-    """Find the axis that most of the length keeps to.
+    """Find the axis of most of the length.
 
     Returns
     -------
     axis : float
         rad.
     along : (k,) float
-        How far each of the chosen moves goes along the axis, mm.
+        Distance that each chosen move covers along the axis, mm.
     aligned : (a,) int
-        Which of them keep to it.
+        Chosen moves that are parallel to the axis.
     length : (k,) float
-        Their lengths, mm.
+        Lengths of the chosen moves, mm.
     """
     dx, dy, length = moves.dx, moves.dy, moves.length
     if len(chosen) < len(moves):
@@ -258,7 +257,7 @@ def _main_axis(moves: Areas, chosen: np.ndarray) -> tuple[float, np.ndarray, np.
     along, aligned = _aligned(dx, dy, length, axis)
     kept = length.take(aligned).sum() / length.sum()
     if kept < ROWS.ONE_AXIS:
-        # There are several axes, and the mean lies between them: take the densest direction and its neighbours.
+        # With several axes the mean lies between them, so use the densest direction and its neighbours.
         bins = np.rint(moves.alpha[chosen] * (ROWS.DIRECTIONS / np.pi)).astype(np.int64) % ROWS.DIRECTIONS
         weight = np.bincount(bins, weights=length, minlength=ROWS.DIRECTIONS)
         around = np.roll(weight, 1) + np.roll(weight, -1)
@@ -266,7 +265,7 @@ def _main_axis(moves: Areas, chosen: np.ndarray) -> tuple[float, np.ndarray, np.
         near = (np.arange(ROWS.DIRECTIONS) - peak + 1) % ROWS.DIRECTIONS <= 2
         aligned = np.flatnonzero(near[bins])
     if kept < ROWS.ALL_ALIGNED:
-        # Once more without the links: along a slanting boundary they turn the axis.
+        # Again without the links, because links along a slanting boundary turn the axis.
         cos = cos.take(aligned)
         axis = axis_of(dot(cos, dx.take(aligned)), dot(cos, dy.take(aligned)), float(length.take(aligned).sum()))
         along, aligned = _aligned(dx, dy, length, axis)
@@ -274,31 +273,31 @@ def _main_axis(moves: Areas, chosen: np.ndarray) -> tuple[float, np.ndarray, np.
 
 
 def _aligned(dx: np.ndarray, dy: np.ndarray, length: np.ndarray, axis: float) -> tuple[np.ndarray, np.ndarray]:
-    """Return how far the moves go along an axis, mm, and which of them keep to it."""
+    """Return the distances that moves cover along an axis, mm, and which moves are parallel to it."""
     along = dx * np.cos(axis)
     along += dy * np.sin(axis)
     return along, np.flatnonzero(np.abs(along) >= np.cos(ROWS.ALIGNED) * length)
 
 
 def filling(families: list[Rows], tool: float, *, length: float, contour: bool) -> list[Rows]:
-    """Return those families of rows that fill an area.
+    """Return the families of rows that fill an area.
 
     Parameters
     ----------
     families : list of Rows
-        What find_rows found.
+        Families from `find_rows`.
     tool : float
         Tool diameter, mm; 0 where unknown.
     length : float
-        Length of all moves that were looked at, mm.
+        Length of all searched moves, mm.
     contour : bool
-        Whether they are closed loops, which may be contours.
+        Whether the moves are closed loops, which may be contours.
     """
     good = [f for f in families if _fills(f, tool) and not (contour and _walls(f))]
     if good or len(families) < 2 or (tool and max(f.period for f in families) > NESTS.REACH * tool):
         return good
-    # The tool cuts a grid as a ball runs on a billiard table, and no row is followed by its neighbour. Two families of
-    # many long rows that are nearly everything fill the area all the same. The sides of contours do not cross.
+    # The tool cuts a lattice like a ball on a billiard table, so that consecutive rows are not neighbours. Two families of many
+    # long rows with nearly the whole length fill the area nevertheless. The sides of contours do not cross.
     if sum(f.length for f in families) > ROWS.GRID * length and _cross(*families):
         if all(f.count >= MAJORITY.REPETITIONS and f.typical > ROWS.MIN_LENGTH * f.pitch for f in families):
             return families
@@ -306,10 +305,10 @@ def filling(families: list[Rows], tool: float, *, length: float, contour: bool) 
 
 
 def _cross(one: Rows, other: Rows) -> bool:
-    """Tell whether most passes of one family cross some of the other between their ends."""
+    """Return whether most passes of one family cross passes of the other between their ends."""
     turned = other.axis - one.axis
     c, s = np.cos(turned), np.sin(turned)
-    # In the frame of one: where along it, and where along the other, the lines of both meet.
+    # In the frame of one pass: the positions along both passes at which their lines meet.
     here = (one.lies[:, 0, None] * c - other.lies[:, 0]) / s
     there = (one.lies[:, 0, None] - other.lies[:, 0] * c) / s
     inside = [
@@ -321,8 +320,8 @@ def _cross(one: Rows, other: Rows) -> bool:
 
 
 def _fills(f: Rows, tool: float) -> bool:
-    """Tell whether passes lie side by side as rows do: long moves, short steps between them (paper, section 2.1)."""
-    # In teeth that are two steps wide the rows are short, but there are many, and they are even.
+    """Return whether passes lie side by side like rows: long moves, short steps between them (paper, section 2.1)."""
+    # In teeth of two steps width the rows are short, but many and even.
     longer = ROWS.MIN_LENGTH_IF_MANY if f.lines >= ROWS.MANY and f.even > ROWS.EVEN else ROWS.MIN_LENGTH
     if f.opposite + f.same <= ROWS.WITH_NEIGHBOUR * f.once or f.typical <= longer * f.step:
         return False
@@ -336,8 +335,8 @@ def _fills(f: Rows, tool: float) -> bool:
 
 
 def _walls(f: Rows) -> bool:
-    """Tell whether passes of a closed contour are the walls of its teeth: then gaps and teeth take turns.
+    """Return whether passes of a closed contour are the walls of its teeth, with alternating gaps and teeth.
 
-    A zigzag seldom comes back to its start, a contour always.
+    A zigzag rarely returns to its start; a contour always does.
     """
     return f.period > ROWS.WALLS * f.pitch

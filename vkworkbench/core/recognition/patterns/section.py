@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""A section: moves that are judged as one operation, and all that is measured of them before."""
+"""A section: moves that are judged as one operation, with their measures."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ _LOW = np.array([1.0, 1.0, -1.0, -1.0])  # with it the lowest of boxes are their
 
 
 class Section:
-    """A stretch of moves that is judged as one operation, measured.
+    """The measures of moves that are judged as one operation.
 
     Parameters
     ----------
@@ -47,35 +47,34 @@ class Section:
     areas : Areas
         The moves as given.
     moves : Areas
-        The pattern: without the ways in and out, contours over tags as one, and without spurs.
+        The pattern: without leads and spurs, with contours over tags joined.
     wound : float
-        Share of the length in helical ways in, which are not in `moves`.
+        Share of the length in helical lead-ins, which are not in `moves`.
     in_strokes : float
-        Share of the length in contours that are cut in strokes, lifted between them.
+        Share of the length in contours that are cut in strokes with lifts between them.
     tool : float
-        As given.
+        Tool diameter, mm; 0 if unknown.
     pieces : Pieces
     length : float
-        Of all pieces, mm.
+        Length of all pieces, mm.
     rings : Rings
     aside : (k,) bool
-        Rings that step aside to the next one: windings that turn against their sense and back again.
+        Rings that step aside to the next ring: windings that turn against their sense and back.
     hunting : (k,) bool
-        Rings along which the direction is corrected all the time, as adaptive clearing from outside the stock
-        does to keep one engagement.
+        Rings with continual corrections of the direction, as in adaptive clearing, which keeps its engagement constant.
     lattice : (k,) bool
-        Rings that may be rows: passes that run from wall to wall and wind by chance.
+        Rings that may be rows: passes from wall to wall that wind by chance.
     strokes : Strokes
     families : list of Rows
-        Families of parallel passes, two at most.
+        Families of parallel passes, at most two.
     rows : list of Rows
-        Those families that fill an area.
+        Families that fill an area.
     zigzag : float
         Share of the length in pieces that go back and forth.
     retraced : float
-        Share of the length in pieces that go to and fro on one line.
+        Share of the length in pieces that go back and forth on one line.
     ring_pieces, row_pieces : (p,) bool
-        The pieces that count as rings, and those that count as rows or strokes.
+        Pieces that count as rings; pieces that count as rows or strokes.
     """
 
     def __init__(self, moves: Areas, tool: float) -> None:
@@ -96,9 +95,9 @@ class Section:
         self.strokes = relate_strokes(p, _long(p, opened))
         angle, places = _turned_against(moves, p, r)
         self.aside = angle > WINDINGS.STEP_ASIDE * TURN
-        # Concave corners and links to the next loop turn by more at once, and at few places.
+        # Concave corners and links to the next loop are larger turns at few places.
         self.hunting = p.flat[r.index] & (places >= WINDINGS.CORRECTIONS) & (angle < WINDINGS.CORRECTION * places)
-        # Wavy loops that are offsets of one another follow a concave contour and are no rows.
+        # Wavy loops that are offsets of each other follow a concave contour and are not rows.
         wavy = p.wavy[r.index]
         if wavy.any() and r.nested[wavy].mean() > MAJORITY.SHARE:
             wavy[:] = False
@@ -117,7 +116,7 @@ class Section:
         self.row_pieces = rowlike & ~self.ring_pieces
 
     def _rows(self, rowlike: np.ndarray, closed: np.ndarray) -> tuple[list[Rows], list[Rows]]:
-        """Return `families` and `rows` of the pieces that may hold some; `closed` tells which of them are loops."""
+        """Return `families` and `rows` of pieces that may contain rows; `closed` marks the loops among the pieces."""
         p = self.pieces
         length = float(p.length[rowlike].sum())
         if length <= NEGLIGIBLE.ROWS * self.length:
@@ -130,7 +129,7 @@ class Section:
         return families, filling(families, self.tool, length=length, contour=contour)
 
     def _two_rows(self) -> np.ndarray:
-        """Tell which rings are two rows beside one another whose links close them, (k,)."""
+        """Return which rings are two neighbouring rows that are closed by links, (k,)."""
         m, p, k = self.moves, self.pieces, self.rings.index
         main = max(self.rows, key=lambda f: f.length)
         along = np.abs(m.dx * np.cos(main.axis) + m.dy * np.sin(main.axis)) > np.cos(ROWS.ALIGNED) * m.length
@@ -140,17 +139,17 @@ class Section:
         return result
 
     def share(self, rings: np.ndarray) -> float:
-        """Share of the cutting length in these rings."""
+        """Return the share of the cutting length in the chosen rings."""
         return float(self.rings.length[rings].sum()) / self.length
 
     def part(self, strokes: np.ndarray) -> float:
-        """Share of the cutting length in these strokes."""
+        """Return the share of the cutting length in the chosen strokes."""
         return float(self.strokes.length[strokes].sum()) / self.length
 
     def cornered(self) -> float:
-        """Share of the turning of the windings that lies in corners.
+        """Return the share of the turning of windings in corners.
 
-        A spiral turns all the time. Polygons that step aside to the next one in a corner wind in one sense, too.
+        A spiral turns continually. Polygons that step aside to the next one in a corner also wind in one sense.
         """
         chosen = np.zeros(len(self.pieces), bool)
         chosen[self.rings.index[self.rings.winding]] = True
@@ -158,7 +157,7 @@ class Section:
         return float(turning[turning > WINDINGS.CORNER].sum() / max(turning.sum(), 1e-9))
 
     def letters(self) -> bool:
-        """Whether the rings are many small contours of as many shapes, as letters are."""
+        """Return whether the rings are many small contours of different shapes, like letters."""
         box, length = self.pieces.box[self.rings.index], self.rings.length
         size = box[:, 2:] - box[:, :2]
         shapes = len(np.unique(np.rint(np.column_stack([size, length / 4]) / LETTERS.SHAPE), axis=0))
@@ -168,21 +167,21 @@ class Section:
         return bool(small and shallow and shapes >= LETTERS.COUNT and shapes > STROKES.DISTINCT * self.rings.distinct)
 
     def bordered(self) -> tuple[float, float]:
-        """Tell how far rows and rings at their depth belong together.
+        """Return how much rows and rings of one depth belong together.
 
         Returns
         -------
         float
-            Share of the rows' length inside a ring: the contour of their walls.
+            Share of the rows' length inside a ring, which is the contour of their walls.
         float
-            Share of the rings' length in single level ones amid rows: the contours of islands.
+            Share of the rings' length in single level rings amid rows, which are contours of islands.
         """
         p, k, ring = self.pieces, np.flatnonzero(self.row_pieces), self.rings.index
         if not len(k) or not len(ring):
             return 0.0, 0.0
         depth = number_depths(np.concatenate([p.z[k], p.z[ring]]))
         of_row, of_ring, depths = depth[: len(k)], depth[len(k) :], int(depth.max()) + 1
-        # The largest rings of each depth: the others go around islands, or lie in these.
+        # The largest rings of each depth; smaller rings go around islands or lie inside.
         order = np.lexsort((-np.hypot(*(p.box[ring, 2:] - p.box[ring, :2]).T), of_ring))
         rank = np.arange(len(ring)) - np.searchsorted(of_ring[order], of_ring[order])
         inside = np.zeros(len(k), bool)
@@ -197,9 +196,9 @@ class Section:
         return of_rows, float(self.rings.length[amid].sum() / self.rings.length.sum())
 
     def _beside(self, k: np.ndarray) -> Iterator[tuple[np.ndarray, np.ndarray, np.ndarray]]:
-        """Yield the rings cut after pieces k, (k,) int, and those cut before them, as pieces.
+        """Yield the rings cut after pieces k, (k,) int, and the rings cut before them, as pieces.
 
-        With each how far inside the ring's box the piece lies, mm, and whether at the same depth.
+        Each with the distance of the piece inside the ring's box, mm, and whether both have the same depth.
         """
         p, ring = self.pieces, self.rings.index
         after = np.clip(np.searchsorted(ring, k), 0, len(ring) - 1)
@@ -207,12 +206,12 @@ class Section:
             yield beside, _inward(p.box[k], p.box[beside]), np.abs(p.z[k] - p.z[beside]) < ROUNDING.HEIGHT
 
     def filled(self) -> float:
-        """Share of the cutting length in open strokes that clear the inside of a ring.
+        """Return the share of the cutting length in open strokes that clear the inside of a ring.
 
-        The ring was cut before or after them at the same depth. They go to and fro: a stroke of one pass leads
-        in or out. They lie nowhere farther from the ring than the tool reaches, else the ground between stays
-        uncut and they are another contour that does not quite close. And they are thin, with little area
-        between them and their chord for their length: one that encloses as much as the ring is its repetition.
+        The ring was cut before or after the strokes at the same depth. The strokes go back and forth; a stroke of one pass is a
+        lead. No part of a stroke is farther from the ring than the tool reaches; otherwise ground stays uncut, and the stroke is
+        another contour that does not quite close. A stroke encloses little area with its chord for its length; a stroke that
+        encloses as much as the ring is a repetition of the ring.
         """
         p, k = self.pieces, self.strokes.index
         k = k[p.passes[k] > 1]
@@ -227,16 +226,15 @@ class Section:
 
 
 def _inward(inner: np.ndarray, outer: np.ndarray) -> np.ndarray:
-    """How far boxes (k, 4) lie inside others (k, 4), (k,) mm: at the side where it is least."""
+    """Return the smallest distance of the sides of boxes (k, 4) inside other boxes (k, 4), (k,) mm."""
     least: np.ndarray = ((inner - outer) * _LOW).min(axis=1)
     return least
 
 
 def _absorbed(p: Pieces) -> np.ndarray:
-    """Return the kinds of the pieces, small loops inside a zigzag made a part of it.
+    """Return the kinds of the pieces, with small loops inside a zigzag joined to the zigzag.
 
-    A zigzag that runs along the boundary between its rows closes small loops. Only a loop that surrounds the
-    rows is a contour of its own.
+    A zigzag that follows the boundary between its rows makes small loops. Only a loop that surrounds the rows is a contour.
     """
     kind = p.kind.copy()
     zigzag = np.flatnonzero(kind == ZIGZAG)
@@ -253,16 +251,16 @@ def _absorbed(p: Pieces) -> np.ndarray:
 
 
 def _retraced(moves: Areas, p: Pieces) -> np.ndarray:
-    """Return the indices of the zigzags that never leave their line, as ramps into a slot do: they make no rows."""
+    """Return the indices of zigzags that stay on one line, such as ramps into a slot. They are not rows."""
     index = np.flatnonzero(p.kind == ZIGZAG)
-    # Those lie between their ends, or go over them again: nothing is enclosed.
+    # Zigzags on a line enclose no area.
     index = index[np.abs(p.enclosed[index]) < ROUNDING.PLACE * p.length[index]]
     on_line: np.ndarray = index[off_line(moves, p.start[index], p.end[index]) < ROUNDING.PLACE]
     return on_line
 
 
 def _long(p: Pieces, which: np.ndarray) -> np.ndarray:
-    """Return the indices of these pieces without the short ones, which are links and leads."""
+    """Return the indices of the chosen pieces without short ones, which are links and leads."""
     index = np.flatnonzero(which)
     if not len(index):
         return index
@@ -272,9 +270,9 @@ def _long(p: Pieces, which: np.ndarray) -> np.ndarray:
 
 
 def _turned_against(moves: Areas, p: Pieces, r: Rings) -> tuple[np.ndarray, np.ndarray]:
-    """Return by how much each winding turns against its sense, rad, and at how many places.
+    """Return the turning of each winding against its sense, rad, and the number of places.
 
-    Bends that rounding may have made do not count: finely sampled spirals are full of them.
+    Bends within rounding do not count, because finely sampled spirals have many of them.
     """
     angle: np.ndarray = np.zeros(len(r))
     places: np.ndarray = np.zeros(len(r), np.int64)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Spurs: short ways out and back on one line, as corners are relieved (dogbones). They are no part of the pattern."""
+"""Spurs: short moves out and back on one line, such as dogbone reliefs in corners. Spurs are not part of the pattern."""
 
 from __future__ import annotations
 
@@ -12,10 +12,10 @@ from vkworkbench.core.recognition.thresholds import ROUNDING, SPURS
 
 
 def without_spurs(moves: Areas) -> Areas:
-    """Return the areas, the closed ones without their spurs; the tool turns from the move before one to the move behind it.
+    """Return the areas, without the spurs of closed areas. The tool then turns from the move before a spur to the move after it.
 
-    A spur is a move and its exact reversal, shorter than the moves around it. Its half turn has no sign, so phi of a contour with reliefs in its corners
-    does not come to 2 pi. Where spurs are most of an area they are its rows.
+    A spur is a move and its exact reversal, shorter than the moves around it. Its half turn has no sign, so phi of a contour with
+    corner reliefs does not reach 2 pi. If spurs are most of an area, they are rows.
     """
     out = moves.reversals - 1
     if not len(out):
@@ -49,9 +49,9 @@ def without_spurs(moves: Areas) -> Areas:
 
 
 def some_moves(moves: Areas, kept: np.ndarray) -> Areas:
-    """Return the areas with those moves alone that are kept, (m,) bool; at least one of every area is.
+    """Return the areas with the kept moves (m,) bool, at least one of every area.
 
-    Where the first moves of an area go, phi begins at 0 with the first that is left.
+    If the first moves of an area are removed, phi begins at 0 with the first kept move.
     """
     place = np.cumsum(kept) - 1
     names = ("index", "x", "y", "z", "dx", "dy", "dz", "length", "alpha", "turning", "phi")

@@ -16,7 +16,7 @@ from vkworkbench.core.recognition.thresholds import BITES, ROUNDING, WINDINGS
 
 @dataclass(frozen=True)
 class Strokes:
-    """What k open strokes have in common.
+    """Measures of k open strokes.
 
     Attributes
     ----------
@@ -25,14 +25,14 @@ class Strokes:
     length : (k,) float
         mm.
     bite : (k,) bool
-        Bends by more than a quarter turn in the sense that most do, and overlaps the stroke before or after it at the
-        same depth: the arcs that an adaptive tool bites out of the stock one after the other.
+        Bends by more than a quarter turn in the sense of most strokes, and overlaps the stroke before or after it at the same
+        depth: the arcs that adaptive clearing cuts one after the other.
     against : (k,) bool
-        Bends as much the other way.
+        Bends by more than a quarter turn in the other sense.
     sloped : (k,) bool
-        Changes its height on the way.
+        Changes its height.
     distinct, depths : int
-        Number of footprints, and of depths of the strokes that stay at one.
+        Number of footprints, and number of depths of level strokes.
     typical : float
         Length of a stroke (median by length), mm.
     """
@@ -58,7 +58,7 @@ def relate_strokes(pieces: Pieces, index: np.ndarray) -> Strokes:
     ----------
     pieces : Pieces
     index : (k,) int
-        The pieces that are open strokes.
+        Pieces that are open strokes.
     """
     length = pieces.length[index]
     if not len(index):

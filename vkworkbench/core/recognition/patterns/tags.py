@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Tags: what holds a part in the stock. A contour that is lifted over them is one contour all the same."""
+"""Tags hold a part in the stock. A contour that is lifted over tags is still one contour."""
 
 from __future__ import annotations
 
@@ -14,9 +14,9 @@ from vkworkbench.core.recognition.thresholds import MAJORITY, ROUNDING, TAGS
 def joined_over_tags(moves: Areas) -> tuple[Areas, float]:
     """Join areas that follow one another around a closed contour.
 
-    Between them the tool is lifted and goes on where it was, or ahead; the moves before such gaps are made longer to bridge
-    them. What cuts over a tag is a part of the contour. Rows that are lifted over an island go on ahead, too, but around
-    nothing. Where each area is cut to its full depth before the next, the contour has as many turns as an area has passes.
+    Between the areas the tool is lifted and continues at the same place or ahead. The moves before such gaps are extended to bridge
+    the gaps. Cuts over a tag are part of the contour. Rows that are lifted over an island also continue ahead, but do not close. If
+    each area is cut to its full depth before the next, the contour has as many turns as an area has passes.
 
     Parameters
     ----------
@@ -26,9 +26,9 @@ def joined_over_tags(moves: Areas) -> tuple[Areas, float]:
     Returns
     -------
     Areas
-        Each such contour is one.
+        Areas with each such contour joined.
     float
-        Share of the length in these contours.
+        Share of the length in the joined contours.
     """
     count = len(moves.start)
     if count < 2:
@@ -55,7 +55,7 @@ def joined_over_tags(moves: Areas) -> tuple[Areas, float]:
         return strokes, 0.0
     of_contour = np.repeat(contour, last - first + 1)
     dx, dy, end = moves.dx.copy(), moves.dy.copy(), moves.end - 1
-    ahead = of_contour & (dx[end] * gap_x + dy[end] * gap_y > 0)  # the others are as good as none
+    ahead = of_contour & (dx[end] * gap_x + dy[end] * gap_y > 0)  # gaps in other areas are too short to matter
     dx[end[ahead]] += gap_x[ahead]
     dy[end[ahead]] += gap_y[ahead]
     begins = ~of_contour
@@ -65,9 +65,9 @@ def joined_over_tags(moves: Areas) -> tuple[Areas, float]:
 
 
 def _pass_by_pass(moves: Areas) -> Areas:
-    """Return the areas in the order in which they go around, where each is cut to its full depth before the next.
+    """Return the areas in the order around the contour, if each is cut to its full depth before the next.
 
-    What goes to and fro between their ends goes one way then.
+    Areas that go back and forth between their ends are given one direction.
     """
     count, first, last = len(moves.start), moves.start, moves.end - 1
     end_x, end_y = moves.x[last] + moves.dx[last], moves.y[last] + moves.dy[last]
@@ -91,7 +91,7 @@ def _pass_by_pass(moves: Areas) -> Areas:
 
 
 def _rearranged(moves: Areas, order: np.ndarray, backward: np.ndarray) -> Areas:
-    """Return the areas in another order, and some of them the other way round, between the same trajectories as before."""
+    """Return the areas in another order, some of them reversed, between the same trajectories."""
     size = (moves.end - moves.start)[order]
     start = np.cumsum(size) - size
     place = np.arange(len(moves)) - np.repeat(start, size)
@@ -104,7 +104,7 @@ def _rearranged(moves: Areas, order: np.ndarray, backward: np.ndarray) -> Areas:
 
 
 def _measured(moves: Areas, **changed: np.ndarray) -> Areas:
-    """Return the moves with some of them changed, and measured again."""
+    """Return the areas with changed moves, measured again."""
     moves = replace(moves, **changed)
     alpha = directions(moves.dx, moves.dy)
     turning, phi = np.zeros(len(moves)), np.empty(len(moves))
@@ -115,13 +115,13 @@ def _measured(moves: Areas, **changed: np.ndarray) -> Areas:
 
 
 def _gap(moves: Areas, one: np.ndarray, two: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Return the way from the ends of some areas to the starts of others, (k,) mm in x and in y."""
+    """Return the distances from the ends of areas to the starts of others, (k,) mm in x and in y."""
     end, start = moves.end[one] - 1, moves.start[two]
     return moves.x[start] - moves.x[end] - moves.dx[end], moves.y[start] - moves.y[end] - moves.dy[end]
 
 
 def _goes_on(moves: Areas, one: np.ndarray, two: np.ndarray) -> np.ndarray:
-    """Tell where areas `two` begin where areas `one` end, or ahead of it, and do not turn back, (k,) bool."""
+    """Return whether areas `two` begin at the end of areas `one`, or ahead, without turning back, (k,) bool."""
     end, start = moves.end[one] - 1, moves.start[two]
     x, y = _gap(moves, one, two)
     gap = np.hypot(x, y)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Whether a toolpath looks like one of a lathe: it turns in X and Z, and nothing moves in Y."""
+"""Recognise toolpaths of a lathe, which move in X and Z only."""
 
 from __future__ import annotations
 
@@ -10,10 +10,10 @@ from vkworkbench.core.toolpath import Toolpath
 
 
 def is_turned(toolpath: Toolpath) -> bool:
-    """Tell whether a toolpath may be a lathe's whose program has no code that says so.
+    """Return whether a toolpath may be a lathe's, for programs without a code that says so.
 
-    A lathe's passes run along Z at many X, and each leaves the part in X from where it ends. A mill that never moves in Y
-    cuts one slot or one row: it goes down to cut along X, farther than down. One that drills in a row comes up again.
+    Passes of a lathe run along Z at many X positions, and each leaves the part in X at its end. A mill that never moves in Y cuts one
+    slot or one row: the cuts along X are longer than the descents. A mill that drills a row of holes goes up again at each hole.
 
     Parameters
     ----------
