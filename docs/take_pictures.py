@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Take the pictures of the documents from those that the tests in a window left.
 
-    tests/run.sh gui 1.0.0
+    VKWORKBENCH_SCREENSHOTS=yes tests/run.sh gui 1.0.0
     python3 docs/take_pictures.py
 
 Needs Pillow. Those of the strategies are drawn by docs/draw_strategies.py.

@@ -1,9 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Widgets that FreeCAD leaves behind and that PySide takes for alive.
+"""Tell PySide about widgets that FreeCAD deleted and that PySide takes for alive.
 
-Since 1.0 FreeCAD leaves forms of pages each time its preferences are closed, and one each time the panel of its simulator is
-closed. What Qt later makes at the same address is taken for that widget, and FreeCAD ends: after the twenty dialogs
-of these tests that is likely.
+Since 1.0 FreeCAD leaves such forms behind each time its preferences or the panel of its simulator are closed. PySide takes
+a later widget at the same address for the deleted form, and FreeCAD crashes.
 """
 
 import gc
@@ -15,9 +14,9 @@ shiboken = sys.modules.get("shiboken6") or sys.modules["shiboken2"]
 
 
 def forget():
-    """Tell PySide which widgets are gone; the add-on leaves none."""
+    """Tell PySide which widgets are gone, and assert that none of them is the add-on's."""
     alive = {shiboken.getCppPointer(widget)[0] for widget in QtGui.QApplication.allWidgets()}
-    kinds = set(_with_subclasses(QtGui.QWidget))  # a look into a set is faster than isinstance
+    kinds = set(_with_subclasses(QtGui.QWidget))  # faster than isinstance
     for thing in gc.get_objects():
         if (
             type(thing) in kinds
@@ -37,5 +36,5 @@ def _with_subclasses(kind):
 
 
 def _is_left_form(widget):
-    """Return whether parts of a form are gone that it has as attributes: at its address is now another widget."""
+    """Return whether parts of a form are gone: another widget is now at its address."""
     return any(isinstance(part, QtCore.QObject) and not shiboken.isValid(part) for part in vars(widget).values())

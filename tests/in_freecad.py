@@ -1,24 +1,36 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Run pytest inside FreeCAD and leave with its exit status: freecadcmd tests/in_freecad.py, or freecad for the GUI.
+"""Run pytest inside FreeCAD and exit with its status: freecadcmd tests/in_freecad.py, or freecad for a window.
 
-FreeCAD passes no arguments on: pytest's are in the environment variable PYTEST_ADDOPTS.
+FreeCAD does not pass arguments on: pytest's arguments are in the environment variable PYTEST_ADDOPTS.
 """
 
 from __future__ import annotations
 
 import sys
 
-sys.modules_at_start = frozenset(sys.modules)  # a test looks at what FreeCAD's start has loaded
+sys.modules_at_start = frozenset(sys.modules)  # tests/gui/test_vk_start.py checks which modules FreeCAD's start loads
 
 from pathlib import Path
+
+import FreeCAD
 
 sys.path.insert(0, str(Path(__file__).parent))
 from inside_freecad import run_and_leave
 
 
+def load_cam():
+    """Load FreeCAD's CAM workbench; each of its commands inspects all frames of Python's stack, so few are cheaper."""
+    import FreeCADGui as Gui
+
+    Gui.activateWorkbench("CAMWorkbench" if "CAMWorkbench" in Gui.listWorkbenches() else "PathWorkbench")
+    Gui.activateWorkbench("NoneWorkbench")
+
+
 def run():
     import pytest
 
+    if FreeCAD.GuiUp:
+        load_cam()
     return pytest.main([])
 
 

@@ -14,7 +14,8 @@
 #
 # The FreeCADs come from Debian: one from the machine's own release, the others in roots that are made once, in a few
 # minutes each, in a cache folder. ruff and mypy, the tools, come from PyPI. VKWORKBENCH_SCALE=2 runs the windows as on a
-# screen with twice as fine pixels. The last lines name what could not be tested. Logs and pictures are in build/tests.
+# screen with twice as fine pixels, and VKWORKBENCH_SCREENSHOTS=yes saves pictures of them. Logs and pictures are in
+# build/tests. The last lines of the output name what could not be tested.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 

@@ -43,7 +43,7 @@ for layer in $layers; do
     env -i HOME="$home" XDG_RUNTIME_DIR="$home/run" PATH=/usr/sbin:/usr/bin:/sbin:/bin LC_ALL=C.UTF-8 \
         PYTHONPYCACHEPREFIX="$PWD/build/bytecode/${results##*/}" HYPOTHESIS_STORAGE_DIRECTORY="$home/hypothesis" \
         QT_QPA_PLATFORM=xcb QT_SCALE_FACTOR="$scale" LIBGL_ALWAYS_SOFTWARE=1 QTWEBENGINE_DISABLE_SANDBOX=1 \
-        VKWORKBENCH_SCREENSHOTS="$PWD/$results/screenshots" \
+        VKWORKBENCH_SCREENSHOTS="${VKWORKBENCH_SCREENSHOTS:+$PWD/$results/screenshots}" \
         PYTEST_ADDOPTS="'${place:-tests/$layer}' ${options[*]@Q}" \
         "${command[@]}" < /dev/null > "$results/$layer.log" 2>&1 || status=$?
     echo "$status" > "$results/$layer.status"

@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Helpers of the tests that open the tab of *Simulate Toolpaths*, share it, wait for it, and drag in it."""
+"""Helpers for tests of the tab of *Simulate Toolpaths*: open it, share it, wait for its pictures, drag in it."""
 
 from __future__ import annotations
 
+import os
 import sys
 import threading
 import traceback
@@ -19,8 +20,9 @@ from vkworkbench.gui.simulation.tab import SimulationTab
 
 COMMAND = "Simulate Toolpaths"
 # Without a graphics card, each change in FreeCAD's window costs in proportion to all pixels of the window.
-WHOLE = 1024, 700  # px, size of the window for the whole job, as in the documents
-SMALL = 860, 560  # px, size of the window for smaller jobs
+SMALL = 860, 560  # px, size of the window
+# px, size of the window for the whole job: larger only for pictures of the documents
+WHOLE = (1024, 700) if os.environ.get("VKWORKBENCH_SCREENSHOTS") else SMALL
 PLAYER = 360, 320  # px, size of the player of smaller jobs, whose finest picture takes a third of a second
 
 
@@ -29,14 +31,14 @@ def tabs(window):
 
 
 def shown(tab, window):
-    """Wait until the job has been read and simulated at its finest; return what shows it."""
+    """Wait for the finest picture of the job, and return the player."""
     window.wait(lambda: tab.player is not None and tab.player.simulation is not None, 120)
     finest(tab.player, window)
     return tab.player
 
 
 def finest(player, window):
-    """Wait until the finest picture of the moment and the view is shown."""
+    """Wait for the finest picture of the current moment and view."""
 
     def rests():
         return not player.view._rest.isActive() and not player.is_busy and player.pictures.is_current
@@ -50,21 +52,21 @@ def finest(player, window):
 
 
 def make_small(tab, window):
-    """Give the player a small size, as soon as there is one; there is none where a box says why."""
+    """Make the player small when it is there; wait for a message box instead if the job has no simulation."""
     window.wait(lambda: tab.player is not None or window.boxes())
     if tab.player is not None:
         tab.player.setFixedSize(*PLAYER)
 
 
 def close(window):
-    """Close all simulations by a key."""
+    """Close all simulation tabs with Esc."""
     for tab in tabs(window):
         window.press(tab, QtCore.Qt.Key_Escape)
     window.wait(lambda: not tabs(window))
 
 
 class Desk:
-    """FreeCAD's window with one open document and the tab of its simulation, which the tests of a file share.
+    """FreeCAD's window with an open document and its simulation tab, which the tests of a file share.
 
     Parameters
     ----------
@@ -98,7 +100,7 @@ class Desk:
         return self._reduced("bare", ())
 
     def open(self, path):
-        """Return the document of a file, opened anew, in the analysis workbench."""
+        """Return the document of a file, opened again, in the analysis workbench."""
         self.close()
         self.window.main.setGeometry(0, 0, *(WHOLE if path == self.example else SMALL))
         self._path, self.document = path, FreeCAD.openDocument(str(path))
@@ -111,7 +113,7 @@ class Desk:
         return self.document
 
     def kept(self, path):
-        """Return the document of a file without a tab, opened only if it is not open yet."""
+        """Return the document of a file without a tab; open it only if it is not open yet."""
         if self._is_open(path):
             close(self.window)
             return self.document
@@ -119,7 +121,7 @@ class Desk:
 
     @contextmanager
     def changed(self, path):
-        """Yield the document of a file to a test that changes it; undo the changes afterwards."""
+        """Yield the document of a file for changes, and undo the changes afterwards."""
         document = self.kept(path)
         document.UndoMode = 1
         document.openTransaction("test")
@@ -131,7 +133,7 @@ class Desk:
         document.UndoMode = 0
 
     def simulate(self):
-        """Click on the command, and return the tab, whose player is small if the job is."""
+        """Click on the command and return the tab; its player is small unless the job is the whole example."""
         Gui.Selection.clearSelection()
         self.window.click(COMMAND)
         self.window.wait(lambda: tabs(self.window))
@@ -141,7 +143,7 @@ class Desk:
         return self._tab
 
     def shared(self, path, direction="Isometric", *, at_its_finest=True):
-        """Return a tab as a click on the command shows it; it may be one that other tests have used."""
+        """Return the tab in its initial state; other tests may have used it."""
         if not (self._is_open(path) and tabs(self.window) == [self._tab] and not self._tab.again.isVisible()):
             self.kept(path)
             tab = self.simulate()
@@ -156,7 +158,7 @@ class Desk:
         return path == self._path and str(path) in (document.FileName for document in FreeCAD.listDocuments().values())
 
     def _reset(self, direction):
-        """Undo what tests choose in the tab, and look in a standard direction."""
+        """Reset all choices in the tab, and look in a standard direction."""
         player = self._tab.player
         bar, view = player.scene_bar, player.view
         Gui.Selection.clearSelection()
@@ -186,12 +188,12 @@ class Desk:
         self.window.idle(0.02)
 
     def leave(self):
-        """Close all, and give FreeCAD's window its former size."""
+        """Close tab and document, and give FreeCAD's window its former size."""
         self.close()
         self.window.main.setGeometry(self._before)
 
     def _reduced(self, name, labels):
-        """Return the file of the example job with these operations alone; the first call saves the file."""
+        """Return the file of the example job with only these operations; the first call saves the file."""
         path = self._folder / f"{name}.FCStd"
         if not path.exists():
             self.close()
@@ -217,7 +219,7 @@ def drag(window, widget, start, end, button=QtCore.Qt.LeftButton, steps=6):
 
 
 def working():
-    """The functions that threads of their own are in, from the outermost."""
+    """Return the names of the functions on the stacks of all other threads."""
     frames = sys._current_frames()
     own = threading.get_ident()
     return [entry.name for thread, frame in frames.items() if thread != own for entry in traceback.extract_stack(frame)]

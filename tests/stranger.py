@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""A stranger's first steps, in the order of docs/guide.md, in a FreeCAD that was never started before.
+"""The first steps of a new user, in the order of docs/guide.md, in a FreeCAD with a new home folder.
 
-test_vk_stranger.py starts it, with the document that is open as FreeCAD's first argument.
+test_vk_stranger.py starts FreeCAD with the document to open and this file as arguments.
 """
 
 from __future__ import annotations
@@ -16,12 +16,11 @@ from PySide import QtCore, QtGui
 HERE = Path(__file__).resolve().parent
 sys.path[:0] = [str(HERE / "gui"), str(HERE)]  # the window's conftest first
 
-from conftest import Window
+from conftest import CAM_WORKBENCH, Window
 from inside_freecad import run_and_leave
-from simulation_window import shown, tabs
+from simulation_window import SMALL, tabs
 
 import vkworkbench
-from vkworkbench import freecad
 from vkworkbench.document.marks import marks
 
 
@@ -29,17 +28,20 @@ def main() -> int:
     assert HERE.parent not in Path(vkworkbench.__file__).resolve().parents, "not the release"
     window = Window()
     window.main.show()
-    window.idle(3.0)  # what FreeCAD asks or shows at its first start
+    window.idle(1.0)  # FreeCAD's questions at its first start
     document = FreeCAD.ActiveDocument
-    # In 0.20 the workbench first asks about units, in a box of its own loop.
-    QtCore.QTimer.singleShot(2000, window.dismiss)
-    Gui.activateWorkbench("PathWorkbench" if freecad.version() < (1, 0, 0) else "CAMWorkbench")
-    window.idle(3.0)
+    # In 0.20 the workbench first asks about units, in a box with its own event loop.
+    answering = QtCore.QTimer()
+    answering.timeout.connect(window.dismiss)
+    answering.start(200)
+    Gui.activateWorkbench(CAM_WORKBENCH)
+    window.settle()
+    answering.stop()
 
     Gui.SendMsgToActiveView("ViewFit")
     step(window, "Analyze Toolpaths", "Vk_Analyze")
     window.wait(lambda: marks.is_marked(document.getObject("Job")), 60)
-    window.idle(1.0)
+    window.settle()
     said = window.dismiss()
     assert all("Description" in text for text in said), said
     window.tree.expandAll()
@@ -52,20 +54,21 @@ def main() -> int:
     Gui.Selection.addSelection(document.getObjectsByLabel("Face")[0])
     step(window, "Gauss Map", "Vk_GaussMap")
     window.wait(lambda: is_shown(window, "Gauss Map"))
-    window.idle(2.0)
+    window.settle()
     window.screenshot("stranger-2-gauss-map")
 
     Gui.Selection.clearSelection()
     step(window, "Show Strategies", "Vk_Strategies")
-    window.idle(2.0)
+    window.settle()
     window.screenshot("stranger-3-strategies")
 
+    window.main.setGeometry(0, 0, *SMALL)  # the simulation is quicker
     step(window, "Simulate Toolpaths", "Vk_Simulate")
     window.wait(lambda: tabs(window))
     (tab,) = tabs(window)
-    player = shown(tab, window)
+    window.wait(lambda: tab.player is not None and tab.player.simulation is not None)
     window.screenshot("stranger-4-simulation")
-    assert player.view.owner_at(player.view.rect().center()) is not None
+    assert tab.player.view.owner_at(tab.player.view.rect().center()) is not None
     window.press(tab, QtCore.Qt.Key_Escape)
     window.wait(lambda: not tabs(window))
 
@@ -75,7 +78,7 @@ def main() -> int:
 
 
 def step(window: Window, button: str, command: str) -> None:
-    """Click a button of the toolbar; where the toolbar has no room for it, take the command from the menu."""
+    """Click a button of the toolbar, or run its command if the toolbar is too short for the button."""
     if any(is_button(found, button) and found.isVisible() for found in window.find(QtGui.QToolButton)):
         window.click(button)
     else:

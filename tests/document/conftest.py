@@ -13,12 +13,12 @@ from vkworkbench.document.job.results import RESULTS
 
 @pytest.fixture(autouse=True)
 def nothing_known():
-    """No test finds what another one's analysis found."""
+    """Forget the results of earlier analyses."""
     RESULTS.clear()
 
 
 class JobDocument:
-    """A document with one job of FreeCAD's on a block of 60 x 40 x 20 mm with a 5 mm end mill."""
+    """A document with one CAM job on a block of 60 x 40 x 20 mm with a 5 mm end mill."""
 
     def __init__(self):
         self.document = FreeCAD.newDocument("Small")

@@ -13,7 +13,7 @@ from PathSimulator import PathSim
 
 from vkworkbench.core import Cut, Cylinder, Mesh, Stock, Tool, View, linearize, simulate_job
 
-STEP = 0.002  # mm, in which PathSimulator measures a tool's profile
+STEP = 0.002  # mm, step of PathSimulator's tool profile
 UP, HIGH = Vector(0, 0, 1), 40.0
 BOX = Part.makeBox(40, 30, 10)
 FLAT, BALL, DRILL = Tool("endmill", 6), Tool("ballend", 6), Tool("drill", 5)
@@ -21,7 +21,7 @@ BULL, CHAMFER = Tool("bullnose", 8, corner_radius=2), Tool("vbit", 8, tip_angle=
 
 
 def standing(tool, x, y, z):
-    """A tool with its tip at a place, as a solid."""
+    """Return a tool, with its tip at a place, as a solid."""
     flat, corner, r = tool.radius - tool.rounding, tool.rounding, tool.radius
     if corner:
         middle = Vector(flat + corner * 0.5**0.5, 0, corner * (1 - 0.5**0.5))
@@ -39,7 +39,7 @@ def standing(tool, x, y, z):
 
 
 def swept(tool, start, end):
-    """What a tool sweeps on a level move, as a solid: the tool at both ends, and its outline pushed from one to the other."""
+    """Return the swept volume of a level move as a solid: the tool at both ends and its extruded outline."""
     start, end = Vector(*start), Vector(*end)
     here, there = standing(tool, *start), standing(tool, *end)
     if start == end:
@@ -78,14 +78,14 @@ def test_volumes_are_those_of_boolean_solids(name, direction):
     z = simulate_job([Cut(linearize(commands), tool)], stock=stock, view=View(direction, 400, 300))
     first, *others = (swept(tool, a, b) for a, b in zip(points, points[1:] or points))
     removed = shape.common(first.fuse(others) if others else first)
-    # A ray stands for its pixel: where the surface passes through a pixel, it may be off by half of it.
+    # A ray represents its pixel: where a wall crosses the pixel, the error is up to half a pixel.
     assert abs(z.chip_volume - removed.Volume) < z.frame.pixel / 2 * removed.Area
     assert abs(z.part_volume - (shape.Volume - removed.Volume)) < z.frame.pixel / 2 * (shape.Area + removed.Area)
     assert z.chip_volume == pytest.approx(removed.Volume, rel=0.02)
 
 
 def heights(simulator, stock, cell):
-    """Height of every cell of a PathSimulator, (rows, columns), from the level facets of its meshes."""
+    """Return the height of every cell of a PathSimulator, (rows, columns), from the level facets of its meshes."""
     size = np.rint((stock.upper - stock.lower) / cell).astype(int)
     found = np.full((size[1], size[0]), np.nan)
     for mesh in simulator.GetResultMesh():
@@ -108,7 +108,7 @@ FLAT_PATHS = {
 
 @pytest.mark.parametrize("name", FLAT_PATHS)
 def test_heights_are_those_of_pathsimulator(name):
-    """Of a flat end on level and vertical moves, on which it is right; beside walls its round tool is one of cells."""
+    """A flat end on level and vertical moves, where PathSimulator is exact; beside walls its round tool consists of cells."""
     stock, cell = Stock((0, 0, 0), (40, 30, 10)), 0.1
     points = [(*FLAT_PATHS[name][0][:2], 12), *FLAT_PATHS[name]]
     simulator = PathSim()

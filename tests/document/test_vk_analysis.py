@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""analyze: what it finds, in which order, what it counts, and what it says of bad input."""
+"""analyze: found operations, their order, totals, and errors for bad input."""
 
 import csv
 import json
@@ -119,7 +119,7 @@ def test_spans_count_commands_from_0_as_a_path_does(small, zigzag_commands, tmp_
 
 
 def test_the_table_of_two_documents_names_them(small, example):
-    # Where only one has operations, there is nothing to tell apart.
+    # One job with operations needs no name.
     assert str(vkworkbench.analyze([small.document, example])).startswith("operation ")
     small.add("Face", [("G0", {"X": 1.0, "Y": 1.0, "Z": 30.0}), ("G1", {"Z": 15.0, "F": 5.0})])
     report = vkworkbench.analyze([small.document, example])
@@ -160,7 +160,7 @@ def test_what_can_be_analyzed(small, zigzag_commands):
         vkworkbench.analyze(7)
     with pytest.raises(TypeError, match="not str"):
         vkworkbench.analyze([second, "Job"])
-    (missing,) = vkworkbench.analyze("Job").operations  # a name is that of a file
+    (missing,) = vkworkbench.analyze("Job").operations  # the name is a file name
     assert missing.error == "The file cannot be read: No such file or directory."
 
 
@@ -194,7 +194,7 @@ def test_dressups_and_arrays(small, zigzag_commands):
     array.addProperty("App::PropertyInteger", "Copies", "Path")
     counted = {o.label: o.counted for o in vkworkbench.analyze(small.job).operations}
     assert counted == {"Base": False, "Dress-up": True, "Array": True}
-    small.job.Operations.Group = [dressup, array]  # as the window arranges it
+    small.job.Operations.Group = [dressup, array]  # as the window does
     counted = {o.label: o.counted for o in vkworkbench.analyze(small.document).operations}
     assert counted == {"Dress-up": True, "Base": False, "Array": True}
     assert vkworkbench.analyze(base).operations[0].job == small.job.Name
@@ -214,7 +214,7 @@ def counted(what):
 
 
 def test_what_is_in_no_group_of_a_job_is_not_posted(small, zigzag_commands):
-    """FreeCAD 1.1's array takes its base out of the job."""
+    """An array of FreeCAD 1.1 removes its base from the job."""
     base = small.add("Base", zigzag_commands)
     array = array_of(small, zigzag_commands, base)
     assert counted(small.document) == {"Base", "Array"}
@@ -226,13 +226,13 @@ def test_what_is_in_no_group_of_a_job_is_not_posted(small, zigzag_commands):
     assert [o.label for o in vkworkbench.simulate(small.document).job.operations] == ["Array"]
 
 
-def test_a_toolpath_without_a_job_counts_whether_it_or_its_document_is_analysed(small, zigzag_commands):
+def test_toolpath_without_a_job_counts_in_every_analysis(small, zigzag_commands):
     alone = small.add("Alone", zigzag_commands, job=False)
     assert counted(alone) == counted(small.document) == {"Alone"}
 
 
 def test_a_job_has_what_an_array_has_taken_out_of_its_group(small, zigzag_commands):
-    """As FreeCAD 1.1's does it: its mark is cleared with the job's."""
+    """As in FreeCAD 1.1: the base is cleared together with the job."""
     base = small.add("Base", zigzag_commands)
     small.job.Operations.Group = [array_of(small, zigzag_commands, base)]
     report = vkworkbench.analyze(small.job)
@@ -246,12 +246,12 @@ def test_a_job_has_what_an_array_has_taken_out_of_its_group(small, zigzag_comman
 def test_a_copy_leaves_what_it_copies_in_the_job(small, zigzag_commands, monkeypatch):
     base, copy = small.add("Base", zigzag_commands), small.add("Copy", zigzag_commands)
     copy.addProperty("App::PropertyLink", "Base", "Path").Base = base
-    assert [row.counted for row in vkworkbench.analyze(small.job).operations] == [False, True]  # one that dresses it up
+    assert [row.counted for row in vkworkbench.analyze(small.job).operations] == [False, True]  # its dress-up
     copy.Proxy = type("ObjectPathCopy", (), {"__module__": "Path.Op.Gui.Copy"})()
     assert [row.counted for row in vkworkbench.analyze(small.job).operations] == [True, True]
 
 
-def test_an_array_is_posted_as_long_as_one_of_its_bases_is_active(small, zigzag_commands):
+def test_array_is_posted_while_one_base_is_active(small, zigzag_commands):
     first, second = small.add("First", zigzag_commands), small.add("Second", zigzag_commands)
     array_of(small, zigzag_commands, first, second)
     first.Active = False
@@ -268,7 +268,7 @@ def test_what_a_dressed_up_array_copies_is_posted(small, zigzag_commands):
 
 
 def test_copies_of_what_may_come_from_a_file_are_read_as_that(small, zigzag_commands):
-    """A custom operation's feeds may be mm/min, and so may those of an array of it."""
+    """The feeds of a custom operation, and of an array of it, may be in mm/min."""
     base = small.add("Base", [(n, {**w, "F": 600.0} if "F" in w else w) for n, w in zigzag_commands])
     array = array_of(small, zigzag_commands, base)
     array.Path, array.Proxy = base.Path, object()
@@ -301,7 +301,7 @@ def test_inactive_operation(small, zigzag_commands):
     row = str(report).splitlines()[2]
     assert "switched off" in row and "0 ms" not in row and "?" not in row
     vkworkbench.mark(report)
-    assert op.Label2 == "⟦switched off⟧"  # no warning: the user did it
+    assert op.Label2 == "⟦switched off⟧"  # not a warning: the user did it
     op.Label2 = "mine ⟦switched off⟧"
     vkworkbench.clear(op)
     assert op.Label2 == "mine"
@@ -309,7 +309,7 @@ def test_inactive_operation(small, zigzag_commands):
 
 def test_a_stop_needs_no_tool(small):
     stop = small.add("Stop", [("(Stop)", {}), ("M1", {})])
-    stop.removeProperty("ToolController")  # FreeCAD's stops and comments have none
+    stop.removeProperty("ToolController")  # stops and comments of FreeCAD have no tool
     (stop,) = vkworkbench.analyze(small.document).operations
     assert stop.strategy == "empty" and stop.error is None
     row = str(vkworkbench.analyze(small.document)).splitlines()[2]
@@ -456,11 +456,11 @@ def test_progress_and_cancel(small, zigzag_commands):
 
 
 def rows_of_a_failure(report):
-    """The rows of First, whose analysis failed, and of Second, which is told as if nothing had happened."""
+    """Return the rows of First, whose analysis fails, and of Second, which must be complete."""
     rows = report.operations
     assert [row.strategy.value for row in rows] == ["unknown", "zigzag"]
     line = next(line for line in str(report).splitlines() if line.startswith("First"))
-    assert line.split()[4:6] == ["?", "?"], line  # neither its length nor its time is known
+    assert line.split()[4:6] == ["?", "?"], line  # length and time are unknown
     return rows
 
 
@@ -481,7 +481,7 @@ def test_an_error_of_our_own_costs_one_row_only(small, zigzag_commands, monkeypa
     assert "Please report" in rows[0].error and rows[1].error is None
 
 
-def test_an_operation_for_which_memory_does_not_suffice_costs_no_other_mark(small, zigzag_commands, monkeypatch):
+def test_memory_error_costs_no_other_mark(small, zigzag_commands, monkeypatch):
     first, second = small.add("First", zigzag_commands), small.add("Second", zigzag_commands[:-4])
     text_of, path_fingerprint = analysis.text_of, marking.path_fingerprint
 
@@ -502,10 +502,10 @@ def test_an_operation_for_which_memory_does_not_suffice_costs_no_other_mark(smal
 
 
 def test_everything_is_read_and_made_once(small, zigzag_commands):
-    """Words and motions of the commands, tool and stock of the document: one analysis, one of each."""
-    arc = ("G2", {"X": 30.0, "Y": 20.0, "I": -5.0, "J": 0.0})  # so that what goes wrong with arcs is looked at
+    """One analysis reads commands, tool and stock once."""
+    arc = ("G2", {"X": 30.0, "Y": 20.0, "I": -5.0, "J": 0.0})  # the cautions for arcs are computed, too
     small.add("Rows", [*zigzag_commands, ("G1", {"X": 40.0, "Y": 20.0, "Z": 15.0}), arc])
-    vkworkbench.analyze(small.document)  # measures the computer where nobody has
+    vkworkbench.analyze(small.document)  # measures the computer if that was not done yet
     RESULTS.clear()
     counted = dict.fromkeys(["words.__init__", "motions.motions", "setting.read_tool", "setting.read_stock"], 0)
 
@@ -588,7 +588,7 @@ def test_operations_take_their_time_for_every_fixture(small, zigzag_commands, fi
 
 @pytest.mark.parametrize("diameter, told", [(50.0, False), (65.0, True)])
 def test_a_tool_is_too_wide_beyond_the_longer_side_of_the_stock(small, zigzag_commands, diameter, told):
-    """Of 60 by 40 mm, wherever it lies."""
+    """The stock has 60 by 40 mm, at any position."""
     place = FreeCAD.Vector(100, -300, 0)
     stock = small.document.addObject("Part::Feature", "Elsewhere")
     stock.Shape = Part.makeBox(60, 40, 20, place)
@@ -601,7 +601,7 @@ def test_a_tool_is_too_wide_beyond_the_longer_side_of_the_stock(small, zigzag_co
 
 def test_what_is_given_up_is_not_waited_for(small, zigzag_commands, monkeypatch):
     small.add("Rows", zigzag_commands)
-    vkworkbench.analyze(small.document)  # measures the computer where nobody has
+    vkworkbench.analyze(small.document)  # measures the computer if that was not done yet
     RESULTS.clear()
     begun, go_on, ended = Event(), Event(), Event()
 
@@ -617,8 +617,8 @@ def test_what_is_given_up_is_not_waited_for(small, zigzag_commands, monkeypatch)
     go_on.set()
 
 
-def test_what_the_panel_shows_of_a_job_is_computed_by_the_analysis(small, zigzag_commands, monkeypatch):
-    """A window would wait for what is computed when it is asked for."""
+def test_analysis_computes_the_costs_that_the_panel_shows(small, zigzag_commands, monkeypatch):
+    """Otherwise the panel would compute the costs, and the window would wait."""
     small.add("First", zigzag_commands)
     small.add("Second", zigzag_commands[:-4])
     chosen = replace(preferences.read(), mark_simulator=core.simulators.ZBUFFER.name)

@@ -21,7 +21,7 @@ from vkworkbench.document.marks import marks, watcher
 
 
 def rows(what):
-    """Analyse, mark, watch and clear; return the rows by label. What was marked is as it was."""
+    """Analyse, mark, watch and clear; return {label: row}. Assert that the document is unchanged afterwards."""
     document = what.Document if hasattr(what, "Document") else what
     before = {obj.Name: (obj.Label, obj.Label2, obj.PropertiesList) for obj in document.Objects}
     report = vkworkbench.analyze(what)
@@ -43,7 +43,7 @@ def dressed(op, bases, type_id="App::PropertyLink"):
     return op
 
 
-# Loops and strangers.
+# Loops, links and odd objects
 
 
 @pytest.mark.parametrize("length", [1, 3, 7])
@@ -52,7 +52,7 @@ def dressed(op, bases, type_id="App::PropertyLink"):
 def test_loops_of_dress_ups(small, zigzag_commands, length, type_id, arrays):
     ops = [small.add(f"Op {number}", zigzag_commands, controller=None) for number in range(length)]
     for op, base in zip(ops, [*ops[1:], ops[0]]):
-        with suppress(ValueError, RuntimeError):  # some FreeCADs refuse an object's link to itself
+        with suppress(ValueError, RuntimeError):  # some FreeCADs refuse links of an object to itself
             dressed(op, [base] if "List" in type_id else base, type_id)
         if arrays:
             op.addProperty("App::PropertyInteger", "Copies").Copies = 2
@@ -97,7 +97,7 @@ def test_operations_in_containers(small, zigzag_commands, container):
     op = small.add("Zigzag", zigzag_commands)
     holder = small.document.addObject(container, "Holder")
     small.document.recompute()
-    with suppress(TypeError, ValueError, RuntimeError):  # a body takes no toolpath
+    with suppress(TypeError, ValueError, RuntimeError):  # a body accepts no toolpath
         if container == "App::LinkGroup":
             holder.ElementList = [op, small.job]
         else:
@@ -108,7 +108,7 @@ def test_operations_in_containers(small, zigzag_commands, container):
 
 
 def test_links_to_operations_and_jobs(small, zigzag_commands):
-    """A link is not the object: it is passed over, in the same document and from another one."""
+    """Links are skipped, in the same document and from another one."""
     op = small.add("Zigzag", zigzag_commands)
     other = FreeCAD.newDocument("Linking")
     try:
@@ -125,7 +125,7 @@ def test_links_to_operations_and_jobs(small, zigzag_commands):
 
 
 def test_a_document_with_links_opened_only_in_part(small, zigzag_commands, tmp_path):
-    """FreeCAD loads of a linked file only what is needed: objects there may have no path yet."""
+    """FreeCAD loads only the needed objects of a linked file: others may have no path yet."""
     op = small.add("Zigzag", zigzag_commands)
     vkworkbench.mark(vkworkbench.analyze(small.document))
     first, second = str(tmp_path / "first.FCStd"), str(tmp_path / "second.FCStd")
@@ -150,13 +150,13 @@ def test_a_document_with_links_opened_only_in_part(small, zigzag_commands, tmp_p
 
 
 def test_a_job_deleted_during_the_analysis(small, zigzag_commands):
-    """Its operations may stay; what was found of them is told without a job."""
+    """The operations may stay; their rows have no job."""
     names = [small.add(label, zigzag_commands).Name for label in ("One", "Two", "Three")]
 
     def delete(done, *_):
         if done == 1:
             small.job.Operations.Group = []
-            small.job.Proxy = None  # which would delete the operations
+            small.job.Proxy = None  # deleting the job would delete its operations
             small.document.removeObject(small.job.Name)
 
     report = vkworkbench.analyze(small.document, progress=delete)
@@ -197,7 +197,7 @@ PATHS = {
 @pytest.mark.parametrize("name", PATHS)
 def test_paths(small, zigzag_commands, name):
     op = small.add("Odd", [])
-    with suppress(TypeError, ValueError):  # FreeCAD's own refusal
+    with suppress(TypeError, ValueError):  # FreeCAD refuses it
         op.Path = CAM.Path([CAM.Command(*command) for command in PATHS[name]])
     small.add("Sound", zigzag_commands)
     found = rows(small.document)
@@ -246,7 +246,7 @@ def test_tools_seen_from_everywhere(small, zigzag_commands, diameter):
 @pytest.mark.parametrize("view", ["Front", "Isometric", "Top"])
 @pytest.mark.parametrize("above", [-0.001, 1.0])
 def test_a_tool_much_wider_than_the_stock(small, zigzag_commands, view, above):
-    """However little of a tiny stock is seen to be cut: its tool is too wide, and only what passes above does not touch."""
+    """The tool is too wide for a tiny stock; only moves above the stock do not touch it."""
     small.add("Wide", zigzag_commands)
     small.controller.Tool.Diameter = 1e6
     stock = small.document.addObject("Part::Box", "Tiny")
@@ -301,7 +301,7 @@ def test_labels_of_jobs_tools_and_stocks(small, zigzag_commands, text, tmp_path)
 
 
 def test_equal_labels(small, zigzag_commands):
-    """FreeCAD may be told to allow them."""
+    """A preference of FreeCAD allows equal labels."""
     group = FreeCAD.ParamGet("User parameter:BaseApp/Preferences/Document")
     group.SetBool("DuplicateLabels", True)
     try:
@@ -355,7 +355,7 @@ def test_marks_with_another_text(small, zigzag_commands, damage, of):
     ("outdated", "no"), ("called", {"a": 1}), ("trajectories", True), ("machining", "1"), ("text", 5), ("own", 7),
 ])  # fmt: skip
 def test_marks_with_another_entry(small, zigzag_commands, name, value):
-    """What cannot be read is made anew by marking, and gone after clearing."""
+    """Unreadable marks are replaced by marking and removed by clearing."""
     op = small.add("Zigzag", zigzag_commands)
     vkworkbench.mark(vkworkbench.analyze(small.document))
     whole = op.Label2, small.job.Label2
@@ -398,7 +398,7 @@ def test_marks_of_other_types(small, zigzag_commands, type_id):
 
 
 def test_expressions_on_marks(small, zigzag_commands):
-    """What a mark shows may be read by an expression, and driven by one: read it may be, driven it is made anew."""
+    """Expressions may read properties of a mark; marking replaces properties that an expression drives."""
     op = small.add("Zigzag", zigzag_commands)
     vkworkbench.mark(vkworkbench.analyze(small.document))
     block = small.document.getObject("Block")

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What is said when a simulator is started: from marks alone, for each simulator, and which way is better."""
+"""The warning before a simulator starts, computed from marks, and the faster way that it offers."""
 
 from dataclasses import replace
 
@@ -20,12 +20,12 @@ TASK = Task(linearize([("G0", {"X": 0.0, "Y": 0.0, "Z": 5.0}), ("G1", {"X": 40.0
 
 @pytest.fixture(autouse=True)
 def both(monkeypatch):
-    """A FreeCAD that has both simulators, whichever runs."""
+    """Let FreeCAD have both simulators in every version."""
     monkeypatch.setattr(freecad, "own_simulators", lambda: ("legacy", "OpenGL"))
 
 
 def record(label="Pocket", *, forward=5.0, play=60.0, opengl=60.0, **rest):
-    """A mark with these times, s."""
+    """Return a mark with these times, s."""
     legacy = legacy_cost(TASK)
     drawn = opengl_cost(TASK)
     longer = opengl / drawn.seconds
@@ -113,7 +113,7 @@ def test_operations_together_take_longer_than_each():
 
 
 @pytest.mark.parametrize("simulator, times", [("legacy", {"forward": 601.0}), ("OpenGL", {"opengl": 601.0})])
-def test_a_mark_over_the_budget_says_the_way_that_its_start_offers(simulator, times):
+def test_mark_over_the_budget_names_the_offered_simulator(simulator, times):
     chosen = replace(BUDGET, mark_simulator=simulator)
     over = record(**times)
     offered = better_way(simulator, [record(**{"play": 1e4, **times})], chosen)

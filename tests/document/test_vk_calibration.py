@@ -28,7 +28,7 @@ def measured(tmp_path, monkeypatch):
 
 @pytest.fixture
 def folder(measured, monkeypatch):
-    """The same, where nothing is timed: every measurement is one percent slower than that before it."""
+    """An empty user data folder, and measured times that grow by one percent each, without measuring."""
     slower = itertools.count(100)
 
     def constants(clock, going_on):
@@ -43,7 +43,7 @@ def folder(measured, monkeypatch):
     return measured
 
 
-def test_defaults_until_it_was_measured_and_the_measured_ones_after(folder):
+def test_constants_are_defaults_until_measured(folder):
     assert calibration.load("card") is None and calibration.constants("card") == DEFAULTS
     done = calibration.calibrate("card")
     assert calibration.load("card") == done and calibration.constants("card") == done.constants
@@ -75,10 +75,10 @@ def test_the_folder_of_the_users_data_may_not_be_there_yet(folder, monkeypatch):
     assert calibration.calibrate("card") == calibration.load("card")
 
 
-def test_constants_are_what_the_meshes_and_the_profile_took_by_their_size(monkeypatch):
+def test_constants_are_seconds_per_size_of_meshes_and_profile(monkeypatch):
     """A flat mesh of 100 / 0.12 by 60 / 0.12 cells; a rough one of 50 by 60 cells; a profile of three radii of 2 mm in 0.1 mm."""
     facets = sum(mesh.CountFacets for mesh in measuring._rough().GetResultMesh())
-    assert facets > 50 * 60  # as many as the cells themselves: what is flat has a few
+    assert facets > 50 * 60  # as many facets as cells; flat meshes have a few
     times = np.array([834 * 501 * 1e-6, 51 * 61 * 1e-6 + facets * 3e-6, 60 * 5e-6])
     monkeypatch.setattr(measuring, "steady_seconds", lambda pieces, **_: times)
     found = measuring.measure_legacy(None, None)
@@ -86,7 +86,7 @@ def test_constants_are_what_the_meshes_and_the_profile_took_by_their_size(monkey
     assert found.start / DEFAULTS.start == pytest.approx(1e-6 / DEFAULTS.cell)
 
 
-def test_a_processor_of_which_no_file_tells_is_named_by_what_python_knows(monkeypatch):
+def test_processor_name_falls_back_to_python(monkeypatch):
     """As on Windows and macOS."""
 
     def nowhere(_path):
@@ -110,11 +110,15 @@ def test_each_renderer_has_its_own(folder):
     assert calibration.load("llvmpipe (LLVM 19)").constants.refresh == 0
 
 
-def test_what_only_a_window_shows_is_as_fast_as_the_meshes_of_this_processor(folder):
+def test_times_of_a_window_scale_with_the_measured_meshes(folder):
     card, known = calibration.calibrate("card").constants, calibration.constants("llvmpipe")
     software = calibration.calibrate("llvmpipe").constants
     assert card.start / DEFAULTS.start == pytest.approx(card.cell / DEFAULTS.cell)
-    assert (card.frame, card.draw, card.redraw) == (DEFAULTS.frame, DEFAULTS.draw, DEFAULTS.redraw)  # the card's
+    assert (card.frame, card.draw, card.redraw) == (
+        DEFAULTS.frame,
+        DEFAULTS.draw,
+        DEFAULTS.redraw,
+    )  # a graphics card does not depend on the processor
     for name in ("frame", "draw", "redraw"):
         assert getattr(software, name) / getattr(known, name) == pytest.approx(software.cell / known.cell), name
 
@@ -134,7 +138,7 @@ def test_a_damaged_file_counts_as_none_and_is_replaced(folder, damage):
 
 
 def huge(text, name, number):
-    """The text with another number behind a name."""
+    """Return the text with another number behind a name."""
     head, tail = text.split(f'"{name}": ', 1)
     return f'{head}"{name}": {number}{tail[tail.index(",") :]}'
 
@@ -169,7 +173,7 @@ def test_a_speed_that_cannot_be_is_measured_again(folder, number):
     assert calibration.measured_speed().cell > 0 and calibration.measured_speed() != speed
 
 
-def test_no_temporary_file_stays_where_the_file_cannot_be_replaced(folder):
+def test_no_temporary_file_stays_after_a_failed_write(folder):
     path = calibration._path()
     path.mkdir(parents=True)
     with pytest.raises(OSError):
@@ -191,7 +195,7 @@ def test_what_is_kept_is_plain_json(folder):
     calibration.calibrate("card")
     (path,) = folder.rglob("calibration.json")
     speed, record = json.loads(path.read_text()).values()
-    assert set(speed) == {field.name for field in fields(Speed)} - {"processes"}  # which is no measured number
+    assert set(speed) == {field.name for field in fields(Speed)} - {"processes"}  # not a measured number
     assert set(record["constants"]) == {field.name for field in fields(DEFAULTS)}
     assert record["renderer"] == "card" and len(record["date"]) == 10
 
@@ -215,7 +219,7 @@ def test_a_speed_in_other_units_is_measured_again(folder, monkeypatch):
 
 
 class Clock:
-    """A clock by which every piece of work takes the next of some times."""
+    """A clock that gives each piece of work the next of some times."""
 
     def __init__(self, times):
         self.times, self.now, self.running = times, 0.0, False
@@ -227,7 +231,7 @@ class Clock:
 
 
 def test_calibrations_on_a_busy_computer_agree(measured, monkeypatch):
-    """Each piece takes 10 ms, and often longer by what else the computer does."""
+    """Each piece takes 10 ms, often longer because of other programs."""
     monkeypatch.setattr(calibration, "measure_speed", lambda clock, going_on: Speed())
     rng = np.random.default_rng(1)
 
@@ -265,4 +269,4 @@ def test_an_analysis_is_cancelled_while_the_computer_is_measured(measured, small
             progress=lambda *_: pytest.fail("it went on"),
         )
     assert len(asked) == 6
-    assert not list(measured.rglob("calibration.json"))  # FreeCAD 1.1 puts folders of its own there
+    assert not list(measured.rglob("calibration.json"))  # FreeCAD 1.1 makes folders there

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Fingerprints: the same for what an analysis takes for the same, another one for everything else."""
+"""Fingerprints: equal if an analysis would give equal results, different otherwise."""
 
 from __future__ import annotations
 
@@ -59,7 +59,7 @@ def test_the_place_counts_to_a_millionth():
     assert here != text_fingerprint(TEXT, placed(angle=0.01))
 
 
-def test_a_fingerprint_has_sixteen_letters_and_is_made_of_those_of_path_and_setting():
+def test_fingerprint_combines_path_and_setting_in_16_letters():
     path, setting = text_fingerprint(TEXT, NOWHERE), setting_fingerprint(None, None)
     assert len(path) == len(setting) == 16
     assert path_and_setting(fingerprint_of(path, setting)) == (path, setting)
@@ -94,14 +94,14 @@ def test_what_files_and_versions_round_is_the_same_setting(changed):
     assert of(**changed) == of()
 
 
-def test_a_corner_on_the_border_between_two_hundredths_is_the_same_with_another_last_digit():
-    """A multiple of 5 mm / 1000, as halves of sizes are, is no such border."""
+def test_corner_between_two_hundredths_ignores_the_last_digit():
+    """Multiples of 0.005 mm, which halves of sizes are, are not on the border."""
     for corner in (0.005, 0.125, 12.345, 3.175):
         assert of(upper=(60.0 + corner - 1e-9, 40.0, 20.0)) == of(upper=(60.0 + corner + 1e-9, 40.0, 20.0))
 
 
 def test_what_stands_in_files_is_told_the_same_by_every_version():
-    """The first sixteen digits of a SHA-1 of what counts, rounded; nothing is never below nothing."""
+    """The first 16 digits of a SHA-1 of the rounded values; -0 counts as 0."""
 
     def digits(text):
         return hashlib.sha1(text.encode()).hexdigest()[:16]
@@ -138,7 +138,7 @@ def test_the_point_of_a_tool_counts():
 
 
 @pytest.mark.parametrize("at_once", [50_000, 10])
-def test_the_fingerprint_of_a_path_is_that_of_its_text_however_long_it_is(small, zigzag_commands, monkeypatch, at_once):
+def test_fingerprint_of_a_path_is_the_one_of_its_text(small, zigzag_commands, monkeypatch, at_once):
     monkeypatch.setattr(fingerprint, "AT_ONCE", at_once)
     op = small.add("One", zigzag_commands)
     text = op.Path.toGCode()
@@ -147,14 +147,14 @@ def test_the_fingerprint_of_a_path_is_that_of_its_text_however_long_it_is(small,
 
 
 def test_what_fits_a_setting(small, zigzag_commands):
-    """Of a document that was just opened also what was marked without a stock: FreeCAD gives it one."""
+    """In a reopened document, marks made without a stock fit, too, because FreeCAD adds a stock."""
     op = small.add("One", zigzag_commands)
     whole, of_tool = read_setting_fingerprints(op, small.job)
     assert whole != of_tool
     assert Settings().of(op) == (whole,) and Settings(opened=True).of(op) == (whole, of_tool)
 
 
-def test_what_an_analysis_has_found_meanwhile_is_not_looked_for_any_longer(small, zigzag_commands):
+def test_finding_stops_when_an_analysis_has_the_fingerprint(small, zigzag_commands):
     op = small.add("One", zigzag_commands)
     steps = finding_path_fingerprint(op)
     next(steps)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""FreeCAD's names and versions stand in one place, and the watcher watches every name that a mark depends on."""
+"""FreeCAD's names and versions are in one file, and the watcher watches all properties that marks need."""
 
 import ast
 from pathlib import Path
@@ -76,12 +76,12 @@ def test_what_a_fingerprint_reads_is_watched(example):
             spied = read_setting_fingerprints(obj, job)
             assert spied == read_setting_fingerprints(operation.object, operation.job)
     assert {"ToolController", "Tool", "Diameter", "Stock", "Shape"} <= read
-    untold = {"Base", "Label"}  # what is dressed up, which changes with the group; the label is for messages only
+    untold = {"Base", "Label"}  # Base changes together with Group; Label is used in messages only
     assert read - untold <= freecad.names_in_fingerprint("setting")
 
 
 def names_in(code):
-    """Strings and attributes of a Python file."""
+    """Return the strings and attributes in a Python file."""
     for node in ast.walk(ast.parse(code)):
         if isinstance(node, ast.Constant):
             yield node.value
@@ -90,7 +90,7 @@ def names_in(code):
 
 
 def test_no_other_file_names_a_property_of_the_workbench():
-    core = {"Path", "Placement", "Shape", "Group", "Base"}  # of FreeCAD itself, which keeps its names
+    core = {"Path", "Placement", "Shape", "Group", "Base"}  # properties of FreeCAD itself keep their names
     names = {name for entry in PROPERTIES.values() for name in entry.names} - core
     for folder in ("document", "gui"):
         for path in (PACKAGE / folder).rglob("*.py"):

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Python's garbage while other threads work: collected by whoever calls `collect`, and by nobody else."""
+"""Python's garbage while other threads work: only `collect` collects it."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ class Ring:
 
 @pytest.fixture
 def collector():
-    """The collector as it was, on and without garbage, after the test."""
+    """Restore the collector after the test: switched on, without garbage."""
     threshold = gc.get_threshold()
     gc.enable()
     gc.collect()
@@ -34,11 +34,11 @@ def collector():
 
 
 def gone():
-    """A reference to a ring that nobody holds."""
+    """Return a weak reference to an unreachable ring."""
     return weakref.ref(Ring())
 
 
-def test_nothing_is_collected_by_itself_until_the_last_holder_releases_it(collector):
+def test_garbage_waits_until_the_last_holder_releases_it(collector):
     garbage.hold()
     assert not gc.isenabled()
     garbage.hold()
@@ -60,7 +60,7 @@ def test_what_is_young_is_collected_when_it_is_time(collector):
     ring = gone()
     gc.set_threshold(1_000_000)
     garbage.collect()
-    assert ring() is not None  # it is not time
+    assert ring() is not None  # too early for the next collection
     gc.set_threshold(1)
     more = [[] for _ in range(10)]
     garbage.collect()
@@ -93,7 +93,7 @@ def test_nothing_is_collected_where_the_user_has_turned_it_off(collector):
 
 
 def resident():
-    """Bytes of this process in memory."""
+    """Return the resident memory of this process, bytes."""
     (line,) = [line for line in Path("/proc/self/status").read_text().splitlines() if line.startswith("VmRSS:")]
     return 1024 * int(line.split()[1])
 
@@ -104,7 +104,7 @@ def test_what_a_thread_has_freed_is_given_back(collector):
 
     def work():
         blocks = [bytes([1]) * 60_000 for _ in range(2_000)]
-        kept.append(bytes([1]) * 60_000)  # behind them: what is free before it stays with the process
+        kept.append(bytes([1]) * 60_000)  # the last block: memory before a used block stays with the process
         blocks.clear()
 
     thread = threading.Thread(target=work)

@@ -31,7 +31,7 @@ def outdated(document):
 
 
 def analyze_mark_clear(what):
-    """Analyse, mark and clear; return the report. What was marked is as it was."""
+    """Analyse, mark and clear; return the report. Assert that the document is unchanged afterwards."""
     document = what.Document if hasattr(what, "Document") else what
     before = {obj.Name: (obj.Label, obj.Label2, obj.PropertiesList) for obj in document.Objects}
     report = vkworkbench.analyze(what)
@@ -64,7 +64,7 @@ def test_dressed_up_operation_deleted(small, zigzag_commands):
 def test_operations_that_dress_up_each_other(small, zigzag_commands):
     first, second = small.add("First", zigzag_commands), small.add("Second", zigzag_commands)
     for op, other in ((first, second), (second, first)):
-        op.addProperty("App::PropertyLink", "Base", "Path").Base = other  # a file can say so
+        op.addProperty("App::PropertyLink", "Base", "Path").Base = other  # possible in a file
     rows = analyze_mark_clear(small.document).operations
     assert sorted(o.label for o in rows) == ["First", "Second"]
     assert [row.called for row in rows] == [None, None]
@@ -81,7 +81,7 @@ def test_links_to_what_was_deleted(small, zigzag_commands, lost, words):
               "group": small.job.Operations, "job": small.job}[lost]  # fmt: skip
     small.document.removeObject(victim.Name)
     names = {obj.Name for obj in small.document.Objects}
-    if op.Name in names:  # FreeCAD may delete what is in a job with it
+    if op.Name in names:  # FreeCAD may delete the content of a job with the job
         (row,) = analyze_mark_clear(small.document).operations
         assert row.strategy == "zigzag" and words in row.error
         assert (row.estimate is None) == (words == "no tool")
@@ -108,7 +108,7 @@ def test_an_operation_in_two_groups_is_analyzed_once(small, zigzag_commands):
     assert not any(marks.is_marked(obj) for obj in small.document.Objects)
 
 
-def test_job_without_stock_is_marked_with_the_cost_of_a_box_around_its_cuts(small, zigzag_commands):
+def test_job_without_stock_costs_as_a_box_around_its_cuts(small, zigzag_commands):
     op = small.add("Zigzag", zigzag_commands)
     small.job.Stock = None
     vkworkbench.mark(vkworkbench.analyze(small.document))
@@ -188,7 +188,7 @@ def test_labels_are_text(small, zigzag_commands, label, tmp_path):
     document = FreeCAD.openDocument(path)
     try:
         again = document.getObject("Op")
-        # XML may not keep line ends and tabs as they are; the words stay.
+        # XML may change line ends and tabs, but not the words.
         assert again.Label2.split() == f"{own} ⟦{marks.read(again).text}⟧".split()
         watcher.check(document)
         assert outdated(document) == []
@@ -254,7 +254,7 @@ def test_document_closed_during_the_analysis(small, zigzag_commands):
 
 @pytest.mark.parametrize("kept", [True, False])
 def test_operation_deleted_during_the_analysis(small, zigzag_commands, kept):
-    small.document.UndoMode = int(kept)  # what is deleted then lives on without a name
+    small.document.UndoMode = int(kept)  # the deleted object then still exists without a name
     small.document.openTransaction("Delete")
     names = [small.add(label, zigzag_commands).Name for label in ("One", "Two", "Three")]
     report = vkworkbench.analyze(small.job, progress=lambda done, *_: done or small.document.removeObject(names[1]))
@@ -289,7 +289,7 @@ def test_two_documents_keep_apart(small, zigzag_commands):
 
 
 def add_many(small, count, commands):
-    """Operations of one job, made at once."""
+    """Add operations to one job in one step."""
     path = CAM.Path([CAM.Command(name, words) for name, words in commands])
     made = []
     for _ in range(count):
@@ -311,7 +311,7 @@ def test_a_thousand_operations_take_linear_work(small, zigzag_commands):
     few = [steps(lambda what=what: find(what)) for what in (operations, document, small.job)]
     operations += add_many(small, 900, zigzag_commands)
     many = [steps(lambda what=what: find(what)) for what in (operations, document, small.job)]
-    assert max(b / a for a, b in zip(few, many)) < 12  # 10 where linear, 100 where quadratic
+    assert max(b / a for a, b in zip(few, many)) < 12  # 10 if linear, 100 if quadratic
     assert [len(find(what)) for what in (operations, document, small.job)] == [1000] * 3
     report = vkworkbench.analyze(document)
     assert len(report.operations) == 1000 and report.totals[0].operations == 1000
@@ -352,7 +352,7 @@ def test_no_transaction_stays_open(small, zigzag_commands, undo_mode):
     op = small.add("Zigzag", zigzag_commands)
     small.document.UndoMode = undo_mode
     report = vkworkbench.analyze(small.document)
-    for _ in range(2):  # the second changes nothing
+    for _ in range(2):  # the second call changes nothing
         vkworkbench.mark(report)
         assert FreeCAD.getActiveTransaction() is None and not small.document.HasPendingTransaction
     assert small.document.UndoCount == undo_mode and marks.is_marked(op)
@@ -387,10 +387,10 @@ ASCII = f"<code_set_name> ASCII\n<comment_char> %\n<escape_char> /\nCHARMAP\n{CH
 
 @pytest.fixture
 def decimal_comma(tmp_path, monkeypatch):
-    """Switch to a locale with a decimal comma, made on the spot: test machines have none."""
+    """Make a locale with a decimal comma, which test machines lack, and switch to it."""
     (tmp_path / "comma.src").write_text(COMMA)
     (tmp_path / "ascii").write_text(ASCII)
-    # It warns of all the categories that are not defined.
+    # The locale tool warns of undefined categories.
     subprocess.run(["localedef", "-c", "-i", "comma.src", "-f", "./ascii", "./comma"], cwd=tmp_path, check=False,
                    stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)  # fmt: skip
     monkeypatch.setenv("LOCPATH", str(tmp_path))
@@ -428,11 +428,11 @@ def test_unit_system_of_the_user_changes_no_number(example):
 
 
 class Audit:
-    """What Python opens for writing, deletes, starts and connects to while it is switched on."""
+    """Records files opened for writing or deleted, started programs, and connections while it is on."""
 
     def __init__(self):
         self.on, self.seen = False, []
-        sys.addaudithook(self.hook)  # cannot be removed: so there is one
+        sys.addaudithook(self.hook)  # audit hooks cannot be removed, so there is only one
 
     def hook(self, event, args):
         if not self.on:

@@ -12,18 +12,18 @@ from vkworkbench.document.computer import idle
 
 
 class Window:
-    """An event loop that is turned by hand, and a clock that only work moves on."""
+    """An event loop that tests run by hand, and a clock that only work advances."""
 
     def __init__(self):
         self.waiting, self.now, self.done = [], 0.0, []
 
     def idle(self):
-        """Call what waits; what that makes wait comes the next time."""
+        """Call the waiting functions; functions added meanwhile wait for the next call."""
         for _ in range(len(self.waiting)):
             self.waiting.pop(0)()
 
     def steps(self, name, count, *, seconds=0.02, error=None):
-        """Work in so many steps, which may end in an error."""
+        """Return work in `count` steps, which may end in an error."""
         for step in range(count):
             self.done.append(f"{name}{step}")
             self.now += seconds
@@ -34,7 +34,7 @@ class Window:
 
 @pytest.fixture
 def window(monkeypatch):
-    """A window, which is gone after the test."""
+    """Use a fake window during the test."""
     window = Window()
     monkeypatch.setattr(idle, "time", SimpleNamespace(monotonic=lambda: window.now))
     monkeypatch.setattr(idle, "_soon", None)
@@ -42,7 +42,7 @@ def window(monkeypatch):
     return window
 
 
-def test_a_moment_of_work_is_done_at_once_and_the_rest_when_the_window_is_idle(window):
+def test_long_work_goes_on_when_the_window_is_idle(window):
     idle.work(window.steps("a", 5))
     assert window.done == ["a0", "a1"] and len(window.waiting) == 1  # 20 ms each
     window.idle()
@@ -68,7 +68,7 @@ def test_a_work_that_fails_ends_no_other(window, error):
     idle.work(window.steps("a", 3, error=error))
     idle.work(window.steps("b", 3))
     while window.waiting:
-        with suppress(ValueError):  # a document that is gone is no error
+        with suppress(ValueError):  # a closed document is not an error
             window.idle()
     assert window.done == ["a0", "a1", "a2", "b0", "b1", "b2"]
 

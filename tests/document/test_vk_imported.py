@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Programs that FreeCAD's own importer brought into a job: what it lost, and what is told all the same."""
+"""Programs imported by FreeCAD: the importer loses units and feeds, and the analysis finds them again."""
 
 from __future__ import annotations
 
@@ -56,8 +56,8 @@ def test_imported_inches_of_two_operations_are_told_apart(small, tmp_path):
     assert [str(span.strategy) for span in row.recognition.spans] == ["zigzag", "profile"]
 
 
-def test_imported_inches_of_two_operations_with_nothing_but_a_retract_between_them_are_told_apart(small, tmp_path):
-    """As in a program in millimetres: nobody knows that it was one operation."""
+def test_imported_inches_split_profile_and_helix_at_a_retract(small, tmp_path):
+    """As in a program in millimetres: the two operations are separate spans."""
     FreeCAD.setActiveDocument(small.name)
     commands = [*programs.profile(24, 40.0, [-1.0, -2.0, -3.0]), *programs.helix(8, 15.0, 1.0)]
     lines = [
@@ -73,7 +73,7 @@ def test_imported_inches_of_two_operations_with_nothing_but_a_retract_between_th
 
 @pytest.mark.parametrize("name", ["ClearanceHeight", "Base"])
 def test_what_another_freecad_has_made_is_no_imported_program(small, name):
-    """It has no proxy, but an operation's heights or what it dresses up. Its feeds are mm/s, however fast."""
+    """Without a proxy, but with heights or a base as only operations have. Its feeds are in mm/s."""
     operation = small.add(
         "Fast", [("G0", {"X": 5.0, "Y": 5.0, "Z": 30.0}), ("G1", {"Z": 15.0, "F": 300.0}), ("G1", {"X": 55.0})]
     )
@@ -91,7 +91,7 @@ def test_imported_millimetres_are_not_doubted(small, tmp_path):
 
 
 def test_small_work_of_freecads_own_is_not_doubted(small, zigzag_commands):
-    """An operation with a proxy was not imported, however small it is."""
+    """An operation with a proxy was not imported, even if it is very small."""
     shrunk = [(name, {axis: v / 25.4 for axis, v in words.items()}) for name, words in zigzag_commands]
     operation = small.add("Tiny", shrunk)
     assert TOO_SMALL in vkworkbench.analyze(operation).operations[0].error
@@ -115,7 +115,7 @@ def test_the_time_of_an_import_is_that_of_its_feeds_in_a_minute(small, tmp_path)
 
 
 def test_feeds_of_a_machine_are_not_doubted(small, zigzag_commands):
-    """FreeCAD's own feeds are mm/s; one that a file of another version has lost the proxy of, too."""
+    """FreeCAD's feeds are in mm/s, also for an operation that lost its proxy in another version."""
     (row,) = vkworkbench.analyze(small.add("Zigzag", zigzag_commands)).operations
     assert row.machining.cutting_seconds == pytest.approx(56) and MINUTES not in (row.error or "")
     fast = small.add("Fast", [(name, {**words, "F": 300.0}) for name, words in zigzag_commands])
@@ -124,13 +124,13 @@ def test_feeds_of_a_machine_are_not_doubted(small, zigzag_commands):
 
 
 def test_no_inches_are_looked_for_where_a_rotary_axis_cuts(small):
-    """Degrees are no lengths: the toolpath is not told, and not said to be too small."""
+    """Degrees are not lengths: the toolpath is not recognised, and not called too small."""
     turning = [("G0", {"X": 0.1, "Y": 0.1, "Z": 1.0}), ("G1", {"X": 1.0, "F": 5.0}), ("G1", {"X": 0.2, "A": 90.0})]
     (row,) = vkworkbench.analyze(small.add("Turning", turning)).operations
     assert row.strategy == "unknown" and "rotary" in row.error and TOO_SMALL not in row.error
 
 
-def test_what_a_strategy_is_told_from_is_copied_for_another_thread(small, zigzag_commands):
+def test_input_of_the_recognition_is_copied_for_a_thread(small, zigzag_commands):
     op, without = small.add("Rows", zigzag_commands), small.add("No tool", zigzag_commands, controller=None)
     op.Placement.Base = FreeCAD.Vector(1, 2, 3)
     source = source_of(op)

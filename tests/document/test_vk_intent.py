@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What an operation is called against what its toolpath does: only another family contradicts."""
+"""The operation's type against the recognised strategy: only another family of strategies contradicts."""
 
 from __future__ import annotations
 
@@ -67,12 +67,12 @@ ROWS, ROWS_ONE_WAY, AROUND, MIXED = Strategy.ZIGZAG, Strategy.ONE_WAY, Strategy.
         ("Grid", told(MIXED, spans=[AROUND, Strategy.DRILLING]), True),
     ],
 )
-def test_a_sure_verdict_on_enough_passes_of_no_family_that_fits_contradicts(name, found, expected):
+def test_contradiction_needs_a_confident_other_family(name, found, expected):
     assert contradicts(name, found) is expected
 
 
 def test_the_pattern_of_a_slot_is_how_its_one_line_is_cut(small):
-    """FreeCAD's Slot has a CutPattern, too, and it is none of a surface's."""
+    """The CutPattern of FreeCAD's Slot is not the pattern of a surface."""
     slot = small.add("Slot", programs.profile())
     slot.addProperty("App::PropertyString", "CutPattern", "Path").CutPattern = "ZigZag"
     slot.Proxy = type("ObjectSlot", (), {"__module__": "Path.Op.Slot"})()
@@ -92,7 +92,7 @@ def test_a_dress_up_is_judged_by_itself(small, zigzag_commands):
 
 
 def test_a_file_of_results_names_what_contradicts(small, zigzag_commands, tmp_path):
-    """As the mark and the panel do: who reads a hundred jobs looks for it there."""
+    """The files have the same remark as mark and panel."""
     op = small.add("2D Pocket3", zigzag_commands)
     op.addProperty("App::PropertyString", "OffsetPattern", "Path").OffsetPattern = "Offset"
     report = vkworkbench.analyze(small.document)
@@ -100,6 +100,6 @@ def test_a_file_of_results_names_what_contradicts(small, zigzag_commands, tmp_pa
     with open(tmp_path / "job.csv", newline="", encoding="utf-8") as file:
         (row,) = csv.DictReader(file)
     assert (row["label"], row["strategy"], row["called"]) == ("2D Pocket3", "zigzag", "Offset")
-    op.OffsetPattern = "ZigZag"  # is seen without a recompute
+    op.OffsetPattern = "ZigZag"  # effective without a recompute
     (again,) = vkworkbench.analyze(small.document).operations
     assert again.called is None

@@ -10,7 +10,7 @@ from vkworkbench.document.marks import marks, watcher
 
 
 def in_compound(small, *operations):
-    """Put operations into a compound as the job's group; the compound's path has all of theirs."""
+    """Put operations into a compound, whose path joins their paths, as the job's group."""
     compound = small.document.addObject("Path::FeatureCompoundPython", "Compound")
     compound.Group = list(operations)
     group = small.job.Operations
@@ -63,7 +63,7 @@ def test_its_marks_are_fresh_after_reopening(old, tmp_path):
 
 
 def test_a_job_that_no_later_freecad_has_touched(old):
-    """Its list of tool controllers is a property of its own; there is no group of tools yet."""
+    """The tool controllers are a list property of the job; the group of tools came later."""
     tools = old.job.Tools
     old.job.Proxy = None
     old.job.removeProperty("Tools")
@@ -105,7 +105,7 @@ def test_operations_in_a_folder_of_the_job_belong_to_it(small, zigzag_commands):
         assert row.job == small.job.Name and row.counted
 
 
-def test_what_stands_in_folders_comes_in_its_place_and_what_stands_behind_them_too(small, zigzag_commands):
+def test_operations_in_folders_keep_their_order(small, zigzag_commands):
     one, two, three, four = (small.add(label, zigzag_commands, job=False) for label in ("One", "Two", "Three", "Four"))
     inner, outer = (small.document.addObject("App::DocumentObjectGroup", name) for name in ("Inner", "Outer"))
     inner.Group, outer.Group = [two], [one, inner, three]

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The total of a job in the z-buffer is that of one z-buffer, and the same wherever it is told."""
+"""The z-buffer cost of a job is the cost of one z-buffer, and equal everywhere."""
 
 import json
 
@@ -28,7 +28,7 @@ def shown():
 
 @pytest.fixture
 def twice(small, zigzag_commands, shown):
-    """Two operations that cut the same, and a third."""
+    """A job with two operations that make the same cut, and a third operation."""
     deeper = [
         (name, {**words, "Z": 12.0}) if words.get("Z") == 15.0 else (name, words) for name, words in zigzag_commands
     ]
@@ -97,7 +97,7 @@ def test_nothing_is_estimated_while_marks_are_written(twice, monkeypatch):
     assert len(asked) == 2 and marks.read(twice.job).cost(ZBUFFER.name)[0] < 3 * report.operations[0].estimate.seconds
 
 
-def test_the_total_survives_its_file_and_is_a_sum_where_the_session_knows_too_little(twice, tmp_path):
+def test_total_survives_its_file_or_becomes_a_sum(twice, tmp_path):
     report = vkworkbench.analyze(twice.document)
     vkworkbench.mark(report)
     total = report.totals[0].cost(ZBUFFER.name)
@@ -125,7 +125,7 @@ def test_a_total_of_other_operations_is_not_read(twice):
 
 
 def test_what_cuts_nothing_is_no_unknown_cost(twice):
-    """A tool that is driven away has moves, and costs no simulator anything."""
+    """An operation that only drives the tool away has moves, but costs nothing in every simulator."""
     twice.add("Away", [("G0", {"Z": 50.0}), ("G0", {"X": 0.0, "Y": 0.0}), ("G0", {"Z": 80.0})])
     report = vkworkbench.analyze(twice.job)
     (total,) = report.totals
@@ -144,7 +144,7 @@ def test_a_closed_document_is_forgotten(twice):
 
 @pytest.fixture
 def linked(small, zigzag_commands):
-    """An operation, and a link to it in the same job."""
+    """An operation and a link to it in one job."""
     op = small.add("Zigzag", zigzag_commands)
     link = small.document.addObject("App::Link", "Link")
     link.LinkedObject, link.Label = op, "Once more"
@@ -154,7 +154,7 @@ def linked(small, zigzag_commands):
 
 
 def test_a_link_in_the_job_counts_as_it_is_posted(small, linked):
-    """FreeCAD 0.20, 1.0 and 1.1 post the path of a link that is in the group of the operations."""
+    """FreeCAD posts the path of a link in the group of operations."""
     op, link = linked
     report = vkworkbench.analyze(small.document)
     one, other = report.operations
@@ -164,14 +164,14 @@ def test_a_link_in_the_job_counts_as_it_is_posted(small, linked):
     vkworkbench.mark(report)
     assert small.job.Label2.startswith("⟦2 operations · ")
     assert marks.read(small.job).length == pytest.approx(2 * one.length)
-    assert link.Label2 == "" and MARK not in link.PropertiesList  # its mark is that of the operation
+    assert link.Label2 == "" and MARK not in link.PropertiesList  # the mark of the operation counts
     op.Active = False
     small.document.recompute()
     assert vkworkbench.analyze(small.document).totals[0].operations == 0
     assert vkworkbench.clear(small.document) == 2 and MARK not in op.PropertiesList
 
 
-def test_a_link_beside_the_job_is_not_posted_and_has_no_mark_of_its_own(small, linked):
+def test_link_beside_the_job_is_not_posted_or_marked(small, linked):
     op, link = linked
     small.job.Operations.Group = [op]
     vkworkbench.mark(vkworkbench.analyze(small.document))

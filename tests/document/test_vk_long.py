@@ -35,7 +35,7 @@ def test_a_thread_finds_the_same(example):
 
 
 def test_a_thread_that_takes_long_is_waited_for_by_any_python(small, zigzag_commands, monkeypatch):
-    """Before Python 3.11 the TimeoutError of concurrent.futures is not the built-in one."""
+    """Before Python 3.11 concurrent.futures has its own TimeoutError."""
     from vkworkbench.document import analysis
 
     small.add("Zigzag", zigzag_commands)

@@ -94,7 +94,7 @@ def test_two_versions_are_compared(example, example_path, tmp_path):
 
 
 @pytest.mark.parametrize("names", ["ab", "ba"])
-def test_the_version_in_front_is_the_new_one_whatever_it_is_called(names):
+def test_active_document_is_the_new_version(names):
     opened = [FreeCAD.newDocument(name) for name in names]
     try:
         assert [document.Name for document in old_and_new()][-1] == opened[1].Name

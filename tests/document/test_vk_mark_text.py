@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""A mark in words, of records that were made for it: what is long, what is warned of, and what stands between brackets."""
+"""The text of a mark: long times, warnings, and the brackets around it."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ NOTHING = Message("moves-nothing")
 
 
 def record(seconds=5.0, **rest):
-    """A mark that tells so many seconds, or none."""
+    """Return a mark with a simulation time of `seconds`, or without one."""
     costs = {} if seconds is None else {"legacy": replace(COST, fast_forward_seconds=seconds)}
     return Record(**{"strategy": Strategy.ZIGZAG, "confidence": 0.9, "trajectories": 2, "costs": costs, **rest})
 
@@ -45,7 +45,7 @@ def test_half_of_the_budget_is_near_it_and_all_of_it_is_within(seconds, expected
     [
         ({}, False),
         ({"remarks": (NOTHING,)}, True),
-        ({"called": "ZigZag"}, True),  # and does something else
+        ({"called": "ZigZag"}, True),  # the strategy differs from the type
         ({"cautions": (hangs("legacy"),)}, True),
         ({"cautions": (hangs("OpenGL"),)}, False),  # the other simulator is not the chosen one
         ({"cautions": (hangs("OpenGL"), hangs("legacy"))}, True),
@@ -53,7 +53,7 @@ def test_half_of_the_budget_is_near_it_and_all_of_it_is_within(seconds, expected
     ],
     ids=["nothing", "remark", "called", "hangs", "the other hangs", "both hang", "not serious"],
 )
-def test_what_the_user_must_know_before_it_is_started_is_warned_of(rest, warned):
+def test_caution_before_the_start_is_a_warning(rest, warned):
     assert is_warned(record(**rest), CHOSEN) is warned
     assert ("⚠" in text_of(record(**rest), CHOSEN)) is warned
 

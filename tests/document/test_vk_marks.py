@@ -405,7 +405,7 @@ with open({out!r}, "w", encoding="utf-8") as file:
 
 
 def open_without_addon(path, folder):
-    """Open a file in a FreeCAD of its own without the add-on; return what it shows and what it printed."""
+    """Open a file in a new FreeCAD without the add-on; return the shown texts and the output."""
     script, out, home = folder / "open.py", folder / "out.txt", folder / "home"
     home.mkdir()
     script.write_text(WITHOUT_ADDON.format(path=str(path), out=str(out)))
@@ -429,8 +429,8 @@ def test_a_marked_file_opens_without_the_addon(example, tmp_path):
     assert log == plain_log
 
 
-def test_a_mark_is_shown_where_its_text_stands_or_is_kept_from_us(small, zigzag_commands):
-    """Pills are painted over what stands in the description: nothing is, where somebody has taken it away."""
+def test_mark_is_shown_with_its_text_or_an_expression(small, zigzag_commands):
+    """A pill covers the text of the mark: no pill is shown if the user has removed the text."""
     op = small.add("Zigzag", zigzag_commands)
     assert not marks.is_shown(op)
     vkworkbench.mark(vkworkbench.analyze(small.document))
@@ -448,7 +448,7 @@ def test_marking_again_brings_back_a_text_that_was_taken_away(small, zigzag_comm
     vkworkbench.mark(report)
     texts = op.Label2, small.job.Label2
     op.Label2 = small.job.Label2 = ""
-    # What follows a change by itself leaves it away; a click on Analyze is asked for.
+    # Automatic updates omit the sign; only a click on Analyze restores it.
     refresh(op, lambda _: ())
     assert (op.Label2, small.job.Label2) == ("", "")
     vkworkbench.mark(vkworkbench.analyze(small.document))
@@ -478,7 +478,7 @@ def test_a_total_is_outdated_while_one_of_its_operations_is(small, zigzag_comman
     refresh(one, lambda _: (setting,))
     marks.refresh_total(small.job)
     assert not marks.is_outdated(small.job)
-    # A total of marks that are outdated already says so at once.
+    # The total of outdated marks is outdated at once.
     refresh(other, lambda _: ("another",))
     marks.write_total(small.job, preferences.read())
     assert marks.is_outdated(small.job)
@@ -498,10 +498,10 @@ def test_a_total_is_outdated_while_one_of_its_operations_is(small, zigzag_comman
         ({"seconds": 61.0}, True),
         ({"seconds": 59.0}, False),
         ({"hangs": "legacy"}, True),
-        ({"hangs": "OpenGL"}, False),  # the user starts the other one
+        ({"hangs": "OpenGL"}, False),  # the user starts the other simulator
     ],
 )
-def test_the_warning_sign_is_of_the_simulator_that_the_user_starts(small, zigzag_commands, changed, warned):
+def test_warning_sign_belongs_to_the_started_simulator(small, zigzag_commands, changed, warned):
     op = small.add("Zigzag", zigzag_commands)
     vkworkbench.mark(vkworkbench.analyze(small.document))
     chosen = replace(preferences.read(), mark_simulator="legacy", time_budget=60.0)
@@ -543,7 +543,7 @@ def test_other_words_come_before_the_mark(small, zigzag_commands):
     mark = op.Label2
     op.Label2 = f"before {mark}"
     assert marks.with_words(op, "mine ") == f"mine {mark}" and marks.with_words(op, "") == mark
-    op.Label2 = f"⟦zigzag⟧ {mark}"  # of a version before
+    op.Label2 = f"⟦zigzag⟧ {mark}"  # written by an earlier version
     assert marks.with_words(op, "mine") == f"mine {mark}"
 
 
@@ -556,7 +556,7 @@ def test_brackets_that_the_user_puts_beside_a_mark_stay(small, zigzag_commands):
     assert op.Label2 == "mine ⟦of another tool⟧"
 
 
-def test_of_a_group_a_job_whose_operations_are_gone_is_cleared_too(small, zigzag_commands):
+def test_clearing_a_group_clears_a_job_without_operations(small, zigzag_commands):
     op = small.add("Zigzag", zigzag_commands)
     group = small.document.addObject("App::DocumentObjectGroup", "Group")
     group.addObject(small.job)

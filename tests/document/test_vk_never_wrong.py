@@ -104,7 +104,7 @@ def test_an_older_report_is_outdated(marked):
 
 
 def test_what_is_known_of_a_path_is_known_of_no_other(marked):
-    """Whatever changes a path: its fingerprint is that of the path as it is."""
+    """After every change the fingerprint belongs to the current path."""
     document, op = marked.document, marked.op
 
     def is_true():
@@ -206,8 +206,8 @@ def test_an_analysis_after_a_recompute_is_no_step_of_its_own(marked, analyzed_ag
 
 
 @pytest.mark.parametrize("what", ["tool", "stock"])
-def test_a_mark_that_a_redo_brings_back_speaks_of_what_is_there_now(small, zigzag_commands, what):
-    """Seed 320065 of the documents' fuzzer: the tool is deleted outside any step while the mark is undone."""
+def test_mark_restored_by_redo_is_outdated_without_its_tool(small, zigzag_commands, what):
+    """The tool is deleted outside any transaction while the mark is undone."""
     op = small.add("Zigzag", zigzag_commands)
     upkeep.watch()
     vkworkbench.mark(vkworkbench.analyze(small.document))
@@ -249,11 +249,11 @@ def test_a_stock_of_another_form_in_the_same_box_outdates(marked):
     for name in ("box", "cylinder", "tube"):
         solid.Shape = STOCKS[name]()
         vkworkbench.mark(vkworkbench.analyze(document))
-        assert marks.read(marked.op).fingerprint == found[name]  # made again it is the same
+        assert marks.read(marked.op).fingerprint == found[name]  # a new analysis gives the same result
 
 
 def test_a_shape_that_is_gone_is_taken_for_no_other(marked):
-    """Memory is used again: what is known of a shape is not told of the next one that lies there."""
+    """A new shape at the address of a deleted one does not get its results."""
     solid = marked.document.addObject("Part::Feature", "Solid")
     marked.job.Stock = solid
     seen = set()

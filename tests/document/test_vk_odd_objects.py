@@ -19,7 +19,7 @@ VALUES = {
 
 
 class Odd:
-    """Stands for an object that has a property of another type."""
+    """A value of a property that links to an object of another type."""
 
     def __init__(self, obj, name, type_id, value):
         obj.addProperty(type_id, name, "Odd")
@@ -32,14 +32,14 @@ def bare(small, name, type_name="Path::FeaturePython"):
 
 
 def operation(small, commands, controller):
-    """An operation whose controller is any object."""
+    """Return an operation with any object as its controller."""
     op = small.add("Odd", commands, controller=None)
     op.ToolController = controller
     return op
 
 
 def odd_row(small, op):
-    """Analyse a sound and an odd operation, mark, watch and clear them; return the odd one's row."""
+    """Analyse, mark, watch and clear a sound and an odd operation; return the row of the odd one."""
     report = vkworkbench.analyze(small.document)
     rows = {row.label: row for row in report.operations}
     assert rows["Sound"].strategy == "zigzag" and rows["Sound"].error is None
@@ -54,7 +54,7 @@ def odd_row(small, op):
 
 
 def test_a_comment_of_a_job_is_no_operation_without_a_toolpath(sound):
-    """Nobody needs to recompute it."""
+    """A comment needs no recompute."""
     comment = bare(sound, "Comment")
     comment.Path = Path.Path([Path.Command("(flip the part)")])
     sound.job.Operations.Group += [comment]
@@ -133,7 +133,7 @@ def test_jobs(sound, zigzag_commands, name, type_id):
 
 
 def test_a_failure_of_reading_costs_one_row(sound, zigzag_commands, monkeypatch):
-    """Whatever else may be odd: it is said in its row."""
+    """Any other error is a remark in the row."""
     from vkworkbench.document.job import reading
 
     sound.add("Odd", zigzag_commands)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Fingerprints of paths and what was found of shapes: kept while they are true, and no more than a few."""
+"""Caches of path fingerprints and of results of shapes: valid entries only, and few."""
 
 from __future__ import annotations
 
@@ -20,14 +20,14 @@ def prints():
 
 
 def found(prints, op, fingerprint="f", meanwhile=lambda: None):
-    """Find a fingerprint of an operation's path."""
+    """Return the fingerprint of an operation's path, found step by step."""
     whose, token = (op.Document.Name, op.Name), prints.begin(op)
     meanwhile()
     prints.end(whose, token, fingerprint)
     return prints.of(op)
 
 
-def test_a_fingerprint_is_kept_until_the_path_or_its_place_changes(small, zigzag_commands, prints):
+def test_fingerprint_is_kept_until_path_or_placement_changes(small, zigzag_commands, prints):
     op, other = small.add("One", zigzag_commands), small.add("Other", zigzag_commands)
     assert prints.of(op) is None
     assert found(prints, op) == "f" and found(prints, other, "g") == "g"
@@ -46,7 +46,7 @@ def test_changes_are_listened_to_once(small, zigzag_commands, prints, monkeypatc
         found(prints, small.add(name, zigzag_commands))
     assert heard == [prints]
     monkeypatch.undo()
-    FreeCAD.addDocumentObserver(prints)  # of which the fixture takes leave
+    FreeCAD.addDocumentObserver(prints)  # the fixture closes it
 
 
 def test_what_changes_while_it_is_being_found_has_none(small, zigzag_commands, prints):
@@ -56,12 +56,12 @@ def test_what_changes_while_it_is_being_found_has_none(small, zigzag_commands, p
         op.Path = Path.Path(op.Path.Commands[:-1])
 
     assert found(prints, op, meanwhile=edit) is None
-    assert found(prints, op, "") is None  # it could not be found
+    assert found(prints, op, "") is None  # the search failed
     assert found(prints, op, "g") == "g"
 
 
 def test_what_two_look_for_the_first_finds_for_both(small, zigzag_commands, prints):
-    """Else an analysis and the comparison of its mark take the fingerprint from each other, again and again."""
+    """Otherwise an analysis and the comparison of its mark would restart each other's search."""
     op = small.add("One", zigzag_commands)
     whose, first, second = (op.Document.Name, op.Name), prints.begin(op), prints.begin(op)
     prints.end(whose, first, "f")
@@ -93,4 +93,4 @@ def test_what_was_found_of_the_shapes_asked_for_last_is_kept():
     assert [of(0), of(1), of(0), of(1)] == [0, 1, 0, 1] and made == [0, 1]
     assert [of(2), of(1)] == [2, 1] and made == [0, 1, 2]
     assert of(0) == 0 and made == [0, 1, 2, 0]
-    assert [of(1), of(2), of(1)] == [1, 2, 1] and made == [0, 1, 2, 0, 2]  # 1 was asked for after 0
+    assert [of(1), of(2), of(1)] == [1, 2, 1] and made == [0, 1, 2, 0, 2]  # 1 was used after 0

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Programs that FreeCAD posts: their operations are those of the document, by name and by strategy."""
+"""Programs posted by FreeCAD have the operations of the document, by name and strategy."""
 
 from __future__ import annotations
 

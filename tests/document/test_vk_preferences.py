@@ -20,7 +20,7 @@ ARC = [("G0", {"X": 20, "Y": 10, "Z": 25}), ("G1", {"Z": 18, "F": 5}), ("G2", {"
 
 @pytest.fixture(autouse=True)
 def fresh():
-    """The defaults before and after each test."""
+    """Default preferences before and after each test."""
     group = FreeCAD.ParamGet(preferences.GROUP)
     before = preferences.read()
     group.Clear()
@@ -51,7 +51,7 @@ def test_defaults_and_their_parameters():
 
 
 def test_defaults_are_those_of_the_documents():
-    """The paper's image, the budget of docs/cost.md, ten minutes, and the simulators' best."""
+    """The image of the paper, the memory budget of docs/cost.md, ten minutes, and the best accuracies."""
     chosen = Preferences()
     assert (chosen.image_width, chosen.image_height) == (800, 600)
     assert (chosen.legacy_accuracy, chosen.opengl_quality) == (0.1, 10)
@@ -81,7 +81,7 @@ def test_what_cannot_be_is_the_default():
     assert preferences.read() == Preferences()
 
 
-def test_the_simulators_that_are_seen_are_those_of_the_marks_and_of_the_chosen_columns():
+def test_seen_simulators_are_in_marks_or_chosen_columns():
     preferences.write(mark_simulator=ZBUFFER.name)
     assert preferences.read().simulators == (ZBUFFER.name,)
     preferences.write(result_columns=f"confidence,{LEGACY.name} time,{LEGACY.name} memory,{ZBUFFER.name} time")
@@ -150,7 +150,7 @@ def test_constants_of_this_computer(arc, monkeypatch):
 def test_whose_cost_the_mark_shows(arc, small, simulator):
     preferences.write(mark_simulator=simulator)
     if simulator == OPENGL.name and freecad.version() < (1, 0):
-        simulator = LEGACY.name  # where there is no such simulator
+        simulator = LEGACY.name  # if FreeCAD lacks the simulator
     report = vkworkbench.analyze(arc)
     vkworkbench.mark(report)
     (found,), (total,) = report.operations, report.totals
@@ -180,7 +180,7 @@ def test_marks_follow_a_changed_preference_without_an_analysis(arc, small, monke
     assert (small.document.UndoCount, list(arc.State)) == (count, touched)
 
 
-def test_with_the_first_mark_preferences_begin_to_be_followed_once(monkeypatch):
+def test_watch_follows_preferences_that_marks_show(monkeypatch):
     observers, told, followed = [], [], []
     monkeypatch.setattr(upkeep, "_upkeep", None)
     monkeypatch.setattr(upkeep.FreeCAD, "addDocumentObserver", observers.append)
@@ -189,7 +189,7 @@ def test_with_the_first_mark_preferences_begin_to_be_followed_once(monkeypatch):
     upkeep.watch()
     upkeep.watch()
     assert len(observers) == len(told) == 1
-    told[0]("tolerance")  # of which marks say nothing
+    told[0]("tolerance")  # marks do not depend on the tolerance
     assert not followed
     told[0]("time_budget")
     assert followed
@@ -223,4 +223,4 @@ def test_analysis_after_a_recompute(example, wanted):
     assert marks.is_outdated(drill) != wanted
     assert (marks.read(drill).fingerprint != before) == wanted
     assert not marks.is_marked(unmarked)
-    assert "Touched" not in drill.State and example.UndoCount == steps  # the user's own steps are the last
+    assert "Touched" not in drill.State and example.UndoCount == steps  # the user's own transactions come last

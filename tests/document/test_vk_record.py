@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What a mark keeps of an analysis: all of it comes back, a job's is the sum of its operations', damage is no mark."""
+"""The data of a mark: it is read back unchanged, totals are sums, and damaged data is not a mark."""
 
 from __future__ import annotations
 
@@ -50,14 +50,14 @@ def test_what_is_damaged_or_newer_is_no_mark(name, value):
 
 
 def test_an_operation_alone_is_one_and_leaves_out_nothing():
-    """Only a job's costs may be lower bounds; what was not found is nothing."""
+    """Only costs of a job may be lower bounds."""
     alone = Record(Strategy.ZIGZAG)
     assert alone.operations == 1 and not alone.incomplete and not alone.outdated
     assert (alone.trajectories, alone.length, alone.confidence, alone.machining_seconds) == (0, 0, 0, None)
 
 
 def test_a_mark_tells_its_format():
-    """In files of others: a later version may have to know."""
+    """A later version can tell the format of marks in old files."""
     assert json.loads(as_json(WHOLE))["format"] == 2
 
 
@@ -67,7 +67,7 @@ def test_reasons_are_told_in_english():
 
 
 class Asked(dict):
-    """Costs of which some have been computed, and those that were asked for."""
+    """Costs, partly computed, that record which costs were read."""
 
     def __init__(self, costs, computed):
         super().__init__(costs)
@@ -81,7 +81,7 @@ class Asked(dict):
         return super().__getitem__(name)
 
 
-def test_of_an_operation_the_costs_that_are_shown_or_computed_already_are_kept(monkeypatch):
+def test_record_keeps_shown_and_computed_costs(monkeypatch):
     monkeypatch.setattr(freecad, "own_simulators", lambda: ("legacy", "missing"))
     costs = Asked({"chosen": 1, "legacy": 2, "computed": 3, "other": 4}, computed=("computed",))
     report = SimpleNamespace(
@@ -109,8 +109,8 @@ def test_a_total_is_made_of_its_parts():
     found = of_total(total, [WHOLE, untimed], "f")
     assert found.strategy is None and (found.operations, found.trajectories, found.length) == (2, 200, 900.0)
     assert found.machining_seconds == 61.5 and of_total(total, [untimed], "f").machining_seconds is None
-    assert found.cautions == (HANGS,)  # what hangs one operation hangs the job
-    assert found.left_out == WHOLE.left_out  # told once
+    assert found.cautions == (HANGS,)  # a simulator that hangs on one operation hangs on the job
+    assert found.left_out == WHOLE.left_out  # named once
     (remark,) = found.remarks
     assert remark.code == "cost-unknown"
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What users get is installed into clean homes and does the main job there."""
+"""The release zip, installed in new home folders, analyses a job."""
 
 from __future__ import annotations
 
@@ -46,7 +46,7 @@ def test_it_has_what_users_need_and_nothing_else(archive):
     assert {"InitGui.py", "Init.py", "package.xml", "LICENSE", "README.md", "vkworkbench/__init__.py"} <= names
     assert any(name.endswith(".qm") for name in names) and any(name.endswith(".ui") for name in names)
     assert not any(name.startswith(("tests/", "benchmarks/", "toolpaths/", ".")) for name in names)
-    # The guide tells of the macros; the example job needs a checkout.
+    # The guide describes the macros; the example job needs a checkout.
     assert {name for name in names if name.startswith("examples/")} == {
         f"examples/macros/{path.name}" for path in (RESOURCES.parent / "examples" / "macros").glob("*.py")
     }
@@ -57,7 +57,7 @@ def test_freecad_reads_where_the_repository_is(tmp_path):
     for place in (
         "https://example.org/one/first",
         "https://example.org/other/second.git/",
-    ):  # published elsewhere later
+    ):  # published at another address later
         text = make_release.with_urls(text, place, "trunk")
     place = "https://example.org/other/second"
     package = tmp_path / "package.xml"
@@ -89,7 +89,10 @@ def test_who_publishes_it_says_in_one_step_where(tmp_path):
     assert not list(tmp_path.glob("*.zip"))
     untold = release()
     assert untold.returncode == 0 and "names no repository" in untold.stderr
-    for told in (release("--repository", "https://example.org/owner/name"), release()):  # it stays for the next release
+    for told in (
+        release("--repository", "https://example.org/owner/name"),
+        release(),
+    ):  # unchanged for the next release
         assert (told.returncode, told.stderr) == (0, "")
         with zipfile.ZipFile(next(tmp_path.glob("*.zip"))) as file:
             package = Path(file.extract(f"{make_release.FOLDER}/package.xml", tmp_path))
@@ -98,9 +101,9 @@ def test_who_publishes_it_says_in_one_step_where(tmp_path):
         assert all(url.startswith("https://example.org/owner/name") for url in urls.values())
 
 
-# All other tests run from a folder called ToolpathAnalysis.
+# All other tests use a folder called ToolpathAnalysis.
 @pytest.mark.parametrize("folder", ["Toolpath-Analysis-main", "Fräsen mit Überblick 刀具"])
-def test_it_works_from_a_folder_of_any_name_that_cannot_be_written(archive, tmp_path, folder):
+def test_it_works_from_a_read_only_folder_of_any_name(archive, tmp_path, folder):
     home = tmp_path / "Hæuser und Höfe"
     places = [home / ".local/share/FreeCAD/Mod" / folder, home / ".local/share/FreeCAD/v1-1/Mod" / folder]
     for place in places:

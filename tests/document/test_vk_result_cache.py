@@ -19,7 +19,7 @@ from vkworkbench.document.job.results import RESULTS, ResultCache, key_of
 
 @pytest.fixture
 def recognized(monkeypatch):
-    """The lengths of the toolpaths that were recognised."""
+    """The lengths of the recognised toolpaths."""
     lengths, recognize = [], recognition_module.recognize
 
     def noting(toolpath, **more):
@@ -35,7 +35,7 @@ def paths(zigzag_commands, count):
     return [zigzag_commands[: len(zigzag_commands) - k] for k in range(count)]
 
 
-def test_the_second_analysis_recognizes_nothing_and_finds_the_same(small, zigzag_commands, recognized):
+def test_second_analysis_reuses_the_recognition(small, zigzag_commands, recognized):
     for k, commands in enumerate(paths(zigzag_commands, 6)):
         small.add(f"Op {k}", commands)
     first = vkworkbench.analyze(small.document)
@@ -60,7 +60,7 @@ def test_what_does_not_matter_is_told_as_it_is_now(small, zigzag_commands, recog
 
 
 def changes():
-    """What changes the results of an analysis."""
+    """Changes that an analysis has to notice."""
 
     def path(small, op, _):
         op.Path = Path.Path([*op.Path.Commands[:-1], Path.Command("G1", {"X": 12.25})])
@@ -174,7 +174,7 @@ def test_it_is_bounded():
     assert known.find(None) is None and len(known) == 0
 
 
-def test_after_all_was_forgotten_there_is_room_for_as_much_as_before():
+def test_forgetting_makes_room_for_as_much_as_before():
     known, row = ResultCache(max_trajectories=100), SimpleNamespace(trajectories=100)
     for _ in range(2):
         known.keep("key", row)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What was found in this session, as long as its document is open and its operation is as it was."""
+"""Results of this session, kept while the document is open and the operation unchanged."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ def row(document, name, fingerprint="f"):
     return SimpleNamespace(document=document, name=name, fingerprint=fingerprint)
 
 
-def test_the_last_row_of_an_operation_is_remembered_while_its_fingerprint_holds(small):
+def test_last_row_is_remembered_while_its_fingerprint_holds(small):
     op = small.add("Op", [])
     assert results.latest_row(op, "f") is None
     before, after = row(small.name, op.Name), row(small.name, op.Name, "g")
@@ -42,4 +42,4 @@ def test_new_rows_take_the_place_of_those_that_were_remembered(small):
     new = row(small.name, "B", "g")
     known = results.latest_rows([new])
     assert (known[small.name, "A"], known[small.name, "B"]) == (old[0], new)
-    assert results.latest_rows([])[small.name, "B"] is old[1]  # nothing is kept of them
+    assert results.latest_rows([])[small.name, "B"] is old[1]  # closed documents are forgotten

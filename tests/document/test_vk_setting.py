@@ -13,7 +13,7 @@ from vkworkbench.document.job.setting import exact_box, rapid_feeds, tool_remark
 
 
 def operation(**controller):
-    """An operation, with a tool controller where something is said of it."""
+    """Return an operation, with a tool controller if its properties are given."""
     told = {"ToolController": SimpleNamespace(**{"Label": "TC", **controller})} if controller else {}
     return SimpleNamespace(Name="Operation", **told)
 
@@ -48,7 +48,7 @@ def test_a_tool_of_another_shape_is_said_to_be_an_end_mill(name, instead):
 
 
 def test_a_coarse_mesh_does_not_change_the_box():
-    """A ball that a window shows by a few triangles, which do not reach as far as it does."""
+    """The displayed triangles of a ball are smaller than the ball."""
     ball = Part.makeSphere(10, FreeCAD.Vector(1, 2, 3))
     ball.tessellate(5.0)
     lower, upper = exact_box(ball)
@@ -56,13 +56,13 @@ def test_a_coarse_mesh_does_not_change_the_box():
 
 
 def test_commands_at_hand_are_the_text_of_a_long_path():
-    """FreeCAD hands out a copy of them only slowly."""
+    """FreeCAD copies the commands of a path slowly."""
     commands = [SimpleNamespace(toGCode=lambda k=k: f"G1 X{k}") for k in range(AT_ONCE + 1)]
     path = SimpleNamespace(Size=len(commands))
     expected = "".join(f"G1 X{k}\n" for k in range(len(commands)))
     assert text_of(path, commands) == expected
-    path.Commands = list(commands)  # FreeCAD makes another list each time
-    assert text_of(path) == expected and path.Commands == []  # they are let go of piece by piece
+    path.Commands = list(commands)  # FreeCAD returns a new list each time
+    assert text_of(path) == expected and path.Commands == []  # the commands are freed piece by piece
     short = SimpleNamespace(Size=AT_ONCE, toGCode=lambda: "at once")
     assert text_of(short) == text_of(short, []) == "at once"
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What a simulation showed to be wrong is told with the operation, and only with the toolpath that it is true of."""
+"""Faults found by a simulation are remarks of the operation while its toolpath is unchanged."""
 
 from dataclasses import replace
 
@@ -16,13 +16,13 @@ def slot(y):
 
 
 def told(small):
-    """The labels of operations with what simulations said of them."""
+    """Return {label: faults} of operations with faults from simulations."""
     return {row.label: [remark.arguments for remark in row.remarks if remark.code == "simulated"]
             for row in vkworkbench.analyze(small.document).operations}  # fmt: skip
 
 
 def simulated(small):
-    """Two slots, of which the second is said to crash in its second command."""
+    """Two slots; the second has a known crash in its second command."""
     small.add("First", slot(10.0))
     small.add("Second", slot(20.0))
     first, second = read_job(small.job).operations
@@ -47,7 +47,7 @@ def test_it_is_gone_when_its_toolpath_changed_or_one_before_it(small):
         before = op.Path
         op.Path = type(before)(before.Commands[:-1])
         assert told(small)["Second"] == []
-        op.Path = before  # nobody has simulated it since
+        op.Path = before  # not simulated again
         assert told(small)["Second"] == []
         for obj in small.document.getObjectsByLabel("First") + small.document.getObjectsByLabel("Second"):
             small.document.removeObject(obj.Name)
@@ -76,7 +76,7 @@ def test_marks_show_it_without_a_new_analysis_and_never_keep_it(small):
     assert [remark.code for remark in read_with_faults(second).remarks][-1] == "simulated"
     vkworkbench.mark(vkworkbench.analyze(small.document))
     first = small.document.getObjectsByLabel("First")[0]
-    first.Path = type(first.Path)(first.Path.Commands[:-1])  # what is cut before it
+    first.Path = type(first.Path)(first.Path.Commands[:-1])  # the cuts before it
     assert not [remark for remark in read_with_faults(second).remarks if remark.code == "simulated"]
 
 
@@ -86,7 +86,7 @@ def test_it_is_said_whether_a_simulation_found_something_else(small):
     first, second = read_job(small.job).operations
     crash, other = [(1, CRASH)], [(2, CRASH)]
     assert not keep_faults({first: [], second: []})
-    assert keep_faults({first: crash, second: []})  # whichever of them it is
+    assert keep_faults({first: crash, second: []})  # in any of them
     assert not keep_faults({first: crash, second: []})
     assert keep_faults({first: crash, second: other}) and keep_faults({first: other, second: other})
     assert keep_faults({first: [], second: other}) and not keep_faults({second: other})

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""simulate: which operations, in which order, with what; and what it refuses."""
+"""simulate: the simulated operations, their order, tools and stock, and refused jobs."""
 
 import csv
 import json
@@ -27,7 +27,7 @@ VIEW = View((0, 0, -1), 120, 80)
 
 
 def slot(y, z=15.0):
-    """Commands of one slot along X, 50 mm long."""
+    """Return the commands of a slot along X, 50 mm long."""
     return [
         ("G0", {"X": 5.0, "Y": y, "Z": 30.0}),
         ("G1", {"Z": z, "F": 5.0}),
@@ -42,7 +42,7 @@ def test_a_job_is_simulated_in_its_order(small):
         done = vkworkbench.simulate(what, view=VIEW)
         assert [o.label for o in done.job.operations] == ["First", "Second"]
         assert done.trajectories == 6 and done.step == 6 and done.job.remarks == ()
-    # The second slot overlaps the first by 3 of its 5 mm: 100 mm^2 are new, and what two discs 2 mm apart have not in common.
+    # The second slot overlaps 3 of 5 mm of the first: it adds 100 mm^2 and the difference of two discs 2 mm apart.
     fine = vkworkbench.simulate(small.job, view=View((0, 0, -1), 500, 340))
     volumes = [fine.at(3).zbuffer.chip_volume, fine.zbuffer.chip_volume]
     assert volumes == pytest.approx([6 * (250 + 19.6), 6 * (250 + 19.6 + 100 + 9.7)], rel=0.02)
@@ -87,7 +87,7 @@ def test_the_view_is_that_of_the_preferences_or_given(small, monkeypatch):
         vkworkbench.simulate(small.job, view="Sideways")
 
 
-def test_where_no_image_is_named_the_finest_that_fits_is_taken_and_told(small):
+def test_default_image_is_the_finest_that_fits(small):
     small.add("First", slot(10.0))
     job, usual = read_job(small.job), preferences.read().view
     needed = memory_needed(job.cuts, stock=job.stock, view=usual)
@@ -99,7 +99,7 @@ def test_where_no_image_is_named_the_finest_that_fits_is_taken_and_told(small):
     assert vkworkbench.simulate(small.job, memory_budget=2 * needed).job.remarks == ()
     with pytest.raises(OverBudget, match=r"Choose an image of 4\d\d x \d+ pixels"):
         vkworkbench.simulate(small.job, view=usual, memory_budget=needed / 2)
-    # Nobody would recognise much in so coarse an image.
+    # The image would be too coarse to be useful.
     with pytest.raises(OverBudget) as refused:
         vkworkbench.simulate(small.job, memory_budget=17e6)
     assert 1 < refused.value.size[0] < usual.width / 3
@@ -112,7 +112,7 @@ def test_the_placement_of_an_operation_counts(small):
     assert (cut.toolpath.points[:, 1] == 30).all()
 
 
-def test_an_operation_that_cannot_be_simulated_is_left_out_and_named(small):
+def test_operation_without_a_simulation_is_left_out_and_named(small):
     small.add("Fine", slot(10.0))
     small.add("No tool", slot(20.0), controller=None)
     small.add("Words only", [("(nothing)", {})])
@@ -203,14 +203,14 @@ def test_a_picture_of_the_part_at_any_moment(small, tmp_path):
     with pytest.raises(OSError):
         done.save_png(tmp_path / "nowhere" / "part.png")
     done.save_png(str(tmp_path / "PART.PNG"))
-    for name in ("part.jpg", "part", ".png"):  # what a viewer would take for another format, or for none
+    for name in ("part.jpg", "part", ".png"):  # suffixes of other formats
         with pytest.raises(ValueError, match=r"must end with \.png"):
             done.save_png(tmp_path / name)
     assert not (tmp_path / "part.jpg").exists()
 
 
 def test_facts_of_a_job_with_a_fault_of_each_kind(small, tmp_path):
-    """A slot is cut by a rapid and below the model, and plunged into too fast; the rest of the block's skin is left."""
+    """A slot has a rapid cut, a gouge and a fast plunge; the rest of the block has leftover stock."""
     small.controller.VertFeed, small.controller.HorizFeed = "2 mm/s", "10 mm/s"
     small.document.recompute()
     small.add("=Fault", [
@@ -249,7 +249,7 @@ def test_facts_of_a_job_with_a_fault_of_each_kind(small, tmp_path):
 
 
 @pytest.mark.parametrize("depth, told", [(0.05, False), (0.15, True), (0.25, True)])
-def test_a_gouge_is_deeper_than_a_tenth_of_a_millimetre_or_than_what_is_asked_for(small, depth, told):
+def test_gouges_are_deeper_than_the_tolerance(small, depth, told):
     """The model is 20 mm high."""
     small.add("Deep", slot(10.0, z=20 - depth))
     done = vkworkbench.simulate(small.job, view=View((0, 0, -1), 300, 200))
@@ -258,7 +258,7 @@ def test_a_gouge_is_deeper_than_a_tenth_of_a_millimetre_or_than_what_is_asked_fo
 
 
 def test_every_move_takes_its_time_by_feed_or_rapid(small):
-    """60 mm at 10 mm/s and 15 mm at 5 mm/s; of rapids, 15 mm across at 50 mm/s and 15 mm up at 30 mm/s."""
+    """Feeds: 60 mm at 10 mm/s, 15 mm at 5 mm/s. Rapids: 15 mm across at 50 mm/s, 15 mm up at 30 mm/s."""
     sheet = small.job.SetupSheet
     sheet.HorizRapid, sheet.VertRapid = "50 mm/s", "30 mm/s"
     small.document.recompute()
@@ -270,7 +270,7 @@ def test_every_move_takes_its_time_by_feed_or_rapid(small):
 
 
 def test_what_is_not_read_of_a_toolpath_is_told(small):
-    """Of what turns nobody knows what is cut; that words which are no numbers leave nothing is told, too."""
+    """Cuts of a turning workpiece are unknown, and a toolpath without readable numbers is empty: both are remarks."""
     small.add("Odd", [*slot(10.0), ("G999", {})])
     small.add("Turned", [("G0", {"X": 5.0, "Y": 20.0, "Z": 30.0}), ("G1", {"Z": 10.0}), ("G1", {"X": 50.0, "A": 90.0})])
     lost = small.add("Lost", [("G1", {"X": float("nan")}), ("G1", {"X": 1e30})])
@@ -317,7 +317,7 @@ def test_a_report_tells_what_a_simulation_found(small, tmp_path):
         one.to_json(tmp_path / f"{name}.json")
         with open(tmp_path / f"{name}.csv", newline="", encoding="utf-8") as file:
             lines[name] = list(csv.DictReader(file))
-    assert list(lines["before"][0]) == list(lines["after"][0])  # the columns are there before a simulation, and empty
+    assert list(lines["before"][0]) == list(lines["after"][0])  # empty columns before a simulation
     assert lines["before"][0]["simulated_crashes"] == "" and lines["after"][0]["simulated_crashes"] == "1"
     volume = found.operations[1][1].removed_volume
     assert float(lines["after"][1]["simulated_removed_volume"]) == volume > 0
@@ -333,14 +333,14 @@ def test_the_example_has_no_fault(example):
     assert found.job.crashes == found.job.fast_plunges == found.job.gouges == ()
     assert all(facts.removed_volume > 100 and 0 <= facts.air_length_share < 0.5 for _, facts in found.operations)
     assert sum(facts.removed_volume for _, facts in found.operations) == pytest.approx(found.job.removed_volume)
-    # Inside corners that are sharp in the model, the corners that facing leaves, the ends of the drilled holes, where the
-    # drill's tip stops at the model's bottom; and the dish, where nobody cuts it.
+    # Leftover stock: sharp inside corners of the model, corners left by facing, the ends of the drilled holes, where the
+    # drill's tip stops at the model's bottom, and the dish if no operation cuts it.
     dish = "Dish" in [label for label, _ in found.operations]
     area = sum(left.area for left in found.job.left)
     assert 120 < area < 180 if dish else 1060 < area < 1120
 
 
-def test_a_job_is_copied_operation_by_operation_and_read_meanwhile(small):
+def test_job_is_copied_by_operations_and_read_meanwhile(small):
     for label, y in (("First", 10.0), ("Second", 20.0)):
         small.add(label, [("G0", {"X": 5.0, "Y": y, "Z": 30.0}), ("G1", {"Z": 15.0, "F": 10.0}), ("G1", {"X": 55.0})])
     copy = copy_job(small.job)
@@ -367,7 +367,7 @@ def test_a_job_that_is_waited_for_is_given_up(small):
         next(copy_job(small.job).read(going_on))
 
 
-def test_an_operation_that_is_gone_before_it_is_copied_ends_the_copying(small):
+def test_deleted_operation_ends_the_copying(small):
     small.add("First", [("G0", {"X": 5.0, "Y": 5.0, "Z": 30.0}), ("G1", {"Z": 15.0, "F": 10.0})])
     small.add("Second", [("G0", {"X": 5.0, "Y": 5.0, "Z": 30.0}), ("G1", {"Z": 15.0, "F": 10.0})])
     copying = copy_job(small.job).copying()
@@ -390,7 +390,7 @@ def test_any_line_of_a_listing_is_its_commands_code(comment):
 
 
 def test_freecad_knows_a_python_that_helps_it():
-    """With the same numpy: a worker with another would not get ready."""
+    """The Python has the same numpy: with another numpy the worker would not start."""
     one = Worker(len)
     assert one("abc") == 3
     one.end()
@@ -399,7 +399,7 @@ def test_freecad_knows_a_python_that_helps_it():
 
 @pytest.mark.skipif(not hasattr(signal, "SIGPIPE"), reason="there is no such signal")
 def test_a_helper_that_dies_does_not_take_freecad_with_it():
-    """Python ignores the signal of a broken pipe; FreeCAD may end of it, as it would here."""
+    """Python ignores the signal of a broken pipe, but it may end FreeCAD."""
     before = signal.signal(signal.SIGPIPE, signal.SIG_DFL)
     try:
         one = Worker(len)
@@ -412,7 +412,7 @@ def test_a_helper_that_dies_does_not_take_freecad_with_it():
         signal.signal(signal.SIGPIPE, before)
 
 
-def test_a_long_simulation_of_freecad_is_shared_and_stays_the_same(small, monkeypatch):
+def test_long_simulation_is_shared_with_the_same_result(small, monkeypatch):
     small.add("First", slot(10.0))
     small.add("Second", slot(12.0))
     view = View((1, 1, -1), 300, 200)
@@ -435,7 +435,7 @@ def test_a_long_simulation_of_freecad_is_shared_and_stays_the_same(small, monkey
 
 
 def holds(copy, changed=()):
-    """Whether a document still says what was copied."""
+    """Return whether the document still equals the copy."""
     steps = copy.comparing(set(changed))
     while True:
         try:
@@ -575,7 +575,7 @@ def test_a_listing_has_feeds_as_programs_do(small):
     )
     listing = Listing(own.toGCode(), own.Commands)
     assert [listing[k] for k in range(3)] == ["(F20.000000)", "G1 F1200 X133.388 Y0", "G1 F200 Z0.001"]
-    # What FreeCAD imported keeps the mm/min of its file; F20 it would be of an operation of its own.
+    # Imported paths keep the mm/min of their file; an operation of FreeCAD would have F20.
     small.add("Own", [("G1", {"X": 5.0, "Y": 5.0, "Z": 15.0}), ("G1", {"X": 55.0, "F": 20.0})])
     small.add("Imported", [("G1", {"X": 5.0, "Y": 5.0, "Z": 15.0}), ("G1", {"X": 55.0, "F": 1200.0})])
     job = read_job(small.job)

@@ -35,7 +35,7 @@ def with_stock(small, shape):
     return small.job
 
 
-def test_triangles_are_those_of_the_shape_however_finely_a_window_displays_it():
+def test_triangles_do_not_depend_on_the_displayed_mesh():
     shown, new = (Part.makeCylinder(8, 50) for _ in range(2))
     shown.tessellate(1e-3)
     finely, newly = (model_solid((shape,)) for shape in (shown, new))
@@ -43,9 +43,9 @@ def test_triangles_are_those_of_the_shape_however_finely_a_window_displays_it():
 
 
 def test_a_wavy_face_has_few_triangles():
-    """A gear's flank with waves a hundredth of a millimetre high: triangles that bend by half a radian are enough.
+    """A gear's flank with waves 0.01 mm high: triangles may bend by half a radian.
 
-    `tessellate` bends them ten times less, and takes minutes for a face of thousands of poles.
+    `tessellate` would bend them ten times less and take minutes for thousands of poles.
     """
     turns = np.linspace(0, 2 * pi, 500, endpoint=False)
     radius = 20 + 0.01 * np.cos(100 * turns)
@@ -77,7 +77,7 @@ def test_a_stock_is_what_it_is(small, name):
      ("two", ("Mesh", *(f"{1.0037 * measure:.4e}" for measure in (2 * 10**3, 2 * 600, 15, 5, 5))))],
 )  # fmt: skip
 def test_a_form_is_what_the_box_of_a_stock_does_not_tell(small, name, form):
-    """Of two cubes of 10 mm, 20 mm apart: volume, area and centre, off the borders between two roundings."""
+    """Volume, area and centre of two cubes of 10 mm, 20 mm apart, away from rounding borders."""
     job = with_stock(small, SHAPES[name][0])
     assert form_of_stock(job, read_stock(job)) == form
 
@@ -130,8 +130,8 @@ def test_chamfer_mills_and_engravers_have_a_flat_tip():
 
 
 @pytest.mark.parametrize("measures, corner", [({"FlatRadius": 3.0}, 2.0), ({"CornerRadius": 1.5}, 1.5), ({}, 0.0)])
-def test_the_corner_of_a_bull_nose_is_told_by_itself_or_by_what_is_flat(measures, corner):
-    """Of 10 mm; before FreeCAD 1.1 the flat part has its radius."""
+def test_bull_nose_corner_from_its_radius_or_its_flat(measures, corner):
+    """The tool has 10 mm; before FreeCAD 1.1 it has the radius of the flat part."""
     tool = read_tool(operation(ShapeName="bullnose", **measures))
     assert (tool.shape, tool.corner_radius) == ("bullnose", corner)
 
@@ -178,7 +178,7 @@ def test_what_is_not_simulated_exactly_is_said(shape, simulated, told):
         assert render(remark).startswith("TC is not simulated exactly") and told in render(remark)
 
 
-def test_what_was_found_of_the_shapes_asked_for_last_is_not_found_again():
+def test_results_of_the_last_shapes_are_kept():
     kept, asked = ShapeCache(3), []
 
     def found(number):
@@ -189,6 +189,6 @@ def test_what_was_found_of_the_shapes_asked_for_last_is_not_found_again():
         assert found(number) == f"of {number}"
     assert asked == [0, 1, 2]
     found(0)
-    found(3)  # one too many: the first of them, which was asked for again since, stays
+    found(3)  # one more than fits: the first shape was used again and stays
     assert [found(number) for number in (0, 2, 3)] == ["of 0", "of 2", "of 3"] and asked == [0, 1, 2, 3]
     assert found(1) == "of 1" and asked == [0, 1, 2, 3, 1]

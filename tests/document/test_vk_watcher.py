@@ -28,7 +28,7 @@ def outdated(document):
 
 
 def descriptions(document):
-    # By name: FreeCAD 1.1 makes the bodies of a changed tool anew.
+    # By name: FreeCAD 1.1 makes new bodies for a changed tool.
     return {obj.Name: obj.Label2 for obj in document.Objects if obj.Label2}
 
 
@@ -53,18 +53,18 @@ def test_an_edited_path_outdates_its_mark_and_the_total(watched):
 
 
 def switch(op, on, commands):
-    """Switch an operation off or on, as FreeCAD's recompute leaves it."""
+    """Switch an operation off or on, with the path that FreeCAD's recompute makes."""
     op.Active = on
     op.Path = Path.Path(commands if on else [Path.Command("(inactive operation)")])
     op.Document.recompute()
 
 
-def test_a_mark_says_that_its_operation_is_switched_off_until_it_is_switched_on(watched, tmp_path):
+def test_mark_says_switched_off_until_switched_on(watched, tmp_path):
     document, first = watched.document, watched.first
     commands, before, total = first.Path.Commands, descriptions(document), marks.read(first)
     first.Active = False
     document.recompute()
-    assert descriptions(document)[first.Name] == before[first.Name]  # until FreeCAD takes its toolpath away
+    assert descriptions(document)[first.Name] == before[first.Name]  # until FreeCAD removes its toolpath
     switch(first, False, commands)
     assert first.Label2 == "⟦switched off⟧" and first.Strategy == "empty" and outdated(document) == []
     told = marks.read(first)
@@ -114,7 +114,7 @@ def test_what_changed_while_it_was_switched_off_outdates_it(watched):
     assert outdated(watched.document) == []
 
 
-def test_what_was_analyzed_while_it_was_switched_off_is_outdated_when_it_is_on(watched):
+def test_mark_made_while_switched_off_is_outdated_when_on(watched):
     commands = watched.first.Path.Commands
     switch(watched.first, False, commands)
     vkworkbench.mark(vkworkbench.analyze(watched.first))
@@ -123,7 +123,7 @@ def test_what_was_analyzed_while_it_was_switched_off_is_outdated_when_it_is_on(w
     assert watched.first.Label2 == "⟦switched off · outdated⟧"
 
 
-def test_a_path_that_is_lost_without_being_switched_off_outdates_its_mark(watched):
+def test_lost_path_of_an_active_operation_outdates_its_mark(watched):
     watched.first.Path = Path.Path()
     watched.document.recompute()
     assert watched.first.Label2.endswith(" · outdated⟧")
@@ -131,7 +131,7 @@ def test_a_path_that_is_lost_without_being_switched_off_outdates_its_mark(watche
 
 @pytest.fixture
 def looked_at(monkeypatch):
-    """The labels of what is compared with its mark, and what of it may have changed."""
+    """Record the labels of compared operations with their possible changes."""
     looked_at = []
     refresh = marks.refresh
 
@@ -166,7 +166,7 @@ def test_a_check_looks_at_all_that_is_marked_and_at_all_of_it(watched, zigzag_co
 
 
 def test_an_undone_mark_is_compared_with_what_is_now(watched):
-    """The job's tool was changed in between, in no step that is undone."""
+    """The job's tool was changed in between, outside any transaction."""
     document = watched.document
     document.UndoMode = 0
     watched.controller.Tool.Diameter = 7
@@ -254,15 +254,15 @@ def test_the_total_is_that_of_the_operations_that_are_left(watched):
 
 @pytest.fixture
 def waiting(monkeypatch):
-    """What waits for a window to be idle; without a window again after the test."""
+    """The work that waits until the window is idle."""
     waiting = []
     monkeypatch.setattr(idle, "_soon", None)
     idle.use(waiting.append)
     return waiting
 
 
-def test_a_copy_in_another_document_is_outdated_once_the_window_is_idle(watched, waiting):
-    """Nobody recomputes or saves what was pasted."""
+def test_copy_in_another_document_is_outdated_when_idle(watched, waiting):
+    """Pasted objects are not recomputed or saved."""
     other = FreeCAD.newDocument("Other")
     closed = FreeCAD.newDocument("Closed")
     for document in (other, closed):
@@ -321,7 +321,7 @@ def test_nothing_is_looked_at_while_restoring(watched, tmp_path, looked_at):
     FreeCAD.closeDocument(document.Name)
 
 
-# Stocks of curved faces, and what of a mark on them was written by FreeCAD 0.20.2, 1.0.0 and 1.1.3 alike.
+# Stocks with curved faces, and the part of their marks that is equal in FreeCAD 0.20.2, 1.0.0 and 1.1.3.
 CURVED = {
     "round": (lambda: Part.makeCylinder(25.4 / 8, 20, FreeCAD.Vector(30, 20, 0)), "9aa4b6c64a753d85"),
     "tilted": (lambda: Part.makeCylinder(30, 20, FreeCAD.Vector(1, 2, 0), FreeCAD.Vector(1, 1, 3)), "becb408387289149"),
@@ -334,7 +334,7 @@ CURVED = {
 @pytest.mark.parametrize("name", CURVED)
 def test_the_display_of_a_stock_does_not_matter(watched, name):
     make, fingerprint = CURVED[name]
-    watched.job.Stock.Proxy = None  # keeps the shape it is given
+    watched.job.Stock.Proxy = None  # keeps its given shape
     watched.job.Stock.Shape = make()
     vkworkbench.mark(vkworkbench.analyze(watched.document))
     box = str(watched.job.Stock.Shape.BoundBox)

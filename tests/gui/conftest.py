@@ -1,10 +1,12 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""FreeCAD's window as a person uses it: wait, click, look."""
+"""FreeCAD's window as a user works with it: wait, click, type, look. Fixtures that several test files share."""
 
 from __future__ import annotations
 
 import os
 import subprocess
+import sys
+import threading
 import time
 from pathlib import Path
 from xml.etree import ElementTree
@@ -16,6 +18,7 @@ import FreeCADGui as Gui
 import kept_example
 import pytest
 from PySide import QtCore, QtGui
+from simulation_window import SMALL, Desk
 
 try:  # in this order: where FreeCAD runs on PySide2, loading PySide6 beside it crashes
     from PySide2.QtTest import QTest
@@ -23,30 +26,92 @@ except ImportError:
     from PySide6.QtTest import QTest
 
 from vkworkbench import freecad
-from vkworkbench.document.computer import idle
+from vkworkbench.core.simulators import DEFAULTS
+from vkworkbench.core.zbuffer import Speed
+from vkworkbench.document.computer import calibration, idle
 from vkworkbench.document.job.results import RESULTS
 from vkworkbench.gui.qt import docks, widgets
+from vkworkbench.gui.qt.renderer import note_renderer
 from vkworkbench.gui.tree import column as tree
+
+CAM_WORKBENCH = "PathWorkbench" if freecad.version() < (1, 0) else "CAMWorkbench"
+
+
+def use_default_speeds(patch):
+    patch.setattr(calibration, "measure_speed", lambda clock, going_on: Speed())
+    patch.setattr(calibration, "measure_legacy", lambda clock, going_on: DEFAULTS)
+
+
+@pytest.fixture
+def default_speeds(monkeypatch):
+    """Let calibrations of a test find the default speeds without measuring."""
+    use_default_speeds(monkeypatch)
+
+
+@pytest.fixture(scope="session", autouse=True)
+def usual_computer():
+    """Calibrate FreeCAD with the default speeds, so that no predicted time depends on this computer."""
+    with pytest.MonkeyPatch.context() as patch:
+        use_default_speeds(patch)
+        calibration.calibrate(note_renderer())
+
+
+@pytest.fixture(scope="session", autouse=True)
+def coarse_legacy_simulator():
+    """Let FreeCAD's legacy simulator begin with its coarsest mesh instead of its finest, of a million triangles."""
+    from make_example import cam  # stranger.py, which imports this file, does not find examples/
+
+    module = cam("Main.Gui.Simulator")
+    make_panel = module.CAMSimTaskUi.__init__
+
+    def make_coarse_panel(panel, simulation):
+        make_panel(panel, simulation)
+        panel.form.sliderAccuracy.setValue(panel.form.sliderAccuracy.minimum())
+
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(module.CAMSimTaskUi, "__init__", make_coarse_panel)
+        yield
+
+
+@pytest.fixture
+def restored_calibration():
+    """The path of the calibration file, which has its former content after the test."""
+    path = calibration._path()
+    before = path.read_bytes()
+    yield path
+    path.write_bytes(before)
 
 
 @pytest.fixture(autouse=True)
 def nothing_known(request):
-    """No test finds what another one's analysis found, but in `marked` what the analysis of its document found."""
+    """Forget the results of earlier analyses, except those of the kept document in `marked`."""
     if not ("marked" in request.fixturenames and request.getfixturevalue("kept_document").is_marked):
         RESULTS.clear()
 
 
 @pytest.fixture(autouse=True)
 def no_dead_widgets():
-    """No test meets what FreeCAD left of another one."""
+    """After a test that opened a simulator of FreeCAD, tell PySide which widgets are gone."""
     yield
-    dead_widgets.forget()
+    if Window.opened_simulator:
+        Window.opened_simulator = False
+        dead_widgets.forget()
 
 
 @pytest.fixture(autouse=True)
 def mouse_below_the_window():
-    """FreeCAD 1.1 asks the mouse, not the event, what a press hits: where it was left there may be an empty task panel."""
+    """Move the pointer away: FreeCAD 1.1 asks where the pointer is, not where the event was, what a press hits."""
     QtGui.QCursor.setPos(QtGui.QApplication.primaryScreen().geometry().bottomRight())
+
+
+@pytest.fixture
+def nothing_swallowed(monkeypatch):
+    """Fail if Qt calls a function that raises: FreeCAD would swallow the exception."""
+    errors = []
+    monkeypatch.setattr(sys, "excepthook", lambda *error: errors.append(error))
+    monkeypatch.setattr(threading, "excepthook", errors.append)
+    yield
+    assert errors == []
 
 
 DARK = """
@@ -60,49 +125,57 @@ QHeaderView::section { background-color: #33363b; color: #e6e6e6; }
 class Window:
     """FreeCAD's main window."""
 
+    opened_simulator = False  # whether the test has opened a simulator of FreeCAD
+
     def __init__(self):
         self.main = Gui.getMainWindow()
+        if not os.environ.get("VKWORKBENCH_SCREENSHOTS"):
+            # Without a graphics card, the cube and the axes take a third of the time to draw a small 3D view.
+            view = FreeCAD.ParamGet("User parameter:BaseApp/Preferences/View")
+            for drawn in ("ShowNaviCube", "CornerCoordSystem", "UseNavigationAnimations"):
+                view.SetBool(drawn, False)
         self.main.setGeometry(0, 0, 1280, 1000)
 
     def wait(self, until, seconds=120.0):
-        """Let FreeCAD work until a condition holds: the windows of three FreeCADs may share two processors."""
+        """Handle events until a condition holds; the limit is long, because three FreeCADs may share two processors."""
         end = time.monotonic() + seconds
         while not until():
             assert time.monotonic() < end, f"waited {seconds} s in vain"
             events.happen()
 
     def idle(self, seconds=0.2):
+        """Handle events for a fixed time; only for a test that nothing happens."""
         end = time.monotonic() + seconds
         while time.monotonic() < end:
             events.happen()
 
     def settle(self):
-        """Handle all pending events, and wait for the timers of the trees and for the deferred work of the add-on."""
+        """Handle all pending events, the timers of the trees, and the add-on's deferred work."""
         for _ in range(2):
             QtGui.QGuiApplication.sync()
             events.happen()
         self.wait(lambda: not (idle._works or idle._calls or any(timer.isActive() for timer in self._tree_timers())))
 
     def _tree_timers(self):
-        """The timers after which FreeCAD's trees show a selection or a change."""
+        """Return the timers after which FreeCAD's trees show a selection or a change."""
         return [timer for view in tree.trees() for timer in view.findChildren(QtCore.QTimer)]
 
     def activate(self, workbench):
         Gui.activateWorkbench(workbench)
         self.settle()
-        # FreeCAD began in no workbench, which hides the tree's dock.
+        # FreeCAD starts without a workbench, which hides the dock of the tree.
         shown = {"Combo View": True, "Model": True, "Report view": False, "Python console": False}
         for dock in self.find(QtGui.QDockWidget):
             if dock.objectName() in shown:
                 dock.setVisible(shown[dock.objectName()])
-                dock.raise_()  # in 1.x the task panel may cover the tree
+                dock.raise_()  # in FreeCAD 1.x the task panel may cover the tree
         for bar in self.find(QtGui.QToolBar):
             if bar.objectName() == "Toolpath Analysis":  # a row of its own, where it has room for all its buttons
                 self.main.insertToolBarBreak(bar)
         self.settle()
 
     def find(self, kind, name=None):
-        """The widgets of a kind that there are; kept until the next are looked for, and with them what they are asked for."""
+        """Return all widgets of a class. They are kept until the next call, so that PySide does not delete them."""
         self.found = widgets.find(kind, name)
         return self.found
 
@@ -110,7 +183,7 @@ class Window:
         return next(iter(self.find(kind, name)), None)
 
     def button(self, text):
-        """The visible tool button of a command, by its menu text."""
+        """Return the visible tool button of the command with this menu text."""
         found = [
             b
             for b in self.find(QtGui.QToolButton)
@@ -130,8 +203,9 @@ class Window:
         self.settle()
 
     def start_simulator(self, name):
-        """Start a simulator of FreeCAD as its command does; the panels of before do not get in its way."""
+        """Start a simulator of FreeCAD as its command does, after removing the remains of earlier panels."""
         dead_widgets.forget()
+        Window.opened_simulator = True
         Gui.runCommand(freecad.simulator_command(name))
 
     def click_on(self, widget):
@@ -144,7 +218,7 @@ class Window:
         QTest.mousePress(widget, button, QtCore.Qt.NoModifier, where)
 
     def mouse_move(self, widget, where, button):
-        """Move the mouse with a button held: QTest's own moves forget the button."""
+        """Move the mouse while a button is held, which QTest cannot do."""
         event = QtGui.QMouseEvent(QtCore.QEvent.MouseMove, QtCore.QPointF(where), QtCore.QPointF(widget.mapToGlobal(where)),
                                   QtCore.Qt.NoButton, button, QtCore.Qt.NoModifier)  # fmt: skip
         QtGui.QApplication.sendEvent(widget, event)
@@ -153,18 +227,66 @@ class Window:
     def mouse_release(self, widget, where, button):
         QTest.mouseRelease(widget, button, QtCore.Qt.NoModifier, where)
 
+    def wheel(self, widget, where, notches=1):
+        """Turn the mouse wheel by some notches; positive ones turn away from the user."""
+        place = QtCore.QPointF(where)
+        event = QtGui.QWheelEvent(place, QtCore.QPointF(widget.mapToGlobal(where)), QtCore.QPoint(),
+                                  QtCore.QPoint(0, 120 * notches), QtCore.Qt.NoButton, QtCore.Qt.NoModifier,
+                                  QtCore.Qt.NoScrollPhase, False)  # fmt: skip
+        QtGui.QApplication.sendEvent(widget, event)
+
+    def ask_for_tooltip(self, widget, where):
+        """Let the pointer rest at a place of a widget."""
+        event = QtGui.QHelpEvent(QtCore.QEvent.ToolTip, where, widget.mapToGlobal(where))
+        QtGui.QApplication.sendEvent(widget, event)
+
+    def tooltip(self, label):
+        """Return the tooltip of an object's description in the tree."""
+        QtGui.QToolTip.hideText()
+        self.ask_for_tooltip(self.tree.viewport(), self.tree.visualRect(self.cell(label)).center())
+        self.wait(QtGui.QToolTip.isVisible)
+        return QtGui.QToolTip.text()
+
     def press(self, widget, key):
         QTest.keyClick(widget, key)
 
     def type(self, widget, text):
         QTest.keyClicks(widget, text)
 
+    def top_level(self, kind):
+        """Return the visible top-level widgets of a class."""
+        return [w for w in QtGui.QApplication.topLevelWidgets() if isinstance(w, kind) and w.isVisible()]
+
     def boxes(self):
-        """The message boxes that are open."""
-        return [w for w in QtGui.QApplication.topLevelWidgets() if isinstance(w, QtGui.QMessageBox) and w.isVisible()]
+        """Return the open message boxes."""
+        return self.top_level(QtGui.QMessageBox)
+
+    def progress_dialog(self):
+        """Return the visible progress dialog, or None."""
+        return next(iter(self.top_level(QtGui.QProgressDialog)), None)
+
+    def answer_file_dialog(self, path, begin):
+        """Call `begin`, which opens a file dialog, type a path in it, and return the dialog's title."""
+        titles = []
+
+        def answer():
+            dialogs = self.top_level(QtGui.QFileDialog)
+            if not dialogs:
+                QtCore.QTimer.singleShot(50, answer)
+                return
+            titles.append(dialogs[0].windowTitle())
+            name = dialogs[0].findChild(QtGui.QLineEdit)
+            name.setText(str(path))
+            self.press(name, QtCore.Qt.Key_Return)
+
+        QtCore.QTimer.singleShot(50, answer)
+        begin()
+        self.settle()
+        (title,) = titles
+        return title
 
     def dismiss(self):
-        """Close all message boxes by their button, and return their texts."""
+        """Close all message boxes with their first button, and return their texts."""
         texts = []
         for box in self.boxes():
             texts.append(box.text())
@@ -176,8 +298,15 @@ class Window:
     def tree(self):
         return next(view for view in tree.trees() if view.isVisible())
 
+    def cell(self, label, column=1):
+        """Return the index of a cell of the tree; the label is the text in the first column of its row."""
+        model = self.tree.model()
+        (found,) = model.match(model.index(0, 0), QtCore.Qt.DisplayRole, label, 1,
+                               QtCore.Qt.MatchExactly | QtCore.Qt.MatchRecursive | QtCore.Qt.MatchWrap)  # fmt: skip
+        return found.sibling(found.row(), column)
+
     def descriptions(self):
-        """The tree's second column by its first."""
+        """Return {label: description} of all rows of the tree."""
         model, found = self.tree.model(), {}
 
         def visit(parent):
@@ -190,17 +319,20 @@ class Window:
         return found
 
     def see_all(self):
-        """Turn the 3D view so that all of the job is seen from the front, right and above."""
+        """Show the whole job in the 3D view, seen from the front, right and above."""
         Gui.activeView().viewIsometric()
         Gui.SendMsgToActiveView("ViewFit")
 
     def screenshot(self, name):
-        folder = Path(os.environ.get("VKWORKBENCH_SCREENSHOTS", "build/screenshots"))
-        folder.mkdir(parents=True, exist_ok=True)
+        """Save a picture of the screen for docs/take_pictures.py, if tests/run.sh was asked for pictures."""
+        folder = os.environ.get("VKWORKBENCH_SCREENSHOTS")
+        if not folder:
+            self.settle()
+            return
+        Path(folder).mkdir(parents=True, exist_ok=True)
         self.idle(0.5)
-        path = folder / f"{name}-{'.'.join(FreeCAD.Version()[:2])}.png"
+        path = Path(folder) / f"{name}-{'.'.join(FreeCAD.Version()[:2])}.png"
         subprocess.run(["import", "-window", "root", str(path)], check=True, timeout=60)
-        return path
 
 
 @pytest.fixture(scope="session")
@@ -210,21 +342,35 @@ def window():
 
 @pytest.fixture
 def small(window):
-    """A window in which the finest picture does not take long."""
+    """A small window, in which the finest picture of a simulation is made quickly."""
     before = window.main.geometry()
-    window.main.setGeometry(0, 0, 1024, 700)
+    window.main.setGeometry(0, 0, *SMALL)
     yield
     window.main.setGeometry(before)
 
 
 @pytest.fixture(scope="session")
 def kept_document(example_path):
-    """The example's document, which stays open until a test changes it."""
+    """The document of the example, which stays open until a test changes it."""
     return kept_example.KeptExample(example_path)
 
 
+@pytest.fixture(scope="module")
+def desk(window, example_path, tmp_path_factory):
+    """FreeCAD's window with the document and the simulation tab that the tests of a file share."""
+    desk = Desk(window, example_path, tmp_path_factory.getbasetemp())
+    yield desk
+    desk.leave()
+
+
+@pytest.fixture
+def document(desk):
+    """A job of four operations, opened anew, which the test may change."""
+    return desk.open(desk.small)
+
+
 def hide_results(window):
-    """Hide the panel of results, which takes room from the 3D view."""
+    """Hide the results panel, which takes room from the 3D view."""
     for dock in window.find(QtGui.QDockWidget, docks.RESULTS):
         dock.hide()
 
@@ -240,7 +386,7 @@ def no_kept_document(request):
 
 @pytest.fixture
 def opened(kept_document, window, request):
-    """The example job, opened and expanded in the tree, in the analysis workbench; without marks but in `marked`."""
+    """The example job, expanded in the tree, in the analysis workbench; it has marks only in `marked`."""
     may_be_marked = "marked" in request.fixturenames
     if not may_be_marked:
         hide_results(window)
@@ -258,7 +404,7 @@ def opened(kept_document, window, request):
 
 @pytest.fixture
 def marked(opened, kept_document, window):
-    """The example job after an analysis by a click, which shows the panel of results."""
+    """The example job after a click on *Analyze toolpaths*, which shows the results panel."""
     if not kept_document.is_marked:
         window.analyze(opened)
         window.dismiss()
@@ -282,7 +428,7 @@ def theme(request, window):
 
 
 def choose(pack):
-    """Set the parameters of a preference pack, as FreeCAD does with one that is chosen; return those of before."""
+    """Set the parameters of a preference pack as FreeCAD does; return the former values."""
     kinds = {"FCText": ("String", str), "FCUInt": ("Unsigned", int), "FCInt": ("Int", int), "FCFloat": ("Float", float),
              "FCBool": ("Bool", lambda text: text == "1")}  # fmt: skip
     before = []
@@ -302,7 +448,7 @@ def choose(pack):
 
 
 def set_parameter(path, kind, name, value):
-    """Set one, or remove it where the value is None; return its value of before."""
+    """Set a parameter, or remove it if the value is None; return the former value."""
     group = FreeCAD.ParamGet(f"User parameter:{path}")
     known = {entry[1] for entry in group.GetContents() or ()}
     before = getattr(group, f"Get{kind}")(name) if name in known else None
@@ -315,7 +461,7 @@ def set_parameter(path, kind, name, value):
 
 @pytest.fixture(scope="session", params=["FreeCAD Dark", "FreeCAD Light", "Dark-blue", "Light-blue"])
 def shipped(request, window):
-    """FreeCAD in a look that comes with it: two preference packs since 1.0, and the style sheets of 0.20."""
+    """FreeCAD in each theme that it ships: two preference packs since 1.0, style sheets in 0.20."""
     resources = Path(FreeCAD.getResourceDir()) / "Gui"
     pack = resources / "PreferencePacks" / request.param / f"{request.param}.cfg"
     sheet = resources / "Stylesheets" / f"{request.param}.qss"
@@ -326,7 +472,7 @@ def shipped(request, window):
     parameters = choose(pack) if pack.exists() else []
     if not pack.exists():
         application.setStyleSheet(sheet.read_text())
-    window.idle(1.0)  # the light one may be what FreeCAD has at first
+    window.idle(1.0)  # FreeCAD applies a theme later; a wait for a change would fail for the theme at the start
     yield request.param
     for parameter in parameters:
         set_parameter(*parameter)

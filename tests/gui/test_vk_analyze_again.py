@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The option to analyse after a recompute, in a window: when FreeCAD is idle, with progress, and Esc leaves it outdated."""
+"""The preference to analyse after each recompute: the analysis waits until FreeCAD is idle, and Esc cancels it."""
 
 import time
 
@@ -15,7 +15,7 @@ from vkworkbench.report import Cancelled
 
 @pytest.fixture
 def again(marked):
-    """The marked example, with the option on; its face with another path once it is recomputed."""
+    """The marked example while the preference is on."""
     before = preferences.read().analyze_after_recompute
     preferences.write(analyze_after_recompute=True)
     yield marked
@@ -27,7 +27,7 @@ def is_idle():
 
 
 def imported(document):
-    """An operation whose path is what it is given: FreeCAD recomputes the others'."""
+    """Return an operation that keeps the path that it is given, as an imported one does."""
     op = document.addObject("Path::Feature", "Given")
     op.Path = Path.Path("G0 X0 Y0 Z30\nG1 Z15 F100\nG1 X50\nG1 Y3\nG1 X0")
     document.recompute()
@@ -40,7 +40,7 @@ def change(op, commands):
 
 
 @pytest.mark.parametrize("commands", [20, 80_000])
-def test_what_a_recompute_made_outdated_is_analysed_again(again, window, commands):
+def test_mark_outdated_by_a_recompute_is_analysed_again(again, window, commands):
     import vkworkbench
 
     op = imported(again)
@@ -53,7 +53,7 @@ def test_what_a_recompute_made_outdated_is_analysed_again(again, window, command
     assert list(again.UndoNames) == steps
 
 
-def test_esc_leaves_it_outdated(again, window, monkeypatch):
+def test_esc_leaves_the_mark_outdated(again, window, monkeypatch):
     import vkworkbench
 
     op = imported(again)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Work beside the window: what is of Qt must be destroyed in the window's thread."""
+"""Work in threads: objects of Qt must be destroyed in the thread of the window."""
 
 import gc
 import threading
@@ -24,7 +24,7 @@ def test_a_thread_collects_no_cycles(window):
 
     def work(going_on):
         going.wait(20)
-        yield [[] for _ in range(300_000)]  # so many that Python collects
+        yield [[] for _ in range(300_000)]  # enough for Python to start a garbage collection
 
     window.wait(gc.isenabled)
     Background(parent).start("", work, lambda result: None, ended.append)
@@ -38,7 +38,7 @@ def test_a_thread_collects_no_cycles(window):
     assert ended == [None] and where == [threading.get_ident()]
 
 
-def test_a_work_is_let_go_of_in_the_window(window):
+def test_work_is_destroyed_in_the_windows_thread(window):
     where, parent = [], QtCore.QObject()
     background, going = Background(parent), threading.Event()
 
@@ -53,14 +53,14 @@ def test_a_work_is_let_go_of_in_the_window(window):
 
     background.start("", Work(), lambda result: background.give_up(), lambda error: None)
     window.wait(lambda: not background.works)
-    assert where == []  # given up, and its thread is not over yet
+    assert where == []  # the work was cancelled, but its thread still runs
     going.set()
     window.wait(lambda: where)
     assert where == [threading.get_ident()]
     window.wait(gc.isenabled)
 
 
-def test_the_line_stays_between_the_pieces_of_a_work(window):
+def test_busy_line_stays_between_pieces_of_work(window):
     pieces, hidden = [], []
     background = Background()
     busy = Busy(background)

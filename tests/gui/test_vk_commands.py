@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The commands in a real window: buttons, menus, progress, Esc, and what the tree shows."""
+"""The commands in the window: buttons, menus, progress, Esc, and the descriptions in the tree."""
 
 import FreeCAD
 import FreeCADGui as Gui
@@ -36,7 +36,7 @@ def test_the_first_click_marks_the_job_and_shows_the_column(opened, window):
     warned = f" {told} has a warning." if told == 1 else f" {told} have warnings." if told else ""
     assert window.main.statusBar().currentMessage() == f"{count} operations were analyzed.{warned}"
     texts = window.dismiss()
-    # Only where the column was hidden is there anything to say.
+    # A message comes only if the column was hidden.
     assert [("Description column" in text) for text in texts] == ([] if freecad.version() < (1, 0) else [True])
     window.tree.expandAll()
     window.see_all()
@@ -55,7 +55,7 @@ def test_the_first_click_marks_the_job_and_shows_the_column(opened, window):
     assert "marks were removed." in window.main.statusBar().currentMessage()
 
 
-def test_a_very_long_name_does_not_push_the_marks_out_of_sight(opened, window):
+def test_long_label_does_not_push_marks_out_of_sight(opened, window):
     (face,) = opened.getObjectsByLabel("Face")
     header, before = window.tree.header(), window.tree.header().sectionResizeMode(0)
     face.Label = (
@@ -69,7 +69,7 @@ def test_a_very_long_name_does_not_push_the_marks_out_of_sight(opened, window):
     assert header.sectionViewportPosition(1) + view.columnWidth(1) / 2 < view.viewport().width()
     window.screenshot("long-name")
     wider = view.columnWidth(0) + 100
-    view.setColumnWidth(0, wider)  # as the user drags it
+    view.setColumnWidth(0, wider)  # as a user drags the border
     window.settle()
     assert view.columnWidth(0) == wider
     face.Label = "Face"
@@ -103,7 +103,7 @@ def test_the_click_and_the_macro_give_the_same_numbers(opened, window):
         assert (marks.read(obj).cost(own), obj.Strategy) == (o.cost(own), o.strategy.value)
 
 
-def test_selected_operations_only(opened, window):
+def test_only_selected_operations_are_analyzed(opened, window):
     face = opened.getObjectsByLabel("Face")[0]
     Gui.Selection.addSelection(face)
     window.click("Analyze Toolpaths")
@@ -124,7 +124,7 @@ def test_nothing_to_analyze_is_said(window):
 
 
 @pytest.mark.parametrize("after", [0, 2])
-def test_a_document_that_is_closed_during_its_analysis_is_not_spoken_of(example_path, window, monkeypatch, after):
+def test_document_closed_during_its_analysis_shows_no_message(example_path, window, monkeypatch, after):
     document = FreeCAD.openDocument(str(example_path))
     window.activate("VkWorkbench")
     show, shown = progress._Progress.show, []
@@ -153,12 +153,10 @@ def test_esc_cancels_and_changes_nothing(opened, window):
     pressed = []
 
     def press_esc():
-        dialogs = [
-            w for w in QtGui.QApplication.topLevelWidgets() if isinstance(w, QtGui.QProgressDialog) and w.isVisible()
-        ]
-        if dialogs:
-            pressed.append(dialogs[0].labelText())
-            window.press(dialogs[0], QtCore.Qt.Key_Escape)
+        dialog = window.progress_dialog()
+        if dialog is not None:
+            pressed.append(dialog.labelText())
+            window.press(dialog, QtCore.Qt.Key_Escape)
         elif not pressed:
             QtCore.QTimer.singleShot(20, press_esc)
 
@@ -175,7 +173,7 @@ def menu_texts(menu):
     return [action.text().replace("&", "") for action in menu.actions()]
 
 
-def test_guests_in_freecads_own_workbench(opened, window):
+def test_commands_are_in_freecads_own_workbench(opened, window):
     window.activate(CAM)
     assert window.button("Analyze Toolpaths").isVisible() and window.button("Clear Analysis").isVisible()
     menus = [m for m in window.find(QtGui.QMenu) if m.title().replace("&", "") in ("CAM", "Path")]

@@ -18,7 +18,7 @@ OURS = {"Analyze Toolpaths", "Clear Analysis", "Toolpath Results", "Show Strateg
 
 @pytest.fixture(scope="module", params=["VkWorkbench", CAM])
 def shown_tree(request, example_path, kept_document, window):
-    """The example's tree with imported G-code, a toolpath without a Proxy; the last test with it marks that."""
+    """The tree of the example with imported G-code, a toolpath without a Proxy; the last test marks that toolpath."""
     kept_document.close()
     document = FreeCAD.openDocument(str(example_path))
     imported = document.addObject("Path::Feature", "Imported")
@@ -38,13 +38,13 @@ def tree(shown_tree):
 
 
 class Tree:
-    """The tree under a real mouse."""
+    """The tree, clicked with a real mouse."""
 
     def __init__(self, window, document, pictured):
         self.window, self.document, self.pictured = window, document, pictured
 
     def row(self, label):
-        """The index of the first row that begins with the label."""
+        """Return the index of the first row with this label."""
         model = self.window.tree.model()
 
         def visit(parent):
@@ -73,7 +73,7 @@ class Tree:
         subprocess.run(command, check=True, timeout=20)
 
     def menu_of(self, label, choose=None):
-        """Open the context menu of a row; return its texts once it is closed, by choosing an entry or by Esc."""
+        """Open the context menu of a row, choose an entry or press Esc, and return the texts of the menu."""
         texts = []
 
         def look():
@@ -84,7 +84,7 @@ class Tree:
             actions = {action.text().replace("&", ""): action for action in menu.actions()}
             texts.extend(actions)
             if choose is None:
-                if self.pictured:  # a label has one picture, whatever the workbench
+                if self.pictured:  # one picture for each label, whatever the workbench
                     self.window.screenshot(f"context-menu-{label}")
                 self.window.press(menu, QtCore.Qt.Key_Escape)
             else:
@@ -98,12 +98,12 @@ class Tree:
 
 
 @pytest.mark.parametrize("label", ["Job", "Operations", "Face", "Cut out with tags", "Imported"])
-def test_they_come_on_all_that_has_operations(tree, label):
+def test_entries_come_on_objects_with_operations(tree, label):
     tree.click(label, 1)
     assert tree.menu_of(label) >= OURS
 
 
-def test_they_come_on_several_selected(tree, window):
+def test_entries_come_on_several_selected_objects(tree, window):
     tree.click("Face", 1)
     tree.click("Imported", 1, "ctrl")
     window.wait(lambda: len(Gui.Selection.getSelection()) == 2)
@@ -111,13 +111,13 @@ def test_they_come_on_several_selected(tree, window):
     assert len(Gui.Selection.getSelection()) == 2
 
 
-def test_they_do_not_come_on_a_model_and_a_tool(tree):
+def test_entries_do_not_come_on_models_and_tools(tree):
     for label in ("Model", "Tools"):
         tree.click(label, 1)
         assert not tree.menu_of(label) & OURS
 
 
-def test_an_entry_does_what_it_says(tree, window):
+def test_entry_analyzes_the_selected_object(tree, window):
     tree.click("Imported", 1)
     tree.menu_of("Imported", choose="Analyze Toolpaths")
     document = tree.document

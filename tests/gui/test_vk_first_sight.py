@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The first marks are seen: in a combo view that was hidden, in a narrow dock, in a small window beside open docks."""
+"""The first marks are visible: in a hidden combo view, in a narrow dock, in a small window beside open docks."""
 
 import FreeCAD
 import FreeCADGui as Gui
@@ -14,7 +14,7 @@ from vkworkbench.gui.tree import column as tree
 
 @pytest.fixture
 def untouched(opened, window):
-    """A window in which nothing was analysed before: FreeCAD's own widths, and its own hidden column."""
+    """The window before the first analysis: FreeCAD's own widths, and its hidden Description column."""
     FreeCAD.ParamGet("User parameter:BaseApp/Preferences/Mod/VkWorkbench").RemBool("DescriptionShown")
     if freecad.version() >= freecad.DESCRIPTION_HIDDEN_SINCE:
         FreeCAD.ParamGet("User parameter:BaseApp/Preferences/TreeView").SetBool("HideColumn", True)
@@ -29,21 +29,14 @@ def untouched(opened, window):
     window.settle()
 
 
-def cell(window, label):
-    model = window.tree.model()
-    (found,) = model.match(model.index(0, 0), QtCore.Qt.DisplayRole, label, 1,
-                           QtCore.Qt.MatchExactly | QtCore.Qt.MatchRecursive | QtCore.Qt.MatchWrap)  # fmt: skip
-    return found.sibling(found.row(), 1)
-
-
 def assert_marks_are_seen(window, document):
-    """Strategy and time of each operation that the tree shows stand in its viewport."""
+    """Assert that strategy and time of two operations are in the viewport of the tree."""
     view = window.tree
     assert not view.isColumnHidden(1)
     for label in ("Face", "Adaptive pocket"):
-        view.scrollTo(cell(window, label))
+        view.scrollTo(window.cell(label))
         window.settle()
-        area = view.visualRect(cell(window, label)) & view.viewport().rect()
+        area = view.visualRect(window.cell(label)) & view.viewport().rect()
         image = view.viewport().grab(area).toImage()
         color = QtGui.QColor(marks.read(document.getObjectsByLabel(label)[0]).strategy.color).rgb()
         columns = [x for x in range(image.width()) if any(image.pixel(x, y) == color for y in range(image.height()))]
@@ -51,19 +44,19 @@ def assert_marks_are_seen(window, document):
         assert columns[-1] < image.width() - 30, label  # beside the pill there is room for the time
 
 
-def test_in_a_narrow_dock(untouched, opened, window):
+def test_first_marks_in_a_narrow_dock(untouched, opened, window):
     assert untouched.width() < 300
     precision = window.tree.header().resizeContentsPrecision()
     window.analyze(opened)
     window.dismiss()
-    # With the visible rows alone FreeCAD 1.0's tree lays itself out without end in a small window.
+    # A precision of 0 (visible rows only) makes FreeCAD 1.0's tree lay itself out endlessly in a small window.
     assert window.tree.header().resizeContentsPrecision() == precision != 0
     window.tree.expandAll()
     assert_marks_are_seen(window, opened)
     window.screenshot("first-narrow-dock")
 
 
-def test_in_large_letters(untouched, opened, window):
+def test_first_marks_in_a_large_font(untouched, opened, window):
     window.main.setGeometry(0, 0, 1700, 1000)  # wide enough for the tree and the 3D view
     view, usual = window.tree, window.tree.font()
     large = QtGui.QFont(usual)
@@ -76,34 +69,34 @@ def test_in_large_letters(untouched, opened, window):
         view.expandAll()
         window.settle()
         for label in ("Face", "Adaptive pocket"):
-            index = cell(window, label)
+            index = window.cell(label)
             needed = view.visualRect(index).left() + view.sizeHintForIndex(index).width()
-            assert needed <= view.viewport().width(), label  # with its time
+            assert needed <= view.viewport().width(), label  # the time is visible, too
         window.screenshot("first-large-letters")
     finally:
         view.setFont(usual)
 
 
-def test_in_a_combo_view_that_was_hidden(untouched, opened, window):
+def test_first_marks_in_a_hidden_combo_view(untouched, opened, window):
     untouched.hide()
     window.settle()
     window.analyze(opened)
-    assert window.dismiss() == []  # there is nothing to see yet
+    assert window.dismiss() == []  # the hidden tree shows nothing yet
     untouched.show()
-    untouched.raise_()  # before the tasks, where both are tabs of one dock
+    untouched.raise_()  # the tasks may be a tab of the same dock
     window.wait(lambda: untouched.width() > 300)
     window.dismiss()
     window.tree.expandAll()
     assert_marks_are_seen(window, opened)
     window.screenshot("first-hidden-combo-view")
-    untouched.hide()  # from then on it is the user's own
+    untouched.hide()  # from now on the user's choice counts
     window.main.resizeDocks([untouched], [250], QtCore.Qt.Horizontal)
     untouched.show()
     window.settle()
     assert window.boxes() == []
 
 
-def test_in_a_dock_of_its_own_window(untouched, opened, window):
+def test_first_marks_in_a_floating_dock(untouched, opened, window):
     untouched.setFloating(True)
     untouched.resize(240, 400)
     window.settle()
@@ -113,7 +106,7 @@ def test_in_a_dock_of_its_own_window(untouched, opened, window):
     assert_marks_are_seen(window, opened)
 
 
-def test_in_a_small_window_with_the_report_view(untouched, opened, window):
+def test_first_marks_in_a_small_window_with_the_report_view(untouched, opened, window):
     report = window.first(QtGui.QDockWidget, "Report view")
     window.main.addDockWidget(QtCore.Qt.BottomDockWidgetArea, report)
     report.show()
@@ -126,28 +119,30 @@ def test_in_a_small_window_with_the_report_view(untouched, opened, window):
         assert_marks_are_seen(window, opened)
         assert window.main.width() <= 1024 and window.main.height() <= 700
         view = widgets.area_of_views()
-        assert view.width() > 0.4 * window.main.width()  # most is the 3D view's
+        assert view.width() > 0.4 * window.main.width()  # the 3D view keeps most of the width
         results = window.first(QtGui.QDockWidget, "VkResults")
-        assert results in window.main.tabifiedDockWidgets(report)  # though it was closed when that was opened
+        assert results in window.main.tabifiedDockWidgets(
+            report
+        )  # although the results panel was closed when the report view was opened
         window.screenshot("first-1024")
     finally:
         report.hide()
 
 
-def test_the_job_is_opened_once(untouched, opened, window):
+def test_job_is_expanded_once(untouched, opened, window):
     window.tree.collapseAll()
     window.analyze(opened)
     window.dismiss()
-    job = cell(window, "Job")
-    operations = cell(window, "Face").parent()
+    job = window.cell("Job")
+    operations = window.cell("Face").parent()
     assert window.tree.isExpanded(job.sibling(job.row(), 0)) and window.tree.isExpanded(operations)
     window.tree.collapseAll()  # from then on it is the user's own
     window.click("Analyze Toolpaths")
     window.settle()
-    assert not window.tree.isExpanded(cell(window, "Face").parent())
+    assert not window.tree.isExpanded(window.cell("Face").parent())
 
 
-def test_the_tree_of_a_tab_that_is_behind_is_brought_to_the_front(untouched, opened, window):
+def test_tree_in_a_hidden_tab_is_brought_to_the_front(untouched, opened, window):
     tabs = [t for t in window.find(QtGui.QTabWidget) if t.isAncestorOf(window.tree)]
     if tabs:
         (tabs,) = tabs

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The Gauss map view: it follows the selection, steps through k and is saved."""
+"""The Gauss map panel: it follows the selection, steps through the vectors, and saves its picture."""
 
 import csv
 import pathlib
@@ -38,7 +38,7 @@ def labelled(document, label):
 
 
 class View:
-    """The dock and its parts, as a user finds them."""
+    """The panel and its parts."""
 
     def __init__(self, window):
         self.window = window
@@ -55,7 +55,7 @@ class View:
         return self.canvas.figure.signature
 
     def picture(self):
-        """The canvas's pixels, (rows, columns, 4)."""
+        """Return the pixels of the canvas, (rows, columns, 4)."""
         self.window.wait(lambda: not self.dock._background.works)
         self.window.settle()
         return pixels(self.canvas.grab().toImage())
@@ -79,7 +79,7 @@ def closed_in_the_end(window):
 
 @pytest.fixture
 def view(opened, window):
-    """The view, opened by its button unless the test before left it open, with a zigzag selected."""
+    """The open panel, with a zigzag selected."""
     select(labelled(opened, "Face"))
     if not any(dock.isVisible() for dock in window.find(QtGui.QDockWidget, "VkGaussMap")):
         window.click("Gauss Map")
@@ -88,7 +88,7 @@ def view(opened, window):
     return view
 
 
-def test_a_zigzag_stays_on_level_0(view, window):
+def test_zigzag_stays_on_level_0(view, window):
     signature = view.signature
     assert len(signature) > 20 and (signature.level == 0).all()
     assert view.title.text().count("level n = 0") >= 1  # of the operation, and of this area where it is another
@@ -109,7 +109,7 @@ def test_it_follows_the_selection(view, opened, window):
     shown = view.picture()
     Gui.Selection.clearSelection()
     window.settle()
-    assert same(view.picture(), shown)  # nothing selected: it stays
+    assert same(view.picture(), shown)  # without a selection the picture stays
 
     select(labelled(opened, "Drill holes"))
     window.wait(lambda: "No move cuts sideways" in view.title.text())
@@ -120,7 +120,7 @@ def test_it_follows_the_selection(view, opened, window):
     window.screenshot("gauss-map-adaptive")
 
 
-def test_an_operation_that_is_switched_off_says_so(view, opened, window):
+def test_switched_off_operation_says_so(view, opened, window):
     face = labelled(opened, "Face")
     face.Active = False
     opened.recompute()
@@ -131,7 +131,7 @@ def test_an_operation_that_is_switched_off_says_so(view, opened, window):
     window.wait(view.canvas.isVisible)
 
 
-def test_slider_and_number_step_through_k(view, window):
+def test_slider_and_number_step_through_vectors(view, window):
     last = view.slider.maximum()
     pictures = [view.picture()]
     window.press(view.slider, QtCore.Qt.Key_Left)
@@ -145,10 +145,10 @@ def test_slider_and_number_step_through_k(view, window):
     assert view.slider.value() == 2
     pictures.append(view.picture())
     assert not any(same(a, b) for a, b in zip(pictures, pictures[1:]))
-    # Each of the three plots follows.
+    # All three plots change.
     changed = (pictures[0] != pictures[2]).any(axis=(0, 2))
     assert all(part.any() for part in np.array_split(changed, 3))
-    # Where it was before, it looks as it did.
+    # The same step gives the same picture.
     view.slider.setValue(last)
     assert same(view.picture(), pictures[0])
 
@@ -195,25 +195,10 @@ def test_hidden_it_does_nothing_and_shown_again_it_is_up_to_date(view, opened, w
 @pytest.mark.parametrize("suffix", ["png", "svg"])
 def test_save_the_picture(view, window, tmp_path, suffix):
     path = tmp_path / f"picture.{suffix}"
-    seen = []
-
-    def answer():
-        dialogs = [
-            w for w in QtGui.QApplication.topLevelWidgets() if isinstance(w, QtGui.QFileDialog) and w.isVisible()
-        ]
-        if not dialogs:
-            QtCore.QTimer.singleShot(50, answer)
-            return
-        seen.append(dialogs[0].windowTitle())
-        name = dialogs[0].findChild(QtGui.QLineEdit)
-        name.setText(str(path))
-        window.press(name, QtCore.Qt.Key_Return)
-
     before = view.picture()
-    QtCore.QTimer.singleShot(50, answer)
-    window.click_on(view.dock.saver)
-    assert seen and path.exists()
-    assert suffix == "png" or "Face: zigzag" in path.read_text(encoding="utf-8")  # its title
+    assert window.answer_file_dialog(path, lambda: window.click_on(view.dock.saver))
+    assert path.exists()
+    assert suffix == "png" or "Face: zigzag" in path.read_text(encoding="utf-8")  # the title
     if suffix == "png":
         assert path.read_bytes().startswith(b"\x89PNG")
         image = QtGui.QImage(str(path))
@@ -221,21 +206,21 @@ def test_save_the_picture(view, window, tmp_path, suffix):
     else:
         assert ElementTree.parse(path).getroot().tag.endswith("svg")
     view.picture()
-    window.press(view.slider, QtCore.Qt.Key_Left)  # the view works on
+    window.press(view.slider, QtCore.Qt.Key_Left)  # the panel still works
     assert not same(view.picture(), before)
 
 
-def test_other_documents_close(view, opened, window):
+def test_closing_another_document_changes_nothing(view, opened, window):
     other = FreeCAD.newDocument("Other")
     FreeCAD.closeDocument(other.Name)
     assert view.canvas.isVisible()
 
 
-def test_another_document_has_nothing_of_it(view, opened, window):
+def test_another_active_document_empties_the_panel(view, opened, window):
     other = FreeCAD.newDocument("Other")
     try:
         window.settle()
-        FreeCAD.setActiveDocument(other.Name)  # an event of before may have brought the example to the front again
+        FreeCAD.setActiveDocument(other.Name)  # an earlier event may have activated the example again
         window.wait(lambda: "Select an operation" in view.title.text())
         assert not view.canvas.isVisible()
     finally:
@@ -263,7 +248,7 @@ def test_a_small_window_does_not_grow(view, opened, window):
         window.settle()
 
 
-def test_the_bounds_name_is_clear_of_the_curves(view, opened, window):
+def test_name_of_the_threshold_does_not_cover_curves(view, opened, window):
     select(labelled(opened, "Bore"))
     window.wait(lambda: view.title.text().startswith("Bore"))
     picture, figure, ratio = view.picture(), view.canvas.figure, view.canvas.devicePixelRatioF()
@@ -276,7 +261,7 @@ def test_the_bounds_name_is_clear_of_the_curves(view, opened, window):
     assert ((rows / ratio > top - 2 * line - 4) & (rows / ratio < top - line - 4)).any()
 
 
-def test_narrow_and_floating(view, window):
+def test_narrow_floating_panel_has_two_rows_of_plots(view, window):
     view.dock.setFloating(True)
     view.dock.resize(520, 700)
     view.picture()
@@ -302,19 +287,21 @@ def test_it_is_readable_in_freecads_themes(view, opened, window, pack):
         window.screenshot("gauss-map-" + pack.lower().replace(" ", "-"))
         back = QtGui.QColor(view.canvas.theme.back)
         assert (np.median(picture, axis=(0, 1)) == back.getRgb()[:3]).all()
-        # What is behind is what the dock shows beside the picture.
+        # The background of the picture is the background of the dock beside it.
         beside = view.dock._body.mapTo(view.dock, QtCore.QPoint(2, 2))
         assert view.dock.grab(QtCore.QRect(beside, QtCore.QSize(1, 1))).toImage().pixelColor(0, 0) == back
         for name in ("text", "v", "counter_clockwise", "clockwise", "faint"):
             ink = QtGui.QColor(getattr(view.canvas.theme, name))
             least = 3 if name == "faint" else 4.5
             assert contrast(ink, back) > least, (name, ink.name(), back.name())
-    window.wait(lambda: view.canvas.theme.back != back.name() or pack == "FreeCAD Light")  # it follows by itself
+    window.wait(
+        lambda: view.canvas.theme.back != back.name() or pack == "FreeCAD Light"
+    )  # the picture follows the theme without a click
 
 
 @contextmanager
 def in_theme(window, pack):
-    """FreeCAD in a theme that it ships, chosen as its preferences do it; 0.20 has style sheets only."""
+    """Set a theme that FreeCAD ships, as its preferences do; 0.20 has style sheets only."""
     application = QtGui.QApplication.instance()
     group = FreeCAD.ParamGet("User parameter:BaseApp/Preferences/MainWindow")
     before = application.styleSheet(), group.GetString("Theme"), group.GetString("StyleSheet")
@@ -336,7 +323,7 @@ def in_theme(window, pack):
 
 
 def shipped_sheet(pack):
-    """The style sheet of a preference pack, with its colours in their places; one like it in 0.20."""
+    """Return the style sheet of a preference pack with its colours filled in; 0.20 has a similar sheet."""
     sheets = pathlib.Path(FreeCAD.getResourceDir()) / "Gui" / "Stylesheets"
     like = {"FreeCAD Dark": "Dark-blue.qss", "FreeCAD Light": "Light-blue.qss"}[pack]
     path = sheets / f"{pack}.qss" if (sheets / f"{pack}.qss").exists() else sheets / like
@@ -347,7 +334,7 @@ def shipped_sheet(pack):
 
 
 @pytest.mark.parametrize("label", ["Face", "Pocket zigzag", "Pocket around island", "Bore", "Adaptive pocket"])
-def test_the_numbers_are_those_of_mark_and_table(view, opened, window, label, tmp_path):
+def test_numbers_are_the_same_as_in_mark_and_table(view, opened, window, label, tmp_path):
     report = vkworkbench.analyze(opened.getObjectsByLabel(label)[0])
     report.to_csv(str(tmp_path / "report.csv"))
     (row,) = csv.DictReader(
@@ -366,7 +353,7 @@ def test_the_numbers_are_those_of_mark_and_table(view, opened, window, label, tm
     assert "φ" in first and "phi" not in view.title.text().lower()  # one name for it, wherever it stands
     assert f"level n = {row['level']}," in second
     assert second.startswith("φ between {} and {} turns".format(*map(ENGLISH.turns, found.phi_range)))
-    # What is drawn goes exactly as far as what is said of the area, its closing turn included.
+    # The drawn range is the named range of the area, its closing turn included.
     figure, signature = view.canvas.figure, view.signature
     assert (figure.phi.min(), figure.phi.max()) == signature.phi_range
     assert f"{ENGLISH.turns(figure.phi.max())} turns, level n = {signature.top_level}," in third
@@ -375,7 +362,7 @@ def test_the_numbers_are_those_of_mark_and_table(view, opened, window, label, tm
     assert low < min(figure.phi.min(), -2 * np.pi) and high > max(figure.phi.max(), 2 * np.pi)
 
 
-def test_the_threshold_that_decides_is_named(view, opened, window):
+def test_deciding_threshold_is_named(view, opened, window):
     named = {}
     for label in ("Face", "Pocket around island", "Bore", "Drill holes"):
         select(labelled(opened, label))
@@ -393,9 +380,9 @@ def test_wheel_and_mouse_zoom_and_move(view, window):
     at = plot.place.center().toPoint()
     under = plot.data(QtCore.QPointF(at))
     for _ in range(3):
-        roll(canvas, at, 120)
+        window.wheel(canvas, at)
     assert (plot.window[1] - plot.window[0] < 0.6 * (before[1] - before[0])).all()
-    assert plot.data(QtCore.QPointF(at)) == pytest.approx(under)  # it stays under the mouse
+    assert plot.data(QtCore.QPointF(at)) == pytest.approx(under)  # the point under the mouse stays there
     pictures.append(view.picture())
     end = at + QtCore.QPoint(30, 20)
     QTest.mousePress(canvas, QtCore.Qt.LeftButton, QtCore.Qt.NoModifier, at)
@@ -408,16 +395,9 @@ def test_wheel_and_mouse_zoom_and_move(view, window):
     window.screenshot("gauss-map-zoomed")
     assert not same(pictures[0], pictures[1]) and not same(pictures[1], pictures[2])
     graph = view.canvas.figure.graph
-    roll(canvas, graph.place.center().toPoint(), -120)
+    window.wheel(canvas, graph.place.center().toPoint(), -1)
     QTest.mouseDClick(canvas, QtCore.Qt.LeftButton, QtCore.Qt.NoModifier, at)
     assert [np.array_equal([one.lower, one.upper], was) for one, was in zip((plot, graph), whole)] == [True, False]
-
-
-def roll(widget, at, eighths):
-    point, everywhere = QtCore.QPointF(at), QtCore.QPointF(widget.mapToGlobal(at))
-    event = QtGui.QWheelEvent(point, everywhere, QtCore.QPoint(), QtCore.QPoint(0, eighths), QtCore.Qt.NoButton,
-                              QtCore.Qt.NoModifier, QtCore.Qt.NoScrollPhase, False)  # fmt: skip
-    QtGui.QApplication.sendEvent(widget, event)
 
 
 def test_100_000_trajectories_stay_usable(view, opened, window):
@@ -436,9 +416,9 @@ def test_100_000_trajectories_stay_usable(view, opened, window):
     timer.start(5)
     select(long)
     busy = view.dock.busy
-    busy._later.setInterval(0)  # however fast the computer is, the work is announced before it is over
-    window.wait(lambda: busy.isVisible() and "Long" in busy.label.text())  # on a busy computer first "Reading Face"
-    window.click_on(busy.button)  # given up
+    busy._later.setInterval(0)  # announce the work even if the computer is fast
+    window.wait(lambda: busy.isVisible() and "Long" in busy.label.text())  # a busy computer may first read Face
+    window.click_on(busy.button)  # cancels the reading
     assert "Select an operation" in view.title.text() and not busy.isVisible()
     beats.clear()
     begin = time.monotonic()
@@ -466,7 +446,7 @@ def test_100_000_trajectories_stay_usable(view, opened, window):
 def test_nothing_is_cut_off_in_a_narrow_dock(opened, view, label):
     select(labelled(opened, label))
     view.picture()
-    canvas, width = view.canvas, 420  # of a dock beside the 3D view
+    canvas, width = view.canvas, 420  # width of a dock beside the 3D view
     image = QtGui.QImage(width + 200, 120, QtGui.QImage.Format_RGB32)
     image.fill(QtGui.QColor(canvas.theme.back))
     painter = QtGui.QPainter(image)
@@ -478,9 +458,7 @@ def test_nothing_is_cut_off_in_a_narrow_dock(opened, view, label):
     assert drawn.nonzero()[0].max() < width
 
 
-def test_the_picture_of_the_operation_before_is_not_saved_as_that_of_the_one_being_read(
-    opened, view, window, monkeypatch
-):
+def test_save_waits_until_the_selected_operation_is_read(opened, view, window, monkeypatch):
     go_on, drawn = threading.Event(), gauss_map._drawn
 
     def slowly(*what):
@@ -496,7 +474,7 @@ def test_the_picture_of_the_operation_before_is_not_saved_as_that_of_the_one_bei
     window.wait(lambda: view.title.text().startswith("Bore") and view.dock.saver.isEnabled())
 
 
-def test_the_picture_of_the_area_before_is_not_saved_as_that_of_the_one_being_read(opened, view, window, monkeypatch):
+def test_save_waits_until_the_chosen_area_is_read(opened, view, window, monkeypatch):
     go_on, figure = threading.Event(), gauss_map.GaussFigure
 
     def slowly(*what):
@@ -510,7 +488,7 @@ def test_the_picture_of_the_area_before_is_not_saved_as_that_of_the_one_being_re
     before = view.canvas.figure
     view.chooser.setCurrentIndex(1)
     assert view.dock._background.works and not view.dock.saver.isEnabled() and view.chooser.isEnabled()
-    view.dock.busy.button.click()  # the area before stays
+    view.dock.busy.button.click()  # the former area stays
     assert not view.dock._background.works and view.dock.saver.isEnabled()
     assert view.canvas.isVisible() and view.canvas.figure is before and view.chooser.currentIndex() == 0
     view.chooser.setCurrentIndex(1)
@@ -519,9 +497,9 @@ def test_the_picture_of_the_area_before_is_not_saved_as_that_of_the_one_being_re
     assert view.canvas.figure is not before
 
 
-def test_before_the_first_picture_there_is_nothing_to_step_through_or_to_save(window):
+def test_dock_without_a_picture_hides_its_controls(window):
     dock = gauss_map.GaussMapDock(None)
-    dock.setObjectName("")  # it is not the one of the window
+    dock.setObjectName("")  # the window has another panel
     try:
         assert all(widget.isHidden() for widget in (dock.slider, dock.number, dock.saver, dock.chooser))
     finally:

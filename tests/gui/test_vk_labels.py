@@ -44,7 +44,7 @@ def test_gauss_map_shows_labels_as_text(opened, window):
 
 @pytest.fixture
 def trap(tmp_path, window):
-    """A label that is HTML with a picture to load: red, 60 x 60 pixels."""
+    """A label that is HTML with a picture: red, 60 x 60 pixels."""
     picture = QtGui.QPixmap(60, 60)
     picture.fill(QtGui.QColor("#ff0000"))
     assert picture.save(str(tmp_path / "red.png"))
@@ -52,11 +52,11 @@ def trap(tmp_path, window):
 
 
 def is_shown_as_it_is(html, text):
-    """Whether Qt would show this tooltip as the text, and nothing else."""
+    """Return whether Qt shows this tooltip as plain text."""
     document = QtGui.QTextDocument()
     document.setHtml(html)
     shown = document.toPlainText()
-    return html.startswith("<p ") and text in shown and "\ufffc" not in shown  # the sign of a picture
+    return html.startswith("<p ") and text in shown and "\ufffc" not in shown  # Qt's character for a picture
 
 
 def test_tooltips_show_labels_as_text(opened, window, trap):
@@ -73,14 +73,7 @@ def test_tooltips_show_labels_as_text(opened, window, trap):
     tooltips = [model.index(row, column, job).data(QtCore.Qt.ToolTipRole) for column in range(model.columnCount())]
     assert is_shown_as_it_is(tooltips[0], trap) and is_shown_as_it_is(tooltips[5], trap)
     assert all(tooltip == "" or "<img" not in tooltip for tooltip in tooltips)
-    index = next(i for i in window.tree.model().match(
-        window.tree.model().index(0, 0), QtCore.Qt.DisplayRole, trap, 1, QtCore.Qt.MatchExactly | QtCore.Qt.MatchRecursive))  # fmt: skip
-    QtGui.QToolTip.hideText()
-    where = window.tree.visualRect(index.sibling(index.row(), 1)).center()
-    event = QtGui.QHelpEvent(QtCore.QEvent.ToolTip, where, window.tree.viewport().mapToGlobal(where))
-    QtGui.QApplication.sendEvent(window.tree.viewport(), event)
-    window.wait(QtGui.QToolTip.isVisible)
-    assert is_shown_as_it_is(QtGui.QToolTip.text(), trap)
+    assert is_shown_as_it_is(window.tooltip(trap), trap)
 
 
 def test_boxes_show_texts_as_they_are(window, trap):
@@ -100,7 +93,7 @@ def test_the_preferences_show_a_calibration_as_text(window, trap, monkeypatch):
     page.form.deleteLater()
 
 
-def test_a_label_that_is_whole_is_no_higher_than_its_text(window):
+def test_whole_label_is_as_high_as_its_text(window):
     box = QtGui.QWidget()
     column = QtGui.QVBoxLayout(box)
     label = QtGui.QLabel("What it says takes several lines where there is little room. " * 4)
@@ -122,5 +115,5 @@ def test_a_label_that_is_whole_is_no_higher_than_its_text(window):
         line = label.fontMetrics().lineSpacing()
         assert heights[0] > 3 * line and heights[1] < heights[0] / 2 and label.height() < 2 * line
     finally:
-        box.hide()  # deleted only later, it would stand before the window that other tests show
+        box.hide()  # until Qt deletes it, it would cover the window
         box.deleteLater()

@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""A document of 150,000 commands: the window lives while it is analysed, and Esc ends that at once."""
+"""A document of 150,000 commands: the window handles events during its analysis, and Esc ends it at once."""
 
 import math
 import time
 
 import Path
 import pytest
-from PySide import QtCore, QtGui
+from PySide import QtCore
 
 from vkworkbench.document.job.results import RESULTS
 
@@ -22,22 +22,16 @@ def long_document(opened):
         x = 10 + 0.2 * (step if row % 2 == 0 else 499 - step)
         lines.append(f"G1 X{x:.3f} Y{10 + 0.3 * row + 0.1 * math.sin(x):.4f}")
     changed = opened.getObject("Job").Operations.Group[:OPERATIONS]
-    for number, obj in enumerate(changed):  # no two of them alike: what is known is not analysed again
+    for number, obj in enumerate(changed):  # different paths: the analysis reuses results of equal paths
         obj.Path = Path.Path("\n".join([*lines[:-1], f"G1 X{10 + number}"]))
     assert sum(obj.Path.Size for obj in changed) == OPERATIONS * COMMANDS
     return opened
 
 
-def dialog():
-    shown = [w for w in QtGui.QApplication.topLevelWidgets() if isinstance(w, QtGui.QProgressDialog) and w.isVisible()]
-    return shown[0] if shown else None
-
-
 class Stopwatch:
-    """Seconds as on a computer where nothing else runs.
+    """Measures seconds as on a computer where nothing else runs.
 
-    Less than the time on the wall, in which other processes work too, and than the time of this process, which counts
-    its threads one by one although they work side by side.
+    The smaller of two times: other processes add to the wall clock, and parallel threads add to the processor time.
     """
 
     def __init__(self):
@@ -48,10 +42,10 @@ class Stopwatch:
 
 
 def cancel(window, order, number, beats):
-    """Analyse and press Esc when the window has lived so many times within the operation with that number.
+    """Analyse, and press Esc after `beats` timer events within operation `number`.
 
-    Return the seconds until that had an effect, those between two signs of life of the window, the labels shown, and
-    whether another operation was begun after Esc.
+    Return the seconds from Esc to the end, the seconds between timer events, the labels in the dialog, and whether
+    another operation began after Esc.
     """
     due, pressed, gaps, labels, at_esc = [], [], [], set(), []
     last = Stopwatch()
@@ -60,9 +54,9 @@ def cancel(window, order, number, beats):
         nonlocal last
         gaps.append(last())
         last = Stopwatch()
-        shown = dialog()
+        shown = window.progress_dialog()
         if shown is None or shown.labelText() not in order:
-            return  # not begun
+            return  # no operation has begun
         if pressed:
             at_esc.append(shown.labelText())
             return
@@ -86,16 +80,16 @@ def cancel(window, order, number, beats):
     return pressed[0](), gaps, labels, len(set(at_esc)) > 1
 
 
-def test_esc_ends_150_000_commands_at_once(long_document, window):
+def test_esc_ends_the_analysis_of_150_000_commands(long_document, window):
     before = [(obj.Name, obj.Label2, tuple(obj.PropertiesList), list(obj.State)) for obj in long_document.Objects]
     undo = long_document.UndoCount
     order = [obj.Label for obj in long_document.getObject("Job").Operations.Group]
-    # In the middle of different steps of an operation.
+    # Esc comes in the middle of different steps of an operation.
     tries = [cancel(window, order, *press) for press in ((1, 1), (2, 3), (3, 5), (2, 8))]
     pauses = sorted(gap for _, gaps, *_ in tries for gap in gaps)
     print(f"cancelled after {[round(seconds, 3) for seconds, *_ in tries]} s; pauses of the window: "
           f"median {pauses[len(pauses) // 2]:.3f}, longest {pauses[-1]:.3f} s")  # fmt: skip
-    # Seconds are the computer's: what counts is that nothing more is begun, and that the window lives within operations.
+    # Seconds depend on the computer. The test requires timer events within operations, and no operation after Esc.
     assert not any(more for *_, more in tries)
     assert all(len(gaps) > 2 * len(shown) for _, gaps, shown, _ in tries)
     labels = set().union(*(shown for _, _, shown, _ in tries))

@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The first analysis ever measures this computer: the window lives meanwhile, says so, and Esc ends it."""
+"""The first analysis measures this computer: a dialog says so, events are handled, and Esc ends the measurement."""
 
 import time
 
 import FreeCAD
 import pytest
-from PySide import QtCore, QtGui
+from PySide import QtCore
 
 from vkworkbench import preferences
 from vkworkbench.core import measure_speed
@@ -15,36 +15,26 @@ from vkworkbench.document.marks import marks
 
 
 @pytest.fixture
-def never_measured():
-    """No calibration before the test, and the one of before after it."""
-    path = calibration._path()
-    before = path.read_bytes() if path.exists() else None
-    path.unlink(missing_ok=True)
-    yield path
-    path.unlink(missing_ok=True)
-    if before is not None:
-        path.write_bytes(before)
-
-
-def dialog():
-    shown = [w for w in QtGui.QApplication.topLevelWidgets() if isinstance(w, QtGui.QProgressDialog) and w.isVisible()]
-    return shown[0] if shown else None
+def never_measured(restored_calibration):
+    """No calibration before the test; the path of its file."""
+    restored_calibration.unlink()
+    return restored_calibration
 
 
 def endless(clock=None, going_on=None):
-    """A computer that cannot be measured."""
+    """Measure until Esc is pressed."""
     end = time.monotonic() + 60
     while time.monotonic() < end:
         going_on()
         time.sleep(0.01)
-    pytest.fail("nobody ended it")
+    pytest.fail("Esc did not end the measurement")
 
 
 def pressing_escape(window, labels, name=None):
-    """Press Esc whenever a dialog is seen, and note what it says; the timer that does it."""
+    """Return a timer that presses Esc in each progress dialog and adds the dialog's text to `labels`."""
 
     def look():
-        shown = dialog()
+        shown = window.progress_dialog()
         if shown is not None:
             labels.append(shown.labelText())
             if name:
@@ -57,19 +47,19 @@ def pressing_escape(window, labels, name=None):
     return timer
 
 
-def test_esc_ends_the_measurement_and_with_it_the_analysis(opened, window, never_measured, monkeypatch):
+def test_esc_ends_measurement_and_analysis(opened, window, never_measured, monkeypatch):
     monkeypatch.setattr(calibration, "measure_speed", endless)
     undo, labels = opened.UndoCount, []
     timer = pressing_escape(window, labels, "measuring")
     window.click("Analyze Toolpaths")
     timer.stop()
     assert set(labels) == {"Measuring how fast this computer simulates…"}
-    assert "cancelled" in window.main.statusBar().currentMessage() and dialog() is None
+    assert "cancelled" in window.main.statusBar().currentMessage() and window.progress_dialog() is None
     assert not never_measured.exists() and opened.UndoCount == undo
     assert not any(marks.is_marked(operation.object) for operation in find(opened))
 
 
-def test_other_events_come_between_the_pieces(opened, window, never_measured, monkeypatch):
+def test_measurement_handles_events_between_its_pieces(opened, window, never_measured, monkeypatch):
     beats, pieces = [0], []
 
     def watched(clock, going_on):
@@ -93,7 +83,7 @@ def test_other_events_come_between_the_pieces(opened, window, never_measured, mo
     assert all(marks.is_marked(operation.object) for operation in find(opened))
 
 
-def test_esc_ends_the_calibration_of_the_preferences(window, never_measured, monkeypatch):
+def test_esc_ends_the_calibration_in_the_preferences(window, never_measured, monkeypatch):
     from vkworkbench.gui.preferences_page import PreferencesPage
 
     monkeypatch.setattr(calibration, "measure_speed", endless)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The results panel: its tree, columns, filter and page, the selection it shares with FreeCAD, and its exports."""
+"""The results panel: its tree, columns, filter, page and exports, and the selection that it shares with FreeCAD."""
 
 import csv
 import json
@@ -61,7 +61,7 @@ def shown(panel):
 
 
 def indexes(panel):
-    """Indexes of the first column, from above."""
+    """Return the indexes of the first column, from top to bottom."""
     model = panel.tree.model()
 
     def below(parent):
@@ -74,7 +74,7 @@ def indexes(panel):
 
 
 def column(panel, title):
-    """Texts of a column by the names of operations and jobs."""
+    """Return {label: text in the column} for operations and jobs."""
     number = titles(panel).index(title)
     return {index.data(): index.sibling(index.row(), number).data() for index in indexes(panel)}
 
@@ -112,10 +112,10 @@ FIRST = [
     "Machining Time",
     "Simulation Time",
     "Warnings",
-]  # and the state, where one is outdated
+]  # the State column is shown only if a mark is outdated
 
 
-def test_jobs_are_branches_with_their_total(panel, opened, window):
+def test_jobs_are_branches_with_totals(panel, opened, window):
     report = vkworkbench.analyze(opened)
     assert labels(panel) == ["Job", *(o.label for o in report.operations)]
     (job,) = [index for index in indexes(panel) if not index.parent().isValid()]
@@ -128,7 +128,7 @@ def test_jobs_are_branches_with_their_total(panel, opened, window):
     assert [moves[o.label] for o in report.operations] == [f"{o.trajectories:,}" for o in report.operations]
 
 
-def test_six_columns_at_first_and_all_others_in_a_menu(panel, opened, window):
+def test_columns_are_chosen_in_a_menu(panel, opened, window):
     assert shown(panel) == FIRST
     named = ["Simulate Toolpaths", *(user().simulator(name) for name in ("legacy", *(["OpenGL"] if OPENGL else [])))]
     assert titles(panel)[:6] == [*FIRST[:4], "State", "Warnings"]
@@ -160,8 +160,8 @@ def test_six_columns_at_first_and_all_others_in_a_menu(panel, opened, window):
     assert shown(panel) == FIRST and preferences.read().result_columns == ""
 
 
-def test_what_only_hidden_columns_show_is_not_computed(panel):
-    """The z-buffer's cost of a long toolpath would hold up the window."""
+def test_costs_of_hidden_columns_are_not_computed(panel):
+    """Computing the z-buffer cost of a long toolpath would stop the window."""
     (total,) = [row for _, row in panel._indexes() if row.is_total]
     assert preferences.read().simulator in total.found.costs.computed()
     assert "z-buffer" not in total.found.costs.computed()
@@ -172,7 +172,7 @@ def test_what_only_hidden_columns_show_is_not_computed(panel):
     panel.tree.setColumnHidden(number, True)
 
 
-def test_the_name_stays_in_sight(panel, opened, window):
+def test_name_column_stays_visible(panel, opened, window):
     chosen = [action for action in panel.columns.actions() if action.isCheckable() and not action.isChecked()]
     try:
         for action in chosen:
@@ -197,18 +197,18 @@ def test_the_name_stays_in_sight(panel, opened, window):
             action.trigger()
 
 
-def test_nothing_shines_through_the_name(panel, shipped, window):
+def test_name_column_is_opaque(panel, shipped, window):
     chosen = [action for action in panel.columns.actions() if action.isCheckable() and not action.isChecked()]
     try:
         for action in chosen:
             action.trigger()
-        window.settle()  # until the columns have their places
+        window.settle()  # until the columns are laid out
         bar, frozen = panel.tree.horizontalScrollBar(), panel.tree.findChild(QtGui.QTreeView, "frozen")
         pictures = []
         for value in (bar.maximum() // 2, bar.maximum()):
             bar.setValue(value)
             window.settle()
-            # Not of the view alone: the theme of FreeCAD 1.1 leaves its background to what is behind it.
+            # Grab the window: in FreeCAD 1.1 the background of the view is transparent.
             place = QtCore.QRect(frozen.viewport().mapTo(window.main, QtCore.QPoint(0, 0)), frozen.viewport().size())
             pictures.append(window.main.grab(place).toImage())
         window.screenshot(f"panel-frozen-{shipped.replace(' ', '-')}")
@@ -221,9 +221,9 @@ def test_nothing_shines_through_the_name(panel, shipped, window):
             action.trigger()
 
 
-def test_a_menus_arrow_stands_beside_its_text(panel, shipped, window):
+def test_arrow_of_a_menu_is_beside_its_text(panel, shipped, window):
     def columns(one, other):
-        """Where two pictures differ."""
+        """Return the columns of pixels in which two pictures differ."""
         rows = range(one.height())
         return [x for x in range(one.width()) if any(one.pixel(x, y) != other.pixel(x, y) for y in rows)]
 
@@ -245,7 +245,7 @@ def test_light_and_dark(panel, window, theme):
     Gui.SendMsgToActiveView("ViewFit")
     click_row(window, panel, "Adaptive pocket")
     window.screenshot(f"panel-{theme}")
-    assert window.main.width() <= 1280  # it asks for no more room than there is
+    assert window.main.width() <= 1280  # the panel does not widen the window
 
 
 def luminance(color):
@@ -258,7 +258,7 @@ def contrast(one, other):
     return (high + 0.05) / (low + 0.05)
 
 
-def test_it_is_readable_in_freecads_own_themes(panel, window, shipped):
+def test_panel_is_readable_in_freecads_themes(panel, window, shipped):
     click_row(window, panel, "Bore")
     window.settle()
     window.screenshot(f"panel-{shipped.replace(' ', '-')}")
@@ -271,14 +271,14 @@ def test_it_is_readable_in_freecads_own_themes(panel, window, shipped):
     assert max(contrast(background, color) for color, _ in others) > 4.5
 
 
-def test_it_makes_no_window_higher_than_a_low_screen(panel):
-    """Also behind themes, which the tests before have shown."""
+def test_panel_has_a_small_minimum_height(panel):
+    """Also after the themes of the tests above."""
     panel.filter.updateGeometry()
     least = panel.filter.minimumSizeHint().height() + 4 * panel.fontMetrics().height()
     assert panel.widget().layout().totalMinimumSize().height() <= least
 
 
-def test_on_a_low_screen_it_shows_rows_rather_than_titles(panel, opened, window):
+def test_low_panel_shows_rows_instead_of_titles(panel, opened, window):
     panel.setFloating(True)
     try:
         panel.resize(600, panel.minimumSizeHint().height())
@@ -287,7 +287,7 @@ def test_on_a_low_screen_it_shows_rows_rather_than_titles(panel, opened, window)
         panel.tree.scrollTo(top)
         seen = panel.tree.viewport()
         assert seen.rect().contains(panel.tree.visualRect(top).adjusted(0, 0, -panel.tree.columnWidth(0) + 1, 0))
-        panel.tree.horizontalScrollBar().setValue(100)  # the first column then stands above the others
+        panel.tree.horizontalScrollBar().setValue(100)  # the frozen first column now covers other columns
         window.settle()
         window.screenshot("panel-low")
         panel.resize(600, 400)
@@ -299,7 +299,7 @@ def test_on_a_low_screen_it_shows_rows_rather_than_titles(panel, opened, window)
         window.settle()
 
 
-def test_a_click_on_a_title_sorts_within_the_job(panel, opened, window):
+def test_click_on_a_title_sorts_within_the_job(panel, opened, window):
     operations = vkworkbench.analyze(opened).operations
     rising = [o.label for o in sorted(operations, key=lambda o: o.machining.seconds)]
     click_header(window, panel, "Machining Time")
@@ -313,7 +313,7 @@ def test_a_click_on_a_title_sorts_within_the_job(panel, opened, window):
     assert labels(panel)[1:] == [o.label for o in operations]
 
 
-def test_the_filter(panel, opened, window):
+def test_filter_by_words_strategy_and_warnings(panel, opened, window):
     strategies = {o.label: o.strategy.value for o in vkworkbench.analyze(opened).operations}
     panel.filter.words.setFocus()
     window.type(panel.filter.words, "POCKET")
@@ -337,14 +337,14 @@ def test_the_filter(panel, opened, window):
     assert not labels(panel) and text_of(panel) == "No operation matches the filter."
 
 
-def test_a_click_on_a_row_selects_the_operation(panel, opened, window):
+def test_click_on_a_row_selects_the_operation(panel, opened, window):
     click_row(window, panel, "Bore")
     assert Gui.Selection.getSelection() == [labelled(opened, "Bore")]
     tree_selected = [i.data() for i in window.tree.selectionModel().selectedIndexes() if i.column() == 0]
     assert tree_selected == ["Bore"]
 
 
-def test_plain_words_first_and_the_papers_terms_behind_why(panel, opened, window):
+def test_page_has_the_papers_terms_behind_why(panel, opened, window):
     click_row(window, panel, "Bore")
     (found,) = [o for o in vkworkbench.analyze(opened).operations if o.label == "Bore"]
     assert ("φ" not in text_of(panel) and "going down" in text_of(panel).lower()) or "descending" in text_of(panel)
@@ -364,7 +364,7 @@ def test_plain_words_first_and_the_papers_terms_behind_why(panel, opened, window
     assert "φ" not in text_of(panel)
 
 
-def test_no_line_of_the_page_ends_between_a_number_and_its_unit(panel, window):
+def test_page_keeps_numbers_and_units_together(panel, window):
     click_row(window, panel, "Bore")
     block, told = panel.details.document().begin(), []
     while block.isValid():
@@ -374,7 +374,7 @@ def test_no_line_of_the_page_ends_between_a_number_and_its_unit(panel, window):
     assert any(re.search("\\d\u00a0min", text) for text in told)
 
 
-def test_several_rows_have_the_total_of_the_selection(panel, opened, window):
+def test_several_selected_rows_show_their_total(panel, opened, window):
     click_row(window, panel, "Bore")
     click_row(window, panel, "Face", QtCore.Qt.ControlModifier)
     posted = vkworkbench.analyze(opened).totals[0].operations
@@ -382,7 +382,7 @@ def test_several_rows_have_the_total_of_the_selection(panel, opened, window):
     assert text_of(panel).startswith(f"Selection in Job: 2 of {posted} operations")
 
 
-def test_the_keyboard(panel, opened, window):
+def test_keys_move_copy_and_open(panel, opened, window):
     click_row(window, panel, "Face")
     window.press(panel.tree, QtCore.Qt.Key_Down)
     window.settle()
@@ -412,8 +412,8 @@ def test_selecting_in_freecad_moves_the_row(panel, opened, window):
     assert Gui.Selection.getSelection() == []
 
 
-def test_a_jobs_row_is_another_than_its_first_operations(panel, opened, window):
-    """Both are row 0, of different parents."""
+def test_row_of_a_job_is_not_the_row_of_its_first_operation(panel, opened, window):
+    """Both are row 0 of different parents."""
     first = next(iter(labels(panel)[1:]))
     for label in ("Job", first, "Job"):
         Gui.Selection.clearSelection()
@@ -422,29 +422,10 @@ def test_a_jobs_row_is_another_than_its_first_operations(panel, opened, window):
         assert text_of(panel).startswith(f"{label}:")
 
 
-def save_as(window, action, path):
-    """Choose an export and answer its dialog as a user does."""
-
-    def answer():
-        dialogs = [
-            w for w in QtGui.QApplication.topLevelWidgets() if isinstance(w, QtGui.QFileDialog) and w.isVisible()
-        ]
-        if not dialogs:
-            QtCore.QTimer.singleShot(50, answer)
-            return
-        name = dialogs[0].findChild(QtGui.QLineEdit)
-        name.setText(str(path))
-        window.press(name, QtCore.Qt.Key_Return)
-
-    QtCore.QTimer.singleShot(50, answer)
-    action.trigger()
-    window.settle()
-
-
-def test_exports_hold_the_numbers(panel, opened, window, tmp_path):
+def test_exports_have_the_numbers_of_the_report(panel, opened, window, tmp_path):
     operations = vkworkbench.analyze(opened).operations
-    save_as(window, panel.csv, tmp_path / "results.csv")
-    save_as(window, panel.json, tmp_path / "results")
+    window.answer_file_dialog(tmp_path / "results.csv", panel.csv.trigger)
+    window.answer_file_dialog(tmp_path / "results", panel.json.trigger)
     with open(tmp_path / "results.csv", newline="", encoding="utf-8") as file:
         rows = list(csv.DictReader(file))
     data = json.loads((tmp_path / "results.json").read_text(encoding="utf-8"))
@@ -476,7 +457,7 @@ def test_an_export_that_fails_is_said(panel, window, tmp_path):
     assert said
 
 
-def test_copy_is_the_tree_as_shown(panel, window):
+def test_copy_has_the_shown_columns_and_rows(panel, window):
     Gui.Selection.clearSelection()
     window.settle()
     panel.copy.trigger()
@@ -500,8 +481,8 @@ def test_no_table_in_the_report_view(panel, window):
     assert marks.is_marked(FreeCAD.ActiveDocument.getObject("Job"))
 
 
-def test_the_simulation_time_is_that_of_the_marks(panel, opened, window):
-    """Of the simulator of the preferences; the job's is the same number in tree and panel."""
+def test_simulation_time_is_the_same_as_in_marks(panel, opened, window):
+    """The panel shows the time of the simulator in the preferences, for jobs as in the tree."""
     try:
         for name in ("legacy", *(["OpenGL"] if OPENGL else []), "z-buffer"):
             preferences.write(mark_simulator=name)
@@ -519,7 +500,7 @@ def test_the_simulation_time_is_that_of_the_marks(panel, opened, window):
 
 
 def test_lengths_in_inches(panel, opened, window):
-    """No length of mark, tooltip and page stands in millimetres where FreeCAD shows inches."""
+    """Mark, tooltip and page show no millimetres if FreeCAD shows inches."""
     schema, units = FreeCAD.Units.getSchema(), FreeCAD.ParamGet("User parameter:BaseApp/Preferences/Units")
     FreeCAD.Units.setSchema(3)
     links = ("why", "numbers")
@@ -538,13 +519,13 @@ def test_lengths_in_inches(panel, opened, window):
 
 
 def sign(panel, label):
-    """The icon beside a name, None without one."""
+    """Return the icon beside a label, or None."""
     (index,) = [index for index in indexes(panel) if index.data() == label]
     return index.data(QtCore.Qt.DecorationRole)
 
 
-def test_what_has_a_sign_in_the_tree_has_one_in_the_results(panel, opened, window):
-    """A time over the budget, with what is better; what is no warning there is none here."""
+def test_warning_signs_are_the_same_as_in_the_tree(panel, opened, window):
+    """A time over the budget has the sign and names a faster way; rows without the sign in the tree have none here."""
     harmless = [label for label, text in column(panel, "Warnings").items() if text and not sign(panel, label)]
     try:
         preferences.write(time_budget=0.1, mark_simulator="legacy")
@@ -569,7 +550,7 @@ def test_what_has_a_sign_in_the_tree_has_one_in_the_results(panel, opened, windo
         window.settle()
 
 
-def test_a_job_over_the_budget_is_among_the_warnings_alone(panel, opened, window):
+def test_only_the_job_over_the_budget_is_a_warning(panel, opened, window):
     one = marks.read(labelled(opened, "Adaptive pocket")).cost("legacy")[0]
     total = marks.read(opened.getObject("Job")).cost("legacy")[0]
     assert one < total
@@ -583,7 +564,7 @@ def test_a_job_over_the_budget_is_among_the_warnings_alone(panel, opened, window
         window.settle()
 
 
-def test_what_it_is_called_against_what_it_does(panel, opened, window):
+def test_misnamed_operations_have_a_remark(panel, opened, window):
     face, pocket = labelled(opened, "Face"), labelled(opened, "Pocket around island")
     assert not any("called" in remark for remark in column(panel, "Warnings").values())
     face.Path, pocket.Path = pocket.Path, face.Path
@@ -598,7 +579,7 @@ def test_what_it_is_called_against_what_it_does(panel, opened, window):
     window.screenshot("panel-mismatch")
 
 
-def test_what_is_wrong_is_said(panel, opened, window):
+def test_faulty_operations_have_a_remark(panel, opened, window):
     bore = labelled(opened, "Bore")
     bore.ToolController = None
     labelled(opened, "Face").Active = False
@@ -616,7 +597,7 @@ def test_what_is_wrong_is_said(panel, opened, window):
     )  # what else is told depends on the computer's speed
 
 
-def test_an_operation_that_is_switched_off_says_so_without_an_analysis(panel, opened, window):
+def test_switching_an_operation_off_needs_no_analysis(panel, opened, window):
     window.analyze(opened)
     window.dismiss()
     face, text = labelled(opened, "Face"), text_of(panel)
@@ -634,7 +615,7 @@ def test_an_operation_that_is_switched_off_says_so_without_an_analysis(panel, op
     window.wait(lambda: column(panel, "Strategy") == on and text_of(panel) == text)
 
 
-def test_an_operation_that_is_switched_off_is_no_error(panel, opened, window):
+def test_switched_off_operation_is_not_an_error(panel, opened, window):
     face = labelled(opened, "Face")
     face.Active = False
     opened.recompute()
@@ -658,8 +639,8 @@ def test_an_operation_that_is_switched_off_is_no_error(panel, opened, window):
     window.wait(lambda: column(panel, "Strategy")["Face"] == "zigzag")
 
 
-def test_an_analysis_fills_the_panel_once_in_an_event_of_its_own(panel, opened, window, monkeypatch):
-    """At the end of an analysis the window would stand still for all of it together."""
+def test_analysis_fills_the_panel_once_in_its_own_event(panel, opened, window, monkeypatch):
+    """Filling the panel within the analysis would make the window wait for both."""
     panel.hide()
     window.settle()
     find, events = findings.read_findings, []
@@ -676,7 +657,7 @@ def test_an_analysis_fills_the_panel_once_in_an_event_of_its_own(panel, opened, 
     assert column(panel, "Strategy")["Face"] == "zigzag"
 
 
-def test_rows_live_with_the_document(panel, opened, window):
+def test_rows_follow_the_document(panel, opened, window):
     labelled(opened, "Face").Label = "Top"
     window.wait(lambda: "Top" in labels(panel))
     top = labelled(opened, "Top")
@@ -699,7 +680,7 @@ def test_rows_live_with_the_document(panel, opened, window):
     window.wait(lambda: len(labels(panel)) > 3)
 
 
-def test_the_jobs_row_says_what_its_mark_says(panel, opened, window):
+def test_row_of_a_job_agrees_with_its_mark(panel, opened, window):
     job, chosen = opened.getObject("Job"), preferences.read()
 
     def said(operations, state):
@@ -734,7 +715,7 @@ def test_one_operation_analyzed_again_keeps_the_others(panel, opened, window):
     assert len(labels(panel)) == count
 
 
-def test_the_total_of_a_part_says_that_it_is_one(opened, window):
+def test_total_of_selected_operations_says_so(opened, window):
     posted = vkworkbench.analyze(opened).totals[0].operations
     Gui.Selection.addSelection(labelled(opened, "Face"))
     window.click("Analyze Toolpaths")
@@ -758,10 +739,10 @@ def test_a_name_without_a_suffix_gets_one(chosen, saved):
     assert with_suffix(chosen, ".csv") == saved
 
 
-def test_beside_the_report_view_it_is_a_tab(opened, window):
+def test_panel_is_a_tab_beside_the_report_view(opened, window):
     view = window.first(QtGui.QDockWidget, "Report view")
     existing = dock(window)
-    if existing is not None:  # made anew, as in a window that has just been opened
+    if existing is not None:  # the command makes a new panel, as in a new window
         Gui.Selection.removeObserver(existing)
         FreeCAD.removeDocumentObserver(existing)
         existing.setObjectName("")
@@ -805,8 +786,8 @@ def test_results_and_gauss_map_share_their_place(opened, window):
     assert not gauss.isVisible()
 
 
-def test_a_document_that_is_opened_with_marks_fills_it(panel, opened, window, tmp_path):
-    """All that is seen at first is as it was before; the numbers that a mark does not keep come with an export."""
+def test_document_opened_with_marks_fills_the_panel(panel, opened, window, tmp_path):
+    """Columns and page look as before the reopening; numbers that a mark does not hold come with a new analysis."""
     before = {title: column(panel, title) for title in FIRST}
     label = "Pocket zigzag"
     click_row(window, panel, label)
@@ -825,7 +806,7 @@ def test_a_document_that_is_opened_with_marks_fills_it(panel, opened, window, tm
         assert "Rapid Length" not in text_of(panel)
         window.click("Analyze Toolpaths")  # of the selected operation, whose mark stays as it is
         window.wait(lambda: "Rapid Length" in text_of(panel), 10)
-        save_as(window, panel.csv, tmp_path / "results.csv")
+        window.answer_file_dialog(tmp_path / "results.csv", panel.csv.trigger)
         with open(tmp_path / "results.csv", newline="", encoding="utf-8") as file:
             rows = list(csv.DictReader(file))
         assert [row["label"] for row in rows] == [o.label for o in vkworkbench.analyze(again).operations]
@@ -834,8 +815,8 @@ def test_a_document_that_is_opened_with_marks_fills_it(panel, opened, window, tm
         FreeCAD.setActiveDocument(opened.Name)
 
 
-def test_the_total_of_the_z_buffer_is_one_number(opened, window, tmp_path):
-    """That of one z-buffer, in report, tree, panel and page, also where the document was opened with its marks."""
+def test_total_of_the_z_buffer_is_one_number(opened, window, tmp_path):
+    """Report, tree, panel and page show the total of one z-buffer, also after reopening the document."""
     results, again = None, None
     preferences.write(mark_simulator="z-buffer")
     try:
@@ -885,7 +866,7 @@ def test_column_title_is_one_line_in_names(title, name):
     assert Column("key", title, "", None).name == name
 
 
-def test_the_page_tells_what_to_do_without_a_document(window):
+def test_page_says_what_to_do_without_a_document(window):
     assert not FreeCAD.listDocuments()
     document = FreeCAD.newDocument("Empty")
     window.activate("VkWorkbench")

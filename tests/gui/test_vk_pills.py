@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Pills in the tree: what they show and tell, in light and dark windows, what F2 edits, and how fast they come."""
+"""Pills in the tree: colours, texts and tooltips in light and dark windows, editing by F2, and the number of layouts."""
 
 import re
 import time
@@ -34,50 +34,37 @@ def labelled(document, label):
     return obj
 
 
-def cell(window, label, column=1):
-    """The index of a cell by the text of its first column."""
-    model = window.tree.model()
-    (found,) = model.match(model.index(0, 0), QtCore.Qt.DisplayRole, label, 1,
-                           QtCore.Qt.MatchExactly | QtCore.Qt.MatchRecursive | QtCore.Qt.MatchWrap)  # fmt: skip
-    return found.sibling(found.row(), column)
-
-
 def picture(window, label):
-    """What the screen shows of an operation's description."""
+    """Return the picture of an operation's description on the screen."""
     view = window.tree
-    view.scrollTo(cell(window, label))
+    view.scrollTo(window.cell(label))
     window.settle()
-    area = view.visualRect(cell(window, label)) & view.viewport().rect()
-    area.setWidth(min(area.width(), 240))  # shares are those of the column's usual width, also behind a long label
+    area = view.visualRect(window.cell(label)) & view.viewport().rect()
+    area.setWidth(min(area.width(), 240))  # shares refer to the usual width of the column
     corner = view.viewport().mapToGlobal(area.topLeft())
     screen = QtGui.QApplication.primaryScreen()
     return screen.grabWindow(0, corner.x(), corner.y(), area.width(), area.height()).toImage()
 
 
 def share(image, color):
-    """Which share of a picture has a colour."""
+    """Return the share of pixels with a colour."""
     wanted = QtGui.QColor(color).rgb()
     hits = sum(image.pixel(x, y) == wanted for x in range(image.width()) for y in range(image.height()))
     return hits / (image.width() * image.height())
 
 
 def bright(image):
-    """Which share of a picture is nearly white."""
+    """Return the share of nearly white pixels."""
     colors = (image.pixelColor(x, y) for x in range(image.width()) for y in range(image.height()))
     return sum(luminance(c) > 0.8 for c in colors) / (image.width() * image.height())
 
 
 def tooltip(window, label):
-    QtGui.QToolTip.hideText()
-    where = window.tree.visualRect(cell(window, label)).center()
-    event = QtGui.QHelpEvent(QtCore.QEvent.ToolTip, where, window.tree.viewport().mapToGlobal(where))
-    QtGui.QApplication.sendEvent(window.tree.viewport(), event)
-    window.wait(QtGui.QToolTip.isVisible)
-    return QtGui.QToolTip.text().replace("\u00a0", " ")
+    return window.tooltip(label).replace("\u00a0", " ")
 
 
 def luminance(color):
-    """Relative luminance (WCAG 2.1)."""
+    """Return the relative luminance (WCAG 2.1)."""
     parts = [v / 12.92 if v <= 0.03928 else ((v + 0.055) / 1.055) ** 2.4 for v in QtGui.QColor(color).getRgbF()[:3]]
     return 0.2126 * parts[0] + 0.7152 * parts[1] + 0.0722 * parts[2]
 
@@ -90,13 +77,13 @@ def contrast(one, other):
 def test_every_strategy_has_a_readable_colour():
     for color in [*(strategy.color for strategy in Strategy), colors.TOTAL]:
         assert contrast(color, colors.TEXT) >= 4.5
-        assert contrast(color, "#ffffff") >= 3 and contrast(color, "#1e1f22") >= 3  # WCAG's for graphics
+        assert contrast(color, "#ffffff") >= 3 and contrast(color, "#1e1f22") >= 3  # WCAG requires 3 for graphics
     telling = [strategy.color for strategy in Strategy if strategy.is_answer]
     assert len(set(telling)) == len(telling)
 
 
 def layout(record, words="", *, room=10_000, **chosen):
-    """How a mark is shown in so many pixels."""
+    """Return the layout of a mark in a cell of `room` pixels."""
     found = layouts(record, words, Preferences(**chosen), QtGui.QFontMetrics(QtGui.QFont()), None)
     return next((one for one in found if one.needed <= room), found[-1])
 
@@ -117,7 +104,7 @@ def test_a_time_near_or_over_the_budget_has_its_colour(seconds, color):
     assert layout(record, mark_simulator="legacy", time_budget=1e5).text.endswith(f"▶ {user().time(seconds)}")
 
 
-def test_the_strategy_comes_first_then_the_time():
+def test_narrow_pill_drops_the_remark_then_the_time():
     record = record_of(6120, factor=4.0, remarks=(Message("no-job"),))
     kinds, room = [], 600
     while room > 10:
@@ -133,14 +120,14 @@ def test_the_strategy_comes_first_then_the_time():
     assert kinds == [["strategy", "time", "remark"], ["strategy", "time"], ["strategy"]]
 
 
-def test_an_error_is_no_pill():
+def test_error_has_a_sign_instead_of_a_pill():
     record = Record(Strategy.EMPTY, remarks=(Message("no-toolpath"),))
     (sign,) = layout(record).pieces
     assert sign.kind == "error" and sentence(record.remarks[0]) in layout(record).text
 
 
-def test_a_least_time_of_nothing_is_not_told():
-    """Rapids alone, whose speed is not set: at least 0 ms tells nothing, in no place."""
+def test_minimum_time_of_0_is_not_shown():
+    """The times of rapids without a speed are unknown, and "at least 0 ms" would not help the user."""
     untimed = Message("rapids-untimed", length=100.0, name="HorizRapid")
     record = Record(Strategy.EMPTY, trajectories=1, machining_seconds=0.0, left_out=(untimed,),
                     remarks=(Message("no-cutting-move"),))  # fmt: skip
@@ -150,31 +137,29 @@ def test_a_least_time_of_nothing_is_not_told():
     assert machining.text(Row(record, "Op", "Op", mark=record)) == ""
 
 
-def test_what_is_wrong_beside_a_strategy_is_seen_in_every_width():
-    """Without a tool nothing is known of the simulation, however well the strategy is."""
+def test_error_sign_beside_a_pill_stays_in_every_width():
+    """Without a tool the simulation is unknown, even if the strategy is certain."""
     record = Record(Strategy.ZIGZAG, confidence=0.95, remarks=(Message("no-job"),))
     for room in (10_000, 120, 40):
         assert [piece.kind for piece in layout(record, room=room).pieces] == ["error", "filled"]
     assert sentence(record.remarks[0]) in layout(record).text
 
 
-def test_a_total_and_an_outdated_mark():
+def test_pills_of_totals_and_outdated_marks():
     total = record_of(5, strategy=None, operations=8)
     assert layout(total).pieces[0].text == "8 operations" and layout(total).pieces[0].color == colors.TOTAL
     outdated = layout(record_of(5, outdated=True), "mine")
     assert outdated.pieces[0].kind == "outlined" and outdated.text.split()[-2:] == ["outdated", "mine"]
 
 
-@pytest.mark.parametrize(
-    "label2", ["⟦⟧", "⟦3 operations foo⟧", "⟦sculpting 9%⟧", "zigzag 97% ⟦zigzag 97%⟧", "⟦zigzag · ▶ 3 s⟧"]
-)
-def test_what_no_property_says_to_be_ours_is_shown_as_it_is(opened, window, label2):
-    tree.show_description()  # FreeCAD 1.x hides it
+def test_description_without_a_mark_is_shown_unchanged(opened, window):
+    tree.show_description()  # FreeCAD 1.x hides the column
     pills.show()
-    labelled(opened, "Face").Label2 = label2
-    window.settle()
-    assert cell(window, "Face").data() == label2 and share(picture(window, "Face"), Strategy.ZIGZAG.color) == 0
-    assert edit(window, "Face", None) == label2
+    for label2 in ("⟦⟧", "⟦3 operations foo⟧", "⟦sculpting 9%⟧", "zigzag 97% ⟦zigzag 97%⟧", "⟦zigzag · ▶ 3 s⟧"):
+        labelled(opened, "Face").Label2 = label2
+        window.settle()
+        assert window.cell("Face").data() == label2 and share(picture(window, "Face"), Strategy.ZIGZAG.color) == 0
+        assert edit(window, "Face", None) == label2
 
 
 def test_text_beside_a_pill_is_readable(marked, window, theme):
@@ -199,10 +184,10 @@ def test_pills_can_be_switched_off(marked, window):
     assert share(picture(window, "Face"), color) > 0.1
 
 
-def test_tooltip_tells_why_and_how_much(marked, window):
+def test_tooltip_has_reason_and_times(marked, window):
     obj = labelled(marked, "Face")
     text = tooltip(window, "Face")
-    assert not re.search(r"\d (?:ms|s|min|h|mm|m|kB|MB)\b", QtGui.QToolTip.text())  # in one line
+    assert not re.search(r"\d (?:ms|s|min|h|mm|m|kB|MB)\b", QtGui.QToolTip.text())  # numbers and units stay in one line
     known = marks.read(obj)
     (reason,) = known.reason
     assert plain_sentence(reason).replace("<", "&lt;").replace(">", "&gt;") in text and "φ" not in text
@@ -218,7 +203,7 @@ def test_tooltip_tells_why_and_how_much(marked, window):
     assert "a &lt;b&gt;&amp;c remark" in tooltip(window, "Face")
 
 
-def test_words_like_the_marks_are_shown_once(marked, window):
+def test_words_equal_to_the_mark_are_shown_once(marked, window):
     face = labelled(marked, "Face")
     own = marks.read(face).text
     face.Label2 = f"{own} ⟦{own}⟧"
@@ -241,13 +226,13 @@ def test_pills_have_their_strategys_colour(marked, window, theme):
         mark = marks.read(obj)
         image = picture(window, obj.Label)
         color = mark.strategy.color if mark.strategy else colors.TOTAL
-        assert (share(image, color) > 0.05) != mark.outdated, obj.Label  # of the whole cell
+        assert (share(image, color) > 0.05) != mark.outdated, obj.Label  # of the cell
         if not mark.outdated:
-            assert bright(image) > 0.005, obj.Label  # its text
+            assert bright(image) > 0.005, obj.Label  # the text
     assert marks.is_outdated(drill)
 
 
-def test_tooltip_says_nothing_that_may_be_anothers(marked, window):
+def test_tooltip_is_not_taken_from_another_document(marked, window):
     other = FreeCAD.newDocument("Other")
     other.Label = marked.Label
     twin = other.addObject("App::FeaturePython", "Face")
@@ -265,7 +250,7 @@ def test_tooltip_says_nothing_that_may_be_anothers(marked, window):
         tooltip(window, "Face")).toPlainText()  # fmt: skip
 
 
-def test_what_was_marked_without_a_stock_stays_outdated_when_something_is_copied(opened, window):
+def test_mark_without_a_stock_stays_outdated_after_a_copy(opened, window):
     job, face = opened.getObject("Job"), labelled(opened, "Face")
     job.Stock = opened.addObject("Part::FeaturePython", "NothingYet")
     opened.recompute()
@@ -274,7 +259,7 @@ def test_what_was_marked_without_a_stock_stays_outdated_when_something_is_copied
     job.Stock.Shape = Part.makeBox(60, 60, 20)
     opened.recompute()
     window.wait(lambda: marks.is_outdated(face))
-    opened.copyObject(labelled(opened, "Bore"), False)  # all marks are compared anew
+    opened.copyObject(labelled(opened, "Bore"), False)  # a copy makes the watcher compare all marks
     opened.recompute()
     window.settle()
     assert marks.is_outdated(face)
@@ -289,8 +274,8 @@ def all_rows(model, parent=None):
 
 
 def edit(window, label, text, key=QtCore.Qt.Key_Return):
-    """Edit a description as a user does; return what the editor offered."""
-    index = cell(window, label)
+    """Edit a description as a user does; return the text that the editor offered."""
+    index = window.cell(label)
     window.tree.scrollTo(index)
     window.tree.setCurrentIndex(index)
     window.tree.setFocus()
@@ -325,7 +310,7 @@ def test_editing_changes_the_users_words_only(marked, window):
     assert obj.Label2 == f"rough pass {segment}"
 
 
-def test_a_description_without_a_mark_is_edited_as_ever(opened, window):
+def test_description_without_a_mark_is_edited_normally(opened, window):
     pills.show()
     assert edit(window, "Face", "mine") == ""
     assert labelled(opened, "Face").Label2 == "mine"
@@ -338,8 +323,8 @@ def test_marks_of_a_macro_are_pills_too(opened, window):
     assert share(picture(window, "Face"), Strategy.ZIGZAG.color) > 0.1
 
 
-def test_sixty_marks_appear_at_once(opened, window):
-    """The tree is laid out as often as for one mark; 1.x would do it after each text, 60 times."""
+def test_sixty_marks_are_laid_out_once(opened, window):
+    """The tree is laid out as often as for one mark; FreeCAD 1.x would lay it out after each of 60 texts."""
     from vkworkbench.gui import commands
 
     job, bore = opened.getObject("Job"), labelled(opened, "Bore")

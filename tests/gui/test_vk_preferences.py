@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The page in FreeCAD's preferences, in FreeCAD's own dialog."""
+"""The page in FreeCAD's preferences dialog."""
 
 from dataclasses import replace
 
@@ -17,14 +17,14 @@ CANCEL, OK = "Cancel", "OK"
 
 
 def check(window, box):
-    """Press the space key on a check box: a click beside its text would miss."""
+    """Press the space key on a check box; a click in its middle may miss box and text."""
     box.setFocus()
     window.press(box, QtCore.Qt.Key_Space)
 
 
 @pytest.fixture(autouse=True)
 def fresh():
-    """The defaults before and after each test."""
+    """Default preferences before and after each test."""
     group = FreeCAD.ParamGet(preferences.GROUP)
     group.Clear()
     yield
@@ -33,7 +33,7 @@ def fresh():
 
 @pytest.fixture
 def with_page(window):
-    """Open the preferences, let a function work on the page's form, and press a button."""
+    """Return a function that opens the preferences, calls a function with the form, and presses a button."""
 
     def open_and(work, button=OK):
         def answer(dialog, form):
@@ -49,7 +49,7 @@ def with_page(window):
     return open_and
 
 
-def test_it_shows_the_defaults_and_keeps_what_is_chosen(opened, with_page, window):
+def test_page_shows_defaults_and_keeps_changes(opened, with_page, window):
     def look(form):
         assert form.isVisible()
         assert form.image_width.value() == 800 and form.image_height.value() == 600
@@ -90,8 +90,8 @@ def test_it_shows_the_defaults_and_keeps_what_is_chosen(opened, with_page, windo
     assert preferences.read() == expected
 
 
-@pytest.mark.parametrize("schema", [0, 3, 5, 7])  # mm, inches, and two more imperial ones
-def test_ok_changes_nothing_that_was_not_changed(schema, with_page, window):
+@pytest.mark.parametrize("schema", [0, 3, 5, 7])  # mm, inches, and two more imperial schemas
+def test_ok_keeps_untouched_values_exactly(schema, with_page, window):
     before = Preferences(tolerance=0.0123, time_budget=33.37, legacy_accuracy=0.137, result_columns="length")
     preferences.write(tolerance=0.0123, time_budget=33.37, legacy_accuracy=0.137, result_columns="length")
     now, units = FreeCAD.Units.getSchema(), FreeCAD.ParamGet("User parameter:BaseApp/Preferences/Units")
@@ -106,7 +106,7 @@ def test_ok_changes_nothing_that_was_not_changed(schema, with_page, window):
         units.SetInt("UserSchema", now)
 
 
-def test_units_follow_freecad(with_page, window):
+def test_page_follows_freecads_units(with_page, window):
     units = FreeCAD.ParamGet("User parameter:BaseApp/Preferences/Units")
     schema = FreeCAD.Units.getSchema()
     FreeCAD.Units.setSchema(3)  # imperial decimal
@@ -130,8 +130,8 @@ def test_pills_can_be_switched_off(with_page, window, opened):
     assert "PillDelegate" not in delegates()
 
 
-def test_calibrate(with_page, window):
-    calibration._path().unlink(missing_ok=True)
+def test_calibrate_button_measures_and_shows_the_date(with_page, restored_calibration, window):
+    restored_calibration.unlink()
     seen = []
 
     def click(form):
@@ -151,8 +151,8 @@ def test_calibrate(with_page, window):
 
 
 @pytest.mark.parametrize("points", [0, 14])
-def test_no_field_is_squeezed_in_freecads_own_size(points, with_page, window):
-    """FreeCAD 1.x opens its dialog in 819 x 500, whatever the page needs."""
+def test_no_field_is_squeezed_in_freecads_dialog_size(points, with_page, window, default_speeds):
+    """FreeCAD 1.x opens its dialog with 819 x 500 pixels for every page."""
     application = QtGui.QApplication.instance()
     before, larger, squeezed = application.font(), QtGui.QFont(application.font()), []
     larger.setPointSize(points or larger.pointSize())
@@ -165,11 +165,11 @@ def test_no_field_is_squeezed_in_freecads_own_size(points, with_page, window):
         window.screenshot(f"preferences-819x500-{points}")
         for widget in form.findChildren(QtGui.QWidget):
             if widget.isVisible() and widget.objectName() in vars(Preferences()):
-                # A theme may make boxes of choices lower than they ask for.
+                # A theme may make combo boxes lower than their size hint.
                 chooses = isinstance(widget, QtGui.QComboBox)
                 least = widget.fontMetrics().height() if chooses else widget.sizeHint().height()
                 squeezed.extend([widget.objectName()] * (widget.height() < least))
-        if freecad.version() >= (1, 0):  # 0.20 has less room for the page, but opens a larger dialog
+        if freecad.version() >= (1, 0):  # 0.20 opens a larger dialog
             (area,) = (one for one in form.window().findChildren(QtGui.QScrollArea) if one.isAncestorOf(form))
             squeezed.extend(["sideways"] * (area.horizontalScrollBar().maximum() > 0))
         label = form.calibrated
@@ -183,7 +183,7 @@ def test_no_field_is_squeezed_in_freecads_own_size(points, with_page, window):
     assert squeezed == []
 
 
-def test_a_failed_calibration_is_said(with_page, window, monkeypatch):
+def test_failed_calibration_shows_a_message(with_page, window, monkeypatch):
     def fail(renderer, going_on):
         raise OSError("the folder cannot be written")
 

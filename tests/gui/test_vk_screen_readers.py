@@ -1,9 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What a screen reader can say of each control: its text, or else a name."""
+"""Each control has a text or an accessible name for screen readers."""
 
 import pytest
-from PySide import QtCore, QtGui
-from simulation_window import COMMAND, shown, tabs
+from PySide import QtGui
 
 from vkworkbench.gui.qt.widgets import area_of_views
 from vkworkbench.gui.simulators.warning import Line
@@ -12,7 +11,7 @@ CONTROLS = QtGui.QAbstractButton, QtGui.QComboBox, QtGui.QAbstractSpinBox, QtGui
 
 
 def nameless(widget):
-    """The controls in a widget without a name, by class, but those that Qt makes as parts of another."""
+    """Return class and tooltip of the controls without a name, except parts that Qt makes for other controls."""
     controls = [part for part in widget.findChildren(QtGui.QWidget) if isinstance(part, CONTROLS)]
     assert controls
     return [
@@ -34,15 +33,10 @@ def test_the_controls_of_docks_have_names(opened, window, command, dock):
     window.click(command)
 
 
-def test_the_controls_of_the_simulation_have_names(opened, window, small):
-    window.click(COMMAND)
-    window.wait(lambda: tabs(window))
-    (tab,) = tabs(window)
-    player = shown(tab, window)
+def test_controls_of_the_simulation_have_names(desk):
+    tab = desk.shared(desk.small)
     assert nameless(tab) == []
-    assert player.play_bar.play_button.accessibleName() == "Plays or pauses the simulation (Space)."
-    window.press(tab, QtCore.Qt.Key_Escape)
-    window.wait(lambda: not tabs(window))
+    assert tab.player.play_bar.play_button.accessibleName() == "Plays or pauses the simulation (Space)."
 
 
 def test_the_button_that_closes_the_warning_has_a_name(window):

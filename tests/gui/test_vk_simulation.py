@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The simulation in a tab of FreeCAD's window, as a person uses it: click, drag, play, ask."""
+"""The simulation tab as a user works with it: click, drag, play, ask for the cut that made a surface."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ import FreeCADGui as Gui
 import numpy as np
 import pytest
 from PySide import QtCore, QtGui
-from simulation_window import COMMAND, Desk, close, drag, finest, shown, tabs, working
+from simulation_window import COMMAND, close, drag, finest, shown, tabs, working
 
 import vkworkbench
 from vkworkbench.core import linearize
@@ -26,48 +26,34 @@ from vkworkbench.gui.simulation.pictures import Drawing, Picture
 from vkworkbench.gui.simulation.widgets import Legend, StateLine
 
 
-@pytest.fixture(scope="module")
-def desk(window, example_path, tmp_path_factory):
-    """FreeCAD's window with the documents and the tab that these tests share."""
-    desk = Desk(window, example_path, tmp_path_factory.getbasetemp())
-    yield desk
-    desk.leave()
-
-
 @pytest.fixture
 def whole(desk, window):
-    """The whole example job, simulated by a click in a small window, at its finest; other tests may have used it."""
+    """The player with the finest picture of the whole example; other tests may have used it."""
     return desk.shared(desk.example).player
 
 
 @pytest.fixture
 def whole_from_above(desk, window):
-    """The whole example job, seen from above, which is cheaper."""
+    """The same player, seen from above, which is quicker to simulate."""
     return desk.shared(desk.example, "Top").player
 
 
 @pytest.fixture
 def simulated(desk, window):
-    """A job of four operations in a small player, simulated by a click, at its finest; other tests may have used it."""
+    """A small player with the finest picture of four operations; other tests may have used it."""
     return desk.shared(desk.small).player
-
-
-@pytest.fixture
-def document(desk, window):
-    """A job of four operations, opened anew: the test may change the document."""
-    return desk.open(desk.small)
 
 
 # The whole example
 
 
-def test_a_click_shows_the_part(whole, window):
+def test_click_shows_the_simulated_part(whole, window):
     window.screenshot("simulation-small")
     assert whole.job.operations[0].label == "Face"
     view = whole.view
     assert view.owner_at(view.rect().center()) is not None
     shown = view.grab().toImage()
-    colors = {shown.pixel(x, y) for x in range(0, shown.width(), 7) for y in range(0, shown.height(), 7)}
+    colors = {shown.pixel(x, y) for x in range(0, shown.width(), 4) for y in range(0, shown.height(), 4)}
     assert len(colors) > 50
 
 
@@ -91,7 +77,7 @@ def test_dragging_on_the_time_line_shows_any_moment(whole, window):
     assert view.grab().toImage() == part
 
 
-def test_exports(whole, window, tmp_path):
+def test_exports_save_pictures_and_rates(whole, window, tmp_path):
     (save,) = [button for button in whole.findChildren(QtGui.QToolButton) if button.text() == "Save"]
     QtCore.QTimer.singleShot(300, lambda: (window.screenshot("simulation-save"), save.menu().close()))
     window.click_on(save)
@@ -105,7 +91,7 @@ def test_exports(whole, window, tmp_path):
     lines = (tmp_path / "rates.csv").read_text().splitlines()
     assert len(lines) == 1 + whole.simulation.trajectories and lines[1].startswith("Face,1,")
     first = whole.job.cuts[0].toolpath.command[0]
-    assert lines[1].split(",")[2] == str(first + 1)  # as the line below the part counts them
+    assert lines[1].split(",")[2] == str(first + 1)  # the line below the part counts from 1, too
 
 
 def test_chips_are_drawn_on_the_part(whole, window):
@@ -136,10 +122,10 @@ def test_turning_moving_and_zooming_with_the_mouse(whole, window):
     finest(whole, window)
 
 
-def test_the_part_tells_what_made_a_surface(whole_from_above, window):
+def test_click_on_a_surface_selects_its_operation(whole_from_above, window):
     player = whole_from_above
     view = player.view
-    # FreeCAD 1.1 looks where the pointer is, not where the event was, before it lets a click pass.
+    # FreeCAD 1.1 checks where the pointer is, not where the event was, before it passes a click on.
     QtGui.QCursor.setPos(view.mapToGlobal(view.rect().center()))
     window.click_at(view, view.rect().center())
     window.idle()
@@ -155,7 +141,7 @@ def test_the_part_tells_what_made_a_surface(whole_from_above, window):
 
 
 def code_of(op, command):
-    """The G-code of a command as people write it."""
+    """Return the G-code of a command, rounded to micrometres."""
     command = op.Path.Commands[command]
     words = {letter: 60 * value if letter == "F" else value for letter, value in command.Parameters.items()}
     return " ".join([command.Name, *(f"{letter}{round(value, 3) + 0.0:.10g}" for letter, value in words.items())])
@@ -174,7 +160,9 @@ def test_differences_to_the_model_have_colours_and_places(whole_from_above, wind
     before = view.grab().toImage()
     bar.worst.menu().actions()[0].trigger()
     window.wait(lambda: player.pictures.is_current)
-    assert player.moment.seconds == player.clock.total and view.grab().toImage() != before  # a ring is around it
+    assert (
+        player.moment.seconds == player.clock.total and view.grab().toImage() != before
+    )  # with a ring around the place
     window.screenshot("simulation-worst")
     fine = len(bar.worst.menu().actions())
     bar.tolerance.setValue(2.0)
@@ -187,15 +175,15 @@ def test_differences_to_the_model_have_colours_and_places(whole_from_above, wind
     assert view.grab().toImage() != before
 
 
-def test_a_click_on_a_trajectory_in_the_time_line_lights_its_cut(whole_from_above, window):
+def test_click_in_the_time_line_highlights_the_cut(whole_from_above, window):
     player = whole_from_above
     line = player.time_line
     cuts = player.clock.cuts
     number = int(np.argmax(np.where(cuts.rapid, 0, np.diff(player.clock.ends) * (player.volumes > 0))))
     middle = (player.clock.ends[number] + player.clock.ends[number + 1]) / 2
     player.moment.go_to(middle)
-    for _ in range(12):  # until it is wide enough to be hit
-        wheel(line, QtCore.QPoint(round(line.x_of(middle)), line.height() - 8))
+    for _ in range(12):  # until the move is wide enough for a click
+        window.wheel(line, QtCore.QPoint(round(line.x_of(middle)), line.height() - 8))
     player.play_bar.speeds.setCurrentIndex(0)  # real time
     player.moment.play()
     window.idle(0.2)
@@ -205,21 +193,13 @@ def test_a_click_on_a_trajectory_in_the_time_line_lights_its_cut(whole_from_abov
     window.wait(lambda: player.pictures.is_current)
     assert player.moment.noticed == number == player.moment.done - 1 and not player.moment.plays
     lit = (player.view._scene.image.astype(int) - player.view._scene.image.max(axis=-1, keepdims=True))[..., 2]
-    assert (lit < -100).any()  # much less blue than red: the colour of a lit cut
+    assert (lit < -100).any()  # less blue than red: the colour of a highlighted cut
     assert "removes" in player.play_bar.text.text()
     window.screenshot("simulation-lit")
 
 
-def wheel(widget, where):
-    """Turn the wheel by a notch, away from the user."""
-    place = QtCore.QPointF(where)
-    event = QtGui.QWheelEvent(place, QtCore.QPointF(widget.mapToGlobal(where)), QtCore.QPoint(), QtCore.QPoint(0, 120),
-                              QtCore.Qt.NoButton, QtCore.Qt.NoModifier, QtCore.Qt.NoScrollPhase, False)  # fmt: skip
-    QtGui.QApplication.sendEvent(widget, event)
-
-
 def forget_a_retract(op):
-    """Let a pocket's longest positioning go at the depth that was cut before; return its command's number and G-code."""
+    """Replace a pocket's longest retract by a rapid at cutting depth; return the command's index and G-code."""
     import Path
 
     commands = op.Path.Commands
@@ -236,7 +216,7 @@ def forget_a_retract(op):
     return number - 1, code_of(op, number - 1)
 
 
-def test_a_crash_is_found_in_three_clicks(desk, window):
+def test_crash_is_found_in_three_clicks(desk, window):
     document = desk.open(desk.example)
     op = document.getObjectsByLabel("Pocket around island")[0]
     number, code = forget_a_retract(op)
@@ -295,7 +275,7 @@ def test_steps_go_to_commands_and_operations(simulated, window):
     assert simulated.clock.complete and simulated.play_bar.text.text()[0].isdigit()
 
 
-def test_a_play_shows_the_machines_time(simulated, window):
+def test_play_shows_the_machines_time(simulated, window):
     simulated.play_bar.speeds.setCurrentIndex(2)  # a hundred times
     window.click_on(simulated.play_bar.play_button)
     window.wait(lambda: simulated.moment.seconds > 0.2 * simulated.clock.total)
@@ -306,11 +286,11 @@ def test_a_play_shows_the_machines_time(simulated, window):
     assert simulated.clock.ends[simulated.moment.done] <= paused <= simulated.clock.ends[simulated.moment.done + 1]
 
 
-def test_colours_and_chips(simulated, window):
+def test_colourings_and_chips_change_the_picture(simulated, window):
     pictures = set()
     for index in range(simulated.scene_bar.colorings.count()):
         simulated.scene_bar.colorings.setCurrentIndex(index)
-        finest(simulated, window)  # a legend of another height begins a simulation, and the model comes with its last
+        finest(simulated, window)  # a legend of another height starts a new simulation
         pictures.add(bytes(simulated.view._scene.image.tobytes()))
         assert simulated.scene_bar.legend.entries
         window.screenshot(f"simulation-color-{index}")
@@ -325,7 +305,7 @@ def test_colours_and_chips(simulated, window):
     assert len(pictures) == simulated.scene_bar.colorings.count() + 2
 
 
-def test_a_model_that_is_still_to_come_is_not_called_missing(simulated):
+def test_model_before_the_finest_picture_is_not_called_missing(simulated):
     drawing = simulated.drawing
     simulated.scene_bar.colorings.setCurrentIndex(simulated.scene_bar.colorings.count() - 1)
     said, seen = [], drawing.seen
@@ -337,7 +317,7 @@ def test_a_model_that_is_still_to_come_is_not_called_missing(simulated):
     assert said == ["The model is shown with the finest picture.", "There is no closed model."]
 
 
-def test_what_is_saved_is_proposed_beside_the_document(simulated, desk, tmp_path, monkeypatch):
+def test_exports_are_proposed_beside_the_document(simulated, desk, tmp_path, monkeypatch):
     asked = []
 
     def choose(parent, title, path, forms):
@@ -352,7 +332,7 @@ def test_what_is_saved_is_proposed_beside_the_document(simulated, desk, tmp_path
     assert (tmp_path / "chosen.png").exists() and (tmp_path / "chosen.csv").exists()
 
 
-def test_events_do_not_wait_for_a_picture_nor_for_what_is_wrong(simulated, window, monkeypatch):
+def test_events_do_not_wait_for_pictures_or_faults(simulated, window, monkeypatch):
     going_on = threading.Event()
 
     def waiting(original):
@@ -377,7 +357,7 @@ def test_events_do_not_wait_for_a_picture_nor_for_what_is_wrong(simulated, windo
     assert (simulated.view._scene.image == expected.image).all() and simulated.moment.seconds == 0.3 * total
 
 
-def test_an_error_in_a_picture_is_told_and_the_next_one_is_drawn(simulated, window, monkeypatch):
+def test_error_in_a_picture_is_shown_and_the_next_is_drawn(simulated, window, monkeypatch):
     with monkeypatch.context() as broken:
         broken.setattr(Picture, "draw", lambda picture: 1 / 0)
         simulated.moment.go_to(0.5 * simulated.clock.total)
@@ -388,7 +368,7 @@ def test_an_error_in_a_picture_is_told_and_the_next_one_is_drawn(simulated, wind
     assert simulated.view._scene.owner.max() == -1
 
 
-def test_the_legend_is_whole_in_a_narrow_tab(simulated, window):
+def test_legend_is_whole_in_a_narrow_tab(simulated, window):
     bar = simulated.scene_bar
     legend = Legend(window.main)
     legends = [(("#808080", "The model is shown with the finest picture. "[:length] * 5),) for length in range(1, 41)]
@@ -407,14 +387,14 @@ def test_the_legend_is_whole_in_a_narrow_tab(simulated, window):
         for number, (_, one, _) in enumerate(places):
             assert not any(one.adjusted(0.5, 0.5, -0.5, -0.5).intersects(other) for _, other, _ in places[:number])
         for (_, name), (_, one, _), (_, after, _) in zip(entries, places, places[1:]):
-            assert name or (one.right(), one.top()) == (after.left(), after.top())  # a scale is not torn
+            assert name or (one.right(), one.top()) == (after.left(), after.top())  # a scale is in one line
     legend.deleteLater()
 
 
 # Tabs and documents of their own
 
 
-def test_it_is_read_on_light_and_dark_themes(desk, window, theme):
+def test_tab_is_readable_on_light_and_dark_themes(desk, window, theme):
     desk.kept(desk.small)
     player = shown(desk.simulate(), window)
     player.moment.go_to(0.4 * player.clock.total)
@@ -426,14 +406,14 @@ def test_it_is_read_on_light_and_dark_themes(desk, window, theme):
     for button in (player.play_bar.play_button, *player.play_bar.steps.values()):
         shown_of = button.grab().toImage()
         light = [shown_of.pixelColor(x, shown_of.height() // 2).lightness() for x in range(4, shown_of.width() - 4)]
-        assert max(light) - min(light) > 90  # its symbol is seen
+        assert max(light) - min(light) > 90  # the symbol is visible
     line = player.time_line.grab().toImage()
     beside = line.pixelColor(int(0.9 * line.width()), line.height() - 2).lightness()
     assert all((value < 100) == (theme == "dark") for value in (*corners, beside))
     close(window)
 
 
-def test_a_changed_toolpath_is_told_and_simulated_again(desk, document, window):
+def test_changed_toolpath_is_shown_and_simulated_again(desk, document, window):
     before = desk.simulate()
     length = len(shown(before, window).job.cuts[0].toolpath)
     face = document.getObjectsByLabel("Face")[0]
@@ -461,7 +441,7 @@ def test_closing_ends_the_work(desk, window, monkeypatch):
     window.press(tab, QtCore.Qt.Key_Escape)
     until_closed = len(begun)
     window.wait(lambda: not tabs(window) and "_run" not in working())
-    assert len(begun) <= until_closed + 1  # the next step ends the work
+    assert len(begun) <= until_closed + 1  # the work ends at its next step
 
 
 def test_closing_the_document_closes_the_tab(desk, document, window):
@@ -471,7 +451,7 @@ def test_closing_the_document_closes_the_tab(desk, document, window):
     window.wait(lambda: not tabs(window))
 
 
-def test_nothing_to_simulate_is_said(desk, window):
+def test_nothing_to_simulate_shows_a_message(desk, window):
     desk.close()
     window.activate("VkWorkbench")
     document = FreeCAD.newDocument()
@@ -488,15 +468,15 @@ def test_what_has_been_read_is_seen_before_all_is_read(desk, window, monkeypatch
     tab = desk.simulate()
     scene, _ = tab.reading.seen
     assert (scene.owner >= 0).any() and len(np.unique(scene.image)) > 20
-    assert tab.player.view._scene is scene  # the player begins with the last picture of the reading
+    assert tab.player.view._scene is scene  # the player starts with the last picture of the reading
     window.click_at(
         tab.player.view, tab.player.view.rect().center()
-    )  # the click has no answer before the first simulation
+    )  # before the first simulation a click does nothing
     finest(shown(tab, window), window)
     assert tab.player.view._scene is not scene
 
 
-def test_the_cost_is_told_before_and_after_the_simulation(desk, window, monkeypatch):
+def test_cost_is_shown_before_and_after_the_simulation(desk, window, monkeypatch):
     told = []
 
     def expected(line, cost, original=StateLine.show_expected):
@@ -515,10 +495,10 @@ def test_the_cost_is_told_before_and_after_the_simulation(desk, window, monkeypa
     told.clear()
     player.look("Top")
     finest(player, window)
-    assert not told  # the time of the coarse picture predicts the time of the finest
+    assert not told  # the coarse picture already predicts this time
 
 
-def test_all_that_moments_need_is_made_before_the_picture(desk, window, monkeypatch):
+def test_surface_is_prepared_before_the_picture(desk, window, monkeypatch):
     made = []
 
     def show(drawing, done, original=Drawing.take):
@@ -531,7 +511,7 @@ def test_all_that_moments_need_is_made_before_the_picture(desk, window, monkeypa
     assert made and all(made)
 
 
-def test_an_operation_that_is_gone_while_copied_is_no_error(desk, document, window):
+def test_operation_deleted_while_copied_is_not_an_error(desk, document, window):
     window.click(COMMAND)
     (tab,) = tabs(window)
     document.removeObject(document.Job.Operations.Group[-1].Name)
@@ -552,7 +532,7 @@ G0 Z30"""
 
 
 def make_crash(document):
-    """Make the job one operation that crashes and gouges; return it."""
+    """Replace the operations of the job by one that crashes and gouges; return it."""
     import Path
 
     job = document.getObject("Job")
@@ -564,7 +544,7 @@ def make_crash(document):
     return op
 
 
-def test_a_gouge_is_not_forgotten_where_it_is_not_seen(desk, document, window):
+def test_gouge_is_kept_in_views_that_do_not_show_it(desk, document, window):
     op = make_crash(document)
 
     def faults():
@@ -609,7 +589,7 @@ def test_a_choice_is_whole_or_ends_in_an_ellipsis(window, wide):
     box.setParent(window.main)
     box.addItem(text)
     box.show()
-    window.idle(0.1)  # until FreeCAD's theme has it, whose borders are wider
+    window.idle(0.1)  # until FreeCAD's theme, with wider borders, is applied
     box.resize(box.sizeHint().width() - (0 if wide else 40), box.sizeHint().height())
     window.idle()
     option = QtGui.QStyleOptionComboBox()
@@ -622,12 +602,12 @@ def test_a_choice_is_whole_or_ends_in_an_ellipsis(window, wide):
         if box.fontMetrics().horizontalAdvance(words) <= field.width() and box.grab(field).toImage() == seen:
             found.append(words)
     assert found and (text in found) == wide
-    box.hide()  # until it is deleted it would be in the pictures of others
+    box.hide()  # until Qt deletes the widget, it would be in other pictures
     box.deleteLater()
 
 
 @pytest.mark.parametrize("wide", [True, False])
-def test_a_line_is_whole_or_ends_in_an_ellipsis(window, wide):
+def test_line_is_whole_or_ends_in_an_ellipsis(window, wide):
     line, text = OneLine(window.main), "1,024 × 768 pixels of 0.1 mm, 90,000 traces <b>"
     line.show_text(text)
     whole = line.sizeHint()
@@ -643,6 +623,6 @@ def test_a_line_is_whole_or_ends_in_an_ellipsis(window, wide):
     line.show_text(text)
     line.setTextInteractionFlags(QtCore.Qt.TextSelectableByMouse)
     line.setSelection(0, len(text))
-    assert line.selectedText() == text  # all of it is copied
-    line.hide()  # until it is deleted it would be in the pictures of others
+    assert line.selectedText() == text  # the whole text can be copied
+    line.hide()  # until Qt deletes the widget, it would be in other pictures
     line.deleteLater()

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Numbers that the simulation's tab shows and saves, of jobs of a few moves; most need no window."""
+"""Numbers that the simulation tab shows and saves, for jobs of a few moves; most tests need no window."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ from vkworkbench.gui.simulation.time_line import TimeLine
 from vkworkbench.language import Message
 
 STOCK = Stock((0, 0, 0), (60, 40, 20))
-# Two slots; a feed of 10 mm/s, and one that nobody tells.
+# Two slots: one with a feed of 10 mm/s, one cut by a rapid move, whose speed is not given.
 SLOT = [("G0", {"X": 5.0, "Y": 10.0, "Z": 30.0}), ("G1", {"Z": 15.0, "F": 5.0}), ("G1", {"X": 55.0, "F": 10.0})]
 CRASH = [("G0", {"X": 5.0, "Y": 30.0, "Z": 30.0}), ("G0", {"Z": 15.0}), ("G0", {"X": 55.0})]
 
@@ -37,7 +37,7 @@ def job_of(*paths):
 
 
 def refined(job, view, known=None, memory=1e9):
-    """All that the refining of a view yields."""
+    """Return all results of refining a view."""
     work = Refining(job, view, memory, 1e3, Speed(), glance=False, compare=False, known=known)
     return list(work(lambda: None))
 
@@ -46,7 +46,7 @@ WHOLE = View((0, 0, -1), 240, 160)
 PART = View((0, 0, -1), 240, 160, pixel=0.02, offset=(0.0, -10.0))
 
 
-def test_a_picture_that_takes_too_much_memory_is_as_coarse_as_a_refusal_says():
+def test_picture_over_the_memory_budget_is_coarser():
     job, view = job_of(SLOT), View((0, 0, -1), 600, 400)
     allowed = memory_needed(job.cuts, stock=STOCK, view=view) / 1.5
     with pytest.raises(OverBudget) as refused:
@@ -56,7 +56,7 @@ def test_a_picture_that_takes_too_much_memory_is_as_coarse_as_a_refusal_says():
     assert (frame.width, frame.height) == refused.value.size and 300 < frame.width < 600
 
 
-def test_only_an_image_that_holds_the_stock_tells_what_trajectories_remove():
+def test_removed_volumes_come_from_images_of_the_whole_stock():
     job = job_of(SLOT, CRASH)
     (*_, whole) = (done for done in refined(job, WHOLE) if isinstance(done, Findings))
     assert whole.facts.volumes.sum() == pytest.approx(2 * 5 * (6 * 50 + np.pi * 9), rel=0.03)
@@ -64,8 +64,8 @@ def test_only_an_image_that_holds_the_stock_tells_what_trajectories_remove():
     done = refined(job, PART, whole.facts)
     assert not any(one.facts for one in done if isinstance(one, Findings))
     (*_, last) = (one for one in done if isinstance(one, Refined))
-    assert last.simulation.zbuffer.frame.pixel == 0.02  # the picture is the part's
-    # Where the whole was never simulated so finely, it comes last, and no picture of it.
+    assert last.simulation.zbuffer.frame.pixel == 0.02  # the picture shows a part of the stock
+    # If the whole stock was never simulated so finely, its facts come last, without a picture.
     for known in (None, whole.facts):
         coarse = known and Facts(
             8 * known.pixel, *[getattr(known, own) for own in ("volumes", "air", "crashes", "plunges")]
@@ -76,7 +76,7 @@ def test_only_an_image_that_holds_the_stock_tells_what_trajectories_remove():
 
 
 @pytest.mark.parametrize("direction", [(0, 0, -1), (-1, 1, -1), (0, 1, 0), (0.3, -0.2, 0.9)])
-def test_an_image_holds_the_stock_if_all_of_it_is_within(direction):
+def test_image_holds_the_stock_only_if_all_is_within(direction):
     whole = View(direction, 300, 200)
     pixel = whole.frame(STOCK).pixel
     assert holds(whole.frame(STOCK), STOCK)
@@ -86,7 +86,7 @@ def test_an_image_holds_the_stock_if_all_of_it_is_within(direction):
         assert not holds(View(direction, 300, 200, pixel=2 * pixel, offset=offset).frame(STOCK), STOCK)
 
 
-def test_what_a_fine_picture_of_the_whole_told_stays_until_another_one_tells_as_much():
+def test_facts_of_a_fine_picture_outlive_coarser_pictures():
     job = job_of(SLOT)
     drawing = Drawing(job, Clock(job), None)
     fine, coarse, part, other = (
@@ -104,8 +104,8 @@ def gouge(cut, depth, command=0):
     return Fault(cut, command, 0, (0.0, 0.0, 0.0), Message("cuts-model", depth=depth), True)
 
 
-def test_a_gouge_that_is_not_seen_is_there_all_the_same(monkeypatch):
-    """Beside a part of the stock, which is a finer image; or from another view, where it may be deeper along that view."""
+def test_gouges_outside_the_picture_are_kept(monkeypatch):
+    """A picture beside the gouge keeps its depth; a picture of the whole stock may lower the depth."""
     facts = Facts(1.0, np.zeros(3), np.zeros(3, bool), [], [])
     seen = [gouge(0, 0.4), gouge(2, 0.2)]
     monkeypatch.setattr("vkworkbench.gui.simulation.faults._gouged", lambda told, tolerance: list(seen))
@@ -117,8 +117,8 @@ def test_a_gouge_that_is_not_seen_is_there_all_the_same(monkeypatch):
     assert depths == {"part": [(2, 0.6), (1, 0.5), (0, 0.4)], "whole": [(1, 0.5), (0, 0.3), (2, 0.2)]}
 
 
-def test_what_the_stock_lacks_is_not_cut_into_the_model():
-    """The stock is 3 mm too low; and a slot is cut 1 mm too deep."""
+def test_missing_stock_is_not_a_gouge():
+    """The stock is 3 mm too low, and a slot is 8 mm too deep."""
     job, model = job_of(SLOT), Stock((0, 0, 0), (60, 40, 23))
     zbuffer = simulate_job(job.cuts, stock=STOCK, view=WHOLE)
     uncut, finished = (
@@ -132,10 +132,10 @@ def test_what_the_stock_lacks_is_not_cut_into_the_model():
         slot, stock = (known.text(fault) for fault in found)
         assert slot.startswith("Op 0, command ") and "The tool cuts 8 mm into the model." in slot and stock == lacks
     known.keep(judged.proved)
-    assert [fault.gouged for fault in known.gouges] == [8.0, 3.0]  # other views take both into account
+    assert [fault.gouged for fault in known.gouges] == [8.0, 3.0]  # for judging other views
 
 
-def test_the_newest_crash_and_the_shallowest_view_of_a_gouge_are_known():
+def test_newest_crash_and_shallowest_gouge_are_kept():
     job = job_of(SLOT)
     known = KnownFaults(job, Clock(job))
     crashes = [Fault(0, 7, 0, (0.0, 0.0, 0.0), Message("rapid-cuts", volume=volume), True) for volume in (51.35, 50.69)]
@@ -150,7 +150,7 @@ def test_the_newest_crash_and_the_shallowest_view_of_a_gouge_are_known():
     assert wrong[0] == (7, crashes[1].what) and len(wrong) == 3
 
 
-def test_places_that_differ_alike_are_told_apart():
+def test_equal_differences_have_different_places():
     job = job_of(SLOT)
     known = KnownFaults(job, Clock(job))
     left = [Fault(None, None, None, (x, 2.0, 19.25), Message("leaves-material", depth=1.0), False) for x in (1.5, 58.0)]
@@ -160,7 +160,7 @@ def test_places_that_differ_alike_are_told_apart():
     ]
 
 
-def test_saved_rates_are_volumes_by_minutes(tmp_path):
+def test_saved_rates_are_volumes_per_minute(tmp_path):
     job = job_of(SLOT, CRASH)
     clock = Clock(job)
     volumes = np.arange(1.0, len(clock.cuts) + 1)
@@ -168,7 +168,7 @@ def test_saved_rates_are_volumes_by_minutes(tmp_path):
     exports.write_rates(player, tmp_path / "rates.csv")
     rows = list(csv.DictReader((tmp_path / "rates.csv").open(encoding="utf-8")))
     assert [row["operation"] for row in rows] == ["Op 0"] * 2 + ["Op 1"] * 2
-    # 15 mm at 5 mm/s, 50 mm at 10 mm/s; then rapids of 50 mm/s.
+    # 15 mm at 5 mm/s, 50 mm at 10 mm/s, then rapids at 50 mm/s.
     seconds = [3.0, 5.0, 0.3, 1.0]
     ends = list(accumulate(seconds))
     for row, volume, time, begin, end in zip(rows, volumes, seconds, [0.0, *ends], ends):
@@ -177,25 +177,25 @@ def test_saved_rates_are_volumes_by_minutes(tmp_path):
 
 
 def colored(make, volumes, ends):
-    clock = Clock.__new__(Clock)  # of no job
+    clock = Clock.__new__(Clock)  # without a job
     clock.ends, clock.cuts = np.array(ends), volumes
     job = coloring.Job(("Op",), (Strategy.UNKNOWN,), clock, np.array(volumes), None, False, 0.1)
     return make(None, job)
 
 
-def test_the_scale_of_removal_rates_ends_where_a_hundredth_is_faster():
-    # 69.5 mm³ in a minute, 30 mm³ in half a minute less; the fastest removes half a hundredth of all.
+def test_scale_of_removal_rates_leaves_out_the_fastest_1_percent():
+    # 69.5 mm³ in 60 s and 30 mm³ in 15 s; the fastest move removes half a percent of the total.
     found = colored(coloring.by_removal_rate, [69.5, 30.0, 0.5], [0.0, 60.0, 75.0, 75.01])
     assert [name for _, name in found.legend() if name] == ["0", "120 mm³/min"]
 
 
-def test_the_scale_of_times_begins_with_the_first_end():
+def test_scale_of_times_begins_with_the_first_end():
     last = colored(coloring.by_time, [1.0, 1.0], [0.0, 50.0, 100.0]).colors
     alone = colored(coloring.by_time, [1.0], [0.0, 100.0]).colors
-    assert (last[2] == alone[1]).all() and not (last[1] == last[2]).all()  # the first is the stock's
+    assert (last[2] == alone[1]).all() and not (last[1] == last[2]).all()  # the first colour is the stock's
 
 
-def test_a_speed_that_nobody_tells_is_the_middle_of_the_others():
+def test_missing_feed_is_the_median_of_the_others():
     words = [
         {"X": 0.0, "Y": 0.0, "Z": 15.0},
         {"X": 10.0},
@@ -205,7 +205,7 @@ def test_a_speed_that_nobody_tells_is_the_middle_of_the_others():
     assert np.diff(clock.ends).tolist() == pytest.approx([5.0, 10.0, 5.0, 0.2]) and not clock.complete
 
 
-def test_the_time_line_tells_air_where_a_move_cuts_air():
+def test_time_line_shows_air_cuts():
     line = TimeLine()
     line.show_job((), 4.0)
     line.show_facts(np.array([0.0, 1.0, 2.0, 4.0]), np.array([3.0, 0.0, 5.0]), np.array([False, True, False]), ())

@@ -1,12 +1,10 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The simulation's tab in what users do and documents are: closed at any time, odd jobs, every navigation style."""
+"""The simulation tab under unusual conditions: closed at any time, odd jobs, every navigation style, keys only."""
 
 from __future__ import annotations
 
 import gc
 import re
-import sys
-import threading
 import weakref
 
 import FreeCAD
@@ -15,40 +13,19 @@ import numpy as np
 import pytest
 from make_example import cam
 from PySide import QtCore, QtGui
-from simulation_window import COMMAND, Desk, drag, finest, make_small, shown, tabs, working
+from simulation_window import COMMAND, drag, finest, make_small, shown, tabs, working
 
 from vkworkbench.gui.simulation import part_view
 
 MIDDLE, LEFT, RIGHT = QtCore.Qt.MiddleButton, QtCore.Qt.LeftButton, QtCore.Qt.RightButton
 
 
-@pytest.fixture(autouse=True)
-def nothing_swallowed(monkeypatch):
-    """FreeCAD swallows exceptions of what Qt calls: none may happen."""
-    errors = []
-    monkeypatch.setattr(sys, "excepthook", lambda *error: errors.append(error))
-    monkeypatch.setattr(threading, "excepthook", errors.append)
-    yield
-    assert errors == []
-
-
-@pytest.fixture(scope="module")
-def desk(window, example_path, tmp_path_factory):
-    """FreeCAD's window with the documents and the tab that these tests share."""
-    desk = Desk(window, example_path, tmp_path_factory.getbasetemp())
-    yield desk
-    desk.leave()
-
-
-@pytest.fixture
-def document(desk, window):
-    """A job of four operations, opened anew: the test may change the document."""
-    return desk.open(desk.small)
+pytestmark = pytest.mark.usefixtures("nothing_swallowed")
 
 
 @pytest.fixture
 def bare(desk, window):
-    """The example job without operations; what the test makes of it is undone."""
+    """The example job without operations, for changes that are undone after the test."""
     with desk.changed(desk.bare) as document:
         yield document
 
@@ -81,10 +58,10 @@ def test_it_is_closed_in_every_phase(desk, window, monkeypatch, phase, how):
     else:
         FreeCAD.closeDocument(document.Name)
     window.wait(lambda: not tabs(window) and "_run" not in working())
-    window.idle(0.3)  # nothing comes after it
+    window.idle(0.3)  # no event of the closed tab follows
 
 
-def test_a_closed_tab_takes_no_memory_any_more(desk, window):
+def test_closed_tab_frees_its_memory(desk, window):
     desk.kept(desk.small)
     tab = desk.simulate()
     zbuffer = weakref.ref(shown(tab, window).simulation.zbuffer)
@@ -94,8 +71,8 @@ def test_a_closed_tab_takes_no_memory_any_more(desk, window):
     assert zbuffer() is None
 
 
-def test_a_closed_tab_gives_its_memory_back_to_the_system(desk, window, monkeypatch):
-    desk.kept(desk.small)  # closes the tab of another test, which gives its memory back later
+def test_closed_tab_returns_memory_to_the_system(desk, window, monkeypatch):
+    desk.kept(desk.small)  # closes the tab of an earlier test, whose memory is returned later
     given = []
     monkeypatch.setattr("vkworkbench.document.computer.garbage.give_back", lambda: given.append(True))
     tab = desk.simulate()
@@ -106,7 +83,7 @@ def test_a_closed_tab_gives_its_memory_back_to_the_system(desk, window, monkeypa
 
 
 @pytest.mark.parametrize("moment", ["before", "during", "after"])
-def test_an_operation_is_deleted_or_changed_while_it_is_open(document, window, moment):
+def test_operation_is_deleted_while_the_tab_is_open(document, window, moment):
     window.click(COMMAND)
     window.wait(lambda: tabs(window))
     (tab,) = tabs(window)
@@ -118,11 +95,11 @@ def test_an_operation_is_deleted_or_changed_while_it_is_open(document, window, m
     document.removeObject(document.Job.Operations.Group[0].Name)
     window.wait(tab.again.isVisible)
     player = tab.player
-    if player is not None:  # the player keeps the job that was read
+    if player is not None:  # the player keeps the job that it has read
         finest(player, window)
         player.moment.go_to(0.2 * player.clock.total)
         window.wait(lambda: player.pictures.is_current)
-        player.ask(0)  # the operation of this surface is gone
+        player.ask(0)  # the operation of this surface is deleted
         window.idle(0.2)
         player.look("Top")
         player.look(None)
@@ -155,7 +132,7 @@ def test_every_navigation_style_turns_and_moves(desk, window, style):
 
 
 def lone(document, commands, controller=1):
-    """The job with one operation of these commands."""
+    """Give the job one operation with these commands; return the operation."""
     import Path
 
     job = document.Job
@@ -191,7 +168,7 @@ def no_stock(document):
 
 
 @pytest.mark.parametrize("odd", [empty, only_comments, no_tool, no_stock])
-def test_what_cannot_be_simulated_is_said(bare, window, odd):
+def test_job_without_a_simulation_shows_a_message(bare, window, odd):
     odd(bare)
     window.click(COMMAND)
     window.wait(window.boxes)
@@ -199,7 +176,7 @@ def test_what_cannot_be_simulated_is_said(bare, window, odd):
     assert len(text) > 20 and "Error" not in text and not tabs(window)
 
 
-def test_of_several_jobs_one_is_chosen(document, window):
+def test_user_chooses_one_of_several_jobs(document, window):
     other = cam("Main.Job").Create("Second", document.Job.Model.Group[0].Objects[:1])
     *others, last = document.Job.Operations.Group
     document.Job.Operations.Group, other.Operations.Group = others, [last]
@@ -306,7 +283,7 @@ def many_operations(document):
 
     first, job = lone(document, SLOT), document.Job
     rows = []
-    for row in range(40):  # more than a menu or the legend shows
+    for row in range(40):  # more than the menu or the legend shows
         op = document.addObject("Path::FeaturePython", f"Row{row}")
         op.addProperty("App::PropertyLink", "ToolController", "Path").ToolController = first.ToolController
         op.addProperty("App::PropertyBool", "Active", "Path").Active = True
@@ -355,6 +332,8 @@ def test_odd_jobs_are_shown(bare, window, odd):
     drag(window, player.view, middle, middle + QtCore.QPoint(50, 20))
     drag(window, player.time_line, QtCore.QPoint(10, 45), QtCore.QPoint(200, 45))
     window.click_at(player.time_line, QtCore.QPoint(100, 45))
+    window.wait(lambda: player.pictures.is_current)  # of the turned view
+    player.look("Top")  # quicker to simulate
     finest(player, window)
     window.screenshot(f"simulation-odd-{odd.__name__}")
     window.click_at(player.view, middle)
@@ -363,7 +342,7 @@ def test_odd_jobs_are_shown(bare, window, odd):
 
 
 @pytest.mark.parametrize("how", ["key", "document"])
-def test_it_is_closed_while_it_plays(desk, window, how):
+def test_tab_is_closed_while_it_plays(desk, window, how):
     document = desk.kept(desk.small)
     tab = desk.simulate()
     window.wait(lambda: tab.player.simulation is not None)
@@ -374,10 +353,10 @@ def test_it_is_closed_while_it_plays(desk, window, how):
     else:
         FreeCAD.closeDocument(document.Name)
     window.wait(lambda: not tabs(window) and "_run" not in working())
-    window.idle(0.3)  # nothing comes after it
+    window.idle(0.3)  # no event of the closed tab follows
 
 
-def test_who_reads_inches_reads_no_millimetres(desk, bare, window):
+def test_inches_leave_no_millimetres(desk, bare, window):
     group = FreeCAD.ParamGet("User parameter:BaseApp/Preferences/Units")
     before = group.GetInt("UserSchema", 0)
     lone(bare, ["G0 Z30", "G0 X40 Y50", "G0 Z14", "G1 X60 F5", "G1 Z5 F50", "G0 Z30"])
@@ -407,7 +386,7 @@ def test_who_reads_inches_reads_no_millimetres(desk, bare, window):
             set_schema(before)
 
 
-def test_it_is_used_by_keys_alone(desk, window):
+def test_tab_is_usable_with_keys_only(desk, window):
     desk.kept(desk.small)
     window.main.setFocus()
     tab = desk.simulate()
@@ -417,7 +396,7 @@ def test_it_is_used_by_keys_alone(desk, window):
         focused = QtGui.QApplication.focusWidget()
         if focused is not None:
             reached.add(focused)
-            window.press(focused, QtCore.Qt.Key_Backtab)  # from the time line, which comes last
+            window.press(focused, QtCore.Qt.Key_Backtab)  # backwards from the time line, the last control
         window.idle(0.01)
     wanted = {player.time_line, player.view, player.scene_bar.colorings, player.scene_bar.chips, player.play_bar.speeds}
     assert wanted <= reached

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The simulation's tab while the view, the document or the room for it changes, and what it saves and keeps meanwhile."""
+"""The simulation tab while view, document or window size change, and the pictures that it saves."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ import FreeCAD
 import numpy as np
 import pytest
 from PySide import QtCore, QtGui
-from simulation_window import COMMAND, Desk, close, finest, make_small, shown, tabs
+from simulation_window import COMMAND, close, finest, make_small, shown, tabs
 
 import vkworkbench
 from vkworkbench.core.zbuffer import removed_volumes
@@ -18,47 +18,26 @@ from vkworkbench.gui.simulation import exports
 from vkworkbench.gui.simulation.faults import KnownFaults
 
 
-@pytest.fixture(scope="module")
-def desk(window, example_path, tmp_path_factory):
-    """FreeCAD's window with the documents and the tab that these tests share."""
-    desk = Desk(window, example_path, tmp_path_factory.getbasetemp())
-    yield desk
-    desk.leave()
-
-
 @pytest.fixture
 def tab(desk, window):
-    """The tab of a job of four operations, simulated by a click, at its finest; other tests may have used it."""
+    """The tab with the finest picture of four operations; other tests may have used it."""
     return desk.shared(desk.small)
 
 
-@pytest.fixture
-def document(desk, window):
-    """A job of four operations, opened anew: the test may change the document."""
-    return desk.open(desk.small)
+# Facts from pictures
 
 
-def wheel(widget, where, notches):
-    place, none = QtCore.QPointF(where), QtCore.Qt.NoModifier
-    event = QtGui.QWheelEvent(place, QtCore.QPointF(widget.mapToGlobal(where)), QtCore.QPoint(),
-                              QtCore.QPoint(0, 120 * notches), QtCore.Qt.NoButton, none, QtCore.Qt.NoScrollPhase, False)  # fmt: skip
-    QtGui.QApplication.sendEvent(widget, event)
-
-
-# What the picture tells
-
-
-def test_a_part_of_the_stock_tells_nothing_of_what_is_beside_it(tab, window, tmp_path):
+def test_zooming_in_keeps_the_facts_of_the_whole_stock(tab, window, tmp_path):
     player = tab.player
     before, air = player.volumes.copy(), player.time_line._air.copy()
     moves = np.flatnonzero(before > 0)
     player.moment.after(int(moves[0]))
     window.wait(lambda: player.pictures.is_current)
     said = player.play_bar.text.text()
-    wheel(player.view, player.view.rect().center(), 12)
+    window.wheel(player.view, player.view.rect().center(), 12)
     finest(player, window)
     pixel = player.simulation.zbuffer.frame.pixel
-    assert pixel < player.drawing.facts.pixel / 7  # the picture is the part's
+    assert pixel < player.drawing.facts.pixel / 7  # the picture shows a part of the stock
     assert (removed_volumes(player.simulation.zbuffer)[moves] == 0).mean() > 0.5
     assert (player.volumes == before).all() and (player.time_line._air == air).all()
     player.moment.after(int(moves[0]))
@@ -74,8 +53,8 @@ def test_zooming_in_early_still_simulates_the_whole_stock(desk, window):
     tab = desk.simulate()
     window.wait(lambda: tab.player.simulation is not None)
     player = tab.player
-    wheel(player.view, player.view.rect().center(), 12)
-    assert not player.scene_bar.rates.isEnabled()  # of a coarse picture
+    window.wheel(player.view, player.view.rect().center(), 12)
+    assert not player.scene_bar.rates.isEnabled()  # rates of a coarse picture are not exact
     finest(player, window)
     assert player.scene_bar.rates.isEnabled()
     assert player.simulation.zbuffer.frame.pixel < player.drawing.facts.pixel / 5
@@ -83,7 +62,7 @@ def test_zooming_in_early_still_simulates_the_whole_stock(desk, window):
     assert player.drawing.facts.pixel < whole
 
 
-def test_a_command_of_several_moves_is_told_with_all_it_removes(tab, window):
+def test_command_of_several_moves_shows_its_whole_volume(tab, window):
     player = tab.player
     command = next(
         (first, end)
@@ -108,7 +87,7 @@ def test_rates_are_not_saved_before_they_are_known(desk, window):
     assert rates.isEnabled() and tab.player.volumes.sum() > 0
 
 
-# What happens to the document
+# Changes of the document
 
 
 def cut_off(document):
@@ -146,7 +125,7 @@ def switched_off(document):
 
 
 @pytest.mark.parametrize("change", [cut_off, larger_stock, moved, another_operation, other_order, switched_off])
-def test_a_change_is_said_and_taken_back_with_an_undo(desk, document, window, change):
+def test_change_is_shown_until_it_is_undone(desk, document, window, change):
     tab = desk.simulate()
     window.wait(lambda: tab.player.known._holds)  # the document has been compared
     job = tab.player.job
@@ -173,7 +152,7 @@ def test_a_change_is_said_and_taken_back_with_an_undo(desk, document, window, ch
     assert not again.again.isVisible()
 
 
-def test_a_change_of_nothing_that_is_simulated_is_no_change(desk, document, window):
+def test_change_outside_the_simulation_is_ignored(desk, document, window):
     tab = desk.simulate()
     window.wait(lambda: tab.player.known._holds)
     face = document.getObjectsByLabel("Face")[0]
@@ -187,7 +166,7 @@ def test_a_change_of_nothing_that_is_simulated_is_no_change(desk, document, wind
 
 
 def crash(document):
-    """Let the job begin with a rapid move through the stock, and return what that is named."""
+    """Let the job begin with a rapid move through the stock; return the new operation."""
     another_operation(document)
     op = document.Added
     op.Path = type(op.Path)(
@@ -202,7 +181,7 @@ def told(op):
     return [remark.code for remark in row.remarks if remark.code == "simulated"]
 
 
-def test_an_outdated_tab_tells_nobody_of_its_faults(desk, document, window):
+def test_outdated_tab_reports_no_faults(desk, document, window):
     document.UndoMode = 1
     op = crash(document)
     tab = desk.simulate()
@@ -217,10 +196,10 @@ def test_an_outdated_tab_tells_nobody_of_its_faults(desk, document, window):
     assert tab.again.isVisible() and player.faults and told(op) == []
     document.undo()
     window.wait(lambda: not tab.again.isVisible())
-    assert told(op) == ["simulated"]  # of what the document says again
+    assert told(op) == ["simulated"]  # the undo made the faults current again
 
 
-def test_a_change_while_the_job_is_read_is_noticed(desk, document, window, monkeypatch):
+def test_change_while_the_job_is_read_is_noticed(desk, document, window, monkeypatch):
     kept = []
     monkeypatch.setattr(
         KnownFaults, "_publish", lambda known, tell=KnownFaults._publish: kept.append(known._holds) or tell(known)
@@ -237,7 +216,7 @@ def test_a_change_while_the_job_is_read_is_noticed(desk, document, window, monke
     assert tab.player.faults and kept and not any(kept) and told(op) == []
 
 
-def test_an_error_while_the_job_is_copied_is_told(desk, window, monkeypatch):
+def test_error_while_the_job_is_copied_is_shown(desk, window, monkeypatch):
     def copied(*_):
         raise RuntimeError("no path")
 
@@ -249,7 +228,7 @@ def test_an_error_while_the_job_is_copied_is_told(desk, window, monkeypatch):
     assert "RuntimeError: no path" in text and not tabs(window)
 
 
-# The room for it
+# Window sizes
 
 
 def rows(player):
@@ -288,7 +267,7 @@ def low_tab(request, desk):
 
 
 @pytest.mark.parametrize("height", [170, 200, 260, 330, 480])
-def test_nothing_covers_anything_in_a_low_and_narrow_tab(low_tab, window, height):
+def test_nothing_overlaps_in_a_low_and_narrow_tab(low_tab, window, height):
     tab, points = low_tab
     player, bar = tab.player, tab.player.scene_bar
     player.setFixedSize(550, height)
@@ -309,9 +288,9 @@ def test_nothing_covers_anything_in_a_low_and_narrow_tab(low_tab, window, height
     window.screenshot(f"simulation-low-{height}-{points or 'usual'}")
 
 
-def test_what_differences_need_is_seen_only_with_them(tab, window):
+def test_controls_of_differences_come_with_differences(tab, window):
     bar = tab.player.scene_bar
-    tab.player.setFixedSize(360, 400)  # which has room for them
+    tab.player.setFixedSize(360, 400)  # large enough for the controls of differences
     assert not bar.differences.isVisible()
     bar.colorings.setCurrentIndex(bar.colorings.count() - 1)
     assert bar.differences.isVisible()
@@ -326,7 +305,7 @@ def test_what_differences_need_is_seen_only_with_them(tab, window):
 # Keys
 
 
-def test_the_tab_takes_the_time_lines_keys(tab, window):
+def test_keys_of_the_time_line_work_in_the_whole_tab(tab, window):
     player = tab.player
     focused = QtGui.QApplication.focusWidget()
     assert focused == player.time_line
@@ -338,7 +317,7 @@ def test_the_tab_takes_the_time_lines_keys(tab, window):
             assert player.moment.seconds == pytest.approx(share * player.clock.total, abs=1e-6)
 
 
-def test_who_comes_back_to_the_tab_plays_with_space(tab, window):
+def test_space_plays_after_returning_to_the_tab(tab, window):
     area = widgets.area_of_views()
     other = next(sub for sub in area.subWindowList() if sub.windowTitle() != tab.windowTitle())
     area.setActiveSubWindow(other)
@@ -355,13 +334,13 @@ def test_who_comes_back_to_the_tab_plays_with_space(tab, window):
 
 @pytest.fixture
 def folder(tmp_path, monkeypatch):
-    """The folder that the user chooses, for four pictures."""
+    """The folder that the user chooses; *Save pictures* saves four pictures."""
     monkeypatch.setattr(exports, "_FRAMES", 4)
     monkeypatch.setattr(exports.QFileDialog, "getExistingDirectory", lambda *_: str(tmp_path))
     return tmp_path
 
 
-def test_pictures_of_the_job_get_a_folder_of_their_own(tab, desk, window, folder):
+def test_saved_pictures_get_their_own_folder(tab, desk, window, folder):
     player = tab.player
     (folder / "0000.png").write_text("somebody's")
     player.moment.go_to(0.4 * player.clock.total)
@@ -374,12 +353,10 @@ def test_pictures_of_the_job_get_a_folder_of_their_own(tab, desk, window, folder
         assert status == f"4 of 4 pictures are saved in {folder / name}."
     assert (folder / "0000.png").read_text() == "somebody's"
     assert player.play_bar.text.text() == said and player.view.grab().toImage() == before
-    assert not [
-        w for w in QtGui.QApplication.topLevelWidgets() if isinstance(w, QtGui.QProgressDialog) and w.isVisible()
-    ]
+    assert window.progress_dialog() is None
 
 
-def test_pictures_wait_for_the_finest_and_are_given_up_by_esc(tab, desk, window, folder, monkeypatch):
+def test_saving_waits_for_the_finest_and_esc_cancels_it(tab, desk, window, folder, monkeypatch):
     player = tab.player
     player.look("Top")
     player.simulate()
@@ -403,7 +380,7 @@ def test_pictures_wait_for_the_finest_and_are_given_up_by_esc(tab, desk, window,
     assert window.main.statusBar().currentMessage().startswith("2 of 4 pictures")
 
 
-def test_a_folder_that_cannot_be_written_is_said(tab, window, folder, monkeypatch):
+def test_read_only_folder_shows_a_message(tab, window, folder, monkeypatch):
     monkeypatch.setattr(exports.QFileDialog, "getExistingDirectory", lambda *_: str(folder / "nowhere"))
     exports.save_frames(tab.player)
     (text,) = window.dismiss()

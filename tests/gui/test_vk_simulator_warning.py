@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The line over the view when FreeCAD's simulators are started: when it comes and goes, and what its button does."""
+"""The warning line above the view when a simulator of FreeCAD is started: when it comes and goes, and its button."""
 
 import gc
 import re
@@ -21,7 +21,7 @@ needs_opengl = pytest.mark.skipif(OLD, reason="FreeCAD 0.20 has no OpenGL simula
 
 @pytest.fixture(autouse=True)
 def forgotten(monkeypatch):
-    """PySide knows when a panel is gone: that FreeCAD then does not open the next one now and then is no fault of the add-on."""
+    """Tell PySide when a panel is gone: otherwise FreeCAD sometimes cannot open the next panel."""
     close = simulator_panels.close
 
     def close_and_forget():
@@ -60,7 +60,7 @@ def simulator_panel(window):
 
 
 def start(window, name):
-    """Start a simulator, and return the lines that are seen a while later."""
+    """Start a simulator, and return the visible warning lines."""
     window.start_simulator(name)
     window.wait(lambda: simulator_panel(window) is not None)
     window.settle()
@@ -68,7 +68,7 @@ def start(window, name):
 
 
 def warned(window, name):
-    """Start a simulator, and return the line that is seen as soon as it is, on a busy computer later."""
+    """Start a simulator, wait for its warning line, and return the line."""
     start(window, name)
     window.wait(lambda: lines(window))
     (line,) = lines(window)
@@ -76,11 +76,11 @@ def warned(window, name):
 
 
 def let_hang(document, label):
-    """Give an operation an arc that sweeps no angle, after which the legacy simulator never goes on; analyse it."""
+    """Give an operation an arc of angle 0, at which the legacy simulator hangs; analyse the operation."""
     (obj,) = document.getObjectsByLabel(label)
     obj.Path = Path.Path([*obj.Path.Commands, Path.Command("G2", {"X": 1.0, "Y": 1.0, "Z": -1.0, "I": 5.0, "J": 0.0}),
                           Path.Command("G2", {"X": 1.0, "Y": 1.0, "Z": -1.0, "I": 5.0, "J": 0.0})])  # fmt: skip
-    obj.purgeTouched()  # the simulator recomputes, which would make the path anew
+    obj.purgeTouched()  # the simulator recomputes touched operations, which would restore the path
     Gui.Selection.clearSelection()
     Gui.Selection.addSelection(obj)
     Gui.runCommand("Vk_Analyze")
@@ -89,20 +89,20 @@ def let_hang(document, label):
 
 
 def budget_between(document, low, high):
-    """A budget between what two functions of the job's costs give."""
+    """Set the time budget between two values that functions compute from the costs of the job."""
     costs = marks.read(document.getObject("Job")).costs
     assert low(costs) < high(costs)
     preferences.write(time_budget=(low(costs) * high(costs)) ** 0.5)
 
 
-def test_nothing_is_said_within_the_budget(marked, window):
+def test_no_warning_within_the_budget(marked, window):
     preferences.write(time_budget=1e5)
     for name in freecad.own_simulators():
         assert start(window, name) == []
         _close(window)
 
 
-def test_a_long_play_is_told_with_fast_forward(marked, window):
+def test_warning_of_a_long_play_offers_fast_forward(marked, window):
     budget_between(marked, lambda c: c["legacy"].seconds, lambda c: c["legacy"].play_seconds)
     line = warned(window, "legacy")
     Gui.activeView().viewIsometric()
@@ -114,12 +114,12 @@ def test_a_long_play_is_told_with_fast_forward(marked, window):
     assert line.text.height() >= line.text.heightForWidth(line.text.width())
     button = simulator_panel(window).findChild(QtGui.QToolButton, "toolButtonFF")
     window.click_on(line.way)
-    assert lines(window) == [] and not button.isEnabled()  # it runs
+    assert lines(window) == [] and not button.isEnabled()  # the simulation runs
     window.click_on(simulator_panel(window).findChild(QtGui.QToolButton, "toolButtonPause"))
     window.wait(button.isEnabled)
 
 
-def test_it_goes_with_the_panel_with_what_is_unticked_and_when_it_is_closed(marked, window):
+def test_warning_ends_with_the_panel_and_the_ticked_operations(marked, window):
     preferences.write(time_budget=0.1)
     line = warned(window, "legacy")
     _close(window)
@@ -135,24 +135,24 @@ def test_it_goes_with_the_panel_with_what_is_unticked_and_when_it_is_closed(mark
     assert lines(window) == []
     listed.item(1).setCheckState(QtCore.Qt.Checked)
     window.settle()
-    assert lines(window) == []  # the user has closed it
+    assert lines(window) == []  # the user has closed the warning
 
 
-def test_a_click_after_the_panel_was_closed_does_nothing(marked, window):
+def test_click_after_closing_the_panel_does_nothing(marked, window):
     preferences.write(time_budget=0.1)
     (line,) = start(window, "legacy")
     (panel,) = (child for child in line.children() if isinstance(child, OpenPanel))
     simulator_panels.close()
-    assert simulator_panel(window) is None and line.isVisible()  # not looked yet
-    panel._take()  # what a slot raises does not fail a test
+    assert simulator_panel(window) is None and line.isVisible()  # the watch timer has not run yet
+    panel._take()  # called directly: an exception in a slot would not fail the test
     assert lines(window) == []
     window.idle()
     assert not Gui.Control.activeDialog() and simulator_panel(window) is None
 
 
-@pytest.mark.skipif(not OLD, reason="since 1.0 FreeCAD itself keeps one each time")
-def test_no_panel_is_kept_that_is_closed(marked, window):
-    # Else PySide takes what Qt makes at its address for it, and the next panel cannot be opened.
+@pytest.mark.skipif(not OLD, reason="FreeCAD itself keeps a panel since 1.0")
+def test_closed_panels_are_not_kept(marked, window):
+    # PySide would take a new widget at the same address for the old panel, and the next panel could not open.
     def kept():
         return sum(type(thing) is QtGui.QDialog for thing in gc.get_objects())
 
@@ -166,7 +166,7 @@ def test_no_panel_is_kept_that_is_closed(marked, window):
         assert kept() == before
 
 
-def test_an_operation_that_hangs_it_is_named(marked, window):
+def test_warning_names_an_operation_that_hangs_the_simulator(marked, window):
     preferences.write(time_budget=1e5)
     _, command = let_hang(marked, "Bore")
     line = warned(window, "legacy")
@@ -187,11 +187,11 @@ def test_an_operation_that_hangs_it_is_named(marked, window):
                 and simulator_panels.simulator_of(simulator_panel(window)) == "OpenGL"
             )
         )
-    assert not [o for o in marked.Objects if o.Name.startswith("Cut")]  # of the panel that was closed
+    assert not [o for o in marked.Objects if o.Name.startswith("Cut")]  # no results of the closed panel
     window.screenshot("warning-hangs-taken")
 
 
-def test_only_fresh_marks_are_trusted(marked, window):
+def test_outdated_marks_cause_no_warning(marked, window):
     preferences.write(time_budget=1e5)
     obj, _ = let_hang(marked, "Bore")
     obj.Path = Path.Path(obj.Path.Commands[:-2])
@@ -200,7 +200,7 @@ def test_only_fresh_marks_are_trusted(marked, window):
     assert start(window, "legacy") == []
 
 
-def test_without_marks_or_when_switched_off_nothing_is_said(marked, window):
+def test_no_warning_without_marks_or_when_switched_off(marked, window):
     preferences.write(time_budget=0.1, warn_of_simulators=False)
     assert start(window, "legacy") == []
     _close(window)
@@ -210,8 +210,8 @@ def test_without_marks_or_when_switched_off_nothing_is_said(marked, window):
 
 
 @needs_opengl
-def test_the_opengl_simulator_gives_way_to_a_faster_one(marked, window):
-    """To the legacy one in fast-forward where that ends within the budget, else to the tab."""
+def test_warning_for_opengl_offers_a_faster_simulator(marked, window):
+    """The warning offers the legacy simulator if its fast-forward is within the budget, otherwise the tab."""
     costs = marks.read(marked.getObject("Job")).costs
     legacy, opengl = costs["legacy"].seconds, costs["OpenGL"].seconds
     preferences.write(time_budget=max(0.5 * opengl, 0.1))
@@ -231,8 +231,8 @@ def test_the_opengl_simulator_gives_way_to_a_faster_one(marked, window):
         )
 
 
-def test_every_way_to_start_it_is_noticed(marked, window):
-    """A tool button with a menu of commands, and runCommand, do not trigger the command's action."""
+def test_every_way_to_start_a_simulator_is_noticed(marked, window):
+    """Tool buttons with a menu, and runCommand, do not trigger the action of the command."""
     preferences.write(time_budget=0.1)
     command = freecad.simulator_command(freecad.own_simulator())
     action = Gui.Command.get(command).getAction()[0]

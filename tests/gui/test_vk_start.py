@@ -14,7 +14,7 @@ def test_window_is_there():
     assert FreeCADGui.getMainWindow().isVisible()
 
 
-# All that FreeCAD's start may load of the add-on; none of it loads numpy.
+# The only modules of the add-on that FreeCAD's start may load; none of them imports numpy.
 AT_START = {
     "vkworkbench", "vkworkbench.freecad", "vkworkbench.preferences", "vkworkbench.document",
     "vkworkbench.document.computer", "vkworkbench.document.computer.idle", "vkworkbench.document.marks", "vkworkbench.document.job", "vkworkbench.document.marks.properties", "vkworkbench.document.job.operations", "vkworkbench.gui", "vkworkbench.gui.qt.plain_text", "vkworkbench.gui.preferences_page",
@@ -22,16 +22,16 @@ AT_START = {
 }  # fmt: skip
 
 
-def test_the_start_loads_nothing_that_is_not_needed_yet():
+def test_start_loads_only_the_needed_modules():
     loaded = sys.modules_at_start
     ours = {name for name in loaded if name.partition(".")[0] == "vkworkbench"}
-    ours = {name for name in ours if not name.startswith("vkworkbench.language")}  # sentences of the preferences
+    ours = {name for name in ours if not name.startswith("vkworkbench.language")}  # sentences on the preferences page
     assert "vkworkbench.gui.workbench" in ours
     assert ours <= AT_START
     assert "matplotlib" not in loaded
 
 
-def test_switching_between_documents_compares_no_marks_again(opened, window, monkeypatch):
+def test_switching_documents_compares_no_marks_again(opened, window, monkeypatch):
     vkworkbench.mark(vkworkbench.analyze(opened))
     window.settle()
     other = FreeCAD.newDocument("Other")
@@ -44,7 +44,7 @@ def test_switching_between_documents_compares_no_marks_again(opened, window, mon
         FreeCAD.setActiveDocument(opened.Name)
         window.settle()
     assert compared == []
-    opened.addObject("App::FeaturePython", "New")  # what is new may be a copy of something marked
+    opened.addObject("App::FeaturePython", "New")  # a new object may be a copy of a marked one
     FreeCAD.setActiveDocument(other.Name)
     FreeCAD.setActiveDocument(opened.Name)
     window.wait(lambda: compared)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The release in a home in which FreeCAD was never started: first start, guide, simulation."""
+"""The release zip in a new home folder: first start, the steps of the guide, a simulation."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ sys.path.append(str(TESTS.parent / "resources"))
 import make_release
 
 
-def test_a_stranger_follows_the_guide(example_path, tmp_path):
+def test_new_user_can_follow_the_guide(example_path, tmp_path):
     home = tmp_path / "home"
     for place in (home / ".local/share/FreeCAD/Mod", home / ".local/share/FreeCAD/v1-1/Mod"):
         with zipfile.ZipFile(make_release.make_release(tmp_path)) as file:
@@ -22,9 +22,9 @@ def test_a_stranger_follows_the_guide(example_path, tmp_path):
     (home / "run").mkdir(mode=0o700)
     environment = {**os.environ, "HOME": str(home), "XDG_RUNTIME_DIR": str(home / "run"), "QT_SCALE_FACTOR": "1"}
     environment.pop("PYTEST_ADDOPTS", None)
-    # On a screen of its own: it would wait for this window, which waits for it, to hand out the clipboard.
+    # Another screen: on this one FreeCAD would wait for the clipboard of this window, which waits for FreeCAD.
     screen = ["xvfb-run", "-a", "-s", "-screen 0 1280x1024x24 -dpi 96 -ac"]
-    # Its output is this layer's: what FreeCAD complains of there counts, too.
+    # The output goes to the log of this layer, in which tests/summary.py finds swallowed exceptions.
     command = [*screen, "freecad", str(example_path), str(TESTS / "stranger.py")]
     done = subprocess.run(command, env=environment, cwd=tmp_path, stdin=subprocess.DEVNULL, timeout=280, check=False)
     assert done.returncode == 0

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Strategies in the 3D view: the colours that are seen, that nothing is changed, and that nothing stays behind."""
+"""*Show strategies* in the 3D view: visible colours, an unchanged document, and no nodes left behind."""
 
 import threading
 import time
@@ -23,7 +23,7 @@ SWITCH = "Show Strategies"
 
 @pytest.fixture
 def switched_on(opened, window):
-    """The example seen from above, its toolpaths coloured."""
+    """The example seen from above, with coloured toolpaths."""
     Gui.activeView().viewTop()
     Gui.SendMsgToActiveView("ViewFit")
     window.settle()
@@ -45,7 +45,7 @@ def labelled(document, label):
 
 
 def seen(tmp_path):
-    """How many pixels of the 3D view have which colour."""
+    """Return {colour: number of pixels} of the 3D view."""
     return counted(picture(tmp_path))
 
 
@@ -56,14 +56,14 @@ def picture(tmp_path):
 
 
 def counted(image):
-    """How many pixels of a picture have which colour."""
+    """Return {colour: number of pixels} of a picture."""
     image = image.convertToFormat(QtGui.QImage.Format_RGB32)
     colors, counts = np.unique(np.frombuffer(bytes(image.constBits()), np.uint32) & 0xFFFFFF, return_counts=True)
     return Counter({f"#{color:06x}": count for color, count in zip(colors.tolist(), counts.tolist())})
 
 
 def nodes(document):
-    """How many coloured toolpaths hang in the 3D view."""
+    """Return the number of coloured toolpaths in the scene of the 3D view."""
     from pivy import coin
 
     search = coin.SoSearchAction()
@@ -74,7 +74,7 @@ def nodes(document):
     return len(list(search.getPaths()))
 
 
-def test_every_trajectory_has_the_colour_of_its_span():
+def test_trajectories_have_the_colours_of_their_spans():
     commands = [("G0", {"Z": 5.0}), ("G0", {"X": 0.0, "Y": 0.0}), ("G1", {"Z": -1.0})]
     for row in range(20):
         commands += [("G1", {"X": 60.0 * (row % 2 == 0)}), ("G1", {"Y": 2.0 * row + 2})]
@@ -86,7 +86,7 @@ def test_every_trajectory_has_the_colour_of_its_span():
     assert set(strategy_lines.colored(toolpath, ())) == {-1, list(Strategy).index(Strategy.UNKNOWN)}
 
 
-def test_the_colours_are_seen_and_go_again(opened, window, switched_on, tmp_path):
+def test_colours_are_visible_until_switched_off(opened, window, switched_on, tmp_path):
     window.screenshot("strategies-top")
     there = seen(tmp_path)
     for strategy in (Strategy.ZIGZAG, Strategy.CONTOUR_PARALLEL, Strategy.ADAPTIVE):
@@ -103,11 +103,11 @@ def test_the_colours_are_seen_and_go_again(opened, window, switched_on, tmp_path
 
 @pytest.fixture
 def reopened(kept_document):
-    """The example is opened again, so that FreeCAD does not ask whether to save it."""
+    """Open the example again, so that it is not modified."""
     kept_document.close()
 
 
-def test_the_document_is_not_changed(reopened, opened, window):
+def test_document_is_not_changed(reopened, opened, window):
     before = [(obj.Name, obj.Label2, tuple(obj.PropertiesList), list(obj.State)) for obj in opened.Objects]
     undo = opened.UndoCount
     window.click(SWITCH)
@@ -118,7 +118,7 @@ def test_the_document_is_not_changed(reopened, opened, window):
     assert opened.UndoCount == undo and not Gui.getDocument(opened.Name).Modified
 
 
-def test_an_operation_takes_its_colours_along(opened, window, switched_on, tmp_path):
+def test_hidden_and_deleted_operations_lose_their_colours(opened, window, switched_on, tmp_path):
     count = nodes(opened)
     assert count >= 8
     labelled(opened, "Adaptive pocket").ViewObject.Visibility = False
@@ -130,7 +130,7 @@ def test_an_operation_takes_its_colours_along(opened, window, switched_on, tmp_p
     assert nodes(opened) == count - 1
 
 
-def test_the_selected_operation_is_wider(opened, window, switched_on, tmp_path):
+def test_selected_operation_has_wider_lines(opened, window, switched_on, tmp_path):
     color = Strategy.HELIX.color
     before = seen(tmp_path)[color]
     Gui.Selection.addSelection(labelled(opened, "Bore"))
@@ -141,7 +141,7 @@ def test_the_selected_operation_is_wider(opened, window, switched_on, tmp_path):
     assert seen(tmp_path)[color] == before
 
 
-def test_a_changed_toolpath_is_coloured_anew(opened, window, switched_on):
+def test_changed_toolpath_is_coloured_again(opened, window, switched_on):
     drill = labelled(opened, "Drill holes")
     before = strategy_view._shown[opened.Name].lines[drill.Name]
     opened.openTransaction("Depth")
@@ -165,7 +165,7 @@ def test_each_document_has_its_own_switch(opened, window, switched_on):
     window.wait(lambda: window.button(SWITCH).isChecked())
 
 
-def test_nothing_to_colour_is_said(window):
+def test_nothing_to_colour_shows_a_message(window):
     document = FreeCAD.newDocument("Empty")
     window.activate("VkWorkbench")
     window.click(SWITCH)
@@ -175,7 +175,7 @@ def test_nothing_to_colour_is_said(window):
     FreeCAD.closeDocument(document.Name)
 
 
-def test_closing_the_document_forgets_it(example_path, window):
+def test_closed_document_is_forgotten(example_path, window):
     document = FreeCAD.openDocument(str(example_path))
     window.activate("VkWorkbench")
     name = document.Name
@@ -186,8 +186,8 @@ def test_closing_the_document_forgets_it(example_path, window):
     assert name not in strategy_view._shown
 
 
-def test_an_operation_that_freecad_does_not_draw_is_passed_over(opened, window):
-    """One that a macro made has no view proxy, and FreeCAD gives it nothing that lines could hang below."""
+def test_operation_without_a_view_proxy_is_skipped(opened, window):
+    """An operation made by a macro has no view proxy, and FreeCAD gives it no node for lines."""
     profile = cam("Op.Profile").Create("Macro", parentJob=opened.getObject("Job"))
     profile.ToolController = opened.getObject("Job").Tools.Group[0]
     opened.recompute()
@@ -196,16 +196,16 @@ def test_an_operation_that_freecad_does_not_draw_is_passed_over(opened, window):
     window.wait(lambda: drawn(opened))
     assert nodes(opened) == len(strategy_view._shown[opened.Name].lines) >= 8
     profile.touch()
-    opened.recompute()  # drawn anew while it is shown
+    opened.recompute()  # drawn again while strategies are shown
     window.wait(lambda: drawn(opened))
     window.click(SWITCH)
     window.wait(lambda: not strategy_view.is_shown(opened))
     assert nodes(opened) == 0
 
 
-def test_rapids_are_grey_those_from_the_origin_too(opened, window, tmp_path):
+def test_rapids_are_grey_also_from_the_origin(opened, window, tmp_path):
     def red(there):
-        return there["#aa0000"] + there["#e03131"]  # FreeCAD's own colours of rapids, the second since 1.1
+        return there["#aa0000"] + there["#e03131"]  # FreeCAD's colours for rapids, the second since 1.1
 
     Gui.activeView().viewIsometric()
     Gui.SendMsgToActiveView("ViewFit")
@@ -218,7 +218,7 @@ def test_rapids_are_grey_those_from_the_origin_too(opened, window, tmp_path):
     assert red(there) == 0 and there[colors.RAPID] > 100
 
 
-def test_a_legend_names_the_colours_that_are_seen(opened, window, tmp_path):
+def test_legend_has_the_visible_colours(opened, window, tmp_path):
     Gui.SendMsgToActiveView("ViewFit")
     window.click(SWITCH)
     window.wait(lambda: drawn(opened))
@@ -234,11 +234,11 @@ def test_a_legend_names_the_colours_that_are_seen(opened, window, tmp_path):
 
 
 def legend_colors(tmp_path):
-    """The colours in the lower left corner of the 3D view, where the example has no toolpath."""
+    """Return the colours in the lower left corner of the 3D view, where the example has no toolpath."""
     return set(counted(picture(tmp_path).copy(0, 350, 60, 250)))
 
 
-def test_the_legend_takes_no_place(opened, window, switched_on):
+def test_legend_does_not_enlarge_the_scene(opened, window, switched_on):
     from pivy import coin
 
     def box_of(name):
@@ -254,7 +254,7 @@ def test_the_legend_takes_no_place(opened, window, switched_on):
 
 @pytest.fixture
 def long(opened):
-    """Five operations of the example with 40,000 commands each, more than what is handed over in one step."""
+    """The example with 40,000 commands in each of five operations, more than one step of drawing takes."""
     lines = ["G0 Z30", "G0 X10 Y10", "G1 Z18 F10"]
     for number in range(40_000):
         row, step = divmod(number, 500)
@@ -266,7 +266,7 @@ def long(opened):
     return opened
 
 
-def test_the_window_lives_while_200_000_commands_are_drawn(long, window):
+def test_events_are_handled_while_200_000_commands_are_drawn(long, window):
     beats, begin = [], time.monotonic()
     timer = QtCore.QTimer()
     timer.timeout.connect(lambda: beats.append(time.monotonic() - begin))
@@ -283,9 +283,9 @@ def test_the_window_lives_while_200_000_commands_are_drawn(long, window):
     window.click(SWITCH)
 
 
-def test_the_drawing_is_given_up_and_its_thread_ends(long, window, monkeypatch):
+def test_cancelled_drawing_ends_its_thread(long, window, monkeypatch):
     def again_and_again(source, going_on):
-        while True:  # or a fast computer is ready before the click
+        while True:  # otherwise a fast computer is ready before the click
             yield from strategy_lines.drawings(source, going_on)
 
     monkeypatch.setattr(strategy_view, "drawings", again_and_again)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What is painted beside the pills, the line over the view, and the simulation, in the looks that come with FreeCAD."""
+"""Marks, the warning line and the simulation are readable in the themes that FreeCAD ships."""
 
 from collections import Counter
 
@@ -21,13 +21,13 @@ def luminance(color):
 
 
 def contrast_of_text(image):
-    """The contrast between the background, which is the commonest colour, and the colour farthest from it."""
+    """Return the contrast between the commonest colour, the background, and the colour farthest from it."""
     shades = Counter(image.pixel(x, y) for x in range(image.width()) for y in range(image.height()))
     back = luminance(shades.most_common(1)[0][0])
     return max((max(back, one) + 0.05) / (min(back, one) + 0.05) for one in map(luminance, shades))
 
 
-def test_a_mark_is_readable(shipped, marked, window):
+def test_mark_is_readable(shipped, marked, window):
     view = window.tree
     model = view.model()
     (found,) = model.match(model.index(0, 0), QtCore.Qt.DisplayRole, "Face", 1,
@@ -36,7 +36,7 @@ def test_a_mark_is_readable(shipped, marked, window):
     window.settle()
     window.screenshot(f"marks-{shipped.replace(' ', '-')}")
     area = view.visualRect(found.sibling(found.row(), 1)) & view.viewport().rect()
-    # Not of the viewport alone: some looks leave its background to what is behind it.
+    # Grab the window: some themes make the viewport transparent.
     place = QtCore.QRect(view.viewport().mapTo(window.main, area.topLeft()), area.size())
     image = window.main.grab(place).toImage()
     color = QtGui.QColor(marks.read(marked.getObjectsByLabel("Face")[0]).strategy.color).rgb()
@@ -45,7 +45,7 @@ def test_a_mark_is_readable(shipped, marked, window):
     assert contrast_of_text(image.copy(pill[-1] + 4, 0, 60, image.height())) >= 4.5
 
 
-def test_the_line_over_the_view_is_readable(shipped, marked, window):
+def test_warning_line_is_readable(shipped, marked, window):
     window.activate("PathWorkbench" if freecad.version() < (1, 0) else "CAMWorkbench")
     preferences.write(time_budget=0.1)
     try:
@@ -62,8 +62,8 @@ def test_the_line_over_the_view_is_readable(shipped, marked, window):
         window.settle()
 
 
-def test_nothing_is_seen_through_the_simulation(shipped, small, marked, window):
-    window.see_all()  # a view in many colours, behind
+def test_simulation_tab_is_opaque(shipped, small, marked, window):
+    window.see_all()  # a colourful view behind the tab
     Gui.Selection.clearSelection()
     window.click(simulation_window.COMMAND)
     window.wait(lambda: simulation_window.tabs(window))
@@ -72,14 +72,14 @@ def test_nothing_is_seen_through_the_simulation(shipped, small, marked, window):
         window.wait(lambda: tab.player is not None, 120)
         window.settle()
         window.screenshot(f"simulation-{shipped.replace(' ', '-')}")
-        # FreeCAD 1.1 may have its Tasks over the tab, which are not what is looked for.
+        # In FreeCAD 1.1 the Tasks may cover the tab.
         for dock in window.find(QtGui.QDockWidget):
             if dock.objectName() == "Tasks":
                 dock.hide()
         window.settle()
         bar = tab.player.play_bar.controls
         row = window.main.grab(QtCore.QRect(bar.mapTo(window.main, QtCore.QPoint(0, 0)), bar.size())).toImage()
-        # Between the buttons: behind them there is no room in a narrow window.
+        # Look between the buttons; a narrow window has no room to the right of the last one.
         shown = [widget.geometry() for widget in bar.findChildren(QtGui.QWidget) if widget.parent() is bar]
         free = [x for x in range(bar.width()) if all(x < one.left() or x > one.right() for one in shown)]
         assert len(free) > 10
@@ -89,7 +89,7 @@ def test_nothing_is_seen_through_the_simulation(shipped, small, marked, window):
         window.settle()
 
 
-def test_the_moment_is_seen_on_the_time_line(shipped, window):
+def test_moment_is_visible_on_the_time_line(shipped, window):
     line, part = TimeLine(window.main), PartView(Stock((0, 0, 0), (1, 1, 1)), (0, 0, -1), window.main)
     try:
         line.setGeometry(0, 0, 300, 80)
@@ -99,7 +99,7 @@ def test_the_moment_is_seen_on_the_time_line(shipped, window):
         window.settle()
         image = line.grab().toImage()
         assert contrast_of_text(image) >= 4.5
-        assert image.pixelColor(20, 20).getRgb()[:3] == part.background  # one on what the other is
+        assert image.pixelColor(20, 20).getRgb()[:3] == part.background  # time line and view have the same background
     finally:
         for widget in (line, part):
             widget.hide()

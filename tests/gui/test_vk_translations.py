@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Each language, switched on in FreeCAD's window: texts are translated, and none is cut off."""
+"""FreeCAD's window in each language: texts are translated, and none is cut off."""
 
 import re
 from contextlib import contextmanager
@@ -38,7 +38,7 @@ DOCKS = ("VkResults", "VkGaussMap")
 
 
 def close_docks(window):
-    """Close the add-on's docks for good: a command makes them anew, as after a start."""
+    """Delete the add-on's docks, so that the commands make new ones, as after a start."""
     for dock in window.find(QtGui.QDockWidget):
         if dock.objectName() in DOCKS:
             Gui.Selection.removeObserver(dock)
@@ -51,12 +51,12 @@ def close_docks(window):
 
 @contextmanager
 def speaking(language, window):
-    """FreeCAD in a language, with the add-on's docks made anew."""
+    """Set FreeCAD's language; the add-on's docks are made again."""
     close_docks(window)
     Gui.setLocale(language)
     window.settle()
     yield
-    Gui.setLocale("en")  # FreeCAD's own answer to what it was, "C", is none that it takes back
+    Gui.setLocale("en")  # FreeCAD returns "C" for the former language, but does not accept it
     close_docks(window)
 
 
@@ -81,7 +81,7 @@ in_german = pytest.mark.parametrize("language", ["de"], indirect=True)
 
 
 def cut_off(root):
-    """Texts of the visible widgets that are wider or higher than their widget."""
+    """Yield the texts that are wider or higher than their visible widget."""
     for widget in root.findChildren(QtGui.QWidget):
         if not widget.isVisible():
             continue
@@ -109,7 +109,7 @@ def dock(window, name):
     return next(d for d in window.find(QtGui.QDockWidget) if d.objectName() == name)
 
 
-def test_shortcuts_are_ours_alone(window):
+def test_shortcuts_are_not_used_twice(window):
     window.activate("VkWorkbench")
     ours = {"Vk_Analyze", "Vk_Clear", "Vk_GaussMap", "Vk_Results", "Vk_Strategies"}
     taken = {}
@@ -122,7 +122,7 @@ def test_shortcuts_are_ours_alone(window):
         assert len(names) == 1 or not ours & set(names), names
 
 
-def test_every_command_explains_itself(window):
+def test_every_command_has_help_texts(window):
     window.activate("VkWorkbench")
     for name in ("Vk_Analyze", "Vk_Clear", "Vk_GaussMap", "Vk_Results", "Vk_Strategies"):
         info = Gui.Command.get(name).getInfo()
@@ -131,7 +131,7 @@ def test_every_command_explains_itself(window):
         assert action.statusTip() and not action.icon().isNull()
 
 
-def test_the_window_in_each_language(language, opened, window):
+def test_window_in_each_language(language, opened, window):
     command, title = LANGUAGES[language]
     menus = {m.title().replace("&", "") for m in window.find(QtGui.QMenu)}
     assert title in menus
@@ -166,7 +166,7 @@ def test_the_command_is_not_taken_for_a_simulator_of_freecads(language):
         assert SequenceMatcher(None, ours, theirs).ratio() < 0.65, (ours, theirs)
 
 
-def test_the_preferences_in_each_language(language, window):
+def test_preferences_in_each_language(language, window):
     seen = {}
 
     def look(dialog, form):
@@ -184,8 +184,8 @@ def test_the_preferences_in_each_language(language, window):
 
 
 @pytest.mark.parametrize("name", LANGUAGES)
-def test_what_is_compiled_is_what_is_translated(name):
-    # Else run resources/update_translations.sh.
+def test_compiled_translations_are_up_to_date(name):
+    # If this fails, run resources/update_translations.sh.
     translator = QtCore.QTranslator()
     assert translator.load(str(TRANSLATIONS / f"VkWorkbench_{name}.qm"))
     for context in ElementTree.parse(TRANSLATIONS / f"VkWorkbench_{name}.ts").getroot().iter("context"):
@@ -212,11 +212,11 @@ def test_sentences_of_the_example_in_german(opened, german):
 
 
 @in_german
-def test_numbers_as_the_user_reads_them(german):
+def test_numbers_follow_the_users_locale(german):
     reader = user()
     assert (reader.count(5752), reader.time(1.42), reader.share(0.98)) == ("5.752", "1,4 s", "98 %")
     assert (reader.length(1601.38), reader.measure(2.5, 3), reader.turns(-9.0)) == ("1.601,38 mm", "2,5 mm", "-1,43")
-    # A quantity of FreeCAD's own has the same separators, but for the thousands, which it leaves out.
+    # FreeCAD's quantities have the same decimal separator, but no thousands separator.
     assert FreeCAD.Units.Quantity(1234.5, FreeCAD.Units.Length).UserString == reader.length(1234.5).replace(".", "")
     apart, rows = Message("passes-need", step=2.54, cell=0.635), Message("apart-at-depths", step=2.4, depths=3)
     try:
@@ -224,7 +224,7 @@ def test_numbers_as_the_user_reads_them(german):
         assert sentence(apart) == " Bahnen im Abstand von 0,1 in brauchen 0,025 in."
         assert sentence(rows) == " im Abstand von 0,0945 in in 3 Tiefen"  # not "in in"
         assert reader.length(25.4) == "1,00 in"
-        for schema in range(9):  # whatever unit a schema takes
+        for schema in range(9):  # each schema has another unit
             FreeCAD.Units.setSchema(schema)
             assert not re.search("nan|inf|[{}]", sentence(apart))
             assert reader.measure(float("nan"), 6).startswith("nan") and reader.measure(0.0, 6).startswith("0 ")
@@ -233,8 +233,8 @@ def test_numbers_as_the_user_reads_them(german):
 
 
 @in_german
-def test_a_mark_panel_and_gauss_map_in_german(opened, german, window):
-    """Their numbers have German separators, wherever they stand, and no English sentence is left."""
+def test_mark_panel_and_gauss_map_in_german(opened, german, window):
+    """Mark, panel and Gauss map have German numbers and no English sentence."""
     (face,) = opened.getObjectsByLabel("Face")
     window.click("Werkzeugwege analysieren")
     window.wait(lambda: docks.find(docks.RESULTS) is not None and marks.is_marked(face))
@@ -254,13 +254,7 @@ def test_a_mark_panel_and_gauss_map_in_german(opened, german, window):
     job = model.index(0, 0)
     cells = [model.index(row, column, job).data() for row in range(model.rowCount(job)) for column in range(1, 12)]
     assert not [cell for cell in cells if re.search(r"\d\.\d{1,2}\b", str(cell))], cells
-    view = window.tree
-    (found,) = view.model().match(view.model().index(0, 0), QtCore.Qt.DisplayRole, "Face", 1,
-                                  QtCore.Qt.MatchExactly | QtCore.Qt.MatchRecursive)  # fmt: skip
-    where = view.visualRect(found.sibling(found.row(), 1)).center()
-    event = QtGui.QHelpEvent(QtCore.QEvent.ToolTip, where, view.viewport().mapToGlobal(where))
-    QtGui.QApplication.sendEvent(view.viewport(), event)
-    window.wait(QtGui.QToolTip.isVisible)
+    assert window.tooltip("Face")
     window.screenshot("german-tooltip-and-panel")
     QtGui.QToolTip.hideText()
     panel.close()
@@ -276,7 +270,7 @@ def test_a_mark_panel_and_gauss_map_in_german(opened, german, window):
 
 
 @in_german
-def test_pills_have_the_users_numbers(german):
+def test_pills_follow_the_users_locale(german):
     cost = cost_from_data("z-buffer", {"seconds": 1.4, "memory_bytes": 2e6, "factor": 1.5, "stock_bytes": 0})
     record = Record(Strategy.ZIGZAG, confidence=0.7, costs={"z-buffer": cost}, remarks=(Message("no-tool"),))
     metrics = QtGui.QFontMetrics(QtGui.QFont())

@@ -1,11 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What macros, other add-ons and files do to the window's views: strangers in the 3D view, texts that are HTML, huge numbers."""
+"""Attacks on the views by macros, add-ons and files: changed scenes in the 3D view, HTML texts, many moves."""
 
 from __future__ import annotations
 
 import os
-import sys
-import threading
 import time
 from contextlib import suppress
 
@@ -25,14 +23,7 @@ from vkworkbench.gui.strategies import view as strategy_view
 SWITCH = "Show Strategies"
 
 
-@pytest.fixture(autouse=True)
-def nothing_swallowed(monkeypatch):
-    """FreeCAD swallows exceptions of what Qt calls: none may happen."""
-    errors = []
-    monkeypatch.setattr(sys, "excepthook", lambda *error: errors.append(error))
-    monkeypatch.setattr(threading, "excepthook", errors.append)
-    yield
-    assert errors == []
+pytestmark = pytest.mark.usefixtures("nothing_swallowed")
 
 
 def face(document):
@@ -43,11 +34,11 @@ def drawn(document):
     return strategy_view.is_shown(document) and not strategy_view.is_drawing()
 
 
-# Strangers in the 3D view, while the colours come or once they are there.
+# Changes of the scene in the 3D view, while strategies are drawn or afterwards
 
 
 def others_empty_the_groups(document, window):
-    """A macro takes everything out of the groups in which FreeCAD draws, our lines too."""
+    """A macro empties the groups in which FreeCAD and the add-on draw."""
     switch = face(document).ViewObject.SwitchNode
     for number in range(switch.getNumChildren()):
         switch.getChild(number).removeAllChildren()
@@ -131,13 +122,13 @@ def numbers_beyond_measure(document, window):
 
 
 def read_again(document, window):
-    """FreeCAD's *Revert*: all objects go, and others of the same names come from the file."""
+    """FreeCAD's *Revert* replaces all objects by objects of the same names from the file."""
     document.restore()
     window.settle()
 
 
 def other_fields(document, window):
-    """The view is switched off and on by its nodes, not by its property."""
+    """A macro switches the view off by its nodes, not by its property."""
     op = face(document)
     op.ViewObject.SwitchNode.whichChild = -1
     op.ViewObject.Visibility = False
@@ -151,7 +142,7 @@ STRANGE = [others_empty_the_groups, others_empty_the_switch, others_replace_the_
 
 @pytest.fixture(scope="module")
 def short_job(example_path, kept_document, tmp_path_factory):
-    """The file of the example with two of its operations and their tools."""
+    """The file of the example with two operations and their tools."""
     kept_document.close()
     document = FreeCAD.openDocument(str(example_path))
     for operation in find(document):  # dress-ups before what they dress up
@@ -171,7 +162,7 @@ def short_job(example_path, kept_document, tmp_path_factory):
 
 @pytest.fixture
 def tiny(window):
-    """A window with a 3D view that is drawn quickly."""
+    """A small window, in which the 3D view is drawn quickly."""
     before = window.main.geometry()
     window.main.setGeometry(0, 0, 640, 480)
     yield
@@ -180,7 +171,7 @@ def tiny(window):
 
 @pytest.mark.parametrize("strange", STRANGE, ids=lambda one: one.__name__)
 @pytest.mark.parametrize("when", ["meanwhile", "behind"])
-def test_strangers_in_the_3d_view(short_job, window, tiny, tmp_path, strange, when):
+def test_show_strategies_survives_changes_of_the_scene(short_job, window, tiny, tmp_path, strange, when):
     copy = tmp_path / "attacked.FCStd"
     copy.write_bytes(short_job.read_bytes())
     document = FreeCAD.openDocument(str(copy))
@@ -192,7 +183,7 @@ def test_strangers_in_the_3d_view(short_job, window, tiny, tmp_path, strange, wh
     window.wait(lambda: not strategy_view.is_drawing())
     window.settle()
     assert window.button(SWITCH).isChecked() == strategy_view.is_shown(document)
-    if not strategy_view.is_shown(document):  # FreeCAD reads a file again as another document
+    if not strategy_view.is_shown(document):  # FreeCAD reverts a file as another document
         assert strange is read_again
         window.click(SWITCH)
         window.wait(lambda: drawn(document))
@@ -214,18 +205,18 @@ def test_strangers_in_the_3d_view(short_job, window, tiny, tmp_path, strange, wh
         FreeCAD.closeDocument(name)
 
 
-# Texts that are HTML.
+# HTML texts
 
 
 @pytest.fixture
 def trap(tmp_path):
-    """A text that loads a picture where somebody takes it for HTML, and whether that happened."""
+    """A text that loads a picture if a view takes it for HTML, and a function that tells whether it did."""
     picture = QtGui.QPixmap(60, 60)
     picture.fill(QtGui.QColor("#ff0000"))
     file = tmp_path / "trap.png"
     assert picture.save(str(file))
     now = time.time()
-    os.utime(file, (now - 10_000, now - 5_000))  # read before it was written: the next reading is noted
+    os.utime(file, (now - 10_000, now - 5_000))  # read before it was written: the system notes the next reading
     before = os.stat(file).st_atime
 
     class Trap:
@@ -239,12 +230,12 @@ def trap(tmp_path):
 
 
 def rich(text):
-    """Whether Qt takes a text for HTML, as QLabel and tooltips do."""
+    """Return whether Qt takes a text for HTML, as QLabel and tooltips do."""
     return QtCore.Qt.mightBeRichText(text) if hasattr(QtCore.Qt, "mightBeRichText") else QtGui.Qt.mightBeRichText(text)
 
 
 def seen_as_html(widgets, trap):
-    """What takes a text with the trap for HTML: labels by their format, tooltips by what Qt guesses."""
+    """Return labels, tooltips and pages that show a text with the trap as HTML."""
     found = []
     for widget in widgets:
         for kind, text in (("tooltip", widget.toolTip()), ("what's this", widget.whatsThis())):
@@ -254,16 +245,16 @@ def seen_as_html(widgets, trap):
             plain = widget.textFormat() == QtCore.Qt.PlainText
             if not plain and (widget.textFormat() == QtCore.Qt.RichText or rich(widget.text())):
                 found.append((type(widget).__name__, widget.objectName(), "label", widget.text()))
-        if isinstance(widget, QtGui.QTextEdit) and "\ufffc" in widget.toPlainText():  # the sign of a picture
+        if isinstance(widget, QtGui.QTextEdit) and "\ufffc" in widget.toPlainText():  # Qt's character for a picture
             found.append((type(widget).__name__, widget.objectName(), "page", widget.toPlainText()))
     return found
 
 
 def ours(window):
-    """All widgets of the add-on's docks, tabs, dialogs and lines."""
+    """Return all widgets in the add-on's docks, tabs, dialogs and lines."""
     roots = tabs(window)
     for widget in QtGui.QApplication.allWidgets():
-        with suppress(RuntimeError):  # a widget that is gone, whose Python object another test holds
+        with suppress(RuntimeError):  # a deleted widget, whose Python object another test holds
             if widget.objectName().startswith("Vk") or isinstance(widget, QtGui.QProgressDialog):
                 roots.append(widget)
     return {id(w): w for root in roots for w in (root, *root.findChildren(QtGui.QWidget))}.values()
@@ -271,7 +262,7 @@ def ours(window):
 
 @pytest.fixture
 def html(opened, trap):
-    """Some of the example, whose job, operations, tools, stock, model and the document itself are called by HTML."""
+    """A part of the example with HTML labels on the document and all its objects."""
     for operation in find(opened):
         if operation.object.Label in ("Pocket zigzag", "Pocket around island", "Adaptive pocket"):
             opened.removeObject(operation.object.Name)
@@ -287,7 +278,7 @@ def html(opened, trap):
     return opened
 
 
-def test_no_text_of_a_document_is_html_in_results_and_views(html, window, trap):
+def test_labels_are_not_html_in_results_and_views(html, window, trap):
     found = []
 
     def look():
@@ -320,17 +311,16 @@ def test_no_text_of_a_document_is_html_in_results_and_views(html, window, trap):
     assert found == [] and not trap.sprung()
 
 
-def test_no_text_of_a_document_is_html_in_the_simulation(html, window, small, trap):
+def test_labels_are_not_html_in_the_simulation(html, window, small, trap):
     window.click(COMMAND)
     window.wait(lambda: tabs(window))
     (tab,) = tabs(window)
     found = seen_as_html(ours(window), trap)
     player = shown(tab, window)
-    assert trap.text in player.state.text()  # what is to be known names operations
+    assert trap.text in player.state.text()  # the state line names operations
     for widget, where in [(player.state, 5), *((player.time_line, x) for x in range(10, player.time_line.width(), 60))]:
         point = QtCore.QPoint(where, min(45, widget.height() // 2))
-        event = QtGui.QHelpEvent(QtCore.QEvent.ToolTip, point, widget.mapToGlobal(point))
-        QtGui.QApplication.sendEvent(widget, event)
+        window.ask_for_tooltip(widget, point)
         window.settle()
     for index in range(player.scene_bar.colorings.count()):
         player.scene_bar.colorings.setCurrentIndex(index)
@@ -342,18 +332,18 @@ def test_no_text_of_a_document_is_html_in_the_simulation(html, window, small, tr
     assert found == [] and not trap.sprung()
 
 
-# Few commands, and a great many moves.
+# Few commands that are many moves
 
 
 def arcs(moves):
-    """So many half circles as wide as a house, of chords of 0.01 mm error."""
+    """Return `moves` half circles with a radius of 100 m, each of thousands of chords."""
     return "G0 X0 Y0 Z5\nG1 Z-1 F100\n" + "G2 X200000 Y0 I100000 J0\nG2 X0 Y0 I-100000 J0\n" * (moves // 2)
 
 
 @pytest.mark.parametrize("text, trajectories", [
     (arcs(40), 140_000), (arcs(3_000), None), ("G0 Z5\n" + "G83 X1 Y1 Z-100 R1 Q0.1 F10\nX2\n" * 40, 80_000),
 ], ids=["long arcs", "too many moves", "many pecks"])  # fmt: skip
-def test_few_commands_that_are_a_great_many_moves(opened, window, text, trajectories):
+def test_few_commands_with_many_moves_are_analyzed(opened, window, text, trajectories):
     op = opened.addObject("Path::Feature", "Few")
     op.Path = Path.Path(text)
     opened.Job.Operations.Group = [op]
