@@ -175,7 +175,7 @@ def test_what_is_not_simulated_exactly_is_said(shape, simulated, told):
     remark = tool_remark(op)
     assert (remark is None) == (told is None)
     if told:
-        assert render(remark).startswith("TC is not simulated exactly") and told in render(remark)
+        assert render(remark).startswith("TC is simulated only approximately") and told in render(remark)
 
 
 def test_results_of_the_last_shapes_are_kept():
