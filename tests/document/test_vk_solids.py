@@ -86,7 +86,7 @@ def test_a_stock_without_a_volume_is_its_box(small, zigzag_commands):
     job = with_stock(small, Part.makeBox(60, 40, 20).Shells[0])
     small.add("Rows", zigzag_commands)
     (row,) = vkworkbench.analyze(job).operations
-    assert "the box around the stock" in row.error and row.estimate.traces > 0
+    assert "simulated as the box around it" in row.error and row.estimate.traces > 0
     assert [remark.code for remark in vkworkbench.simulate(job, view=VIEW).job.remarks] == ["stock-as-box"]
 
 
