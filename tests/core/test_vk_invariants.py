@@ -91,8 +91,6 @@ def test_phi_is_alpha_up_to_whole_turns(vectors):
     result = signature(polyline(vectors))
     assert same_angle(result.phi, result.alpha - result.alpha[0])
     assert np.abs(result.turning).max() <= PI + 1e-9
-    low, high = result.phi_interval
-    assert (low <= result.phi + 1e-9).all() and (result.phi <= high + 1e-9).all()
     assert (np.abs(result.level * TURN) <= np.abs(result.phi) + 1e-5).all()
 
 

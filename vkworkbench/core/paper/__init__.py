@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The V_k vector method: what the directions of the trajectories say (paper, sections 2 and 3).
+"""The V_k vector method: directions, turns and phi of the trajectories (paper, sections 2 and 3).
 
-In: `Toolpath`, or the vertices of a polyline.
-Out: `Areas`, the monotonous areas with directions, turns, phi and loops, measured once; the `Signature` of each, with
-levels, V_k and Gauss map; `PaperVerdict`, the paper's rule to the letter; what the picture of them is drawn from.
+Input: a `Toolpath`, or the vertices of a polyline.
+Output: `Areas`, the monotonous areas with their directions, turns, phi and loops; the `Signature` of an area, with
+levels, V_k and Gauss map; `PaperVerdict`, the strategy by the paper's own rule; the lines of the Gauss map's picture.
 """
 
 from vkworkbench.core.paper.areas import Areas, monotonous_areas

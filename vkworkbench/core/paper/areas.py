@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The monotonous areas of a toolpath, each with its signature: measured once, read by everything else."""
+"""The monotonous areas of a toolpath and the signature of each. Every measure is computed once and cached."""
 
 from __future__ import annotations
 
@@ -16,33 +16,33 @@ from vkworkbench.core.toolpath import Toolpath
 
 
 def monotonous_areas(toolpath: Toolpath, first: int = 0, last: int | None = None) -> Areas:
-    """Split the cutting moves into monotonous areas: stretches in which one strategy can hold (paper, section 2.1).
+    """Split the cutting moves into monotonous areas, the stretches between two rapids, plunges or lifts (section 2.1).
 
     Parameters
     ----------
     toolpath : Toolpath
     first, last : int
-        Range of trajectories to split, last inclusive; all where not given.
+        Range of trajectories to split, last inclusive; by default all.
 
     Returns
     -------
     Areas
-        With m = 0 moves where nothing cuts along the plane.
+        Without moves (m = 0) if nothing cuts along the plane.
     """
     return Areas(**vars(cutting_moves(toolpath, first, len(toolpath) if last is None else last + 1)))
 
 
 class Areas(Moves):
-    """The moves of `a` monotonous areas, and what is measured of each area as a whole."""
+    """The `m` moves of `a` monotonous areas, and measures of each whole area."""
 
     @cached_property
     def end(self) -> np.ndarray:
-        """The moves of area i are start[i] .. end[i] - 1, (a,) int."""
+        """One past the last move of each area, (a,) int: area i has the moves start[i] .. end[i] - 1."""
         return np.append(self.start[1:], len(self)) if len(self) else self.start
 
     @cached_property
     def climbs(self) -> bool:
-        """Whether any move changes its height."""
+        """Whether any move changes the height of the tool."""
         return bool(self.dz.any())
 
     @cached_property
@@ -57,17 +57,17 @@ class Areas(Moves):
 
     @cached_property
     def loops(self) -> tuple[np.ndarray, np.ndarray]:
-        """The closed loops inside the areas are the moves first[i] .. end[i] - 1, see :func:`closed_loops`."""
+        """First move of each closed loop and one past its last, both (k,) int; see :func:`closed_loops`."""
         return closed_loops(self)
 
     @cached_property
     def _signs(self) -> tuple[np.ndarray, np.ndarray]:
-        """The signs of the turns without one, and the last that alternates in each area: see :func:`signs_of_reversals`."""
+        """Signs given to the half turns, and the last alternating sign of each area; see :func:`signs_of_reversals`."""
         return signs_of_reversals(self.turning, self.unsigned, self.start, TURNS.UNSIGNED)
 
     @cached_property
     def signed(self) -> tuple[np.ndarray, np.ndarray]:
-        """Turning and phi after every turn without a sign was given one, both (m,) rad, as in :class:`Signature`."""
+        """Turning and phi with a sign for every half turn, both (m,) rad, as in :class:`Signature`."""
         if not len(self.unsigned):
             return self.turning, self.phi
         signs = self._signs[0]
@@ -104,10 +104,10 @@ class Areas(Moves):
 
     @cached_property
     def total_turning(self) -> np.ndarray:
-        """Phi of each area after its traversal, (a,) rad, with the closing turn where it has one.
+        """Phi at the end of each area, (a,) rad, with its closing turn if it has one.
 
-        It has one where it ends where it began; and where it is made of loops, offset loops that are linked without a
-        lift, the last of them has one. The small loops of a zigzag that runs along the boundary close nothing.
+        An area that ends where it began has a closing turn. In an area of offset loops linked without a lift, the last
+        loop has one. A zigzag with small loops along the boundary has none.
         """
         begin, end = self.start.copy(), self.end.copy()
         closes = self.closed.copy()
@@ -147,7 +147,7 @@ class Areas(Moves):
         return top_level(self.phi_range)
 
     def signature(self, area: int) -> Signature:
-        """Return the signature of one area: views of the arrays here."""
+        """Return the signature of one area; its arrays are views where possible."""
         of = slice(self.start[area], self.end[area])
         turning, phi = self.signed
         unsigned, exact = (

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""How complex the contour of a polyline is, told by its turns."""
+"""The complexity of a polyline, measured by its turns."""
 
 from __future__ import annotations
 
@@ -13,18 +13,18 @@ from vkworkbench.core.paper.signature import signature
 
 @dataclass(frozen=True)
 class Complexity:
-    """The turns of a polyline; those of a closed one include the turn from its last trajectory into its first.
+    """The sums of the turns of a polyline; a closed polyline also turns from its last trajectory into its first.
 
     Attributes
     ----------
     total_turning : float
-        Sum of the turns, each without its sign, rad: 2 pi for a convex contour, more for every dent. It is the total
-        curvature of the polyline (Milnor 1950), and not `Signature.total_turning`, which is the net turning.
+        Sum of the absolute turns, rad: 2 pi for a convex contour, more for every dent. This is the total curvature of
+        the polyline (Milnor 1950). `Signature.total_turning` is the net turning instead.
     net_turning : float
         Sum of the turns with their signs, rad: the cumulative angular function phi at the end.
     windings : float
-        Net turns in full turns: the paper's level before it is cut to an integer; 1 for a closed contour that does not
-        cross itself, counter-clockwise, -1 clockwise.
+        Net turning in full turns, the paper's level before truncation: 1 for a counter-clockwise closed contour that
+        does not cross itself, -1 for a clockwise one.
     """
 
     total_turning: float
@@ -33,9 +33,9 @@ class Complexity:
 
 
 def complexity(points: np.ndarray) -> Complexity:
-    """Measure the complexity of a polyline by its directions alone, in O(n).
+    """Measure the complexity of a polyline from its directions alone, in O(n).
 
-    The paper proposes it: the method "could be applied in many other fields to evaluate the complexity of a curve by
+    The paper proposes this measure: the method "could be applied in many other fields to evaluate the complexity of a curve by
     studying the features of its contour" (section 4).
 
     Parameters
@@ -46,9 +46,9 @@ def complexity(points: np.ndarray) -> Complexity:
     Returns
     -------
     Complexity
-        It does not depend on the polyline's place, rotation, and size, as long as its trajectories are longer than a
-        millionth of a micrometre; traversed the other way round, the net turning and the windings change their signs,
-        but for half turns, which have none.
+        Independent of the polyline's position, rotation and size, if its trajectories are longer than 1e-9 mm.
+        Traversal in the other direction changes the signs of the net turning and the windings, except for half turns,
+        which have no sign.
 
     Raises
     ------

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Directions of moves and the turns between them: the one place where they are taken and wrapped (paper, section 3.2)."""
+"""Directions of moves, the turns between them, and the levels that the turns add up to (paper, section 3.2)."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ def wrap(angle: float) -> float: ...
 @overload
 def wrap(angle: np.ndarray) -> np.ndarray: ...
 def wrap(angle: float | np.ndarray) -> float | np.ndarray:
-    """Wrap angles in rad, a number or (n,), to [-pi, pi]."""
+    """Return angles wrapped to [-pi, pi], rad, a number or (n,)."""
     return angle - TURN * np.rint(angle * (1 / TURN))
 
 
@@ -35,7 +35,7 @@ def turns(alpha: np.ndarray, out: np.ndarray | None = None, scratch: np.ndarray 
     alpha : (n,) float64
         rad.
     out, scratch : (n-1,) float64, optional
-        Where to put the result, and memory to work in: for a long path, allocating memory takes most of the time.
+        Memory for the result and for intermediate values: for a long path, allocating it takes most of the time.
 
     Returns
     -------
@@ -53,17 +53,18 @@ def turns(alpha: np.ndarray, out: np.ndarray | None = None, scratch: np.ndarray 
 def signs_of_reversals(
     turning: np.ndarray, at: np.ndarray, start: np.ndarray, half: float
 ) -> tuple[np.ndarray, np.ndarray]:
-    """Give half turns, which have no sign of their own, the signs by which going back and forth never adds up.
+    """Choose signs for the half turns, so that moves back and forth do not add up in phi.
 
-    Where the tool goes out and back and turns on, the three turns come to the one that it would have turned without
-    that way: at reliefs in corners, and where rows are cut there and back. The signs of all others alternate.
+    A half turn has no sign of its own. Where the tool leaves its path and returns on the same line, as at a relief in a
+    corner, the half turn at the tip gets the sign with which the three turns add up to the turn of the path without the
+    excursion. All other half turns get alternating signs.
 
     Parameters
     ----------
     turning : (m,) float
-        Turn at the start of each move, 0 at the start of an area, without the half turns, rad.
+        Turn at the start of each move, rad, without the half turns; 0 at the start of an area.
     at : (r,) int
-        The moves that begin with a half turn, ascending.
+        Moves that begin with a half turn, ascending.
     start : (a,) int
         First move of each area.
     half : float
@@ -74,7 +75,7 @@ def signs_of_reversals(
     signs : (r,) int64
         +1 or -1.
     last : (a,) int64
-        Of the signs that alternate the last of each area, 0 where there is none. The first brings phi back toward zero.
+        Last alternating sign of each area, 0 if the area has none. The first alternating sign brings phi toward zero.
     """
     last = np.zeros(len(start), np.int64)
     if not len(at):
@@ -95,7 +96,7 @@ def signs_of_reversals(
         rank = np.arange(len(area)) - np.repeat(first, size)
         begin = np.repeat(np.where(phi[first] > TURNS.EXACT, -1, 1), size)
         signs[others] = begin * (1 - 2 * (rank & 1))
-        last[area] = signs[others]  # of several in an area the last one stays
+        last[area] = signs[others]  # with several per area, numpy keeps the last value
     return signs, last
 
 
@@ -108,9 +109,9 @@ def total_turns(phi: np.ndarray, closing: np.ndarray, last: np.ndarray, half: fl
     Parameters
     ----------
     phi, closing : (k,) float
-        Phi of the last move, and the turn from it into the first, rad.
+        Phi of the last move, and the turn from the last move into the first, rad.
     last : (k,) int
-        As of :func:`signs_of_reversals`.
+        Last alternating sign, from :func:`signs_of_reversals`.
     half : float
         A closing turn this close to half a turn has no sign, rad.
     """
@@ -125,7 +126,7 @@ def level_of(phi: float) -> int: ...
 @overload
 def level_of(phi: np.ndarray) -> np.ndarray: ...
 def level_of(phi: float | np.ndarray) -> int | np.ndarray:
-    """Return n, the integer part of phi / 2 pi, truncated toward zero; short of a full turn by rounding is a full turn.
+    """Return the level n, phi / 2 pi truncated toward zero; a phi within rounding of a full turn counts as the full turn.
 
     Parameters
     ----------
@@ -153,12 +154,12 @@ def axis_of(along_x: float, along_y: float, length: float) -> float: ...
 @overload
 def axis_of(along_x: np.ndarray, along_y: np.ndarray, length: np.ndarray) -> np.ndarray: ...
 def axis_of(along_x: float | np.ndarray, along_y: float | np.ndarray, length: float | np.ndarray) -> float | np.ndarray:
-    """Return the axis of moves, rad in [-pi/2, pi/2]: half the direction of the sum of the moves with doubled angles.
+    """Return the main axis of moves, rad in [-pi/2, pi/2]: half the direction of the sum of the moves with doubled angles.
 
     Parameters
     ----------
     along_x, along_y : (k,) float or float
-        Sum of cos^2 and of cos sin of the directions, weighted by length, mm.
+        Sums of cos(alpha)^2 and of cos(alpha) sin(alpha), each move weighted by its length, mm.
     length : (k,) float or float
         Sum of the lengths, mm.
     """

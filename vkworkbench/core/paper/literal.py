@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The paper's rule to the letter, so that anybody can see where the recognition parts from it."""
+"""The paper's own rule, for comparison with the recognition."""
 
 from __future__ import annotations
 
@@ -16,15 +16,15 @@ from vkworkbench.core.strategy import Strategy
 
 @dataclass(frozen=True)
 class PaperVerdict:
-    """What the V_k vector method says of one monotonous area, the longest (paper, sections 3.1 and 3.2).
+    """The result of the paper's rule for the longest monotonous area (sections 3.1 and 3.2).
 
     Attributes
     ----------
     strategy : Strategy
-        CONTOUR_PARALLEL where phi leaves +-2 pi, ZIGZAG where -pi <= phi <= pi; UNKNOWN between them, where section 3.2
-        says neither. (By the level of 3.1 they are zigzags below 2 pi, and a contour at 2 pi.)
+        CONTOUR_PARALLEL if abs(phi) exceeds 2 pi, ZIGZAG if abs(phi) never exceeds pi, otherwise UNKNOWN: section 3.2
+        does not decide there. (The level of section 3.1 makes zigzags of areas below 2 pi, and a contour at 2 pi.)
     area : int
-        Index of that area in :class:`Areas`.
+        Index of the longest area in :class:`Areas`.
     level : int
         The level n farthest from zero.
     phi_range : tuple of float
@@ -32,10 +32,10 @@ class PaperVerdict:
     v : tuple of float
         V_k of the last trajectory in the working plane, mm.
     theta_range : tuple of float
-        Lowest and highest theta, rad, followed over all turns of the image of V_k from theta of the first trajectory.
+        Lowest and highest theta, rad, unwrapped: counted from theta of the first trajectory, without jumps of 2 pi.
     sense : str or None
-        "ccw" or "cw" where the image of V_k moves in one sense only; None where it goes to and fro, as the paper expects
-        of a zigzag. (Of a contour it expects the way all around the circle, which V_k goes only if it starts inside.)
+        "ccw" or "cw" if the image of V_k moves in one sense only; None if it moves back and forth, as the paper expects
+        for a zigzag. (For a contour the paper expects a full circle, which requires a start inside the contour.)
     """
 
     strategy: Strategy
@@ -48,13 +48,13 @@ class PaperVerdict:
 
     @property
     def image(self) -> tuple[float, float]:
-        """The Gaussian image of V_k on the unit circle; the origin where V_k is 0."""
+        """The Gaussian image of V_k on the unit circle; (0, 0) if V_k is 0."""
         length = float(np.hypot(*self.v))
         return (self.v[0] / length, self.v[1] / length) if length >= NO_LENGTH else (0.0, 0.0)
 
 
 def paper_verdict(areas: Areas) -> PaperVerdict | None:
-    """Apply the paper's rule to the longest area; None where no move has a direction.
+    """Return the paper's verdict on the longest area; None if no move has a direction.
 
     Parameters
     ----------
@@ -79,7 +79,7 @@ def paper_verdict(areas: Areas) -> PaperVerdict | None:
     net, both_ways = float(image[-1]), float(np.abs(turned, out=turned).sum())
     image += theta[0]
     sense = None
-    if both_ways > TURNS.EXACT and both_ways - abs(net) <= 2 * TURNS.TO_AND_FRO * both_ways:
+    if both_ways > TURNS.EXACT and both_ways - abs(net) <= 2 * TURNS.BACK_AND_FORTH * both_ways:
         sense = "ccw" if net > 0 else "cw"
     return PaperVerdict(
         strategy,

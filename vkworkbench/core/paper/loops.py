@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Loops in the areas: where the tool is back at a point after a turn of +-2 pi, and where windings begin a new turn."""
+"""Closed loops, on which the tool returns to a point after a turn of +-2 pi, and the single turns of windings."""
 
 from __future__ import annotations
 
@@ -9,14 +9,14 @@ from vkworkbench.core.paper.directions import TURN, wrap
 from vkworkbench.core.paper.moves import Moves
 from vkworkbench.core.paper.thresholds import LOOPS, TURNS
 
-OFF_ROUND = 0.377  # of a cell: shift of the grid, so that round coordinates do not lie on the borders of cells
+OFF_ROUND = 0.377  # share of a cell; shifts the grid, so that round coordinates do not lie on the borders of cells
 
 
 def closing_turns(alpha: np.ndarray, first: np.ndarray, end: np.ndarray) -> np.ndarray:
-    """Return the turns from the last move of stretches back into their first, (k,) rad.
+    """Return the turn from the last move of each stretch into its first, (k,) rad.
 
-    A closed contour of n moves turns n times, but a stretch has a turn only between two of its moves: the last one is
-    missing (section 3.2: phi is 2 pi at the end of the traversal).
+    A closed contour of n moves has n corners, but only n - 1 turns between successive moves. The closing turn is the
+    missing corner (section 3.2: phi is 2 pi at the end of the traversal).
 
     Parameters
     ----------
@@ -30,10 +30,10 @@ def closing_turns(alpha: np.ndarray, first: np.ndarray, end: np.ndarray) -> np.n
 
 
 def is_closed(gap: np.ndarray, enclosed: np.ndarray, moves: np.ndarray) -> np.ndarray:
-    """Say which stretches end where they began, (k,) bool.
+    """Return whether each stretch ends where it began, (k,) bool.
 
-    A gap that is small against the area enclosed, as lead-ins and rounding leave it, counts as closed. Two passes of a
-    narrow zigzag enclose little, so they are open.
+    A stretch is closed if its gap is small compared with the area enclosed: lead-ins and rounding leave such gaps. Two
+    passes of a narrow zigzag enclose a small area, so they are open.
 
     Parameters
     ----------
@@ -42,20 +42,20 @@ def is_closed(gap: np.ndarray, enclosed: np.ndarray, moves: np.ndarray) -> np.nd
     enclosed : (k,) float
         Area between the stretch and its chord, mm2.
     moves : (k,) int
-        Their number.
+        Number of moves in the stretch.
     """
     result: np.ndarray = (gap <= np.maximum(LOOPS.CLOSE, LOOPS.GAP * np.sqrt(np.abs(enclosed)))) & (moves > 2)
     return result
 
 
 def may_be_closed(gap: np.ndarray, length: np.ndarray) -> np.ndarray:
-    """Say which stretches can be closed, (k,) bool, as none encloses more than a circle of its length."""
+    """Return whether each stretch can be closed, (k,) bool: it encloses at most the area of a circle of its length."""
     result: np.ndarray = gap <= np.maximum(LOOPS.CLOSE, LOOPS.GAP * length / np.sqrt(4 * np.pi))
     return result
 
 
 def is_one_turn(net: np.ndarray) -> np.ndarray:
-    """Say which net turns, rad, are one full turn either way."""
+    """Return whether each net turn, (k,) rad, is one full turn in either sense, (k,) bool."""
     result: np.ndarray = np.abs(np.rint(net / np.pi)) == 2
     return result
 
@@ -64,9 +64,9 @@ def closed_loops(moves: Moves) -> tuple[np.ndarray, np.ndarray]:
     """Find the closed loops: stretches that return to their first point with a net turn of +-2 pi.
 
     An area may hold offset loops that are linked without a lift, or a contour cut together with a zigzag: phi then adds
-    up over loops and links. The loops are found by the points to which the tool returns. Of two overlapping loops the
-    one that begins first counts, unless it turns to and fro much more: where a zigzag and then its contour lead through
-    the zigzag's start, the contour is the loop.
+    up over loops and links. A loop is found by the point to which the tool returns. If two loops overlap, the first one
+    counts, unless it turns back and forth much more than the second: a zigzag that is followed by its contour may return
+    to its own start, and there the contour is the loop.
 
     Parameters
     ----------
@@ -85,24 +85,24 @@ def closed_loops(moves: Moves) -> tuple[np.ndarray, np.ndarray]:
     vertices = _vertices(moves, winds)
     first, end = _disjoint(moves, *_returns(moves, *vertices, 1, OFF_ROUND))
     if (end - first).sum() < LOOPS.FOUND * len(vertices[0]):
-        # A border between cells may separate two visits of one point that a dropped move left apart (MOVES.NOISE). Of
-        # three wider grids, each shifted by a third of a cell, one has no border between points closer than that.
+        # Two visits of one point may lie apart by a dropped move (MOVES.NOISE), on two sides of a border between cells.
+        # With three wider grids, each shifted by a third of a cell, at least one grid has both visits in one cell.
         wider = [_returns(moves, *vertices, 2, OFF_ROUND + third / 3) for third in range(3)]
         first, end = _disjoint(moves, *np.concatenate([(first, end), *wider], axis=1))
     return first, end
 
 
 def _vertices(moves: Moves, winds: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
-    """Return the vertices of the areas that wind: the starts of their moves, then the ends of the areas.
+    """Return the vertices of the areas that wind: first the start of every move, then the end of every area.
 
     Returns
     -------
     x, y : (v,) float
         In units of LOOPS.CLOSE, not negative.
     at : (v,) int
-        The move that begins at the vertex; at the end of an area the move after its last.
+        Move that begins at the vertex; for the end of an area, one past its last move.
     area : (v,) uint32
-        Index of the area among these; empty where there is only one.
+        Index of the area among the areas that wind; empty if there is only one.
     """
     end = np.append(moves.start[1:], len(moves))
     size = end - moves.start
@@ -126,10 +126,10 @@ def _vertices(moves: Moves, winds: np.ndarray) -> tuple[np.ndarray, np.ndarray, 
 def _returns(
     moves: Moves, x: np.ndarray, y: np.ndarray, at: np.ndarray, area: np.ndarray, width: float, origin: float
 ) -> tuple[np.ndarray, np.ndarray]:
-    """Return the stretches between visits of one cell that turn by +-2 pi; a cell is `width` times LOOPS.CLOSE wide."""
+    """Return the stretches that turn by +-2 pi between two visits of a cell; cells are `width` times LOOPS.CLOSE wide."""
     column, row = ((v * (1 / width) + origin).astype(np.int32).view(np.uint32) for v in (x, y))
-    # Hashing the cells is O(n); sorting all vertices would not be. The products overflow, and their high bits are
-    # the hash. A table of four places a vertex at least: two cells in one place have to be sorted apart, which costs more.
+    # Hashing the cells takes O(n), sorting all vertices O(n log n). The products overflow on purpose; their high bits are
+    # the hash. The table has at least four places per vertex, because cells with equal hashes have to be sorted.
     bits = (4 * len(x)).bit_length()
     cell = column * np.uint32(2654435769)
     cell += row * np.uint32(2246822519)
@@ -148,8 +148,8 @@ def _returns(
     table[np.flip(own)] = np.flip(one)
     crowded = last_but_one != table.take(own)
     if crowded.any():
-        # Most cells are visited twice, at the beginning and the end of a loop. Only the others are sorted, by cell:
-        # another cell with the same hash may be visited between two visits of one.
+        # Most cells are visited twice, at the beginning and the end of a loop. Visits with a crowded hash are sorted by
+        # cell: they may belong to several cells, or to a cell with more than two visits.
         many = np.append(one[crowded], two[crowded & (one == last_but_one)])
         keys = (many, row[many], column[many])
         many = many[np.lexsort((*keys, area[many]) if len(area) else keys)]
@@ -161,7 +161,7 @@ def _returns(
     long = end - first > 2
     first, end = first[long], end[long]
     closing = closing_turns(moves.alpha, first, end)
-    # Half a turn has no sign: from the tip of a lead that is travelled in and out one loop or two would be one turn.
+    # A closing half turn has no sign: counted from the tip of a lead, one loop and two loops could both be one turn.
     once = is_one_turn(moves.phi[end - 1] - moves.phi[first] + closing) & (np.abs(closing) < np.pi - TURNS.UNSIGNED)
     return first[once], end[once]
 
@@ -169,8 +169,8 @@ def _returns(
 def _disjoint(moves: Moves, first: np.ndarray, end: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """Keep, from left to right, the intervals that begin after the end of the last one kept.
 
-    An interval that turns to and fro is dropped for the first one that begins inside it, ends after it, and turns to
-    and fro less than half as much.
+    An interval that turns back and forth (LOOPS.WAVY) is dropped in favour of the first interval that begins inside it,
+    ends after it, and turns back and forth less than half as much (LOOPS.SMOOTHER).
     """
     if not (first[1:] > first[:-1]).all():
         order = np.lexsort((end, first))
@@ -195,7 +195,7 @@ def _disjoint(moves: Moves, first: np.ndarray, end: np.ndarray) -> tuple[np.ndar
 
 
 def winding_turns(moves: Moves, start: np.ndarray, end: np.ndarray, sense: np.ndarray) -> np.ndarray:
-    """Find where each further turn of the windings begins: where phi reaches the next multiple of 2 pi.
+    """Return where each turn of the windings after the first begins: where phi reaches the next multiple of 2 pi.
 
     Parameters
     ----------
@@ -203,19 +203,21 @@ def winding_turns(moves: Moves, start: np.ndarray, end: np.ndarray, sense: np.nd
     start, end : (w,) int
         The windings are the moves start[i] .. end[i] - 1.
     sense : (w,) float
-        +1 where the winding goes counter-clockwise, -1 where clockwise.
+        +1 for a counter-clockwise winding, -1 for a clockwise one.
 
     Returns
     -------
     (t,) int
-        First move of every turn but the first. A turn counts once phi has reached it: turning back at a concave corner
-        and on again begins no new turn.
+        First move of every turn but the first of each winding. Each multiple of 2 pi counts once: a concave corner, at
+        which phi falls and rises again, does not begin another turn.
     """
     size = end - start
     of = np.repeat(np.arange(len(start)), size)
     own = np.arange(len(of)) + np.repeat(start - np.concatenate([[0], np.cumsum(size)[:-1]]), size)
     climb = (moves.phi[own] - moves.phi[start][of]) * sense[of]
-    above = of * (np.ptp(climb) + TURN)  # sets each winding above all before it: the running maximum starts anew
+    above = of * (
+        np.ptp(climb) + TURN
+    )  # an offset per winding, so that the running maximum starts again at each winding
     level = np.floor((np.maximum.accumulate(climb + above) - above + TURNS.EXACT) * (1 / TURN))
     result: np.ndarray = own[np.flatnonzero((level[1:] > level[:-1]) & (of[1:] == of[:-1])) + 1]
     return result

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The cutting moves that have a direction, split into monotonous areas (paper, section 2.1), and what they measure."""
+"""The cutting moves that have a direction, split into monotonous areas (paper, section 2.1), and their measures."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from vkworkbench.core.paper.plane import plane_of_toolpath
 from vkworkbench.core.paper.thresholds import MOVES, TURNS
 from vkworkbench.core.toolpath import Toolpath
 
-MEASURES, SPARE = 10, 10  # rows of the block that holds what is measured of moves, and rows to spare
+MEASURES, SPARE = 10, 10  # rows of the block for the measures of moves, and spare rows
 
 
 @dataclass
@@ -31,14 +31,14 @@ class Moves:
     alpha : (m,) float
         Direction, rad.
     turning : (m,) float
-        Turn at the start of the move, rad in [-pi, pi]; 0 at the start of an area; of a turn without a sign, by how
-        much it is off half a turn.
+        Turn at the start of the move, rad in [-pi, pi]; 0 at the start of an area. For a half turn without a sign, its
+        difference from half a turn.
     phi : (m,) float
-        Cumulative angular function of each area, rad, 0 at its first move, without the half turns that have no sign.
+        Cumulative angular function of each area, rad: 0 at its first move, half turns without a sign left out.
     start : (a,) int
         First move of each area.
     unsigned, reversals : (u,) and (r,) int
-        Moves that begin with a half turn: within rounding (TURNS.UNSIGNED), and exactly. Such a turn has no sign.
+        Moves that begin with a half turn within rounding (TURNS.UNSIGNED), and with an exact one (TURNS.EXACT).
     holes : (h,) int
         Last trajectory of each drilled hole.
     """
@@ -65,7 +65,7 @@ class Moves:
 
     @cached_property
     def phi_extent(self) -> np.ndarray:
-        """From the lowest to the highest phi of each area, (a,) rad."""
+        """Difference between the highest and the lowest phi of each area, (a,) rad."""
         extent: np.ndarray = np.maximum.reduceat(self.phi, self.start) - np.minimum.reduceat(self.phi, self.start)
         return extent
 
@@ -110,12 +110,12 @@ def cutting_moves(toolpath: Toolpath, first: int, end: int) -> Moves:
 
 
 class _Steps:
-    """The trajectories first .. end - 1 of a toolpath in the working plane: their points (n+1,) and what leads on (n,).
+    """The trajectories first .. end - 1 of a toolpath in the working plane: points (n+1,), differences and lengths (n,).
 
-    One block for all measures, and in place wherever that is possible: with this many moves the time goes into memory,
-    not arithmetic. Many arrays that come and go make the system map the same pages again and again. The rows to spare
-    are never touched: C libraries keep free memory of up to twice the largest block they gave out (glibc's dynamic
-    M_TRIM_THRESHOLD), and so what is measured later finds pages that are mapped.
+    All measures share one block of memory and are computed in place if possible, because memory takes more time here
+    than arithmetic: for many short-lived arrays the system maps the same pages again and again. The spare rows are never
+    touched. They make the block larger, and glibc keeps free memory of up to twice the largest block that it allocated
+    (its dynamic M_TRIM_THRESHOLD), so that later measures find mapped pages.
     """
 
     def __init__(self, toolpath: Toolpath, first: int, end: int) -> None:
@@ -130,18 +130,18 @@ class _Steps:
         np.sqrt(self.length, out=self.length)
 
     def spare_rows(self, count: int) -> np.ndarray:
-        """Return the rows for what is measured of `count` moves: alpha, turning and phi, (3, count)."""
+        """Return the rows for alpha, turning and phi of `count` moves, (3, count)."""
         return self._block[7:MEASURES, :count]
 
     def goes_on(self, one: np.ndarray, two: np.ndarray) -> np.ndarray:
-        """Tell where trajectories two (k,) have the direction of trajectories one (k,), (k,) bool."""
+        """Return whether trajectories `two` (k,) have nearly the direction of trajectories `one` (k,), (k,) bool."""
         dx, dy, length = self.dx, self.dy, self.length
         onward: np.ndarray = dx[two] * dx[one] + dy[two] * dy[one] > MOVES.ONWARD * length[two] * length[one]
         return onward
 
 
 def turned(alpha: np.ndarray, start: np.ndarray, turning: np.ndarray, phi: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Put the turns between moves into `turning`, and phi of every area into `phi`; both as in :class:`Moves`.
+    """Compute the turns between moves and phi of every area, both as in :class:`Moves`.
 
     Parameters
     ----------
@@ -150,7 +150,7 @@ def turned(alpha: np.ndarray, start: np.ndarray, turning: np.ndarray, phi: np.nd
     start : (a,) int
         First move of each area.
     turning, phi : (m,) float
-        Where to put them.
+        Memory for the results.
 
     Returns
     -------
@@ -160,7 +160,7 @@ def turned(alpha: np.ndarray, start: np.ndarray, turning: np.ndarray, phi: np.nd
     scratch = phi[1:]
     turns(alpha, out=turning[1:], scratch=scratch)
     turning[start] = 0.0
-    # A turn of pi has no sign: it is listed in `unsigned`, and phi has only what it is off pi.
+    # A half turn has no sign: its index goes to `unsigned`, and phi counts only its difference from pi.
     unsigned = np.flatnonzero(np.abs(turning[1:], out=scratch) > np.pi - TURNS.UNSIGNED) + 1
     reversals = unsigned[phi[unsigned] > np.pi - TURNS.EXACT]
     turning[unsigned] -= np.copysign(np.pi, turning[unsigned])
@@ -171,7 +171,7 @@ def turned(alpha: np.ndarray, start: np.ndarray, turning: np.ndarray, phi: np.nd
 
 
 def _drop_noise(planar: np.ndarray, length: np.ndarray) -> None:
-    """Unmark very short moves beside long ones: they are rounding, their direction is noise."""
+    """Unmark very short moves beside long ones: rounding made them, and their direction is noise."""
     short = np.flatnonzero(planar & (length < MOVES.NOISE))
     if not len(short):
         return
@@ -183,8 +183,8 @@ def _drop_noise(planar: np.ndarray, length: np.ndarray) -> None:
 def _split(steps: _Steps, planar: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """Return the trajectories of the planar moves and the first move of each area.
 
-    Areas end at rapids, plunges and lifts. A height change between two moves of one direction is a wall the
-    tool climbs in the middle of a pass (3D rasters), not the end of the pass.
+    Areas end at rapids, plunges and lifts. A height change between two moves of one direction does not end an area:
+    the tool climbs a wall in the middle of a pass, as in 3D rasters.
     """
     index = np.flatnonzero(planar)
     if len(index) == len(planar):
@@ -204,11 +204,11 @@ def _split(steps: _Steps, planar: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
 def _without_air(
     steps: _Steps, planar: np.ndarray, index: np.ndarray, start: np.ndarray
 ) -> tuple[np.ndarray, np.ndarray]:
-    """Leave out the links in the air of programs that lift, traverse and plunge at feed instead of rapid.
+    """Remove links in the air from programs that lift, traverse and plunge at feed instead of rapid.
 
-    Such a link is straight and horizontal, begins by a lift and ends by a plunge; at the ends of a program one of
-    the two is enough, also where the tool is lifted at feed behind the last one, and beside a rapid at the top height,
-    where some posts write rapids as fast feeds.
+    A link in the air is straight and horizontal, and lies between a lift and a plunge. One of the two is enough at the
+    start and the end of a program, also if the program ends with a lift at feed, and beside a rapid at the top height,
+    because some posts write rapids as fast feeds.
     """
     if not len(start) or len(index) == len(planar):
         return index, start
@@ -225,16 +225,16 @@ def _without_air(
     lifted = rises | (a == 0) | (top & rapid[a - 1])
     plunges = falls | (b == end - 1) | (top & rapid[np.minimum(b + 1, len(rapid) - 1)])
     air = horizontal & steps.goes_on(b, a) & lifted & plunges
-    # A plateau between walls is no link: it goes on in the direction of the lower pass beside it.
+    # A plateau between walls is not a link: it has the direction of the lower pass beside it.
     before, after = b[:-1], a[1:]
     onward = steps.goes_on(before, after)
-    # At the top between two rapids there is none: a post has written a rapid as a feed, wherever it leads.
+    # A move at the top height between two rapids is not a plateau: a post wrote a rapid as a feed, in any direction.
     fast = top & (a > 0) & rapid[a - 1] & rapid[np.minimum(b + 1, len(rapid) - 1)]
     air[1:] &= fast[1:] | ~(onward & (z[before + 1] < z[after] - MOVES.STILL))
     air[:-1] &= fast[:-1] | ~(onward & (z[after] < z[before + 1] - MOVES.STILL))
     air &= rises | falls
     several = np.flatnonzero(air & (last > start))
-    if len(several):  # rows begin and end by parallel moves, too
+    if len(several):  # rows, too, begin and end with parallel moves: require a straight area
         ways = np.column_stack([a[several], b[several] + 1]).ravel()
         x, y, way = (np.add.reduceat(v, ways[ways < len(v)])[::2] for v in (steps.dx, steps.dy, length))
         air[several] = np.hypot(x, y) > MOVES.ONWARD * way
@@ -247,9 +247,9 @@ def _without_air(
 
 
 def _holes(steps: _Steps, planar: np.ndarray) -> np.ndarray:
-    """Return the last trajectory of every drilled hole: a plunge, where nothing is milled between two rapids.
+    """Return the last trajectory of every drilled hole, a plunge between two rapids without a move along the plane.
 
-    Pecks into one hole count once. Plunges beside moves along the plane (walls, lead-ins) are no holes.
+    Pecks into one hole count once. Plunges beside moves along the plane are walls and lead-ins, not holes.
     """
     down = np.flatnonzero(~steps.rapid & (steps.length <= MOVES.STILL) & (steps.dz < -MOVES.STILL))
     if not len(down):

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What the picture of the method is drawn from: areas seen in their plane, and arcs on the Gauss map."""
+"""Lines for the picture of the method: the areas in their working plane, and arcs on the Gauss map."""
 
 from __future__ import annotations
 
@@ -9,8 +9,8 @@ from vkworkbench.core.paper.areas import Areas
 from vkworkbench.core.paper.directions import turns
 from vkworkbench.core.paper.thresholds import TURNS
 
-_ARC_STEP = np.radians(4)  # an arc is drawn with chords this wide at most
-_NO_TURN = 1e-6  # rad; the image does not move
+_ARC_STEP = np.radians(4)  # largest angle of a chord that an arc is drawn with
+_NO_TURN = 1e-6  # rad; below it, the image stands still
 
 
 def outline(areas: Areas) -> np.ndarray:
@@ -23,7 +23,7 @@ def outline(areas: Areas) -> np.ndarray:
 
 
 def links(areas: Areas) -> np.ndarray:
-    """Return how the tool gets from each area to the next, a row of NaN after each link, (3 (a-1), 2) mm."""
+    """Return straight links from each area to the next, a row of NaN after each link, (3 (a-1), 2) mm."""
     found = np.full((3 * max(len(areas.start) - 1, 0), 2), np.nan)
     end_x, end_y = _ends(areas)
     found[0::3] = np.column_stack([end_x[:-1], end_y[:-1]])
@@ -32,7 +32,7 @@ def links(areas: Areas) -> np.ndarray:
 
 
 def _ends(areas: Areas) -> tuple[np.ndarray, np.ndarray]:
-    """Where each area ends, (a,) and (a,) mm."""
+    """Return x and y of the end of each area, (a,) and (a,) mm."""
     last = areas.end - 1
     return areas.x[last] + areas.dx[last], areas.y[last] + areas.dy[last]
 
@@ -40,7 +40,7 @@ def _ends(areas: Areas) -> tuple[np.ndarray, np.ndarray]:
 def turns_of(angle: np.ndarray) -> np.ndarray:
     """Return the turns of an image between successive angles, (n,) -> (n-1,) rad.
 
-    Each goes the shorter way round; exactly half a turn has no sense of rotation and is NaN.
+    Each turn is the shorter one of the two; an exact half turn has no sense of rotation and is NaN.
     """
     turned = turns(angle)
     turned[np.abs(turned) > np.pi - TURNS.EXACT] = np.nan
@@ -48,20 +48,20 @@ def turns_of(angle: np.ndarray) -> np.ndarray:
 
 
 def image_arcs(angle: np.ndarray, radius: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Draw how an image moves on the Gauss map, by sense of rotation.
+    """Return the arcs along which an image moves on the Gauss map, by sense of rotation.
 
     Parameters
     ----------
     angle : (n,) array_like of float
-        Where the image is, rad.
+        Angle of the image, rad.
     radius : (n,) array_like of float
-        At which distance from the centre to draw it: where it goes to and fro on the same arc of the unit circle,
-        different radii keep the arcs apart.
+        Distance from the centre at which the image is drawn. Different radii keep arcs apart if the image moves back
+        and forth on the same arc of the unit circle.
 
     Returns
     -------
     counter_clockwise, clockwise : (p, 2) and (q, 2) float64
-        Points of the arcs, a row of NaN after each arc. Half turns exactly are in neither.
+        Points of the arcs, a row of NaN after each arc. Neither contains the exact half turns.
     """
     angle, radius = np.asarray(angle, float), np.asarray(radius, float)
     turned = turns_of(angle)
@@ -85,14 +85,14 @@ def _arcs(angle: np.ndarray, radius: np.ndarray, turned: np.ndarray, chosen: np.
 def thinned(values: np.ndarray, count: int) -> np.ndarray:
     """Return indices of at most 4 * `count` values whose graph looks like that of all values.
 
-    The values are cut into `count` stretches; of each the first, least, greatest and last are kept.
+    The values are divided into `count` stretches. The first, least, greatest and last value of each stretch is kept.
     """
     n = len(values)
     if n <= 4 * count:
         return np.arange(n)
     edges = np.arange(count + 1) * n // count
     kept = [edges[:-1], edges[1:] - 1]
-    # Stretches made equally long by repeating their last index: one argmin does them all.
+    # Repeating the last index makes all stretches equally long, so that one argmin serves all of them.
     width = int(np.diff(edges).max())
     index = np.minimum(edges[:-1, None] + np.arange(width), edges[1:, None] - 1)
     block = np.asarray(values)[index]
@@ -102,7 +102,9 @@ def thinned(values: np.ndarray, count: int) -> np.ndarray:
 
 
 def overlapping(points: np.ndarray, lower: np.ndarray, upper: np.ndarray) -> np.ndarray:
-    """Return the segments of a polyline whose boxes overlap a window, (m,) int64; segment i joins points i and i + 1.
+    """Return the segments of a polyline whose boxes overlap a window, (m,) int64.
+
+    Segment i joins points i and i + 1.
 
     Parameters
     ----------
@@ -112,25 +114,25 @@ def overlapping(points: np.ndarray, lower: np.ndarray, upper: np.ndarray) -> np.
         Corners of the window.
     """
     a, b = points[:-1], points[1:]
-    inside = (np.minimum(a, b) <= upper) & (np.maximum(a, b) >= lower)  # False of NaN
+    inside = (np.minimum(a, b) <= upper) & (np.maximum(a, b) >= lower)  # False for NaN
     return np.flatnonzero(inside.all(axis=1))
 
 
 def distinct(points: np.ndarray, segments: np.ndarray, *, cells: int, most: int) -> np.ndarray:
-    """Return the segments of a polyline that can be told apart on a picture.
+    """Return the segments of a polyline that look different on a picture.
 
-    A segment that joins the same two cells as one before it is left out. So thousands of rows on a few hundred pixels
-    are as many segments as there are pixels.
+    A segment that joins the same two cells as an earlier segment is left out, so that thousands of rows on a few hundred
+    pixels become at most a few hundred segments.
 
     Parameters
     ----------
     points : (n+1, 2) or (n+1, 3) float
     segments : (s,) int64
-        Those to choose from; segment i joins points i and i + 1, which are not NaN.
+        Segments to choose from; segment i joins points i and i + 1, which are not NaN.
     cells : int
-        Width of the picture in cells, up to 1000 in the plane and 200 in space; fewer where the segments are many.
+        Width of the picture in cells, at most 1000 in the plane and 200 in space; halved while too many segments remain.
     most : int
-        How many segments there may be; fewer than these are all returned.
+        Largest number of segments to return; if there are no more, all are returned.
 
     Returns
     -------
@@ -155,17 +157,17 @@ def distinct(points: np.ndarray, segments: np.ndarray, *, cells: int, most: int)
 
 
 def proof(areas: Areas, first: int, last: int, *, around: bool) -> int:
-    """Return the index of the area that shows best why an operation has its strategy.
+    """Return the index of the area that best shows why an operation has its strategy.
 
     Parameters
     ----------
     areas : Areas
-        With one area at least.
+        At least one area.
     first, last : int
         The trajectories that follow the strategy, last inclusive.
     around : bool
-        Whether it is a strategy of loops: phi decides, and the area is shown in which it goes farthest, of equal ones
-        the longest. Of others the longest is.
+        Whether the strategy consists of loops. If so, the area with the largest absolute phi is returned, and the longest
+        one of several. For other strategies, the longest area is returned.
     """
     begin = areas.index[areas.start]
     inside = np.flatnonzero((begin >= first) & (begin <= last))

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The working plane: the coordinate plane that a motion lies in."""
+"""The working plane of a motion: XY, ZX or YZ."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ XY, ZX, YZ = (PLANE_AXES[number] for number in (17, 18, 19))
 
 
 def plane_of_points(points: np.ndarray) -> tuple[int, ...]:
-    """Return the axes of the plane that a polyline lies in: XY, unless X or Y never changes while Z does.
+    """Return the axes of the plane of a polyline and its normal: XY, unless only one of X and Y changes, and Z does.
 
     Parameters
     ----------
@@ -26,10 +26,10 @@ def plane_of_points(points: np.ndarray) -> tuple[int, ...]:
 
 
 def plane_of_toolpath(points: np.ndarray, rapid: np.ndarray) -> tuple[int, ...]:
-    """Return the axes of the plane that a toolpath cuts in, and of its normal.
+    """Return the axes of the working plane of a toolpath and of its normal.
 
-    XY, unless the path stays in a vertical plane and slopes in it (contouring in G18): in XY all its rows would lie
-    on one line. A slot cut at several depths by horizontal passes and vertical plunges stays in XY.
+    The plane is XY, unless the path stays in a vertical plane and slopes in it (contouring in G18): seen in XY, all its
+    rows would lie on one line. A slot cut at several depths by horizontal passes and vertical plunges stays in XY.
 
     Parameters
     ----------

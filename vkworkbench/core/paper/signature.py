@@ -31,8 +31,8 @@ def signature(points: np.ndarray) -> Signature:
     Parameters
     ----------
     points : (n+1, 2) or (n+1, 3) array_like of float
-        Vertices. A polyline in space is seen in the coordinate plane its motion lies in: XY, unless X or Y
-        never changes while Z does (then ZX or YZ).
+        Vertices. A polyline in space is projected to the coordinate plane of its motion: XY, unless X or Y
+        never changes while Z does (then YZ or ZX).
 
     Returns
     -------
@@ -41,7 +41,7 @@ def signature(points: np.ndarray) -> Signature:
     Raises
     ------
     ValueError
-        If `points` has another shape or holds a value that is no finite number.
+        If `points` has another shape or contains a value that is not a finite number.
 
     Examples
     --------
@@ -56,7 +56,7 @@ def signature(points: np.ndarray) -> Signature:
         raise ValueError("points must be finite numbers")
     x, y = (points[:, axis] for axis in plane_of_points(points)[:2])
     dx, dy = x[1:] - x[:-1], y[1:] - y[:-1]
-    # The work is done in few arrays: for a long path, allocating memory takes most of the time.
+    # Few arrays are used: for a long path, allocating memory takes most of the time.
     squares = dx * dx
     squares += dy * dy
     alpha = directions(dx, dy)
@@ -93,28 +93,27 @@ class Signature:
     dx, dy : (n,) float64
         The trajectories v_i in the plane, mm.
     alpha : (n,) float64
-        Direction of trajectory v_i, rad in [-pi, pi]; one without length keeps the direction before it.
+        Direction of trajectory v_i, rad in [-pi, pi]; a trajectory without length has the direction of the one before it.
     turning : (n-1,) float64
         Angle delta phi between successive trajectories, wrapped to [-pi, pi] (section 3.2). An exact reversal
-        has no sign of its own: it gets one by which going back and forth never adds up, see
-        :func:`signs_of_reversals`.
+        has no sign of its own: :func:`signs_of_reversals` chooses signs with which moves back and forth do not add up.
     phi : (n,) float64
         Cumulative angular function, rad; phi[0] = 0.
     unsigned, reversals : (u,) and (r,) int64
-        Indices into `turning` of the turns without a sign: half turns within rounding, and exact ones. Of a polyline
-        that is given by its points both are the exact ones.
+        Indices into `turning` of the half turns, which have no sign: those within rounding, and the exact ones. For a
+        polyline given by its points both are the exact ones.
     closed : bool
-        Whether the polyline ends where it began; one given by its points, to a millionth of its size.
+        Whether the polyline ends where it began; if given by its points, to a millionth of its size.
     total_turning : float
-        Phi after the whole traversal, rad: a closed polyline's last exterior angle included. +2 pi for a simple closed
-        counter-clockwise polygon, -2 pi for a clockwise one (section 3.2). Of offset loops that are linked, phi at the
-        end of the last of them, with its closing turn.
+        Phi after the whole traversal, rad, including the last exterior angle of a closed polyline: +2 pi for a simple
+        closed counter-clockwise polygon, -2 pi for a clockwise one (section 3.2). For linked offset loops, phi at the
+        end of the last loop, with its closing turn.
     level : (n,) int64
         n, the integer part of phi / 2 pi, truncated toward zero.
     length : (n,) float64
         Length of V_k, the sum of the first k trajectories.
     theta : (n,) float64
-        Direction of V_k, rad in [-pi, pi]; where V_k is 0, back at the first point, that before it.
+        Direction of V_k, rad in [-pi, pi]; if V_k is 0, because the path is back at its first point, the direction before.
     theta_level : (n,) float64
         theta + n 2 pi (section 3.1).
     """
@@ -137,7 +136,7 @@ class Signature:
 
     @cached_property
     def vertices(self) -> np.ndarray:
-        """The polyline in its plane, (n+1, 2) mm."""
+        """Vertices of the polyline in its plane, (n+1, 2) mm."""
         points = np.empty((len(self) + min(len(self), 1), 2))
         for column, start, step in zip(points.T, (self.x, self.y), (self.dx, self.dy)):
             column[: len(self)] = start
@@ -164,7 +163,7 @@ class Signature:
 
     @cached_property
     def theta(self) -> np.ndarray:
-        """(n,) angles of V_k to the X axis, within -pi..pi, rad (section 3.1); where V_k has no length, the last one."""
+        """(n,) angles of V_k to the X axis, rad in [-pi, pi] (section 3.1); the last one if V_k has no length."""
         x, y = self._v
         theta = directions(x, y)
         near = np.flatnonzero((x < NO_LENGTH) & (x > -NO_LENGTH))
@@ -187,20 +186,10 @@ class Signature:
         """The level n farthest from zero, closing turns included."""
         return top_level(self.phi_range)
 
-    @cached_property
-    def phi_interval(self) -> tuple[np.ndarray, np.ndarray]:
-        """Phi with every turn without a sign counted as -pi, and as +pi, both (n,): what is true of both is certain."""
-        signed = self.turning.copy()
-        signed[self.unsigned] -= np.copysign(np.pi, signed[self.unsigned])
-        doubt = np.zeros(len(self))
-        doubt[self.unsigned + 1] = np.pi
-        steady = np.concatenate([np.zeros(min(len(self), 1)), np.cumsum(signed)])
-        return steady - np.cumsum(doubt), steady + np.cumsum(doubt)
-
     def gauss_map(self) -> tuple[np.ndarray, np.ndarray]:
         """Return the Gaussian images on the unit circle of the trajectories and of V_k, both (n, 2).
 
-        The tips of the unit tangents are taken (section 2.2); for plane curves they are as good as normals.
+        The images are the tips of the unit tangents (section 2.2); for plane curves, normals give the same map, rotated.
         """
         return _on_circle(self.alpha), _on_circle(self.theta)
 
@@ -210,7 +199,7 @@ def _on_circle(angle: np.ndarray) -> np.ndarray:
 
 
 def _carry_directions(alpha: np.ndarray, still: np.ndarray) -> None:
-    """Give the trajectories without length, (s,) int, the direction before them, at the beginning the one after them."""
+    """Give each trajectory without length, (s,) int, the direction before it, or after it at the beginning."""
     if len(still) == len(alpha):
         alpha[:] = 0.0
     elif len(still):
