@@ -133,9 +133,9 @@ def test_columns_are_chosen_in_a_menu(panel, opened, window):
     named = ["Simulate Toolpaths", *(user().simulator(name) for name in ("legacy", *(["OpenGL"] if OPENGL else [])))]
     assert titles(panel)[:6] == [*FIRST[:4], "State", "Warnings"]
     assert titles(panel)[6:] == [
-        "Simulation time at most", "Sure", "Moves", "Length",
-        *(f"{name} {what}" for name in named for what in ("time", "memory")),
-        "Recommended image",
+        "Simulation Time at Most", "Confidence", "Moves", "Length",
+        *(f"{name} {what}" for name in named for what in ("Time", "Memory")),
+        "Recommended Image",
     ]  # fmt: skip
     own = user().simulator(freecad.own_simulator())
     assert column(panel, "Simulation Time") == column(panel, f"{own} Time")
@@ -308,7 +308,7 @@ def test_click_on_a_title_sorts_within_the_job(panel, opened, window):
     second = labels(panel)
     assert first[0] == second[0] == "Job"
     assert {tuple(first[1:]), tuple(second[1:])} == {tuple(rising), tuple(reversed(rising))}
-    posted = next(action for action in panel.columns.actions() if "posted" in action.text())
+    posted = next(action for action in panel.columns.actions() if "Posted" in action.text())
     posted.trigger()
     assert labels(panel)[1:] == [o.label for o in operations]
 
@@ -349,12 +349,12 @@ def test_page_has_the_papers_terms_behind_why(panel, opened, window):
     (found,) = [o for o in vkworkbench.analyze(opened).operations if o.label == "Bore"]
     assert ("φ" not in text_of(panel) and "going down" in text_of(panel).lower()) or "descending" in text_of(panel)
     panel.details.anchorClicked.emit(QtCore.QUrl("why"))
-    assert found.reason.replace("phi", "φ") in text_of(panel)
+    assert found.reason.replace("Phi", "φ") in text_of(panel)
     assert "Recommended" not in text_of(panel)
     panel.details.anchorClicked.emit(QtCore.QUrl("numbers"))
     assert re.search(r"Recommended image: [\d,]+ × [\d,]+ pixels", text_of(panel))  # as its column has it
     length = user().length(found.length)
-    assert f"Cutting {length}" in text_of(panel).replace("\n", " ") and text_of(panel).count(length) == 1
+    assert f"Cutting Length {length}" in text_of(panel).replace("\n", " ") and text_of(panel).count(length) == 1
     shortest = user().measure(found.machining.shortest, 3)
     assert f"Shortest Move at Feed {shortest}" in text_of(panel).replace("\n", " ")
     window.see_all()

@@ -194,7 +194,7 @@ def test_click_in_the_time_line_highlights_the_cut(whole_from_above, window):
     assert player.moment.noticed == number == player.moment.done - 1 and not player.moment.plays
     lit = (player.view._scene.image.astype(int) - player.view._scene.image.max(axis=-1, keepdims=True))[..., 2]
     assert (lit < -100).any()  # less blue than red: the colour of a highlighted cut
-    assert "removes" in player.play_bar.text.text()
+    assert "Removed: " in player.play_bar.text.text()
     window.screenshot("simulation-lit")
 
 

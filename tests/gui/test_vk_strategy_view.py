@@ -294,7 +294,7 @@ def test_cancelled_drawing_ends_its_thread(long, window, monkeypatch):
     window.wait(lambda: threading.active_count() > before)
     busy = strategy_view._drawer.busy
     window.wait(busy.isVisible)
-    assert "operations to go" in busy.label.text()
+    assert "operations left" in busy.label.text()
     window.screenshot("strategies-busy")
     window.click_on(busy.button)
     assert not strategy_view.is_shown(long) and not strategy_view.is_drawing() and not busy.isVisible()
