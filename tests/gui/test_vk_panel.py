@@ -669,7 +669,7 @@ def test_rows_follow_the_document(panel, opened, window):
     window.wait(lambda: column(panel, "State")["Top"] == "outdated" == column(panel, "State")["Job"])
     assert shown(panel) == [*FIRST[:4], "State", "Warnings"]
     click_row(window, panel, "Top")
-    assert "Outdated" in text_of(panel)
+    assert "outdated" in text_of(panel)
     opened.removeObject(top.Name)
     window.wait(lambda: "Top" not in labels(panel))
     other = FreeCAD.newDocument("Other")
@@ -722,7 +722,7 @@ def test_total_of_selected_operations_says_so(opened, window):
     window.wait(lambda: dock(window) is not None and dock(window).isVisible())
     window.dismiss()
     assert column(dock(window), "Strategy")["Job"] == f"1 of {posted} operations"
-    assert "not of the whole job" in column(dock(window), "Warnings")["Job"]
+    assert "This total covers the analyzed operations only." in column(dock(window), "Warnings")["Job"]
 
 
 @pytest.mark.parametrize(
@@ -872,7 +872,7 @@ def test_page_says_what_to_do_without_a_document(window):
     window.activate("VkWorkbench")
     window.click("Toolpath Results")
     window.wait(lambda: dock(window) is not None and dock(window).isVisible())
-    window.wait(lambda: text_of(dock(window)).startswith("Nothing is analyzed yet"))
+    window.wait(lambda: text_of(dock(window)).startswith("Nothing is analyzed in this document yet"))
     FreeCAD.closeDocument(document.Name)
     window.wait(lambda: text_of(dock(window)).startswith("No document is open."))
     dock(window).hide()

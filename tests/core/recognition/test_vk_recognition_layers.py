@@ -61,7 +61,7 @@ NAMES = [f"{strategy.value} after a {entry}" for _, strategy, entry in CASES]
 def test_the_pattern_decides_and_the_entry_is_told_beside_it(commands, strategy, entry):
     found = recognize(linearize(commands), tool_diameter=4.0)
     assert (found.strategy, found.entry) == (strategy, entry), found.reason
-    assert f", entered by a {entry.replace('zigzag ramp', 'ramp to and fro')}" in found.reason
+    assert f" The tool enters on a {entry.replace('zigzag ramp', 'ramp that goes back and forth')}." in found.reason
 
 
 @pytest.mark.parametrize("commands, strategy, entry", CASES, ids=NAMES)

@@ -284,7 +284,7 @@ def test_many_holes_or_other_tool_are_own_operation(drilled, change, program):
     found = recognize(linearize(beside(drilled, change)), tool_diameter=TOOL, program=program)
     assert found.strategy is Strategy.MIXED
     assert [s.strategy for s in found.spans] == [Strategy.CONTOUR_PARALLEL, Strategy.DRILLING]
-    assert found.reason.endswith("retracts or drilling show contour-parallel, drilling: mixed")
+    assert found.reason.endswith("retracts or drilling, show contour-parallel, drilling: mixed.")
 
 
 def with_a_contour(pattern, share, *before):

@@ -43,7 +43,7 @@ def holes(count, up="G0", across="G0"):
 def test_a_lathes_roughing_is_unknown_and_the_reason_says_why(passes, quick):
     found = recognize(linearize(turning(passes, quick=quick)))
     assert found.strategy is Strategy.UNKNOWN
-    assert "as a lathe makes them" in found.reason
+    assert "as on a lathe" in found.reason
 
 
 @pytest.mark.parametrize(
