@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The paper, numpy only: from commands to trajectories, signature, strategy and cost; the names that stay stable.
+"""The paper's method with numpy only: commands, trajectories, signature, strategy and cost. These names are stable.
 
-Each room below has a face, its ``__init__``; nobody imports past it.
+Other packages import each folder's public names from its ``__init__``, never from the files inside.
 """
 
 from vkworkbench.core.gcode import linearize

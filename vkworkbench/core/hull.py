@@ -1,19 +1,19 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The convex hull of points in the plane: what is seen of a solid stock, and of a tool."""
+"""The convex hull of points in the plane: the outline of a convex stock, or of a tool, in an image."""
 
 from __future__ import annotations
 
 
 def convex_hull(points: list[list[float]]) -> list[list[float]]:
-    """Corners of the convex hull of points in the plane, counter-clockwise (Andrew 1979)."""
+    """Return the corners of the convex hull of points in the plane, counter-clockwise (Andrew 1979)."""
     points = sorted(points)
     hull: list[list[float]] = []
     for chain in (points, points[::-1]):
         begin = len(hull)
-        for p in chain:
-            while len(hull) - begin >= 2 and _turn(hull[-2], hull[-1], p) <= 0:
+        for point in chain:
+            while len(hull) - begin >= 2 and _turn(hull[-2], hull[-1], point) <= 0:
                 hull.pop()
-            hull.append(p)
+            hull.append(point)
         hull.pop()
     return hull
 

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Lengths, depth and machining time of one operation.
 
-FreeCAD's own ``Path.Length`` and ``CycleTime`` take the centre of an arc for an absolute position and are
-wrong for every arc, so nothing here uses them.
+FreeCAD's ``Path.Length`` and ``CycleTime`` read the centre of an arc as an absolute position and are wrong for every
+arc, so this module does not use them.
 """
 
 from __future__ import annotations
@@ -18,24 +18,24 @@ from vkworkbench.language import Message, render
 
 @dataclass(frozen=True)
 class Machining:
-    """What machining one operation takes.
+    """Lengths, depth and time of machining one operation.
 
     Attributes
     ----------
     cutting_length, rapid_length : float
-        Exact lengths of the tool tip's way at feed and in rapids, mm.
+        Exact lengths of the tool tip's path at feed and in rapids, mm.
     lowest : float or None
-        Lowest height the tool tip reaches at feed, mm; None where nothing cuts.
+        Lowest height of the tool tip at feed, mm; None if nothing cuts.
     depth : float or None
-        How far that is below the top of the stock, mm, at least 0; None where either is unknown.
+        Distance of `lowest` below the top of the stock, mm, at least 0; None if one of the two is unknown.
     cutting_seconds, rapid_seconds : float or None
-        Time of the moves whose speed is known; None where no speed at all is known. Moves at constant feed:
-        no acceleration, no dwell, no tool change.
+        Time of the moves whose speed is known, s; None if no speed is known. The moves have a constant feed:
+        acceleration, dwells and tool changes are left out.
     left_out : tuple of Message
-        What the times leave out; empty when they are complete.
+        Reasons why the times are incomplete; empty if they are complete.
     shortest, median : float or None
-        Way of the tool tip at feed during one command, mm, the shortest and the median: tiny ones tell of a program that is
-        chopped into too many lines. None where nothing cuts.
+        Shortest and median path length of one command at feed, mm: a program that is divided into too many lines has
+        tiny ones. None if nothing cuts.
     """
 
     cutting_length: float
@@ -50,27 +50,27 @@ class Machining:
 
     @property
     def complete(self) -> bool:
-        """Whether the time is that of all moves; else it is the least that they take."""
+        """Whether the time includes all moves; if not, it is a lower bound."""
         return not self.left_out
 
     @property
     def notes(self) -> tuple[str, ...]:
-        """What the times leave out in English, one sentence without a full stop each."""
+        """Reasons why the times are incomplete in English, one sentence without a full stop each."""
         return tuple(map(render, self.left_out))
 
     @property
     def seconds(self) -> float | None:
-        """Cutting and rapid time together, s; None where the cutting time is unknown."""
+        """Sum of cutting and rapid time, s; None if the cutting time is unknown."""
         if self.cutting_seconds is None:
             return None
         return self.cutting_seconds + (self.rapid_seconds or 0.0)
 
 
 def exact_lengths(toolpath: Toolpath) -> np.ndarray:
-    """Length of every trajectory, along the arc or helix where it is a chord of one.
+    """Return the length of every trajectory; for a chord of an arc or helix, the length along the curve.
 
-    A chord of length c in the working plane that stands for the angle s lies on the radius c / (2 sin(s/2));
-    with the rise h along the plane's normal its helix is sqrt((r s)^2 + h^2) long.
+    A chord with length c in the working plane and sweep s belongs to an arc of radius r = c / (2 sin(s/2)); with the
+    rise h along the plane's normal, the piece of the helix is sqrt((r s)^2 + h^2) long.
 
     Parameters
     ----------
@@ -85,7 +85,7 @@ def exact_lengths(toolpath: Toolpath) -> np.ndarray:
     Raises
     ------
     TypeError
-        If `toolpath` is something else.
+        If `toolpath` is not a Toolpath.
     """
     check_toolpath(toolpath)
     moves = np.diff(toolpath.points, axis=0)
@@ -105,7 +105,7 @@ def exact_lengths(toolpath: Toolpath) -> np.ndarray:
 
 
 def trajectory_seconds(toolpath: Toolpath, *, horizontal_rapid: float = 0.0, vertical_rapid: float = 0.0) -> np.ndarray:
-    """Time of every trajectory at constant feed, (n,) float64 s; not a number where its speed is unknown.
+    """Return the time of every trajectory at constant feed, (n,) float64 s; NaN if its speed is unknown.
 
     Parameters
     ----------
@@ -116,7 +116,7 @@ def trajectory_seconds(toolpath: Toolpath, *, horizontal_rapid: float = 0.0, ver
     Raises
     ------
     ValueError, TypeError
-        Likewise.
+        As for :func:`machining`.
     """
     check_toolpath(toolpath)
     horizontal_rapid, vertical_rapid = _rapids(horizontal_rapid, vertical_rapid)
@@ -133,24 +133,24 @@ def _rapids(horizontal_rapid: object, vertical_rapid: object) -> tuple[float, fl
 
 
 def _speeds(toolpath: Toolpath, horizontal_rapid: float, vertical_rapid: float) -> np.ndarray:
-    """Speed of every trajectory, (n,) mm/s; 0 where it is unknown."""
+    """Return the speed of every trajectory, (n,) mm/s; 0 if it is unknown."""
     rapid: np.ndarray = np.where(_upright(toolpath), vertical_rapid, horizontal_rapid)
     return np.where(toolpath.rapid, rapid, toolpath.feed)
 
 
 def _timed(moves: np.ndarray, lengths: np.ndarray, speed: np.ndarray) -> tuple[float, float | None, float, int]:
-    """Measure some moves, (n,) bool.
+    """Measure the moves selected by `moves`, (n,) bool.
 
     Returns
     -------
     length : float
         mm.
     seconds : float or None
-        Time of those whose speed is known; None where that of none is.
+        Time of the moves whose speed is known, s; None if all speeds are unknown.
     untimed : float
-        Length of the others, mm.
+        Length of the moves whose speed is unknown, mm.
     missing : int
-        Their number.
+        Number of moves whose speed is unknown.
     """
     timed = moves & (speed > 0)
     length, missing = float(lengths[moves].sum()), int((moves & ~timed).sum())
@@ -159,7 +159,7 @@ def _timed(moves: np.ndarray, lengths: np.ndarray, speed: np.ndarray) -> tuple[f
 
 
 def _rapids_untimed(length: float, names: list[str], controller: bool) -> Message:
-    """Say why rapids have no time: the names are those of their speeds that are not set."""
+    """Return the message that says why rapids have no time; `names` are the rapid speeds that are not set."""
     if not controller:
         return Message("rapids-without-controller", length=length)
     if len(names) == 1:
@@ -168,7 +168,7 @@ def _rapids_untimed(length: float, names: list[str], controller: bool) -> Messag
 
 
 def _upright(toolpath: Toolpath) -> np.ndarray:
-    """Which trajectories go straight up or down, (n,) bool."""
+    """Return whether each trajectory is vertical, (n,) bool."""
     points = toolpath.points
     result: np.ndarray = (np.abs(points[1:, 0] - points[:-1, 0]) < 1e-6) & (
         np.abs(points[1:, 1] - points[:-1, 1]) < 1e-6
@@ -184,17 +184,17 @@ def machining(
     controller: bool = True,
     top: float | None = None,
 ) -> Machining:
-    """Measure one operation.
+    """Return lengths, depth and time of one operation.
 
     Parameters
     ----------
     toolpath : Toolpath
         The trajectories, feeds in mm/s.
     horizontal_rapid, vertical_rapid : float
-        The tool controller's HorizRapid and VertRapid, mm/s; 0 (FreeCAD's default) where unknown. A rapid
-        straight up or down runs at the vertical one, any other at the horizontal one.
+        The tool controller's HorizRapid and VertRapid, mm/s; 0 (FreeCAD's default) if unknown. Vertical
+        rapids have the vertical speed, all other rapids the horizontal one.
     controller : bool
-        Whether there is a tool controller, which could say them.
+        Whether the operation has a tool controller, where the user can set the speeds.
     top : float, optional
         Height of the stock's top, mm.
 
@@ -207,7 +207,7 @@ def machining(
     ValueError
         For a negative or non-finite rapid speed.
     TypeError
-        If `toolpath` is something else, or a speed or `top` nothing like a number.
+        If `toolpath` is not a Toolpath, or a speed or `top` is not a number.
     """
     check_toolpath(toolpath)
     horizontal_rapid, vertical_rapid = _rapids(horizontal_rapid, vertical_rapid)

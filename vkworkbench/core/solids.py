@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Raw material as a box, and where rays are inside of a solid."""
+"""Raw material as a box, and the stretches of rays inside a solid."""
 
 from __future__ import annotations
 
@@ -15,11 +15,11 @@ from vkworkbench.core.view import Frame
 from vkworkbench.given import numbers
 from vkworkbench.language import Message, Unusable
 
-SMALLEST = 1e-6  # mm; no document keeps less
+SMALLEST = 1e-6  # smallest side of a stock, mm: documents keep six decimals
 
 
 def point(name: str, given: object) -> np.ndarray:
-    """Return a point that was given, (3,) float64 of its own; see `given.number`."""
+    """Return a copy of a given point, (3,) float64; see `given.number` for the errors."""
     takes = "three numbers, the coordinates of a point in mm"
     return np.array(numbers(name, given, takes, lambda array: array.size == 3)).reshape(3)
 
@@ -41,14 +41,14 @@ class Gaps(NamedTuple):
 
 
 class Spans(NamedTuple):
-    """Where rays are inside a solid.
+    """The stretches of rays inside a solid.
 
     Attributes
     ----------
     near, far : (k,) ndarray
-        Depths at which each ray first enters and last leaves it, mm; ``near >= far`` where it misses.
+        Depths at which each ray first enters and last leaves the solid, mm; ``near >= far`` if it misses.
     gaps : Gaps
-        What lies outside in between.
+        Stretches outside the solid between `near` and `far`.
     """
 
     near: np.ndarray
@@ -57,7 +57,7 @@ class Spans(NamedTuple):
 
 
 class Convex:
-    """A convex solid within half-spaces, ``normals @ point <= offsets``; what the rays need of any stock."""
+    """A convex solid, bounded by half-spaces ``normals @ point <= offsets``; the interface of all convex stocks."""
 
     normals: np.ndarray
     offsets: np.ndarray
@@ -66,7 +66,7 @@ class Convex:
     upper: np.ndarray
 
     def chords(self, origins: np.ndarray, direction: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        """Where rays enter and leave the solid.
+        """Return where rays enter and leave the solid.
 
         Parameters
         ----------
@@ -78,12 +78,12 @@ class Convex:
         Returns
         -------
         near, far : (k,) ndarray
-            Signed distances from the origins, mm; ``near >= far`` where a ray misses the solid.
+            Signed distances from the origins, mm; ``near >= far`` if a ray misses the solid.
         """
         raise NotImplementedError
 
     def spans(self, frame: Frame, x: np.ndarray, y: np.ndarray) -> Spans:
-        """Where rays of a view are inside the solid.
+        """Return the stretches of rays of a view inside the solid.
 
         Parameters
         ----------
@@ -101,14 +101,14 @@ class Stock(Convex):
     Parameters
     ----------
     lower, upper : (3,) array_like
-        Its lowest and its highest corner, mm.
+        Lowest and highest corner, mm.
 
     Raises
     ------
     Unusable
         If a coordinate is not finite or beyond a kilometre, or the box has no volume.
     ValueError, TypeError
-        If a corner is no three numbers.
+        If a corner is not three numbers.
     """
 
     def __init__(self, lower: Sequence[float] | np.ndarray, upper: Sequence[float] | np.ndarray) -> None:
@@ -142,14 +142,14 @@ class Stock(Convex):
 
 
 def stock_around(toolpath: Toolpath, tool: Tool) -> Stock:
-    """Return the box around all cuts of a tool, up to the highest: a stand-in where the stock is unknown.
+    """Return the box around all cuts of a tool, up to the highest: a substitute for an unknown stock.
 
     Raises
     ------
     ValueError
-        Where nothing cuts.
+        If nothing cuts.
     TypeError
-        Where toolpath or tool is something else.
+        If `toolpath` is not a Toolpath or `tool` not a Tool.
     """
     check_toolpath(toolpath)
     check_tool(tool)

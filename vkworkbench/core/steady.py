@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""How long pieces of work take, measured again and again until it is steady."""
+"""The time that pieces of work take, measured repeatedly until it is steady."""
 
 from __future__ import annotations
 
@@ -11,10 +11,10 @@ import numpy as np
 
 from vkworkbench.given import of_kind, whole
 
-# A time is steady once the shortest was taken, within so much, so many times.
+# A time is steady once _TIMES measurements are at most _EQUAL times the shortest one.
 _EQUAL, _TIMES = 1.05, 3
 
-# The processor's time where it is fine enough: on Windows it advances in steps of 16 ms.
+# The processor's time, except on Windows, where it advances in steps of 16 ms.
 processor_clock: Callable[[], float] = time.perf_counter if os.name == "nt" else time.process_time
 
 
@@ -25,18 +25,18 @@ def steady_seconds(
     clock: Callable[[], float] = processor_clock,
     going_on: Callable[[], object] = lambda: None,
 ) -> np.ndarray:
-    """Time pieces of work, each until it took its shortest time, within 5 %, three times.
+    """Time each piece of work until its shortest time was repeated, within 5 %, three times in all.
 
-    What else the computer does makes a piece slower only, so the shortest time is the true one; that it comes again
-    tells that it was not the least slow of slow moments. The pieces take turns: a busy moment spoils one time of each.
+    Other work of the computer can only slow a piece down, so the shortest time is the best estimate. Its repetition
+    shows that the computer was idle. The pieces take turns, so that a busy moment spoils only one time of each piece.
 
     Parameters
     ----------
     pieces : sequence of callable
     most : int
-        How often a piece is timed at most.
+        Largest number of measurements of a piece.
     clock : callable
-        Tells the time, s.
+        Returns the time, s.
     going_on : callable
         Called before each piece, outside the times; it may raise to end the measurement.
 
@@ -48,7 +48,7 @@ def steady_seconds(
     Raises
     ------
     ValueError, TypeError
-        If `most` is no whole number of at least 1, or what is to be called is nothing that can be.
+        If `most` is not a whole number of at least 1, or `clock` or `going_on` is not callable.
     """
     most = whole("most", most, "a whole number of at least 1", lambda n: n >= 1)
     for name, given in (("clock", clock), ("going_on", going_on)):

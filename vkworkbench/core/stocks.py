@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Raw material, and models, that are no boxes: upright cylinders, and closed meshes of triangles."""
+"""Raw material and models of other shapes than a box: upright cylinders, and closed meshes of triangles."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from vkworkbench.core.view import Frame, View
 from vkworkbench.given import number, numbers, of_kind
 from vkworkbench.language import Message, Unusable
 
-# Corners of a mesh this close, mm, are one.
+# Grid to which corners of a mesh are rounded before equal ones are merged, mm.
 _SAME = 1e-6
 _AROUND = 64
 
@@ -40,9 +40,9 @@ class Cylinder(Convex):
     Raises
     ------
     Unusable
-        If a number is not finite, it reaches beyond a kilometre, or it has no volume.
+        If a number is not finite, or the cylinder reaches beyond a kilometre or has no volume.
     ValueError, TypeError
-        If `base` is no three numbers, or a length no number.
+        If `base` is not three numbers, or a length is not a number.
     """
 
     def __init__(self, base: np.ndarray, radius: float, height: float) -> None:
@@ -83,22 +83,22 @@ class Cylinder(Convex):
 
 
 class Mesh:
-    """A solid bounded by triangles, with holes and undercuts as it has them.
+    """A solid bounded by triangles; holes and undercuts are allowed.
 
-    Inside is where a ray has crossed the triangles an odd number of times (even-odd rule); which way round their
-    corners go does not matter.
+    A point is inside if a ray to it has crossed an odd number of triangles (even-odd rule), so the order of a triangle's
+    corners does not matter.
 
     Parameters
     ----------
     triangles : (t, 3, 3) array_like
-        Their corners, mm, rounded to 1e-6 mm where it is asked which are one.
+        Corners of each triangle, mm; corners that are equal when rounded to 1e-6 mm are merged.
 
     Attributes
     ----------
     lower, upper : (3,) ndarray
         Corners of the bounding box, mm; `normals` and `offsets` are that box's.
     corners : (c, 3) ndarray
-        All corners of triangles.
+        Distinct corners.
     triangles : (t, 3) ndarray of int
         Positions in `corners`.
 
@@ -107,7 +107,7 @@ class Mesh:
     Unusable
         If a coordinate is not finite, the triangles do not close, or all of them are lines and points.
     ValueError, TypeError
-        If they are no triples of points.
+        If `triangles` is not an array of triples of points.
     """
 
     def __init__(self, triangles: np.ndarray) -> None:
@@ -135,9 +135,9 @@ class Mesh:
 
 
 def _distinct(rows: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Where each different row of whole numbers stands first, in their order, and the number of each row among them.
+    """Return the first position of each distinct row of integers, in sorted order, and each row's index among them.
 
-    As `np.unique` of rows tells it, which takes several times as long.
+    The result is that of `np.unique` with `axis=0`, which takes several times as long.
     """
     order = np.lexsort(rows.T[::-1])
     new = np.ones(len(rows), bool)
@@ -148,7 +148,7 @@ def _distinct(rows: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
 
 
 class _SeenMesh:
-    """A mesh as an image sees it: each triangle's corners sorted from the lowest in the image to the highest."""
+    """A mesh in the coordinates of an image, with each triangle's corners sorted from the lowest to the highest."""
 
     def __init__(self, mesh: Mesh, frame: Frame) -> None:
         axes = np.array([frame.right, frame.up, frame.direction])
@@ -167,16 +167,16 @@ class _SeenMesh:
         first = np.flatnonzero(np.diff(ray, prepend=-1))
         end = np.append(first[1:], len(ray))[: len(first)]
         near[ray[first]], far[ray[first]] = depth[first], depth[end - 1]
-        # Every second stretch of a ray is outside.
+        # Every second stretch of a ray is outside the solid.
         number = np.arange(len(ray)) - np.repeat(first, end - first)
         outside = np.flatnonzero((number[:-1] % 2 == 1) & (ray[1:] == ray[:-1]))
         return Spans(near, far, Gaps(ray[outside], depth[outside], depth[outside + 1]))
 
     def _crossings(self, x: np.ndarray, y: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        """Rays and the depths at which they cross triangles, in no order.
+        """Return rays and the depths at which they cross triangles, unordered.
 
-        Row by row of rays: where two edges of a triangle cross the row, the rays from the one to the other cross the
-        triangle. An edge is computed alike in both its triangles, so that no ray slips through between them.
+        Rays are treated row by row: two edges of a triangle cross the row, and the rays between the two crossings cross
+        the triangle. Both triangles of an edge compute its crossing in the same way, so that no ray passes between them.
         """
         if len(x) == 0:
             return np.empty(0, np.int64), np.empty(0)
@@ -194,7 +194,7 @@ class _SeenMesh:
         upper = at >= b[1]
         there = _crossed(a, c, at)
         here = np.where(upper, _crossed(b, c, at), _crossed(a, b, at))
-        # Each row's rays lie on a stretch of their own of one common axis.
+        # All rows are put on one axis, each on a stretch of its own, so that one search serves all rows.
         left, right = x.min() - 1, x.max() + 1
         places = x[order] + row_of_ray * (right - left)
         low, high = np.clip(np.minimum(here, there), left, right), np.clip(np.maximum(here, there), left, right)
@@ -210,20 +210,20 @@ class _SeenMesh:
         slope[:, upright] = 0
         a, slope = a[:, pair], slope[:, pair]
         depth = a[2] + slope[0] * (x[ray] - a[0]) + slope[1] * (y[ray] - a[1])
-        # Triangles seen nearly edge-on are steep: rounding must not lead out of them.
+        # Triangles seen nearly edge-on are steep: without the limits, rounding would put the depth outside the triangle.
         ends = a[2], b[2, pair], c[2, pair]
         return ray, np.clip(depth, np.minimum.reduce(ends), np.maximum.reduce(ends))
 
 
 def _crossed(lower: np.ndarray, upper: np.ndarray, at: np.ndarray) -> np.ndarray:
-    """Where edges from `lower` to `upper` (3, k) cross the rows `at` (k,): image coordinate x."""
+    """Return the image coordinate x (k,) at which edges from `lower` to `upper` (3, k) cross the rows `at` (k,)."""
     rise = upper[1] - lower[1]
     share = (upper[0] - lower[0]) / np.where(rise > 0, rise, 1)
     result: np.ndarray = lower[0] + (at - lower[1]) * share
     return result
 
 
-# What a stock or a model may be.
+# The types of stocks and models.
 Solid = Union[Convex, Mesh]
 
 
@@ -233,7 +233,7 @@ def fitted(view: View, stock: Solid) -> Frame:
     Raises
     ------
     TypeError
-        Where they are something else, as a document's stock and the name of a direction are.
+        If `view` is not a View, or `stock` is not a solid, such as a stock object of a document.
     """
     of_kind("view", view, View, "a View(direction, width, height, ...)")
     of_kind("stock", stock, (Convex, Mesh), "a solid: a Stock(lower, upper), a Cylinder or a Mesh")
@@ -241,11 +241,11 @@ def fitted(view: View, stock: Solid) -> Frame:
 
 
 def spans_in(solid: Solid, frame: Frame) -> Callable[[np.ndarray, np.ndarray], Spans]:
-    """Return `solid.spans` for many calls of one frame: the triangles of a mesh are sorted for all of them."""
+    """Return `solid.spans` for many calls with one frame: the triangles of a mesh are sorted only once."""
     return _SeenMesh(solid, frame).spans if isinstance(solid, Mesh) else partial(solid.spans, frame)
 
 
 def is_same(one: Solid, other: Solid) -> bool:
-    """Whether two solids are the same to the last bit."""
+    """Return whether two solids are equal to the last bit."""
     mine, others = vars(one), vars(other)
     return one is other or (type(one) is type(other) and all(np.array_equal(mine[name], others[name]) for name in mine))

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The machining strategies that can be recognised: one table, one entry each."""
+"""The table of the machining strategies that can be recognised."""
 
 from __future__ import annotations
 
@@ -20,23 +20,22 @@ class Family(str, enum.Enum):
 
 
 class Strategy(str, enum.Enum):
-    """What one operation does, told from its toolpath alone.
+    """The strategy of one operation, recognised from its toolpath alone.
 
-    An entry has all that is shown of one strategy. Its section in docs/recognition.md has its value as anchor.
+    An entry has everything that the window shows of a strategy. Its value is its anchor in docs/recognition.md.
 
     Attributes
     ----------
     value : str
         Stable: it is stored in documents and read by macros.
     label : str
-        Its name for a person, in English; translated in the context "Strategy".
+        English name for the user; translated in the context "Strategy".
     about : str
-        What it is, in one sentence.
+        Explanation in one sentence.
     family : Family
     color : str
-        Its colour wherever it is shown, ``"#rrggbb"``. All have the same relative luminance, 0.17 (WCAG 2.1): white
-        text on them has a contrast above 4.5, and they stand out from light and from dark windows alike. A colour never
-        stands alone: there is always the name.
+        Colour, ``"#rrggbb"``. All colours have the relative luminance 0.17 (WCAG 2.1): white text on them has a
+        contrast above 4.5, and they are visible on light and dark windows. A colour never appears without the name.
     """
 
     label: str
@@ -109,5 +108,5 @@ class Strategy(str, enum.Enum):
 
     @property
     def is_answer(self) -> bool:
-        """bool : whether it says what the operation does, so that one can ask how sure that is."""
+        """Whether the strategy is a positive answer, for which a confidence is meaningful."""
         return self not in (Strategy.UNKNOWN, Strategy.EMPTY)

@@ -26,7 +26,7 @@ _SIZES = {
 class Tool:
     """A milling tool or drill: a convex solid of revolution, upright, its tip at the programmed point.
 
-    The shank above the cutting edge cuts like the edge: the solid is unbounded upwards.
+    The solid is unbounded upwards: the shank above the cutting edge is treated as part of the edge.
 
     Parameters
     ----------
@@ -37,7 +37,7 @@ class Tool:
     corner_radius : float
         Radius of a bull-nose mill's corner, mm; 0 makes it flat, half the diameter makes it a ball.
     tip_angle : float, optional
-        Included angle of a V-bit's or a drill's tip, rad; 60 and 118 degrees where not given.
+        Included angle of a V-bit's or a drill's tip, rad; by default 60 and 118 degrees.
     tip_diameter : float
         Diameter of the flat end of a V-bit's cone, mm: chamfer mills and engravers have one.
 
@@ -47,9 +47,9 @@ class Tool:
         For a diameter that is not a positive number of at most a kilometre, a corner radius above half the diameter,
         a tip angle outside ]0, pi], or a tip that is wider than the tool.
     ValueError
-        For an unknown shape, or a text that is no number.
+        For an unknown shape, or a text that is not a number.
     TypeError
-        Where a size is nothing like a number. (FreeCAD's quantities are numbers, in mm.)
+        If a size is not a number. (FreeCAD's quantities are accepted, in mm.)
     """
 
     shape: str
@@ -64,7 +64,7 @@ class Tool:
         for name, takes in _SIZES.items():
             given = getattr(self, name)
             if given is not None or name != "tip_angle":
-                # A quantity of FreeCAD's cannot be reckoned with; which numbers fit is said in the user's language below.
+                # FreeCAD's quantities become plain numbers here. The messages below reject unusable numbers.
                 object.__setattr__(self, name, number(name, given, takes))
         if not 0 < self.diameter <= COORDINATE_LIMIT:
             raise Unusable(Message("tool-diameter", diameter=self.diameter))
@@ -82,24 +82,24 @@ class Tool:
 
     @property
     def rounding(self) -> float:
-        """Radius of the rounded corner, mm: the whole radius for a ball end, 0 where there is none."""
+        """Radius of the rounded corner, mm: the whole radius for a ball end, 0 without a rounded corner."""
         return {"ballend": self.radius, "bullnose": self.corner_radius}.get(self.shape, 0.0)
 
     @property
     def steepness(self) -> float:
-        """Rise of the conical tip per mm of radius; 0 where there is no cone."""
+        """Rise of the conical tip per mm of radius; 0 without a cone."""
         if self.shape not in _DEFAULT_TIP_ANGLE:
             return 0.0
         angle = self.tip_angle if self.tip_angle is not None else _DEFAULT_TIP_ANGLE[self.shape]
-        return 1 / tan(angle / 2) if angle < pi else 0.0  # of which rounding would leave a cone
+        return 1 / tan(angle / 2) if angle < pi else 0.0  # at pi, rounding would leave a cone
 
     @property
     def tip(self) -> float:
-        """Radius within which a conical tip is flat, mm; 0 where there is no cone."""
+        """Radius within which a conical tip is flat, mm; 0 without a cone."""
         return self.tip_diameter / 2 if self.steepness else 0.0
 
     def height(self, r: np.ndarray | float) -> np.ndarray:
-        """Height of the tool's lower surface above its tip.
+        """Return the height of the tool's lower surface above its tip.
 
         Parameters
         ----------
@@ -115,7 +115,7 @@ class Tool:
         return np.where(r <= self.radius, self.profile(r), np.inf)
 
     def profile(self, r: np.ndarray) -> np.ndarray:
-        """`height` at distances of which rounding may have made more than the radius: there it is that of the rim."""
+        """Return the height of the lower surface at distances `r`, mm; beyond the radius, as by rounding, that of the rim."""
         corner = self.rounding
         flat, width = (self.radius - corner, corner) if corner else (self.tip, self.radius - self.tip)
         beyond_flat = np.minimum(np.maximum(r - flat, 0.0), width)
@@ -124,7 +124,7 @@ class Tool:
 
 
 def check_tool(given: object) -> None:
-    """Say what a tool is where something else is given, as a diameter is.
+    """Raise an error that says what a tool is, unless a Tool is given.
 
     Raises
     ------

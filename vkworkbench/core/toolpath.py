@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The linearised trajectories of one operation: what every later step reads."""
+"""The linearised trajectories of one operation."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ import numpy as np
 from vkworkbench.given import number, numbers, of_kind
 from vkworkbench.language import Message, render
 
-# mm. No milling machine goes beyond a kilometre: such a number is an error, and would overflow later.
+# mm. No milling machine reaches beyond a kilometre: a larger number is an error, and would overflow later.
 COORDINATE_LIMIT = 1e6
 
 # The two axes of each working plane, G17, G18 and G19, and its normal, right-handed.
@@ -30,11 +30,11 @@ class Problem:
     command : int
         Index of the first source command concerned.
     what : Message
-        What could not be used, and what was done instead.
+        The part that could not be used, and what was done instead.
     count : int
-        How many commands are concerned.
+        Number of commands concerned.
     commands : (count,) int64
-        All of them, where it is one of time; else empty.
+        All commands concerned if the problem affects the machining time; otherwise empty.
     """
 
     command: int
@@ -44,12 +44,15 @@ class Problem:
 
     @classmethod
     def at(cls, commands: Sequence[int] | np.ndarray, what: Message) -> Problem:
-        """Return the problem of these commands, one at least, in their order."""
+        """Return the problem `what` of one or more commands in ascending order."""
         problem = cls(int(commands[0]), what, len(commands))
         return replace(problem, commands=np.asarray(commands, np.int64)) if problem.takes_time else problem
 
     def within(self, first: float, end: float) -> Problem | None:
-        """Return what commands first .. end - 1 have of it, None where they have nothing; all of it is its first command's but for time."""
+        """Return the part of the problem that concerns commands first .. end - 1, or None.
+
+        Only a problem that affects the machining time is divided; any other belongs to its first command.
+        """
         if not self.takes_time:
             return self if first <= self.command < end else None
         commands = self.commands[(first <= self.commands) & (self.commands < end)]
@@ -57,22 +60,22 @@ class Problem:
 
     @property
     def message(self) -> str:
-        """What it is in English, a sentence without a full stop, e.g. ``"the unknown code 'G999' is ignored"``."""
+        """The problem in English, a sentence without a full stop, e.g. ``"the unknown code 'G999' is ignored"``."""
         return render(self.what)
 
     @property
     def of_time(self) -> bool:
-        """Whether only the machining time lacks it: nothing is wrong with the tool's way."""
+        """Whether only the machining time is affected, and not the tool's path."""
         return self.what.code in _OF_TIME
 
     @property
     def takes_time(self) -> bool:
-        """Whether the machining time lacks it."""
+        """Whether the machining time is affected."""
         return self.of_time or self.what.code in _TAKES_TIME
 
     @property
     def remark(self) -> Message:
-        """The problem as a message with its first command and how many commands are concerned."""
+        """The problem as a message with its first command and the number of commands concerned."""
         return Message("in-commands", sentence=self.what, count=self.count, command=self.command + 1)
 
     def __str__(self) -> str:
@@ -89,13 +92,13 @@ class Toolpath:
     Attributes
     ----------
     points : (n+1, 3) float64
-        Positions of the tool tip, mm; (0, 3) where there is no position at all.
+        Positions of the tool tip, mm; (0, 3) if the program has no position.
     rapid : (n,) bool
         True for positioning moves (G0 and the rapid parts of canned cycles).
     command : (n,) int64
         Index of the source command of each trajectory.
     feed : (n,) float64
-        Feed rate in mm/s; 0 for rapids and where none was given.
+        Feed rate in mm/s; 0 for rapids, and if the program gives none.
     sweep : (n,) float64
         For a chord of an arc its share of the arc's exact sweep, rad, counter-clockwise positive
         seen along the plane's normal; 0 for lines.
@@ -106,11 +109,11 @@ class Toolpath:
     commands : int
         Number of source commands, comments included.
     tool_changes : (m,) int64
-        Trajectory index before which each tool change (M6) stands, 0..n.
+        Index of the trajectory after each tool change (M6), 0..n.
     comments : tuple of (int, str)
-        Program comments as (trajectory index before which it stands, text without parentheses).
+        Program comments as (index of the next trajectory, text without parentheses).
     problems : tuple of Problem
-        What could not be used; empty for a sound program.
+        Problems of the program; empty if all of it could be used.
     """
 
     points: np.ndarray
@@ -132,14 +135,14 @@ class Toolpath:
         Parameters
         ----------
         points : (n+1, 3) array_like
-            mm; none is where the one before it is.
+            mm; each point differs from the point before it.
         feed : float
             mm/s.
 
         Raises
         ------
         ValueError, TypeError
-            Where they are something else.
+            If `points` is not an array of (n+1, 3) numbers, or `feed` is not a number.
         """
         takes = "an array of (n+1, 3) numbers of mm"
         points = np.array(numbers("points", points, takes, lambda array: array.size % 3 == 0)).reshape(-1, 3)
@@ -184,7 +187,7 @@ class Toolpath:
 
 
 def check_toolpath(given: object) -> None:
-    """Say what a toolpath is where something else is given, as commands are.
+    """Raise an error that says what a toolpath is, unless a Toolpath is given.
 
     Raises
     ------

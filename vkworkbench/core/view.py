@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The parallel view of a simulation: an image of rays, fitted to what is seen."""
+"""The parallel view of a simulation: an image of rays, fitted to the stock."""
 
 from __future__ import annotations
 
@@ -11,8 +11,8 @@ import numpy as np
 
 from vkworkbench.given import number, numbers, positive, whole
 
-# A view tilted by less than this, rad, is vertical: it shows nothing else, a camera's rounding would tell which side of the
-# image is up, and rays so steep pass the walls of tools where rounding decides.
+# Largest tilt of a vertical view, rad. With a smaller tilt the image does not differ visibly, a camera's rounding would
+# decide which side of the image is up, and rounding would decide where rays pass the walls of tools.
 VERTICAL = 1e-5
 
 
@@ -30,20 +30,20 @@ class View:
     Parameters
     ----------
     direction : (3,) tuple of float
-        Where the eye looks, of any length but zero; the default looks down from above.
+        Direction in which the eye looks, of any length but zero; the default is straight down.
     width, height : int
         Size of the image, pixels. The default is the paper's image (section 1).
     pixel : float, optional
-        Side of a pixel, mm; by default the smallest with which the image holds the whole stock.
+        Side of a pixel, mm; by default the smallest one with which the image shows the whole stock.
     offset : (2,) tuple of float
-        Where the image's centre lies from that of the stock, mm to the right and up.
+        Position of the image's centre relative to the stock's centre, mm to the right and up.
 
     Raises
     ------
     ValueError
-        If the direction has no length, the image no pixels or a pixel no side, or where a text is no number.
+        If the direction has no length, a size is not positive, or a text is not a number.
     TypeError
-        If width or height is no whole number, as ``160 / 0.5`` is none, or something else is nothing like numbers.
+        If `width` or `height` is not an integer (``160 / 0.5`` is a float), or another value is not a number.
     """
 
     direction: tuple[float, float, float] = (0.0, 0.0, -1.0)
@@ -64,12 +64,12 @@ class View:
         set_to("offset", tuple(offset.tolist()))
 
     def of_size(self, width: int, height: int) -> View:
-        """Return what is seen in an image of another size: where the pixel is set, it holds no less."""
+        """Return the view with an image of another size; a fixed pixel is enlarged so that the image shows at least as much."""
         pixel = self.pixel and self.pixel * wider_pixel(self, width, height)
         return replace(self, width=width, height=height, pixel=pixel)
 
     def frame(self, stock: Bounded) -> Frame:
-        """Return the image's axes, centre and pixel for this stock."""
+        """Return the view fitted to a stock: the image's axes, centre and pixel."""
         direction = np.array(self.direction) / np.linalg.norm(self.direction)
         sine = np.hypot(direction[0], direction[1])
         if sine < VERTICAL:
@@ -89,7 +89,7 @@ class View:
 
 
 def wider_pixel(image: View | Frame, width: int, height: int) -> float:
-    """Return how many times as wide a pixel is in an image of another size that shows no less."""
+    """Return the factor by which a pixel grows so that an image of another size shows at least as much."""
     return max(image.width / width, image.height / height)
 
 
@@ -108,7 +108,7 @@ class Frame:
     Attributes
     ----------
     centre, right, up, direction : (3,) ndarray
-        Centre of the image, as deep as that of the stock's bounding box, and the image's orthonormal axes.
+        Centre of the image, at the depth of the centre of the stock's bounding box, and the image's orthonormal axes.
     pixel : float
         Side of a pixel, mm.
     width, height : int

@@ -103,8 +103,9 @@ def signs_of_reversals(
 def total_turns(phi: np.ndarray, closing: np.ndarray, last: np.ndarray, half: float) -> np.ndarray:
     """Return phi after the closing turn of closed paths, (k,) rad.
 
-    A closing turn of half a turn has no sign either. It goes on where signs alternate. Where none do, at the tip of a
-    lead that is travelled in and out, phi comes as close to one turn as it can.
+    A closing half turn has no sign either. If the half turns of the path have alternating signs, its sign alternates as
+    well. If not, as at the tip of a lead that is travelled in and out, its sign brings phi as close as possible to one
+    full turn.
 
     Parameters
     ----------

@@ -113,7 +113,7 @@ class Signature:
     length : (n,) float64
         Length of V_k, the sum of the first k trajectories.
     theta : (n,) float64
-        Direction of V_k, rad in [-pi, pi]; if V_k is 0, because the path is back at its first point, the direction before.
+        Direction of V_k, rad in [-pi, pi]; if V_k is 0, the direction of the previous V_k.
     theta_level : (n,) float64
         theta + n 2 pi (section 3.1).
     """

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""From depths and owners to what a person sees.
+"""Images of the simulated part, from its depths and owners.
 
-In: `Picture` and `Frame` of the z-buffer. Out: images (height, width, 3) of uint8, row 0 at the top; where points of
-the space lie in them; the image as a PNG file.
+Input: `Picture` and `Frame` of the z-buffer. Output: images (height, width, 3) of uint8 with row 0 at the top, positions
+of points in the image, and the image as a PNG file.
 """
 
 from vkworkbench.core.rendering.camera import direction_of, project, turned

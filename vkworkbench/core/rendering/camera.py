@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Where the eye looks, and where points of the space lie in its image."""
+"""The direction of the view, and the positions of points in its image."""
 
 from __future__ import annotations
 
@@ -9,19 +9,19 @@ import numpy as np
 
 from vkworkbench.core.view import VERTICAL, Frame
 
-# As near to the vertical as turning comes: there the image would have no upright.
+# Steepest view that turning can reach, rad: a vertical view has no upright direction.
 _STEEPEST = pi / 2 - 1e-3
 
 
 def turned(direction: tuple[float, float, float], across: float, up: float) -> tuple[float, float, float]:
-    """Turn the view about the vertical and towards it, as a turntable.
+    """Return the direction of the view after turning the part, as on a turntable.
 
     Parameters
     ----------
     direction : (3,) tuple of float
-        Where the eye looks.
+        Direction in which the eye looks.
     across, up : float
-        Angles, rad: the part turns to the right, and its front up.
+        Angles by which the part turns to the right and its front upwards, rad.
 
     Returns
     -------
@@ -30,7 +30,7 @@ def turned(direction: tuple[float, float, float], across: float, up: float) -> t
     """
     x, y, z = direction
     level = hypot(x, y)
-    # From straight above or below the image stands upright with Y up: the eye looks along Y.
+    # In a vertical view, Y points up in the image.
     azimuth = atan2(y, x) if level > VERTICAL * abs(z) else pi / 2
     height = min(max(atan2(z, level) + up, -_STEEPEST), _STEEPEST)
     azimuth -= across
@@ -38,13 +38,13 @@ def turned(direction: tuple[float, float, float], across: float, up: float) -> t
 
 
 def direction_of(quaternion: tuple[float, float, float, float]) -> tuple[float, float, float]:
-    """Return where a camera looks that is turned by a quaternion (x, y, z, w): unturned it looks down."""
+    """Return the direction of a camera with the rotation quaternion (x, y, z, w); without rotation the camera looks down."""
     x, y, z, w = quaternion
     return -2 * (x * z + w * y), -2 * (y * z - w * x), -(1 - 2 * (x * x + y * y))
 
 
 def project(points: np.ndarray, frame: Frame) -> np.ndarray:
-    """Return where points lie in the image.
+    """Return the positions of points in the image.
 
     Parameters
     ----------

@@ -7,35 +7,35 @@ import colorsys
 
 import numpy as np
 
-# From a deviation that is just one to the largest told apart: what is gouged, and what is left.
+# Colours of gouges and of excess stock, from the tolerance to DEEPEST times the tolerance.
 GOUGED = np.array([(244, 166, 154), (214, 39, 40), (120, 0, 20)], np.uint8)
 LEFT = np.array([(158, 202, 241), (49, 110, 214), (10, 30, 120)], np.uint8)
-# Where the model is met, and where there is none.
+# Colours of surfaces within the tolerance, and of pixels without a model.
 MET, NO_MODEL = (214, 219, 208), (150, 146, 138)
-# The largest deviation told apart is so many times the tolerance.
+# Deviation with the darkest colour, as a multiple of the tolerance.
 DEEPEST = 10.0
 
-# Red, green and blue from the least to the most, at equal distances: dark to bright, so that it reads without colour
-# too. Stations of viridis (van der Walt and Smith 2015).
+# Colours of the scale at equal distances, from the least to the most: dark to bright, so that the scale is readable
+# without colour vision. Stations of viridis (van der Walt and Smith 2015).
 SCALE = np.array(
     [(68, 1, 84), (72, 40, 120), (62, 74, 137), (49, 104, 142), (38, 130, 142), (31, 158, 137), (53, 183, 121),
      (110, 206, 88), (181, 222, 43), (253, 231, 37)], np.uint8,
 )  # fmt: skip
-# A turn of the hue after which no two of many lie close together: the golden section.
+# Difference between successive hues, in turns: with the golden section, no two of many hues are close.
 _GOLDEN = 0.618033988749895
 
 
-# The raw surface of the stock, and what a tool made of it.
+# Colours of the raw surface of the stock, and of surfaces that a tool cut.
 RAW, CUT = (160, 146, 122), (176, 192, 208)
 
 
 def palette(colors: np.ndarray | tuple[int, int, int]) -> np.ndarray:
-    """Return the colours of surfaces by who made them: the raw stock's first, then each trajectory's.
+    """Return the colours of surfaces by owner: the raw stock's colour, then the colour of each trajectory.
 
     Parameters
     ----------
     colors : (n, 3) or (3,) array_like
-        Of the trajectories' surfaces, 0 to 255.
+        Colours of the surfaces that the trajectories cut, 0 to 255.
 
     Returns
     -------
@@ -52,13 +52,13 @@ def colors_of(owner: np.ndarray, palette: np.ndarray) -> np.ndarray:
     owner : (height, width) int32
         Trajectory that made the surface, -1 for the stock's own.
     palette : (n + 1, 3) or (2, 3) uint8
-        See :func:`palette`; of two colours the second is that of all trajectories.
+        Colours from :func:`palette`; with two colours, all trajectories have the second.
     """
     return palette.take(owner + 1, axis=0, mode="clip")
 
 
 def distinct_colors(count: int) -> np.ndarray:
-    """Return so many colours that neighbours in the list differ well, (count, 3) uint8."""
+    """Return `count` colours, neighbours in the list clearly different, (count, 3) uint8."""
     hues = 0.58 + _GOLDEN * np.arange(count)  # in turns
     colors = [[round(255 * part) for part in colorsys.hls_to_rgb(hue, 0.6, 0.55)] for hue in hues]
     return np.array(colors, np.uint8).reshape(-1, 3)
@@ -70,7 +70,7 @@ def scale_colors(values: np.ndarray) -> np.ndarray:
     Parameters
     ----------
     values : (n,) ndarray
-        0 for the least to 1 for the most; not a number counts as 0.
+        0 for the least to 1 for the most; NaN counts as 0.
 
     Returns
     -------
@@ -80,16 +80,16 @@ def scale_colors(values: np.ndarray) -> np.ndarray:
 
 
 def difference_colors(left: np.ndarray, gouged: np.ndarray, model: np.ndarray, tolerance: float) -> np.ndarray:
-    """Return the colours of a surface by how far it is from the model's, the shape of `left` and 3, uint8.
+    """Return the colours of a surface by its distance from the model, uint8 with the shape of `left` and 3.
 
     Parameters
     ----------
     left, gouged : ndarray
-        How much is left above the model and cut below it, mm, at least 0.
+        Heights of the excess stock above the model and of the gouge below it, mm, at least 0.
     model : ndarray of bool
-        Where the model is seen; elsewhere, what is left is that of its holes.
+        Whether a pixel shows the model; elsewhere `left` is the excess stock in holes of the model.
     tolerance : float
-        What is no deviation yet, mm; `DEEPEST` times as much has the darkest colour.
+        Largest height that does not count as a deviation, mm; `DEEPEST` times the tolerance has the darkest colour.
     """
     colors = np.where(model[..., None], np.array(MET, np.uint8), np.array(NO_MODEL, np.uint8))
     for amount, stations in ((left, LEFT), (gouged, GOUGED)):
@@ -99,6 +99,6 @@ def difference_colors(left: np.ndarray, gouged: np.ndarray, model: np.ndarray, t
 
 
 def _between(stations: np.ndarray, shares: np.ndarray) -> np.ndarray:
-    """Colours between stations, at shares from 0 to 1 of the way; beyond, those at the ends."""
+    """Return the colours between stations at shares from 0 to 1 of the scale; shares beyond get the end colours."""
     at, numbers = shares * (len(stations) - 1), np.arange(len(stations))
     return np.stack([np.interp(at, numbers, stations[:, channel]) for channel in range(3)], axis=-1).astype(np.uint8)

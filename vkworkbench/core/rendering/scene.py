@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What is to be seen of a simulation at a moment: the part, chips on it or alone, by owners' or pixels' colours."""
+"""The picture of a simulation at one moment: the part, chips on the part, or chips alone."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from vkworkbench.core.rendering.palettes import CUT, colors_of, palette
 from vkworkbench.core.rendering.shading import BACKGROUND, shade
 from vkworkbench.core.zbuffer import ZBuffer
 
-# What is to be noticed.
+# Colour of highlighted surfaces.
 LIT = np.array((255, 170, 40), np.uint8)
 
 
@@ -22,9 +22,9 @@ class Scene:
     Attributes
     ----------
     depth : (height, width) float32
-        mm, row 0 below; not a number where nothing is seen.
+        mm, row 0 below; NaN where the image is empty.
     owner : (height, width) int32
-        Trajectory that made the surface, or cuts the chip, that is seen; -1 for the raw stock.
+        Trajectory that made the visible surface, or that cuts the visible chip; -1 for the raw stock.
     image : (height, width, 3) uint8
         Row 0 at the top.
     """
@@ -43,21 +43,21 @@ def scene(
     lit: tuple[int, int] | None = None,
     background: tuple[int, int, int] = BACKGROUND,
 ) -> Scene:
-    """Return the picture of a simulation at its moment.
+    """Return the picture of a simulation at its current moment.
 
     Parameters
     ----------
     zbuffer : ZBuffer
     colors : (n + 1, 3) or (2, 3), or (height, width, 3) uint8
-        By who made the surface, see `palette`; or of every pixel of the part, row 0 below.
+        Colours by owner, see `palette`; or the colour of every pixel of the part, row 0 below.
     chips : tuple of int, optional
-        Show also what the trajectories from the first to before the second of these remove, wherever it was.
+        Also show the material that the trajectories chips[0] .. chips[1] - 1 remove, in front of the part.
     part : bool
         Whether the part is shown.
     lit : tuple of int, optional
-        Trajectories whose surfaces are to be noticed, likewise.
+        Highlight the surfaces of the trajectories lit[0] .. lit[1] - 1.
     background : tuple of int
-        Where nothing is seen.
+        Colour of empty pixels.
     """
     size = zbuffer.frame.height, zbuffer.frame.width
     by_owner = colors if colors.ndim == 2 else palette(CUT)

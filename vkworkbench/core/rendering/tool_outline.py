@@ -11,18 +11,18 @@ from vkworkbench.core.tool import Tool
 from vkworkbench.core.view import Frame
 
 _AROUND, _ALONG = 32, 7
-# The shank is drawn so many diameters long.
+# Drawn length of the shank, in diameters.
 _LENGTH = 3.0
 
 
 def tool_outline(tool: Tool, tip: np.ndarray, frame: Frame) -> np.ndarray:
-    """Return the tool's outline.
+    """Return the outline of a tool in the image.
 
     Parameters
     ----------
     tool : Tool
     tip : (3,) array_like
-        Where its tip is, mm.
+        Position of the tip, mm.
     frame : Frame
 
     Returns
@@ -30,7 +30,7 @@ def tool_outline(tool: Tool, tip: np.ndarray, frame: Frame) -> np.ndarray:
     (m, 2) ndarray
         Corners of a convex polygon, column and row in pixels from the image's upper left corner.
     """
-    # With those at which the profile has a corner, or a flat ends.
+    # Includes the radii at which the profile has a corner or a flat ends.
     radii = np.union1d(tool.radius * np.sin(np.linspace(0, np.pi / 2, _ALONG)), (tool.tip, tool.radius - tool.rounding))
     heights = tool.height(radii)
     radii, heights = np.append(radii, tool.radius), np.append(heights, heights[-1] + _LENGTH * tool.diameter)
