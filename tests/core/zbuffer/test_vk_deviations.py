@@ -20,7 +20,7 @@ from vkworkbench.core.zbuffer import (
     simulate_job,
     worst_places,
 )
-from vkworkbench.core.zbuffer.findings.seen_model import _open, around
+from vkworkbench.core.zbuffer.findings.seen_model import _connected_to_edge, around
 
 FLAT = Tool("endmill", 6)
 WIDTH, HEIGHT, PIXEL = 200, 150, 0.2
@@ -415,12 +415,12 @@ def test_what_is_open_to_the_edge_of_an_image():
                 if inside and free[place] and place not in reached:
                     reached.add(place)
                     pending.append(place)
-        assert set(map(tuple, np.argwhere(_open(free)).tolist())) == reached, seed
+        assert set(map(tuple, np.argwhere(_connected_to_edge(free)).tolist())) == reached, seed
 
 
 def test_a_single_pixel_at_the_edge_opens_all_that_it_leads_to():
     free = np.zeros((7, 9), bool)
     free[3, :5] = free[1:6, 4] = True
-    assert (_open(free) == free).all()
+    assert (_connected_to_edge(free) == free).all()
     free[3, 0] = False
-    assert not _open(free).any()
+    assert not _connected_to_edge(free).any()

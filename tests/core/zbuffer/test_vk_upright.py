@@ -12,7 +12,7 @@ from zbuffer_inputs import BOX, FORMS, PATHS, toolpath
 
 from vkworkbench.core import Cut, Stock, Tool, View, simulate
 from vkworkbench.core.zbuffer.culling.tiles import QUARTERS
-from vkworkbench.core.zbuffer.culling.upright import Slopes, Upright, bounds
+from vkworkbench.core.zbuffer.culling.upright import Slopes, Squares, Upright, bounds
 from vkworkbench.core.zbuffer.sweeps.cuts import Cuts
 from vkworkbench.core.zbuffer.sweeps.trajectories import Trajectories
 
@@ -27,7 +27,9 @@ def bounded(tool, slope, along, aside, extent, half_run):
     Of a ball that is no number.
     """
     slopes = Slopes(np.array([slope])) if slope else None
-    reaches, opens = bounds(tool, slopes, *(np.array([float(v)]) for v in (along, aside, extent, half_run, DEPTH)))
+    reaches, opens = bounds(
+        tool, slopes, Squares(*(np.array([float(v)]) for v in (along, aside, extent, half_run, DEPTH)))
+    )
     return tuple(-np.inf if np.isnan(depth) else float(depth) for (depth,) in (reaches, opens))
 
 

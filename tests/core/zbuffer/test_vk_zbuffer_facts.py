@@ -24,7 +24,7 @@ from vkworkbench.core.zbuffer import (
     simulate_job,
     trajectory_table,
 )
-from vkworkbench.core.zbuffer.findings.faults import _displaced
+from vkworkbench.core.zbuffer.findings.faults import _displaced_volume
 from vkworkbench.core.zbuffer.rays import records
 from vkworkbench.core.zbuffer.sweeps.cuts import Cuts
 
@@ -338,7 +338,7 @@ NAMES = ["flat", "ball", "v", "chamfer", "drill", "bull nose"]
 
 @pytest.mark.parametrize("tool, volumes", VOLUMES, ids=NAMES)
 def test_what_a_tool_displaces(tool, volumes):
-    assert _displaced(tool, np.array([0.0, 1.0, 2.0, 5.0])) == pytest.approx([0, *volumes], rel=2e-3)
+    assert _displaced_volume(tool, np.array([0.0, 1.0, 2.0, 5.0])) == pytest.approx([0, *volumes], rel=2e-3)
 
 
 @pytest.mark.long

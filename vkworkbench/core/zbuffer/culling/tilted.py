@@ -1,11 +1,12 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Which trajectories can cut tiles of an image seen obliquely.
+"""Bounds for oblique views: which trajectories can cut a tile.
 
-A tile's rays are the ray through its middle, moved aside by up to half a tile. So what a tool grown by that much
-removes from the middle ray holds what the tool removes from any ray of the tile, and what a tool that much smaller
-removes from the middle ray the tool removes from all of them. The rays are compared where they pass one horizontal
-plane, so that a level floor is at one depth for all of them; where all tools are balls, which have no floor, and in views
-from the side where they pass a plane across the view.
+The rays of a tile are the ray through its middle, moved sideways by up to half a tile. A larger tool, grown by this distance, removes
+from the middle ray at least what the tool removes from any ray of the tile. A smaller tool, shrunk by this distance, removes from the
+middle ray only what the tool removes from all rays of the tile.
+
+Depths of different rays are measured from a horizontal plane, so that a level floor has the same depth on all of them. If all tools
+are balls, which have no flat floor, and in views from the side, depths are measured from a plane perpendicular to the view.
 """
 
 from __future__ import annotations
@@ -24,9 +25,9 @@ from vkworkbench.core.zbuffer.rays.dexels import THINNEST, before_in_group, begi
 from vkworkbench.core.zbuffer.sweeps.slots import ROUNDING
 from vkworkbench.core.zbuffer.sweeps.trajectories import Trajectories
 
-# Views less steep than this cosine are compared across the view.
+# Smallest cosine of the view's tilt at which depths are measured from a horizontal plane.
 _LEVEL = 0.3
-# What is left of a tool to be certain, mm.
+# Margin by which the smaller tool is shrunk further, mm, because rounding decides whether a ray touches a surface.
 _LESS = 1e-6
 
 
@@ -35,7 +36,6 @@ class Tilted:
 
     def __init__(self, trajectories: Trajectories) -> None:
         self.trajectories, self.sine, self.cosine = trajectories, trajectories.sine, trajectories.cosine
-        # The rays of a tile share what depends on their row or column alone.
         self.frame, self.slow = trajectories.frame, np.ones(len(trajectories.index), bool)
         tools = [kind.tool for kind in trajectories.kinds]
         level = abs(self.cosine) > _LEVEL and not all(tool.rounding == tool.radius for tool in tools)
@@ -58,7 +58,7 @@ class Tilted:
             first = np.maximum(enter[up, across], near.take(tile))
             last = np.minimum(leave[up, across], far.take(tile))
             met = np.flatnonzero(last - first > 0.9 * THINNEST)
-            all_enter, all_leave = (of[up, across].take(met) for of in opens)
+            all_enter, all_leave = (depths[up, across].take(met) for depths in opens)
             yield met[_not_yet_open(tile[met], first[met], last[met], all_enter, all_leave, near, far)]
 
     def removals(self, tiles: Tiles, tile: np.ndarray, near: np.ndarray, far: np.ndarray) -> Removals:
@@ -68,7 +68,7 @@ class Tilted:
         pixels, item = tiles.side**2, tiles.item
         px, py = x.take(tile, axis=1)[None], y.take(tile, axis=1)[:, None]
         enter, leave = self.trajectories.intervals(px, py, item)
-        # On the rim of a sweep rounding decides: as it does for any other ray. Most are within it with all of the tile.
+        # On the rim of a sweep, rounding must decide in the same way as for single rays. Most tiles lie inside the rim as a whole.
         corners = self.trajectories.passing(px[:, [0, -1]], py[[0, -1]], item)
         doubtful = np.flatnonzero(~corners.all(axis=(0, 1)))
         passing = self.trajectories.passing(px[..., doubtful], py[..., doubtful], item[doubtful])
@@ -79,16 +79,16 @@ class Tilted:
 
 
 class _TileChords:
-    """Depths between which the stock lies, for all rays of a tile.
+    """Bounds of the depths at which all rays of a tile enter and leave the stock.
 
-    `shear` is how much the depth counts from further down the image, mm per mm.
+    `shear` is the change of the depth's origin per mm down the image; 0 for a plane perpendicular to the view.
     """
 
     def __init__(self, stock: Solid, frame: Frame, shear: float) -> None:
         slope = stock.normals @ frame.direction
         room = stock.offsets - stock.normals @ frame.centre
         right, up = stock.normals @ frame.right, stock.normals @ frame.up
-        # Depth at which a plane is met: constant and gradient; planes along the rays bound no depth.
+        # Constant and gradient of the depth at which a ray meets each plane. Planes parallel to the rays do not bound the depth.
         met = np.abs(slope) >= 1e-12
         self.entered, self.left = met & (slope < 0), met & (slope > 0)
         slope = np.where(met, slope, 1)
@@ -96,7 +96,7 @@ class _TileChords:
         self.shear = shear
 
     def over(self, x: np.ndarray, y: np.ndarray, reach: float) -> tuple[np.ndarray, np.ndarray]:
-        """Least and greatest depth (t,) for squares of rays about (x, y) (t,), `reach` to each side."""
+        """Return the smallest and largest depth (t,) of the stock in squares around (x, y) (t,), `reach` mm to each side."""
         near, far = np.full(len(x), -np.inf), np.full(len(x), np.inf)
         for constant, gx, gy in self.planes[:, self.entered].T:
             np.maximum(near, constant - (abs(gx) + abs(gy - self.shear)) * reach + gx * x + gy * y, out=near)
@@ -106,31 +106,31 @@ class _TileChords:
 
 
 class _Bound(Tool):
-    """A tool that bounds another one: nobody's, so it may be wider than a tool can be."""
+    """A tool that bounds another tool. Its size is not checked, because it may be larger than any real tool."""
 
     def __post_init__(self) -> None:
         pass
 
 
 class _Growth:
-    """Tools that hold, and that are held by, a tool wherever it is moved with the rays of a tile."""
+    """Larger and smaller tools that bound a tool for all rays of a tile."""
 
     def __init__(self, tool: Tool, level: bool, sine: float, cosine: float) -> None:
         self.tool, self.level, self.sine, self.cosine = tool, level, sine, cosine
         self.ball = tool.rounding == tool.radius
-        # A bull-nose lies between two flat ends, and rays go on by this much below their floors (see `sweeps`).
+        # A bull-nose is bounded by two flat ends. Their floors are moved by the tolerance that `sweeps` uses for a bull-nose.
         self.flat = ROUNDING if 0 < tool.rounding < tool.radius else 0.0
 
-    def _moved(self, reach: float) -> tuple[float, float]:
-        """How far rays up to `reach` aside in the image are aside horizontally, and in space, mm."""
+    def _offsets(self, reach: float) -> tuple[float, float]:
+        """Return the largest offset of rays up to `reach` mm from the middle ray: horizontally, and in space, mm."""
         if self.level:
             aside = reach * hypot(1, 1 / self.cosine)
             return aside, aside if self.ball else 0.0
         return reach * hypot(1, self.cosine), reach * sqrt(2)
 
     def grown(self, reach: float) -> tuple[Tool, float]:
-        """Return a tool that holds this one, and how much higher its tip is, mm."""
-        aside, away = self._moved(reach)
+        """Return the larger tool, and the height of its tip over the tip of the tool, mm."""
+        aside, away = self._offsets(reach)
         tool = self.tool
         if self.ball:
             return _Bound("ballend", tool.diameter + 2 * away), -away
@@ -140,10 +140,9 @@ class _Growth:
         return self._wider(aside), -lower
 
     def shrunk(self, reach: float) -> tuple[Tool | None, float]:
-        """Return a tool that this one holds, None where there is none, and how much higher its tip is, mm."""
-        aside, away = self._moved(reach)
+        """Return the smaller tool, or None if nothing remains, and the height of its tip over the tip of the tool, mm."""
+        aside, away = self._offsets(reach)
         tool = self.tool
-        # What only touches a surface is decided by rounding: a little less is certain.
         aside, away = aside + _LESS, away + (0 if self.level and not self.ball else _LESS)
         diameter = tool.diameter - 2 * (away if self.ball else aside + tool.rounding)
         if diameter <= _LESS:
@@ -152,11 +151,11 @@ class _Growth:
             return _Bound("endmill", diameter), self.flat + away
         if self.ball:
             return _Bound("ballend", diameter), away
-        # Of a tip that is narrower than that, its cone is left above it.
+        # If the tip disappears, the smaller cone begins above it.
         return self._wider(-aside), away + tool.steepness * max(aside - tool.tip, 0.0)
 
     def _wider(self, aside: float) -> Tool:
-        """Return the end mill or cone wider by so much all around: its flat tip as well."""
+        """Return the end mill or cone with its radius and the radius of its tip increased by `aside`, mm."""
         tool = self.tool
         tip = max(tool.tip + aside, 0.0) if tool.steepness else 0.0
         return _Bound(tool.shape, tool.diameter + 2 * aside, tool.corner_radius, tool.tip_angle, 2 * tip)
@@ -171,29 +170,29 @@ def _not_yet_open(
     near: np.ndarray,
     far: np.ndarray,
 ) -> np.ndarray:
-    """Positions of the pairs that reach beyond what earlier ones opened from the near or from the far end.
+    """Return the positions of pairs that reach beyond the depths that earlier pairs have opened from either end of the rays.
 
     Parameters
     ----------
     tile : (p,) ndarray of int
-        Ascending.
+        Tile of each pair, ascending.
     enter, leave : (p,) ndarray
-        Between these depths the trajectory passes the tile, if at all.
+        Depths between which the trajectory can cut rays of the tile, mm.
     all_enter, all_leave : (p,) ndarray
-        Between these it opens all rays of the tile; nowhere where the first is greater.
+        Depths between which the trajectory opens all rays of the tile, mm; ``all_enter > all_leave`` for none.
     near, far : (t,) ndarray
-        Of the tiles' stock.
+        Bounds of the stock in each tile, mm.
     """
     if len(tile) == 0:
         return tile
     start = beginnings(tile)
     near, far = near.take(tile), far.take(tile)
-    # So far apart that a running extreme starts anew in each tile.
+    # The offset of each tile is large enough that a running extreme starts again in each tile.
     offset = tile * (far.max() - near.min() + 1)
     holds = all_enter <= all_leave
     all_enter, all_leave = np.maximum(all_enter, near), np.minimum(all_leave, far)
     open_near, open_far = near, far
-    for _ in range(2):  # what is open grows by what meets it
+    for _ in range(2):  # twice: the second pass also joins intervals to the gap that the first pass has found
         opens = np.where(holds & (all_enter <= open_near), all_leave, near) + offset
         open_near = before_in_group(np.maximum.accumulate(opens), start, (near + offset)[start]) - offset
         opens = np.where(holds & (all_leave >= open_far), all_enter, far) - offset

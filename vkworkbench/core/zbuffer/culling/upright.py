@@ -1,13 +1,14 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""How deep trajectories reach in tiles of an image seen from above or below, and how deep they open all of a tile.
+"""Bounds for views from above and below: how deep trajectories reach in a tile, and how deep they open all rays of the tile.
 
-Every ray is vertical, so depth is height, and a tool opens a ray from its tip's surface upwards: it does not matter
-whether one looks from above or from below.
+Every ray is vertical, so depth is height, and a tool opens a ray upwards from the surface of its end. Therefore views from above
+and from below have the same bounds.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from typing import NamedTuple
 
 import numpy as np
 
@@ -18,9 +19,9 @@ from vkworkbench.core.zbuffer.rays.opening import opening
 from vkworkbench.core.zbuffer.sweeps.intervals import lowest
 from vkworkbench.core.zbuffer.sweeps.trajectories import Trajectories
 
-# Margin of a squared distance, mm^2: what rounding may make of the tool's rim.
+# Margin of a squared distance for rounding errors at the tool's rim, mm^2.
 _RIM = 1e-9
-# The same of a length along the rim, mm.
+# Distance from the rim of a sweep, mm, below which `Trajectories.passing` decides whether a ray is inside.
 _RIM_LENGTH = 1e-4
 
 
@@ -31,7 +32,7 @@ class Upright:
         self.trajectories, self.frame, self.cosine = trajectories, trajectories.frame, trajectories.cosine
         (x, y, z), (mx, my, _) = trajectories.start, trajectories.move
         ux, uy, run, slope = trajectories.heading
-        # The moves from their middles: position, direction, half the length, depth, and slope.
+        # Position of the middle, direction, half the length, and depth of the middle of each move.
         self.measures = (x + mx / 2, y + my / 2, ux, uy, run / 2, -(z + slope * run / 2))
         self.slope, self.slow = slope, slope != 0
         half = (trajectories.stock.upper[2] - trajectories.stock.lower[2]) / 2
@@ -58,15 +59,15 @@ class Upright:
         for across, up in QUARTERS:
             right, upwards = 2 * across - 1, (2 * up - 1) * (1 if self.cosine > 0 else -1)
             along, aside = along0 + right * ux + upwards * uy, aside0 + upwards * ux - right * uy
-            places = along, aside, extent, half_run, depth
-            yield deeper_pairs(tile, start, *_of_kinds(kinds, places), self.near, self.far)
+            squares = Squares(along, aside, extent, half_run, depth)
+            yield deeper_pairs(tile, start, *_bounds_by_kind(kinds, squares), self.near, self.far)
 
     def removals(self, tiles: Tiles, tile: np.ndarray, near: np.ndarray, far: np.ndarray) -> Removals:
         """See `tiles.Bounds.removals`."""
         column, row = tiles.pixels()
         x, y = self.frame.pixel_centres(column, row)
         start = beginnings(tile)
-        depth = self._opened(x.take(tile, axis=1)[None], y.take(tile, axis=1)[:, None], tiles.item)
+        depth = self._opened_depths(x.take(tile, axis=1)[None], y.take(tile, axis=1)[:, None], tiles.item)
         if self.cosine > 0:
             hit = opening(depth, tile, start, near, far)
             return Removals(hit, None, depth.ravel()[hit])
@@ -75,15 +76,15 @@ class Upright:
         ray = pixel, tile[pair]
         return Removals(hit, np.maximum(-depth.ravel()[hit], near[ray]), far[ray])
 
-    def _opened(self, x: np.ndarray, y: np.ndarray, item: np.ndarray) -> np.ndarray:
-        """Depths (pixels of a tile, p) to which the pairs open the rays of columns x (1, side, p), rows y (side, 1, p)."""
+    def _opened_depths(self, x: np.ndarray, y: np.ndarray, item: np.ndarray) -> np.ndarray:
+        """Return the depths (pixels of a tile, p) to which pairs open rays, for columns x (1, side, p) and rows y (side, 1, p)."""
         trajectories = self.trajectories
         start, heading = trajectories.start.take(item, axis=1), trajectories.heading.take(item, axis=1)
         depth = np.empty((len(y), x.shape[1], len(item)))
         for tool, own in trajectories.by_tool(item):
             px, py = x[..., own], y[..., own]
             height, inner = lowest(tool, start[:, own], heading[:, own], px, self.cosine * py)
-            # On the rim of a sweep rounding decides: as it does for any other ray.
+            # On the rim of a sweep, rounding must decide in the same way as for single rays.
             at = np.flatnonzero((inner < _RIM_LENGTH) & (inner >= 0))
             if len(at):
                 rim = row, column, pair = np.unravel_index(at, inner.shape)
@@ -93,19 +94,19 @@ class Upright:
         return depth.reshape(-1, len(item))
 
     def _kinds(self, item: np.ndarray) -> Iterator[tuple[Tool, bool, slice | np.ndarray]]:
-        """Tools, whether their moves are level, and which of the items are theirs."""
+        """Yield each tool, whether its moves are level, and the positions of its items."""
         return ((*self.trajectories.kinds[number], own) for number, own in self.trajectories.by_kind(item))
 
 
 class Slopes:
-    """Rise of moves per mm, (p,), and what follows from it.
+    """Slopes of moves, and quantities derived from the slopes.
 
     Attributes
     ----------
     slope, steepness, secant : (p,) ndarray
-        The rise with its sign and without; mm of the move per mm in the plane.
+        Rise per mm in the plane, signed and absolute; length of the move per mm in the plane.
     lean : (p,) ndarray
-        How far from its axis a ball is lowest above its path, and on which side, in radii.
+        Position along the move, from the ball's axis, at which the swept surface is lowest, in radii; signed.
     """
 
     def __init__(self, slope: np.ndarray) -> None:
@@ -114,50 +115,61 @@ class Slopes:
         self.lean = -slope / self.secant
 
 
-def _of_kinds(
-    kinds: Sequence[tuple[Tool, slice | np.ndarray, Slopes | None]], places: Sequence[np.ndarray]
+class Squares(NamedTuple):
+    """Pairs of a square of the image and a move, relative to the move.
+
+    Attributes
+    ----------
+    along, aside : (p,) ndarray
+        Middle of the square from the middle of the move, along the move and across, mm.
+    extent : (p,) ndarray
+        Half the side of the square that encloses the given square and is parallel to the move, mm.
+    half_run : (p,) ndarray
+        Half the length of the move in the plane, mm.
+    depth : (p,) ndarray
+        Depth of the middle of the move, mm.
+    """
+
+    along: np.ndarray
+    aside: np.ndarray
+    extent: np.ndarray
+    half_run: np.ndarray
+    depth: np.ndarray
+
+
+def _bounds_by_kind(
+    kinds: Sequence[tuple[Tool, slice | np.ndarray, Slopes | None]], squares: Squares
 ) -> tuple[np.ndarray, np.ndarray]:
-    """`bounds` of pairs of several kinds."""
+    """Compute `bounds` for pairs of several kinds."""
     if len(kinds) == 1:
         tool, _, slopes = kinds[0]
-        return bounds(tool, slopes, *places)
-    reaches, opens = np.empty((2, len(places[0])))
+        return bounds(tool, slopes, squares)
+    reaches, opens = np.empty((2, len(squares.along)))
     for tool, own, slopes in kinds:
-        reaches[own], opens[own] = bounds(tool, slopes, *(place[own] for place in places))
+        reaches[own], opens[own] = bounds(tool, slopes, Squares(*(column[own] for column in squares)))
     return reaches, opens
 
 
-def bounds(
-    tool: Tool,
-    slopes: Slopes | None,
-    along: np.ndarray,
-    aside: np.ndarray,
-    extent: np.ndarray,
-    half_run: np.ndarray,
-    depth: np.ndarray,
-) -> tuple[np.ndarray, np.ndarray]:
-    """Depths that moves reach at most in squares along them, and to which they open all of these at least.
+def bounds(tool: Tool, slopes: Slopes | None, squares: Squares) -> tuple[np.ndarray, np.ndarray]:
+    """Bound the depths that moves reach in squares from above, and the depths to which they open all of a square from below.
 
     Parameters
     ----------
     tool : Tool
     slopes : Slopes or None
-        None where all moves are level.
-    along, aside : (p,) ndarray
-        Middles of the squares from those of the moves, mm.
-    extent, half_run : (p,) ndarray
-        Half the squares' sides and half the moves' lengths, mm.
-    depth : (p,) ndarray
-        Of the moves' middles, mm.
+        None if all moves are level.
+    squares : Squares
+        One square and one move for each pair.
 
     Returns
     -------
     reaches, opens : (p,) ndarray
-        mm; -inf or not a number where a move does not meet a square, or does not cover it.
+        mm; -inf or NaN if the move does not meet the square (`reaches`) or does not cover it (`opens`).
     """
-    aside = np.abs(aside)
     if tool.rounding == tool.radius:
-        return _bounds_of_ball(tool.radius, slopes, along, aside, extent, half_run, depth)
+        return _bounds_of_ball(tool.radius, slopes, squares)
+    along, aside, extent, half_run, depth = squares
+    aside = np.abs(aside)
     radius2 = tool.radius**2
     beyond = np.abs(along) - half_run
     inner = np.maximum(aside - extent, 0.0)
@@ -173,8 +185,8 @@ def bounds(
     if slopes is None:
         reaches, opens = depth - _profile(tool, nearest2), depth - _profile(tool, farthest2)
     else:
-        reaches = _deepest(tool, along, extent, half_run, slopes, inner, inner2, nearest2)
-        opens = _opened(tool, along, extent, half_run, slopes, outer, outer2)
+        reaches = _deepest_reach(tool, slopes, squares, inner, inner2, nearest2)
+        opens = _least_opening(tool, slopes, squares, outer, outer2)
         reaches += depth
         opens += depth
     np.copyto(reaches, -np.inf, where=nearest2 > radius2 + _RIM)
@@ -182,27 +194,22 @@ def bounds(
     return reaches, opens
 
 
-def _bounds_of_ball(
-    radius: float,
-    slopes: Slopes | None,
-    along: np.ndarray,
-    aside: np.ndarray,
-    extent: np.ndarray,
-    half_run: np.ndarray,
-    depth: np.ndarray,
-) -> tuple[np.ndarray, np.ndarray]:
-    """`bounds` of a ball: at places of its axis as in `sweeps.lowest`, in a square and at the corners of its outer side.
+def _bounds_of_ball(radius: float, slopes: Slopes | None, squares: Squares) -> tuple[np.ndarray, np.ndarray]:
+    """Compute `bounds` for a ball.
 
-    What a ball sweeps is convex, so it is lowest in the square at most where it would be on a move longer by the square,
-    at its inner side, and highest at a corner. Where it misses, roots are not numbers.
+    The swept volume of a ball is convex. Its lowest height in the square is bounded by the height at the inner side of the square
+    for a move that is longer by the square. Its highest height is at a corner of the outer side. Square roots are NaN where the
+    ball misses.
     """
+    along, aside, extent, half_run, depth = squares
+    aside = np.abs(aside)
     inner, outer = np.maximum(aside - extent, 0.0), aside + extent
     inner2 = np.subtract(radius**2 + _RIM, np.multiply(inner, inner, out=inner), out=inner)
     outer2 = np.subtract(radius**2 - _RIM, np.multiply(outer, outer, out=outer), out=outer)
     depth = depth - radius
 
     def depths(chord2: np.ndarray, begin: np.ndarray, end: np.ndarray) -> np.ndarray:
-        """Of the tool with this half chord, squared, its axis from begin to end; both are overwritten."""
+        """Return the depths of the ball where its half chord has this square, with its axis between `begin` and `end` (overwritten)."""
         if slopes is None:
             at = np.maximum(begin, 0, out=begin)
         else:
@@ -237,21 +244,26 @@ def _bounds_of_ball(
     return reaches, opens
 
 
-def _deepest(
-    tool: Tool,
-    along: np.ndarray,
-    extent: np.ndarray,
-    half_run: np.ndarray,
-    slopes: Slopes,
-    inner: np.ndarray,
-    inner2: np.ndarray,
-    nearest2: np.ndarray,
+def _deepest_reach(
+    tool: Tool, slopes: Slopes, squares: Squares, inner: np.ndarray, inner2: np.ndarray, nearest2: np.ndarray
 ) -> np.ndarray:
-    """Depths below the moves' middles that sloped ones reach at most, their tools `inner` aside at least."""
-    flat, corner, k = tool.radius - tool.rounding, tool.rounding, tool.steepness
+    """Return the largest depth below the middle of each sloped move that its tool can reach in the square, mm.
+
+    Parameters
+    ----------
+    tool : Tool
+    slopes : Slopes
+    squares : Squares
+    inner, inner2 : (p,) ndarray
+        Smallest distance of the square from the line of the move, mm, and its square.
+    nearest2 : (p,) ndarray
+        Square of the smallest distance of the square from the move, mm^2.
+    """
+    along, _, extent, half_run, _ = squares
+    flat, corner = tool.radius - tool.rounding, tool.rounding
     slope = slopes.slope
-    # From the lower end of the square, from which heights count below, the tool's axis is at most its half chord away, and
-    # no farther than the end of the move.
+    # Heights are measured from the lower end of the square. The tool's axis is at most half a chord of the tool away from it,
+    # and not beyond the end of the move.
     half = _root(tool.radius**2 - inner2)
     reach = half_run - extent
     first = np.maximum(-along - reach, -half)
@@ -260,42 +272,39 @@ def _deepest(
     last *= slope
     lowest = np.minimum(first, last, out=first)
     lowest += _profile(tool, nearest2)
-    # The lowest place of the tool when its move has no ends: a bound too, better for long moves.
-    if k == 0:
+    # The lowest height of the tool on an endless move is a second bound, which is better for long moves.
+    if tool.steepness == 0:
         endless = corner - _root(corner**2 - np.maximum(inner - flat, 0) ** 2) * slopes.secant
         endless -= slopes.steepness * flat
     else:
-        endless = np.where(slopes.steepness < k, inner * _root(k**2 - slope**2) - k * tool.tip, -np.inf)
+        endless = inner * _root(tool.steepness**2 - slope**2) - tool.steepness * tool.tip
+        endless = np.where(slopes.steepness < tool.steepness, endless, -np.inf)
     deepest: np.ndarray = slopes.steepness * extent
     deepest -= slope * along
     deepest -= np.maximum(lowest, endless, out=lowest)
     return deepest
 
 
-def _opened(
-    tool: Tool,
-    along: np.ndarray,
-    extent: np.ndarray,
-    half_run: np.ndarray,
-    slopes: Slopes,
-    outer: np.ndarray,
-    outer2: np.ndarray,
-) -> np.ndarray:
-    """Depths below the moves' middles that sloped ones open all of a square, `outer` aside at most, if they cover it."""
-    flat, corner, k = tool.radius - tool.rounding, tool.rounding, tool.steepness
+def _least_opening(tool: Tool, slopes: Slopes, squares: Squares, outer: np.ndarray, outer2: np.ndarray) -> np.ndarray:
+    """Return the depth below the middle of each sloped move to which it opens all of the square, if it covers the square, mm.
+
+    `outer` and `outer2` (p,) are the largest distance of the square from the line of the move, mm, and its square.
+    """
+    along, _, extent, half_run, _ = squares
+    flat, corner = tool.radius - tool.rounding, tool.rounding
     slope, steepness = slopes.slope, slopes.steepness
-    # Above each point the tool stands where it is about lowest, as far as the move goes.
-    if k == 0:
+    # Above each point, the tool is placed close to its lowest position on the move. Any position gives a valid bound.
+    if tool.steepness == 0:
         ahead = _root(corner**2 - np.maximum(outer - flat, 0.0) ** 2)
         ahead *= steepness
         ahead /= slopes.secant
         ahead += _root(flat**2 - outer2)
     else:
-        gentle = np.sqrt(np.maximum(k**2 - slope**2, 1e-12))
+        gentle = np.sqrt(np.maximum(tool.steepness**2 - slope**2, 1e-12))
         ahead = np.maximum(steepness * outer / gentle, _root(tool.tip**2 - outer2))
-        ahead = np.where(steepness < k, ahead, np.inf)
+        ahead = np.where(steepness < tool.steepness, ahead, np.inf)
         ahead = np.minimum(ahead, _root(tool.radius**2 - outer2))
-    # The edge of the tool is left out: rounding would put it outside.
+    # Stay inside the edge of the tool, so that rounding does not move the point outside.
     ahead *= 1 - 1e-9
     best = np.copysign(ahead, -slope, out=ahead)
     low, high = along - extent, along + extent
@@ -313,11 +322,11 @@ def _opened(
 
 
 def _root(square: np.ndarray) -> np.ndarray:
-    """The square root in place, 0 of what is less."""
+    """Replace values by their square roots, and negative values by 0; return the array."""
     root: np.ndarray = np.sqrt(np.maximum(square, 0.0, out=square), out=square)
     return root
 
 
 def _profile(tool: Tool, distance2: np.ndarray) -> np.ndarray | float:
-    """`Tool.profile` at squared distances from the axis; of a flat end it takes no time."""
+    """Return `Tool.profile` at squared distances from the axis; 0 for a flat end, without computing."""
     return tool.profile(np.sqrt(distance2)) if tool.rounding or tool.steepness else 0.0

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The places where a simulated part has most too much, or too little, against its model, and what made them."""
+"""Find the deepest gouges and the thickest leftover material of a simulated part, and the trajectories that made them."""
 
 from __future__ import annotations
 
@@ -15,30 +15,30 @@ from vkworkbench.core.zbuffer.rays.surface import STOCK
 from vkworkbench.core.zbuffer.simulator.moments import ZBuffer
 from vkworkbench.core.zbuffer.sweeps.cuts import Source
 
-# What is no difference to the model, mm, until somebody says otherwise.
+# Default tolerance, mm.
 TOLERANCE = 0.1
 
-# Of the image's shorter side: worst places closer to each other hang together.
+# Side of the tiles that group deviating pixels, as a share of the image's shorter side. Deviations in neighbouring tiles are one place.
 _APART = 0.02
 
 
 @dataclass(frozen=True)
 class Deviation:
-    """A place where the part is gouged, or where material is left: the worst one of a cut, or of what hangs together.
+    """The worst place of a gouge or of leftover material, for one cut or for one connected group of pixels.
 
     Attributes
     ----------
     trajectory : int or None
-        What made the surface where material is left; what removed the material at the model's surface where it is gouged.
-        None for the stock's own.
+        For leftover material: the trajectory that made the part's surface. For a gouge: the trajectory that removed the
+        material at the model's surface. None if this surface belongs to the uncut stock.
     source : Source or None
-        Its cut and command.
+        Cut and command of the trajectory.
     place : (3,) tuple of float
-        On the part's surface, mm; at the end of the model where all of the part is gone.
+        Point of the part's surface, mm; of the model's far side if the part is gone there.
     depth : float
-        How deep it is, or how much is left, mm: the distance of the part's surface and the model's, see `surface_distance.farthest`.
+        Distance between the surfaces of part and model, mm; see `surface_distance.farthest`.
     area : float
-        Of the image in which the same cut, or what hangs together, exceeds the tolerance along the view, mm^2.
+        Area of the image in which the cut, or the group of pixels, exceeds the tolerance along the view, mm^2.
     """
 
     trajectory: int | None
@@ -54,39 +54,48 @@ def gouges(zbuffer: ZBuffer, found: Deviations, tolerance: float) -> list[Deviat
     Parameters
     ----------
     zbuffer : ZBuffer
-        What `found` is of.
     found : Deviations
+        Deviations of this `zbuffer`.
     tolerance : float
-        What is no gouge yet, mm.
+        Largest depth that is not a gouge, mm.
+
+    Returns
+    -------
+    list of Deviation
     """
-    return _worst(zbuffer, _gouged(found), tolerance)
+    return _worst_by_cut(zbuffer, _gouge_gap(found), tolerance)
 
 
 def material_left(zbuffer: ZBuffer, found: Deviations, tolerance: float) -> list[Deviation]:
-    """Return where each cut leaves most above the model, the most first; the arguments are those of `gouges`."""
-    return _worst(zbuffer, _left(found), tolerance)
+    """Return the thickest leftover material of each cut, the thickest first. The arguments are those of `gouges`."""
+    return _worst_by_cut(zbuffer, _leftover_gap(found), tolerance)
 
 
 def worst_places(
     zbuffer: ZBuffer, found: Deviations, tolerance: float, most: int = 10
 ) -> tuple[list[Deviation], list[Deviation]]:
-    """Return the places where most is gouged and those where most is left, the worst first; what hangs together is one.
+    """Return the deepest gouges and the thickest leftover material, the worst first. Connected pixels are one place.
 
     Parameters
     ----------
     zbuffer : ZBuffer
-        What `found` is of.
     found : Deviations
+        Deviations of this `zbuffer`.
     tolerance : float
-        What is no deviation yet, mm.
+        Largest distance that is not a deviation, mm.
     most : int
-        How many of either kind are returned at most.
+        Largest number of places of each kind.
+
+    Returns
+    -------
+    gouged, left : list of Deviation
     """
-    return _apart(zbuffer, _gouged(found), tolerance, most), _apart(zbuffer, _left(found), tolerance, most)
+    gouged, left = _gouge_gap(found), _leftover_gap(found)
+    return _worst_by_group(zbuffer, gouged, tolerance, most), _worst_by_group(zbuffer, left, tolerance, most)
 
 
 class _Gap(NamedTuple):
-    """Between two surfaces, of which one lies `along` (pixels,) behind the other; the model is that of what is gouged."""
+    """The gap between two surfaces: `along` (pixels,) mm from `front` to `behind`. `model` is None for leftover material."""
 
     front: np.ndarray
     behind: np.ndarray
@@ -94,17 +103,17 @@ class _Gap(NamedTuple):
     model: SeenModel | None
 
 
-def _gouged(found: Deviations) -> _Gap:
+def _gouge_gap(found: Deviations) -> _Gap:
     return _Gap(found.model.surface, found.part, found.gouged, found.model)
 
 
-def _left(found: Deviations) -> _Gap:
+def _leftover_gap(found: Deviations) -> _Gap:
     return _Gap(found.part, found.model.floor, found.left, None)
 
 
-def _apart(zbuffer: ZBuffer, gap: _Gap, tolerance: float, most: int) -> list[Deviation]:
-    """The worst places of what hangs together."""
-    frame, (deviating, maker) = zbuffer.frame, _makers(zbuffer, gap, tolerance)
+def _worst_by_group(zbuffer: ZBuffer, gap: _Gap, tolerance: float, most: int) -> list[Deviation]:
+    """Return the worst place of each group of connected tiles, the worst first."""
+    frame, (deviating, maker) = zbuffer.frame, _find_makers(zbuffer, gap, tolerance)
     side = max(1, round(_APART * min(frame.height, frame.width)))
     row, column = np.divmod(deviating, frame.width)
     columns = -(-frame.width // side)
@@ -115,19 +124,19 @@ def _apart(zbuffer: ZBuffer, gap: _Gap, tolerance: float, most: int) -> list[Dev
     ends = np.searchsorted(tile[by_tile], np.arange(worst.size + 1))
     places: list[Deviation] = []
     least = tolerance
-    # Along the view nothing is nearer than in space.
+    # A distance along the view is never smaller than the distance in space.
     while worst.max(initial=0) > least:
-        tiles = _take(worst, *divmod(int(worst.argmax()), columns))
-        its = np.sort(np.concatenate([by_tile[ends[one] : ends[one + 1]] for one in tiles]))
-        places += _place(zbuffer, gap, deviating[its], maker[its], least)
-        places = sorted(places, key=_depth)[:most]
+        tiles = _clear_group(worst, *divmod(int(worst.argmax()), columns))
+        group = np.sort(np.concatenate([by_tile[ends[own] : ends[own + 1]] for own in tiles]))
+        places += _worst_place(zbuffer, gap, deviating[group], maker[group], least)
+        places = sorted(places, key=_negative_depth)[:most]
         if len(places) == most:
             least = places[-1].depth
     return places
 
 
-def _take(worst: np.ndarray, row: int, column: int) -> list[int]:
-    """Clear all tiles that hang together with one; return their numbers."""
+def _clear_group(worst: np.ndarray, row: int, column: int) -> list[int]:
+    """Clear a tile and all tiles connected with it, and return their numbers."""
     pending, taken = [(row, column)], []
     worst[row, column] = 0
     while pending:
@@ -140,56 +149,56 @@ def _take(worst: np.ndarray, row: int, column: int) -> list[int]:
     return taken
 
 
-def _worst(zbuffer: ZBuffer, gap: _Gap, tolerance: float) -> list[Deviation]:
-    """The worst place of each cut."""
-    pixels, maker = _makers(zbuffer, gap, tolerance)
-    cut = _cuts(zbuffer, maker)
+def _worst_by_cut(zbuffer: ZBuffer, gap: _Gap, tolerance: float) -> list[Deviation]:
+    """Return the worst place of each cut, the worst first."""
+    pixels, maker = _find_makers(zbuffer, gap, tolerance)
+    cut = _cuts_of(zbuffer, maker)
     worst: list[Deviation] = []
     for own in np.unique(cut):
-        its = np.flatnonzero(cut == own)
-        worst += _place(zbuffer, gap, pixels[its], maker[its], tolerance)
-    return sorted(worst, key=_depth)
+        group = np.flatnonzero(cut == own)
+        worst += _worst_place(zbuffer, gap, pixels[group], maker[group], tolerance)
+    return sorted(worst, key=_negative_depth)
 
 
-def _depth(one: Deviation) -> float:
-    return -one.depth
+def _negative_depth(deviation: Deviation) -> float:
+    return -deviation.depth
 
 
-def _makers(zbuffer: ZBuffer, gap: _Gap, tolerance: float) -> tuple[np.ndarray, np.ndarray]:
-    """Pixels that deviate, ascending, and by which trajectory, `STOCK` where by none.
+def _find_makers(zbuffer: ZBuffer, gap: _Gap, tolerance: float) -> tuple[np.ndarray, np.ndarray]:
+    """Return the deviating pixels, ascending, and the trajectory responsible for each; `STOCK` if there is none.
 
-    Material left is theirs whose surface is seen. Through what was cut away by mistake one sees what others cut rightly: a
-    gouge is theirs who removed the material at the model's surface.
+    Leftover material is attributed to the trajectory that made the visible surface. Behind a gouge another trajectory may have
+    made the visible surface, so a gouge is attributed to the trajectory that removed the material at the model's surface.
     """
     pixels, model = np.flatnonzero(gap.along > tolerance), gap.model
     if model is None:
         return pixels, zbuffer.picture.owner[pixels]
-    # Within the tolerance nobody is guilty; farther behind its surface than a pixel the model may be over, at a rim.
+    # Removals within the tolerance are allowed. At a rim, the model may end less than a pixel behind its surface.
     depth = model.near.ravel()[pixels] + min(tolerance, zbuffer.frame.pixel)
-    maker = _removers(zbuffer, pixels, depth, model.behind.ravel()[pixels])
-    cut = _cuts(zbuffer, maker)
+    maker = _find_removers(zbuffer, pixels, depth, model.behind.ravel()[pixels])
+    cut = _cuts_of(zbuffer, maker)
 
-    def said_around(extreme: np.ufunc, nobody: int) -> np.ndarray:
-        image = np.full(model.near.shape, nobody)
+    def extreme_cut_around(extreme: np.ufunc, neutral: int) -> np.ndarray:
+        image = np.full(model.near.shape, neutral)
         image.ravel()[pixels] = cut
         return around(image, extreme).ravel()[pixels]
 
-    # At a rim or a wall a pixel may see past the model: those around it must say the same.
-    sure = said_around(np.minimum, len(zbuffer.cuts.cuts)) == said_around(np.maximum, -1)
+    # At a rim or a wall the ray of a pixel may pass beside the model. Only pixels whose neighbours name the same cut count.
+    sure = extreme_cut_around(np.minimum, len(zbuffer.cuts.cuts)) == extreme_cut_around(np.maximum, -1)
     return pixels[sure], maker[sure]
 
 
-def _removers(zbuffer: ZBuffer, pixels: np.ndarray, depth: np.ndarray, behind: np.ndarray) -> np.ndarray:
-    """What removed the material at depths (k,) of the rays of pixels (k,), or first behind it; `STOCK` where none did.
+def _find_removers(zbuffer: ZBuffer, pixels: np.ndarray, depth: np.ndarray, behind: np.ndarray) -> np.ndarray:
+    """Return the trajectory that removed the material of each pixel's ray at `depth` (k,), or the first behind this depth.
 
-    Where there was none before depths (k,) `behind`, the stock lacks it, whatever is cut behind these.
+    The result is `STOCK` if nothing was removed there, or if the stock has no material between `depth` and `behind` (k,).
     """
     records = zbuffer.records
     end = records.index[pixels + 1].astype(np.int64)
     piece = first_not_below(records.far, records.index[pixels].astype(np.int64), end, depth)
     found = np.flatnonzero(piece < end)
     piece, end, depth, behind = piece[found], end[found], depth[found], behind[found]
-    # In a gap of the stock nothing was; what is missing there begins behind it.
+    # A gap of the stock holds no material. The next material begins at the end of the gap.
     gap = records.owner[piece] == GAP
     begin = np.where(gap, records.far[piece], np.maximum(depth, records.entry[pixels[found]]))
     lacking = (begin > depth) & (begin >= behind)
@@ -200,16 +209,18 @@ def _removers(zbuffer: ZBuffer, pixels: np.ndarray, depth: np.ndarray, behind: n
     return removers
 
 
-def _cuts(zbuffer: ZBuffer, owner: np.ndarray) -> np.ndarray:
-    """Whose the trajectories are; -1 for `STOCK`."""
+def _cuts_of(zbuffer: ZBuffer, owner: np.ndarray) -> np.ndarray:
+    """Return the cut that each trajectory belongs to; -1 for `STOCK`."""
     cut = np.full(len(owner), -1)
     made = owner != STOCK
     cut[made] = zbuffer.cuts.cut[owner[made]]
     return cut
 
 
-def _place(zbuffer: ZBuffer, gap: _Gap, pixels: np.ndarray, maker: np.ndarray, tolerance: float) -> list[Deviation]:
-    """The worst place of pixels (k,) and what made each, if it exceeds the tolerance."""
+def _worst_place(
+    zbuffer: ZBuffer, gap: _Gap, pixels: np.ndarray, maker: np.ndarray, tolerance: float
+) -> list[Deviation]:
+    """Return the worst place of pixels (k,) made by trajectories `maker` (k,), or nothing if it is within the tolerance."""
     frame = zbuffer.frame
     found = farthest(gap.front, gap.behind, pixels, frame.pixel, tolerance)
     if found is None:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What the traces tell of each trajectory: what it removes, how fast, how deep and how wide."""
+"""Facts on each trajectory from its trace: volume, removal rate, depth and width of cut."""
 
 from __future__ import annotations
 
@@ -7,62 +7,82 @@ import numpy as np
 
 from vkworkbench.core.zbuffer.simulator.moments import ZBuffer
 
-# Views less steep than this cosine do not see how high a piece is.
+# Smallest cosine of the view's tilt from the vertical. In flatter views the depth and width of cut are unknown.
 _FROM_THE_SIDE = 0.3
 
 
 def removed_volumes(zbuffer: ZBuffer) -> np.ndarray:
-    """Volume that each trajectory removes, (n,) float64 mm^3.
+    """Return the volume that each trajectory removes.
 
     Parameters
     ----------
     zbuffer : ZBuffer
-        Of any moment.
+        At any moment: the volumes are those of the whole simulation.
+
+    Returns
+    -------
+    (n,) float64
+        mm^3.
     """
     return zbuffer.records.lengths * zbuffer.frame.pixel**2
 
 
 def removal_rates(zbuffer: ZBuffer) -> np.ndarray:
-    """Volume that each trajectory removes in a minute, (n,) float64 mm^3/min; not a number for those without a feed.
+    """Return the material removal rate of each trajectory.
 
     Parameters
     ----------
     zbuffer : ZBuffer
+
+    Returns
+    -------
+    (n,) float64
+        mm^3/min; NaN for trajectories without a feed rate.
     """
     seconds = zbuffer.cuts.seconds
     return 60 * removed_volumes(zbuffer) / np.where(seconds > 0, seconds, np.nan)
 
 
 def cuts_air(zbuffer: ZBuffer) -> np.ndarray:
-    """Which feed moves remove nothing, (n,) bool.
+    """Return which feed moves remove nothing.
 
-    What is shorter than two pixels may pass between the rays: such moves are told together with their neighbours on so
-    long a stretch. Passes closer than a pixel are not told apart at all: choose a finer image for them.
+    A move shorter than two pixels may pass between the rays. Therefore consecutive moves are joined into stretches of two
+    pixels, and all moves of a stretch get the same answer. Passes closer than a pixel cannot be distinguished; they need
+    a finer image.
 
     Parameters
     ----------
     zbuffer : ZBuffer
+
+    Returns
+    -------
+    (n,) bool
     """
     cuts = zbuffer.cuts
     length, volumes = np.where(cuts.rapid, 0.0, (cuts.lengths, removed_volumes(zbuffer)))
     stretch = np.floor((np.cumsum(length) - length / 2) / (2 * zbuffer.frame.pixel)).astype(np.int64)
-    # A rapid, and another cut, begin a new stretch.
+    # A rapid or the next cut begins a new stretch.
     begins = cuts.rapid.copy()
     begins[1:] |= (np.diff(cuts.cut) != 0) | (np.diff(stretch) != 0)
-    together = np.cumsum(begins)
-    result: np.ndarray = ~cuts.rapid & (np.bincount(together, volumes)[together] == 0)
+    group = np.cumsum(begins)
+    result: np.ndarray = ~cuts.rapid & (np.bincount(group, volumes)[group] == 0)
     return result
 
 
 def engagement(zbuffer: ZBuffer) -> tuple[np.ndarray, np.ndarray]:
-    """Depth and width of cut of each trajectory, two arrays (n,) float64 mm, 0 where it removes nothing.
+    """Return the depth and width of cut of each trajectory.
 
-    The depth is the height of the highest piece that it removes, the width what is missing to its volume; a plunge has
-    no width. Neither is known where one looks from the side.
+    The depth is the height of the highest piece that the trajectory removes. The width is the removed volume divided by depth and
+    length, at most the tool's diameter; a plunge has the width 0.
 
     Parameters
     ----------
     zbuffer : ZBuffer
+
+    Returns
+    -------
+    depth, width : (n,) float64
+        mm; 0 for trajectories that remove nothing, and for all trajectories in a view from the side.
     """
     n, cuts = zbuffer.trajectories, zbuffer.cuts
     depth, width = np.zeros((2, n))
@@ -81,7 +101,7 @@ def engagement(zbuffer: ZBuffer) -> tuple[np.ndarray, np.ndarray]:
 
 
 def trajectory_table(zbuffer: ZBuffer) -> dict[str, np.ndarray]:
-    """Tell what each trajectory does: columns (n,) of a table.
+    """Return the facts on each trajectory as columns (n,) of a table.
 
     Parameters
     ----------
@@ -90,9 +110,9 @@ def trajectory_table(zbuffer: ZBuffer) -> dict[str, np.ndarray]:
     Returns
     -------
     dict of ndarray
-        ``cut`` and ``command``: where it comes from; ``rapid``; ``length`` mm; ``seconds``, 0 where its speed is not
-        known; ``removed_volume`` mm^3; ``rate`` mm^3/min, not a number without a feed; ``air``: whether it is a feed move
-        that removes nothing; ``depth`` and ``width`` of cut, mm; ``tool_diameter`` mm.
+        ``cut`` and ``command``: the origin; ``rapid``; ``length`` mm; ``seconds``, 0 if the feed is unknown;
+        ``removed_volume`` mm^3; ``rate`` mm^3/min, NaN without a feed; ``air``: True for a feed move that removes
+        nothing; ``depth`` and ``width`` of cut, mm; ``tool_diameter`` mm.
     """
     cuts = zbuffer.cuts
     depth, width = engagement(zbuffer)

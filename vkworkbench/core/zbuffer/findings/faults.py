@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Where trajectories remove what they should not: rapids that cut, plunges that are too fast."""
+"""Find faults of trajectories: rapids that cut, and plunges that are too fast."""
 
 from __future__ import annotations
 
@@ -17,18 +17,18 @@ from vkworkbench.core.zbuffer.sweeps.cuts import Cuts, Source
 from vkworkbench.core.zbuffer.sweeps.intervals import headings, lowest
 from vkworkbench.core.zbuffer.sweeps.trajectories import as_cut
 
-# A move steeper than 5 in 1 downwards is a plunge; one that removes half of what its tool displaces is in full material.
+# Slope above which a downward move is a plunge, and the share of the displaced volume above which it plunges into full material.
 _PLUNGE, _FULL = 5.0, 0.5
-# What a feed may exceed another by: FreeCAD rounds them.
+# Factor by which a feed may exceed the vertical feed, because FreeCAD rounds feeds.
 _FASTER = 1.01
-# A rapid that would cut nothing if it lay so much aside, mm, only touches what chords of arcs, or rounded coordinates, left
-# of a wall or a flank. Chords of one arc are no farther from each other than it rises above them: twice that is enough.
+# Distance to the side, mm, below which a rapid only touches a wall or flank: chords of arcs and rounded coordinates leave
+# material there. The chords of an arc deviate from each other by at most the arc's rise over a chord; the factor adds a margin.
 _TOUCHES, _OF_RISE = 0.02, 2.0
 _SIDES = np.arange(8) * pi / 4
-# Under its tip any depth counts, but for rounding, mm, and for what chords of arcs in vertical planes left.
+# Depth under the tip that is a rounding error, mm. Chords of arcs in vertical planes add their own rise.
 _ROUNDED = 1e-3
 _PIECES_AT_ONCE = 1 << 14
-# Rings of equal width by which the volume of a tool is summed up.
+# Number of rings of equal width for the volume of a tool.
 _RINGS = 64
 
 
@@ -39,15 +39,15 @@ class Crash:
     Attributes
     ----------
     trajectory : int
-        Its number.
+        Number of the trajectory.
     source : Source
-        Its cut and command.
+        Cut and command of the trajectory.
     place : (3,) tuple of float
-        Where the piece that it removes is longest, mm.
+        Middle of the longest piece that the rapid removes, mm.
     depth : float
-        How long that piece is along the view, mm.
+        Length of this piece along the view, mm.
     volume : float
-        What it removes, mm^3.
+        Volume that the rapid removes, mm^3.
     """
 
     trajectory: int
@@ -58,18 +58,23 @@ class Crash:
 
 
 def crashes(zbuffer: ZBuffer) -> list[Crash]:
-    """Rapids that remove material, and do not only touch a wall or a flank with their side, in their order.
+    """Return the rapids that remove material, except those that only touch a wall or flank with the tool's side.
 
     Parameters
     ----------
     zbuffer : ZBuffer
+
+    Returns
+    -------
+    list of Crash
+        In the order of the trajectories.
     """
     records, frame = zbuffer.records, zbuffer.frame
     pieces, pixel, near = records.pieces_of(zbuffer.cuts.rapid)
     if len(pieces) == 0:
         return []
     owner, near, far = records.owner[pieces], near.astype(float), records.far[pieces].astype(float)
-    upper, middle = _upper(frame, near, far), (near + far) / 2
+    upper, middle = _upper_ends(frame, near, far), (near + far) / 2
 
     def place(piece: np.ndarray, depth: np.ndarray) -> np.ndarray:
         row, column = np.divmod(pixel[piece], frame.width)
@@ -78,7 +83,7 @@ def crashes(zbuffer: ZBuffer) -> list[Crash]:
     cuts, volumes = zbuffer.cuts, removed_volumes(zbuffer)
     rises = np.max([_rises(cut.toolpath) for cut in cuts.cuts], axis=0)
     touches = np.maximum((_TOUCHES, _ROUNDED), _OF_RISE * rises)
-    # The longest pieces first: where a wall is only touched they are as high as the wall.
+    # Longest pieces first. A rapid that only touches a wall has long pieces too, as high as the wall, so all pieces are tried.
     order = np.argsort(near - far, kind="stable")
     longest = np.full(zbuffer.trajectories, -1)
     for first in range(0, len(order), _PIECES_AT_ONCE):
@@ -87,8 +92,8 @@ def crashes(zbuffer: ZBuffer) -> list[Crash]:
         if len(some):
             upper_in, middle_in = (_inside(cuts, owner[some], place(some, depth), touches) for depth in (upper, middle))
             some = some[upper_in | middle_in]
-            crashed, its_first = np.unique(owner[some], return_index=True)
-            longest[crashed] = some[its_first]
+            crashed, position = np.unique(owner[some], return_index=True)
+            longest[crashed] = some[position]
     crashed = np.flatnonzero(longest >= 0)
     longest = longest[crashed]
     return [
@@ -99,20 +104,20 @@ def crashes(zbuffer: ZBuffer) -> list[Crash]:
     ]
 
 
-def _upper(frame: Frame, near: np.ndarray, far: np.ndarray) -> np.ndarray:
-    """Which end of pieces of rays is the higher one."""
+def _upper_ends(frame: Frame, near: np.ndarray, far: np.ndarray) -> np.ndarray:
+    """Return the higher end of each piece of a ray."""
     return near if frame.direction[2] < 0 else far
 
 
 def _inside(cuts: Cuts, trajectory: np.ndarray, points: np.ndarray, touches: np.ndarray) -> np.ndarray:
-    """Which points (k, 3) trajectories (k,) remove, and would remove as well if they lay so much, mm, to any side and higher."""
+    """Return which points (k, 3) are inside the sweeps of trajectories (k,) by a margin `touches`: to the side, and upwards, mm."""
     start, end = (ends.T for ends in as_cut(*(ends[trajectory] for ends in cuts.ends)))
     heading = headings(end - start)
     inside = np.ones(len(trajectory), bool)
     for number in np.unique(cuts.cut[trajectory]):
         tool = cuts.cuts[number].tool
         aside = min(touches[0], tool.radius / 2)
-        for angle in _SIDES:  # from the direction of the move
+        for angle in _SIDES:  # measured from the direction of the move
             own = np.flatnonzero(inside & (cuts.cut[trajectory] == number))
             (ux, uy), (x, y, z) = heading[:2, own], points[own].T
             x = x + aside * (cos(angle) * ux - sin(angle) * uy)
@@ -123,11 +128,11 @@ def _inside(cuts: Cuts, trajectory: np.ndarray, points: np.ndarray, touches: np.
 
 
 def _rises(toolpath: Toolpath) -> tuple[float, float]:
-    """How far arcs rise at most above the chords that stand for them, aside and in height, mm."""
+    """Return the largest rise of arcs over their chords, to the side and in height, mm."""
     chords = np.abs(np.diff(toolpath.points, axis=0))
     upright = toolpath.plane != 17
     run = np.hypot(*chords[:, :2].T)
-    # An arc rises at right angles to its chord.
+    # The rise of an arc is perpendicular to its chord.
     aside, up = (
         np.where(upright, (chords[:, 2], run), (run, np.zeros_like(run))) / 2 * np.tan(np.abs(toolpath.sweep) / 4)
     )
@@ -136,18 +141,18 @@ def _rises(toolpath: Toolpath) -> tuple[float, float]:
 
 @dataclass(frozen=True)
 class Plunge:
-    """A plunge into full material that is faster than the tool may plunge.
+    """A plunge into full material, faster than the vertical feed of its tool.
 
     Attributes
     ----------
     trajectory : int
-        Its number.
+        Number of the trajectory.
     source : Source
-        Its cut and command.
+        Cut and command of the trajectory.
     place : (3,) tuple of float
-        Where it ends, mm.
+        End of the plunge, mm.
     feed, allowed : float
-        mm/s.
+        Feed of the plunge, and vertical feed of the tool, mm/s.
     """
 
     trajectory: int
@@ -158,11 +163,16 @@ class Plunge:
 
 
 def fast_plunges(zbuffer: ZBuffer) -> list[Plunge]:
-    """Plunges into full material above the vertical feed of their tool, in their order.
+    """Return the plunges into full material that are faster than the vertical feed of their tool.
 
     Parameters
     ----------
     zbuffer : ZBuffer
+
+    Returns
+    -------
+    list of Plunge
+        In the order of the trajectories.
     """
     cuts = zbuffer.cuts
     start, end = cuts.ends
@@ -173,33 +183,33 @@ def fast_plunges(zbuffer: ZBuffer) -> list[Plunge]:
     if not fast.any():
         return []
     plunges = np.flatnonzero(fast)
-    # How deep the tip is in the material, or falls in it.
-    depth = np.minimum(_tops(zbuffer, fast) - end[:, 2], fall)[plunges]
+    # Depth of the tip below the highest removed point, at most the height of the plunge.
+    depth = np.minimum(_highest_removed(zbuffer, fast) - end[:, 2], fall)[plunges]
     displaced = np.empty(len(plunges))
     for number in np.unique(cuts.cut[plunges]):
         own = cuts.cut[plunges] == number
-        displaced[own] = _displaced(cuts.cuts[number].tool, depth[own])
+        displaced[own] = _displaced_volume(cuts.cuts[number].tool, depth[own])
     return [
         Plunge(int(i), cuts.source(int(i)), tuple(end[i].tolist()), float(cuts.feed[i]), float(allowed[i]))
         for i in plunges[volumes[plunges] > _FULL * displaced]
     ]
 
 
-def _tops(zbuffer: ZBuffer, owners: np.ndarray) -> np.ndarray:
-    """Height of the highest point that each of some trajectories (n,) bool removes, (n,) mm; -inf where nothing."""
+def _highest_removed(zbuffer: ZBuffer, owners: np.ndarray) -> np.ndarray:
+    """Return the height of the highest point that each selected trajectory removes, (n,) mm; -inf for none. `owners` is (n,) bool."""
     records, frame = zbuffer.records, zbuffer.frame
     pieces, pixel, near = records.pieces_of(owners)
     row, column = np.divmod(pixel, frame.width)
-    height = frame.points(column, row, _upper(frame, near, records.far[pieces]))[:, 2]
+    height = frame.points(column, row, _upper_ends(frame, near, records.far[pieces]))[:, 2]
     tops = np.full(zbuffer.trajectories, -np.inf)
     np.maximum.at(tops, records.owner[pieces], height)
     return tops
 
 
-def _displaced(tool: Tool, depth: np.ndarray) -> np.ndarray:
-    """Volume of a tool up to so high above its tip, of the shape of `depth`, mm^3."""
+def _displaced_volume(tool: Tool, depth: np.ndarray) -> np.ndarray:
+    """Return the volume of a tool from its tip to each height `depth` above it, mm^3."""
     width = tool.radius / _RINGS
     volume = np.zeros_like(depth)
-    for r in (np.arange(_RINGS) + 0.5) * width:
-        volume += 2 * np.pi * r * width * np.maximum(depth - tool.height(r), 0)
+    for radius in (np.arange(_RINGS) + 0.5) * width:
+        volume += 2 * np.pi * radius * width * np.maximum(depth - tool.height(radius), 0)
     return volume

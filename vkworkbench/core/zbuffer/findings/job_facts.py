@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What a simulation tells of each operation and of the whole job."""
+"""Facts on each operation and on the whole job, from a simulation."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from vkworkbench.core.zbuffer.findings.seen_model import deviations
 from vkworkbench.core.zbuffer.simulator.moments import ZBuffer
 from vkworkbench.given import number
 
-# Rates are means over so much machining time, s: shorter ones are those of single pixels.
+# Time over which the peak removal rate is averaged, s. Shorter: the rate depends on single pixels.
 _WINDOW = 1.0
 _NUMBERS = (
     "removed_volume", "cutting_length", "cutting_seconds", "air_length", "air_seconds", "air_length_share",
@@ -27,28 +27,28 @@ _FAULTS = ("crashes", "first_crash_command", "fast_plunges", "deepest_gouge", "m
 
 @dataclass(frozen=True)
 class CutFacts:
-    """What is known of one operation, or of several together.
+    """Facts on one operation, or on several operations together.
 
     Attributes
     ----------
     removed_volume : float
-        mm^3.
+        Removed volume, mm^3.
     cutting_length, cutting_seconds : float
-        Of the feed moves, mm and s; the time is that of moves with a feed rate.
+        Length and time of the feed moves, mm and s. Moves without a feed rate are not in the time.
     air_length, air_seconds : float
-        The part of these that removes nothing.
+        Length and time of the feed moves that remove nothing, mm and s.
     mean_rate, peak_rate : float
-        Material removal rate, mm^3/min: over all of the cutting time, and in the busiest second.
+        Material removal rate, mm^3/min: over the whole cutting time, and in the busiest second.
     depth_of_cut, width_of_cut : float
-        The greatest depth, and the mean width along the cutting length, mm; 0 where the view does not tell.
+        Largest depth, and mean width over the length of the moves that cut, mm; 0 in a view from the side.
     tool_diameter : float
-        The largest, mm.
+        Largest diameter of the tools, mm.
     crashes : tuple of Crash
         Rapids that remove material.
     fast_plunges : tuple of Plunge
         Plunges into full material above the tool's vertical feed.
     gouges, left : tuple of Deviation
-        What is cut below the model, and what is left above it; empty without a model.
+        Places cut below the model's surface, and leftover material above it; empty without a model.
     """
 
     removed_volume: float
@@ -77,7 +77,7 @@ class CutFacts:
         return self.air_seconds / self.cutting_seconds if self.cutting_seconds else 0.0
 
     def as_dict(self) -> dict[str, Any]:
-        """Return it as numbers and lists, in mm, s, mm^3 and mm^3/min, with every place where something is wrong."""
+        """Return the facts as numbers and lists, in mm, s, mm^3 and mm^3/min, with every fault and its place."""
         crashes = [
             {"command": c.source.command, "place": list(c.place), "depth": c.depth, "volume": c.volume}
             for c in self.crashes
@@ -96,7 +96,7 @@ class CutFacts:
         return {**self._numbers(), "crashes": crashes, "fast_plunges": plunges, "gouges": gouges, "left": left}
 
     def cells(self) -> dict[str, float | int | None]:
-        """Return it as the cells `FACT_COLUMNS` of one line of a table; of what is wrong the number of places and the worst."""
+        """Return the facts as one row of a table with the columns `FACT_COLUMNS`. Faults are counts and largest depths, mm."""
         faults = (
             len(self.crashes),
             self.crashes[0].source.command if self.crashes else None,
@@ -116,15 +116,15 @@ FACT_COLUMNS = (*_NUMBERS, *_FAULTS)
 
 @dataclass(frozen=True)
 class JobFacts:
-    """What a simulation tells.
+    """Facts on a simulated job.
 
     Attributes
     ----------
     cuts : tuple of CutFacts
-        One for each operation.
+        Facts on each operation.
     job : CutFacts
-        All together; what is left where no operation cut, and what the stock lacks of the model, which stands among the
-        gouges without a source, is told only here.
+        Facts on all operations together. Only these include deviations without a source: leftover material where no operation
+        cut, and places where the stock is too small for the model (among the gouges).
     """
 
     cuts: tuple[CutFacts, ...]
@@ -132,23 +132,27 @@ class JobFacts:
 
 
 def facts(zbuffer: ZBuffer, *, model: Solid | None = None, tolerance: float = TOLERANCE) -> JobFacts:
-    """Tell what the traces, and the model, say of every operation.
+    """Compute the facts on every operation and on the job.
 
     Parameters
     ----------
     zbuffer : ZBuffer
         At its last moment.
     model : Solid, optional
-        What the part is to be.
+        The finished part. Without it there are no gouges and no leftover material.
     tolerance : float
-        Deviations from the model up to this, mm, are none.
+        Largest deviation from the model that is ignored, mm.
+
+    Returns
+    -------
+    JobFacts
 
     Raises
     ------
     ValueError
-        If the tolerance is no number of at least 0.
+        If the tolerance is negative or NaN.
     TypeError
-        If it is nothing like a number.
+        If the tolerance is not a number.
     """
     tolerance = number("tolerance", tolerance, "a length of at least 0 mm", lambda length: length >= 0)
     cuts = zbuffer.cuts
@@ -159,8 +163,8 @@ def facts(zbuffer: ZBuffer, *, model: Solid | None = None, tolerance: float = TO
         found = deviations(zbuffer, model)
         gouged, left = gouges(zbuffer, found, tolerance), material_left(zbuffer, found, tolerance)
 
-    def told(these: range, whole: bool = False) -> CutFacts:
-        moves = slice(cuts.first[these.start], cuts.first[these.stop])
+    def facts_of(numbers: range, whole: bool = False) -> CutFacts:
+        moves = slice(cuts.first[numbers.start], cuts.first[numbers.stop])
         feeding, seconds, removed = ~cuts.rapid[moves], cuts.seconds[moves], volumes[moves]
         length = np.where(feeding, cuts.lengths[moves], 0.0)
         engaged = np.where(width[moves] > 0, length, 0.0)
@@ -168,7 +172,7 @@ def facts(zbuffer: ZBuffer, *, model: Solid | None = None, tolerance: float = TO
         total = float(seconds.sum())
 
         def own(found: list[Any]) -> tuple[Any, ...]:
-            return tuple(one for one in found if (whole if one.source is None else one.source.cut in these))
+            return tuple(fault for fault in found if (whole if fault.source is None else fault.source.cut in numbers))
 
         return CutFacts(
             removed_volume=float(removed.sum()),
@@ -180,7 +184,7 @@ def facts(zbuffer: ZBuffer, *, model: Solid | None = None, tolerance: float = TO
             peak_rate=_peak_rate(seconds, in_time),
             depth_of_cut=float(depth[moves].max(initial=0.0)),
             width_of_cut=float((width[moves] * engaged).sum() / engaged.sum()) if engaged.any() else 0.0,
-            tool_diameter=max((cuts.cuts[k].tool.diameter for k in these), default=0.0),
+            tool_diameter=max((cuts.cuts[cut].tool.diameter for cut in numbers), default=0.0),
             crashes=own(crashed),
             fast_plunges=own(plunged),
             gouges=own(gouged),
@@ -188,15 +192,16 @@ def facts(zbuffer: ZBuffer, *, model: Solid | None = None, tolerance: float = TO
         )
 
     return JobFacts(
-        tuple(told(range(k, k + 1)) for k in range(len(cuts.cuts))), told(range(len(cuts.cuts)), whole=True)
+        tuple(facts_of(range(cut, cut + 1)) for cut in range(len(cuts.cuts))),
+        facts_of(range(len(cuts.cuts)), whole=True),
     )
 
 
 def _peak_rate(seconds: np.ndarray, volumes: np.ndarray) -> float:
-    """Highest rate in any of the windows of time that follow one another.
+    """Return the largest removal rate of consecutive windows of time, mm^3/min.
 
-    Between two ends of trajectories the rate stays: the windows in which one ends, and those behind these, tell all. So a
-    machining time of years takes no more memory than its trajectories do.
+    The rate is constant between two ends of trajectories. Therefore only windows in which a trajectory ends, and the windows
+    after them, are computed, and memory does not grow with the machining time.
     """
     ends, removed = np.append(0.0, np.cumsum(seconds)), np.append(0.0, np.cumsum(volumes))
     window = np.floor(ends / _WINDOW)

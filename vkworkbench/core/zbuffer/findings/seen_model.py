@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""A model as an image sees it, and how a simulated part differs from it, pixel by pixel."""
+"""The model in an image, and its deviations from a simulated part, pixel by pixel."""
 
 from __future__ import annotations
 
@@ -13,23 +13,24 @@ from vkworkbench.core.view import Frame
 from vkworkbench.core.zbuffer.simulator.moments import ZBuffer
 
 _ROWS_AT_ONCE = 64
-# So many pixels beside the wall of a hole through the model belong to it; the next one may be cut by a rounded wall.
+# Width of the strip along the wall of a through hole that is compared with the wall, pixels. The pixel at the wall itself may be
+# cut by a rounded wall.
 _BESIDE = 3
 
 
 @dataclass(frozen=True, eq=False)
 class Deviations:
-    """The surface that is seen against the model's.
+    """Deviations of a part's visible surface from the model.
 
     Attributes
     ----------
     left, gouged : (pixels,) float32
-        How much is left above all of the model around the pixel, and how much is cut below all of it, along the view, mm,
-        at least 0. A wall that passes through a pixel is neither.
+        Thickness of the leftover material, and depth of the gouge, along the view, mm, at least 0. They are measured from the
+        highest and lowest point of the model in the pixel and its neighbours, so that a wall in a pixel is neither.
     part : (height, width) float32
-        Depth of the part's surface, mm; where all of it is gone that of the model's end, infinite where there was no model.
+        Depth of the part's surface, mm. If the part is gone: depth of the model's far side, or infinite without a model.
     model : SeenModel
-        What the part was compared with.
+        The model that the part was compared with.
     """
 
     left: np.ndarray
@@ -39,31 +40,31 @@ class Deviations:
 
 
 class SeenModel:
-    """A model as an image sees it, with which the part is compared at any moment.
+    """The model in an image. The part can be compared with it at any moment.
 
     Parameters
     ----------
     model : Solid
-        In the same place as the stock.
+        In the coordinates of the stock.
     frame : Frame
     going_on : callable, optional
-        Called with every strip of the image; what it raises ends the work.
+        Called for every strip of the image. An exception from it ends the work.
 
     Attributes
     ----------
     frame : Frame
     seen : (height, width) bool
-        Where a ray meets the model.
+        Whether each ray meets the model.
     near, far : (height, width) float32
-        Where each ray enters the model and leaves it at last, mm; not a number where it misses.
+        Depths at which each ray first enters and finally leaves the model, mm; NaN for rays that miss.
     behind : (height, width) float32
-        Where each ray leaves the model first.
+        Depth at which each ray leaves the model for the first time, mm.
     surface : (height, width) float32
-        Where each ray enters the model, mm; infinite where it misses.
+        Depth at which each ray enters the model, mm; infinite for rays that miss.
     floor : (height, width) float32
-        The same, but beside the walls of holes through the model where it ends: material before it is left. In the middle of
-        a hole that was cut out lies what falls out of it. Obliquely, where what falls out hides the walls, holes are not
-        compared.
+        Depth before which material is leftover, mm: `surface`, but the model's far side in a strip along the walls of through
+        holes. The middle of a through hole is not compared, because a cut-out piece falls out. In oblique views the
+        falling piece hides the walls, so holes are not compared at all.
     """
 
     def __init__(self, model: Solid, frame: Frame, going_on: Callable[[], None] = lambda: None) -> None:
@@ -86,7 +87,7 @@ class SeenModel:
         highest, self._lowest = around(self.surface, np.minimum), around(self.surface, np.maximum)
         self.seen = ~np.isnan(near)
         upright = not frame.direction[:2].any()
-        self._walls, self._beside = _beside_walls(~self.seen & ~_open(~self.seen) & upright)
+        self._walls, self._beside = _beside_walls(~self.seen & ~_connected_to_edge(~self.seen) & upright)
         end = np.where(self.seen, far, np.float32(-np.inf))
         for _ in range(_BESIDE):
             end = around(end, np.maximum)
@@ -94,9 +95,9 @@ class SeenModel:
         self._highest = np.where(self._beside, end, highest)
 
     def against(self, zbuffer: ZBuffer) -> Deviations:
-        """Compare the part at its moment, simulated in the same image, with the model, pixel by pixel."""
+        """Compare the part at the z-buffer's moment with the model, pixel by pixel. Both have the same image."""
         part = zbuffer.picture.depth.reshape(self.near.shape)
-        # Where all of the part is gone, its surface is behind the model.
+        # If the part is gone, use the model's far side.
         part = np.where(np.isnan(part) & self.seen, self.far, part)
         left = np.where(self.seen | (self._beside & ~self._loose(part)), np.fmax(self._highest - part, 0), 0)
         gouged = np.where(self.seen & np.isfinite(self._lowest), np.maximum(part - self._lowest, 0), 0)
@@ -108,9 +109,9 @@ class SeenModel:
         )
 
     def _loose(self, part: np.ndarray) -> np.ndarray:
-        """Where nothing is left between what is in a hole and its wall, which may be a slot narrower than `_BESIDE` pixels."""
+        """Return where the piece in a hole is cut free from the wall, also by a slot narrower than `_BESIDE` pixels."""
         loose: np.ndarray = self._walls & (np.fmin(part, np.inf) >= self.floor)
-        if loose.any():  # mostly there are no holes
+        if loose.any():  # rare: most parts have no through holes
             for _ in range(_BESIDE - 1):
                 loose = around(loose, np.maximum)
         return loose
@@ -123,13 +124,17 @@ def deviations(zbuffer: ZBuffer, model: Solid) -> Deviations:
     ----------
     zbuffer : ZBuffer
     model : Solid
-        In the same place as the stock.
+        In the coordinates of the stock.
+
+    Returns
+    -------
+    Deviations
     """
     return SeenModel(model, zbuffer.frame).against(zbuffer)
 
 
 def _beside_walls(holes: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Which pixels of holes lie at their walls, and which two pixels and up to `_BESIDE` from them."""
+    """Return the pixels of holes that touch a wall, and the pixels two to `_BESIDE` pixels from a wall."""
     within = around(holes, np.minimum)
     far_from = within
     for _ in range(_BESIDE - 1):
@@ -137,20 +142,20 @@ def _beside_walls(holes: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     return holes & ~within, within & ~far_from
 
 
-def _open(free: np.ndarray) -> np.ndarray:
-    """Which of the free pixels hang together, along rows and columns, with the edge of the image."""
+def _connected_to_edge(free: np.ndarray) -> np.ndarray:
+    """Return the free pixels that are connected with the image's edge along rows and columns."""
     found = free.copy()
     found[1:-1, 1:-1] = False
     while True:
-        more = _along_rows(free, _along_rows(free.T, found.T).T)
+        more = _extend_along_rows(free, _extend_along_rows(free.T, found.T).T)
         if np.array_equal(more, found):
             return found
         found = more
 
 
-def _along_rows(free: np.ndarray, found: np.ndarray) -> np.ndarray:
-    """All free pixels of the runs in which some are found: those at the edge of the image are found anyway."""
-    # A run has one number; one that goes on in the next row passes the edge.
+def _extend_along_rows(free: np.ndarray, found: np.ndarray) -> np.ndarray:
+    """Return the free pixels of all runs in a row that contain a found pixel."""
+    # Runs are numbered over the flat image. A run that continues in the next row touches the edge, so it is found anyway.
     run = np.cumsum(~free).reshape(free.shape)
     reached = np.bincount(run[found], minlength=int(run.max(initial=0)) + 1) > 0
     extended: np.ndarray = free & reached[run]
@@ -158,10 +163,10 @@ def _along_rows(free: np.ndarray, found: np.ndarray) -> np.ndarray:
 
 
 def around(values: np.ndarray, extreme: np.ufunc) -> np.ndarray:
-    """The extreme of every pixel and its eight neighbours; beside the image it goes on as its edge."""
+    """Return the extreme of every pixel and its eight neighbours. Outside the image the edge is repeated."""
     for axis in (0, 1):
         length = values.shape[axis]
         padded = np.pad(values, [(1, 1) if own == axis else (0, 0) for own in (0, 1)], mode="edge")
-        shifted = [np.take(padded, np.arange(k, k + length), axis) for k in range(3)]
+        shifted = [np.take(padded, np.arange(begin, begin + length), axis) for begin in range(3)]
         values = extreme.reduce(shifted)
     return values

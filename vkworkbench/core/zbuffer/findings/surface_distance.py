@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""How far two surfaces that an image sees are from each other, in space and not only along the view."""
+"""Distance in space between two surfaces of an image, instead of the distance along the view."""
 
 from __future__ import annotations
 
@@ -9,44 +9,45 @@ from math import ceil, hypot
 
 import numpy as np
 
-# What is farther by less than this share, or than a pixel, is not told apart.
+# Accuracy: a distance larger by less than this share, or by less than a pixel, is not searched for.
 _ALIKE = 0.02
-# Pixels are looked at on ever finer grids, pixels: few of the coarse ones tell which of the others need no search.
+# Spacing of the searched grids, pixels. A few pixels of a coarse grid exclude many pixels of the finer grids.
 _GRIDS = (64, 16, 4, 1)
-# So many at once, at most, with so many pairs of these and of pixels around them: 50 bytes each.
+# Largest number of pixels searched at once, and of pairs with pixels around them, 50 bytes each.
 _AT_ONCE, _PAIRS = 256, 500_000
-# The first looks around a pixel: in so many directions, the next circle so many times as large. The last look does not step
-# over what tells that a pixel is not farther than what was found.
-_LOOKS = ((8, 2.0), (16, 1.2), (16, 1 + _ALIKE))
-_TOGETHER = (8, 64, 256)  # circles up to these radii are looked at together
-# Then all around it, ring by ring, each so much wider; one pixel in so many of the radius is enough.
+# Sparse searches around a pixel: number of directions, and ratio of consecutive radii. The ratio of the last search is close to 1,
+# so that it does not step over a pixel near enough to exclude the searched pixel.
+_SPARSE = ((8, 2.0), (16, 1.2), (16, 1 + _ALIKE))
+_RADII_AT_ONCE = (8, 64, 256)  # circles up to each of these radii, pixels, are searched in one step
+# Complete search, ring by ring: ratio of consecutive radii, and radius at which the spacing of the searched pixels becomes 1 pixel.
 _WIDTH, _FINE = 1.05, 64
 
 
 def farthest(
     front: np.ndarray, behind: np.ndarray, pixels: np.ndarray, pixel: float, floor: float
 ) -> tuple[int, float] | None:
-    """Return at which pixel two surfaces, of which one lies behind the other, are farthest from each other, and how far.
+    """Return the pixel at which two surfaces are farthest from each other, and their distance there.
 
-    Their distance is the larger of two: from the surface behind to what lies before the other, and from the other to what
-    lies behind the surface behind (Hausdorff). So a wall that is cut 0.3 mm too far has 0.3 mm, however high it is; a hole
-    that is missing has its depth, however narrow it is. It is never more than along the view.
+    The distance at a pixel is the larger of two: from the point of the rear surface to the space before the front surface, and
+    from the point of the front surface to the space behind the rear surface (Hausdorff). So a wall cut 0.3 mm too far has a
+    distance of 0.3 mm, whatever its height, and a missing hole has its depth, whatever its width. The distance is never larger
+    than the distance along the view.
 
     Parameters
     ----------
     front, behind : (height, width) float32
-        Depths along the view, mm; infinite where there is no surface, so that all is before it.
+        Depths of the two surfaces along the view, mm; infinite without a surface, so that the whole ray is before it.
     pixels : (k,) int
-        Where to look, numbers in the flat image.
+        Pixels to search, numbers in the flat image.
     pixel : float
-        Side of a pixel, mm; the distance is exact to within one, or a fiftieth.
+        Side of a pixel, mm. The error of the distance is at most one pixel or 2 %.
     floor : float
-        mm; what is no farther is not looked for.
+        Only distances larger than this are searched for, mm.
 
     Returns
     -------
     tuple of int and float, or None
-        Its number, and mm. None where they are nowhere farther than `floor`.
+        Number of the pixel, and distance, mm. None if no distance exceeds `floor`.
     """
     row, column = np.divmod(pixels, front.shape[1])
     along = behind.ravel()[pixels] - front.ravel()[pixels]
@@ -69,14 +70,17 @@ def farthest(
             unseen[row[some], column[some]] = False
             reach = floor - distances
             for i in np.flatnonzero(reach >= 2 * pixel):
-                _leave_out(unseen, front, behind, int(row[some[i]]), int(column[some[i]]), float(reach[i]), pixel)
+                _exclude_around(unseen, front, behind, int(row[some[i]]), int(column[some[i]]), float(reach[i]), pixel)
     return found
 
 
-def _leave_out(
+def _exclude_around(
     unseen: np.ndarray, front: np.ndarray, behind: np.ndarray, row: int, column: int, reach: float, pixel: float
 ) -> None:
-    """Leave out the pixels whose surfaces lie within the reach, mm, of those of one: so much their distances differ at most."""
+    """Exclude the pixels whose points on both surfaces are within `reach`, mm, of the points of one pixel.
+
+    The distances of such pixels differ by at most `reach`.
+    """
     size = int(reach / pixel)
     rows = slice(max(row - size, 0), min(row + size + 1, len(front)))
     columns = slice(max(column - size, 0), min(column + size + 1, front.shape[1]))
@@ -89,20 +93,20 @@ def _leave_out(
 
 
 def _distances(front: np.ndarray, behind: np.ndarray, pixels: np.ndarray, pixel: float, floor: float) -> np.ndarray:
-    """Distances at pixels (k,), mm; where one is no more than the floor, something that is not, either."""
+    """Return the distances at pixels (k,), mm. For a distance below the floor, the result is any value below the floor."""
     height, width = front.shape
     row, column = np.divmod(pixels, width)
     ahead, beyond = front[row, column], behind[row, column]
-    # To what lies before the front, and to what lies behind the surface behind.
+    # Smallest distances so far: to the space before the front surface, and to the space behind the rear surface.
     least = np.repeat((beyond - ahead)[None].astype(float), 2, axis=0)
     for radius, steps in _around(ceil(hypot(height, width))):
-        # Nothing that is farther away is nearer, and what is near enough is not looked for.
+        # Stop at a pixel if pixels farther away cannot be nearer in space, or if its distance is below the floor.
         (searched,) = np.nonzero(least.max(axis=0) > max(floor, radius * pixel))
         if not len(searched):
             break
         for some in np.array_split(steps, ceil(len(searched) * len(steps) / _PAIRS)):
             rows, columns = row[searched, None] + some[:, 0], column[searched, None] + some[:, 1]
-            # Outside the image a pixel of its border stands in, which lies nearer than that and is looked at before.
+            # Outside the image, use the nearest pixel of the border. It is closer, so it was searched before.
             rows, columns = np.clip(rows, 0, height - 1), np.clip(columns, 0, width - 1)
             across = np.hypot(*some.T) * pixel
             to_front = beyond[searched, None] - front[rows, columns]
@@ -115,8 +119,8 @@ def _distances(front: np.ndarray, behind: np.ndarray, pixels: np.ndarray, pixel:
 
 
 def _around(size: int) -> Iterator[tuple[float, np.ndarray]]:
-    """Steps (n, 2) in pixels to rows and columns around a pixel, and the radius up to which all were taken before."""
-    for directions, wider in _LOOKS:
+    """Yield steps (n, 2) to rows and columns around a pixel, pixels, and the radius that was searched completely before."""
+    for directions, wider in _SPARSE:
         for circles in _circles(size, directions, wider):
             yield 0.0, circles
     inner = 0
@@ -129,12 +133,12 @@ def _around(size: int) -> Iterator[tuple[float, np.ndarray]]:
         inner = outer
 
 
-@lru_cache(maxsize=len(_LOOKS))
+@lru_cache(maxsize=len(_SPARSE))
 def _circles(size: int, directions: int, wider: float) -> list[np.ndarray]:
-    """Steps of circles, some circles at once: near ones spare what is near the far ones."""
+    """Return the steps of circles, in groups of radii: small circles may end the search before the large ones."""
     radii = [1.0]
     while radii[-1] * wider < size:
         radii.append(max(radii[-1] * wider, radii[-1] + 1))
     angle = 2 * np.pi * np.arange(directions) / directions
     steps = np.rint(np.multiply.outer(radii, np.stack((np.sin(angle), np.cos(angle)), axis=1))).astype(int)
-    return [np.concatenate(some) for some in np.split(steps, np.searchsorted(radii, _TOGETHER)) if len(some)]
+    return [np.concatenate(some) for some in np.split(steps, np.searchsorted(radii, _RADII_AT_ONCE)) if len(some)]

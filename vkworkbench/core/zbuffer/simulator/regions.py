@@ -102,7 +102,7 @@ class _Rays:
         met = np.flatnonzero(np.diff(begin, append=len(hit)))
         start = begin[met]
         for first, own in zip(rows.tolist(), np.split(hit, begin[:: shape[1]][1:])):
-            own -= first  # from a position in the matrix to that of the pair
+            own -= first  # from a position in the matrix to the position of the pair
         owner = self.trajectories.index.take(tiles.item).take(hit)
         ray, near, far = ray.ravel()[met], near.ravel()[met], far.ravel()[met]
         if enter is None and len(self.gaps.ray) == 0:

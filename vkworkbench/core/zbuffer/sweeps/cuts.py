@@ -146,7 +146,7 @@ class Cuts:
         Raises
         ------
         IndexError
-            If there is no trajectory of this number.
+            If the number is negative or too large.
         TypeError
             If `trajectory` is not an integer.
         """
