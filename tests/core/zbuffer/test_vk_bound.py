@@ -32,7 +32,7 @@ def test_no_simulation_holds_more_than_the_bound(tool, direction):
         stock, view = Stock(lower, [*upper[:2], max(lower[2] + 1, 0.0)]), View(direction, 60, 45)
         held = simulate(path, tool=tool, stock=stock, view=view)
         most = most_bytes(path, tool=tool, stock=stock, view=view)
-        assert held.peak.bytes() <= most and held.traces <= bound._most_cut(path, tool, stock, held.frame)
+        assert held.peak.bytes() <= most and held.traces <= bound._most_removed(path, tool, stock, held.frame)
         bounds += np.isfinite(most)
         if cuts_surely(path, stock) and direction == (0, 0, -1):  # from the side a pixel may be higher than the cut
             assert held.traces
@@ -46,7 +46,7 @@ def test_a_round_stock_is_bounded_as_well(direction):
     solids = {"tool": TOOLS[0], "stock": stock, "view": View(direction, 60, 45)}
     held = simulate(path, **solids)
     assert held.peak.bytes() <= most_bytes(path, **solids) < np.inf
-    assert held.traces <= bound._most_cut(path, TOOLS[0], stock, held.frame)
+    assert held.traces <= bound._most_removed(path, TOOLS[0], stock, held.frame)
     assert not cuts_surely(path, stock)
 
 
@@ -67,7 +67,7 @@ FLAT = Tool("endmill", 6)
 def records_of(moves, *, tool=FLAT, view=PIXEL, stock=STOCK):
     """The elements of traces of the bound."""
     path = linearize([("G1", dict(zip("XYZ", map(float, point)))) for point in moves])
-    return bound._most_cut(path, tool, stock, view.frame(stock))
+    return bound._most_removed(path, tool, stock, view.frame(stock))
 
 
 ROUND = np.pi * 6 * 7 + 1  # the foot of 6 pixels' radius: area, half of the perimeter, and 1

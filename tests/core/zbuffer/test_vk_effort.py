@@ -76,7 +76,7 @@ def test_blocks_are_no_fewer_than_the_bands_of_the_image():
     ],
 )
 def test_levels_of_a_finer_image_lie_between_those_that_are_known(levels, growth, finer):
-    assert effort._finer(np.array(levels, float), growth) == pytest.approx(finer)
+    assert effort._shift_levels(np.array(levels, float), growth) == pytest.approx(finer)
 
 
 @pytest.mark.parametrize(
@@ -87,25 +87,25 @@ def test_pixels_have_more_pairs_between_as_many_more_as_they_had_than_the_last_t
 ):
     """Where these had no more, the mean of once and four times, for each time that the pixels are four times as many."""
     work = Work(1, 1, 1, (of_kind(kind_3=100),), of_kind(kind_3=step * 100 * 32**2), 0, (1, 0), 1, 1)
-    assert work._cells_in(growth) == pytest.approx(factor)
+    assert work._cell_growth(growth) == pytest.approx(factor)
 
 
 def test_without_any_level_pairs_grow_as_the_pixels():
-    assert Work(1, 1, 1, (), of_kind(kind_3=100), 0, (1, 0), 1, 1)._cells_in(3.0) == 3
-    assert Work(1, 1, 1, (of_kind(kind_3=9),), of_kind(), 0, (1, 0), 1, 1)._cells_in(3.0) == 3
+    assert Work(1, 1, 1, (), of_kind(kind_3=100), 0, (1, 0), 1, 1)._cell_growth(3.0) == 3
+    assert Work(1, 1, 1, (of_kind(kind_3=9),), of_kind(), 0, (1, 0), 1, 1)._cell_growth(3.0) == 3
 
 
 def test_kinds_of_pairs():
     """By the tool, by whether it stays on its level, and by the view."""
     tools = [FLAT, Tool("vbit", 6, tip_angle=pi / 2), Tool("ballend", 6), Tool("bullnose", 6, corner_radius=1)]
     found = [
-        effort._kind(Kind(tool, level), upright)
+        effort._kind_number(Kind(tool, level), upright)
         for tool in tools
         for level in (True, False)
         for upright in (True, False)
     ]
     assert found == list(range(KINDS)) and len(TESTS) == len(CELLS) == KINDS
-    assert effort._kind(Kind(Tool("drill", 6), True), True) == 4
+    assert effort._kind_number(Kind(Tool("drill", 6), True), True) == 4
 
 
 def tiles(sizes, side=8):
@@ -116,7 +116,7 @@ def tiles(sizes, side=8):
 
 def test_pairs_count_by_kind_as_often_as_their_tile_stands_for():
     kind = np.array([5, 7, 7])
-    assert effort._pairs(tiles([2, 1]), np.array([10.0, 2.0]), kind).tolist() == list(of_kind(kind_5=10, kind_7=12))
+    assert effort._count_pairs(tiles([2, 1]), np.array([10.0, 2.0]), kind).tolist() == list(of_kind(kind_5=10, kind_7=12))
 
 
 def test_a_smaller_tile_is_in_the_one_around_it():
@@ -127,12 +127,12 @@ def test_a_smaller_tile_is_in_the_one_around_it():
 
 def test_of_few_pairs_all_are_taken():
     some, weight = tiles([10] * 10), np.full(10, 3.0)
-    assert effort._drawn(some, weight, np.ones(100), 100, np.random.default_rng(1)) == (some, weight)
+    assert effort._draw_tiles(some, weight, np.ones(100), 100, np.random.default_rng(1)) == (some, weight)
 
 
 def test_of_tiles_that_are_alike_so_many_are_drawn_as_have_the_pairs_and_stand_for_the_others():
     """20 of 100 with 10 pairs each, one of every five that follow each other, for 200 pairs."""
-    drawn, weight = effort._drawn(tiles([10] * 100), np.full(100, 3.0), np.ones(1000), 200, np.random.default_rng(1))
+    drawn, weight = effort._draw_tiles(tiles([10] * 100), np.full(100, 3.0), np.ones(1000), 200, np.random.default_rng(1))
     assert weight == pytest.approx(np.full(20, 15.0)) and np.diff(drawn.first).tolist() == [10] * 20
     assert (drawn.column // 8 // 5).tolist() == list(range(20)) and drawn.side == 8 and not drawn.row.any()
     for tile, column in enumerate(drawn.column // 8):
@@ -150,7 +150,7 @@ def test_tiles_are_drawn_as_likely_as_they_take_long_and_their_cost_stays():
     cost[first[77] : first[78]] *= 4000
     each = np.add.reduceat(cost, first[:-1])
     for seed in range(5):
-        drawn, heavy = effort._drawn(tiles(sizes), weight, cost, 60, np.random.default_rng(seed))
+        drawn, heavy = effort._draw_tiles(tiles(sizes), weight, cost, 60, np.random.default_rng(seed))
         tile = drawn.column // 8
         assert (heavy * each[tile]).sum() == pytest.approx((weight * each).sum())
         assert heavy[tile == 77] == pytest.approx(weight[77]) and len(tile) < 30
@@ -166,7 +166,7 @@ def test_tiles_whose_long_ones_take_little_are_all_taken():
     """Of those that take long 50 have 50 pairs: more than there are."""
     some, weight = tiles([100, 1, 1]), np.ones(3)
     cost = np.append(np.full(100, 1e-9), [1.0, 1.0])
-    assert effort._drawn(some, weight, cost, 50, np.random.default_rng(1)) == (some, weight)
+    assert effort._draw_tiles(some, weight, cost, 50, np.random.default_rng(1)) == (some, weight)
 
 
 @pytest.mark.long
@@ -198,7 +198,7 @@ def test_of_many_first_tiles_some_are_looked_at_and_stand_for_all(looked_at, cou
     view = View((0, 0, -1), 9 * TILE - 20, 7 * TILE - 20)
     path = toolpath(np.array([(5, 5, 5), (35, 5, 5), (35, 25, 5)], float))
     removal = Removal(Cuts([Cut(path, FLAT)]), BOX, view.frame(BOX))
-    found, weight, every = effort._first(removal, np.random.default_rng(3))
+    found, weight, every = effort._draw_first_tiles(removal, np.random.default_rng(3))
     assert every == 63 and weight == pytest.approx(np.full(count, 63 / count))
     number = found.row // TILE * 9 + found.column // TILE  # one of each so many that follow each other
     assert ((np.arange(count) * 63 // count <= number) & (number <= (np.arange(count) + 1) * 63 / count)).all()

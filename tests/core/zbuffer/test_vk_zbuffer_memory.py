@@ -192,20 +192,24 @@ def test_records_are_bounded_by_pixels_of_boxes(direction):
     for points in (surface(None, 60), [(-20, -20, 3), (60, 50, 3)], [(10, 10, 5), (10, 10, 2)]):
         moves = toolpath(np.array(points, float))
         z = simulate(moves, tool=TOOLS[0], stock=BOX, view=View(direction, 80, 60))
-        bound = memory._most(Removal(Cuts([Cut(moves, TOOLS[0])]), BOX, z.frame))
+        bound = memory._most_records(Removal(Cuts([Cut(moves, TOOLS[0])]), BOX, z.frame))
         assert z.dexels + z.traces <= bound <= 80 * 60 * (1 + 2 * len(moves))
 
 
 def test_the_box_of_a_move_from_above():
     """20 mm and the tool: 26 by 6 mm of 0.5 mm, an edge more, clipped to the image; obliquely each pixel twice."""
-    assert memory._most(removal(TOOLS[0], (0, 0, -1))) == 80 * 60 + 53 * 13
-    assert memory._most(removal(TOOLS[0], (0, 0, -1), [(10, 15, 5), (90, 15, 5)])) == 80 * 60 + (80 - 14 + 1) * 13
-    assert memory._most(removal(TOOLS[0], (0, 0, -1), [(-50, 15, 5), (30, 15, 5)])) == 80 * 60 + (66 + 1) * 13
-    assert memory._most(removal(TOOLS[0], (0, 0, -1), [(20, 28, 5), (30, 28, 5)])) == 80 * 60 + 33 * (60 - 50 + 1)
-    assert memory._most(removal(TOOLS[0], (0, 0, -1), [(20, 2, 5), (30, 2, 5)])) == 80 * 60 + 33 * (10 + 1)
+    assert memory._most_records(removal(TOOLS[0], (0, 0, -1))) == 80 * 60 + 53 * 13
+    assert (
+        memory._most_records(removal(TOOLS[0], (0, 0, -1), [(10, 15, 5), (90, 15, 5)])) == 80 * 60 + (80 - 14 + 1) * 13
+    )
+    assert memory._most_records(removal(TOOLS[0], (0, 0, -1), [(-50, 15, 5), (30, 15, 5)])) == 80 * 60 + (66 + 1) * 13
+    assert memory._most_records(removal(TOOLS[0], (0, 0, -1), [(20, 28, 5), (30, 28, 5)])) == 80 * 60 + 33 * (
+        60 - 50 + 1
+    )
+    assert memory._most_records(removal(TOOLS[0], (0, 0, -1), [(20, 2, 5), (30, 2, 5)])) == 80 * 60 + 33 * (10 + 1)
     for aside in ((30, 0), (0, 30), (-60, 0), (0, -60)):  # the image is of what lies beside it
-        assert memory._most(removal(TOOLS[0], (0, 0, -1), [(5, 5, 5), (20, 5, 5)], offset=aside)) == 80 * 60
-    assert memory._most(removal(TOOLS[0], (0, 1, 0))) == 80 * 60 + 2 * 53 * 11  # 26 mm by the 5 above it
+        assert memory._most_records(removal(TOOLS[0], (0, 0, -1), [(5, 5, 5), (20, 5, 5)], offset=aside)) == 80 * 60
+    assert memory._most_records(removal(TOOLS[0], (0, 1, 0))) == 80 * 60 + 2 * 53 * 11  # 26 mm by the 5 above it
 
 
 def test_a_huge_image_is_refused_by_default():

@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The paper's extended z-buffer with traces: simulating it, and knowing its cost without.
+"""The paper's extended z-buffer with traces: simulation, findings, and cost estimates.
 
-In: `Cut`, a toolpath with its tool, one or several; stock and view.
-Out: `ZBuffer`, exact dexels and traces at any moment, and what they tell; `Estimate`, their numbers, memory and time from sampled rays;
-`Resolution`, the finest image that a budget allows; `OverBudget`, the error of a simulation that takes too much memory;
-`Speed`, how fast this computer is.
+In: one or several `Cut` (a toolpath with its tool), a stock and a view.
+Out: `ZBuffer`, exact dexels and traces at any moment; `JobFacts`, the facts on each operation; `Estimate`, numbers of records, memory and
+time estimated from sampled rays; `Resolution`, the finest image within a budget; `OverBudget`, the error of a simulation that needs
+too much memory; `Speed`, the speed of this computer.
 """
 
 from vkworkbench.core.zbuffer.cost.bound import cauchy_crofton, cuts_surely, may_cut, most_bytes

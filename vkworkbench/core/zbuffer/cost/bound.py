@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Properties of a simulation that follow from a few operations per trajectory, without a ray."""
+"""Bounds for a simulation from a few operations for each trajectory, without rays."""
 
 from __future__ import annotations
 
@@ -13,11 +13,12 @@ from vkworkbench.core.view import Frame, View
 from vkworkbench.core.zbuffer.memory.memory import most_bytes_of
 from vkworkbench.given import number
 
-_SHALLOW = 1e-3  # mm
+# Depth below the stock's top up to which a cut is not certain, mm.
+_SHALLOW = 1e-3
 
 
 def cuts_surely(toolpath: Toolpath, stock: Solid) -> bool:
-    """Whether the tip stands in a box of stock or below it at the end of some trajectory; else it may cut or not."""
+    """Return whether a point of the toolpath lies inside or below a box of stock, so that the tool cuts. False: it may still cut."""
     if not isinstance(stock, Stock):
         return False
     points = toolpath.points
@@ -28,7 +29,7 @@ def cuts_surely(toolpath: Toolpath, stock: Solid) -> bool:
 
 
 def may_cut(toolpath: Toolpath, tool: Tool, stock: Solid) -> bool:
-    """Whether the box around all that the tool passes reaches into the box around the stock; else it cuts nothing."""
+    """Return whether the bounding boxes of the swept volume and of the stock overlap. False: the tool cuts nothing."""
     points = toolpath.points
     if not len(points):
         return False
@@ -38,18 +39,19 @@ def may_cut(toolpath: Toolpath, tool: Tool, stock: Solid) -> bool:
 
 
 def most_bytes(toolpath: Toolpath, *, tool: Tool, stock: Solid, view: View) -> float:
-    """No more bytes than this does a simulation take at its peak, with pictures of it.
+    """Return an upper bound of the simulation's peak memory, pictures included.
 
-    A trajectory adds one record to a pixel it passes, two in an oblique view. A convex outline of area A and perimeter P
-    holds at most A + P / 2 + 1 points of a lattice of step 1 (Nosarzewska 1948). Seen from above it is that of the tool
-    sent along the move, obliquely the box around it. What a flat end cuts at one height it cuts once.
+    A trajectory adds one record to each pixel that it passes, two in an oblique view. A convex outline of area A and perimeter P
+    contains at most A + P / 2 + 1 points of a lattice with spacing 1 (Nosarzewska 1948). In a view from above, the outline is the
+    outline of the tool moved along the trajectory. In an oblique view it is the bounding box. A flat end cuts a pixel at most once
+    at each height.
 
     Parameters
     ----------
     toolpath : Toolpath
     tool : Tool
     stock : Solid
-        Of a mesh, whose rays may begin with any number of dexels, there is no bound.
+        For a mesh the bound is infinite, because its rays may begin with any number of dexels.
     view : View
 
     Returns
@@ -60,11 +62,11 @@ def most_bytes(toolpath: Toolpath, *, tool: Tool, stock: Solid, view: View) -> f
     if not isinstance(stock, Convex):
         return np.inf
     frame = view.frame(stock)
-    return most_bytes_of(_most_cut(toolpath, tool, stock, frame), frame.width * frame.height, len(toolpath))
+    return most_bytes_of(_most_removed(toolpath, tool, stock, frame), frame.width * frame.height, len(toolpath))
 
 
-def _most_cut(toolpath: Toolpath, tool: Tool, stock: Convex, frame: Frame) -> float:
-    """No more pieces of rays than this are removed."""
+def _most_removed(toolpath: Toolpath, tool: Tool, stock: Convex, frame: Frame) -> float:
+    """Return an upper bound of the number of removed pieces."""
     points, top = toolpath.points, float(stock.upper[2])
     cuts = np.flatnonzero(np.minimum(points[:-1, 2], points[1:, 2]) < top) if len(toolpath) else np.empty(0, int)
     move = points[cuts + 1] - points[cuts]
@@ -72,8 +74,8 @@ def _most_cut(toolpath: Toolpath, tool: Tool, stock: Convex, frame: Frame) -> fl
     if not any(frame.direction[:2]):
         run = np.sqrt(move[:, 0] ** 2 + move[:, 1] ** 2) / frame.pixel
         passed = (2 * radius + 1) * run + np.pi * radius * (radius + 1) + 1
-        return _on_levels(points[cuts], move, passed, tool, pixels)
-    # The tool seen obliquely is no wider than its diameter, and reaches up to the stock's top.
+        return _count_by_level(points[cuts], move, passed, tool, pixels)
+    # In an oblique view, the tool is as wide as its diameter and ends at the stock's top.
     height = (top - np.minimum(points[cuts, 2], points[cuts + 1, 2])) / frame.pixel
     right, up = (
         sum(np.abs(move[:, axis] * direction[axis]) for axis in range(3)) / frame.pixel + 2 * radius
@@ -83,8 +85,8 @@ def _most_cut(toolpath: Toolpath, tool: Tool, stock: Convex, frame: Frame) -> fl
     return 2 * float(np.minimum(right * up + right + up + 1, pixels).sum())
 
 
-def _on_levels(start: np.ndarray, move: np.ndarray, passed: np.ndarray, tool: Tool, pixels: int) -> float:
-    """Sum up the pixels that trajectories pass, those of one height no more than once if the tool's end is flat."""
+def _count_by_level(start: np.ndarray, move: np.ndarray, passed: np.ndarray, tool: Tool, pixels: int) -> float:
+    """Return the number of pixels that trajectories pass, with pixels at one height counted once if the tool's end is flat."""
     if passed.sum() <= pixels or tool.rounding or tool.steepness:
         return float(np.minimum(passed, pixels).sum())
     flat = (move[:, 2] == 0) | ~move[:, :2].any(axis=1)
@@ -94,7 +96,7 @@ def _on_levels(start: np.ndarray, move: np.ndarray, passed: np.ndarray, tool: To
 
 
 def cauchy_crofton(toolpath: Toolpath, *, stock: Solid, view: View, direction: float | None = None) -> float:
-    """Count the crossings of the toolpath with parallel lines a pixel apart: M(epsilon, theta) of the paper's section 2.1.
+    """Count the crossings of the toolpath with parallel lines, one pixel apart: M(epsilon, theta) in section 2.1 of the paper.
 
     M is the length of the toolpath's projection on a line of direction theta, divided by epsilon, the distance between
     the lines. The lines run in the direction theta + pi / 2 (Tricot 1995). The paper rejects this measure of the cost,
@@ -103,22 +105,23 @@ def cauchy_crofton(toolpath: Toolpath, *, stock: Solid, view: View, direction: f
     Parameters
     ----------
     toolpath : Toolpath
-        Its trajectories that go below the top of the stock are counted, whole, also beside the stock.
+        Trajectories that go below the top of the stock are counted with their whole length, also beside the stock.
     stock : Solid
     view : View
-        Its pixel is epsilon.
+        The side of its pixels is epsilon.
     direction : float, optional
-        Theta, rad from the image's right upwards; 0 counts crossings with the pixels' columns, pi / 2 with their rows.
+        Theta, rad, from the image's right upwards; 0 counts crossings with columns of pixels, pi / 2 with rows.
 
     Returns
     -------
     float
-        For that direction; without one the mean over all of them, 2 / pi of the length in the image by epsilon.
+        Number of crossings. Without `direction`, the mean over all directions: 2 / pi of the length in the image, divided by
+        epsilon.
 
     Raises
     ------
     ValueError, TypeError
-        Where an argument is something else.
+        If an argument has another type, or the direction is not finite.
     """
     check_toolpath(toolpath)
     frame = fitted(view, stock)

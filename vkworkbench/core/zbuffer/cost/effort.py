@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What the simulator has to do, from a few tiles of the image that it would cull.
+"""The simulator's work, estimated by culling a sample of tiles.
 
-How much culling drops differs from one toolpath to another by orders of magnitude; only culling tells. So some tiles
-are culled as the simulator does it, level by level. Where the tiles of a level have more pairs than a few thousands,
-some of them are drawn, as likely as their pairs take long, and stand for the others (sampling proportional to size,
-Madow 1949). What would be drawn more than once is taken for certain, and stands for itself.
+The share of pairs that culling drops differs between toolpaths by orders of magnitude, and only culling can find it. Therefore some
+tiles are culled level by level, with the code of the simulator. If the tiles of a level have too many pairs, a sample of the tiles
+is drawn, with probabilities proportional to the time that their pairs need (sampling proportional to size, Madow 1949). A tile whose
+probability would exceed 1 is always drawn.
 """
 
 from __future__ import annotations
@@ -22,23 +22,23 @@ from vkworkbench.core.zbuffer.memory.counts import Counts
 from vkworkbench.core.zbuffer.rays.removal import Removal
 from vkworkbench.core.zbuffer.sweeps.trajectories import Kind
 
-# Pairs of tile and trajectory that go on at each level, for each kind of trajectory: operations with different tools are
-# in different places. As many more as there are trajectories, up to a number: where they crowd, a few tiles hold all that
-# go on, and do not tell what the others take. And of the image's first tiles as many as are looked at.
+# Number of pairs of tile and trajectory in the sample of each level: `_PAIRS` for each kind of trajectory, because operations with
+# different tools cut different tiles, plus the number of trajectories up to `_CROWDED`, because a few crowded tiles would otherwise
+# fill the sample. `_LOOKED_AT` is the number of pairs tested for the first tiles.
 _PAIRS = 12_000
 _CROWDED = 40_000
 _LOOKED_AT = 2_000_000
-# No fewer of the first tiles.
+# Minimum number of first-level tiles.
 _FEWEST = 24
 
-# The same tiles every time.
+# Fixed seed, so that equal arguments give equal estimates.
 _SEED = 2002
 
-# Kinds of pairs: by the tool (flat, pointed, ball, bull-nose), of these level and sloped moves, of these seen from above
-# or below and obliquely. What testing a pair takes, and cutting a pixel's ray by one, what more where the ray's removals
-# have to be sorted, and a record from above and obliquely, in units of `Speed`; learned by benchmarks/learn_effort.py.
-# Cutting rays by a bull nose obliquely takes as long level as sloped, but thrice as long where they pass it between the ends of
-# its move as where they pass it at an end: these are the two kinds of such cells.
+# Kinds of pairs, numbered 4 * tool (flat, pointed, ball, bull-nose) + 2 * sloped + oblique view. Costs in units of `Speed`, fitted by
+# benchmarks/learn_effort.py: TESTS for testing a pair of tile and trajectory, CELLS for cutting the ray of a pixel, SORTED in addition
+# for a ray whose intervals are sorted, RECORDS for a record in a view from above and in an oblique view.
+# Exception: for a bull-nose in an oblique view, a cell costs three times as much between the ends of the move as at an end, on level
+# and sloped moves alike. The two kinds of such cells mean these two positions.
 KINDS = 16
 _AT_END, _BETWEEN = 13, 15
 TESTS = np.array(
@@ -49,32 +49,32 @@ CELLS = np.array(
 )
 SORTED = 0.072
 RECORDS = np.array([1, 3.193])
-# Which tables these are: a `Speed` that was measured with others does not hold for them.
+# Checksum of the tables. A `Speed` measured with other tables is not valid.
 WORK_UNITS = f"{crc32(np.concatenate((TESTS, CELLS, [SORTED], RECORDS)).tobytes()):08x}"
 
 
 @dataclass(frozen=True)
 class Work:
-    """Amounts of a simulation's work.
+    """Amounts of work in a simulation.
 
     Attributes
     ----------
     trajectories, pixels : float
-        Of the toolpath and of the image.
+        Number of trajectories and of pixels.
     first : float
-        Pairs of trajectory and tile of the size to begin with, whether they meet or not.
+        Number of pairs of a trajectory and a tile of the largest size, whether or not they meet.
     pairs : tuple of (16,) tuple of float
-        Pairs of tile and trajectory that are tested at each level, from the largest tiles down, by kind; see `KINDS`.
+        Number of tested pairs of tile and trajectory, by level (the largest tiles first) and kind; see `KINDS`.
     cells : (16,) tuple of float
-        Pairs of pixel and trajectory of which the ray is cut, by kind.
+        Number of pairs of a trajectory and a pixel whose ray it cuts, by kind.
     unconnected : float
-        Share of these whose ray's removals do not connect, so that they are sorted.
+        Share of `cells` on rays whose intervals are not connected, so that they are sorted.
     records : (2,) tuple of float
-        Dexels and elements of traces, from above or below and obliquely.
+        Number of dexels and elements of traces, in a vertical view and in an oblique view.
     bands : float
-        Bands of `TILE` rows of the image, from the lowest to the highest that trajectories reach.
+        Number of bands of `TILE` rows, from the lowest to the highest band that trajectories reach.
     kinds : float
-        How many kinds of trajectory reach each of these on average: the pairs of each are worked on apart.
+        Mean number of kinds of trajectory in a band. The pairs of each kind are processed separately.
     """
 
     trajectories: float
@@ -88,19 +88,19 @@ class Work:
     kinds: float
 
     def amounts(self, growth: float = 1.0) -> np.ndarray:
-        """How often each constant of `Speed` is due, in an image of `growth` times as many pixels.
+        """Return the factor of each constant of `Speed`, for an image with `growth` times as many pixels.
 
-        How many pairs tiles of one size in mm have does not depend on the image: in a finer one the same levels follow
-        each other, begun later and continued further.
+        The number of pairs for tiles of a given size in mm does not depend on the image. A finer image begins at a smaller
+        size and continues to smaller sizes.
 
         Returns
         -------
         (7,) float64
-            Trajectories, pixels, first pairs, blocks of pairs of one kind worked on at once, tests, cells, records.
+            Trajectories, pixels, first pairs, blocks of pairs of one kind, tests, cells, records.
         """
         levels = np.array(self.pairs).reshape(-1, KINDS)
-        pairs, tests = _finer(levels.sum(axis=1), growth), _finer(levels @ TESTS, growth)
-        cells = np.array(self.cells) * self._cells_in(growth)
+        pairs, tests = _shift_levels(levels.sum(axis=1), growth), _shift_levels(levels @ TESTS, growth)
+        cells = np.array(self.cells) * self._cell_growth(growth)
         bands = self.bands * np.sqrt(growth)
         each = np.maximum.accumulate(np.maximum(pairs / PAIRS_AT_ONCE, bands))
         blocks = self.kinds * (each.sum() + max(bands, cells.sum() / PAIRS_AT_ONCE))
@@ -110,11 +110,11 @@ class Work:
             cells @ (CELLS + SORTED * self.unconnected), records * growth,
         ])  # fmt: skip
 
-    def _cells_in(self, growth: float) -> float:
-        """How many times as many cells there are.
+    def _cell_growth(self, growth: float) -> float:
+        """Return the growth of the number of cells.
 
-        At each level as many as the pairs of the last tiles grew from those before them, and in the end as many as there
-        are pixels, each of which as many trajectories cut: the mean of both, as ratios.
+        Two models: the pairs grow from level to level as they do in the last known level, or the cells grow with the number of
+        pixels. The result is the geometric mean of both.
         """
         if not self.pairs or sum(self.cells) == 0:
             return growth
@@ -123,8 +123,8 @@ class Work:
         return float((4 * step) ** (np.log2(growth) / 4))
 
 
-def _finer(levels: np.ndarray, growth: float) -> np.ndarray:
-    """Amounts of each level in an image of `growth` times as many pixels: powers of two between those known."""
+def _shift_levels(levels: np.ndarray, growth: float) -> np.ndarray:
+    """Return the amounts of each level for an image with `growth` times as many pixels, interpolated on a logarithmic scale."""
     if growth == 1 or len(levels) < 2 or levels.min() <= 0:
         return levels * growth
     place = np.arange(len(levels)) + np.log2(growth) / 2
@@ -136,69 +136,76 @@ def _finer(levels: np.ndarray, growth: float) -> np.ndarray:
 
 
 def work_of(removal: Removal, trajectories: int, counts: Counts) -> Work:
-    """Estimate a simulation's work.
+    """Estimate the work of a simulation.
 
     Parameters
     ----------
     removal : Removal
-        What is to be simulated.
+        The removal to simulate.
     trajectories : int
-        Of the whole toolpath.
+        Number of trajectories of the whole toolpath.
     counts : Counts
-        What the simulation ends with.
+        Estimated numbers of records at the end.
 
     Returns
     -------
     Work
-        The same for the same arguments.
+        Equal for equal arguments.
     """
     rng = np.random.default_rng(_SEED)
     frame, upright = removal.frame, removal.sine == 0
     bounds = Upright(removal) if upright else Tilted(removal)
-    kind = np.array([_kind(kind, upright) for kind in removal.kinds], int)[removal.kind]
-    cell_kind, between = _of_cells(removal, kind)
-    tiles, weight, all_tiles = _first(removal, rng)
+    kind = np.array([_kind_number(kind, upright) for kind in removal.kinds], int)[removal.kind]
+    cell_kind, between = _cell_kinds(removal, kind)
+    tiles, weight, all_tiles = _draw_first_tiles(removal, rng)
     pairs = _PAIRS * len(removal.kinds) + min(len(removal.index), _CROWDED)
     levels = []
     cells: np.ndarray = np.zeros(KINDS)
     while len(tiles.item):
         fine = are_small(tiles, bounds.slow)
-        these = tiles.side**2 * np.repeat(weight[fine], np.diff(tiles.first)[fine])
+        pixels = tiles.side**2 * np.repeat(weight[fine], np.diff(tiles.first)[fine])
         item = tiles.selected(fine).item
-        cells += np.bincount(cell_kind[item], these * (1 - between[item]), KINDS)
-        cells[_BETWEEN] += these @ between[item]
+        cells += np.bincount(cell_kind[item], pixels * (1 - between[item]), KINDS)
+        cells[_BETWEEN] += pixels @ between[item]
         tiles, weight = tiles.selected(~fine), weight[~fine]
         if not len(tiles.item):
             break
-        levels.append(tuple(_pairs(tiles, weight, kind).tolist()))
-        tiles, weight = _drawn(tiles, weight, TESTS[kind[tiles.item]], pairs, rng)
+        levels.append(tuple(_count_pairs(tiles, weight, kind).tolist()))
+        tiles, weight = _draw_tiles(tiles, weight, TESTS[kind[tiles.item]], pairs, rng)
         smaller = quartered(removal, bounds, tiles)
         tiles, weight = smaller, weight[_parents(tiles, smaller)]
     pixels, first = frame.width * frame.height, all_tiles * len(removal.index)
     kept = (counts.records, 0.0) if upright else (0.0, counts.records)
     return Work(
-        trajectories, pixels, first, tuple(levels), tuple(cells.tolist()), counts.unconnected, kept, *_bands(removal)
+        trajectories,
+        pixels,
+        first,
+        tuple(levels),
+        tuple(cells.tolist()),
+        counts.unconnected,
+        kept,
+        *_count_bands(removal),
     )
 
 
-def _bands(removal: Removal) -> tuple[float, float]:
-    """See `Work.bands` and `Work.kinds`."""
+def _count_bands(removal: Removal) -> tuple[float, float]:
+    """Return `Work.bands` and `Work.kinds`."""
     frame = removal.frame
     band, most, half = TILE * frame.pixel, -(-frame.height // TILE), frame.height * frame.pixel / 2
     bottom, top = np.clip(removal.box[2:], -half, half)
     own = [removal.kind == number for number in range(len(removal.kinds))]
-    # A part of a band is a band, too: one more on average.
-    each = [min((top[of].max() - bottom[of].min()) / band + 1, most) for of in own]
+    # A partly reached band counts as a band: on average this adds one.
+    each = [min((top[kind].max() - bottom[kind].min()) / band + 1, most) for kind in own]
     if not each:
         return 0.0, 1.0
     together = min((top.max() - bottom.min()) / band + 1, most)
     return together, sum(each) / together
 
 
-def _of_cells(removal: Removal, kind: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Kinds (m,) of pairs of a pixel and a trajectory, and what share of those of a bull-nose is between the ends of its moves.
+def _cell_kinds(removal: Removal, kind: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Return the kinds (m,) of cells, and the share (m,) of a bull-nose's cells that lie between the ends of its move.
 
-    A disc that moves covers so much more than one that stands.
+    The share is the area of the swept disc beyond the area of the disc itself.
     """
     rounded = (kind == _AT_END) | (kind == _BETWEEN)
     run = removal.heading[2]
@@ -206,20 +213,21 @@ def _of_cells(removal: Removal, kind: np.ndarray) -> tuple[np.ndarray, np.ndarra
     return np.where(rounded, _AT_END, kind), between
 
 
-def _pairs(tiles: Tiles, weight: np.ndarray, kind: np.ndarray) -> np.ndarray:
-    """How many pairs of each kind tiles have that stand for so many."""
+def _count_pairs(tiles: Tiles, weight: np.ndarray, kind: np.ndarray) -> np.ndarray:
+    """Return the number of pairs of each kind, with each tile counted `weight` times."""
     return np.bincount(kind[tiles.item], np.repeat(weight, np.diff(tiles.first)), KINDS)
 
 
-def _kind(kind: Kind, upright: bool) -> int:
+def _kind_number(kind: Kind, upright: bool) -> int:
+    """Return the number of a kind of pairs; see `KINDS`."""
     tool = kind.tool
     rounded = 2 if tool.rounding == tool.radius else 3
     shape = rounded if tool.rounding else int(tool.steepness > 0)
     return 4 * shape + 2 * (not kind.level) + (not upright)
 
 
-def _first(removal: Removal, rng: np.random.Generator) -> tuple[Tiles, np.ndarray, int]:
-    """Some of the image's first tiles with their trajectories, for how many each stands, and how many there are."""
+def _draw_first_tiles(removal: Removal, rng: np.random.Generator) -> tuple[Tiles, np.ndarray, int]:
+    """Return a sample of the first-level tiles with their trajectories, the weight of each tile, and the number of all tiles."""
     frame = removal.frame
     columns, rows = -(-frame.width // TILE), -(-frame.height // TILE)
     every = columns * rows
@@ -232,15 +240,15 @@ def _first(removal: Removal, rng: np.random.Generator) -> tuple[Tiles, np.ndarra
     return tiles, np.full(count, every / count), every
 
 
-def _drawn(
+def _draw_tiles(
     tiles: Tiles, weight: np.ndarray, cost: np.ndarray, pairs: int, rng: np.random.Generator
 ) -> tuple[Tiles, np.ndarray]:
-    """Draw some of the tiles where they have too many pairs, as likely as these take long, each its `cost` (p,)."""
+    """Draw a sample of tiles if they have more than `pairs` pairs, with probabilities proportional to the `cost` (p,) of their pairs."""
     size = np.diff(tiles.first)
     if size.sum() <= pairs:
         return tiles, weight
     likely = weight * np.diff(np.append(0.0, np.cumsum(cost)).take(tiles.first))
-    usual = float((likely * size).sum()) / likely.sum()  # size of a tile so drawn
+    usual = float((likely * size).sum()) / likely.sum()  # mean number of pairs of a drawn tile
     count = max(1, int(pairs / usual))
     if count >= len(size):
         return tiles, weight
@@ -254,7 +262,7 @@ def _drawn(
 
 
 def _chances(likely: np.ndarray, count: int) -> np.ndarray:
-    """Chances of tiles to be among the `count` that are drawn: proportional to `likely` (t,), 1 at most."""
+    """Return the probability of each tile to be among `count` drawn tiles: proportional to `likely` (t,), at most 1."""
     sure = np.zeros(len(likely), bool)
     while True:
         left = likely[~sure].sum()
@@ -265,11 +273,11 @@ def _chances(likely: np.ndarray, count: int) -> np.ndarray:
         sure |= more
 
 
-def _parents(tiles: Tiles, made: Tiles) -> np.ndarray:
-    """Which of the tiles each of the smaller ones is in."""
+def _parents(tiles: Tiles, smaller: Tiles) -> np.ndarray:
+    """Return the index of the tile that contains each smaller tile."""
     width = 1 << 20
     place = (tiles.row // tiles.side) * width + tiles.column // tiles.side
     order = np.argsort(place)
-    inside = (made.row // tiles.side) * width + made.column // tiles.side
+    inside = (smaller.row // tiles.side) * width + smaller.column // tiles.side
     found: np.ndarray = order[np.searchsorted(place[order], inside)]
     return found

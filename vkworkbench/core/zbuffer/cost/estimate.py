@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What simulating an operation, or a job of several, in the extended z-buffer takes, without simulating it."""
+"""Estimates of the records, memory and time of a simulation, without running it."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ from vkworkbench.given import of_kind
 
 @dataclass(frozen=True)
 class Estimate:
-    """What the simulation of one operation takes, or of several one after another in one z-buffer.
+    """Estimated cost of simulating one operation, or several operations in one z-buffer.
 
     Attributes
     ----------
@@ -32,33 +32,33 @@ class Estimate:
     traces : float
         Number of elements of the traces.
     traces_error : float
-        One standard error of `traces`.
+        Standard error of `traces`.
     memory_bytes : float
-        At the simulation's peak, with pictures of it: where that is more than is allowed, it is refused.
+        Peak memory of the simulation, pictures included. `simulate` refuses a simulation whose peak exceeds its budget.
     seconds : float
-        Time of the whole simulation.
+        Time of the whole simulation, s.
     explanation : str
-        Why, in one sentence without a full stop.
+        The reason for the cost, in one sentence without a full stop.
     view : View
         The image.
     pixel : float
-        Side of its pixels, mm.
+        Side of the pixels, mm.
     candidates : float
-        Pairs of pixel and trajectory that passes it, whether or not anything is left to cut.
+        Pairs of a pixel and a trajectory that passes it, including pairs that remove nothing.
     stock_bytes : float
-        The same of the uncut stock alone.
+        Peak memory for the uncut stock alone.
     trajectory_seconds : float
-        The part of `seconds` that no smaller image saves.
+        Part of `seconds` that does not depend on the image, s.
     work : Work
-        Of the whole simulation.
+        Work of the whole simulation.
     speed : Speed
-        Of the computer that `seconds` holds for.
+        Speed of the computer, used for `seconds`.
     peak : Peak
-        What decides that memory, in this image and in others.
+        The quantities that determine `memory_bytes`, also for other image sizes.
     cuts : tuple of Cut
-        What was estimated, so that it can be estimated together with others; it is not sent to another process.
+        The estimated operations, for estimates together with other operations. Empty after pickling.
     stock : Solid or None
-        The uncut stock, likewise.
+        The uncut stock. None after pickling.
     """
 
     dexels: float
@@ -82,12 +82,12 @@ class Estimate:
         return {**vars(self), "cuts": (), "stock": None}
 
     def seconds_in(self, growth: float) -> float:
-        """Return the time in an image of `growth` times as many pixels, s."""
+        """Return the time for an image with `growth` times as many pixels, s."""
         return self.speed.seconds(self.work, growth)
 
     @property
     def factor(self) -> float:
-        """The true time is between the estimated one divided and multiplied by this."""
+        """Factor of uncertainty: the true time lies between ``seconds / factor`` and ``seconds * factor``."""
         return self.speed.factor
 
 
@@ -100,31 +100,31 @@ def estimate(
     view: View,
     speed: Speed = USUAL,
 ) -> Estimate:
-    """Estimate what simulating an operation takes, from some hundred rays simulated exactly.
+    """Estimate the cost of simulating an operation, from a few hundred rays that are simulated exactly.
 
-    The sequence of the trajectories decides how often a pixel is cut (paper, section 2.1); the rays see that
-    sequence, the strategy explains it.
+    The order of the trajectories determines how often a pixel is cut (paper, section 2.1). The sampled rays are cut in this
+    order. The strategy explains the result.
 
     Parameters
     ----------
     toolpath : Toolpath
     recognition : Recognition or None
-        For the words of the explanation.
+        Names the strategy in the explanation.
     tool : Tool
     stock : Solid
     view : View
     speed : Speed
-        Of this computer.
+        Speed of this computer; see `measure_speed`.
 
     Returns
     -------
     Estimate
-        The same for the same arguments.
+        Equal for equal arguments.
 
     Raises
     ------
     TypeError
-        Where an argument is something else.
+        If an argument has another type.
     """
     of_kind("recognition", recognition, (Recognition, type(None)), "what recognize found, or None")
     words = "toolpath" if recognition is None else str(recognition.strategy)
@@ -134,9 +134,9 @@ def estimate(
 
 
 def estimate_job(cuts: Sequence[Cut], *, stock: Solid, view: View, speed: Speed = USUAL) -> Estimate:
-    """Estimate what `simulate_job` takes, from some hundred rays cut by the whole job.
+    """Estimate the cost of `simulate_job`, from a few hundred rays that are cut by the whole job.
 
-    What an operation takes is what it takes on the stock that those before it left.
+    Each operation is estimated on the stock that earlier operations left.
 
     Parameters
     ----------
@@ -145,12 +145,12 @@ def estimate_job(cuts: Sequence[Cut], *, stock: Solid, view: View, speed: Speed 
     stock : Solid
     view : View
     speed : Speed
-        Of this computer.
+        Speed of this computer; see `measure_speed`.
 
     Returns
     -------
     Estimate
-        The same for the same arguments.
+        Equal for equal arguments.
     """
     return _estimated(Cuts(cuts), stock, view, speed, "job")
 

@@ -14,7 +14,7 @@ from vkworkbench.core.zbuffer.memory.memory import Peak, in_memory
 from vkworkbench.given import not_negative, number, of_kind, positive
 from vkworkbench.language import Message, render
 
-# Passes are told apart if at least this many pixels or cells lie between them.
+# Smallest distance between passes, in pixels or cells, at which an image separates the passes.
 _CELLS_PER_STEPOVER = 4
 
 
@@ -25,11 +25,11 @@ class Resolution:
     Attributes
     ----------
     view : View or None
-        The finest image within the budget; None where none is.
+        The finest image within the budget; None if no image is.
     memory_bytes, seconds : float
-        What the simulation takes with it, at its peak, with pictures of it; without a view, with a single pixel.
+        Peak memory and time of the simulation with this image; with an image of one pixel if `view` is None.
     why : Message
-        What limits it, or what helps where no resolution does.
+        The limit of the resolution, or an advice if no image is within the budget.
     """
 
     view: View | None
@@ -39,7 +39,7 @@ class Resolution:
 
     @property
     def explanation(self) -> str:
-        """The same as an English sentence without a full stop."""
+        """`why` as an English sentence without a full stop."""
         return render(self.why)
 
 
@@ -52,24 +52,24 @@ def best_resolution(
     labels: Sequence[str] = (),
     whole: Estimate | None = None,
 ) -> Resolution:
-    """Choose the finest image with which operations are simulated within a budget.
+    """Choose the finest image for which a simulation stays within a budget.
 
-    Dexels and trace elements grow with the number of pixels, and so does the memory but for that of the trajectories and of
-    the work. The time grows slower, see `Work.amounts`; that of the trajectories themselves does not, and no image shortens it.
+    Dexels, trace elements and their memory are proportional to the number of pixels. The memory for trajectories and temporary
+    arrays is constant. Time grows more slowly than the number of pixels, see `Work.amounts`, and a part of it is constant.
 
     Parameters
     ----------
     estimates : sequence of Estimate
-        Of the operations, all for the same view.
+        Estimates of the operations, all for the same view.
     memory_bytes, seconds : float, optional
-        The budget; at least one is given: `memory_bytes` as `simulate` takes it. Several operations share one z-buffer
-        and are simulated one after another.
+        The budget, bytes and s; at least one is required. Several operations share one z-buffer and are simulated one after
+        another.
     stepover : float, optional
-        Smallest distance between passes, mm: says whether the image tells the passes apart.
+        Smallest distance between passes, mm. `Resolution.why` compares it with the pixel.
     labels : sequence of str, optional
-        What the operations are called: the heaviest is named where no image helps.
+        Names of the operations, to name the one that takes longest if no image is within the budget.
     whole : Estimate, optional
-        What they take together; without it the sum of theirs, the stock counted once.
+        Estimate of all operations together. Default: the sum of `estimates`, with the stock counted once.
 
     Returns
     -------
@@ -78,9 +78,9 @@ def best_resolution(
     Raises
     ------
     ValueError
-        Without an estimate, without a budget, or with one that is not a positive number.
+        If there is no estimate or no budget, or the budget is not positive.
     TypeError
-        Where an argument is something else.
+        If an argument has another type.
     """
     if memory_bytes is None and seconds is None:
         raise ValueError("a budget is a positive number: give memory_bytes, seconds, or both")
@@ -91,15 +91,15 @@ def best_resolution(
     of_kind("estimates", estimates, Sequence, "several Estimate")
     if not estimates:
         raise ValueError("there is no operation to choose an image for")
-    for one in estimates if whole is None else (*estimates, whole):
-        of_kind("an estimate", one, Estimate, "the Estimate that estimate makes")
+    for estimate in estimates if whole is None else (*estimates, whole):
+        of_kind("an estimate", estimate, Estimate, "the Estimate that estimate makes")
     view, pixel = estimates[0].view, estimates[0].pixel
     each, estimates = estimates, estimates if whole is None else [whole]
-    peak = _together(estimates)
+    peak = _peak_together(estimates)
     fixed = sum(e.trajectory_seconds for e in estimates)
     pixels = view.width * view.height
 
-    # How many times as many pixels each budget allows.
+    # Growth of the number of pixels that each budget allows.
     limits = {}
     if memory_bytes is not None:
         limits["memory"] = in_memory(peak, memory_bytes)
@@ -128,8 +128,8 @@ def _seconds(estimates: Sequence[Estimate], growth: float) -> float:
     return sum(e.seconds_in(growth) for e in estimates)
 
 
-def _together(estimates: Sequence[Estimate]) -> Peak:
-    """What decides the memory of all of them in one z-buffer, the stock counted once."""
+def _peak_together(estimates: Sequence[Estimate]) -> Peak:
+    """Return the quantities that determine the memory of all operations in one z-buffer, with the stock counted once."""
     peaks = [e.peak for e in estimates]
     stocks = [p.stock for p in peaks]
     return Peak(
@@ -144,18 +144,18 @@ def _together(estimates: Sequence[Estimate]) -> Peak:
 
 
 def passes_apart(size: float, stepover: float | None) -> Message | None:
-    """Say whether cells or pixels of a size tell passes apart; None where it is not known how far apart they are."""
-    apart = 0.0 if stepover is None else number("stepover", stepover, "a distance of at least 0 mm", not_negative)
-    if not apart:
+    """Return a message on whether cells or pixels of a size separate passes; None if the stepover is unknown."""
+    distance = 0.0 if stepover is None else number("stepover", stepover, "a distance of at least 0 mm", not_negative)
+    if not distance:
         return None
-    finest = apart / _CELLS_PER_STEPOVER
+    finest = distance / _CELLS_PER_STEPOVER
     if size > finest:
-        return Message("passes-need", step=apart, cell=finest)
-    return Message("passes-seen", step=apart, cell=finest)
+        return Message("passes-need", step=distance, cell=finest)
+    return Message("passes-seen", step=distance, cell=finest)
 
 
 def heaviest(labels: Sequence[str], seconds: Sequence[float]) -> Message | None:
-    """Name the operation that takes the longest; None where there is no other."""
+    """Return a message that names the operation that takes longest; None if there is only one operation."""
     if len(labels) < 2:
         return None
     worst = max(range(len(labels)), key=seconds.__getitem__)

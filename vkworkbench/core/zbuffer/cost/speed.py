@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The speed of a computer, and of this one: the simulator timed on small made-up toolpaths."""
+"""The speed of a computer, measured by timing the simulator on small synthetic toolpaths."""
 
 from __future__ import annotations
 
@@ -24,43 +24,43 @@ from vkworkbench.core.zbuffer.sweeps.cuts import Cut, Cuts
 _STOCK = Stock((0, 0, 0), (60, 60, 20))
 _FLAT, _BALL = Tool("endmill", 8), Tool("ballend", 8)
 _TOP, _TILTED = (0, 0, -1), (0, 1, -2)
-# How often each run is timed at most.
+# Largest number of repetitions of each timed run.
 _RUNS = 8
-# The true time of nine in ten is within this factor of that of a measured speed, as benchmarks/resources.py time prints, and
-# on toolpaths of more kinds benchmarks/learn_effort.py.
+# Uncertainty of a time estimated with a measured speed: 90 % of the true times are within this factor, as benchmarks/resources.py
+# and, for more kinds of toolpaths, benchmarks/learn_effort.py print.
 _FACTOR = 2.0
-# Weight of the usual proportions against one measured time.
+# Weight of the default proportions between the constants, relative to one measured time.
 _RIDGE = 0.5
-# No constant is less than this share of the usual: noisy times would make some nothing.
+# Smallest constant, as a share of its default, because noisy times could make it zero or negative.
 _LEAST = 0.1
 
 
 @dataclass(frozen=True)
 class Speed:
-    """What one unit of the simulator's work costs on one computer, s.
+    """Time for one unit of each kind of the simulator's work on one computer, s.
 
-    The defaults are those of a Xeon core; :func:`measure_speed` measures this computer's.
+    The defaults were measured on a Xeon core. Use :func:`measure_speed` for this computer.
 
     Attributes
     ----------
     trajectory : float
-        One trajectory, whether it meets the stock or not.
+        Time for one trajectory, whether or not it meets the stock.
     pixel : float
-        One pixel of the image.
+        Time for one pixel of the image.
     meeting : float
-        One trajectory looked at for one of the largest tiles.
+        Time to compare one trajectory with one of the largest tiles.
     block : float
-        One block of pairs of one kind that are worked on at once.
+        Time for one block of pairs of one kind, in addition to its pairs.
     test : float
-        One pair of a tile and a trajectory tested.
+        Time to test one pair of a tile and a trajectory.
     cell : float
-        One pair of a pixel and a trajectory by which its ray is cut.
+        Time to cut the ray of one pixel by one trajectory.
     record : float
-        One dexel or element of a trace.
+        Time for one dexel or element of a trace.
     factor : float
-        The true time is between the estimated one divided and multiplied by this.
+        Uncertainty: the true time lies between the estimate divided by this and the estimate multiplied by this.
     processes : int
-        How many cut at once: all else is what one of them takes.
+        Number of processes that cut at once. The other attributes are for one process.
     """
 
     trajectory: float = 3.91e-07
@@ -75,11 +75,11 @@ class Speed:
 
     @property
     def constants(self) -> np.ndarray:
-        """(7,) float64 ndarray : what the units of `Work.amounts` cost, in its order."""
+        """Times for the units of `Work.amounts`, in the same order, (7,) float64, s."""
         return np.array([self.trajectory, self.pixel, self.meeting, self.block, self.test, self.cell, self.record])
 
     def seconds(self, work: Work, growth: float = 1.0) -> float:
-        """Return how long work takes, s, in an image of `growth` times as many pixels."""
+        """Return the time for some work in an image with `growth` times as many pixels, s."""
         alone = float((work.amounts(growth) * self.constants).sum())
         return shared_seconds(alone, max(1, min(self.processes, int(work.bands))))
 
@@ -88,22 +88,22 @@ USUAL = Speed()
 
 
 def measure_speed(clock: Callable[[], float] = processor_clock, going_on: Callable[[], object] = lambda: None) -> Speed:
-    """Time the simulator on lines, arcs and a surface, in about two seconds, until it is steady.
+    """Time the simulator on lines, arcs and a surface until the times are steady, in about two seconds.
 
-    The images are nearly as large as real ones: in a small one most of the time is what every array operation takes
-    to begin.
+    The images are nearly as large as real images, because in small images the start of each array operation takes most of
+    the time.
 
     Parameters
     ----------
     clock : callable
-        Tells the time, s: that of this processor, so that other programs do not make it slower.
+        Returns a time, s. Default: the processor time, which other programs do not influence.
     going_on : callable
-        Called before each simulation, of less than a tenth of a second; it may raise to end the measurement.
+        Called before each simulation, that is several times a second. An exception from it ends the measurement.
 
     Returns
     -------
     Speed
-        The constants that explain the times best, by least squares of the relative differences.
+        Constants fitted to the times; see `fit_speed`.
     """
     runs = (
         (_rows(6), _FLAT, _square(640)),
@@ -121,17 +121,21 @@ def measure_speed(clock: Callable[[], float] = processor_clock, going_on: Callab
 
 
 def fit_speed(amounts: np.ndarray, seconds: np.ndarray) -> Speed:
-    """Find the constants that explain measured times, as near to the usual proportions as these allow.
+    """Fit the constants to measured times.
 
-    Least squares of the relative differences, with a ridge towards the default constants times one factor
-    (Hoerl and Kennard 1970): few noisy times do not tell all constants apart.
+    Least squares of the relative differences, with a ridge towards the default constants times a common factor
+    (Hoerl and Kennard 1970), because a few noisy times do not determine all constants.
 
     Parameters
     ----------
     amounts : (k, 7) ndarray
         The work of each simulation, see `Work.amounts`.
     seconds : (k,) ndarray
-        What they took.
+        Time of each simulation.
+
+    Returns
+    -------
+    Speed
     """
     default = USUAL.constants
     factor = float(np.median(seconds / (amounts @ default)))
@@ -144,7 +148,7 @@ def fit_speed(amounts: np.ndarray, seconds: np.ndarray) -> Speed:
 
 
 def _work(toolpath: Toolpath, tool: Tool, view: View) -> np.ndarray:
-    """The work of one simulation; see `Work.amounts`."""
+    """Return the work of one simulation, (7,); see `Work.amounts`."""
     removal = Removal(Cuts([Cut(toolpath, tool)]), _STOCK, view.frame(_STOCK))
     return work_of(removal, len(toolpath), count(removal)).amounts()
 
@@ -154,13 +158,13 @@ def _square(side: int, direction: tuple[float, float, float] = _TOP) -> View:
 
 
 def _rows(count: int) -> Toolpath:
-    """Straight rows to and fro at one height, an even number of them."""
+    """Return an even number of straight rows at one height, cut back and forth."""
     x, y = np.tile([8.0, 52.0, 52.0, 8.0], count // 2), np.repeat(np.linspace(8, 52, count), 2)
     return Toolpath.through(np.column_stack((x, y, np.full(len(x), 15.0))))
 
 
 def _loops(count: int) -> Toolpath:
-    """Circles from the outside inwards, of chords of 5 degrees."""
+    """Return concentric circles, the largest first, with chords of 5 degrees."""
     angles = np.linspace(0, 2 * np.pi, 73)
     radius, angle = np.repeat(np.linspace(22, 6, count), len(angles)), np.tile(angles, count)
     return Toolpath.through(
@@ -169,7 +173,7 @@ def _loops(count: int) -> Toolpath:
 
 
 def _surface(count: int) -> Toolpath:
-    """Rows to and fro over waves, an even number of them."""
+    """Return an even number of rows over a wavy surface, cut back and forth."""
     row = np.linspace(0, 60, 31)
     x, y = np.tile(np.concatenate((row, row[::-1])), count // 2), np.repeat(np.linspace(0, 60, count), len(row))
     return Toolpath.through(np.column_stack((x, y, 13 + 3 * np.sin(x / 9) * np.cos(y / 11))))

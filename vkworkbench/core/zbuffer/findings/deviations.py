@@ -67,7 +67,7 @@ def gouges(zbuffer: ZBuffer, found: Deviations, tolerance: float) -> list[Deviat
 
 
 def material_left(zbuffer: ZBuffer, found: Deviations, tolerance: float) -> list[Deviation]:
-    """Return the thickest leftover material of each cut, the thickest first. The arguments are those of `gouges`."""
+    """Return the thickest leftover material of each cut, the thickest first. Arguments as for `gouges`."""
     return _worst_by_cut(zbuffer, _leftover_gap(found), tolerance)
 
 

@@ -17,7 +17,7 @@ def removed_volumes(zbuffer: ZBuffer) -> np.ndarray:
     Parameters
     ----------
     zbuffer : ZBuffer
-        At any moment: the volumes are those of the whole simulation.
+        The volumes cover the whole simulation, whatever the moment.
 
     Returns
     -------

@@ -139,7 +139,7 @@ def facts(zbuffer: ZBuffer, *, model: Solid | None = None, tolerance: float = TO
     zbuffer : ZBuffer
         At its last moment.
     model : Solid, optional
-        The finished part. Without it there are no gouges and no leftover material.
+        The finished part. Without a model, gouges and leftover material are empty.
     tolerance : float
         Largest deviation from the model that is ignored, mm.
 

@@ -30,7 +30,7 @@ class Deviations:
     part : (height, width) float32
         Depth of the part's surface, mm. If the part is gone: depth of the model's far side, or infinite without a model.
     model : SeenModel
-        The model that the part was compared with.
+        The compared model.
     """
 
     left: np.ndarray

@@ -106,7 +106,7 @@ def _distances(front: np.ndarray, behind: np.ndarray, pixels: np.ndarray, pixel:
             break
         for some in np.array_split(steps, ceil(len(searched) * len(steps) / _PAIRS)):
             rows, columns = row[searched, None] + some[:, 0], column[searched, None] + some[:, 1]
-            # Outside the image, use the nearest pixel of the border. It is closer, so it was searched before.
+            # Outside the image, use the nearest pixel of the border. The border is closer, so an earlier step has already included it.
             rows, columns = np.clip(rows, 0, height - 1), np.clip(columns, 0, width - 1)
             across = np.hypot(*some.T) * pixel
             to_front = beyond[searched, None] - front[rows, columns]
@@ -119,7 +119,7 @@ def _distances(front: np.ndarray, behind: np.ndarray, pixels: np.ndarray, pixel:
 
 
 def _around(size: int) -> Iterator[tuple[float, np.ndarray]]:
-    """Yield steps (n, 2) to rows and columns around a pixel, pixels, and the radius that was searched completely before."""
+    """Yield steps (n, 2) to rows and columns around a pixel, pixels, and the radius inside which every pixel was yielded."""
     for directions, wider in _SPARSE:
         for circles in _circles(size, directions, wider):
             yield 0.0, circles

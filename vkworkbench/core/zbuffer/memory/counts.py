@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""How many dexels and trace elements a simulation ends with, from some hundred rays simulated exactly."""
+"""Numbers of dexels and trace elements of a simulation, estimated from a few hundred rays that are simulated exactly."""
 
 from __future__ import annotations
 
@@ -14,32 +14,32 @@ from vkworkbench.core.zbuffer.rays.dexels import UNCUT, Pieces
 from vkworkbench.core.zbuffer.rays.records import GAP
 from vkworkbench.core.zbuffer.rays.removal import Removal
 
-# The same rays every time: a click and a macro give the same numbers.
+# Fixed seed, so that the window and a macro give the same numbers.
 _SEED = 2002
 
 
 @dataclass(frozen=True)
 class Counts:
-    """Numbers of records, estimated.
+    """Estimated numbers of records.
 
     Attributes
     ----------
     stock, gaps : float
-        Dexels of the uncut stock, and pieces of rays in its gaps, which stay.
+        Dexels of the uncut stock, and pieces of rays in its gaps. Gaps are kept as records.
     dexels : float
         Dexels at the end.
     traces, traces_error : float
-        Elements of the traces, and one standard error of their number.
+        Elements of the traces, and the standard error of their number.
     touched : float
-        Pixels that something cuts.
+        Pixels that are cut.
     passes : float
-        Pairs of a pixel and a trajectory that passes it, whether or not anything is left to cut.
+        Pairs of a pixel and a trajectory that passes it, including pairs that remove nothing.
     unconnected : float
-        Share of `passes` that are of rays whose removals do not connect: these are sorted (`chains.py`).
+        Share of `passes` on rays whose intervals are not connected. The intervals of these rays are sorted, see `chains.py`.
     band : float
-        Records of the fullest band of `TILE` rows.
+        Records of the band of `TILE` rows with the most records.
     pixels : int
-        Of the image.
+        Pixels of the image.
     """
 
     stock: float
@@ -55,14 +55,14 @@ class Counts:
 
     @property
     def records(self) -> float:
-        """Dexels, elements of traces and gaps that the z-buffer holds at the end."""
+        """Number of dexels, elements of traces and gaps at the end."""
         return self.dexels + self.traces + self.gaps
 
 
 def count(removal: Removal) -> Counts:
     """Estimate the records of a simulation.
 
-    The sequence of the trajectories decides how often a pixel is cut (paper, section 2.1); the rays see that sequence.
+    The order of the trajectories determines how often a pixel is cut (paper, section 2.1). The sampled rays are cut in this order.
 
     Parameters
     ----------
@@ -71,13 +71,13 @@ def count(removal: Removal) -> Counts:
     Returns
     -------
     Counts
-        The same for the same arguments.
+        Equal for equal arguments.
     """
     frame = removal.frame
     rng = np.random.default_rng(_SEED)
     rays = sample(removal, rng)
     pieces, passes = removal.cut(rays.x, rays.y)
-    # A ray begins with a dexel, and one more behind every gap of the stock.
+    # An uncut ray has one dexel, and one more behind every gap of the stock.
     held = np.bincount(pieces.ray, minlength=len(rays.x))
     empty = np.bincount(pieces.ray[pieces.owner == GAP], minlength=len(rays.x))
     parts = np.bincount(pieces.ray[pieces.owner == UNCUT], minlength=len(rays.x))
@@ -86,9 +86,9 @@ def count(removal: Removal) -> Counts:
     per_area = 1 / frame.pixel**2
 
     covered, gaps = seen_areas(removal.stock, frame, rng)
-    # Where a ray was cut through or through a wall: fewer or more dexels than it began with.
+    # Rays may end with fewer dexels (cut through) or with more (cut in the middle).
     more, _ = rays.total(parts - first)
-    more = max(more, -covered)  # where everything is cut away, rounding leaves less than nothing
+    more = max(more, -covered)  # if everything is cut away, rounding can make the sum negative
     traces, error = rays.total(cuts)
     passed, _ = rays.total(passes)
     unconnected, _ = rays.total(passes * _unconnected(pieces, len(rays.x)))
@@ -109,8 +109,8 @@ def count(removal: Removal) -> Counts:
 
 
 def _unconnected(pieces: Pieces, rays: int) -> np.ndarray:
-    """(rays,) bool: whose gap did not only grow. Owners then rise and fall again along the ray, or what is left parts them."""
+    """Return the rays (rays,) bool whose intervals are not connected: the owner has a maximum inside the ray (`UNCUT` is largest)."""
     owner, ray = pieces.owner, pieces.ray
-    peak = np.flatnonzero((owner[1:-1] > owner[:-2]) & (owner[1:-1] > owner[2:]) & (ray[2:] == ray[:-2]))  # behind each
+    peak = np.flatnonzero((owner[1:-1] > owner[:-2]) & (owner[1:-1] > owner[2:]) & (ray[2:] == ray[:-2]))
     found: np.ndarray = np.bincount(ray[peak], minlength=rays) > 0
     return found

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""How much larger an image may become within a budget, and what size it then has."""
+"""The growth and the size of the largest image within a budget."""
 
 from __future__ import annotations
 
@@ -8,14 +8,14 @@ from math import log2, sqrt
 
 from vkworkbench.core.view import Frame, View
 
-# No image grows by more than two to this.
+# Largest growth, as a power of two.
 _LARGEST_GROWTH = 40
 
 
 def growth_within(taken: Callable[[float], float], allowed: float, least: float) -> float:
-    """How many times as many pixels take what is allowed; 0 where even `least` times as many take more. By bisection.
+    """Return the largest growth of the number of pixels within a budget, by bisection; 0 if `least` is already too large.
 
-    `taken` returns what that many times as many pixels take: the more pixels, the more.
+    `taken` returns the time or memory for a growth, and must not decrease.
     """
     if taken(least) > allowed:
         return 0.0
@@ -29,9 +29,9 @@ def growth_within(taken: Callable[[float], float], allowed: float, least: float)
 
 
 def size_of(image: View | Frame, growth: float) -> tuple[int, int]:
-    """Return width and height of an image of no more than `growth` times as many pixels, one at least, of about its shape."""
+    """Return width and height of an image with at most `growth` times as many pixels, at least one, and about the same shape."""
     pixels = growth * image.width * image.height
-    # A strip is no narrower than a pixel: its length follows from that.
+    # The shorter side is at least one pixel, which limits the longer side of a strip.
     width = max(1, int(image.width * sqrt(growth)))
     height = max(1, int(min(image.height * sqrt(growth), pixels / width)))
     return max(1, int(min(width, pixels / height))), height

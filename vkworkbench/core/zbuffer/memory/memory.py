@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The memory that a simulation takes at its peak, known before it starts, and its limit."""
+"""The peak memory of a simulation, estimated before the simulation starts, and its limit."""
 
 from __future__ import annotations
 
@@ -17,42 +17,42 @@ from vkworkbench.core.zbuffer.rays.removal import Removal
 from vkworkbench.core.zbuffer.sweeps.cuts import Cut, Cuts
 from vkworkbench.language import Message, Unusable
 
-# What may be taken where nobody says otherwise, bytes.
+# Default memory budget, bytes.
 BUDGET = 2e9
-# Measured by benchmarks/zbuffer.py, other views as test_vk_zbuffer_memory.py does. Bytes of the work on one band of the
-# image at a time: from above; obliquely, where rays pass all tools in closed form; and otherwise. Then of every
-# trajectory as the simulation holds it, and of every record of a band while the band is put together.
+# Memory while cutting, bytes, measured by benchmarks/zbuffer.py and, for other views, as in test_vk_zbuffer_memory.py.
+# Temporary arrays for one band of the image: in views from above, in oblique views with closed forms for all tools, and otherwise.
 _BAND_ABOVE, _BAND_CLOSED, _BAND = 14e6, 20e6, 42e6
-# Views less steep than this cosine pass so many trajectories with each ray that the form does not matter.
+# Smallest cosine of the view's tilt for `_BAND_CLOSED`. In flatter views a ray passes so many trajectories that closed forms do not help.
 _STEEP = 0.5
+# Memory for each trajectory, and for each record of a band while the band is assembled, bytes.
 _TRAJECTORY = 460.0
 _BAND_RECORD = 13.0
-# Afterwards pictures at any moment are made: of every element of a trace, all of which may uncover what is seen then, of every
-# pixel and trajectory, and of what is worked on at once; with numpy 2 most.
+# Memory while pictures of the finished simulation are made, bytes: for each element of a trace, pixel and trajectory, and for
+# temporary arrays (the largest value of all numpy versions).
 _SHOWN, _SHOWN_PIXEL, _SHOWN_TRAJECTORY, _SHOWING = 14.0, PIXEL_BYTES + 92.0, 100.0, 12e6
-# A further process: itself, with Python and numpy; of every trajectory that it is told, and every record of a band, there and here.
+# Memory for each further process, bytes: Python and numpy; each trajectory sent to it; each record of a band, in both processes.
 _PROCESS = 50e6
 _SENT_TRAJECTORY = 500.0
 _SENT_RECORD = 26.0
-# The records grow by an eighth when they are full.
+# Share by which the arrays of records grow when they are full.
 _SPARE = 1 / 8
-# Traces are estimated; so many standard errors are added.
+# Number of standard errors that is added to the estimated traces.
 _ERRORS = 2.0
-# Of a budget: in another image other rays tell the records, 1.3 % more at most in 137 that were tried.
+# Share of the budget that may be used, because the estimate for another image size is made from other rays.
 _SURE = 0.98
 
 
 class OverBudget(Unusable):
-    """A simulation would take more memory than it may; nothing was simulated.
+    """A simulation would need more memory than allowed. Nothing was simulated.
 
     Attributes
     ----------
     what : Message
-        For the user.
+        Message for the user.
     needed, allowed : float
-        Bytes.
+        Peak memory of the simulation, and its limit, bytes.
     size : tuple of int or None
-        Width and height of the finest image that may be simulated, pixels; None where none may.
+        Width and height of the finest image within the limit, pixels; None if no image is.
     """
 
     def __init__(self, peak: Peak, allowed: float, counts: Counts, frame: Frame) -> None:
@@ -74,22 +74,22 @@ class OverBudget(Unusable):
 
 @dataclass(frozen=True)
 class Peak:
-    """What decides how much memory a simulation, and pictures of it, take at their peak.
+    """The quantities that determine the peak memory of a simulation and of pictures of it.
 
     Attributes
     ----------
     records, traces : float
-        Pieces of rays, and how many of them are removed, with their errors.
+        Upper bounds for the number of pieces of rays, and for the number of removed pieces.
     stock : float
-        Pieces of the rays of the uncut stock.
+        Number of pieces of rays of the uncut stock.
     band : float
-        Records of the fullest band of the image.
+        Number of records of the fullest band of the image.
     pixels : int
-        Of the image.
+        Number of pixels of the image.
     trajectories : int
-        How many there are, those that miss the stock included.
+        Number of trajectories, including trajectories that miss the stock.
     work : float
-        What the work on one band takes, whatever its records, bytes.
+        Memory for the temporary arrays for one band, bytes.
     """
 
     records: float
@@ -101,30 +101,41 @@ class Peak:
     work: float
 
     def bytes(self, growth: float = 1.0) -> float:
-        """Return that memory, bytes, in an image of `growth` times as many pixels."""
+        """Return the peak memory for an image with `growth` times as many pixels, bytes."""
         shown = growth * (RECORD_BYTES * self.records + _SHOWN * self.traces + _SHOWN_PIXEL * self.pixels)
         shown += _SHOWN_TRAJECTORY * self.trajectories + _SHOWING
         return max(self.cutting(growth), shown)
 
     @property
     def uncut(self) -> Peak:
-        """That of the stock where nothing cuts it."""
+        """The quantities for the uncut stock."""
         return replace(self, records=self.stock, traces=0.0, band=0.0, trajectories=0)
 
     def cutting(self, growth: float = 1.0) -> float:
-        """Return the part of it until all pieces are found."""
+        """Return the peak memory while cutting, without pictures, for `growth` times as many pixels, bytes."""
         held = RECORD_BYTES * self.records * (1 + _SPARE) + PIXEL_BYTES * self.pixels
         return growth * (held + _BAND_RECORD * self.band) + self.work + _TRAJECTORY * self.trajectories
 
 
 def memory_needed(cuts: Iterable[Cut], *, stock: Solid, view: View) -> float:
-    """Memory that `simulate_job`, and then a picture, takes at its peak for these arguments, bytes, from some hundred rays.
+    """Estimate the peak memory of `simulate_job` and of a picture, from a few hundred rays.
 
     Parameters
     ----------
     cuts : iterable of Cut
+        The operations in their order.
     stock : Solid
     view : View
+
+    Returns
+    -------
+    float
+        Bytes.
+
+    Raises
+    ------
+    TypeError
+        If an item of `cuts` is not a Cut.
     """
     numbered = Cuts(cuts)
     removal = Removal(numbered, stock, fitted(view, stock))
@@ -132,24 +143,25 @@ def memory_needed(cuts: Iterable[Cut], *, stock: Solid, view: View) -> float:
 
 
 def check_memory(removal: Removal, trajectories: int, allowed: float) -> None:
-    """Refuse a simulation that would take too much memory.
+    """Raise an error if a simulation would need too much memory.
 
     Parameters
     ----------
     removal : Removal
-        What would be simulated.
+        The removal to simulate.
     trajectories : int
-        How many there are, those that miss the stock included.
+        Number of trajectories, including trajectories that miss the stock.
     allowed : float
-        Bytes.
+        Largest peak memory, bytes.
 
     Raises
     ------
     OverBudget
+        If the estimated peak is larger than allowed.
     """
-    most = _most(removal)
+    most = _most_records(removal)
     if _peak(most, most, 0.0, most, trajectories, removal).bytes() <= allowed:
-        return  # whatever the rays say
+        return  # even the upper bound fits, so no rays are needed
     counts = count(removal)
     peak = peak_of(counts, trajectories, removal)
     if peak.bytes() > allowed:
@@ -157,24 +169,21 @@ def check_memory(removal: Removal, trajectories: int, allowed: float) -> None:
 
 
 def peak_bytes(counts: Counts, trajectories: int, removal: Removal) -> float:
-    """Memory that a simulation and pictures of it take at their peak, beyond what the process took before it, bytes.
-
-    The arguments are those of `peak_of`.
-    """
+    """Return the additional memory at the peak of a simulation and of pictures of it, bytes; arguments as for `peak_of`."""
     return peak_of(counts, trajectories, removal).bytes()
 
 
 def peak_of(counts: Counts, trajectories: int, removal: Removal) -> Peak:
-    """Return what decides the memory of a simulation and pictures of it.
+    """Return the quantities that determine the peak memory of a simulation.
 
     Parameters
     ----------
     counts : Counts
-        Its records.
+        Estimated numbers of records.
     trajectories : int
-        How many there are, those that miss the stock included.
+        Number of trajectories, including trajectories that miss the stock.
     removal : Removal
-        What is simulated.
+        The removal to simulate.
     """
     traces = counts.traces + _ERRORS * counts.traces_error
     records, stock = counts.records + _ERRORS * counts.traces_error, counts.stock + counts.gaps
@@ -182,33 +191,33 @@ def peak_of(counts: Counts, trajectories: int, removal: Removal) -> Peak:
 
 
 def in_memory(peak: Peak, allowed: float) -> float:
-    """Return how many times as many pixels surely take no more than that, bytes; 0 where not even a single one does."""
+    """Return the largest growth of the number of pixels within a memory limit, bytes; 0 if not even one pixel fits."""
     return growth_within(peak.bytes, _SURE * allowed, 1 / peak.pixels)
 
 
 def peak_that_was(records: Records, removal: Removal) -> Peak:
-    """Return what decided the memory of a simulation that ended with these records, and of pictures of it."""
+    """Return the quantities that determined the peak memory of a finished simulation, from its records."""
     traces = int(np.count_nonzero(records.cut))
     return _peak(len(records.far), traces, 0.0, 0.0, records.trajectories, removal)
 
 
 def most_bytes_of(traces: float, pixels: int, trajectories: int) -> float:
-    """Bound the memory of a simulation, and of pictures of it, that removes no more pieces than that, bytes."""
+    """Return an upper bound of the peak memory of a simulation that removes at most `traces` pieces, bytes."""
     records = traces + pixels
     return Peak(records, traces, 0.0, records, pixels, trajectories, _BAND).bytes()
 
 
 def helpers_within(allowed: float, removal: Removal, trajectories: int) -> int:
-    """How many further processes may cut bands of a simulation that takes no more memory than that, with them.
+    """Return how many further processes can help with a simulation within a memory limit.
 
     Parameters
     ----------
     allowed : float
-        Bytes.
+        Largest peak memory of all processes together, bytes.
     removal : Removal
-        What is simulated.
+        The removal to simulate.
     trajectories : int
-        How many there are, those that miss the stock included.
+        Number of trajectories, including trajectories that miss the stock.
     """
     counts = count(removal)
     each = _PROCESS + _band_work(removal) + _SENT_RECORD * counts.band + _SENT_TRAJECTORY * trajectories
@@ -216,8 +225,8 @@ def helpers_within(allowed: float, removal: Removal, trajectories: int) -> int:
     return max(0, int((allowed - alone) // each))
 
 
-def _most(removal: Removal) -> float:
-    """No more records than this, from the trajectories' bounding boxes in the image; a mesh may have any number."""
+def _most_records(removal: Removal) -> float:
+    """Return an upper bound of the number of records, from the bounding boxes of trajectories in the image; inf for a mesh."""
     if isinstance(removal.stock, Mesh):
         return np.inf
     frame = removal.frame
@@ -226,7 +235,7 @@ def _most(removal: Removal) -> float:
     across = np.minimum(right, half[0]) - np.maximum(left, -half[0]) + 1
     up = np.minimum(top, half[1]) - np.maximum(bottom, -half[1]) + 1
     passes = float((np.maximum(across, 0) * np.maximum(up, 0)).sum())
-    # Within a ray an interval divides one piece into three at most.
+    # An interval inside a piece divides the piece into three, which adds two. From above or below it adds one.
     return (1 if removal.sine == 0 else 2) * passes + frame.width * frame.height
 
 
@@ -236,7 +245,7 @@ def _peak(records: float, traces: float, stock: float, band: float, trajectories
 
 
 def _band_work(removal: Removal) -> float:
-    """Memory of the work on one band, whatever its records."""
+    """Return the memory for temporary arrays for one band, bytes."""
     if removal.sine == 0 and removal.cosine > 0:
         return _BAND_ABOVE
     closed = all(t.rounding == t.radius or t.rounding == t.steepness == 0 for t in removal.tools)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Random pixels where a toolpath passes: a stratified sample of an image and the totals it stands for."""
+"""Stratified random sample of the pixels that a toolpath passes, and totals estimated from the sample."""
 
 from __future__ import annotations
 
@@ -12,9 +12,8 @@ from vkworkbench.core.zbuffer.rays.removal import Removal
 from vkworkbench.core.zbuffer.sweeps.trajectories import AT_ONCE
 
 _CELLS = 32  # a power of two, for the Morton order
-_CORNERS = _CELLS + 1  # of these in a row
-# Rays drawn where the trajectories are few, and at least; between them, as many as meet that many
-# trajectories.
+_CORNERS = _CELLS + 1  # corners of cells in a row
+# Largest and smallest number of rays. Between these, the rays meet this total number of trajectories.
 _RAYS = 450
 _FEWEST = 100
 _MEETINGS = 150_000
@@ -22,15 +21,14 @@ _MEETINGS = 150_000
 
 @dataclass(frozen=True, eq=False)
 class Sample:
-    """Pixels' rays of an image with the areas they stand for, in the order of their strata.
+    """Rays of pixels with the areas that they represent, in the order of their strata.
 
     Attributes
     ----------
     x, y : (k,) float64
         Image coordinates of the rays, the centres of pixels, mm.
     area : (k,) float64
-        Area of the image each ray stands for, mm^2; a sum of values times areas estimates an integral
-        over the image.
+        Area of the image that each ray represents, mm^2. A sum of values times areas estimates an integral over the image.
     """
 
     x: np.ndarray
@@ -38,10 +36,10 @@ class Sample:
     area: np.ndarray
 
     def total(self, values: np.ndarray) -> tuple[float, float]:
-        """Integral of a quantity over the image and its standard error.
+        """Return the integral of a quantity over the image, and its standard error.
 
-        Each stratum holds one ray, so its variance is taken from the difference to the next stratum; this
-        counts the difference of their means as noise and errs on the safe side.
+        Each stratum contains one ray, so the variance is estimated from differences between neighbouring strata. The differences
+        include the strata's means, so the error is rather too large.
 
         Parameters
         ----------
@@ -60,8 +58,8 @@ class Sample:
         return float(shares.sum()), float(np.sqrt((np.diff(shares) ** 2).sum() / 2 * k / (k - 1)))
 
 
-def _neighbours_together() -> np.ndarray:
-    """Flat indices of the cells in Morton order: the bits of row and column interleaved."""
+def _morton_order() -> np.ndarray:
+    """Return the flat indices of the cells in Morton order: the bits of row and column interleaved."""
     row, column = np.divmod(np.arange(_CELLS**2), _CELLS)
     key = np.zeros(_CELLS**2, np.int64)
     for bit in range(_CELLS.bit_length() - 1):
@@ -69,18 +67,17 @@ def _neighbours_together() -> np.ndarray:
     return np.argsort(key)
 
 
-_ORDER = _neighbours_together()
+_ORDER = _morton_order()
 _NOWHERE = Sample(*np.empty((3, 0)))
 
 
 def sample(removal: Removal, rng: np.random.Generator) -> Sample:
-    """Draw up to 450 rays where the trajectories pass, one in each of as many strata.
+    """Draw up to `_RAYS` rays in the part of the image that trajectories pass, one in each stratum.
 
-    The part of the image the trajectories reach is divided into 32 x 32 cells. A cell's weight grows with the
-    square root of the number of trajectories that pass it, because where more pass the count varies more. The
-    strata are stretches of equal weight along a curve through the cells that keeps neighbours together
-    (Morton 1966). In each a random point is drawn, and the ray is that of the pixel it is in: a slot that is narrower
-    than a pixel is wide counts as the image shows it.
+    This part of the image is divided into cells. The weight of a cell is the square root of the number of trajectories that pass
+    it, because the count varies more where more trajectories pass. The strata are stretches of equal weight along a Morton curve
+    (Morton 1966), which keeps neighbouring cells close. In each stratum a random point is drawn. The ray is the ray of the pixel
+    that contains the point, so that a slot narrower than a pixel counts as in the image.
 
     Parameters
     ----------
@@ -90,20 +87,20 @@ def sample(removal: Removal, rng: np.random.Generator) -> Sample:
     Returns
     -------
     Sample
-        Empty where no trajectory reaches the image.
+        Empty if no trajectory reaches the image.
     """
     frame = removal.frame
     if len(removal.index) == 0:
         return _NOWHERE
     half = np.array([frame.width, frame.height]) * frame.pixel / 2
-    margin = frame.pixel / 2  # the pixels whose centres are reached
+    margin = frame.pixel / 2  # include the whole pixel of each reached centre
     low, high = seen_box(removal.stock, frame)
     low = np.maximum(-half, np.maximum(low, removal.box[::2].min(axis=1)) - margin)
     high = np.minimum(half, np.minimum(high, removal.box[1::2].max(axis=1)) + margin)
     if not (low < high).all():
         return _NOWHERE
     side = (high - low) / _CELLS
-    passes = _passes(removal, low, side).ravel()
+    passes = _count_passes(removal, low, side).ravel()
     weight = np.sqrt(passes)
     if not weight.any():
         return _NOWHERE
@@ -121,8 +118,11 @@ def sample(removal: Removal, rng: np.random.Generator) -> Sample:
     return Sample(x, y, area)
 
 
-def _passes(removal: Removal, low: np.ndarray, side: np.ndarray) -> np.ndarray:
-    """How many bounding boxes of trajectories, half a pixel wider, touch each cell, long ones cut up: (rows, columns)."""
+def _count_passes(removal: Removal, low: np.ndarray, side: np.ndarray) -> np.ndarray:
+    """Return how many bounding boxes of trajectories touch each cell, (rows, columns).
+
+    Boxes are enlarged by half a pixel. Long trajectories are divided into parts with a box each.
+    """
     total = len(removal.index)
     counts = np.zeros(_CORNERS**2)
     for begin in range(0, total, AT_ONCE):
@@ -133,7 +133,7 @@ def _passes(removal: Removal, low: np.ndarray, side: np.ndarray) -> np.ndarray:
 
 
 def _corners(removal: Removal, item: np.ndarray, low: np.ndarray, side: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Corners of these trajectories' boxes: which, and by how much each changes the number of boxes over the cells behind it."""
+    """Return the corners of the boxes of trajectories, and the change, +1 or -1, of the number of boxes behind each corner."""
     move = removal.move.take(item, axis=1)
     seen = np.array((move[0], removal.cosine * move[1] + removal.sine * move[2]))
     parts = np.ceil((np.abs(seen) / side).max(axis=0) / 4).astype(np.int64)
@@ -143,10 +143,10 @@ def _corners(removal: Removal, item: np.ndarray, low: np.ndarray, side: np.ndarr
     box = removal.boxes(item, place / parts, (place + 1) / parts)
     lower, upper = box[::2] - removal.frame.pixel / 2, box[1::2] + removal.frame.pixel / 2
     first, last = np.floor((lower - low) / side), np.floor((upper - low) / side)
-    # Seen from the side, the box of a part above the stock ends before it begins.
+    # In a view from the side, the box of a part above the stock is empty: it ends before it begins.
     inside = ((last >= np.maximum(first, 0)) & (first < _CELLS)).all(axis=0)
     c0, r0 = np.maximum(first[:, inside], 0).astype(np.int64)
     c1, r1 = np.minimum(last[:, inside], _CELLS - 1).astype(np.int64) + 1
-    # Summed up twice, they are the number of boxes over each cell.
+    # Cumulative sums along rows and columns give the number of boxes over each cell.
     corner = np.concatenate((r0 * _CORNERS + c0, r1 * _CORNERS + c1, r0 * _CORNERS + c1, r1 * _CORNERS + c0))
     return corner, np.repeat([1.0, 1.0, -1.0, -1.0], len(c0))

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""How much of an image a stock covers."""
+"""The area of an image that a stock covers."""
 
 from __future__ import annotations
 
@@ -9,12 +9,12 @@ from vkworkbench.core.hull import convex_hull
 from vkworkbench.core.stocks import Mesh, Solid
 from vkworkbench.core.view import Frame
 
-# Rows of rays by which the area of a mesh is counted, and rays of each.
+# Number of rows of rays for the area of a mesh, and number of rays in each row.
 _RAYS = 64
 
 
 def seen_box(stock: Solid, frame: Frame) -> tuple[np.ndarray, np.ndarray]:
-    """Lower and upper corner, (2,) mm, of where an image shows the box around a stock; they cross where it does not."""
+    """Return the lower and upper corner (2,), mm, of the stock's bounding box in an image; ``lower > upper`` if it is outside."""
     half = np.array([frame.width, frame.height]) * frame.pixel / 2
     axes = np.array([frame.right, frame.up])
     middle = axes @ ((stock.lower + stock.upper) / 2 - frame.centre)
@@ -23,20 +23,20 @@ def seen_box(stock: Solid, frame: Frame) -> tuple[np.ndarray, np.ndarray]:
 
 
 def seen_areas(stock: Solid, frame: Frame, rng: np.random.Generator) -> tuple[float, float]:
-    """How much of an image a stock covers.
+    """Return the area of an image that a stock covers.
 
     Parameters
     ----------
     stock : Solid
     frame : Frame
     rng : numpy.random.Generator
-        For the rays by which a mesh is counted; others are known without.
+        For the rays that sample a mesh; not used for other stocks.
 
     Returns
     -------
     covered, gaps : float
-        Area of the image that its parts cover, and the gaps between these, mm^2: where several lie behind each other, as
-        often.
+        Area covered by the stock, and area of the gaps of its rays, mm^2. Parts of the stock that lie behind each other are
+        counted separately.
     """
     if isinstance(stock, Mesh):
         return _mesh_areas(stock, frame, rng)
@@ -49,12 +49,12 @@ def seen_areas(stock: Solid, frame: Frame, rng: np.random.Generator) -> tuple[fl
 
 
 def _mesh_areas(mesh: Mesh, frame: Frame, rng: np.random.Generator) -> tuple[float, float]:
-    """`seen_areas` of a mesh, from a ray in each of many cells: random ones, which no ribs of a mesh are in step with."""
+    """Compute `seen_areas` for a mesh, from one random ray in each of many cells. A regular grid could coincide with ribs."""
     low, high = seen_box(mesh, frame)
     if not (low < high).all():
         return 0.0, 0.0
     side = (high - low) / _RAYS
-    # In rows: a mesh is crossed row by row.
+    # All rays of a row have the same y, because a mesh is intersected row by row.
     y = low[1] + (np.arange(_RAYS) + rng.random(_RAYS)) * side[1]
     x = low[0] + (np.arange(_RAYS) + rng.random((_RAYS, _RAYS))) * side[0]
     spans = mesh.spans(frame, x.ravel(), np.repeat(y, _RAYS))
@@ -63,12 +63,12 @@ def _mesh_areas(mesh: Mesh, frame: Frame, rng: np.random.Generator) -> tuple[flo
 
 
 def polygon_area(outline: list[list[float]]) -> float:
-    """Area of a polygon given by its corners, positive counter-clockwise (the shoelace formula)."""
+    """Return the area of a polygon (the shoelace formula), positive if its corners are counter-clockwise."""
     return sum(p[0] * q[1] - q[0] * p[1] for p, q in zip(outline, outline[1:] + outline[:1])) / 2
 
 
 def clip(outline: list[list[float]], axis: int, side: int, limit: float) -> list[list[float]]:
-    """The part of a convex polygon where ``side * coordinate <= limit``."""
+    """Return the part of a convex polygon where ``side * coordinate <= limit``."""
     corners = []
     for p, q in zip(outline, outline[1:] + outline[:1]):
         here, there = limit - side * p[axis], limit - side * q[axis]
