@@ -52,7 +52,7 @@ def main() -> None:
 
 
 def processor_time(function, runs=1):
-    """Seconds of the fastest run, and what it returned."""
+    """Return the time of the fastest run, s, and its result."""
     durations = []
     for _ in range(runs):
         begin = time.process_time()

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Toolpaths for timing the z-buffer, each with its tool and stock, and a stock for any other."""
+"""Toolpaths with tools and stocks for timing the z-buffer."""
 
 from __future__ import annotations
 
@@ -12,19 +12,19 @@ PLATE, BLOCK = Stock((0, 0, 0), (80, 80, 10)), Stock((0, 0, 0), (100, 80, 20))
 
 
 def toolpath(points: np.ndarray) -> Toolpath:
-    """The moves from point to point (n+1, 3), those of no length left out."""
+    """Return the moves through points (n+1, 3), without moves of length 0."""
     return Toolpath.through(points[np.append(True, (np.diff(points, axis=0) != 0).any(axis=1))])
 
 
 def zigzag(trajectories: int) -> Toolpath:
-    """Rows to and fro over 80 x 80 mm, 4 mm deep."""
+    """Return rows over 80 x 80 mm, 4 mm deep, cut back and forth."""
     y = np.repeat(np.linspace(0, 80, trajectories // 2), 2)
     x = np.tile([0.0, 80.0, 80.0, 0.0], len(y))[: len(y)]
     return toolpath(np.column_stack((x, y, np.full(len(y), 6.0))))
 
 
 def offsets(trajectories: int) -> Toolpath:
-    """Squares within squares."""
+    """Return nested squares, the largest first."""
     inset = np.repeat(40 * np.arange(trajectories // 4) / (trajectories // 4), 4)
     far = 80 - inset
     right, up = (np.tile(corner, trajectories // 4) for corner in ([0, 1, 1, 0], [0, 0, 1, 1]))
@@ -32,7 +32,7 @@ def offsets(trajectories: int) -> Toolpath:
 
 
 def surface(rows: int, chords: int) -> Toolpath:
-    """Rows to and fro over waves."""
+    """Return rows over a wavy surface, cut back and forth."""
     x, y = np.linspace(0, 100, chords), np.linspace(0, 80, rows)
     x = np.concatenate([x[:: 1 if k % 2 == 0 else -1] for k in range(rows)])
     y = np.repeat(y, chords)

@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Jobs with one fault each, made on purpose, and sound ones: which faults their simulation tells.
+"""Simulate jobs with one intentional fault each, and sound jobs, and count the faults that are found.
 
     python3 benchmarks/zbuffer_faults.py
-    freecadcmd "$PWD/benchmarks/zbuffer_faults.py"      # and those of the example job
+    freecadcmd "$PWD/benchmarks/zbuffer_faults.py"      # also print the facts on the example job
 
-A block is faced by rows at random distances, to the height of its model. Each fault is made at a random place, as deep or
-as fast as chance has it. Printed for each kind: in how many jobs exactly this fault is told, of the operation and the
-command that make it, and in how many anything else.
+A block is faced by rows at random distances, to the height of its model. Each fault has a random place and a random depth or feed.
+For each kind of fault the benchmark prints the number of jobs, the number of jobs in which the fault is found with the right operation
+and command, and the number of jobs in which another fault is found.
 """
 
 from __future__ import annotations
@@ -31,12 +31,12 @@ JOBS = 40
 STOCK, MODEL, TOP = Stock((-1, -1, 0), (41, 31, 10)), Stock((0, 0, 0), (40, 30, 8)), 8.0
 TOOL, VIEW = Tool("endmill", 6), View(width=420, height=320)
 FEED, PLUNGE = 10.0, 2.0  # mm/s
-# FreeCAD writes its progress to the standard output.
+# A copy of the standard output, because FreeCAD writes its progress to the original.
 OUT = os.fdopen(os.dup(1), "w")
 
 
 def cut(points, rapid=(), plunge=PLUNGE) -> Cut:
-    """The moves from point to point; falling ones at the feed of a plunge."""
+    """Return the moves through points, with the feed `plunge` for moves downwards."""
     path = toolpath(np.array(points, float))
     fast = np.isin(np.arange(len(path)), rapid)
     falls = np.diff(path.points[:, 2]) < 0
@@ -44,20 +44,20 @@ def cut(points, rapid=(), plunge=PLUNGE) -> Cut:
 
 
 def facing(rng, height=TOP, without=None) -> Cut:
-    """Rows over all of the block."""
+    """Return rows that face the whole block."""
     rows = np.delete(np.linspace(0, 30, rng.integers(7, 12)), [] if without is None else without)
     points = [(x, y, height) for k, y in enumerate(rows) for x in ((-5, 45) if k % 2 == 0 else (45, -5))]
     return cut([(-5, rows[0], 12), *points, (*points[-1][:2], 12)], rapid=[len(points)])
 
 
 def slot(rng, height, rapid=(), plunge=PLUNGE) -> Cut:
-    """In at a random place, along X at this height, and out by a rapid."""
+    """Return a plunge at a random place, a slot along X, and a retract by a rapid."""
     x, y = rng.uniform((5, 5), (15, 25))
     return cut([(x, y, 12), (x, y, height), (x + rng.uniform(5, 20), y, height), (x, y, 12)], [*rapid, 2], plunge)
 
 
 def jobs(rng):
-    """Name of the fault, the cuts, and the operation and command that make it."""
+    """Yield the name of each fault, the cuts of its job, and the operation and command that cause it."""
     yield "sound", [facing(rng)], None
     yield "crashes", [slot(rng, rng.uniform(8.2, 9.6), rapid=[1]), facing(rng)], (0, 1)
     yield "fast_plunges", [slot(rng, rng.uniform(8.0, 9.5), plunge=PLUNGE * rng.uniform(1.2, 4)), facing(rng)], (0, 0)
@@ -67,13 +67,13 @@ def jobs(rng):
     yield "air", [facing(rng), facing(rng)], (1, None)
 
 
-def told(found) -> dict[str, list[tuple[int, int | None]]]:
-    """Faults by name, with the operation and command of each one; None where no operation made it."""
+def found_faults(found) -> dict[str, list[tuple[int, int | None]]]:
+    """Return the faults by name, with the operation and command of each fault; None without an operation."""
     faults = {
         name: [None if one.source is None else (one.source.cut, one.source.command) for one in getattr(found.job, name)]
         for name in ("crashes", "fast_plunges", "gouges", "left")
     }
-    # Beside the block the tool turns: some air is in every job.
+    # Every job cuts some air, because the tool turns beside the block.
     faults["air"] = [(k, None) for k, one in enumerate(found.cuts) if one.air_length_share > 0.5]
     return {name: places for name, places in faults.items() if places}
 
@@ -83,12 +83,12 @@ def main() -> None:
     rows = {}
     for _ in range(JOBS):
         for name, cuts, made_by in jobs(rng):
-            found = told(facts(simulate_job(cuts, stock=STOCK, view=VIEW), model=MODEL))
+            found = found_faults(facts(simulate_job(cuts, stock=STOCK, view=VIEW), model=MODEL))
             places = found.pop(name, [])
             right = not places if name == "sound" else any(_same(place, made_by) for place in places)
             row = rows.setdefault(name, np.zeros(3, int))
             row += [1, right, bool(found)]
-    print(f"{'':14}{'jobs':>6}{'told':>6}{'else':>6}", file=OUT)
+    print(f"{'':14}{'jobs':>6}{'found':>6}{'else':>6}", file=OUT)
     for name, row in rows.items():
         print(f"{name:14}" + "".join(f"{n:6}" for n in row), file=OUT, flush=True)
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What some hundred rays tell of all: how many have removals that do not connect."""
+"""Estimates from a few hundred rays: the share of rays whose intervals are not connected."""
 
 from __future__ import annotations
 
@@ -47,7 +47,7 @@ def test_so_many_rays_are_sorted_as_are_counted(monkeypatch):
 
 
 @pytest.mark.parametrize(("depths", "share"), [([4], 0), ([4, 4], 1), ([8, 4], 1 / 2)])
-def test_what_is_sorted_is_a_share_of_what_passes(depths, share):
+def test_unconnected_is_the_share_of_sorted_passes(depths, share):
     """Seen from the side, what is left between two slots parts their rays; a deeper slot meets some of them alone."""
     points = [(10 + 20 * slot, y, z) for slot, z in enumerate(depths) for y in (-20, 50)]
     cuts = Cuts(

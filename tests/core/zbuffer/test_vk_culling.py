@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Tiles of an image with the trajectories that may cut them, and which of these reach deeper than those before."""
+"""Tiles of an image, the trajectories that may cut them, and the trajectories that reach deeper than earlier trajectories."""
 
 from __future__ import annotations
 

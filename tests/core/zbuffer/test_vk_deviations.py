@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Where a part deviates from its model: what hangs together, what made it, and what a pixel is compared with."""
+"""Deviations of a part from its model: connected groups, the responsible trajectories, and the compared model in each pixel."""
 
 from __future__ import annotations
 
@@ -183,7 +183,7 @@ def test_each_cut_has_one_worst_gouge_and_all_of_its_area():
 
 
 def test_the_stocks_own_surface_was_made_by_no_cut():
-    """A slot 1 mm deep in a block that ought to be 2 mm lower: 1 mm is left by the cut, and 2 mm by nobody."""
+    """A slot 1 mm deep in a block that ought to be 2 mm lower: the cut leaves 1 mm, and 2 mm are left where no trajectory cut."""
     z = simulated(path((5, 15, 9), (35, 15, 9)))
     whole, own = material_left(z, deviations(z, Stock((0, 0, 0), (40, 30, 8))), 0.1)
     assert (whole.depth, own.depth) == pytest.approx((2, 1))
@@ -289,7 +289,7 @@ def test_who_is_guilty_of_what_lies_behind_a_gap_of_the_stock():
     by_none, by_deep = sorted(gouges(z, deviations(z, model), 0.1), key=lambda one: one.depth)
     assert by_none.depth == pytest.approx(4) and by_none.trajectory is None
     assert by_deep.depth == pytest.approx(6) and by_deep.source.cut == 1
-    # Before it was cut, nobody is guilty of it.
+    # Before it was cut, no trajectory is responsible.
     (early,) = gouges(z.at(1), deviations(z.at(1), model), 0.1)
     assert early.depth == pytest.approx(4) and early.trajectory is None
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Rays that a sequence of intervals cuts, against what each depth of them is asked."""
+"""Rays cut by sequences of intervals, compared with the owner computed separately for each depth."""
 
 from __future__ import annotations
 

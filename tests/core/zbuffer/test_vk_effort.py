@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What a simulation has to do, in this image and in finer ones, and how fast this computer does it: small cases by hand."""
+"""The work of a simulation for an image and for finer images, and the speed of this computer, in small cases computed by hand."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ WORK = Work(
 )  # fmt: skip
 
 
-def test_the_amounts_of_a_simulation():
+def test_amounts_of_work_match_hand_count():
     trajectories, pixels, first, blocks, tests, cells, records = WORK.amounts()
     assert (trajectories, pixels, first) == (10, 1000, 50)
     assert tests == pytest.approx(4 * (1e5 * TESTS[0] + 4e5 * TESTS[3]))
@@ -44,18 +44,18 @@ def test_the_amounts_of_a_simulation():
     assert blocks == pytest.approx(1.5 * (2 + 4e5 / PAIRS_AT_ONCE + 2 * 16**2 * 4e5 / PAIRS_AT_ONCE))
 
 
-def test_in_an_image_of_four_times_as_many_pixels_every_level_is_the_next():
-    """And the pixels have more pairs, between twice as many, as they had of the last tiles, and four times, as they end."""
+def test_finer_image_moves_amounts_to_the_next_level():
+    """An image with four times as many pixels. The cells grow by the geometric mean of 2 (the last tiles) and 4 (the pixels)."""
     trajectories, pixels, first, blocks, tests, cells, records = WORK.amounts(4.0)
     assert (trajectories, pixels, first) == (10, 4000, 200)
     assert cells == pytest.approx(sqrt(2 * 4) * WORK.amounts()[5]) and records == pytest.approx(4 * WORK.amounts()[6])
-    # What tests take grows by more than four times from the first level to the second: by four at most.
+    # The cost of tests grows by more than 4 from the first level to the second, so the growth is limited to 4.
     assert tests == pytest.approx(4 * 1e5 * TESTS[0] * (4 + 16))
     each = max(4e5 / PAIRS_AT_ONCE, 4), 16e5 / PAIRS_AT_ONCE
     assert blocks == pytest.approx(1.5 * (sum(each) + sqrt(2 * 4) * 2 * 16**2 * 4e5 / PAIRS_AT_ONCE))
 
 
-def test_blocks_are_no_fewer_than_the_bands_of_the_image():
+def test_blocks_are_at_least_the_bands_of_the_image():
     few = Work(1, 1, 1, (of_kind(kind_0=8), of_kind(kind_0=2)), of_kind(kind_0=9), 0, (1, 0), bands=3, kinds=2)
     assert few.amounts()[3] == pytest.approx(2 * (3 + 3 + 3))
     falling = Work(1, 1, 1, (of_kind(kind_0=5 * PAIRS_AT_ONCE), of_kind(kind_0=1)), of_kind(), 0, (1, 0), 0, 1)
@@ -75,28 +75,26 @@ def test_blocks_are_no_fewer_than_the_bands_of_the_image():
         ([0, 4], 3, [0, 12]),
     ],
 )
-def test_levels_of_a_finer_image_lie_between_those_that_are_known(levels, growth, finer):
+def test_levels_of_finer_image_are_interpolated(levels, growth, finer):
     assert effort._shift_levels(np.array(levels, float), growth) == pytest.approx(finer)
 
 
 @pytest.mark.parametrize(
     "step, growth, factor", [(2, 4, sqrt(8)), (2, 16, 8), (8, 4, 4), (0.5, 4, 2), (3, 2, 12**0.25)]
 )
-def test_pixels_have_more_pairs_between_as_many_more_as_they_had_than_the_last_tiles_and_four_times(
-    step, growth, factor
-):
-    """Where these had no more, the mean of once and four times, for each time that the pixels are four times as many."""
+def test_cell_growth_is_mean_of_last_level_and_pixels(step, growth, factor):
+    """For every factor of 4 in pixels, the geometric mean of 4 and of the growth in the last level, at least 1."""
     work = Work(1, 1, 1, (of_kind(kind_3=100),), of_kind(kind_3=step * 100 * 32**2), 0, (1, 0), 1, 1)
     assert work._cell_growth(growth) == pytest.approx(factor)
 
 
-def test_without_any_level_pairs_grow_as_the_pixels():
+def test_cells_without_levels_grow_as_the_pixels():
     assert Work(1, 1, 1, (), of_kind(kind_3=100), 0, (1, 0), 1, 1)._cell_growth(3.0) == 3
     assert Work(1, 1, 1, (of_kind(kind_3=9),), of_kind(), 0, (1, 0), 1, 1)._cell_growth(3.0) == 3
 
 
-def test_kinds_of_pairs():
-    """By the tool, by whether it stays on its level, and by the view."""
+def test_kinds_of_pairs_are_numbered_in_order():
+    """A kind is numbered by tool, by level or sloped move, and by view."""
     tools = [FLAT, Tool("vbit", 6, tip_angle=pi / 2), Tool("ballend", 6), Tool("bullnose", 6, corner_radius=1)]
     found = [
         effort._kind_number(Kind(tool, level), upright)
@@ -109,30 +107,34 @@ def test_kinds_of_pairs():
 
 
 def tiles(sizes, side=8):
-    """Tiles in a row with so many trajectories each, of which none is in two."""
+    """Return tiles in a row with `sizes` trajectories each. Every trajectory is in one tile."""
     first = np.append(0, np.cumsum(sizes))
     return Tiles(side, side * np.arange(len(sizes)), np.zeros(len(sizes), np.int64), first, np.arange(first[-1]))
 
 
-def test_pairs_count_by_kind_as_often_as_their_tile_stands_for():
+def test_pairs_are_counted_by_kind_and_weight():
     kind = np.array([5, 7, 7])
-    assert effort._count_pairs(tiles([2, 1]), np.array([10.0, 2.0]), kind).tolist() == list(of_kind(kind_5=10, kind_7=12))
+    assert effort._count_pairs(tiles([2, 1]), np.array([10.0, 2.0]), kind).tolist() == list(
+        of_kind(kind_5=10, kind_7=12)
+    )
 
 
-def test_a_smaller_tile_is_in_the_one_around_it():
+def test_parent_of_smaller_tile_contains_it():
     large = Tiles(8, np.array([8, 0, 16]), np.array([0, 8, 8]), np.arange(4), np.arange(3))
     small = Tiles(4, np.array([12, 0, 20, 8, 4]), np.array([4, 12, 8, 0, 8]), np.arange(6), np.arange(5))
     assert effort._parents(large, small).tolist() == [0, 1, 2, 0, 1]
 
 
-def test_of_few_pairs_all_are_taken():
+def test_tiles_with_few_pairs_are_all_kept():
     some, weight = tiles([10] * 10), np.full(10, 3.0)
     assert effort._draw_tiles(some, weight, np.ones(100), 100, np.random.default_rng(1)) == (some, weight)
 
 
-def test_of_tiles_that_are_alike_so_many_are_drawn_as_have_the_pairs_and_stand_for_the_others():
-    """20 of 100 with 10 pairs each, one of every five that follow each other, for 200 pairs."""
-    drawn, weight = effort._draw_tiles(tiles([10] * 100), np.full(100, 3.0), np.ones(1000), 200, np.random.default_rng(1))
+def test_equal_tiles_are_drawn_evenly():
+    """200 pairs: 20 of 100 tiles with 10 pairs each, one from every five consecutive tiles."""
+    drawn, weight = effort._draw_tiles(
+        tiles([10] * 100), np.full(100, 3.0), np.ones(1000), 200, np.random.default_rng(1)
+    )
     assert weight == pytest.approx(np.full(20, 15.0)) and np.diff(drawn.first).tolist() == [10] * 20
     assert (drawn.column // 8 // 5).tolist() == list(range(20)) and drawn.side == 8 and not drawn.row.any()
     for tile, column in enumerate(drawn.column // 8):
@@ -141,8 +143,8 @@ def test_of_tiles_that_are_alike_so_many_are_drawn_as_have_the_pairs_and_stand_f
         )
 
 
-def test_tiles_are_drawn_as_likely_as_they_take_long_and_their_cost_stays():
-    """A tile whose pairs take as long as all others together is drawn, and stands for itself alone."""
+def test_drawn_tiles_keep_the_total_cost():
+    """A tile whose cost equals the cost of all other tiles is always drawn and keeps its own weight."""
     rng = np.random.default_rng(2)
     sizes, weight = rng.integers(1, 9, 200), rng.uniform(1, 3, 200)
     cost = rng.uniform(0.1, 1, sizes.sum())
@@ -157,21 +159,21 @@ def test_tiles_are_drawn_as_likely_as_they_take_long_and_their_cost_stays():
         assert np.diff(drawn.first).tolist() == sizes[tile].tolist()
 
 
-def test_what_would_be_drawn_more_than_once_is_certain_and_leaves_the_others_their_chances():
-    """Of 3 draws the first tile would have 3 * 8 / 12, the second of the other 2 draws 2 * 2 / 4, and the rest half a one."""
+def test_chance_above_one_is_limited_to_one():
+    """3 draws. The first chance would be 3 * 8 / 12 = 2. The other 2 draws give 2 * 2 / 4 = 1 and 2 * 1 / 4."""
     assert effort._chances(np.array([8.0, 2, 1, 1]), 3) == pytest.approx([1, 1, 0.5, 0.5])
 
 
-def test_tiles_whose_long_ones_take_little_are_all_taken():
-    """Of those that take long 50 have 50 pairs: more than there are."""
+def test_tiles_with_few_costly_pairs_are_all_kept():
+    """Costly tiles have one pair each, so 50 pairs are 50 tiles, and only 3 tiles exist."""
     some, weight = tiles([100, 1, 1]), np.ones(3)
     cost = np.append(np.full(100, 1e-9), [1.0, 1.0])
     assert effort._draw_tiles(some, weight, cost, 50, np.random.default_rng(1)) == (some, weight)
 
 
 @pytest.mark.long
-def test_where_trajectories_crowd_enough_tiles_are_looked_at(monkeypatch):
-    """Loops as of adaptive clearing, obliquely: thousands pass each of a few tiles, and one or two drawn were off by 1.7."""
+def test_crowded_tiles_are_estimated_from_enough_tiles(monkeypatch):
+    """Loops of adaptive clearing in an oblique view: thousands of trajectories pass each of a few tiles."""
     turn = np.linspace(0, 2 * pi, 24, endpoint=False)
     x, y = 10 + np.tile(np.arange(100) * 0.4, 4), 8 + 5 * np.repeat(np.arange(4), 100)
     loops = np.stack((x[:, None] + 2 * np.cos(turn), y[:, None] + 2 * np.sin(turn), np.full((400, 24), 3.0)), axis=2)
@@ -192,15 +194,15 @@ def test_where_trajectories_crowd_enough_tiles_are_looked_at(monkeypatch):
 
 
 @pytest.mark.parametrize("looked_at, count", [(2_000_000, 63), (120, 40), (0, 24)])
-def test_of_many_first_tiles_some_are_looked_at_and_stand_for_all(looked_at, count, monkeypatch):
-    """Of 9 by 7 with two trajectories, one more than which counts: all, or 120 / 3 of them, and at least 24."""
+def test_sampled_first_tiles_represent_all(looked_at, count, monkeypatch):
+    """9 by 7 tiles and two trajectories: all tiles, or 120 / (2 + 1) tiles, but at least 24."""
     monkeypatch.setattr(effort, "_LOOKED_AT", looked_at)
     view = View((0, 0, -1), 9 * TILE - 20, 7 * TILE - 20)
     path = toolpath(np.array([(5, 5, 5), (35, 5, 5), (35, 25, 5)], float))
     removal = Removal(Cuts([Cut(path, FLAT)]), BOX, view.frame(BOX))
     found, weight, every = effort._draw_first_tiles(removal, np.random.default_rng(3))
     assert every == 63 and weight == pytest.approx(np.full(count, 63 / count))
-    number = found.row // TILE * 9 + found.column // TILE  # one of each so many that follow each other
+    number = found.row // TILE * 9 + found.column // TILE  # one tile from each run of equal length
     assert ((np.arange(count) * 63 // count <= number) & (number <= (np.arange(count) + 1) * 63 / count)).all()
     assert not (found.column % TILE).any() and not (found.row % TILE).any() and found.side == TILE
 
@@ -220,25 +222,25 @@ def test_of_many_first_tiles_some_are_looked_at_and_stand_for_all(looked_at, cou
         ("record", 1e6, 0.037),
     ],
 )
-def test_a_usual_time_is_what_so_many_took(name, count, seconds):
-    """Written down a second time, in other units: a slip of a digit is seen, a new measurement of the same is none."""
+def test_default_constants_match_times_in_other_units(name, count, seconds):
+    """The constants are written a second time in other units, to find typing errors. A new measurement stays within 30 %."""
     assert getattr(Speed(), name) * count == pytest.approx(seconds, rel=0.3)
 
 
-def test_where_this_computer_was_measured_times_are_right_within_two_and_elsewhere_within_three():
+def test_measured_speed_has_a_smaller_uncertainty():
     measured = fit_speed(np.eye(7), Speed().constants)
     assert (measured.factor, Speed().factor) == (2, 3) and measured.constants == pytest.approx(Speed().constants)
     assert measured.processes == Speed().processes == 1
 
 
-def test_one_time_tells_that_all_takes_as_many_times_longer():
+def test_single_time_scales_all_constants():
     amounts = np.array([[5, 2e4, 300, 7, 1e4, 1e5, 2e3]])
     seconds = 3 * amounts @ Speed().constants
     assert fit_speed(amounts, seconds).constants == pytest.approx(3 * Speed().constants)
 
 
-def test_times_that_disagree_are_met_as_far_as_the_usual_proportions_allow():
-    """One unit's worth of two kinds of work alone, of a usual second each, took 1 s and 4 s: 2.5 s in the middle.
+def test_contradictory_times_are_fitted_with_a_ridge():
+    """Two kinds of work that take 1 s each by default took 1 s and 4 s. The median is 2.5 s.
 
     The shares s of 2.5 times the usual constant make (2.5 s - 1)^2 + (s - 1)^2 / 4 least, and (2.5 s / 4 - 1)^2 + (s - 1)^2 / 4.
     """
@@ -251,15 +253,15 @@ def test_times_that_disagree_are_met_as_far_as_the_usual_proportions_allow():
     assert found == pytest.approx(expected)
 
 
-def test_no_constant_becomes_less_than_a_tenth_of_the_usual():
-    """A second and a thousand: 500.5 in the middle."""
+def test_constants_are_at_least_a_tenth_of_the_default():
+    """Times of 1 s and 1000 s, with a median of 500.5 s."""
     usual = Speed().constants
     found = fit_speed(np.eye(7)[[2, 5]] / usual, np.array([1.0, 1000.0])).constants / usual
     assert found[2] == pytest.approx(50.05) and found[0] == pytest.approx(500.5)
 
 
-def test_the_paths_that_are_timed_go_over_all_of_the_block():
-    """Of 60 by 60 by 20 mm: rows to and fro 8 mm from its sides, circles around its middle, and rows over waves."""
+def test_timed_toolpaths_cover_the_block():
+    """A block of 60 x 60 x 20 mm: rows 8 mm from the sides, circles around the middle, and rows over waves."""
     rows = _rows(12).points
     assert np.diff(rows[:, :2], axis=0)[:4].tolist() == [[44, 0], [0, 4], [-44, 0], [0, 4]]
     assert rows[:, :2].min(axis=0).tolist() == [8, 8] and rows[:, :2].max(axis=0).tolist() == [52, 52]
@@ -284,8 +286,8 @@ def test_the_paths_that_are_timed_go_over_all_of_the_block():
 
 
 @pytest.mark.parametrize("rise", [0.0, 1.0])
-def test_rays_pass_a_long_sweep_of_a_bull_nose_between_its_ends_and_a_short_one_at_an_end(rise):
-    """There it takes three times as long; of a flat end's, and from above, it does not matter."""
+def test_bull_nose_cells_are_divided_by_length_of_move(rise):
+    """Rays pass a long sweep mostly between its ends, and a short sweep mostly at an end. Only oblique bull-nose cells differ."""
     stock, bull_nose = Stock((0, 0, 0), (60, 60, 10)), Tool("bullnose", 6, corner_radius=1)
 
     def cells(run, tool=bull_nose, direction=(1, 1, -1)):

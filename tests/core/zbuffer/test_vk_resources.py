@@ -144,7 +144,7 @@ def test_counts_grow_as_the_number_of_pixels():
 @pytest.mark.parametrize("width", [0.3, 0.5, 0.8, 1.0, 2.0])
 @pytest.mark.parametrize("direction", [TOP, (0, 1, 0), TILTED, ISOMETRIC], ids=["top", "front", "tilted", "isometric"])
 def test_the_error_bar_knows_the_pixel(width, direction):
-    """Narrow slots: whether one or two rows of pixels lie in a slot is no chance, and no area."""
+    """Narrow slots: the number of rows of pixels in a slot, one or two, follows from the image and not from the slot's area."""
     stock, view = Stock((0, 0, 0), (120, 90, 20)), View(direction, 320, 240)
     far, inside = 0.0, []
     for turn in np.radians([0, 7, 45, 90]):
@@ -205,7 +205,7 @@ def test_an_estimate_says_of_what_and_on_which_computer(direction):
     assert found.seconds == speed.seconds(found.work) == pytest.approx((speed.constants * found.work.amounts()).sum())
 
 
-def test_an_estimate_is_sent_and_shown_without_toolpath_and_stock():
+def test_pickled_estimate_has_no_cuts_and_no_stock():
     toolpath, tool = PATHS["contours"]
     found = estimate(toolpath, None, tool=tool, stock=STOCK, view=View(width=80, height=60))
     sent = pickle.loads(pickle.dumps(found))
@@ -363,7 +363,7 @@ def test_the_work_in_another_image_is_known_from_one():
     assert growing == sorted(growing)
 
 
-def test_a_pixel_of_a_large_image_takes_about_as_long_as_one_of_a_usual_image():
+def test_time_for_each_pixel_is_similar_in_large_images():
     """Rows that cut each pixel twice: in 16 times as many pixels 0.9 times as long each was measured."""
     toolpath, tool = PATHS["zigzag"]
     found = estimate(toolpath, None, tool=tool, stock=STOCK, view=View())
@@ -382,8 +382,8 @@ def test_a_speed_is_found_in_times():
         assert ((found > true / 4) & (found < 4 * true)).all()
 
 
-def test_the_speed_is_measured_in_runs_of_less_than_a_tenth_of_a_second_on_a_usual_computer(monkeypatch):
-    """Each by this process alone, in an image of whole tiles, and of the work that is told of it."""
+def test_speed_is_measured_in_runs_below_a_tenth_of_a_second(monkeypatch):
+    """With the default speed. Each run uses this process alone and an image of whole tiles, and its work is given to the fit."""
     runs, works = [], []
     monkeypatch.setattr("vkworkbench.core.zbuffer.cost.speed.steady_seconds", lambda pieces, **_: runs.extend(pieces))
     monkeypatch.setattr("vkworkbench.core.zbuffer.cost.speed.fit_speed", lambda amounts, _: works.extend(amounts))
@@ -407,7 +407,7 @@ def test_this_computers_speed_is_measured():
 @pytest.mark.long
 @pytest.mark.parametrize("direction", [(0, 0, -1), TILTED])
 @pytest.mark.parametrize("name", PATHS)
-def test_a_memory_budget_is_met_by_the_simulation_and_its_pictures(name, direction):
+def test_simulation_and_pictures_stay_within_memory_budget(name, direction):
     toolpath, tool = PATHS[name]
     found = estimate(toolpath, None, tool=tool, stock=STOCK, view=View(direction))
     for budget in (60e6, 1e9):
@@ -438,7 +438,7 @@ def test_the_field_of_view_stays():
 
 
 @pytest.mark.parametrize("pixels, sides", [(650, (2, 254)), (40, (1, 40)), (1, (1, 1))])
-def test_a_strip_is_no_narrower_than_a_pixel_and_takes_no_more_than_it_may(pixels, sides):
+def test_image_of_a_strip_stays_within_the_budget(pixels, sides):
     for turn in (1, -1):
         width, height = (3, 300)[::turn]
         found = estimate(*PATHS["zigzag"][:1], None, tool=FLAT, stock=STOCK, view=View(width=width, height=height))
@@ -459,8 +459,8 @@ def test_operations_share_one_stock():
     assert two.view.width == pytest.approx(ratio * one.view.width, rel=2e-3)
 
 
-def test_operations_one_after_another_take_the_most_work_of_one_and_the_records_of_all():
-    """Of 3 and 1 GB of work there are 3 GB at once; a billion trajectories each are two billion."""
+def test_memory_of_several_operations_is_combined():
+    """Temporary arrays of 1 and 3 GB need 3 GB, because they are not held at once. Trajectories and records are added."""
     found = estimate(*PATHS["zigzag"][:1], None, tool=FLAT, stock=STOCK, view=View())
     small, large = (replace(found, peak=replace(found.peak, work=work)) for work in (1e9, 3e9))
 
@@ -488,19 +488,19 @@ def test_where_no_resolution_helps_it_says_what_does():
     )
 
 
-def test_the_heaviest_of_two_operations_is_named_but_none_that_is_alone():
+def test_longest_of_two_operations_is_named():
     assert heaviest(["Face", "Bore"], [1.0, 3.0]).arguments == {"label": "Bore", "time": 3.0}
     assert heaviest(["Face"], [1.0]) is None and heaviest([], [1.0, 3.0]) is None
 
 
-def test_an_image_tells_passes_apart_with_four_pixels_between_them():
+def test_passes_are_separated_by_four_pixels():
     found = estimate(*PATHS["zigzag"][:1], None, tool=FLAT, stock=STOCK, view=View())
     assert (
         "For passes 3 mm apart, 0.75 mm is fine enough."
         in best_resolution([found], memory_bytes=2e7, stepover=3).explanation
     )
     assert "Passes 3 mm apart need 0.75 mm." in best_resolution([found], memory_bytes=1.44e7, stepover=3).explanation
-    assert "passes" not in best_resolution([found], memory_bytes=2e7).explanation  # nobody knows of any
+    assert "passes" not in best_resolution([found], memory_bytes=2e7).explanation  # no stepover is known
 
 
 @pytest.mark.parametrize("budget", [{}, {"seconds": 0}, {"memory_bytes": float("nan")}, {"seconds": -1.0}])

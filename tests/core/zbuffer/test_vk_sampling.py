@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The rays that stand for an image: where they lie, for how much area, and what is counted with them."""
+"""The sample of rays: their positions, the areas that they represent, and the counts estimated from them."""
 
 from __future__ import annotations
 
@@ -188,8 +188,8 @@ def test_rays_beside_a_round_stock_have_no_dexel():
 
 
 @pytest.mark.parametrize("side", [2, 4, 8, 16])
-def test_the_curve_through_the_cells_fills_one_square_after_the_other(side):
-    """So that the cells of a stratum are neighbours."""
+def test_morton_curve_fills_one_square_after_another(side):
+    """Therefore the cells of a stratum are neighbours."""
     row, column = (of.reshape(-1, side**2) for of in np.divmod(_ORDER, _CELLS))
     assert (np.ptp(row, axis=1) == side - 1).all() and (np.ptp(column, axis=1) == side - 1).all()
     assert sorted(_ORDER.tolist()) == list(range(_CELLS**2))

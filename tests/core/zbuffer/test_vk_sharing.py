@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""An image cut by several processes: the same records, whatever becomes of them, and no process left behind."""
+"""An image cut by several processes has the same records, even if processes fail, and no process remains."""
 
 from __future__ import annotations
 
@@ -52,7 +52,7 @@ def workers(monkeypatch):
 
 
 def until(done):
-    """Leave everything to the others until something is done, a minute at most."""
+    """Leave all work to the other processes until one region is finished, at most for a minute."""
 
     def going_on(_):
         end = time.monotonic() + 60
@@ -183,7 +183,7 @@ class Stopped(Exception):
 
 @pytest.mark.parametrize("moment", ["before", "while they start", "while they cut"])
 def test_who_stops_it_is_obeyed_and_no_process_is_left(moment, workers):
-    """The fixture looks for those that are left."""
+    """The fixture searches for remaining processes."""
     cutting = until(lambda: any(each.regions for each in workers))
 
     def going_on(share):
@@ -244,7 +244,7 @@ def test_wait_ends_with_band_or_pending_region(monkeypatch):
     monkeypatch.setattr(threading.Condition, "wait_for", lambda _, done, seconds: over.append(bool(done())))
     first, second = bands = CutImage(Cuts([Cut(case()[0], TOOLS[0])]), BOX, View((0, 0, -1), 64, 128).frame(BOX)).bands
     shared = sharing._Shared(bands)
-    shared.wait(second, 1.0)  # nobody works on either yet
+    shared.wait(second, 1.0)  # no process works on either yet
     assert (shared.take(), shared.take()) == (first, second)
     shared.wait(second, 1.0)
     shared.give(first, (None, 0))

@@ -47,7 +47,7 @@ def in_ball(x, y, z, t, move, sine, cosine):
 
 
 def check(slot, parts, move, tilt):
-    """The first entry and the last exit are those of the places, but for what lies between two of these."""
+    """Compare the first entry and last exit with the extremes over many positions, up to the distance between two positions."""
     move, sine, cosine = np.array(move), np.sin(tilt), np.cos(tilt)
     x, y, z = rays(move, seed=int(100 * tilt))
     with np.errstate(invalid="ignore"):
@@ -99,7 +99,7 @@ def test_a_ball_end(move, tilt):
 @pytest.mark.parametrize("slot, fall", [(ball_slot, 0.0), (ball_slot, -30.0), (sloped_slot, -30.0)])
 @pytest.mark.parametrize("tilt", TILTS)
 def test_move_nearly_along_the_ray_is_cut_as_along_it(slot, fall, tilt):
-    """Isometrically many moves at 45 degrees are so; a large tool is that of a tile's bounds. Of 4,000 rays some were missed."""
+    """In an isometric view many moves at 45 degrees are nearly parallel to the rays. The large tool is a bound for a tile."""
     rng, radius, run = np.random.default_rng(7), 40.0, 187.2
     rays = rng.uniform([[-36], [-30], [0]], [[36], [run + 30], [40]], (3, 4000))
     every = np.ones(rays.shape[1])

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""How far two surfaces of an image are from each other, against every pair of their pixels."""
+"""The distance between two surfaces of an image, compared with the distance of every pair of pixels."""
 
 from __future__ import annotations
 

@@ -47,7 +47,7 @@ def test_ray_at_side_of_cone_rim_is_continuous():
 
 
 def some_moves(seed):
-    """Starts and moves (3, RAYS): level, vertical (which are told upwards) and steep ones, a fifth each, and any."""
+    """Return starts and moves (3, RAYS): a fifth level, a fifth vertical (upwards), a fifth steep, the rest random."""
     start, move = np.random.default_rng(seed).uniform(-4, 4, (2, 3, RAYS))
     move[2, ::5] = move[:2, 1::5] = 0
     move[2, 1::5] = np.abs(move[2, 1::5])
@@ -85,7 +85,7 @@ def test_the_rim_of_a_sweep_belongs_to_the_sweep():
 @pytest.mark.parametrize("tilt", [0.3, 1.2, pi / 2, 2.0, 2.9])
 @pytest.mark.parametrize("tool", FORMS, ids=str)
 def test_ray_is_inside_sweep_above_its_lower_surface(tool, tilt):
-    """What is told of oblique rays, held against what is told of vertical ones, at 60 depths of each."""
+    """Compare intervals of oblique rays with the lower surface from vertical rays, at 60 depths of each ray."""
     start, move = some_moves(5)
     at = np.random.default_rng(6).uniform(-4, 4, (3, RAYS))
     near, far = intervals(tool, start, move, at, sin(tilt), cos(tilt))

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What bounds oblique views: tools grown and shrunk by half a tile, the stock's depths there, and what is open already."""
+"""Bounds for oblique views: tools grown and shrunk by half a tile, the depths of the stock, and the depths opened before."""
 
 from __future__ import annotations
 
@@ -57,7 +57,7 @@ def test_grown_tool_contains_tool_and_shrunk_one_is_inside(tool, angle, level):
     left = tool.radius - aside - (0 if ball else tool.rounding)
     if left > 1e-3:
         assert smaller[0].radius == pytest.approx(left, abs=1e-5)
-        # What only touches is a matter of rounding, but for level floors seen from above.
+        # Rounding decides whether a surface is touched, except for level floors seen from above.
         assert smaller[0].radius < left and (smaller[1] > 0 or (level and not tool.rounding))
     else:
         assert smaller == (None, 0.0)
@@ -68,7 +68,7 @@ def test_grown_tool_contains_tool_and_shrunk_one_is_inside(tool, angle, level):
     if not level or abs(direction[2]) > 0.3 * np.linalg.norm(direction)
 ])  # fmt: skip
 def test_tile_depths_contain_stock_of_all_rays(direction, level):
-    """Where rays are compared on a horizontal plane, those further up the image are so much further along it."""
+    """With depths from a horizontal plane, the depth changes with the position of a ray up the image, by the shear."""
     frame = View(direction, 40, 30).frame(BOX)
     sine, cosine = hypot(*frame.direction[:2]), -frame.direction[2]
     shear = sine / cosine if level else 0.0
@@ -91,7 +91,7 @@ def test_tile_depths_contain_stock_of_all_rays(direction, level):
 @pytest.mark.parametrize("side", [4, 16])
 @pytest.mark.parametrize("direction", [(0, 1, -1), (0, 1, -0.2)])
 def test_quarters_near_a_ball_sweep_stay(direction, side):
-    """Of 12 mm, moved across the view from x = -10 to 10; seen from below its middle, where its shank is not in the way."""
+    """A ball of 12 mm that moves from x = -10 to 10, seen from below its middle, where the shank does not hide it."""
     stock = Stock((-100, -100, -100), (100, 100, 100))
     frame = View(direction, 200, 180, pixel=0.5).frame(stock)
     cuts = Cuts([Cut(toolpath(np.array([(-10.0, 0, 0), (10, 0, 0)])), Tool("ballend", 12))])

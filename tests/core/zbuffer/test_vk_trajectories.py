@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What moves take up in an image, held against points of what they sweep; which can meet the stock; and their rays."""
+"""The extent of moves in an image, compared with points of their sweeps; the moves that can meet the stock; and their rays."""
 
 from __future__ import annotations
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""How deep moves reach in squares seen from above, held against the tool at many places of each move.
+"""Bounds of the depth of moves in squares seen from above, compared with the tool at many positions of each move.
 
 Too deep a bound only takes longer, too shallow a one loses a cut: both are told here.
 """
@@ -108,8 +108,8 @@ def test_point_beside_the_axis_of_a_move_is_opened_as_deep(tool, slope):
         (-6.5, 1.5, 2**0.5, 8**0.5),  # and beside it as well
     ],
 )
-def test_level_move_bounds_a_square_by_nearest_and_farthest_point(tool, along, aside, near, far):
-    """Squares of 1 mm along a move of 10 mm; how far their nearest and farthest points are from it."""
+def test_level_move_bounds_square_by_nearest_and_farthest_point(tool, along, aside, near, far):
+    """Squares of 1 mm along a move of 10 mm, and the distances of their nearest and farthest points from the move."""
     reaches, opens = bounded(tool, 0.0, along, aside, 0.5, 5.0)
     # A ball's bounds leave 1e-9 mm2 to rounding.
     assert reaches == pytest.approx(DEPTH - tool.height(near), abs=1e-9)

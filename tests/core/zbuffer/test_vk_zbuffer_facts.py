@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What the traces tell, on cuts whose volumes are known and on faults made on purpose."""
+"""Facts from the traces, for cuts with known volumes and for intentional faults."""
 
 from __future__ import annotations
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The memory of a simulation: what is said, what is taken, and what is refused."""
+"""The peak memory of a simulation: the estimate, the measured peak, and the refusal."""
 
 from __future__ import annotations
 
@@ -118,7 +118,7 @@ def removal(tool, direction, points=((10, 15, 5), (30, 15, 5)), *, others=(), of
 
 
 def test_the_peak_grows_with_records_pixels_and_trajectories():
-    """Records grow by an eighth when they are full, and the traces are told with two standard errors."""
+    """Arrays of records grow by an eighth when they are full, and two standard errors are added to the traces."""
     flat = removal(TOOLS[0], (0, 0, -1))
     nothing = Counts(*[0] * 9, 4800)
 
@@ -157,13 +157,13 @@ def test_each_process_adds_its_memory_and_its_copy(monkeypatch):
         return taken
 
     alone = each(0, 0)
-    assert 20e6 < alone < 500e6  # a Python with numpy, and its work on a band
+    assert 20e6 < alone < 500e6  # Python with numpy, and the temporary arrays for a band
     record, trajectory = each(1_000_000, 0) - alone, each(0, 1_000_000) - alone
     assert record > 8e6 and trajectory > 24e6  # a record is 8 bytes, a trajectory begins somewhere
     assert each(1_000_000, 1_000_000) == pytest.approx(alone + record + trajectory, rel=1e-5)
 
 
-def test_a_band_takes_least_from_above_and_most_where_forms_are_no_closed_ones():
+def test_band_needs_least_memory_from_above():
     nothing = Counts(*[0] * 9, 4800)
     flat, ball, bullnose, vee = TOOLS[0], TOOLS[2], TOOLS[3], TOOLS[5]
     above, closed, other = (
@@ -179,7 +179,7 @@ def test_a_band_takes_least_from_above_and_most_where_forms_are_no_closed_ones()
 
 
 @pytest.mark.parametrize("direction", [(0, 0, -1), (0, 0, 1), (1, 1, -1)])
-def test_a_simulation_that_fits_anyway_asks_no_ray(direction, monkeypatch):
+def test_small_simulation_needs_no_sampled_rays(direction, monkeypatch):
     monkeypatch.setattr(memory, "count", None)
     path, solids = case(20, direction, 80, 60)
     simulate(path, **solids)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Any moment of a simulation: the glue of part and chips, and what is seen."""
+"""Any moment of a simulation: part and chips together are the stock, and the visible surface is correct."""
 
 from __future__ import annotations
 
