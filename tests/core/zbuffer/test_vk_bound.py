@@ -100,7 +100,7 @@ def test_what_a_flat_end_cuts_at_one_height_it_cuts_once():
 )
 @pytest.mark.parametrize("rise", [0, 2])
 def test_obliquely_a_move_passes_its_box_twice(direction, right, up, rise):
-    """3 mm by 4 mm from 5 mm below the top: in the image so wide, and so high with the tool and what stands above it."""
+    """A move of 3 x 4 mm, 5 mm below the top. The box includes the tool, and the tool's shank up to the top."""
     view = View(direction, 300, 300, pixel=0.5)
     up += rise * np.hypot(*direction[:2])
     width, height = right / 0.5 + 12, up / 0.5 + 12 + 5 / 0.5

@@ -48,7 +48,7 @@ def test_so_many_rays_are_sorted_as_are_counted(monkeypatch):
 
 @pytest.mark.parametrize(("depths", "share"), [([4], 0), ([4, 4], 1), ([8, 4], 1 / 2)])
 def test_unconnected_is_the_share_of_sorted_passes(depths, share):
-    """Seen from the side, what is left between two slots parts their rays; a deeper slot meets some of them alone."""
+    """In a view from the side, the wall between two slots separates their intervals. Below the shallower slot, rays meet only the deeper slot."""
     points = [(10 + 20 * slot, y, z) for slot, z in enumerate(depths) for y in (-20, 50)]
     cuts = Cuts(
         [Cut(toolpath(np.array(points[k : k + 2], float)), Tool("endmill", 6)) for k in range(0, len(points), 2)]
@@ -58,8 +58,8 @@ def test_unconnected_is_the_share_of_sorted_passes(depths, share):
 
 
 @pytest.mark.parametrize(("rows", "share"), [(96, 1.0), (128, 0.5), (192, 1.0)])
-def test_the_fullest_band_is_one_of_64_rows_from_below(rows, share):
-    """A slot along the middle leaves each of its pixels a dexel and a trace; it lies in the first band, in both, in the second."""
+def test_fullest_band_is_one_of_64_rows(rows, share):
+    """Each pixel of a slot has a dexel and a trace. The slot along the middle lies in the first band, in both, or in the second."""
     slot = Cut(toolpath(np.array([(-20.0, 15.0, 8.0), (60.0, 15.0, 8.0)])), Tool("endmill", 6))
     removal = Removal(Cuts([slot]), BOX, View((0, 0, -1), 4 * rows // 3, rows).frame(BOX))
     counted = counts.count(removal)

@@ -67,7 +67,7 @@ def test_the_pixels_of_tiles():
 
 @pytest.mark.parametrize("side, fine", [(8, [False, False, False]), (2, [True, True, True]), (4, [False, False, True])])
 def test_tiles_of_four_pixels_are_small_for_sloped_moves(side, fine):
-    """Of the first one's two moves one is sloped, which is half of them; of the last one's three two are."""
+    """In the first tile one of two moves is sloped, which is not more than half. In the last tile two of three are."""
     sloped = np.isin(np.arange(6), [3, 4])
     tiles = Tiles(side, SOME.column, SOME.row, SOME.first, SOME.item)
     assert are_small(tiles, sloped).tolist() == fine

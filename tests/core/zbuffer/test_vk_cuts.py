@@ -45,7 +45,7 @@ def test_what_has_a_feed_takes_its_time():
 
 
 def test_lengths_and_times_are_those_of_arcs():
-    """As the report tells them, not those of their chords: two turns of a bore of 1 mm, 0.5 mm deep each."""
+    """Lengths of arcs instead of chords, as in the report: two turns with a radius of 1 mm, each 0.5 mm deep."""
     turn = ("G2", {"X": 1, "Y": 0, "Z": -0.5, "I": -1, "J": 0, "F": 5})
     bore = linearize([("G0", {"X": 1, "Y": 0, "Z": 0}), turn, ("G2", {**turn[1], "Z": -1.0})], tolerance=0.05)
     cuts = Cuts([Cut(bore, TOOL)])

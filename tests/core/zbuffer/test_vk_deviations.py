@@ -130,7 +130,7 @@ def test_edge_tiles_connect_with_neighbours():
 
 
 def test_slightly_shifted_wall_does_not_hide_deeper_gouge():
-    """Along the view it comes first, with 9 mm; of three places that are told it is none, for four are deeper in space."""
+    """Along the view the shifted wall is deepest, with 9 mm. In space, four other places are deeper, so it is not among the first three."""
     depth = UNCUT.picture.depth.reshape(HEIGHT, WIDTH)
     part, model = (depth + np.float32(9) * (np.arange(WIDTH) >= edge) for edge in (101, 100))
     for column, deep in ((10, 5.0), (30, 4.5), (50, 4.0), (70, 3.5)):
@@ -156,7 +156,7 @@ def test_what_is_left_above_a_model_is_told_by_pixel():
 
 
 def test_beside_a_model_there_is_nothing_to_compare():
-    """It covers the left half: its last column has neighbours without it, and can be no gouge."""
+    """The model covers the left half. The neighbours of its last column miss the model, so this column is not a gouge."""
     deep = simulated(path((-10, 15, 6), (50, 15, 6)))
     found = deviations(deep, Stock((0, 0, 0), (20, 30, 8)))
     gouged, left = (values.reshape(HEIGHT, WIDTH) for values in (found.gouged, found.left))
@@ -197,7 +197,7 @@ def test_gouge_through_part_is_attributed_to_first_remover(x, y):
     z = simulated(path((x, y, 12), (x, y, 4)), path((x, y, 12), (x, y, -1), (x, y, 12), (x, y, -2)))
     (gouge,) = gouges(z, deviations(z, BOX), 0.1)
     assert gouge.depth == pytest.approx(10) and gouge.trajectory == 0 and gouge.source.cut == 0
-    # Of a model that begins 7 mm below the top, the pocket removed nothing.
+    # The pocket does not reach a model that begins 7 mm below the top.
     (gouge,) = gouges(z, deviations(z, Stock((0, 0, 0), (40, 30, 3))), 0.1)
     assert gouge.depth == pytest.approx(3) and gouge.trajectory == 1 and gouge.source.cut == 1
 

@@ -43,8 +43,8 @@ CRASH = path(
 )  # fmt: skip
 
 
-def test_the_highest_rate_is_that_of_all_seconds():
-    """Of feeds that change within a second, and over many seconds."""
+def test_peak_rate_is_the_maximum_over_all_seconds():
+    """The feeds include moves shorter than a second and moves of many seconds."""
     rng = np.random.default_rng(3)
     points = np.column_stack((rng.uniform(0, 40, 60), rng.uniform(0, 30, 60), rng.uniform(4, 11, 60)))
     z = simulated(path(points, rng.choice([0, 0.4, 7, 90, 400], 59)))
@@ -83,7 +83,7 @@ def test_a_rapid_takes_no_time_and_what_it_removes_has_no_rate():
         (60 * (short + slot) / 2.5, 60 * (short + slot / 4)), rel=5e-3
     )
     assert (found.cutting_length, found.cutting_seconds, found.air_length) == pytest.approx((25, 2.5, 0))
-    assert found.width_of_cut == pytest.approx(6, rel=5e-3)  # of the feed moves: the rapid's is no cut
+    assert found.width_of_cut == pytest.approx(6, rel=5e-3)  # the mean of feed moves, without the rapid
 
 
 def test_lengths_and_times_of_cuts_and_of_air():

@@ -65,7 +65,7 @@ def test_what_each_trajectory_removes_block_by_block(block, monkeypatch):
 
 
 def test_many_trajectories_make_larger_blocks(monkeypatch):
-    """What is summed for all of them should not be summed for each few pieces: a block has a quarter as many."""
+    """Sums over all trajectories are made once per block, so a block has at least a quarter as many pieces as trajectories."""
     monkeypatch.setattr(module, "_BLOCK", 1)
     many = Records(24, *(getattr(records(), name) for name in ("index", "entry", "far", "owner")))
     assert [pixel for pixel, _, _ in many.blocks()] == [0, 2]
@@ -112,8 +112,8 @@ def test_bands_from_below_are_one_image(bands):
     same(written.records(), whole)
 
 
-def test_room_for_more_pieces_is_made_seldom():
-    """Each time for an eighth more than are there: of 4,096 bands of one piece so many are not copied each time."""
+def test_arrays_of_pieces_grow_seldom():
+    """Arrays grow by an eighth, so that 4,096 bands of one piece each are copied only a few times."""
     written, band = Writer(TRAJECTORIES, 4096), part(records(), 5, 6)
     sizes = set()
     for _ in range(4096):

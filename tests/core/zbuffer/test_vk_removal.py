@@ -36,7 +36,7 @@ def alike(told):
 @pytest.mark.parametrize("direction", [(0, 0, -1), (0, 0, 1), (1, 1, -1), (1, 0.5, -0.3)])
 @pytest.mark.parametrize("count", [1, GROUP, 5 * GROUP + 3])
 def test_a_ray_is_cut_as_if_it_were_alone(count, direction, monkeypatch):
-    """A third of them beside the stock; with room for a few pairs as with room for all."""
+    """A third of the rays miss the stock. The result does not depend on the number of pairs in one step."""
     removal, rng = random_removal(count, direction)
     x, y = rng.uniform(-30, 30, (2, count))
     together, passes = removal.cut(x, y)

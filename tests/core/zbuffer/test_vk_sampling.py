@@ -30,7 +30,7 @@ def drawn(*arguments, seed=1, **options):
 
 
 def test_total_sums_areas_with_error_from_neighbours():
-    """Shares 2, 4 and 8: differences of 2 and 4, of which half the squares' sum counts, 3 for 2 of them."""
+    """Shares 2, 4 and 8 have the differences 2 and 4. The variance is half the sum of their squares, times 3 / 2."""
     rays = Sample(np.zeros(3), np.zeros(3), np.full(3, 2.0))
     assert rays.total(np.array([1, 2, 4])) == (14, pytest.approx(np.sqrt((4 + 16) / 2 * 3 / 2)))
     assert Sample(*np.ones((3, 1))).total(np.array([-3])) == (-3, 3)
@@ -137,7 +137,7 @@ def test_where_more_pass_there_are_more_rays_for_less_area_each():
 
 
 def test_fewer_rays_where_each_meets_many_but_a_hundred():
-    """Each cell is passed by all of the moves, and the rays by 150,000 of them together."""
+    """All moves pass every cell, and the rays together meet 150,000 moves."""
     for many, rays in ((100, 450), (1000, 150), (3000, 100)):
         assert len(drawn([(20, 15, 5), (20.1, 15, 5)] * (many // 2), WIDE)[1].x) == pytest.approx(rays, abs=1)
 
@@ -163,7 +163,7 @@ def test_what_is_passed_and_not_cut_is_counted_as_passed_only():
 
 
 def test_walls_around_a_slot_are_two_dexels():
-    """Seen from the front a slot along x through all but its ends: 34 mm by 5 mm have a dexel before and one behind."""
+    """A slot along x, seen from the front: rays in 34 x 5 mm have a dexel before the slot and a dexel behind it."""
     counts = count(removal([(6, 15, 5), (34, 15, 5)], view=View((0, 1, 0), 200, 150)))
     per_area = 1 / 0.2**2
     assert counts.stock == pytest.approx(40 * 10 * per_area)
@@ -172,7 +172,7 @@ def test_walls_around_a_slot_are_two_dexels():
 
 
 def test_only_what_is_cut_counts_as_touched():
-    """Of the box of a slot its corners are passed and not touched: 26 by 6 mm without four corners of a circle."""
+    """The corners of a slot's bounding box are not cut: 26 x 6 mm without the four corners outside the round ends."""
     counts = count(removal([(10, 15, 5), (30, 15, 5)]))
     assert counts.touched == counts.traces == pytest.approx((6 * 20 + 9 * np.pi) * 4, rel=0.03)
     assert abs(counts.traces - (6 * 20 + 9 * np.pi) * 4) < 3 * counts.traces_error < 0.15 * counts.traces

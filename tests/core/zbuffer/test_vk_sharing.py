@@ -126,7 +126,7 @@ def test_as_many_help_as_there_are_other_cores(workers, monkeypatch):
 
 @pytest.mark.long
 def test_work_beyond_memory_stays_in_this_process(monkeypatch):
-    """Once where the records come in, as a worker tells of it, and once where its thread knows of nothing."""
+    """Memory ends once while a worker's records are received, and once in the worker's thread itself."""
 
     def no_memory(*_):
         raise MemoryError
@@ -210,7 +210,7 @@ def test_the_share_that_is_done_grows_from_nothing(workers):
     path, solids = case()
     simulate(path, **solids, processes=2, going_on=going_on)
     assert told[0] == 0 and told == sorted(told) and told[-1] < 1
-    # What this process did first and what the others did while it waited: no band was whole yet.
+    # Regions of this process and of the others count before the first band is finished.
     assert 0 < min(filter(None, told)) < 64 / 200 and len(set(told)) > 2
 
 

@@ -55,7 +55,7 @@ def test_the_farthest_of_random_surfaces(surface, seed):
     at, distance = farthest(front, behind, pixels, pixel, 0.0)
     assert distance == pytest.approx(wanted[at], rel=1e-5)
     assert distance == pytest.approx(wanted[pixels].max(), rel=0.02, abs=pixel)
-    # Of some pixels only the farthest of these.
+    # With a selection of pixels, the result is the farthest pixel of the selection.
     some = pixels[wanted[pixels] < 0.7 * distance]
     if len(some):
         assert farthest(front, behind, some, pixel, 0.0)[1] == pytest.approx(wanted[some].max(), rel=0.02, abs=pixel)
@@ -88,8 +88,8 @@ def test_distance_is_that_of_the_place_where_it_is_told():
         assert distance == pytest.approx(every_pair(front, behind, pixel)[at], rel=1e-5), seed
 
 
-def test_where_a_surface_ends_all_lies_before_it():
-    """A plate 20 mm above another, of which a strip is missing 3 pixels beside the one that is asked for."""
+def test_missing_front_surface_counts_as_space_before_it():
+    """A plate lies 20 mm above another plate, and ends 3 pixels beside the searched pixel."""
     front, behind = np.zeros((30, 40), np.float32), np.full((30, 40), 20, np.float32)
     front[:, 25:] = np.inf
     pixel = 12 * 40 + 22
@@ -121,7 +121,7 @@ def test_nothing_to_look_at():
 
 
 def test_search_begins_on_doubling_circles():
-    """What they find only spares work: where they lie does not show in a distance."""
+    """The circles only save work. Their positions do not change a distance, so they are tested here."""
     steps = np.concatenate(_circles(100, 8, 2.0))
     assert np.abs(np.hypot(*steps.T) - np.repeat([1, 2, 4, 8, 16, 32, 64], 8)).max() < 0.75
     far = steps[-8:]

@@ -139,7 +139,7 @@ def test_pairs_stay_that_reach_beyond_what_is_open_from_an_end(pairs, stay):
         return _not_yet_open(tile, *columns, *ends).tolist()
 
     assert told(pairs) == stay
-    # What is open in one tile is not in the next.
+    # Depths opened in one tile do not count in the next tile.
     assert told([(WHOLE, WHOLE)], [(NEAR, NOWHERE), (FAR, NOWHERE), (NEAR, NOWHERE)]) == [0, 1, 2, 3]
     again = [len(pairs) + k for k in stay]
     assert told(pairs, pairs) == stay + again

@@ -210,7 +210,7 @@ def test_many_trajectories_are_prepared_as_few_at_a_time(direction, monkeypatch)
 
 
 def test_preparing_trajectories_needs_little_memory():
-    """An analysis prepares those of a whole job: of a million moves what was worked on took 300 MB beside the 184."""
+    """An analysis prepares the trajectories of a whole job, so temporary arrays must stay small beside the result."""
     points = np.random.default_rng(8).uniform((0, 0, 2), (40, 30, 9), (200_001, 3))
     cuts = Cuts([Cut(toolpath(points), FLAT)])
     frame = View(ABOVE, 80, 60).frame(BOX)

@@ -22,9 +22,9 @@ PLACES, STEP = 1001, 5  # of the tool on a move, and points on a side of a squar
 
 
 def bounded(tool, slope, along, aside, extent, half_run):
-    """How deep one move reaches at most in a square, and to which depth it opens all of it; -inf where it does neither.
+    """Return the bounds for one move and one square: largest reach, and depth opened in all of the square.
 
-    Of a ball that is no number.
+    -inf, or NaN for a ball, if the move does not meet or does not cover the square.
     """
     slopes = Slopes(np.array([slope])) if slope else None
     reaches, opens = bounds(

@@ -241,7 +241,7 @@ def test_a_shallow_ball_reaches_as_wide_as_its_chord():
 
 @pytest.mark.parametrize("rise", [4, -4])
 def test_rays_just_above_sloped_bull_nose_path(rise):
-    """Half the tool is before its axis and half behind it: its lowest point is neither the middle of these nor above it."""
+    """The rounded corner cuts the middle ray deepest, with the axis of the tool more than 2 mm away."""
     z = cut([(-5, 15, 4 - rise), (45, 15, 4 + rise)], TOOLS[2], width=401, height=301)
     slope = abs(rise) / 25
     expected = 4 - 2 * slope + 1 - hypot(1, slope)  # 2 mm are flat, a corner has 1 mm

@@ -108,14 +108,14 @@ def test_what_is_worked_out_block_by_block_is_as_of_the_whole(monkeypatch):
 @pytest.mark.parametrize(
     "lengths, rapid, removed, air",
     [
-        # Stretches of 2 mm, of which a move belongs to that of its middle: 0.5, 1.25, 1.75 | 2.5, 3.5.
+        # A move belongs to the stretch of 2 mm that contains its middle: 0.5, 1.25, 1.75 | 2.5, 3.5.
         ([1, 0.5, 0.5, 1, 1], [], [0], [3, 4]),
         ([1, 0.5, 0.5, 1, 1], [], [2], [3, 4]),
         ([1, 0.5, 0.5, 1, 1], [], [4], [0, 1, 2]),
         ([0.5, 2.8, 0.2], [], [0], [2]),  # 0.25, 1.9 | 3.4
-        ([1, 1, 1], [0], [1], []),  # the way of a rapid counts nothing
-        ([0.1, 0.1, 0.1, 0.1], [1], [0], [2, 3]),  # and parts stretches
-        ([0.1, 0.1, 0.1, 0.1], [1], [1], [0, 2, 3]),  # what it removes is no work of theirs
+        ([1, 1, 1], [0], [1], []),  # a rapid has no length
+        ([0.1, 0.1, 0.1, 0.1], [1], [0], [2, 3]),  # a rapid separates stretches
+        ([0.1, 0.1, 0.1, 0.1], [1], [1], [0, 2, 3]),  # a rapid's volume does not count for its neighbours
     ],
 )
 def test_short_moves_are_air_with_their_neighbours(lengths, rapid, removed, air):
@@ -141,12 +141,12 @@ def test_the_rate_of_what_takes_less_than_a_second():
 
 
 def test_depth_and_width_of_cut():
-    """A plunge has no width; half a slot is as wide as what is left of it; a slot no wider than its tool."""
+    """A plunge has the width 0, a slot the diameter of its tool, and a half slot the width of the remaining half."""
     points = [(10, 15, 12), (10, 15, 7), (30, 15, 7), (30, 18, 7), (10, 18, 7), (10, 18, 20), (12, 18, 20)]
     depth, width = engagement(cut(points, direction=(0, 0, -1)))
     assert depth == pytest.approx([3, 3, 3, 3, 0, 0], abs=1e-5)
     assert width[[0, 4, 5]].tolist() == [0, 0, 0] and width[1] == pytest.approx(6, rel=0.02) and width[1] <= 6
-    # Half a disc at its end, but for what the slot beside it took; at its begin the way to it took a quarter.
+    # The half slot ends with half a disc, without the part that the slot beside it took. The move before took a quarter disc.
     taken = 3 * pi - 0.75 * sqrt(27)
     assert width[3] == pytest.approx(3 + (9 * pi / 2 - taken - 9 * pi / 4) / 20, rel=0.002)
     aside = engagement(cut(points, direction=(1, 0.1, -0.2)))
@@ -308,8 +308,8 @@ def plunges(points, feed=6.0, allowed=2.0, tool=FLAT, stock=STOCK, view=VIEW_OF_
 def test_plunges_that_are_too_fast():
     down = [(20, 15, 12), (20, 15, 8)]
     assert plunges(down) == plunges(down, feed=2.03) == plunges(down, feed=0.6, allowed=0.5) == [0]
-    assert plunges(down, feed=2.01) == plunges(down, feed=1.0) == []  # FreeCAD rounds
-    assert plunges(down, allowed=0) == []  # nobody says
+    assert plunges(down, feed=2.01) == plunges(down, feed=1.0) == []  # FreeCAD rounds feeds
+    assert plunges(down, allowed=0) == []  # unknown vertical feed
     assert plunges(down[::-1]) == []  # upwards
     # 6 in 1 is a plunge, 4 in 1 a ramp.
     assert plunges([(20, 15, 12), (20.9, 15, 6.6)]) == [0] and plunges([(20, 15, 12), (21.5, 15, 6)]) == []

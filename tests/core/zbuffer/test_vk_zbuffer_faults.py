@@ -83,7 +83,7 @@ def test_a_crash_is_found_from_any_side(direction):
 
 
 def test_a_crash_of_a_single_pixel_is_found():
-    """Of 4 mm; a tool of 3 mm in its middle."""
+    """A pixel of 4 mm, and a tool of 3 mm in the middle of the pixel."""
     drilled = Cut(path([(18, 13, 12), (18, 13, 4)], rapid=[0]), Tool("endmill", 3))
     (one,) = facts(simulate_job([drilled], stock=STOCK, view=View((0, 0, -1), 10, 8, pixel=4.0))).job.crashes
     assert (one.depth, one.volume) == pytest.approx((6, 6 * 4**2))
@@ -119,7 +119,7 @@ def test_what_is_found_is_told_as_plain_data():
 
 
 def test_job_facts_combine_depth_width_and_tool_of_cuts():
-    """Slots of 6 and 4 mm, 3 and 2 mm deep, 50 mm each; 42 of these on the block. A rapid above has no width."""
+    """Two slots, 6 and 4 mm wide, 3 and 2 mm deep, with moves of 50 mm, of which 42 mm cross the block. A rapid above has no width."""
     slots = [(Tool("endmill", 6), 10, 7.0), (Tool("endmill", 4), 20, 8.0)]
     cuts = [Cut(path([(-5, y, z), (45, y, z), (45, y, 20), (-5, y, 20)], rapid=[1, 2]), tool) for tool, y, z in slots]
     found = facts(simulate_job(cuts, stock=STOCK, view=View((0, 0, -1), 420, 320)))
@@ -192,9 +192,9 @@ def test_a_plunge_too_fast_is_found():
      (Tool("ballend", 6), 4, False)],
 )  # fmt: skip
 def test_full_material_is_half_of_what_a_tool_displaces(tool, drilled, fast):
-    """Into a hole 3 mm deep: one of 4.2 mm leaves 0.51 of what a flat end of 6 mm displaces, one of 4.28 mm 0.49.
+    """Plunges into holes 3 mm deep. Holes of 4.2 and 4.28 mm leave 0.51 and 0.49 of the volume that a flat end of 6 mm displaces.
 
-    Of half a ball holes of 3.2 and 4 mm leave (1 - 0.28)^1.5 = 0.61 and (1 - 0.44)^1.5 = 0.41.
+    Holes of 3.2 and 4 mm leave (1 - 0.28)^1.5 = 0.61 and (1 - 0.44)^1.5 = 0.41 of half a ball.
     """
     hole, plunge = path([(20, 15, 12), (20, 15, 7)]), path([(20, 15, 12), (20, 15, 7)])
     cuts = [Cut(hole, Tool("endmill", drilled), PLUNGE), Cut(replace(plunge, feed=np.array([6.0])), tool, PLUNGE)]
@@ -245,7 +245,7 @@ def test_a_wall_through_a_pixel_is_no_deviation():
 
 
 def test_worst_places_lie_apart_and_name_what_made_them():
-    """Two holes into a model of 8 mm, one of them through all of it: the deepest first, each once."""
+    """Two holes in a model of 8 mm, one of them through the whole model. Each hole is listed once, the deeper one first."""
     drilled = path([(10, 15, 12), (10, 15, 5), (10, 15, 12), (30, 15, 12), (30, 15, -1), (30, 15, 12)])
     z = simulate_job([Cut(SOUND, FLAT), Cut(drilled, FLAT)], stock=STOCK, view=View((0, 0, -1), 200, 150))
     found = deviations(z, MODEL)

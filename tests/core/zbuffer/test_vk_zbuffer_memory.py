@@ -207,9 +207,9 @@ def test_the_box_of_a_move_from_above():
         60 - 50 + 1
     )
     assert memory._most_records(removal(TOOLS[0], (0, 0, -1), [(20, 2, 5), (30, 2, 5)])) == 80 * 60 + 33 * (10 + 1)
-    for aside in ((30, 0), (0, 30), (-60, 0), (0, -60)):  # the image is of what lies beside it
+    for aside in ((30, 0), (0, 30), (-60, 0), (0, -60)):  # the image shows only space beside the move
         assert memory._most_records(removal(TOOLS[0], (0, 0, -1), [(5, 5, 5), (20, 5, 5)], offset=aside)) == 80 * 60
-    assert memory._most_records(removal(TOOLS[0], (0, 1, 0))) == 80 * 60 + 2 * 53 * 11  # 26 mm by the 5 above it
+    assert memory._most_records(removal(TOOLS[0], (0, 1, 0))) == 80 * 60 + 2 * 53 * 11  # 26 mm wide, 5 mm high
 
 
 def test_a_huge_image_is_refused_by_default():

@@ -56,7 +56,7 @@ def expected(z):
     """Depth of the first dexel on every ray, and the owner of the trace element that ends there."""
     pixels = len(z.records.entry)
     depth, owner = np.full(pixels, np.nan, np.float32), np.full(pixels, STOCK)
-    # Of several for one pixel the last stays: of the dexels, which are told from behind, the first.
+    # If a pixel occurs several times, the last value stays. The dexels are assigned in reverse, so the first dexel stays.
     depth[z.dexel_records["pixel"][::-1]] = z.dexel_records["near"][::-1]
     pixel = np.repeat(np.arange(pixels), np.diff(z.trace_index.astype(int)))
     before = z.trace_records["far"] == depth[pixel]
@@ -96,7 +96,7 @@ def test_pictures_of_nothing():
 
 
 def test_moments_of_more_trajectories_than_16_bits_number():
-    """A slot after 10,000 moves above the block, and another after 60,000 more: what each of them changes is its own."""
+    """One slot after 10,000 moves above the block, and another slot after 60,000 more. Each slot changes only its own pixels."""
     above, more = ([(x, 5.0, 20.0) for x in np.linspace(35, 5, count)] for count in (10_000, 60_000))
     points = [*above, (5.0, 5.0, 6.0), (35.0, 5.0, 6.0), *more, (5.0, 25.0, 4.0), (35.0, 25.0, 4.0)]
     z = simulate(toolpath(np.array(points)), tool=TOOLS[0], stock=BOX, view=View((0, 0, -1), 80, 60))

@@ -141,7 +141,7 @@ def test_no_ray_slips_through_between_triangles():
 
 
 def test_mesh_triangles_are_sorted_once_per_image(monkeypatch):
-    """Of half a million it takes as long as all the rest. For the stock's silhouette, for the part and for the model."""
+    """Sorting half a million triangles takes as long as the rest. Once for the silhouette, once for the part and once for the model."""
     seen = []
 
     class Counted(stocks._SeenMesh):
@@ -197,8 +197,8 @@ def areas(mesh, view):
     return seen_areas(mesh, view.frame(mesh), np.random.default_rng(1))
 
 
-def test_the_area_that_a_mesh_covers():
-    """Of a block of 2 x 3 x 4 a rectangle; from a corner three sides; of two behind each other twice as much, and a gap."""
+def test_area_covered_by_a_mesh():
+    """A block of 2 x 3 x 4 mm covers a rectangle, or three sides from a corner. Two blocks behind each other count twice, with a gap."""
     block = Mesh(box((0, 0, 0), (2, 3, 4)))
     for direction, area in (((0, 0, -1), 6), ((0, 1, 0), 8), ((1, 0, 0), 12), ((1, 1, -1), (6 + 8 + 12) / sqrt(3))):
         assert areas(block, View(direction)) == pytest.approx((area, 0), rel=0.005)
@@ -206,7 +206,7 @@ def test_the_area_that_a_mesh_covers():
     assert areas(two, View((0, 0, -1))) == pytest.approx((12, 6)) and areas(two, View((0, 1, 0))) == pytest.approx(
         (10, 0), rel=0.02
     )
-    # Of a part of it, of one that is small in the image, and of none.
+    # Images of a part of the block, with the block small in the image, and without the block.
     assert areas(block, View((0, 0, -1), 10, 20, pixel=0.05)) == pytest.approx((0.5, 0))
     assert areas(block, View((0, 0, -1), 10, 10, pixel=0.1, offset=(1, 1.5))) == pytest.approx((0.25, 0))
     assert areas(block, View((0, 0, -1), 100, 100, pixel=10)) == pytest.approx((6, 0))
