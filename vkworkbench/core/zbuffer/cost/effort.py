@@ -163,10 +163,10 @@ def work_of(removal: Removal, trajectories: int, counts: Counts) -> Work:
     cells: np.ndarray = np.zeros(KINDS)
     while len(tiles.item):
         fine = are_small(tiles, bounds.slow)
-        pixels = tiles.side**2 * np.repeat(weight[fine], np.diff(tiles.first)[fine])
+        represented = tiles.side**2 * np.repeat(weight[fine], np.diff(tiles.first)[fine])
         item = tiles.selected(fine).item
-        cells += np.bincount(cell_kind[item], pixels * (1 - between[item]), KINDS)
-        cells[_BETWEEN] += pixels @ between[item]
+        cells += np.bincount(cell_kind[item], represented * (1 - between[item]), KINDS)
+        cells[_BETWEEN] += represented @ between[item]
         tiles, weight = tiles.selected(~fine), weight[~fine]
         if not len(tiles.item):
             break
