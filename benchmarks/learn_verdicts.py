@@ -43,8 +43,8 @@ from vkworkbench.core.recognition.verdict.decide import (
 )
 from vkworkbench.core.recognition.verdict.forest import Forest
 from vkworkbench.core.recognition.verdict.learned import EARLIER, EARLIER_NONSENSE
-from vkworkbench.core.recognition.verdict.measures import measures
-from vkworkbench.core.recognition.verdict.rules import judge
+from vkworkbench.core.recognition.verdict.measures import measure_section
+from vkworkbench.core.recognition.verdict.rules import judge_section
 
 OF_STRATEGIES = {"trees": 60, "leaves": 160, "tried": 0.3, "seed": 1}
 OF_NONSENSE = {"trees": 80, "leaves": 160, "tried": 0.3, "seed": 1}
@@ -129,8 +129,8 @@ class Examples:
             for of_kind, tool in ((kind, r.tool or 0.0), (f"{kind} without tools", 0.0)):
                 if of_kind in WEIGHTS:
                     section = Section(moves, tool)
-                    values = measures(section)
-                    proposed = proposal(section, judge(section), paper_verdict(moves))
+                    values = measure_section(section)
+                    proposed = proposal(section, judge_section(section), paper_verdict(moves))
                     rows.append(
                         (
                             of_kind,

@@ -11,7 +11,7 @@ import pytest
 
 from vkworkbench.core import linearize
 from vkworkbench.core.paper import monotonous_areas
-from vkworkbench.core.recognition.verdict.crossings import FROM_THE_MIDDLE, NAMES, Sample, _cross, scan
+from vkworkbench.core.recognition.verdict.crossings import FROM_THE_MIDDLE, NAMES, Sample, _cross, measure_crossings
 
 EXTENT = 60.0
 ROWS, STEP = 10, 3.0
@@ -27,7 +27,7 @@ NOTHING = dict.fromkeys(NAMES, -1)
 
 def scanned(commands):
     moves = monotonous_areas(linearize(commands))
-    return scan(moves, Sample.of(moves, np.arange(len(moves))), EXTENT)
+    return measure_crossings(moves, Sample.of(moves, np.arange(len(moves))), EXTENT)
 
 
 def told(commands):

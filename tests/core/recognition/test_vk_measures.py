@@ -14,7 +14,7 @@ from vkworkbench.core import linearize
 from vkworkbench.core.paper import monotonous_areas
 from vkworkbench.core.recognition.patterns.section import Section
 from vkworkbench.core.recognition.thresholds import WATERLINES
-from vkworkbench.core.recognition.verdict.measures import FLAGS, measures
+from vkworkbench.core.recognition.verdict.measures import FLAGS, measure_section
 
 TOOL = 6.0
 NO_RINGS = {
@@ -29,7 +29,7 @@ NO_STROKES = {"strokes": 0, "bites": 0, "against": 0, "stroke_slopes": 0, "strok
 
 
 def told(commands):
-    return measures(Section(monotonous_areas(linearize(commands)), TOOL))
+    return measure_section(Section(monotonous_areas(linearize(commands)), TOOL))
 
 
 def holds(found, expected):

@@ -28,7 +28,7 @@ from vkworkbench.core.recognition.verdict.decide import (
     standing,
     sureness,
 )
-from vkworkbench.core.recognition.verdict.measures import measures
+from vkworkbench.core.recognition.verdict.measures import measure_section
 from vkworkbench.core.recognition.verdict.operation import unknown
 from vkworkbench.core.recognition.verdict.rules import Verdict
 from vkworkbench.language import Message
@@ -48,7 +48,7 @@ def proposed_by(rules, letter=None, tool=False):
 
 def measured(path):
     moves = monotonous_areas(path)
-    return measures(Section(moves, 0.0)) if len(moves) else {}
+    return measure_section(Section(moves, 0.0)) if len(moves) else {}
 
 
 @pytest.mark.parametrize("label, accepted, make", SOME, ids=[label for label, *_ in SOME])

@@ -17,7 +17,7 @@ from vkworkbench.core import linearize
 from vkworkbench.core.paper import monotonous_areas
 from vkworkbench.core.recognition.patterns.entries import share_rising
 from vkworkbench.core.recognition.patterns.section import Section
-from vkworkbench.core.recognition.verdict.rules import judge
+from vkworkbench.core.recognition.verdict.rules import judge_section
 
 TOOL = 6.0
 
@@ -145,7 +145,7 @@ CASES = {
 
 
 def proposed(strokes, tool=TOOL):
-    return judge(Section(monotonous_areas(linearize(programs.program(strokes))), tool))
+    return judge_section(Section(monotonous_areas(linearize(programs.program(strokes))), tool))
 
 
 @pytest.mark.parametrize("strokes, strategy, seen, count", CASES.values(), ids=CASES)

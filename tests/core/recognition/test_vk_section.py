@@ -14,7 +14,7 @@ from vkworkbench.core import Strategy, linearize
 from vkworkbench.core.paper import TURN, monotonous_areas
 from vkworkbench.core.recognition.patterns.pieces import LOOP, ZIGZAG, cut_pieces
 from vkworkbench.core.recognition.patterns.section import Section, _absorbed
-from vkworkbench.core.recognition.verdict.rules import judge
+from vkworkbench.core.recognition.verdict.rules import judge_section
 
 TOOL = 6.0
 
@@ -90,7 +90,7 @@ def test_two_rows_that_their_links_close_are_rows_and_no_ring():
     island = [(0.0, 21.0, 0.0), (30.0, 21.0, 0.0), (30.0, 26.1, 0.0), (0.0, 26.1, 0.0), (0.0, 21.0, 0.0)]
     found = section(rows(), two)
     assert found.row_pieces.all() and not found.ring_pieces.any()
-    assert judge(found).strategy is Strategy.ZIGZAG
+    assert judge_section(found).strategy is Strategy.ZIGZAG
     found = section(rows(), island)
     assert found.ring_pieces.sum() == 1
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Scan lines across a toolpath: how its passes lie beside one another, be they closed, open, straight or bent."""
+"""Scan lines across a toolpath, which measure how passes of any shape lie side by side."""
 
 from __future__ import annotations
 
@@ -14,21 +14,21 @@ NAMES = (
     "step", "keep", "opposite", "monotonous", "alternating", "even", "count", "signed", "tight", "run", "next", "other",
     "cover",
 )  # fmt: skip
-#: Where the lines lie, from the middle outward, as shares of the width that is crossed.
+#: Places of the scan lines, from the middle outward, as shares of the width that they cross.
 FROM_THE_MIDDLE = 0.5 + np.array([side * (k + 0.5) / SCAN.LINES for k in range(SCAN.LINES // 2) for side in (-1, 1)])
 
 
 class Sample(NamedTuple):
-    """Moves that stand for all, (k,) each.
+    """A sample of the moves, (k,) each.
 
     Attributes
     ----------
     chosen : array
-        Which moves.
+        Indices of the moves.
     dx, dy, length : array
-        The moves and their lengths, mm.
+        Components and lengths of the moves, mm.
     double_x, double_y, four_x, four_y : array
-        The moves with two times and with four times their angle, mm.
+        Components of moves of the same length at twice and at four times the angle, mm.
     """
 
     chosen: np.ndarray
@@ -42,7 +42,7 @@ class Sample(NamedTuple):
 
     @classmethod
     def of(cls, moves: Areas, chosen: np.ndarray) -> Sample:
-        """Return these moves, chosen (k,) int."""
+        """Return the sample of the moves with the indices `chosen`, (k,) int."""
         dx, dy, length = moves.dx[chosen], moves.dy[chosen], moves.length[chosen]
         double_x, double_y = (dx - dy) * (dx + dy) / length, 2 * dx * dy / length
         four_x, four_y = (double_x - double_y) * (double_x + double_y) / length, 2 * double_x * double_y / length
@@ -50,16 +50,16 @@ class Sample(NamedTuple):
 
 
 class Crossings(NamedTuple):
-    """Where scan lines cross moves, (k,) each, line after line in the order of cutting.
+    """The k crossings of scan lines with moves, (k,) each, sorted by line and then by the order of cutting.
 
     Attributes
     ----------
     line : array
-        Number of the line, ascending.
+        Number of the scan line, ascending.
     place, z : array
-        Place along the line, and height, mm.
+        Position along the line, and height, mm.
     slope : array
-        Sine of the angle between move and line, positive to one side of it.
+        Sine of the angle between move and line, signed by the side to which the move crosses.
     alpha : array
         Direction of the move, rad.
     """
@@ -71,13 +71,13 @@ class Crossings(NamedTuple):
     alpha: np.ndarray
 
 
-def scan(moves: Areas, sample: Sample, extent: float) -> dict[str, float]:
-    """Cross the moves with straight lines and measure what lies between neighbouring crossings.
+def measure_crossings(moves: Areas, sample: Sample, extent: float) -> dict[str, float]:
+    """Cross the moves with scan lines and measure the distances, senses and order of neighbouring crossings.
 
-    The lines run across the direction that the moves prefer. On every line the crossings are put in order, once at each
-    depth for itself ("level") and once seen from above ("plan"). Two neighbours that are parallel are passes side by
-    side; of those at the usual distance it is told whether they run the same way, and in which order they were cut.
-    Turning, mirroring, moving, scaling or reversing a toolpath changes none of it.
+    The scan lines run across the preferred direction of the moves. Along each line the crossings are sorted by position,
+    once for each depth ("level") and once for all depths together ("plan"). Two neighbouring crossings with parallel
+    moves are passes side by side. Passes at the usual distance are compared by their sense and their order of cutting.
+    No measure changes if the toolpath is turned, mirrored, moved, scaled or reversed.
 
     Parameters
     ----------
@@ -85,19 +85,27 @@ def scan(moves: Areas, sample: Sample, extent: float) -> dict[str, float]:
         At least one move.
     sample : Sample
     extent : float
-        Diagonal of their bounding box, mm.
+        Diagonal of the moves' bounding box, mm.
 
     Returns
     -------
     dict
-        "crossings": logarithm of how many a line has. And NAMES with "level_" and "plan_" before them, each -1 where
-        nothing tells it. "step": logarithm of the usual distance over the extent. "keep", "alternating": share of three
-        usual neighbours that all run the same way, and to and fro. "opposite": share of usual neighbours that run to and
-        fro. "monotonous": share of three that were cut in their order. "even": share of the passes side by side that
-        are at the usual distance. "count": logarithm of how many of these a line has. "signed": how much of the
-        crossings goes to one side. "tight": median deviation from the usual distance. "run": usual neighbours with
-        another beside them. "next": cut one after the other. "other": neighbours that are not parallel. "cover": share
-        of the line between usual neighbours.
+        "crossings" is the logarithm of the crossings of a line. All other names are NAMES with the prefixes "level_" and
+        "plan_"; the value is -1 without crossings to measure. A pair is two passes side by side at the usual distance; a
+        triple is two pairs with a common pass.
+
+        * step: logarithm of the usual distance over the extent
+        * even: share of the passes side by side that are pairs
+        * tight: median deviation of the pairs from the usual distance, as a share of it
+        * count: logarithm of the number of pairs on a line
+        * cover: share of the line that lies between pairs
+        * opposite: share of the pairs with opposite senses
+        * next: share of the pairs cut one directly after the other
+        * run: triples, as a ratio to the pairs
+        * keep, alternating: share of the triples with one sense, and with alternating senses
+        * monotonous: share of the triples that are cut in the order in which they lie
+        * signed: excess of crossings to one side, as a share of the crossings
+        * other: share of the neighbours that are not parallel
     """
     crossed = _cross(moves, sample)
     number = len(crossed.line)
@@ -112,9 +120,10 @@ def scan(moves: Areas, sample: Sample, extent: float) -> dict[str, float]:
 
 
 def _across(sample: Sample) -> tuple[float, float]:
-    """Return the direction, a unit vector, at a right angle to the one that the moves prefer.
+    """Return the unit vector at a right angle to the preferred direction of the moves.
 
-    The mean of four times their angle tells that direction but for quarter turns.
+    The mean of four times the angles gives the preferred direction up to quarter turns; the total length across the two
+    candidates decides between them.
     """
     angle = float(directions(sample.four_x.sum(), sample.four_y.sum())) / 4
     u, v = np.cos(angle), np.sin(angle)
@@ -124,7 +133,7 @@ def _across(sample: Sample) -> tuple[float, float]:
 
 
 def _cross(moves: Areas, sample: Sample) -> Crossings:
-    """Cross the moves with evenly spaced lines, where most of the cutting is."""
+    """Return the crossings of the moves with evenly spaced lines over the width that holds most of the cutting."""
     u, v = _across(sample)
     begin = moves.y * u
     begin -= moves.x * v
@@ -137,14 +146,14 @@ def _cross(moves: Areas, sample: Sample) -> Crossings:
     reached = np.cumsum(sample.length[order])
     low, high = height[order[np.searchsorted(reached, (SCAN.EDGE * reached[-1], (1 - SCAN.EDGE) * reached[-1]))]]
     lines = low + (high - low) * FROM_THE_MIDDLE
-    # From the middle, in pairs, so many lines that the crossings are enough, as the sample promises.
+    # Pairs of lines from the middle outward, until the sample promises enough crossings.
     promised = ((one < lines[:, None]) != (other < lines[:, None])).sum(axis=1) * (len(begin) / len(one))
     wanted = max(2, int(np.count_nonzero(np.cumsum(promised)[1::2] <= SCAN.ENOUGH)) * 2)
     found = []
     for line in lines[:wanted]:
         on = np.flatnonzero((begin < line) != (end < line))
         spare = max(0, len(on) - SCAN.ENOUGH // 2)
-        found.append(on[spare // 2 : len(on) - (spare + 1) // 2])  # what was cut in the middle of the time
+        found.append(on[spare // 2 : len(on) - (spare + 1) // 2])  # those in the middle of the cutting time
     on, line = np.concatenate(found), np.repeat(np.arange(wanted), [len(moves) for moves in found])
     step, length = end[on] - begin[on], moves.length[on]
     steep = np.abs(step) > SCAN.GRAZING * length
@@ -160,7 +169,7 @@ def _cross(moves: Areas, sample: Sample) -> Crossings:
 
 
 def _neighbours(crossed: Crossings, extent: float, by_depth: bool) -> dict[str, float]:
-    """Measure the neighbours on all lines, those at one depth or all of them."""
+    """Measure the neighbouring crossings on all lines, at each depth alone or at all depths together."""
     line, place, z, slope, alpha = crossed
     if len(line) < 2:
         return {}
@@ -181,7 +190,7 @@ def _neighbours(crossed: Crossings, extent: float, by_depth: bool) -> dict[str, 
     told["other"] = 1 - passes / max(1, int(np.count_nonzero(apart)))
     if not passes:
         return told
-    # The usual distance is where most distances are, to a fifth.
+    # The usual distance is the median around the most frequent bin of logarithms.
     logarithm = np.log(aside[beside])
     bins = np.rint(logarithm / SCAN.BIN).astype(np.int64)
     bins -= bins.min()
@@ -190,7 +199,7 @@ def _neighbours(crossed: Crossings, extent: float, by_depth: bool) -> dict[str, 
     most = int(np.argmax(2 * count + around[:-2] + around[2:]))
     usual = float(np.exp(_median(logarithm[np.abs(bins - most) <= 1])))
     even = beside & (np.abs(aside / usual - 1) < SCAN.EVEN)
-    number = np.count_nonzero(even)  # some: the usual one lies between them
+    number = np.count_nonzero(even)  # never 0: the median lies in these bins
     opposite = slope[1:] * slope[:-1] < 0
     later = order[1:] - order[:-1]
     three = even[1:] & even[:-1]
@@ -213,7 +222,7 @@ def _neighbours(crossed: Crossings, extent: float, by_depth: bool) -> dict[str, 
 
 
 def _median(values: np.ndarray) -> float:
-    """Return the median of (k,) numbers, k > 0; numpy's own takes longer to begin than these take in all."""
+    """Return the median of k > 0 numbers, (k,). For so few numbers np.median spends most of its time on checks."""
     half = len(values) // 2
     if len(values) % 2:
         return float(np.partition(values, half)[half])

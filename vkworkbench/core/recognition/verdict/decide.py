@@ -14,7 +14,7 @@ from vkworkbench.core.recognition.patterns.section import Section
 from vkworkbench.core.recognition.thresholds import VOTES
 from vkworkbench.core.recognition.verdict import learned
 from vkworkbench.core.recognition.verdict.forest import Forest
-from vkworkbench.core.recognition.verdict.measures import measures
+from vkworkbench.core.recognition.verdict.measures import measure_section
 from vkworkbench.core.recognition.verdict.rules import Verdict
 from vkworkbench.core.strategy import Family, Strategy
 from vkworkbench.language import Message
@@ -108,7 +108,7 @@ def decide(s: Section, rules: Verdict, paper: PaperVerdict | None) -> tuple[Verd
     float
         How often such verdicts are right, 0..1.
     """
-    values = measures(s)
+    values = measure_section(s)
     case = [values[name] for name in learned.MEASURES]
     nonsense = float(LEARNED.nonsense.vote(case)[1])
     if nonsense > VOTES.NONSENSE and not _encloses(values):

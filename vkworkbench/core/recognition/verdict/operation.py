@@ -12,7 +12,7 @@ from vkworkbench.core.recognition.thresholds import VOTES
 from vkworkbench.core.recognition.verdict.decide import decide
 from vkworkbench.core.recognition.verdict.evidence import gather_evidence, reason_of
 from vkworkbench.core.recognition.verdict.recognition import Recognition, Span
-from vkworkbench.core.recognition.verdict.rules import Verdict, judge
+from vkworkbench.core.recognition.verdict.rules import Verdict, judge_section
 from vkworkbench.core.strategy import Family, Strategy
 from vkworkbench.core.toolpath import Toolpath
 from vkworkbench.language import Message
@@ -38,7 +38,7 @@ def recognize_one(toolpath: Toolpath, moves: Areas, first: int, last: int, tool:
         return Recognition(strategy, VOTES.SUREST, why, spans, passes=holes or None)
     section = Section(moves, tool)
     paper = paper_verdict(moves)
-    verdict, confidence = decide(section, judge(section), paper)
+    verdict, confidence = decide(section, judge_section(section), paper)
     evidence = gather_evidence(section, verdict)
     why = reason_of(section, verdict, evidence)
     runs = _runs(section, verdict, first, last) if verdict.parts else [(first, last, verdict.strategy)]

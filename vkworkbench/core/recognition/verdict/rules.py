@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The rules: which strategy the pieces of one section stand for."""
+"""The rules: which strategy the pieces of one section show."""
 
 from __future__ import annotations
 
@@ -30,21 +30,21 @@ ENTERED = Message("winding-with-entry")
 
 @dataclass(frozen=True)
 class Verdict:
-    """What one section is.
+    """The strategy of one section and its reason.
 
     Attributes
     ----------
     strategy : Strategy
     count : int
-        How many rows, rings or strokes show it.
+        Number of rows, rings or strokes that show the strategy.
     seen : Message
-        What shows it.
+        The reason.
     parts : tuple of Verdict
-        Where mixed: the verdicts on its rings and on its rows.
+        For a mixed section: the verdicts on its rings and on its rows.
     step : float or None
         Distance between neighbouring passes that are neither rings nor straight rows, mm.
     finished : bool
-        Whether contours around the rows finish their walls.
+        Whether contours around the rows finish the walls.
     """
 
     strategy: Strategy
@@ -55,110 +55,160 @@ class Verdict:
     finished: bool = False
 
 
-def judge(s: Section) -> Verdict:
-    """Judge a section by its rings, its rows or its open strokes, whichever make up most of it."""
-    rings = s.share(s.ring_pieces[s.rings.index])
-    opened = 1 - rings
-    rowlike = max(s.zigzag, sum(f.length for f in s.rows) / s.length)
-    if rowlike > MAJORITY.SHARE * opened:
-        rowlike = opened  # the rest are the links
-    arcs = _judge_arcs(s) if rings < RINGS.OFFSETS and rowlike < MAJORITY.SHARE else None
-    bites, against = s.part(s.strokes.bite), s.part(s.strokes.against)
-    number = int(s.strokes.bite.sum())
-    many = bites > BITES.SHARE and number >= BITES.COUNT
-    # Circles that the boundary cuts open overlap, too. Those keep their radii, and bites do not.
+def judge_section(section: Section) -> Verdict:
+    """Return the strategy of a section by its rings, rows or open strokes, whichever make up most of its length."""
+    rings = section.share(section.ring_pieces[section.rings.index])
+    rows = _share_of_rows(section, 1 - rings)
+    arcs = _judge_arcs(section) if rings < RINGS.OFFSETS and rows < MAJORITY.SHARE else None
+    verdict = _judge_bites(section, rows, arcs) or arcs or _judge_hunting(section, rings)
+    if verdict:
+        return verdict
+    if _rings_prevail(section, rings, rows):
+        return _judge_rings(section, rings)
+    of_rows = _judge_rows(section, rows)
+    both = rings > RINGS.AMONG_ROWS and rows > RINGS.ROWS_BESIDE and of_rows.count >= MAJORITY.REPETITIONS
+    if both:
+        return _judge_rows_and_rings(section, of_rows, rings, rows)
+    return _judge_strokes(section) if rows < RINGS.ALONE else of_rows
+
+
+def _share_of_rows(section: Section, open_share: float) -> float:
+    """Return the share of the length in rows; if rows are most of the open length, the rest of it are their links."""
+    rows = max(section.zigzag, sum(family.length for family in section.rows) / section.length)
+    return open_share if rows > MAJORITY.SHARE * open_share else rows
+
+
+def _judge_bites(section: Section, rows: float, arcs: Verdict | None) -> Verdict | None:
+    """Return adaptive clearing if enough strokes overlap as the bites of a cutter at a limited engagement do.
+
+    Circles cut open by the boundary overlap too, but keep their radii: arcs around a centre are not bites.
+    """
+    strokes = section.strokes
+    bites, against = section.part(strokes.bite), section.part(strokes.against)
+    count = int(strokes.bite.sum())
     circles = arcs is not None and arcs.strategy is Strategy.CONTOUR_PARALLEL
-    if many and not circles and against < BITES.AGAINST * bites and rowlike < MAJORITY.SHARE:
-        return Verdict(Strategy.ADAPTIVE, number, Message("bites-overlap", count=number))
-    if arcs:
-        return arcs
-    # Whatever the rest is: a tool that corrects its direction all the time leaves remnants to rows and bites.
-    hunting, nested = s.share(s.hunting), s.share(s.rings.nested)
+    enough = bites > BITES.SHARE and count >= BITES.COUNT
+    if enough and not circles and against < BITES.AGAINST * bites and rows < MAJORITY.SHARE:
+        return Verdict(Strategy.ADAPTIVE, count, Message("bites-overlap", count=count))
+    return None
+
+
+def _judge_hunting(section: Section, rings: float) -> Verdict | None:
+    """Return adaptive clearing if most nested rings correct their direction all the time, whatever lies beside them."""
+    hunting, nested = section.share(section.hunting), section.share(section.rings.nested)
     if min(hunting, nested) > MAJORITY.SHARE * rings:
-        return Verdict(Strategy.ADAPTIVE, len(s.rings), Message("endless-winding"))
-    # Offsets are still offsets where the innermost are so narrow that they are passes and no loops.
-    offsets = rings > RINGS.OFFSETS and nested > RINGS.OFFSETS * rings
-    if offsets or (rings > RINGS.ALONE and (rowlike < RINGS.ROWS_BESIDE or not s.rows)):
-        return _judge_rings(s, rings)
-    of_rows = _judge_rows(s, rowlike)
-    both = rings > RINGS.AMONG_ROWS and rowlike > RINGS.ROWS_BESIDE and of_rows.count >= MAJORITY.REPETITIONS
-    if rowlike < RINGS.ALONE and not both:
-        return _judge_strokes(s)
-    if not both:
-        return of_rows
-    if max(s.bordered()) > MAJORITY.SHARE:
+        return Verdict(Strategy.ADAPTIVE, len(section.rings), Message("endless-winding"))
+    return None
+
+
+def _rings_prevail(section: Section, rings: float, rows: float) -> bool:
+    """Return whether the rings decide: nested offsets, also with passes inside the innermost, or hardly any rows."""
+    offsets = rings > RINGS.OFFSETS and section.share(section.rings.nested) > RINGS.OFFSETS * rings
+    return offsets or (rings > RINGS.ALONE and (rows < RINGS.ROWS_BESIDE or not section.rows))
+
+
+def _judge_rows_and_rings(section: Section, of_rows: Verdict, rings: float, rows: float) -> Verdict:
+    """Return rows that contours finish, or a mixed section of rows and rings."""
+    if max(section.bordered()) > MAJORITY.SHARE:
         return replace(of_rows, finished=True)
-    of_rings = _judge_rings(s, rings)
-    seen = Message("rows-and-loops", rows=rowlike, loops=rings)
-    return Verdict(Strategy.MIXED, of_rows.count, seen, (of_rings, of_rows))
+    seen = Message("rows-and-loops", rows=rows, loops=rings)
+    return Verdict(Strategy.MIXED, of_rows.count, seen, (_judge_rings(section, rings), of_rows))
 
 
-def _judge_rings(s: Section, rings: float) -> Verdict:
-    r = s.rings
-    helix = s.share(r.stacked & r.sloped & r.round)
-    # Where other contours are ramped in the same way, the round ones among them are profiles like those.
-    if helix > MAJORITY.SHARE * rings and s.share(r.round) > RINGS.ALL_ROUND * rings:
-        # A flat winding that goes on outward clears a pocket, however long the helix that leads into it.
-        clears = r.nested & r.winding & ~r.sloped & ~r.stacked
-        if (clears[1:] & clears[:-1]).sum() >= 2:
-            if _is_even_spiral(s, rings):
-                return Verdict(Strategy.SPIRAL, len(r), Message("endless-winding"))
-            return Verdict(Strategy.ADAPTIVE, len(r), ENTERED)
-        return Verdict(Strategy.HELIX, len(r), Message("constant-radius"))
-    if s.share(r.opposite) > MAJORITY.SHARE * rings:
-        return Verdict(Strategy.ZIGZAG, len(r), Message("sense-alternates"))
-    nested, deeper = s.share(r.nested), s.share(r.deeper)
-    changing = r.depths >= WATERLINES.DEPTHS and r.depth_range > WATERLINES.RANGE * s.tool
-    changing = changing and deeper > WATERLINES.DEEPER * rings
-    if changing and deeper > nested:
-        if r.evenness < WATERLINES.EVENER:
-            return Verdict(Strategy.CONTOUR_PARALLEL, len(r), Message("even-in-plane"))
-        return Verdict(Strategy.WATERLINE, r.depths, Message("shape-changes"))
-    if nested > MAJORITY.SHARE * rings:
-        winding = s.share(r.winding)
-        linked = s.share(s.aside)
-        if winding > MAJORITY.SHARE * rings and linked < MAJORITY.SHARE * winding:
-            # A spiral leaves nothing to bites and strokes; one that the boundary cuts open is judged by its arcs.
-            bitten = s.part(s.strokes.bite) > ADAPTIVE.BITES and s.strokes.bite.sum() >= MAJORITY.REPETITIONS
-            entered = helix + s.wound > ADAPTIVE.ENTRY and not _is_even_spiral(s, rings)
-            if bitten or entered or s.strokes.length.sum() > ADAPTIVE.STROKES * s.length:
-                return Verdict(Strategy.ADAPTIVE, len(r), ENTERED)
-            if s.cornered() < MAJORITY.SHARE:
-                return Verdict(Strategy.SPIRAL, len(r), Message("endless-winding"))
-        return Verdict(Strategy.CONTOUR_PARALLEL, len(r), Message("nested"))
-    if s.share(r.moved) > TROCHOIDS.SHARE * rings and len(r) >= MAJORITY.REPETITIONS:
-        return Verdict(Strategy.ADAPTIVE, len(r), Message("loops-move"))
-    if s.share(r.alone) > MAJORITY.SHARE * rings and s.filled() > POCKET.FILLED:
+def _judge_rings(section: Section, rings: float) -> Verdict:
+    """Return the strategy of the rings, which have the share `rings` of the length."""
+    count = len(section.rings)
+    helix = _judge_helix(section, rings)
+    if helix:
+        return helix
+    if section.share(section.rings.opposite) > MAJORITY.SHARE * rings:
+        return Verdict(Strategy.ZIGZAG, count, Message("sense-alternates"))
+    waterline = _judge_changing_rings(section, rings)
+    if waterline:
+        return waterline
+    if section.share(section.rings.nested) > MAJORITY.SHARE * rings:
+        return _judge_nested_rings(section, rings)
+    if section.share(section.rings.moved) > TROCHOIDS.SHARE * rings and count >= MAJORITY.REPETITIONS:
+        return Verdict(Strategy.ADAPTIVE, count, Message("loops-move"))
+    if section.share(section.rings.alone) > MAJORITY.SHARE * rings and section.filled() > POCKET.FILLED:
         return Verdict(Strategy.MIXED, 2, Message("pass-inside"))
-    if s.letters():
-        return Verdict(Strategy.ENGRAVING, len(r), Message("many-shapes"))
-    # A loop that comes again is a contour. So are loops that have nothing to do with one another.
-    seen = Message("in-strokes") if s.in_strokes > MAJORITY.SHARE else Message("not-nested")
-    return Verdict(Strategy.PROFILE, len(r), seen)
+    if section.letters():
+        return Verdict(Strategy.ENGRAVING, count, Message("many-shapes"))
+    # A loop repeated at other depths is a contour, and so are separate loops.
+    seen = Message("in-strokes") if section.in_strokes > MAJORITY.SHARE else Message("not-nested")
+    return Verdict(Strategy.PROFILE, count, seen)
 
 
-def _is_even_spiral(s: Section, rings: float) -> bool:
-    """Tell whether all rings are round and their turns at one distance: to keep its engagement, a tool steps unevenly."""
-    return s.rings.equidistant and s.share(s.rings.round) > RINGS.ALL_ROUND * rings
+def _share_of_helix(section: Section) -> float:
+    """Return the share of the length in round rings that descend one below the other."""
+    rings = section.rings
+    return section.share(rings.stacked & rings.sloped & rings.round)
 
 
-def _judge_rows(s: Section, rowlike: float) -> Verdict:
-    opposite, same = sum(f.opposite for f in s.rows), sum(f.same for f in s.rows)
-    count = sum(f.count for f in s.rows)
-    if opposite >= same or s.zigzag > MAJORITY.SHARE * rowlike:
+def _judge_helix(section: Section, rings: float) -> Verdict | None:
+    """Return a helix, or the pocket that a helix enters; None where other contours are ramped in the same way."""
+    found, count = section.rings, len(section.rings)
+    all_round = section.share(found.round) > RINGS.ALL_ROUND * rings
+    if _share_of_helix(section) <= MAJORITY.SHARE * rings or not all_round:
+        return None
+    # Flat turns that wind outward clear a pocket, however long the helix is that enters it.
+    clears = found.nested & found.winding & ~found.sloped & ~found.stacked
+    if (clears[1:] & clears[:-1]).sum() < 2:
+        return Verdict(Strategy.HELIX, count, Message("constant-radius"))
+    if _is_even_spiral(section, rings):
+        return Verdict(Strategy.SPIRAL, count, Message("endless-winding"))
+    return Verdict(Strategy.ADAPTIVE, count, ENTERED)
+
+
+def _judge_changing_rings(section: Section, rings: float) -> Verdict | None:
+    """Return the strategy of contours whose shape changes with the depth; None where it does not."""
+    found = section.rings
+    deeper = section.share(found.deeper)
+    deep = found.depths >= WATERLINES.DEPTHS and found.depth_range > WATERLINES.RANGE * section.tool
+    if not deep or deeper <= WATERLINES.DEEPER * rings or deeper <= section.share(found.nested):
+        return None
+    if found.evenness < WATERLINES.EVENER:
+        return Verdict(Strategy.CONTOUR_PARALLEL, len(found), Message("even-in-plane"))
+    return Verdict(Strategy.WATERLINE, found.depths, Message("shape-changes"))
+
+
+def _judge_nested_rings(section: Section, rings: float) -> Verdict:
+    """Return offsets, or for one endless winding a spiral or adaptive clearing."""
+    count, strokes = len(section.rings), section.strokes
+    offsets = Verdict(Strategy.CONTOUR_PARALLEL, count, Message("nested"))
+    winding = section.share(section.rings.winding)
+    if winding <= MAJORITY.SHARE * rings or section.share(section.aside) >= MAJORITY.SHARE * winding:
+        return offsets
+    # A spiral leaves neither bites nor strokes. A spiral cut open by the boundary is judged by its arcs.
+    bitten = section.part(strokes.bite) > ADAPTIVE.BITES and strokes.bite.sum() >= MAJORITY.REPETITIONS
+    entered = _share_of_helix(section) + section.wound > ADAPTIVE.ENTRY and not _is_even_spiral(section, rings)
+    if bitten or entered or strokes.length.sum() > ADAPTIVE.STROKES * section.length:
+        return Verdict(Strategy.ADAPTIVE, count, ENTERED)
+    if section.cornered() < MAJORITY.SHARE:
+        return Verdict(Strategy.SPIRAL, count, Message("endless-winding"))
+    return offsets
+
+
+def _is_even_spiral(section: Section, rings: float) -> bool:
+    """Return whether all rings are round and equidistant: adaptive clearing steps unevenly to keep its engagement."""
+    return section.rings.equidistant and section.share(section.rings.round) > RINGS.ALL_ROUND * rings
+
+
+def _judge_rows(section: Section, rows: float) -> Verdict:
+    """Return whether the rows, which have the share `rows` of the length, alternate or all run the same way."""
+    opposite, same = (sum(getattr(family, name) for family in section.rows) for name in ("opposite", "same"))
+    count = sum(family.count for family in section.rows)
+    if opposite >= same or section.zigzag > MAJORITY.SHARE * rows:
         return Verdict(Strategy.ZIGZAG, count, Message("half-turns-alternate"))
     return Verdict(Strategy.ONE_WAY, count, Message("same-way"))
 
 
-def _judge_arcs(s: Section) -> Verdict | None:
-    """Judge circles that the boundary cuts open: rows around a centre."""
-    arcs = find_arcs(s.moves, s.pieces, np.union1d(s.strokes.index, s.rings.index))
-    if (
-        arcs is None
-        or arcs.count < MAJORITY.REPETITIONS
-        or arcs.even < MAJORITY.SHARE
-        or arcs.length < MAJORITY.SHARE * s.length
-    ):
+def _judge_arcs(section: Section) -> Verdict | None:
+    """Return the strategy of circles that the boundary cuts open; None where too little is arcs around a centre."""
+    arcs = find_arcs(section.moves, section.pieces, np.union1d(section.strokes.index, section.rings.index))
+    if arcs is None or arcs.count < MAJORITY.REPETITIONS:
+        return None
+    if arcs.even < MAJORITY.SHARE or arcs.length < MAJORITY.SHARE * section.length:
         return None
     strategy, seen = Strategy.CONTOUR_PARALLEL, Message("nested")
     if arcs.opposite > arcs.same:
@@ -168,29 +218,48 @@ def _judge_arcs(s: Section) -> Verdict | None:
     return Verdict(strategy, arcs.count, seen, step=arcs.step)
 
 
-def _judge_strokes(s: Section) -> Verdict:
-    k = s.strokes
-    sloped = s.part(k.sloped)
-    number = len(k)
-    beside = find_neighbours(s.moves, s.pieces, k.index, s.tool)
-    if beside and beside.count >= MAJORITY.REPETITIONS and beside.share > NEIGHBOURS.SHARE:
-        if beside.even > MAJORITY.SHARE:
-            strategy = Strategy.CONTOUR_PARALLEL if beside.onward > MAJORITY.SHARE else Strategy.ZIGZAG
-            return Verdict(strategy, beside.count, Message("open-offsets"), step=beside.step)
-        if beside.onward > NEIGHBOURS.ONWARD:
-            return Verdict(Strategy.ADAPTIVE, beside.count, Message("open-passes"), step=beside.step)
-    if k.depths >= WATERLINES.OPEN_DEPTHS and sloped < WATERLINES.SLOPED and k.distinct > MAJORITY.SHARE * number:
-        return Verdict(Strategy.WATERLINE, k.depths, Message("open-contours-change"))
-    extent = s.pieces.box[:, 2:].max(axis=0) - s.pieces.box[:, :2].min(axis=0)
-    long = k.typical > STROKES.LONG * extent.sum()
-    # Letters may be carved at several depths as contours are, but there are more of them, and they are short.
-    contours = k.distinct < STROKES.DISTINCT * number and (long or k.distinct <= MAJORITY.REPETITIONS)
-    # What comes again deeper rises to its ends where it is left, not in the corners of letters.
-    if not contours and max(sloped, s.retraced) < MAJORITY.SHARE and share_rising(s.areas) > STROKES.RISING:
-        return Verdict(Strategy.ENGRAVING, number, Message("rising-strokes"))
-    if k.distinct <= 1 or contours or s.retraced > MAJORITY.SHARE:
-        seen = Message("one-open-contour") if number == 1 else Message("open-contour-again")
-        return Verdict(Strategy.PROFILE, number, seen)
-    if long and sloped < MAJORITY.SHARE and k.distinct <= MAJORITY.REPETITIONS:
-        return Verdict(Strategy.PROFILE, number, Message("long-strokes"))
-    return Verdict(Strategy.ENGRAVING, number, Message("short-strokes"))
+def _judge_strokes(section: Section) -> Verdict:
+    """Return the strategy of open strokes: offsets of an open wall, waterlines, an open contour, or an engraving."""
+    strokes = section.strokes
+    sloped = section.part(strokes.sloped)
+    beside = _judge_neighbours(section)
+    if beside:
+        return beside
+    changing = strokes.depths >= WATERLINES.OPEN_DEPTHS and sloped < WATERLINES.SLOPED
+    if changing and strokes.distinct > MAJORITY.SHARE * len(strokes):
+        return Verdict(Strategy.WATERLINE, strokes.depths, Message("open-contours-change"))
+    return _judge_contours_or_letters(section, sloped)
+
+
+def _judge_neighbours(section: Section) -> Verdict | None:
+    """Return offsets, rows or adaptive clearing for open strokes that lie side by side; None where too few do."""
+    beside = find_neighbours(section.moves, section.pieces, section.strokes.index, section.tool)
+    if not beside or beside.count < MAJORITY.REPETITIONS or beside.share <= NEIGHBOURS.SHARE:
+        return None
+    if beside.even > MAJORITY.SHARE:
+        strategy = Strategy.CONTOUR_PARALLEL if beside.onward > MAJORITY.SHARE else Strategy.ZIGZAG
+        return Verdict(strategy, beside.count, Message("open-offsets"), step=beside.step)
+    if beside.onward > NEIGHBOURS.ONWARD:
+        return Verdict(Strategy.ADAPTIVE, beside.count, Message("open-passes"), step=beside.step)
+    return None
+
+
+def _judge_contours_or_letters(section: Section, sloped: float) -> Verdict:
+    """Return a profile for an open contour, at one depth or at several, and an engraving for many short strokes."""
+    strokes, box = section.strokes, section.pieces.box
+    count = len(strokes)
+    extent = box[:, 2:].max(axis=0) - box[:, :2].min(axis=0)
+    long = strokes.typical > STROKES.LONG * extent.sum()
+    few = strokes.distinct <= MAJORITY.REPETITIONS
+    # Letters are repeated at several depths as contours are, but there are more letters, and they are short.
+    contours = strokes.distinct < STROKES.DISTINCT * count and (long or few)
+    # A contour repeated at greater depths rises at its ends, where it is left; letters rise in their corners.
+    level = max(sloped, section.retraced) < MAJORITY.SHARE
+    if not contours and level and share_rising(section.areas) > STROKES.RISING:
+        return Verdict(Strategy.ENGRAVING, count, Message("rising-strokes"))
+    if strokes.distinct <= 1 or contours or section.retraced > MAJORITY.SHARE:
+        seen = Message("one-open-contour") if count == 1 else Message("open-contour-again")
+        return Verdict(Strategy.PROFILE, count, seen)
+    if long and sloped < MAJORITY.SHARE and few:
+        return Verdict(Strategy.PROFILE, count, Message("long-strokes"))
+    return Verdict(Strategy.ENGRAVING, count, Message("short-strokes"))
