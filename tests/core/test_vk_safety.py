@@ -100,8 +100,8 @@ def test_boxes_and_tooltips_of_the_window_are_made_in_one_place(parse):
 def test_no_widget_of_freecad_is_kept_beyond_its_end():
     # See vkworkbench/gui/qt/widgets.py: PySide keeps what is found among a window's children or tells of its own end.
     keeping = re.compile(r"getMainWindow\(\)\.findChild|\bwindow\.findChildren|\.destroyed\b")
+    gui = ROOT / "vkworkbench" / "gui"
     found = {
-        path.name: keeping.findall(path.read_text(encoding="utf-8"))
-        for path in (ROOT / "vkworkbench" / "gui").rglob("*.py")
+        str(path.relative_to(gui)): keeping.findall(path.read_text(encoding="utf-8")) for path in gui.rglob("*.py")
     }
-    assert {name: what for name, what in found.items() if what} == {"widgets.py": ["getMainWindow().findChild"] * 2}
+    assert {name: what for name, what in found.items() if what} == {"qt/widgets.py": ["getMainWindow().findChild"] * 2}
