@@ -41,7 +41,7 @@ def rings(count=6, step=3.0, linked=True):
     return np.vstack([corners * (5 + k * step) for k in range(count)])
 
 
-# One family of a spiral's arcs fits circles around a shifted centre (docs/recognition.md, what stays open).
+# One family of a spiral's arcs fits circles around a shifted centre (docs/recognition.md, what the toolpath leaves open).
 OPEN = {"spiral clipped"}
 SEEDS = 6
 
