@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Do with one document what its owner would, inside FreeCAD: a part of real_documents.py.
+"""Use the add-on on one document inside FreeCAD, as its owner would: a part of real_documents.py.
 
     VKWORKBENCH_DOCUMENT=FILE.FCStd freecadcmd $PWD/benchmarks/document.py
 
-Analyses it, marks it, saves a copy and opens that, analyses again, and simulates each job. Prints one JSON record behind
-the word RESULT: what the operations are, by class and pattern as FreeCAD has them, and what went wrong.
+Analyses and marks the document, saves and opens a copy, analyses the copy, and simulates each job. Prints one JSON record
+after the word RESULT: the operations by FreeCAD's class and pattern, and all errors.
 """
 
 from __future__ import annotations

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Files in public repositories that a table names by repository, commit, path and the begin of their sha256."""
+"""Fetch the files of a table, which names them by repository, commit, path and the beginning of their sha256."""
 
 from __future__ import annotations
 

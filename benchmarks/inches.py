@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""How often a toolpath is said to be in inches: wrongly at its true size, and rightly at 1/25.4 of it.
+"""How often a toolpath is taken to be in inches: wrongly at its true size, and rightly at 1/25.4 of its size.
 
     python3 benchmarks/inches.py FILE...
 
 FILE is an NC program, a folder of them, or a ``.jsonl.gz`` of operations with their ``commands`` and ``tool_diameter``,
-as FreeCAD has them. Prints for each kind how often that is said at the true size and at 1/25.4 of it, and how many of
-the strategies found at the two sizes agree where it is said: with `recognize`, and with `recognize_inches`.
+in FreeCAD's units. Prints for each kind how often toolpaths are taken to be in inches at the true size and at 1/25.4 of
+it, and how many of them get the same strategy at both sizes: with `recognize`, and with `recognize_inches`.
 """
 
 from __future__ import annotations

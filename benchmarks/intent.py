@@ -5,8 +5,8 @@
     python3 benchmarks/intent.py FILE.jsonl.gz ...
 
 The FILEs hold FreeCAD's operations as recognition.py reads them; a label is the kind, and the pattern where it has one.
-As they are, none contradicts its name. Each is also given the name of another, drawn at random, whose accepted strategies
-have no family in common with it: those contradict. Needs numpy only.
+With its own name, no operation is contradicted. Each operation also gets the name of another, drawn at random, whose
+accepted strategies have no family in common with its own: there the remark is right. Needs numpy only.
 """
 
 from __future__ import annotations

@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What simulating a job in the extended z-buffer takes: the total that is told, and what it took.
+"""The cost of simulating a job in the extended z-buffer: the estimated total against the true one.
 
     freecadcmd "$PWD/benchmarks/job_totals.py"
 
-The example job and random jobs: operations of the toolpaths of toolpaths/synthetic.py, in a box around all of them. Beside
-the truth stand the total and the sum of the operations, each estimated alone; errors are ratios, the larger over the
-smaller. Then how long analyses take, processor time, the best of three.
+Uses the example job and random jobs of toolpaths from toolpaths/synthetic.py, in a box around all of them. Prints the truth,
+the estimated total, and the sum of the operations estimated one by one; errors are ratios, the larger over the smaller.
+Then prints the processor time of analyses, the best of three.
 """
 
 from __future__ import annotations
@@ -74,7 +74,7 @@ def told(cuts, stock, view, speed) -> None:
 
 
 def estimates(cuts, stock, view, speed):
-    """What the job takes, and what its operations take alone."""
+    """Return the cost of the job, and of its operations one by one."""
     alone = [estimate(cut.toolpath, None, tool=cut.tool, stock=stock, view=view, speed=speed) for cut in cuts]
     return zbuffer.together(alone), alone
 

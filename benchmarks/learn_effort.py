@@ -1,13 +1,13 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What a unit of the z-buffer's work takes: learned from simulations of made-up toolpaths, for `core/zbuffer/cost/effort.py`.
+"""Learn the time of a unit of the z-buffer's work from simulations of synthetic toolpaths, for `core/zbuffer/cost/effort.py`.
 
     python3 benchmarks/learn_effort.py
 
 Every toolpath of toolpaths/synthetic.py and zbuffer_cases.py is simulated with tools of two or four shapes, each in two
-of five sizes of image and in one of four views, and the processor time (of two runs the best) explained by the amounts
-of work: least squares of the relative differences, no cost below nothing, with a little weight towards what is usual.
-Printed are how far off the times of toolpaths left out are, the tables of effort.py and the constants of `Speed`.
-benchmarks/resources.py judges by other toolpaths.
+of five sizes of image and in one of four views. The processor time (the better of two runs) is fitted by the amounts of
+work: least squares of the relative differences, no negative cost, with a small weight towards the usual costs.
+Prints the errors for toolpaths that were left out of the fit, the tables of effort.py and the constants of `Speed`.
+benchmarks/resources.py tests with other toolpaths.
 """
 
 from __future__ import annotations

@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What each step away from the paper's letter changes, on the synthetic zigzags and contours of toolpaths/.
+"""The effect of each change to the paper's rule, on the synthetic zigzags and contours of toolpaths/.
 
     python3 benchmarks/literal.py [SEEDS]
 
-Prints, for the rule to the letter and after each step, how many toolpaths of the paper's two classes are told rightly,
-wrongly, or not at all. docs/method.md explains the steps.
+Prints how many toolpaths of the paper's two classes are recognised rightly, wrongly, or not at all: by the paper's own
+rule, and after each change. docs/method.md explains the changes.
 """
 
 import sys
@@ -33,20 +33,20 @@ AROUND = {
 
 
 def phi_to_the_letter(alpha):
-    """The cumulative angular function as sections 3.1 and 3.2 write it: rounding gives half turns a sign."""
+    """Return the cumulative angular function of sections 3.1 and 3.2: rounding decides the sign of half turns."""
     turn = np.diff(alpha % TURN)
     turn = np.where(turn > np.pi, turn - TURN, np.where(turn < -np.pi, turn + TURN, turn))
     return np.append(0.0, np.cumsum(turn))
 
 
 def told(low, high):
-    """The paper's two inequalities: rows, around, or "" between them."""
+    """Return the answer of the paper's two inequalities: rows, around, or "" between them."""
     reached = max(high, -low)
     return "around" if reached > TURN + 1e-6 else "rows" if reached <= np.pi + 1e-6 else ""
 
 
 def answers(toolpath):
-    """What the rule says to the letter and after each step."""
+    """Yield the answer of the paper's rule, and the answer after each change."""
     move = np.diff(toolpath.points[:, :2], axis=0)[~toolpath.rapid]
     move = move[np.hypot(*move.T) > 1e-9]
     phi = phi_to_the_letter(np.arctan2(move[:, 1], move[:, 0]))

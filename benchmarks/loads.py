@@ -4,9 +4,9 @@
     python3 benchmarks/loads.py
 
 It needs freecadcmd. Each size, in four operations, and the largest in one, is analysed, marked and cleared in a FreeCAD
-of its own. Prints the peak of the memory that the analysis takes beyond that of FreeCAD and the document, how much of it
-FreeCAD takes alone to hand out the longest path with its commands, which come only whole, the time, and the ratio of each
-time to that of the row above, which has a tenth of the commands: 10 is linear. The program is read without FreeCAD.
+of its own. Prints the peak memory of the analysis on top of FreeCAD and the document, the part of it that FreeCAD
+needs alone to return the longest path with its commands, the time, and the ratio of the time to the row above, which has a
+tenth of the commands: 10 is linear. The program is read without FreeCAD.
 """
 
 from __future__ import annotations
@@ -49,7 +49,7 @@ def path_of(points):
 
 
 def measure(size, count, alone):
-    """Analyse a new document of so many commands in so many operations, or only let FreeCAD hand out a path of it."""
+    """Analyse a new document of `size` commands in `count` operations; if `alone`, only let FreeCAD return a path of it."""
     import FreeCAD
 
     import vkworkbench
@@ -98,7 +98,7 @@ def measure(size, count, alone):
 
 
 def measure_program(lines):
-    """Analyse an NC program of so many lines."""
+    """Analyse an NC program of the given number of lines."""
     import vkworkbench
 
     with tempfile.TemporaryDirectory() as folder:

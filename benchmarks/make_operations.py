@@ -3,8 +3,8 @@
 
     VKWORKBENCH_OPERATIONS=OUT.jsonl.gz freecadcmd $PWD/benchmarks/make_operations.py
 
-Writes a JSON record per line, as records.py tells them: the strategy is that of the operation's class and
-pattern, never of its path. Tools, steps, angles, sides and starts are random, but from a fixed seed. Operations that
+Writes a JSON record per line, in the form of records.py: the strategy follows from the operation's class and
+pattern, never from its path. Tools, steps, angles, sides and starts are random, but from a fixed seed. Operations that
 FreeCAD fails on or leaves empty are counted by name. 3D Surface and Waterline need OpenCAMLib.
 """
 
@@ -36,7 +36,7 @@ PATTERNS = ("ZigZag", "Offset", "ZigZagOffset", "Line", "Grid")
 PATIENCE = 30  # s; some operations never end
 SCULPTURED = ("saddle", "ripple", "ball", "twisted")
 
-# What counts as right, the strategy itself first. FreeCAD's Line goes back and forth; ZigZagOffset is a zigzag whose walls
+# Strategies that count as right, the operation's own strategy first. FreeCAD's Line goes back and forth; ZigZagOffset is a zigzag whose walls
 # a contour finishes; narrow areas leave Offset a single loop; outside, where the stock is thin, Adaptive is a contour.
 TRUTH = {
     "ZigZag": "zigzag", "Line": "zigzag", "Offset": "contour-parallel profile", "ZigZagOffset": "zigzag",

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""How FreeCAD's simulators are run and their times told, for benchmarks/simulators.py and its two windows."""
+"""Run FreeCAD's simulators and print their times, for benchmarks/simulators.py and its two windows."""
 
 from __future__ import annotations
 

@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What reading, recognising and analysing operations take, against loops that only read them.
+"""Time of reading, recognising and analysing operations, against loops that only read them.
 
     freecadcmd "$PWD/benchmarks/reading.py" [profile]
 
 The first table is one operation of 100,000 commands, read and recognised. The second is the analysis of a job of 140
 operations with a million commands, for the first time and again when nothing has changed; `profile` prints where the
-time of the first goes. Ratios within this run are what counts; the times are those of this computer's processor.
+time of the first goes. Compare the ratios within this run; the times depend on the computer.
 """
 
 import cProfile
@@ -50,7 +50,7 @@ def scan(count=COUNT, columns=250):
 
 
 def zigzag(count):
-    """Rows to and fro at ten depths, as close as it takes."""
+    """Rows back and forth at ten depths, as close as the count requires."""
     words = [("G0", {"Z": 30.0}), ("G0", {"X": 10.0, "Y": 10.0})]
     rows = max(2, count // DEPTHS // 2)
     for depth in range(DEPTHS):
@@ -85,7 +85,7 @@ def offsets(count):
 
 
 def adaptive(count):
-    """Loops of a trochoid in chords, rows of them, at two depths."""
+    """Rows of trochoidal loops in chords, at two depths."""
     words, chords = [("G0", {"Z": 30.0}), ("G0", {"X": 6.0, "Y": 6.0})], 24
     loops = (count - 2) // chords // 2 + 1
     rows = max(1, round(math.sqrt(loops / 3)))

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What answers are worth: the two classes of the paper, and the calibration of the confidence."""
+"""Reliability of the answers: the two classes of the paper, and the calibration of the confidence."""
 
 from __future__ import annotations
 

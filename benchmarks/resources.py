@@ -1,13 +1,13 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The cost of simulating in the extended z-buffer: what is estimated against what the exact simulator counts.
+"""The cost of simulating in the extended z-buffer: estimates against the counts of the exact simulator.
 
     python3 benchmarks/resources.py [time] [FILE.jsonl.gz ...]
 
-Each line of a file is an operation: label, strategy, accept, tool_diameter, stock, commands. Without a file
-the operations are those of toolpaths/synthetic.py. The exact simulations run at 800 x 600 pixels, those with many
+Each line of a file is an operation: label, strategy, accept, tool_diameter, stock, commands. Without a file,
+the operations come from toolpaths/synthetic.py. The exact simulations run at 800 x 600 pixels, those with many
 candidate pixels at 400 x 300 to bound their time (small holes are not round then). Errors are ratios, the
-larger of estimate and truth over the smaller. Times are the processor's. A shared computer's speed changes: it is
-measured anew before each operation, and for a time budget also between its three simulations. With `time` only the time
+larger of estimate and truth over the smaller. Times are processor times. The speed of a shared computer changes: it is
+measured again before each operation, and for a time budget also between its three simulations. With `time` only the time
 of a simulation is predicted, of every third operation.
 """
 
@@ -104,7 +104,7 @@ def synthetic():
 
 
 def measure(toolpath, found, tool, stock, view, speed) -> dict[str, float]:
-    """One operation in one view: the exact counts and every estimate of them."""
+    """Return the exact counts and every estimate for one operation in one view."""
     solids = {"tool": tool, "stock": stock, "view": view}
     runs = []
     for _ in range(2):

@@ -1,12 +1,11 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What several processes gain, and what threads would: images cut by one, by two of either, in turns.
+"""The gain of several processes, and of threads: images are cut by one and by two of each, in turns.
 
     python3 benchmarks/sharing.py
 
-The cases of zbuffer_cases.py, from above at 800 x 600 and obliquely. Printed is the wall time of one process, the gain of
-two (and of more, where there are more cores) with what is told of it beforehand, and the gain of two threads; medians of
-some turns. The records are the same to the last bit, which is checked. On a computer with something else to do it tells
-nothing.
+The cases of zbuffer_cases.py, from above at 800 x 600 and obliquely. Prints the wall time of one process, the measured
+and the predicted gain of two processes (and of more, if there are more cores), and the gain of two threads; medians of several
+turns. Checks that the records are equal to the last bit. The figures are valid only on an idle computer.
 """
 
 from __future__ import annotations

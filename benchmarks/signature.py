@@ -5,7 +5,7 @@
     python3 benchmarks/signature.py
 
 The paper: "for the machining program composed of more than 17,000 trajectories, the execution time is about less
-than one milli-second". Ratios within this run are what counts; the times are this computer's.
+than one milli-second". Compare the ratios within this run; the times depend on the computer.
 """
 
 import sys

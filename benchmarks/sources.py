@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""How good verdicts are on sources that had no part in what was learned: a part of recognition.py."""
+"""Accuracy of the verdicts on sources that were left out of the learning: a part of recognition.py."""
 
 from __future__ import annotations
 

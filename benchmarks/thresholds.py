@@ -1,17 +1,17 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What every threshold of the recognition decides: how many verdicts change when it moves.
+"""The effect of every threshold of the recognition: how many verdicts change with its value.
 
     python3 benchmarks/thresholds.py [--rules] [NAME ...] [FILE.jsonl.gz ...]
 
 Each threshold is divided by a thousand, halved, doubled and multiplied by a thousand; shares, cosines and angles move
-to the ends of their range in place of the thousand. The toolpaths are those of toolpaths/synthetic.py, strokes.py and of the files
-(as recognition.py reads them). NAME, as ROWS or ROWS.MAX_DISTANCE, asks for some thresholds only. Needs numpy only.
+to the ends of their range in place of the thousand. The toolpaths come from toolpaths/synthetic.py, strokes.py and the
+files (as recognition.py reads them). NAME, as ROWS or ROWS.MAX_DISTANCE, asks for some thresholds only. Needs numpy only.
 
 Printed for each move: how many of the verdicts change, how many right ones become wrong (-) and wrong ones right (+).
 After a ~ stand the answers that keep their strategy and change in a number or in the confidence. For the thresholds
-that were asked for by name, the kinds of toolpath that get another verdict follow. With --rules what the rules propose is
-the verdict, as the comments beside the thresholds tell it; the trees outvote much of what goes wrong there.
+that were asked for by name, the kinds of toolpath that get another verdict follow. With --rules the rules
+alone decide, as in the comments beside the thresholds; otherwise the learned trees outvote many of the errors described there.
 """
 
 from __future__ import annotations
@@ -112,7 +112,7 @@ def watch(found) -> None:
 
 
 def moves(value, unit: str) -> list:
-    """Return the four values a threshold is moved to."""
+    """Return the four other values that a threshold is tested with."""
     if unit.startswith(("share", "cosine", "support", "confidence", "isoperimetric")):
         return [0.0, value / 2, min(2 * value, 1.0), 1.0]
     if unit == "rad":

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What the watcher of the marks adds to a recompute of a job of 200 operations, all of them marked.
+"""Time that the watcher of the marks adds to a recompute of a job of 200 marked operations.
 
     freecadcmd $PWD/benchmarks/watcher.py
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""How well programs are divided, and what is said of paths that machine nothing: a part of recognition.py."""
+"""Accuracy of the division of programs, and the verdicts on nonsense toolpaths: a part of recognition.py."""
 
 from __future__ import annotations
 

@@ -3,9 +3,9 @@
 
     python3 docs/draw_strategies.py          # writes docs/pictures/strategies/*.svg
 
-The toolpaths are those of toolpaths/synthetic.py, and each is recognised as what it stands for, or nothing is written.
-They are seen from the front, from above and a little from the side: cutting moves in the strategy's colour, which
-stands out from light and dark pages, rapids grey and dashed.
+The toolpaths come from toolpaths/synthetic.py. If one is not recognised as its strategy, nothing is written.
+The view is from the front, from above and a little from the side. Cutting moves have the strategy's colour, which is visible
+on light and dark pages; rapids are grey and dashed.
 """
 
 from __future__ import annotations
@@ -24,7 +24,7 @@ from vkworkbench.core import Strategy, Toolpath, linearize, recognize
 FOLDER = ROOT / "docs/pictures/strategies"
 WIDTH, HEIGHT, MARGIN = 240, 180, 6  # of a picture
 TURN, RISE = np.radians(20), np.radians(40)  # of the eye, from the front and from the horizon
-NEAR = 1.5  # in the image: what is not to be seen
+NEAR = 1.5  # in the image: points closer than this are not distinguishable
 RAPID = "#8a8a8a"
 # A maker of toolpaths, and the seed whose path shows the pattern best.
 MADE = {
@@ -50,7 +50,7 @@ def seen(points: np.ndarray) -> np.ndarray:
 
 
 def thinned(points: np.ndarray) -> list[np.ndarray]:
-    """The first and the last of points, (n, 2), and those between that are farther than NEAR from the one before."""
+    """Return the first and last of points (n, 2), and every point between that is farther than NEAR from the one before."""
     kept = [points[0]]
     for point in points[1:-1]:
         if np.hypot(*(point - kept[-1])) > NEAR:

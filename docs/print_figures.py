@@ -1,16 +1,16 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Write what commands print into the documents, where a pair of comments names the command.
+"""Write the output of commands into the documents, where a pair of comments names the command.
 
     python3 docs/print_figures.py [DOCUMENT ...] [--only TEXT] [--list]
 
-DOCUMENTS are docs/*.md and README.md unless told. Such a pair is
+By default, DOCUMENTS are docs/*.md and README.md. A pair of comments is
 
     <!-- printed by: python3 benchmarks/literal.py -->
     <!-- end -->
 
-and the command with what it prints stands between. A shell runs it at the top of the checkout (`| tail -n 5` takes a
-part). Lines that begin with | are a table of the document, others are shown as they are. --only takes the commands that hold
-a TEXT, --list tells them. A command that fails leaves its place as it was, and the status is 1: `$FILES` stands for
+and the command and its output are written between them. A shell runs the command at the top of the checkout (`| tail -n 5` takes a
+part). Lines that begin with | are a table of the document, others are shown as they are. --only runs the commands that contain
+a TEXT, --list prints them. A command that fails leaves its place as it was, and the status is 1: `$FILES` stands for
 toolpaths that are not in the repository, and fails where it is not set.
 """
 
@@ -32,7 +32,7 @@ def documents() -> list[Path]:
 
 
 def printed(command: str) -> str | None:
-    """What a command prints, as it stands in a document; None where it fails."""
+    """Return the output of a command in the form of a document; None if it fails."""
     done = subprocess.run(
         ["bash", "-euo", "pipefail", "-c", command],
         cwd=ROOT,

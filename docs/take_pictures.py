@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Take the pictures of the documents from those that the tests in a window left.
+"""Cut the pictures of the documents out of the screenshots of the window tests.
 
     VKWORKBENCH_SCREENSHOTS=yes tests/run.sh gui 1.0.0
     python3 docs/take_pictures.py
 
-Needs Pillow. Those of the strategies are drawn by docs/draw_strategies.py.
+Needs Pillow. docs/draw_strategies.py draws the pictures of the strategies.
 """
 
 from __future__ import annotations

@@ -30,7 +30,7 @@ def walk_on_triangles(rng):
 
 
 def straying_walk(rng):
-    """Turns by any angle now and then, and goes straight in between."""
+    """Straight stretches with turns of any angle between them."""
     angle = np.cumsum(rng.uniform(-np.pi, np.pi, _count(rng)))
     return np.cumsum(np.column_stack([np.cos(angle), np.sin(angle)]) * rng.exponential(1, (len(angle), 1)), axis=0)
 
@@ -96,7 +96,7 @@ def three_arms(rng):
 
 
 def star(rng):
-    """A star polygon, walked around on and on, with radii that stray."""
+    """A star polygon that is traversed repeatedly with varying radii."""
     corners = _count(rng) // 4
     angle = np.arange(corners) * 2 * np.pi * rng.uniform(0.2, 0.48)
     return rng.uniform(0.7, 1, (corners, 1)) * np.column_stack([np.cos(angle), np.sin(angle)])
@@ -128,7 +128,7 @@ def moore(rng):
 
 
 def meander(rng):
-    """Peano's other curve, whose rows bend."""
+    """Peano's second curve, with bent rows."""
     rules = {"X": "FX+FX+FXFY-FY-", "Y": "+FX+FXFY-FY-FY"}
     return _grown("X", rules, 90, rng.integers(3, 6), "F")
 
@@ -217,13 +217,13 @@ def drifting_noise(rng):
 
 
 def knight(rng):
-    """The moves of a knight, any that comes to mind."""
+    """Random moves of a chess knight."""
     steps = np.array([(1, 2), (2, 1), (2, -1), (1, -2), (-1, -2), (-2, -1), (-2, 1), (-1, 2)])
     return np.cumsum(steps[rng.integers(0, 8, _count(rng))], axis=0).astype(float)
 
 
 def tour(rng):
-    """From point to point of noise, always to the nearest that is left."""
+    """Random points, visited from each to the nearest remaining one."""
     points = rng.uniform(size=(int(rng.integers(60, 400)), 2))
     left, at, order = np.ones(len(points), bool), 0, []
     for _ in points:
@@ -234,7 +234,7 @@ def tour(rng):
 
 
 def attractor(rng):
-    """What a chaotic flow does, seen from one side (Lorenz)."""
+    """A trajectory of the chaotic Lorenz flow, seen from one side."""
     at, found = rng.normal(size=3) + (0, 0, 25), []
     for _ in range(4 * _count(rng)):
         x, y, z = at
@@ -251,7 +251,7 @@ def sunflower(rng):
 
 
 def spirolateral(rng):
-    """Steps that grow to a length and begin again, with one turn after each."""
+    """Steps of growing length with the same turn after each; at a limit, the length starts again."""
     most, times = int(rng.integers(3, 12)), int(rng.integers(6, 30))
     angle = np.arange(most * times) * np.radians(rng.choice([36, 45, 60, 72, 80, 90, 108, 120, 144]))
     step = np.tile(np.arange(1, most + 1), times)[:, None]
@@ -302,7 +302,7 @@ def commands(kind, rng) -> list[tuple[str, dict]]:
 
 
 def _depths(count, rng):
-    """Mostly one depth; else noise, a walk, or an even way down, mm."""
+    """Return depths, mm: mostly one depth, otherwise noise, a random walk or a steady descent."""
     height = rng.uniform(1, 20)
     stray = (rng.uniform(size=count), np.abs(np.cumsum(rng.normal(size=count))), np.arange(count) + 1.0)
     which = rng.integers(0, 12)
@@ -319,7 +319,7 @@ def _rolling(rng, radius, arm, turns):
 
 
 def _grown(word, rules, degrees, times, forward):
-    """Points of a turtle that follows a word whose letters were replaced some times (Lindenmayer)."""
+    """Return the path of a turtle along a word of a Lindenmayer system."""
     for _ in range(times):
         word = "".join(rules.get(letter, letter) for letter in word)
     turn = np.cumsum([(letter == "+") - (letter == "-") for letter in word])

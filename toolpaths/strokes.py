@@ -32,7 +32,7 @@ def wall(rng: np.random.Generator, reach: float = 3.0, points: int = 60) -> tupl
 
 
 def open_offsets(rng, *, both_ways=False):
-    """Offsets of an open wall at even steps, each entered anew."""
+    """Offsets of an open wall at equal steps, each with its own plunge."""
     p, angle = Program(rng), rng.uniform(0, 2 * np.pi)
     step, count = rng.uniform(0.8, 1.8), int(rng.integers(5, 9))
     line, normal = wall(rng, count * step)
@@ -44,7 +44,7 @@ def open_offsets(rng, *, both_ways=False):
 
 
 def open_adaptive(rng):
-    """Passes from the open side of the stock to a wall: each between the last and the next, both ends led out."""
+    """Passes that change from the open side of the stock to the shape of a wall, with leads at both ends."""
     p, angle = Program(rng), rng.uniform(0, 2 * np.pi)
     (line, _), deep = wall(rng), rng.uniform(12, 25)
     edge = np.column_stack([line[:, 0], np.full(len(line), line[:, 1].max() + deep)])
@@ -62,7 +62,7 @@ def open_adaptive(rng):
 
 
 def rows_in_steps(rng, *, both_ways=True):
-    """Rows of which each is cut down to its last depth before the next."""
+    """Rows, each of which is cut to its last depth before the next row begins."""
     p, angle = Program(rng), rng.uniform(0, 2 * np.pi)
     length, step, levels = rng.uniform(30, 80), rng.uniform(1.0, 3.0), int(rng.integers(2, 5))
     k = 0
@@ -76,7 +76,7 @@ def rows_in_steps(rng, *, both_ways=True):
 
 
 def carved_in_steps(rng, *, levels=None):
-    """V-carving in several depths: every pass the last one, cut off at its depth."""
+    """V-carving at several depths: each pass is the final one, limited to its depth."""
     whole, levels = letters(rng, vcarve=True), levels or int(rng.integers(2, 4))
     commands = []
     for level in range(levels):
@@ -89,7 +89,7 @@ def carved_in_steps(rng, *, levels=None):
 
 
 def letters_in_steps(rng):
-    """Letters that come again deeper."""
+    """Letters that are repeated at greater depths."""
     whole = letters(rng)
     return [
         (name, {a: v - level if a == "Z" and v < 0 else v for a, v in words.items()})
@@ -121,7 +121,7 @@ def dogbones(rng, *, levels=None):
 
 
 def long_pocket(rng, *, linked=False):
-    """Offset loops in a pocket that is much longer than wide."""
+    """Nested offset loops in a pocket that is much longer than wide."""
     p, angle = Program(rng), rng.uniform(0, 2 * np.pi)
     half, step = rng.uniform(60, 150), rng.uniform(1.0, 2.5)
     count = int(rng.integers(3, 6))
@@ -140,7 +140,7 @@ def long_pocket(rng, *, linked=False):
 
 
 def ramps(rng, *, count=3, level=True):
-    """A slot entered by ramps to and fro on its own line."""
+    """A slot entered by ramps back and forth on its own line."""
     p, angle = Program(rng), rng.uniform(0, 2 * np.pi)
     length = rng.uniform(10, 60)
     ends = turned(np.array([(0.0, 0.0), (length, 0.0)]), angle)
@@ -153,7 +153,7 @@ def ramps(rng, *, count=3, level=True):
 
 
 def three_ramps(rng):
-    """Three slots along one line, each entered by a ramp to and fro."""
+    """Three slots along one line, each entered by a ramp back and forth."""
     p, angle = Program(rng), rng.uniform(0, 2 * np.pi)
     length, deep = rng.uniform(10, 30), rng.uniform(0.5, 2.0)
     for k in range(3):
@@ -182,7 +182,7 @@ def outlined_text(rng, *, levels=1):
 
 
 def entered(rng, *, turns=10, loops=3):
-    """Offset loops entered by a helix of many turns."""
+    """Nested offset loops entered by a helix of many turns."""
     p, step, r = Program(rng), rng.uniform(2.0, 4.0), rng.uniform(1.5, 3.0)
     a = np.arange(0, turns * 2 * np.pi + 1e-9, np.pi / 18)
     p.cut(np.column_stack([r * np.cos(a), r * np.sin(a), -0.5 * a / (2 * np.pi)]), 0.0)
@@ -195,13 +195,13 @@ def entered(rng, *, turns=10, loops=3):
 
 
 def over_tags(rng, *, down="plunge"):
-    """A contour that is lifted over its tags at every depth; down behind them by a plunge, a ramp, or from just above."""
+    """A contour with tags at every depth: the tool lifts over each and returns by a plunge, by a ramp, or from 2 mm above."""
     p = Program(rng)
     way = dense(closed(outline(rng)), 1.0)
     along = np.append(0.0, np.cumsum(np.linalg.norm(np.diff(way, axis=0), axis=1)))
     heading = np.unwrap(np.arctan2(*np.diff(way, axis=0).T[::-1]))
     tag, number = rng.uniform(3, 6), int(rng.integers(2, 7))
-    # Where the way is straight enough for a tag.
+    # Tags need a stretch that is straight enough.
     middles = np.linspace(0, along[-1], number + 2)[1:-1] + rng.uniform(-3, 3, number)
     begin, end = (np.interp(middles + d, along[1:], heading) for d in (-tag, tag))
     middles = middles[np.abs(end - begin) < 0.5]

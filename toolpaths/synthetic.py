@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Toolpaths made to measure: every strategy in the manner of several CAM programs, as G-code commands.
+"""Synthetic toolpaths: every strategy in the manner of several CAM programs, as G-code commands.
 
 Each maker takes a random generator and returns a list of (name, parameters) pairs in FreeCAD's units.
 SAMPLES lists (label, strategies that count as right, maker).
@@ -16,7 +16,7 @@ FEED = 10.0  # mm/s
 
 
 class Program:
-    """Commands with the usual ways to get from one cut to the next."""
+    """A list of commands, with the usual links from one cut to the next."""
 
     def __init__(self, rng: np.random.Generator, *, rapids: bool = True) -> None:
         self.rng = rng
@@ -30,7 +30,7 @@ class Program:
         self.last = (x, y, z)
 
     def enter(self, x: float, y: float, z: float) -> None:
-        """Lift, go above a point and plunge."""
+        """Lift, move above a point and plunge."""
         name = "G0" if self.rapids else "G1"
         if self.last is not None:
             self.commands.append((name, {"Z": SAFE}))
@@ -39,7 +39,7 @@ class Program:
         self.last = (x, y, z)
 
     def cut(self, points, z: float, *, linked: bool = False) -> None:
-        """Cut along points (k, 2) or (k, 3), entered by a plunge or linked to what was cut before."""
+        """Cut along points (k, 2) or (k, 3) after a plunge, or after a link from the previous cut."""
         points = np.asarray(points, float)
         heights = points[:, 2] if points.shape[1] == 3 else np.full(len(points), z)
         first = (points[0, 0], points[0, 1], heights[0])
@@ -90,7 +90,7 @@ def outline(rng: np.random.Generator) -> np.ndarray:
 
 
 def inward(shape: np.ndarray, distance: float) -> np.ndarray | None:
-    """Return the mitred inward offset of a counter-clockwise outline; None where it is gone."""
+    """Return the mitred inward offset of a counter-clockwise outline; None if nothing is left of it."""
     before, after = np.roll(shape, 1, axis=0), np.roll(shape, -1, axis=0)
     d0, d1 = shape - before, after - shape
     d0 /= np.linalg.norm(d0, axis=1)[:, None]
@@ -135,7 +135,7 @@ def scan_lines(shape: np.ndarray, angle: float, step: float) -> list[np.ndarray]
 
 
 def depths(rng: np.random.Generator, most: int = 5) -> list[float]:
-    """Return depths to cut at."""
+    """Return the depths of the cuts."""
     return [-(k + 1) * 2.0 for k in range(int(rng.integers(1, most + 1)))]
 
 
@@ -143,7 +143,7 @@ def depths(rng: np.random.Generator, most: int = 5) -> list[float]:
 
 
 def zigzag(rng, *, lifted=False, rapids=True, angle=None, with_contour=False, rough=0.0):
-    """Rows there and back, linked along the boundary or each between two lifts."""
+    """Rows back and forth, linked along the boundary or by lifts."""
     p, shape = Program(rng, rapids=rapids), outline(rng)
     angle = rng.uniform(0, np.pi) if angle is None else angle
     rows = scan_lines(shape, angle, rng.uniform(1.0, 4.0))
@@ -192,7 +192,7 @@ def raster(rng, *, both_ways=True, walls=False):
 
 
 def nested(rng, *, linked="lift", outward=False, ccw=True, rapids=True):
-    """Offset loops: each entered on its own, linked by a step, or left before they close (smooth links)."""
+    """Nested offset loops: each with its own plunge, linked by a step, or left before it closes (smooth links)."""
     p = Program(rng, rapids=rapids)
     step = rng.uniform(1.2, 4.0)
     for _ in range(20):
@@ -217,7 +217,7 @@ def nested(rng, *, linked="lift", outward=False, ccw=True, rapids=True):
 
 
 def island(rng):
-    """Offset loops around an island and inside a boundary, interleaved, of opposite senses."""
+    """Nested offset loops around an island and inside a boundary, interleaved, with opposite senses."""
     p = Program(rng)
     step = rng.uniform(1.5, 3.0)
     outer = offsets(np.array([(-40, -30), (40, -30), (40, 30), (-40, 30)]) * rng.uniform(0.8, 1.3), step)[:5]
@@ -229,7 +229,7 @@ def island(rng):
 
 
 def dense(path: np.ndarray, length: float) -> np.ndarray:
-    """Return the path with vertices every so many mm."""
+    """Return the path resampled at equal steps, mm."""
     out = [path[:1]]
     for a, b in zip(path[:-1], path[1:]):
         n = max(1, int(np.linalg.norm(b - a) / length))
@@ -315,7 +315,7 @@ def clipped(rng, *, both_ways=False, drifting=False):
     """Circles, or a spiral, around a point beside the part, which cuts them open."""
     p = Program(rng)
     half, step = rng.uniform(20, 40), rng.uniform(1.0, 3.0)
-    away = half * rng.uniform(1.2, 2.0)  # from the centre of the circles to that of the part
+    away = half * rng.uniform(1.2, 2.0)  # from the centre of the circles to the centre of the part
     a = rng.uniform(-0.4, 0.4) + np.linspace(-np.pi, np.pi, 400)
     for k in range(int((away - half) / step) + 1, int((away + half) / step)):
         r = k * step + (a / (2 * np.pi) * step if drifting else 0.0)
@@ -327,7 +327,7 @@ def clipped(rng, *, both_ways=False, drifting=False):
 
 
 def square_spiral(rng):
-    """A spiral with corners: every side a step farther in."""
+    """A spiral with corners: every side lies one step farther inside."""
     p = Program(rng)
     step = rng.uniform(1, 4)
     west, south, east, north = (
@@ -379,7 +379,7 @@ def trochoid(rng):
 
 
 def trochoid_of_chords(rng):
-    """A slot by coarse circles that move on."""
+    """A slot cut by coarse circles that advance along a line."""
     p, sides = Program(rng), int(rng.integers(12, 40))
     r, step = rng.uniform(4, 13), rng.uniform(0.4, 1.6)
     a = np.arange(int(rng.integers(18, 70)) * sides) * 2 * np.pi / sides
@@ -388,7 +388,7 @@ def trochoid_of_chords(rng):
 
 
 def winding(rng, *, corrects=False):
-    """A finely sampled winding inward, rounded, or corrected all the time to keep one engagement."""
+    """A finely sampled inward winding, rounded, or corrected continuously to keep one engagement."""
     p, step, digits = Program(rng), rng.uniform(0.8, 2.5), int(rng.integers(2, 4))
     a = np.arange(0, rng.uniform(7, 12) * 2 * np.pi, rng.uniform(0.003, 0.012))
     waves = rng.integers(15, 110)
@@ -508,7 +508,7 @@ def bites_in_a_row(rng, *, back="sloped", arcs=False, spiral_first=True, bends=F
 
 
 def trochoid_of_arcs(rng):
-    """A slot by half circles forward and straight ways back."""
+    """A slot cut by half circles forward, with straight returns."""
     p = Program(rng)
     r, step, length, turn = (
         rng.uniform(2, 8),
@@ -580,7 +580,7 @@ def letters(rng, *, vcarve=False):
 
 
 def comb(rng):
-    """A profile around a comb: to and fro in even steps, but closed, with teeth and gaps in turns."""
+    """A profile around a comb: back and forth in equal steps, but closed, with alternating teeth and gaps."""
     p, tool = Program(rng), rng.uniform(0.5, 2)
     tooth, gap, height = rng.uniform(2, 8), 2.5 * tool + rng.uniform(0.5, 6), rng.uniform(12, 40)
     left = np.arange(rng.integers(4, 16)) * (tooth + gap)
@@ -610,7 +610,7 @@ def star(rng, *, drawn=False):
 
 
 def plain_letters(rng):
-    """Letters of straight strokes, all upright alike."""
+    """Letters of straight strokes, all upright."""
     p, size = Program(rng), rng.uniform(4, 15)
     lean, letters, height = rng.uniform(0, 0.1), int(rng.integers(6, 24)), rng.uniform(0.2, 0.6, 24) * size
     for z in depths(rng, 2):

@@ -33,7 +33,7 @@ def rounded(path: np.ndarray) -> np.ndarray:
 
 
 def word(rng, *, most=13):
-    """A word of random letters, upright or slanted, along any line; with round letters or angular ones, at a depth or two."""
+    """A word of random letters, upright or slanted, round or angular, along a line of any direction, at one or two depths."""
     p = Program(rng)
     size = np.exp(rng.uniform(np.log(0.4), np.log(8)))
     angle = rng.choice([0.0, rng.uniform(0, 2 * np.pi)])

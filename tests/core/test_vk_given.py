@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What callers give where something else belongs: the error names the argument, what it takes, and what it got."""
+"""Wrong arguments: the error names the argument, the accepted values, and the given one."""
 
 import re
 

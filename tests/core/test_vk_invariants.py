@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What mathematics says of the signature when a polyline is moved, turned, mirrored, reversed or refined."""
+"""The signature of a polyline that is moved, turned, mirrored, reversed or refined."""
 
 import numpy as np
 import pytest

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What the package never does: evaluate text, reach for the network, start programs; cells that stay text."""
+"""The package never evaluates text, uses the network or starts programs; CSV cells stay text."""
 
 from __future__ import annotations
 

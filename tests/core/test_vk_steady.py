@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Times of pieces of work, with clocks that tell what they are told to tell."""
+"""Times of pieces of work, measured with clocks that return prescribed times."""
 
 import os
 import time

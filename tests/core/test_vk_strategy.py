@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Every strategy has all that is told of one: a name in each language, a colour, a sentence, a place in the docs."""
+"""Every strategy has a name in each language, a colour, a sentence, and a section in the docs."""
 
 from __future__ import annotations
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""A toolpath and its parts, and how what could not be read is told."""
+"""A toolpath, its parts, and its problems."""
 
 from __future__ import annotations
 

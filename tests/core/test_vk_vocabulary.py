@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The page of vocabulary names files and names that are there."""
+"""The files and names in docs/vocabulary.md exist."""
 
 from __future__ import annotations
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Work in other processes: it is done, or it is said that they died; and which Python they are of."""
+"""Work in other processes: results, processes that died, and the choice of the Python."""
 
 from __future__ import annotations
 

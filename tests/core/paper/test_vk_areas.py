@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Areas of one program: each is told as if it were alone, wherever it lies and whatever was cut before."""
+"""The measures of an area do not depend on its position in the program or on other areas."""
 
 from __future__ import annotations
 
@@ -80,7 +80,7 @@ def test_closing_half_turn_adds_nothing_up(stroke, turns, degrees):
 
 
 def test_reliefs_in_the_corners_leave_a_contour_its_turn():
-    """A dogbone is a way out and back: the corner turns by what it would without it, a quarter."""
+    """A dogbone is an excursion out and back: the corner turns by a quarter, as without the dogbone."""
     for path, sense in ((RELIEVED, 1), (RELIEVED[::-1], -1)):
         assert signature(path).total_turning == pytest.approx(sense * 2 * np.pi)
         areas = areas_of(SLOT, path, RELIEVED)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The axis that moves have, whichever way they go along it."""
+"""The axis of moves does not depend on their sense."""
 
 from __future__ import annotations
 

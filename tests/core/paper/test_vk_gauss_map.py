@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What the picture of the method is drawn from."""
+"""The lines of the picture of the method."""
 
 import numpy as np
 import pytest

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The paper's rule to the letter, on polylines whose angles are seen at once."""
+"""The paper's own rule, on polylines with simple angles."""
 
 from __future__ import annotations
 
@@ -54,7 +54,7 @@ def test_the_image_of_a_contour_goes_around_in_one_sense():
 
 
 def test_image_of_v_goes_around_from_inside_only():
-    """Loops from the outermost one inward are a contour, and V_k goes to and fro as in a zigzag."""
+    """Loops from the outermost one inward are a contour, and V_k moves back and forth as in a zigzag."""
     loops = [[(s * x, s * y) for x, y in [(-1, -1), (1, -1), (1, 1), (-1, 1), (-1, -1)]] for s in (40, 36, 32)]
     for order, goes_around, sense in ((loops, False, None), (loops[::-1], True, "ccw")):
         points = [(x - order[0][0][0], y - order[0][0][1]) for loop in order for x, y in loop]

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Where a path comes back to a point, and where the turns of a winding begin."""
+"""Closed loops in a path, and the turns of a winding."""
 
 from __future__ import annotations
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What counts as cutting along the plane, and where one monotonous area ends and the next begins."""
+"""Moves that cut along the plane, and the borders between monotonous areas."""
 
 from __future__ import annotations
 

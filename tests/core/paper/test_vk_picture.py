@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What the picture of the method is drawn from: arcs in chords, and segments that can be told apart."""
+"""The lines of the picture of the method: arcs in chords, and distinct segments."""
 
 from __future__ import annotations
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The paper's own numbers, and what its text leaves to care."""
+"""The paper's own numbers, and the cases that its text leaves open."""
 
 import numpy as np
 import pytest

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Where the eye looks, where points lie in the image, and the pictures made of them."""
+"""The direction of the view, the positions of points in the image, and pictures of points."""
 
 from __future__ import annotations
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What is seen of a simulation: colours by owner or by pixel, chips before the part, what is lit."""
+"""The picture of a simulation: colours by owner or by pixel, chips in front of the part, highlights."""
 
 from __future__ import annotations
 
