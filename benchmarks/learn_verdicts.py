@@ -162,7 +162,7 @@ class Examples:
         return np.array([grounds(v, proposed) for v, proposed, _ in cases]), right
 
     def left_out_votes(self, learned: dict[int, Learned]) -> np.ndarray:
-        """Return the votes on each, (n, c), of what was learned without its fold."""
+        """Return the votes on each sample, (n, c), by trees that were learned without its fold."""
         of_group = self.folds()
         return np.array([learned[of_group[g]].strategies.vote(case) for g, case in zip(self.group, self.x)])
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The longest time an event waits in FreeCAD's window while 500,000 commands are worked on.
+"""Longest time for which an event waits in FreeCAD's window while the add-on processes 500,000 commands.
 
     benchmarks/in_window.sh pauses [0.20.2|1.0.0|1.1.3]
 

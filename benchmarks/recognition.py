@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""How often the recognition is right, what its confidence is worth and what it costs.
+"""Accuracy of the recognition, calibration of its confidence, and its time.
 
     python3 benchmarks/recognition.py [FILE.jsonl.gz ...] [--programs PROGRAMS.jsonl.gz] [--sources | --speed]
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What the tests of the core share."""
+"""Settings and order of the core's tests."""
 
 from __future__ import annotations
 
