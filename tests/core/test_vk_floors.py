@@ -221,7 +221,7 @@ def test_no_import_goes_wrong():
     "module, line, offence",
     [
         ("core.paper.areas", "from vkworkbench.core.recognition import recognize", "stands above"),
-        ("core.gcode.arcs", "def f():\n    from vkworkbench.core import recognize", "stands above"),
+        ("core.gcode.moves.arcs", "def f():\n    from vkworkbench.core import recognize", "stands above"),
         ("language.message", "from vkworkbench import report", "stands above"),
         ("report.report", "from vkworkbench.document import marks", "stands above"),
         ("document.marks.marks", "from vkworkbench.gui.qt.sentences import sentence", "stands above"),
@@ -231,7 +231,7 @@ def test_no_import_goes_wrong():
         ("core.recognition.patterns.rows", "from vkworkbench.core.paper.areas import axis_of", "behind the face"),
         ("gui.results.panel", "from vkworkbench.core.solids import Tool", "behind the face of vkworkbench.core"),
         ("gui.results.panel", "import vkworkbench.language.message", "behind the face of vkworkbench.language"),
-        ("core.gcode.words", "from vkworkbench.core.gcode.linearize import linearize", "a circle"),
+        ("core.gcode.moves.words", "from vkworkbench.core.gcode.moves.linearize import linearize", "a circle"),
         ("document.marks.marks", "def f():\n    from vkworkbench.document.marks import marking", "a circle"),
         ("core.paper.areas", "from .signature import signature", "a relative import"),
         ("core.solids", "import FreeCAD", "FreeCAD does not belong here"),
@@ -283,7 +283,7 @@ def test_tests_import_no_benchmark_and_nothing_past_a_face():
     for module, offence in (
         ("recognition", "is a benchmark"),
         ("benchmarks.loads", "is a benchmark"),
-        ("vkworkbench.core.gcode.words", "behind the face"),
+        ("vkworkbench.core.gcode.moves.words", "behind the face"),
         ("vkworkbench.core.solids", None),
         ("vkworkbench.core.paper.areas", None),
     ):

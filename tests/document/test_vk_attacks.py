@@ -218,7 +218,7 @@ def test_placements(small, zigzag_commands, placement):
 
 
 def test_too_many_moves_are_said(small, zigzag_commands, monkeypatch):
-    monkeypatch.setattr(sys.modules["vkworkbench.core.gcode.linearize"], "MOST_TRAJECTORIES", 100)
+    monkeypatch.setattr(sys.modules["vkworkbench.core.gcode.moves.linearize"], "MOST_TRAJECTORIES", 100)
     small.add(
         "Arcs", [("G0", {"X": 0.0, "Y": 0.0, "Z": 9.0}), ("G2", {"X": 0.0, "Y": 0.0, "I": 50.0, "J": 0.0, "Z": 0.0})]
     )

@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from vkworkbench.core.gcode import codes
+from vkworkbench.core.gcode.moves import codes
 
 
 def test_only_m6_changes_the_tool():

@@ -6,7 +6,7 @@ from __future__ import annotations
 from counting import memory
 
 from vkworkbench.core.gcode import read_program
-from vkworkbench.core.gcode.commands import Commands
+from vkworkbench.core.gcode.moves.commands import Commands
 
 PAIRS = [
     ("G1", {"X": 1.5, "Y": -2.0, "F": 10.0}),

@@ -7,7 +7,7 @@ import fuzz
 import pytest
 
 from vkworkbench.core import linearize
-from vkworkbench.core.gcode.linearize import MOST_TRAJECTORIES
+from vkworkbench.core.gcode.moves.linearize import MOST_TRAJECTORIES
 
 # Seeds that failed once, by what failed.
 FAILED = {

@@ -10,7 +10,8 @@ import programs
 import pytest
 from counting import memory
 
-from vkworkbench.core.gcode import Words, used_up, words
+from vkworkbench.core.gcode import Words, used_up
+from vkworkbench.core.gcode.moves import words
 
 
 class Command:

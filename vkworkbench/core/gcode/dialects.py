@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import re
 
-from vkworkbench.core.gcode.codes import CYCLES
+from vkworkbench.core.gcode.moves.codes import CYCLES
 from vkworkbench.core.toolpath import Problem
 from vkworkbench.language import Message, Unusable
 

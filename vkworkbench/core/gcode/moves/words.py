@@ -10,7 +10,7 @@ from typing import Any
 
 import numpy as np
 
-from vkworkbench.core.gcode.codes import code_of
+from vkworkbench.core.gcode.moves.codes import code_of
 from vkworkbench.core.toolpath import COORDINATE_LIMIT
 
 _ABSENT = 1e300

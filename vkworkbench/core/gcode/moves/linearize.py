@@ -13,8 +13,8 @@ from typing import Any, List
 
 import numpy as np
 
-from vkworkbench.core.gcode import arcs, cycles
-from vkworkbench.core.gcode.codes import (
+from vkworkbench.core.gcode.moves import arcs, cycles
+from vkworkbench.core.gcode.moves.codes import (
     ABSOLUTE,
     ABSOLUTE_CENTRES,
     ARCS,
@@ -43,8 +43,8 @@ from vkworkbench.core.gcode.codes import (
     UNKNOWN,
     name_of,
 )
-from vkworkbench.core.gcode.unread import unread
-from vkworkbench.core.gcode.words import Words
+from vkworkbench.core.gcode.moves.unread import unread
+from vkworkbench.core.gcode.moves.words import Words
 from vkworkbench.core.toolpath import COORDINATE_LIMIT, PLANE_AXES, Problem, Toolpath
 from vkworkbench.given import number, positive
 from vkworkbench.language import Message, Unusable

@@ -8,7 +8,7 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from vkworkbench.core.gcode.codes import (
+from vkworkbench.core.gcode.moves.codes import (
     ARCS,
     COMPENSATION,
     CYCLES,
@@ -20,7 +20,7 @@ from vkworkbench.core.gcode.codes import (
     RAPID,
     name_of,
 )
-from vkworkbench.core.gcode.words import Words
+from vkworkbench.core.gcode.moves.words import Words
 from vkworkbench.language import Message
 
 ROTARY = "ABC"

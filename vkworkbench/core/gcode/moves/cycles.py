@@ -7,7 +7,7 @@ from math import isnan, nan
 
 import numpy as np
 
-from vkworkbench.core.gcode.codes import FEED_OUT, PECK, PECKING
+from vkworkbench.core.gcode.moves.codes import FEED_OUT, PECK, PECKING
 
 CHIP_BREAK_RETRACT = 0.25  # mm, as LinuxCNC's G73
 MOST_PECKS = 10_000  # more is a Q word gone wrong, and would fill the memory

@@ -7,8 +7,8 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from vkworkbench.core.gcode.commands import Commands
-from vkworkbench.core.gcode.linearize import linearize
+from vkworkbench.core.gcode.moves.commands import Commands
+from vkworkbench.core.gcode.moves.linearize import linearize
 from vkworkbench.core.machining import exact_lengths
 from vkworkbench.core.toolpath import Problem, Toolpath
 from vkworkbench.language import Message

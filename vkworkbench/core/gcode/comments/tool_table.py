@@ -14,7 +14,7 @@ import re
 from dataclasses import dataclass
 from functools import lru_cache
 
-from vkworkbench.core.gcode.units import INCH
+from vkworkbench.core.gcode.moves.units import INCH
 from vkworkbench.core.tool import Tool
 
 _LARGEST, _LARGEST_BARE = 500.0, 150.0  # mm; 14 END MILL is no tool of 14 inches, 265bit none of 265 mm
