@@ -5,10 +5,10 @@ import math
 
 import pytest
 
-from vkworkbench.core.gcode.reader import read_program
 from vkworkbench.core.gcode.comments.sections import split_sections
 from vkworkbench.core.gcode.comments.titles import title_of
 from vkworkbench.core.gcode.comments.tool_table import number_named, tells_inches, tool_told
+from vkworkbench.core.gcode.reader import read_program
 
 CUT = "G0 X0 Y0 Z5\nG1 Z-1 F100\nX10\nG0 Z5\n"
 

@@ -7,9 +7,9 @@ import numpy as np
 import pytest
 
 from vkworkbench.core.gcode import reader
+from vkworkbench.core.gcode.comments.sections import split_sections
 from vkworkbench.core.gcode.dialects import at_line
 from vkworkbench.core.gcode.reader import read_program
-from vkworkbench.core.gcode.comments.sections import split_sections
 from vkworkbench.language import render
 
 BEFORE = "G21 G90\nG0 X0 Y0 Z0\nF60\n"

@@ -10,16 +10,16 @@ and `title_of` tells titles of operations from other comments.
 `in_seconds` mends mm/min that were read as mm/s.
 """
 
-from vkworkbench.core.gcode.moves.codes import ARCS
-from vkworkbench.core.gcode.dialects import at_line
-from vkworkbench.core.gcode.moves.linearize import linearize
-from vkworkbench.core.gcode.moves.program import Program
-from vkworkbench.core.gcode.reader import read_program
 from vkworkbench.core.gcode.comments.sections import Section, split_sections
 from vkworkbench.core.gcode.comments.titles import title_of
 from vkworkbench.core.gcode.comments.tool_table import tells_inches
+from vkworkbench.core.gcode.dialects import at_line
+from vkworkbench.core.gcode.moves.codes import ARCS
+from vkworkbench.core.gcode.moves.linearize import linearize
+from vkworkbench.core.gcode.moves.program import Program
 from vkworkbench.core.gcode.moves.units import INCH, in_seconds, looks_like_inches, looks_like_increments
 from vkworkbench.core.gcode.moves.words import Words, used_up
+from vkworkbench.core.gcode.reader import read_program
 
 __all__ = [
     "ARCS", "INCH", "Program", "Section", "Words", "at_line", "in_seconds", "linearize",

@@ -10,12 +10,12 @@ from __future__ import annotations
 from array import array
 
 from vkworkbench.core.gcode import dialects
-from vkworkbench.core.gcode.moves import codes
 from vkworkbench.core.gcode.blocks import LARGEST_NUMBER, whole
+from vkworkbench.core.gcode.moves import codes
 from vkworkbench.core.gcode.moves.commands import Commands
-from vkworkbench.core.gcode.subprograms import calls_block
 from vkworkbench.core.gcode.moves.units import INCH
 from vkworkbench.core.gcode.moves.unread import ROTARY
+from vkworkbench.core.gcode.subprograms import calls_block
 from vkworkbench.language import Message
 
 _ORIGINS = (2, 20)  # L words of G10 that set the origin of the program's coordinates

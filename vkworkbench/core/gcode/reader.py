@@ -14,11 +14,11 @@ import numpy as np
 
 from vkworkbench.core.gcode import dialects
 from vkworkbench.core.gcode.blocks import split_comments, split_words
+from vkworkbench.core.gcode.comments.tool_table import tool_told
 from vkworkbench.core.gcode.interpreter import Interpreter
 from vkworkbench.core.gcode.moves.program import Program
-from vkworkbench.core.gcode.subprograms import PROGRAM_NUMBER, Subprograms
-from vkworkbench.core.gcode.comments.tool_table import tool_told
 from vkworkbench.core.gcode.moves.units import INCH
+from vkworkbench.core.gcode.subprograms import PROGRAM_NUMBER, Subprograms
 from vkworkbench.core.gcode.variables import FLOW, Variables
 from vkworkbench.core.toolpath import Problem
 from vkworkbench.language import Message

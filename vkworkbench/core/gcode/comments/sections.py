@@ -10,10 +10,10 @@ from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, field, replace
 from typing import NamedTuple
 
-from vkworkbench.core.gcode.moves.codes import MOTION_NAMES
-from vkworkbench.core.gcode.moves.program import Program
 from vkworkbench.core.gcode.comments.titles import title_before_tool, title_of
 from vkworkbench.core.gcode.comments.tool_table import ToldTool, number_named, tool_told
+from vkworkbench.core.gcode.moves.codes import MOTION_NAMES
+from vkworkbench.core.gcode.moves.program import Program
 from vkworkbench.core.tool import Tool
 
 MANY_TITLES = 50  # titles of one form; a program with more numbers its passes, not its operations
