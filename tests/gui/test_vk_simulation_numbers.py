@@ -18,7 +18,7 @@ from vkworkbench.gui.simulation import coloring, exports
 from vkworkbench.gui.simulation.faults import Fault, KnownFaults, differences, judge
 from vkworkbench.gui.simulation.moment import Clock
 from vkworkbench.gui.simulation.pictures import Drawing
-from vkworkbench.gui.simulation.refining import Facts, Findings, Refined, Refining, holds
+from vkworkbench.gui.simulation.refining import Budgets, Facts, Findings, Refined, Refining, holds
 from vkworkbench.gui.simulation.time_line import TimeLine
 from vkworkbench.language import Message
 
@@ -38,7 +38,7 @@ def job_of(*paths):
 
 def refined(job, view, known=None, memory=1e9):
     """Return all results of refining a view."""
-    work = Refining(job, view, memory, 1e3, Speed(), glance=False, compare=False, known=known)
+    work = Refining(job, view, Budgets(memory, 1e3), Speed(), glance=False, compare=False, known=known)
     return list(work(lambda: None))
 
 

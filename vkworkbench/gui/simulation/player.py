@@ -24,7 +24,7 @@ from vkworkbench.gui.simulation.faults import Fault, Judgement, KnownFaults, jud
 from vkworkbench.gui.simulation.moment import Clock, Moment
 from vkworkbench.gui.simulation.part_view import PartView
 from vkworkbench.gui.simulation.pictures import Drawing, Pictures
-from vkworkbench.gui.simulation.refining import Findings, Refined, Refining
+from vkworkbench.gui.simulation.refining import Budgets, Findings, Refined, Refining
 from vkworkbench.gui.simulation.time_line import Block, TimeLine
 from vkworkbench.gui.simulation.widgets import StateLine
 
@@ -164,7 +164,7 @@ class Player(QWidget):
         """Simulate the present view, coarsely first."""
         chosen = preferences.read()
         self._refining = Refining(
-            self.job, self.view.view, chosen.memory_budget_bytes, chosen.time_budget, known_speed(),
+            self.job, self.view.view, Budgets(chosen.memory_budget_bytes, chosen.time_budget), known_speed(),
             glance=self.simulation is None, compare=self.scene_bar.compares, known=self.drawing.facts,
         )  # fmt: skip
         self._work.start("", self._refining, self._take, self._ended)

@@ -9,6 +9,7 @@ from dataclasses import dataclass, replace
 from functools import cached_property
 from itertools import product
 from math import sqrt
+from typing import NamedTuple
 
 import numpy as np
 
@@ -118,6 +119,13 @@ class Findings:
         return self.seen and self.seen.against(self.simulation.zbuffer)
 
 
+class Budgets(NamedTuple):
+    """The largest memory, bytes, and the longest time, s, of a simulation."""
+
+    memory: float
+    time: float
+
+
 class Refining:
     """Simulates a view several times, finer each time; the work of a `Background`.
 
@@ -126,8 +134,8 @@ class Refining:
     job : SimulatedJob
     view : View
         The finest image.
-    memory_budget, time_budget : float
-        Largest memory, bytes, and time, s, of the finest picture.
+    budgets : Budgets
+        Limits for the finest picture.
     speed : Speed
         Speed of this computer.
     glance : bool
@@ -144,13 +152,13 @@ class Refining:
     """
 
     def __init__(
-        self, job: SimulatedJob, view: View, memory_budget: float, time_budget: float, speed: Speed,
+        self, job: SimulatedJob, view: View, budgets: Budgets, speed: Speed,
         *, glance: bool, compare: bool, known: Facts | None,
     ) -> None:  # fmt: skip
         self.job, self.view, self.speed, self.glance, self.compare = job, view, speed, glance, compare
         self.known = known
         self._after: Refining | None = None  # for the whole stock
-        self.memory_budget, self.time_budget = memory_budget, time_budget
+        self.budgets = budgets
         self.share = 0.0
         self._trend: _CostTrend | None = None  # of the pictures so far
         self._largest = 1.0  # share of the image's side that the time budget allows
@@ -199,7 +207,7 @@ class Refining:
                 share = coarser(self.view, refused).width / self.view.width
         yield from self._whole(going_on)
         if allowed < 1:
-            raise Unusable(Message("picture-in-time", allowed=self.time_budget))
+            raise Unusable(Message("picture-in-time", allowed=self.budgets.time))
 
     def _whole(self, going_on: Callable[[], None]) -> Iterator[Findings]:
         """Yield findings from an image of the whole stock, unless similar ones are known. The image is not shown."""
@@ -208,7 +216,7 @@ class Refining:
         known = self.known is not None and self.known.is_as_fine(finest)
         if known or holds(self.view.frame(self.job.stock), self.job.stock):
             return
-        self._after = Refining(self.job, view, self.memory_budget, self.time_budget, self.speed,
+        self._after = Refining(self.job, view, self.budgets, self.speed,
                             glance=False, compare=False, known=None)  # fmt: skip
         for done in self._after(going_on):
             if isinstance(done, Findings):
@@ -229,7 +237,7 @@ class Refining:
                 seconds = time.perf_counter() - self._stage
                 peak = done.simulation.zbuffer.peak
                 self._trend = _CostTrend(share, seconds, peak, self._trend, self.speed.processes)
-                self._largest = self._trend.largest(self.time_budget)
+                self._largest = self._trend.largest(self.budgets.time)
             yield done
 
     def _told(self, view: View, going_on: Callable[[], None], finest: bool = False) -> Iterator[Refined | Findings]:
@@ -239,7 +247,7 @@ class Refining:
             self.share = done
             going_on()
 
-        done = simulate_read(self.job, view, self.memory_budget, report)
+        done = simulate_read(self.job, view, self.budgets.memory, report)
         zbuffer = done.zbuffer
         zbuffer.surface.prepare()  # computed here and not in the window's thread
         zbuffer.picture  # noqa: B018 - computed here and not in the window's thread
