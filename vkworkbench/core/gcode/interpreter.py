@@ -22,6 +22,8 @@ _ORIGINS = (2, 20)  # L words of G10 that set the origin of the program's coordi
 _OUTPUTS = frozenset([67, 68])  # LinuxCNC's M-codes whose E and Q words are an analog output, as of a laser
 _SETTINGS = frozenset([92, 201, 203, 204, 205, 206])  # of Marlin: its steps, speeds and accelerations are no targets
 _OTHERS_M_CODE = 1000  # from here on they are a vendor's own, as Snapmaker's M2000
+_LATHE_CYCLE = frozenset("PQUWR")  # words that make G70 and G71 cycles of a lathe, not units
+_HOLE_PATTERN = frozenset("IJKL")  # or patterns of holes on Haas and Yasnac
 _AXES = frozenset("XYZIJKR")
 _LENGTHS = frozenset("XYZIJKRQ")
 _COORDINATES = {"X": "X", "Y": "Y", "Z": "Z"}  # what a word tells, and along which axis
@@ -280,42 +282,49 @@ class Interpreter:
     def _other(self, code: int, words: list[tuple[str, float]]) -> bool:
         """Take a G-code that `linearize` need not know; return whether the line's axis words belong to it."""
         letters = {letter for letter, _ in words}
-        turning = code in codes.PATTERNS and not letters.isdisjoint("PQUWR")
-        if code in codes.PATTERNS and not turning and not letters.isdisjoint("IJKL"):  # of Haas and Yasnac
-            self.problem(Message("hole-pattern-not-read", name=codes.name_of(code)))
+        if self._takes_words(code, words, letters):
             return True
-        if code == 710 and [letter for letter, _ in words if letter != "N"] == ["G", "Z"]:  # Okuma's return level
-            self.problem(Message("unknown-code", name=repr(codes.name_of(code))))
-            return True
+        turning = code in codes.PATTERNS and not letters.isdisjoint(_LATHE_CYCLE)
         if code in codes.UNITS and not turning:
             self._measure_in(code)
         elif code in codes.FEED_MODES:
             self.feed_mode, self.per_turn = code, None
-        elif code == codes.DWELL:
-            self.problem(Message("dwell-untimed"))
-            return True
         elif code in codes.COMPENSATION:
             self.problem(Message("compensation-not-read", name=codes.name_of(code)))
-        elif code in codes.SPLINES:  # without a target they are modes
-            return True
-        elif code == codes.LOCAL and not letters.isdisjoint("XYZ"):
-            self.shift.update((letter, self.unit * value) for letter, value in words if letter in "XYZ")
-            return True
-        elif code in codes.CHANGES_COORDINATES:
-            if code != 920 or (self.moved and not letters.isdisjoint("XYZ")):  # before any move it moves nothing
-                self.problem(Message("coordinates-not-changed", name=codes.name_of(code)))
-            return True
-        elif code == 431 and "H" not in letters:  # the tool's length in axis words
-            return True
-        elif code in codes.MACRO_CALLS:
-            self.problem(Message("subprogram-not-read"))
-            return True
         else:
             of_a_lathe = self.clues.g_code(code // 10, letters, self.number)
             if code not in codes.HARMLESS:
                 self._unknown(code, letters)
             return of_a_lathe or code not in codes.HARMLESS
         return False
+
+    def _takes_words(self, code: int, words: list[tuple[str, float]], letters: set[str]) -> bool:
+        """Take a G-code whose parameters are the line's axis words; return whether it is one."""
+        if code == codes.LOCAL and not letters.isdisjoint("XYZ"):
+            self.shift.update((letter, self.unit * value) for letter, value in words if letter in "XYZ")
+            return True
+        message = self._unread_code(code, words, letters)
+        if message is not None:
+            self.problem(message)
+            return True
+        tool_length = code == 431 and "H" not in letters
+        return tool_length or code in codes.SPLINES or code in codes.CHANGES_COORDINATES  # splines here have no target
+
+    def _unread_code(self, code: int, words: list[tuple[str, float]], letters: set[str]) -> Message | None:
+        """Return the message about a G-code whose parameters are not read; None for other codes."""
+        name = codes.name_of(code)
+        if code in codes.PATTERNS and letters.isdisjoint(_LATHE_CYCLE) and not letters.isdisjoint(_HOLE_PATTERN):
+            return Message("hole-pattern-not-read", name=name)
+        if code == 710 and [letter for letter, _ in words if letter != "N"] == ["G", "Z"]:  # Okuma's return level
+            return Message("unknown-code", name=repr(name))
+        if code == codes.DWELL:
+            return Message("dwell-untimed")
+        if code in codes.MACRO_CALLS:
+            return Message("subprogram-not-read")
+        sets_position = code == 920  # before any move, that changes nothing
+        if code in codes.CHANGES_COORDINATES and (not sets_position or (self.moved and not letters.isdisjoint("XYZ"))):
+            return Message("coordinates-not-changed", name=name)
+        return None
 
     def _unknown(self, code: int, letters: set[str]) -> None:
         """Tell of a G-code that is not known, and of the line's axis words, which may be its parameters."""
@@ -359,14 +368,7 @@ class Interpreter:
         self.away.clear()
         if self.ended:
             self.problem(Message("goes-on"))
-        if "Y" in move:
-            self._note_y(move["Y"])
-        if mode in codes.ARCS:
-            self.clues.arc(set(parameters), self.number)
-            if parameters.get("P", 1.0) > 1:
-                self.problem(Message("turns-not-read"))
-        if mode in codes.CYCLES and parameters.get("P", 0.0) > 0:
-            self.problem(Message("dwell-untimed"))
+        self._note(mode, parameters, move)
         name = "" if motion is None else codes.name_of(motion)
         repeats = 1
         if mode in codes.CYCLES:
@@ -384,6 +386,17 @@ class Interpreter:
             self.stands = stands
         for _ in range(repeats if self.relative else 1):
             self._add(name, move)
+
+    def _note(self, mode: int, parameters: dict[str, float], move: dict[str, float]) -> None:
+        """Collect the clues of a move to its dialect; report its parameters that are not read."""
+        if "Y" in move:
+            self._note_y(move["Y"])
+        if mode in codes.ARCS:
+            self.clues.arc(set(parameters), self.number)
+            if parameters.get("P", 1.0) > 1:
+                self.problem(Message("turns-not-read"))
+        if mode in codes.CYCLES and parameters.get("P", 0.0) > 0:
+            self.problem(Message("dwell-untimed"))
 
     def _note_y(self, y: float) -> None:
         if self.relative:

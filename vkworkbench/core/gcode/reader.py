@@ -101,16 +101,15 @@ class _Reader:
 
     def line(self, index: int) -> bool:
         """Read one line; return whether it ends the program, or the subprogram in which it is read."""
-        line, number = self.lines[index], self.number
+        line = self.lines[index]
         code, comments = split_comments(line)
         code = code.strip().upper()
         if code[-1:] == "*":  # the end of a block
             code = code[:-1].rstrip()
         if "%" in code:
-            if name := _HEIDENHAIN_NAME.match(code):
-                return self.machine.heidenhain(number, 10 * int(name[1]))
-            if percent := _PERCENT.match(code):
-                return self.machine.motion >= 0 and percent.end() == len(code)
+            ends = self._percent(code)
+            if ends is not None:
+                return ends
         self.deleted = "/" in code and _BLOCK_DELETE.match(code) is not None
         if self.deleted:
             code = _BLOCK_DELETE.sub(r"\1", code)
@@ -123,24 +122,38 @@ class _Reader:
             return False
         if self.machine.ended and (code[0] in "O:" or self.machine.calls_blocks):
             return True
+        if (self.in_called or code[0] in "O:") and self._skips(index, code):
+            return False
+        if self.deleted:
+            self._problem(Message("block-delete"))
+        return self._block(index, code, comments)
+
+    def _percent(self, code: str) -> bool | None:
+        """Return whether a line with a percent sign ends the program; None if the sign has no meaning."""
+        if name := _HEIDENHAIN_NAME.match(code):
+            return self.machine.heidenhain(self.number, 10 * int(name[1]))
+        if percent := _PERCENT.match(code):
+            return self.machine.motion >= 0 and percent.end() == len(code)
+        return None
+
+    def _skips(self, index: int, code: str) -> bool:
+        """Return whether a line belongs to a subprogram that is read at its calls, not where it stands."""
         if code[0] in "O:":
             program = PROGRAM_NUMBER.match(code)
             called = program is not None and int(program[1]) in self.subprograms.called
             self.in_called = called and not self.calls
             if self.in_called:
                 self.passed.append(index)
-        if self.in_called:
-            self.in_called = self.deleted or not _RETURN.search(code)
+        if not self.in_called:
             return False
-        if self.deleted:
-            self._problem(Message("block-delete"))
-        return self._block(index, code, comments)
+        self.in_called = self.deleted or not _RETURN.search(code)
+        return True
 
     def _block(self, index: int, code: str, comments: list[str]) -> bool:
         """Have the machine do what the words of a line's code say; return as `line`."""
         self.blocks += 1
         plain, rest = split_words(code)
-        words = self._strange(self.lines[index], code, rest, plain) if rest or self.in_subprogram else plain
+        words = self._strange(self.lines[index], code, rest) if rest or self.in_subprogram else plain
         if words is None:
             self._keep(comments)
             return False
@@ -188,20 +201,12 @@ class _Reader:
     def _problem(self, what: Message, line: int | None = None) -> None:
         self.machine.problem(what, self.number if line is None else line)
 
-    def _strange(
-        self, line: str, code: str, rest: str, words: list[tuple[str, float]]
-    ) -> list[tuple[str, float]] | None:
+    def _strange(self, line: str, code: str, rest: str) -> list[tuple[str, float]] | None:
         """Return the words of a line that holds more than words; None if it cannot be read."""
-        subprogram = _SUB.match(code)
-        if subprogram:
-            self._problem(Message("subprogram-not-read"))
-            self.in_subprogram = max(self.in_subprogram + (1 if subprogram[1] == "SUB" else -1), 0)
-            return None
-        if self.in_subprogram > 0:
+        if self._of_subprogram(code):
             return None
         if "#" in rest:
             code = self.variables.put_in(code)
-            words, rest = split_words(code)
             if not code:
                 return None
         if code[0] == "<":  # of a drawing or a web page, whose equals signs tell no variables
@@ -211,32 +216,40 @@ class _Reader:
         if FLOW.search(code):
             self._problem(Message("jumps-not-followed"))
             return None
+        code = self._common_spelling(code)
+        words, rest = split_words(code)
+        if "#" in rest or "[" in rest or "=" in rest:
+            words, rest = split_words(_MACRO_WORD.sub(" ", code))
+            self._problem(Message("line-with-variables" if rest else "variables-not-read"))
+            return None if rest else words
+        if rest in ("", "N") or (rest != ":" and PROGRAM_NUMBER.fullmatch(rest)):  # N without a number; :1000
+            return words
+        if rest != ":":  # some write it before a comment without parentheses
+            self._no_words()
+        return None
+
+    def _of_subprogram(self, code: str) -> bool:
+        """Return whether a line begins, ends or belongs to a subprogram of named blocks, which is not read."""
+        subprogram = _SUB.match(code)
+        if subprogram:
+            self._problem(Message("subprogram-not-read"))
+            self.in_subprogram = max(self.in_subprogram + (1 if subprogram[1] == "SUB" else -1), 0)
+        return subprogram is not None or self.in_subprogram > 0
+
+    def _common_spelling(self, code: str) -> str:
+        """Return the code with words that only some controls write left out (,R) or respelled (HA, X=)."""
+        _, rest = split_words(code)
         if "," in rest:
             for letter in _CORNER.findall(code):
                 self._problem(Message("word-not-read", letter=f",{letter}"))
             code = _CORNER.sub(" ", code)
-            words, rest = split_words(code)
+            _, rest = split_words(code)
         if "H" in rest or "D" in rest:
             code = _OKUMA_LETTERS.sub(r"\g<1>0", code)
-            words, rest = split_words(code)
+            _, rest = split_words(code)
         if "=" in rest:
             code = _EQUALS.sub(lambda word: word[1] or "R", code)
-            words, rest = split_words(code)
-        if "#" in rest or "[" in rest or "=" in rest:
-            words, rest = split_words(_MACRO_WORD.sub(" ", code))
-            if rest:
-                self._problem(Message("line-with-variables"))
-                return None
-            self._problem(Message("variables-not-read"))
-            return words
-        if rest in ("", "N"):  # N without a number
-            return words
-        if rest == ":":  # some write it before a comment without parentheses
-            return None
-        if PROGRAM_NUMBER.fullmatch(rest):  # :1000, ISO's way to write it
-            return words
-        self._no_words()
-        return None
+        return code
 
     def _no_words(self) -> None:
         self.strange.append(self.number)
