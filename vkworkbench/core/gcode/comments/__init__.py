@@ -1,2 +1,2 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What the comments of an NC program say: titles, tools and operations."""
+"""Read titles, tools and operations from the comments of an NC program."""

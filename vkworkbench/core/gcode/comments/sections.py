@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The operations of an NC program, divided at its titles and tool changes."""
+"""Divide an NC program into operations, at its titles and tool changes."""
 
 from __future__ import annotations
 
@@ -16,22 +16,25 @@ from vkworkbench.core.gcode.moves.codes import MOTION_NAMES
 from vkworkbench.core.gcode.moves.program import Program
 from vkworkbench.core.tool import Tool
 
-MANY_TITLES = 50  # titles of one form; a program with more numbers its passes, not its operations
+# Largest number of titles that differ only in their numbers. A program with more titles numbers its passes, not its
+# operations.
+MANY_TITLES = 50
 
 _AXES = frozenset("XYZ")
-# What pcb-gcode writes in a comment of its own before the one with the number.
+# pcb-gcode writes these words in one comment and the diameter in the next.
 _TOOL_SIZE = re.compile(r"\s*tool size\s*", re.IGNORECASE)
-# As NX writes them: a tool's name, and its diameter in a comment of its own in the next line.
+# NX writes the tool's name in one comment, and its diameter in a comment in the next line.
 _TOOL_NAME = re.compile(r"\W*(?:tool(?:\s*(?:name|no\.?|number|type|desc\w*))?\s*[:=#]|T\d+\b)", re.IGNORECASE)
 _ITS_DIAMETER = re.compile(r"\W*(?:D|(?:tool\s*)?dia(?:meter)?)\.?\s*[:=]\s*[\d.,]+", re.IGNORECASE)
-# Descriptions that are no names.
+# Tool descriptions that cannot serve as a tool's name.
 _NO_NAME = re.compile(r"\s*(?:TOOL/|tool_radius\b|tool size\b)", re.IGNORECASE)
-# FreeCAD's tool controllers, as it names them: with them begins what has no other title, also for a control without M6.
+# The name of a FreeCAD tool controller. Unlike other tool descriptions, the name is also a title: it begins an
+# operation without another title, even for a control without M6.
 _CONTROLLER = re.compile(r"\s*TC: \S")
-_MESSAGE = re.compile(r"\s*MSG\b\s*,?\s*", re.IGNORECASE)  # the rest is shown to who works at the machine
+_MESSAGE = re.compile(r"\s*MSG\b\s*,?\s*", re.IGNORECASE)  # the control shows the rest to the operator
 
-# What py2gcode, FreeCAD, and FreeCAD for UCCNC write before an operation and behind it; the comments between tell its
-# parameters and passes.
+# Comments with which py2gcode, FreeCAD, and FreeCAD for UCCNC begin and end an operation. The comments between them
+# describe its parameters and passes.
 _FROM = re.compile(r"Begin (\w+)|(?i:begin operation|operation start): (\S.*)")
 _TO = re.compile(r"End (\w+)|(?i:(?:finish|end) operation|operation done): (\S.*)")
 
@@ -43,13 +46,13 @@ class Section:
     Attributes
     ----------
     title : str
-        What the program calls it, else its tool; empty where it says neither.
+        Title in the program's comments, else the name of the tool; empty if the comments contain neither.
     number : int or None
-        Number of its tool.
+        Number of the tool.
     tool : Tool or None
-        What the program's comments say of that tool.
+        The tool as the program's comments describe it.
     first, last : int
-        First and last line.
+        First and last line, counted from 1.
     """
 
     title: str
@@ -65,11 +68,11 @@ class _Mark(NamedTuple):
     Attributes
     ----------
     at, line : int
-        The command before which it stands, and its line.
+        Index of the command that follows the comment, or that changes the tool; and the line.
     what : str, float or None
-        The comment's text; the number of the tool that is changed to, None where no word tells it.
+        The comment's text, or the number of the new tool; None if no T word names the tool.
     called : bool
-        Whether it is a comment in a subprogram.
+        Whether the mark is a comment in a subprogram.
     """
 
     at: int
@@ -79,7 +82,7 @@ class _Mark(NamedTuple):
 
     @property
     def number(self) -> int | None:
-        """Of the tool that is changed to."""
+        """Number of the new tool; None for a comment, or if no T word names the tool."""
         return int(self.what) if isinstance(self.what, (int, float)) else None
 
 
@@ -90,17 +93,21 @@ class _Group:
     Attributes
     ----------
     line : int
-        Line of the first of them.
+        Line of the first comment or tool change.
     title : str
-        Title in the last comment that is no remark, outside of subprograms.
+        The last title outside of subprograms.
     called : str
-        The first such title within a subprogram.
+        The first title within a subprogram.
     headings
-        All comments that are no remarks, with the numbers that post processors write before the titles.
+        All comments with a title, including the numbers that post processors write before the titles.
     change, number
-        Line of the last tool change, None where there is none, and the number of its tool.
-    tool, tool_name, told
-        The tool that is described without a number, or with the number that is changed to, that comment, and its line.
+        Line of the last tool change and the number of its tool; None if the group has no tool change.
+    tool
+        The tool of a comment without a tool number, or the known tool whose number a comment names.
+    tool_name
+        Text of the comment that describes the group's tool.
+    told
+        Line of the comment that describes `tool`.
     known : dict
         The tools described so far, by their numbers.
     """
@@ -123,7 +130,7 @@ def split_sections(program: Program) -> tuple[Section, ...]:
     Returns
     -------
     tuple of Section
-        At least one; every line with a command is in one of them.
+        At least one section. Every line with a command is in exactly one section.
     """
     groups = _Groups(program).groups
     forms = Counter(_form(group.title) for group in groups if group.title and group.change is None)
@@ -151,18 +158,18 @@ def split_sections(program: Program) -> tuple[Section, ...]:
 
 
 class _Groups:
-    """The comments and tool changes between the cuts of a program, one group for its beginning at least."""
+    """The comments and tool changes between the cuts of a program; the first group precedes the first cut."""
 
     def __init__(self, program: Program) -> None:
         self._program = program
         marks, cuts = _marks(program), _cuts(program)
-        # Tools by the lines of their T words, and of their changes.
+        # Tool numbers by the lines of their T words, and by the lines of the tool changes.
         self._named = {
             line: int(name[1:]) for line, name in zip(program.lines.tolist(), program.commands.names) if name[:1] == "T"
         }
         self._changes = {mark.line: mark.number for mark in marks if not isinstance(mark.what, str)}
         self._ended = {ended for _, _, text in program.comments if (ended := _named(_TO, text))}
-        self._begun = ""  # the operation that a comment has begun, and none has ended
+        self._begun = ""  # name of the current operation, between its begin and end comments
         self._known: dict[int, Tool] = {}  # the tools described so far
         self.groups = [_Group(min([int(program.lines[0]), *(mark.line for mark in marks[:1])]), known=self._known)]
         listed, before = _listed(marks, cuts), 0
@@ -186,7 +193,7 @@ class _Groups:
             self._tool(mark.line, told, "" if _NO_NAME.match(text) else _MESSAGE.sub("", text))
 
     def _title(self, mark: _Mark, text: str) -> None:
-        """Take a comment that may be a title, and may name a tool that was described before."""
+        """Store the title in a comment, and the known tool whose number the comment names."""
         group = self.groups[-1]
         if group.number is None:
             number = number_named(text)
@@ -198,7 +205,7 @@ class _Groups:
             group.title, group.headings = title, (*group.headings, text)
 
     def _operation(self, text: str) -> str:
-        """Return the name of an operation in a comment, empty where it is a remark, or within a named operation."""
+        """Return the title in a comment; empty for a remark, and for a comment within a named operation."""
         begins = _named(_FROM, text)
         if begins in self._ended and not self._begun:
             self._begun = begins
@@ -209,21 +216,25 @@ class _Groups:
         return title
 
     def _tool(self, line: int, told: ToldTool, name: str) -> None:
-        """Take what a comment says of a tool: of the one that it numbers, or of the one that follows it."""
+        """Store the tool that a comment describes, under its number or else for the operation that follows."""
         group, number = self.groups[-1], told.number
         change = line if line in self._changes else group.change
         if number is None and change is not None and line not in self._changes:
-            number = self._named.get(line)  # behind a change it is got ready
+            number = self._named.get(line)  # a T word after a tool change preselects the next tool
         if number is not None:
             group.known = self._known = {**self._known, number: told.tool}
             group.tool_name = name if number == group.number else group.tool_name
         elif told.from_here or group.tool is None or change not in (None, group.told):
-            # What the line of a change tells stays, unless another tool is told to be the one from here on.
+            # Keep a tool that was described in the line of the tool change, unless the comment is from CutViewer
+            # (`from_here`) or a later tool change follows.
             group.tool, group.tool_name, group.told = told.tool, name, line
 
 
 def _named(pattern: re.Pattern[str], comment: str) -> str:
-    """Return the name of the operation in a comment that is of a pattern, with one group for each form; empty in others."""
+    """Return the operation's name that a pattern finds in a comment; empty if the pattern does not match.
+
+    The pattern has one group for each way to write the comment.
+    """
     found = pattern.fullmatch(comment.strip())
     return next(filter(None, found.groups())).strip() if found else ""
 
@@ -241,14 +252,24 @@ def _marks(program: Program) -> list[_Mark]:
 
 
 def _beside_a_move(program: Program, at: int, line: int) -> bool:
-    """Return whether a comment stands in the line of the command before which it is, a move: it says what that is for."""
+    """Return whether a comment is in the same line as a move, which it then explains.
+
+    Parameters
+    ----------
+    at : int
+        Index of the command that follows the comment.
+    line : int
+        Line of the comment.
+    """
     return at < len(program.commands) and program.lines[at] == line and not _AXES.isdisjoint(program.commands[at][1])
 
 
 def _listed(marks: list[_Mark], cuts: list[int]) -> set[tuple[int, str]]:
-    """Return the comments between two cuts, with how many cuts are before, that list tools which are changed to later.
+    """Return the comments that list later tools, as pairs of the number of cuts before the comment and its text.
 
-    They are said again where they are, of two other tools at least: what one says is often true of several.
+    A comment lists a later tool if its text is repeated at the change of another tool. A single repeated comment is not
+    a list, because one description may fit several tools: the comments between two cuts must belong to at least two
+    other tools.
     """
     placed = [(bisect_left(cuts, mark.at), mark.what) for mark in marks]
     tools = {place: what for place, what in placed if isinstance(what, (int, float))}
@@ -261,7 +282,7 @@ def _listed(marks: list[_Mark], cuts: list[int]) -> set[tuple[int, str]]:
 
 
 def _with_sizes(comments: Iterable[tuple[int, int, str]]) -> Iterator[tuple[int, int, str]]:
-    """Give comments, a tool's size together with the comment before it, which says what it is, or its name."""
+    """Yield the comments; join a tool's size to the comment before it, which contains the label or the tool's name."""
     before, size, next_line = "", False, 0
     for at, line, text in comments:
         joined = before and (size or (line == next_line and _ITS_DIAMETER.match(text)))
@@ -271,9 +292,12 @@ def _with_sizes(comments: Iterable[tuple[int, int, str]]) -> Iterator[tuple[int,
 
 
 def _cuts(program: Program) -> list[int]:
-    """Return the commands that cut; of a plunge and what is cut from where it leads along the plane, not the plunge."""
+    """Return the indices of the commands that cut.
+
+    A plunge counts only if no cut in the plane follows it, as in a drilled hole.
+    """
     cuts: list[int] = []
-    plunge: int | None = None  # where the tool began to go down to where it has not cut yet
+    plunge: int | None = None  # index of the first command of a plunge that no other move has followed yet
     motion, depth = "", 0.0
     for at, (name, words) in enumerate(program.commands):
         motion = name if name in MOTION_NAMES else motion

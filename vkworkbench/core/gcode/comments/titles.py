@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Which comments of an NC program are titles of operations, and which are remarks."""
+"""Separate titles of operations from remarks in the comments of an NC program."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ _TITLED = re.compile(
 # Fusion for Marlin, and SheetCam
 _BEFORE_TOOL = re.compile(r"(\S.*?) - milling - tool: \d+ - |operation: (\S.*?), T\d+: ", re.IGNORECASE)
 _STARTING = re.compile(r"starting (\S.*) op$")  # Kiri:Moto
-# Comments that are no titles: what post processors say of themselves, the machine, modes, and moves in an operation.
+# Comments that are not titles: remarks of post processors on themselves, the machine, modes, and moves in an operation.
 _REMARK = re.compile(
     r"""
     \W*$ | [-+.\d\s/:*x%]+$ | .{80} | .*(?:https?://|\.(?:cps|pp|ulp|h|stl|svg|brd|tpl|gmax|txt|nc|ngc|tap)\b)
@@ -54,9 +54,9 @@ _REMARK = re.compile(
 
 @lru_cache(maxsize=1000)
 def title_of(comment: str) -> str:
-    """Return the name of an operation in a comment, empty where it is a remark."""
+    """Return the name of an operation in a comment; empty if the comment is a remark."""
     text = comment.strip(" *-=#;:\t")
-    if re.fullmatch(r"\([^()]*\)", text):  # behind a semicolon
+    if re.fullmatch(r"\([^()]*\)", text):  # parentheses after a semicolon
         text = text[1:-1].strip()
     if before := title_before_tool(text):
         return before
@@ -66,6 +66,6 @@ def title_of(comment: str) -> str:
 
 
 def title_before_tool(comment: str) -> str:
-    """Return the name of an operation in a comment that goes on with its tool, empty where it is another one."""
+    """Return the name of the operation in a comment with an operation and its tool; empty for other comments."""
     found = _BEFORE_TOOL.match(comment.strip(" *-=#;:\t"))
     return (found[1] or found[2]).strip() if found else ""

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The tools of an NC program, as its comments describe them.
+"""Read the tools of an NC program from its comments.
 
 Fusion and HSMWorks write ``T1 D=6.35 CR=0. - ZMIN=-3. - flat end mill``, CamBam ``T6 : 6.0`` and
 ``TOOL/MILL,6.0,0.0,20.0,0``, Vectric and Estlcam ``End Mill {1/4 inch}`` and ``End mill 3mm``, Mastercam and CAMWorks
@@ -17,22 +17,25 @@ from functools import lru_cache
 from vkworkbench.core.gcode.moves.units import INCH
 from vkworkbench.core.tool import Tool
 
-_LARGEST, _LARGEST_BARE = 500.0, 150.0  # mm; 14 END MILL is no tool of 14 inches, 265bit none of 265 mm
+# Largest diameter with and without a unit, mm. If the second limit is higher, 14 END MILL becomes a tool of 14 inches
+# (356 mm), and 265bit a tool of 265 mm.
+_LARGEST, _LARGEST_BARE = 500.0, 150.0
 
 _NUMBER = r"(?:\d+(?:\.\d*|,\d+)?|[.,]\d+)"
 _FRACTION = r"(?:\d+[ -])?\d+/\d+"
 _SIZE = rf"(?P<size>{_FRACTION}|{_NUMBER})"
 _METRIC = ("mm", "мм", "m")  # M8: a metric thread
-_MM = r"mm(?![a-z\d_])"  # 6mm立铣刀: no space before words in Chinese
+_MM = r"mm(?![a-z\d_])"  # 6mm立铣刀: Chinese words follow without a space
 _UNIT = rf"\s*(?P<unit>{_MM}|мм\b|inch(?:es)?\b|in\b\.?|\"|'')?"
-_CHINESE = "[铣钻镗铰]刀|[球角头]刀|钻头|中心钻|丝锥"  # without a space before them
+_CHINESE = "[铣钻镗铰]刀|[球角头]刀|钻头|中心钻|丝锥"  # tool words, which need no space before them
 _MILLING_WORD = (
     r"end ?mills?(?![a-z])|mill\b|em\b|face ?mills?(?![a-z])|slot ?(?:cutter|drill)|(?<!laser )(?<!plasma )cutter\b|flycutter\b|ball ?(?:nose|end)|bull ?(?:nose|end)|v[- ]?bit|"
     r"engrav\w*\b(?!\s+(?:an?|the)\b)|chamfer\w*|router|bit\b|drills?\b|(?:spot|twist|start|step) ?drill|facing ?tool|reamer|tap\b|crb\b|carbide|"
     r"\w*fr(?:ä|ae|.)ser\b|bohrer|gravier\w*|freza|sverlo|fresa|broca|fraise|foret|frees|фреза|сверло|гравер|"
     + _CHINESE
 )
-# Of other languages' words for a tool only the first of a comment names one: "trajectoire d'outil 3" is a toolpath.
+# A word for "tool" in another language names a tool only at the beginning of a comment: "trajectoire d'outil 3" is a
+# toolpath.
 _NUMBERED = re.compile(
     r"(?:\b(?:T|tool(?:\s*(?:no\.?|nr\.?|number))?)"
     r"|^\W*(?:werkzeug|wkz\.?|wz\.?|outil|herramienta|ferramenta|utensile|narz[eę]dzie|n[aá]stroj|gereedschap|инструмент)"
@@ -45,30 +48,31 @@ _WORD = re.compile(
     rf"(?:\bdia(?:meter|m)?\b\.?|\bdiametro\b|\bdiámetro\b|\bdiamètre\b|\bdurchmesser\b|[øØ⌀φΦ]|\bдиаметр|\btool size)\s*[:=.\-]*\s*{_SIZE}{_UNIT}(?![\d.,]*\s*(?:mcl|loc|oal)\b)",
     re.IGNORECASE,
 )
-# Not the end of a range: SPOT DRILL .06 TO .125 DIA. makes holes of that size.
+# A number before "diameter". The end of a range is not a tool's diameter: SPOT DRILL .06 TO .125 DIA. drills holes
+# within this range.
 _BEFORE = re.compile(rf"(?<![\d.,/])(?<!\bto)(?<!\bto ){_SIZE}{_UNIT}\s*\bdia(?:meter|m)?\b", re.IGNORECASE)
-# .375_3/8 X 90 DEG. SPOT DRILL: what is said twice is the size.
+# .375_3/8 X 90 DEG. SPOT DRILL: a length that is given as a decimal and as a fraction is the diameter.
 _DECIMAL = re.compile(r"(?<![\w.,/#-])(?P<size>\d*[.,]\d+)(?P<across>)(?P<unit>)(?= \d+/\d)")
 _RADIUS = re.compile(rf"\btool radius\s*[:=]\s*{_SIZE}{_UNIT}", re.IGNORECASE)
 _CAMBAM = re.compile(rf"T\d+\s*:\s*(?P<size>{_NUMBER})", re.IGNORECASE)
 _CUTVIEWER = re.compile(
     r"TOOL/(?P<kind>MILL|DRILL|CHAMFER)\s*,\s*(?P<size>[\d.]+)(?:\s*,\s*(?P<second>[\d.]+))?", re.IGNORECASE
 )
-# Diameter and length, 10 x 72: with as much room before the x as behind it, unlike 2x 6mm.
+# Diameter and length, 10 x 72: spaces on both sides of the x or on neither, because 2x 6mm is two pieces of 6 mm.
 _ACROSS = rf"(?:(?:mm|in)?(?:\s+[x×]\s+|[x×])(?:{_FRACTION}|{_NUMBER}))*"
 _WITH_UNIT = rf"(?<![\d.,/])(?<!\bthan ){_SIZE}{_ACROSS}\s*(?P<unit>{_MM}|мм\b|inch(?:es)?\b|in\b|\")"
 _MEASURED = re.compile(rf"{_WITH_UNIT}(?!\s*(?:l|loc|oal)\b)", re.IGNORECASE)
-# What is measured behind the tool word may be its length as well.
+# A measure after the tool word may also be a length, so words for other measures must not follow it.
 _NO_LENGTH = re.compile(
     rf"{_WITH_UNIT}(?!\s*(?:l\b|loc\b|lo?ng|length|lang|lg\b|oal\b|deep|depth|shank|stick|holder|corner|rad|cr?\b|pitch))",
     re.IGNORECASE,
 )
-_SHORT = re.compile(rf"(?<![\w|])D(?P<size>{_NUMBER})(?![\w|])")  # D10; between bars it is an offset
-# FreeCAD converts the moves of a program to inches, and no comment.
+_SHORT = re.compile(rf"(?<![\w|])D(?P<size>{_NUMBER})(?![\w|])")  # D10; between vertical bars it is an offset
+# This comment of FreeCAD is always in mm: FreeCAD converts the moves of a program to inches, but not its comments.
 _IN_MM = re.compile(r"\W*compensated tool path\. diameter", re.IGNORECASE)
-# In what is said of compensation a D word names its register. And several sizes are those of several tools.
+# In a comment on cutter compensation, a D word is the number of an offset register.
 _COMPENSATION = re.compile(r"\bcomp(?:ensation)?\b|\bregister\b", re.IGNORECASE)
-_SEVERAL = re.compile(r"\bsizes\b", re.IGNORECASE)
+_SEVERAL = re.compile(r"\bsizes\b", re.IGNORECASE)  # a comment on several sizes describes several tools
 _LENGTH_OFFSET = re.compile(r"(?<!\w)H(\d{1,8})\b")
 _TOGETHER = re.compile(r"(?<=\btool)(?=Dia|Radius)")  # toolDiam: 0.125
 _IN_BOTH = re.compile(
@@ -82,23 +86,25 @@ _BARE = re.compile(
     rf"(?<![\w.,/#]){_SIZE}(?P<across>)(?P<unit>)(?={_KIND}\s*(?:{_MILLING_WORD}))",
     re.IGNORECASE,
 )
-# Directly before what the tool is: in a sentence about other things as well, this is its size.
+# A number directly before the tool word is the tool's diameter, even in a sentence with other numbers.
 _ATTACHED = re.compile(
     rf"(?<![\w.,/#]){_SIZE}(?P<across>{_ACROSS}){_UNIT}(?:\s*(?:flat|square|stub|hss))*(?=\s*(?:{_MILLING_WORD}))",
     re.IGNORECASE,
 )
-# DRILL 8.5; a whole number there may be anything, and behind a pointed tool it is an angle.
+# DRILL 8.5. A whole number after the tool word is ambiguous, and after a pointed tool it is an angle.
 _BEHIND = re.compile(
     rf"(?<![a-zà-ÿа-я])(?:{_MILLING_WORD})\s*(?P<size>{_FRACTION}|\d+[.,]\d*|[.,]\d+)(?P<unit>)$", re.IGNORECASE
 )
-# Behind a tool for threads it is their pitch; and the part has diameters, too.
+# A number after a threading tool is the pitch of the thread.
 _THREAD = re.compile(r"thread|gewinde|rosca|filet", re.IGNORECASE)
+# A diameter beside these words belongs to the part, not to the tool.
 _OF_PART = re.compile(r"\b(?:bore|boss|circle|hole|pocket)s?\b|bohrung|tasche", re.IGNORECASE)
-# A number in a table of drills, that of an operation, and of how many sizes there are.
+# Numbers that are not a diameter: in a table of drills, of an operation, and the number of sizes.
 _OTHER_NUMBER = re.compile(
     r"(?:#|\b(?:no|nr|op|job)\b\.?|\bnumber)\s*\d+(?![./\d])|(?<![\d./])\d+(?=(?:\s+\w+){0,2}\s+sizes\b)", re.IGNORECASE
 )
-# M8 X 1.25, 1/4-20: a thread's diameter, and its pitch or turns per inch. Of a pipe's thread the inches are no measure.
+# M8 X 1.25, 1/4-20: the diameter of a thread, and its pitch or its turns per inch. The nominal size of a pipe thread is
+# not its diameter.
 _TAP = re.compile(r"\btap\b(?!\s*drill)", re.IGNORECASE)
 _METRIC_THREAD = re.compile(
     rf"(?<![A-Za-z\d])(?P<unit>M)(?P<size>{_NUMBER})(?=\s*[-x×]\s*[\d.,].*\btap\b|\s*tap\b)", re.IGNORECASE
@@ -106,15 +112,15 @@ _METRIC_THREAD = re.compile(
 _INCH_THREAD = re.compile(
     rf"(?<![\d.,/])(?P<size>{_FRACTION})(?=\s*-\s*\d+(?!.*(?:npt|bsp|pipe)).*\btap\b|\s*tap\b)", re.IGNORECASE
 )
-# The drill of the hole for it has another diameter.
+# In a comment on a tap drill, the size of the tap is not the diameter of the drill.
 _FOR_TAP = re.compile(r"(?<=drill)\b.*\bfor\b.*\btap\b.*", re.IGNORECASE)
-# T9 3/16 HARVEY EM: behind a tool's number no other fraction stands than its diameter, and that of a thread (1/4-20).
+# T9 3/16 HARVEY EM: a fraction after a tool's number is the diameter of the tool or of a thread (1/4-20).
 _NEXT_TO_NUMBER = re.compile(rf"[\s:=-]*(?P<size>{_FRACTION})(?P<across>){_UNIT}(?!\s*-\s*\d)", re.IGNORECASE)
 _IS_TOOL = re.compile(rf"(?<![a-zà-ÿа-я])(?:{_MILLING_WORD})|{_CHINESE}", re.IGNORECASE)
 _CORNER = re.compile(rf"\b(?:CR|corner radius|torus_radius)\s*[=:]\s*(?P<size>{_NUMBER})", re.IGNORECASE)
 _TAPER = re.compile(rf"\bTAPER\s*=\s*(?P<size>{_NUMBER})\s*deg", re.IGNORECASE)
 _ANGLE = re.compile(rf"(?<![\d.,]){_SIZE}\s*(?:°|deg(?:ree)?s?\b)", re.IGNORECASE)
-# Directly before a pointed tool such a whole number is its angle, no size of 90 mm.
+# A common angle directly before a pointed tool is the tip angle, not a diameter of 90 mm.
 _BARE_ANGLE = re.compile(
     r"(?<![\w.,/#-])(?P<size>60|82|90|100|118|120|1[34]\d)(?=\s+(?:spot|cent(?:er|re)[- ]?drill|chamfer|countersink|engrav|v[- ]?bit))",
     re.IGNORECASE,
@@ -132,15 +138,16 @@ _SHAPES = (
 
 @dataclass(frozen=True)
 class ToldTool:
-    """What a comment says of a tool.
+    """A tool as a comment describes it.
 
     Attributes
     ----------
     number : int or None
-        Its number in the program, where the comment names it.
+        The tool's number in the program; None if the comment does not contain it.
     tool : Tool
     from_here : bool
-        Whether it is the tool of all that follows, as CutViewer's comments say; others may list what the program needs.
+        Whether all moves that follow use this tool, as after CutViewer's comments. Other comments may only list a tool
+        that the program needs later.
     """
 
     number: int | None
@@ -150,16 +157,17 @@ class ToldTool:
 
 @lru_cache(maxsize=1000)
 def tool_told(comment: str, *, inches: bool, of: int | None = None) -> ToldTool | None:
-    """Return the tool that a comment describes, None where it names no diameter.
+    """Return the tool that a comment describes; None if the comment contains no diameter.
 
     Parameters
     ----------
     comment : str
-        Without its parentheses.
+        Text of the comment, without its parentheses.
     inches : bool
-        Whether lengths without a unit are inches, as G20 says. A fraction (1/4) is always one of an inch.
+        Whether lengths without a unit are inches (G20). Fractions without a unit (1/4) are always inches.
     of : int, optional
-        The tool to which the comment's line changes: there a diameter is the tool's without a word that says so.
+        Number of the new tool if the comment is in the line of a tool change. A diameter in such a comment belongs to
+        the tool even if the comment has no tool word.
     """
     if len(comment) > _LONGEST:
         return None
@@ -179,24 +187,27 @@ def tool_told(comment: str, *, inches: bool, of: int | None = None) -> ToldTool 
 
 
 def number_named(comment: str) -> int | None:
-    """Return the number of the tool that a comment names, with or without its measures."""
+    """Return the tool number in a comment; None if there is none. The comment need not contain a diameter."""
     number = _NUMBERED.search(comment)
     return int(number["number"]) if number else None
 
 
 def _spaced(comment: str) -> str:
-    """Return a comment with its words apart, without the numbers of flutes, and a size once."""
+    """Return a comment with spaces between its words, without the number of flutes.
+
+    A size that is given in mm and in inches is kept in mm only.
+    """
     return _IN_BOTH.sub(_in_mm, _FLUTES.sub("", _TOGETHER.sub(" ", comment.replace("_", " "))))
 
 
 def _in_mm(both: re.Match[str]) -> str:
-    """Return a size that stands in mm and in inches in mm alone, two other numbers as they are."""
+    """Return the mm of a size in mm and inches; return the text unchanged if the two numbers are different sizes."""
     mm, from_inches = float(both["mm"][:-2]), float(both["inches"]) * INCH
     return both["mm"] if abs(from_inches - mm) < 0.02 * mm else both[0]
 
 
 def _size(comment: str, number: re.Match[str] | None) -> re.Match[str] | None:
-    """Return where a comment names a tool's diameter."""
+    """Return the match of a tool's diameter in a comment; None if the comment contains none."""
     written = _CAMBAM.fullmatch(comment.strip()) or _CUTVIEWER.match(comment.strip())
     if written:
         return written
@@ -215,20 +226,23 @@ def _size(comment: str, number: re.Match[str] | None) -> re.Match[str] | None:
     beside = _NEXT_TO_NUMBER.match(comment, number.end()) if number is not None and is_tool else None
     if beside and not _TAP.search(comment):
         return beside
-    if number is not None:  # "tool 1 1/4" is no tool of 1 1/4
+    if number is not None:  # "tool 1 1/4" is tool 1 with 1/4 inch, not a tool with 1 1/4 inches
         comment = f"{comment[: number.start()]}  {comment[number.end() :]}"
     comment = _without_offsets(_OTHER_NUMBER.sub("#", _BARE_ANGLE.sub("", comment)), number)
     if _TAP.search(comment):
         return _METRIC_THREAD.search(comment) or _INCH_THREAD.search(comment) or _NO_LENGTH.search(comment)
     found = [match for match in (_MEASURED.search(comment), _BARE.search(comment)) if match]
     size = _ATTACHED.search(comment) or min(found, key=re.Match.start, default=None)
-    if size is None or (number is None and _is_bare(size)):  # the tool's number may stand before the tool word, too
+    if size is None or (number is None and _is_bare(size)):  # a whole number may be the tool's number
         return _NO_LENGTH.search(comment) or _SHORT.search(comment) or size
     return size
 
 
 def _size_alone(comment: str, tool: int) -> re.Match[str] | None:
-    """Return the diameter in a comment that need not say that it is about a tool; D with that tool's number is an offset."""
+    """Return the match of a diameter in a comment in the line of a tool change, which need not contain a tool word.
+
+    A D word with the number of the tool is an offset, not a diameter.
+    """
     comment = comment.strip()
     short = _SHORT.fullmatch(comment)
     if short:
@@ -240,7 +254,10 @@ def _size_alone(comment: str, tool: int) -> re.Match[str] | None:
 
 
 def _without_offsets(comment: str, number: re.Match[str] | None) -> str:
-    """Return a comment without offsets: D words with the number of the tool, or of an H word, and of compensation."""
+    """Return a comment without the D words that are offsets.
+
+    A D word is an offset if its number is the number of the tool or of an H word, or if the comment is on compensation.
+    """
     if _COMPENSATION.search(comment):
         return _SHORT.sub("", comment)
     own = {int(offset) for offset in _LENGTH_OFFSET.findall(comment)} | ({int(number["number"])} if number else set())
@@ -248,12 +265,15 @@ def _without_offsets(comment: str, number: re.Match[str] | None) -> str:
 
 
 def _is_bare(size: re.Match[str]) -> bool:
-    """Whether a size is a whole number alone."""
+    """Return whether a size is a whole number without a unit and without a second measure."""
     return size["size"].isdigit() and not size["unit"] and not size["across"]
 
 
 def tells_inches(comment: str) -> bool:
-    """Whether a comment names a tool's diameter as a plain number and as the same fraction of an inch: DIA 0.5, 1/2 ENDMILL."""
+    """Return whether a comment gives a diameter as a plain number and as a fraction of an inch: DIA 0.5, 1/2 ENDMILL.
+
+    The plain number is then in inches, and so is the program.
+    """
     if "/" not in comment or len(comment) > _LONGEST:
         return False
     comment = _spaced(comment)
@@ -262,7 +282,7 @@ def tells_inches(comment: str) -> bool:
 
 
 def _also_a_fraction(comment: str, size: re.Match[str]) -> bool:
-    """Whether a comment names the same size as a fraction of an inch, too."""
+    """Return whether a comment also contains the size as a fraction of an inch."""
     if "/" in size["size"]:
         return False
     value = float(size["size"].replace(",", "."))
@@ -284,7 +304,7 @@ def _millimetres(size: re.Match[str], inches: bool) -> float:
 
 
 def _tool(comment: str, size: re.Match[str], diameter: float, inches: bool) -> Tool:
-    """Return the tool; impossible measures are not used."""
+    """Return the tool that a comment describes, without a corner radius or a tip angle that is impossible."""
     unit = INCH if inches else 1.0
     kind = size.groupdict().get("kind")
     shape = _shape(comment)
@@ -307,7 +327,7 @@ def _shape(comment: str) -> str:
 
 
 def _tip_angle(comment: str) -> float | None:
-    """Return the included angle of a tip, rad; Fusion's TAPER is the half of it where a side cuts."""
+    """Return the included angle of a tip, rad; for chamfer and engraving tools, Fusion's TAPER is half of it."""
     taper = _TAPER.search(comment)
     if taper:
         half = re.search(r"chamfer|fase|engrav|gravier|v-?bit", comment, re.IGNORECASE)
