@@ -1,13 +1,13 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Commands become a toolpath.
+"""Convert commands and NC programs into toolpaths.
 
-In: commands, as ``(name, parameters)`` pairs or FreeCAD's objects, in mm and mm/s.
-Out: `Toolpath`, straight trajectories with their source commands, and the problems met on the way.
-`Words` is the same commands as columns, for readers of words that trajectories do not keep.
-The text of an NC program becomes such commands by `read_program`; `split_sections` finds its operations and tools,
-and `title_of` tells titles of operations from other comments.
-`looks_like_inches` and `looks_like_increments` tell whether inches or thousandths were read as millimetres;
-`in_seconds` mends mm/min that were read as mm/s.
+Input: commands, as ``(name, parameters)`` pairs or FreeCAD's objects, in mm and mm/s.
+Output: `Toolpath`, straight trajectories with their source commands, and the problems found.
+`Words` holds the commands as columns, for code that needs words which trajectories do not keep.
+`read_program` converts the text of an NC program into commands; `split_sections` finds its operations and tools,
+and `title_of` separates titles of operations from other comments.
+`looks_like_inches` and `looks_like_increments` return whether inches or thousandths were read as millimetres;
+`in_seconds` corrects feeds in mm/min that were read as mm/s.
 """
 
 from vkworkbench.core.gcode.comments.sections import Section, split_sections

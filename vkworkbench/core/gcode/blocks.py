@@ -1,20 +1,21 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""One line of an NC program: its comments, its words, and what else stands in it."""
+"""Split one line of an NC program into comments, words and the remaining text."""
 
 from __future__ import annotations
 
 import re
 
-# A letter and its number: G1, X-.5, Z +2, X1.5E-05; spaces may stand between them (RS274/NGC, Kramer et al. 2000).
+# A word, a letter with a number: G1, X-.5, Z +2, X1.5E-05. Spaces between them are allowed (RS274/NGC, Kramer et al.
+# 2000).
 _WORD = re.compile(r"([A-Z])[ \t]*([-+]?(?:\d+(?:\.\d*)?|\.\d+)(?:E[-+]?\d+(?![.\d]))?)")
 _NO_COMMENT = frozenset("(;")
-LARGEST_NUMBER = 99_999_999  # of a tool or a program
+LARGEST_NUMBER = 99_999_999  # largest number of a tool, a block or a program
 
 
 def split_comments(line: str) -> tuple[str, list[str]]:
-    """Return a line without its comments, and their texts.
+    """Return a line without its comments, and the texts of the comments.
 
-    Comments stand in parentheses, which may be nested, or behind a semicolon.
+    A comment is text in parentheses, which may be nested, or the text after a semicolon.
     """
     if _NO_COMMENT.isdisjoint(line):
         return line, []
@@ -39,10 +40,10 @@ def split_comments(line: str) -> tuple[str, list[str]]:
 
 
 def split_words(code: str) -> tuple[list[tuple[str, float]], str]:
-    """Return the words of a line (in capitals, without comments), and the rest of the line that is no word."""
+    """Return the words of a line and its remaining text; the line is in capitals and has no comments."""
     parts = _WORD.split(code)
     rest = "".join(parts[::3]).strip()
-    if rest:  # spaces are allowed anywhere, within a number too
+    if rest:  # spaces are allowed anywhere, even within a number
         squeezed = _WORD.split("".join(code.split()))
         if not any(squeezed[::3]):
             parts, rest = squeezed, ""
@@ -50,5 +51,5 @@ def split_words(code: str) -> tuple[list[tuple[str, float]], str]:
 
 
 def whole(value: float, most: int) -> int:
-    """Return the nearest whole number, at least -1 and at most `most`."""
+    """Return a value, limited to -1 ... `most`, as the nearest whole number."""
     return round(max(-1.0, min(value, most)))

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Signs that a text is no milling program in G-code: another control's language, a lathe's, a 3D printer's."""
+"""Recognize texts that are not G-code for a mill: another control's language, or a program for another machine."""
 
 from __future__ import annotations
 
@@ -16,35 +16,40 @@ _SIEMENS = re.compile(
     r"=\s*(?:AC|IC|DC|ACP|ACN)\b|(?<![\w<])(?:MCALL|EXTCALL|WORKPIECE|SUPA|STOPRE)\b|\bT\s*=\s*\"|^\$PATH"
     r"|^(?:DEF\s+(?:REAL|INT|BOOL|STRING)|PROC|A?TRANS|A?ROT|A?MIRROR)\b"
 )
-# Words with an equals sign: corners, angles, polar coordinates, turns of a helix, and R parameters. At the beginning of a
-# line the former may be variables of an Okuma.
+# Words with an equals sign: corners, angles, polar coordinates, turns of a helix, and R parameters. Except for R
+# parameters, such a word at the beginning of a line may be a variable of an Okuma control.
 _SIEMENS_WORD = re.compile(
     r"^[A-Z]\s*[-+]?[\d.].*[\d.\s](?:AR|AP|RP|RND|RNDM|CHF|CHR|TURN)\s*="
     r"|(?<![A-Z#<])[A-Z]\s*=\s*-?\s*R\d|^R\d+\s*="
 )
 _SIEMENS_CYCLE = re.compile(r"^(?:/\d?\s*)?(?:N\s*\d+\s*)?(?:CYCLE\d+|POCKET\d|SLOT\d|HOLES\d|LONGHOLE)\s*\(")
 _LINE_NUMBER = re.compile(r"^N\s*\d+\s*")
-_VARIABLES = re.compile(r"#|IF|GOTO")  # lines in which any name may stand, of a Fanuc or a LinuxCNC
+_VARIABLES = re.compile(r"#|IF|GOTO")  # lines for a Fanuc control or for LinuxCNC, which may contain any name
 _TURNING = frozenset([7, 8, 32, 96])
 _TURNING_CYCLES = frozenset([70, 71, 72, 76])
 _PRINTER = frozenset([104, 109, 140, 190])
 _SLOWEST_MILLING = 2.0  # mm/min
-_EXTRUSIONS = 10  # moves; fewer E words may be typing errors
+_EXTRUSIONS = 10  # moves with an E word; up to this number, the E words may be typing errors
 
 
 def at_line(problem: Problem) -> Message:
-    """Return a problem as a message with how often it occurs; its command is counted as a line of the text."""
+    """Return the message for a problem in an NC program, with the problem's first line and its number of occurrences.
+
+    The problem's `command` must be a line of the text.
+    """
     return Message("at-line", what=problem.what, line=problem.command, count=problem.count)
 
 
 def refuse(text: str, code: str, line: int) -> None:
-    """Raise Unusable where a line is in another control's language.
+    """Raise Unusable if a line is in another control's language.
 
     Parameters
     ----------
     text, code : str
-        The line with and without its comments: parentheses are a comment, or hold the arguments of a cycle.
+        The line with and without its comments. `text` is needed because parentheses may also contain the arguments of a
+        Siemens cycle.
     line : int
+        Line of the text, counted from 1.
     """
     code = _LINE_NUMBER.sub("", code)
     if _VARIABLES.match(code):
@@ -56,18 +61,19 @@ def refuse(text: str, code: str, line: int) -> None:
 
 
 def check(blocks: int, strange: list[int], moves: bool, problems: tuple[Problem, ...]) -> None:
-    """Raise Unusable where a text is no NC program.
+    """Raise Unusable if a text is not an NC program, or contains no moves.
 
     Parameters
     ----------
     blocks : int
-        Lines that are neither empty nor a comment.
+        Number of lines read that contain more than comments.
     strange : list of int
-        Those of these lines that hold more than words.
+        Lines with text that cannot be read as words; variables and jumps do not count. More than half of the blocks: the
+        text is not an NC program.
     moves : bool
-        Whether any line moves a tool.
+        Whether any line moves the tool.
     problems : tuple of Problem
-        What was not read.
+        The parts of the program that were not read.
     """
     if 2 * len(strange) > blocks:
         raise Unusable(Message("no-words", part=len(strange), lines=blocks, line=strange[0]))
@@ -78,7 +84,7 @@ def check(blocks: int, strange: list[int], moves: bool, problems: tuple[Problem,
 
 
 class Clues:
-    """What the words of a program tell about the machine that it is for.
+    """Signs, found in the words of a program, of the machine for which the program was written.
 
     Attributes
     ----------
@@ -95,7 +101,7 @@ class Clues:
         self._turret: tuple[str, int] | None = None
         self._changer = False
         self._mills = False
-        self._per_turn: int | None = None  # the line of a G99 that is no cycle's
+        self._per_turn: int | None = None  # line of the last G99 outside of canned cycles; None after G98
         self._slow: tuple[str, int] | None = None
         self._printer: tuple[str, int] | None = None
         self._extrusions: list[int] = []
@@ -103,7 +109,7 @@ class Clues:
         self._names_y = self._along_y = False
 
     def g_code(self, number: int, letters: set[str], line: int) -> bool:
-        """Note a G-code that tells a machine; return whether it is a lathe's."""
+        """Note a G-code that indicates the machine; return whether the code is for a lathe."""
         cycle = number in _TURNING_CYCLES and not letters.isdisjoint("PQUW") and "Y" not in letters
         if self._turning is None and (number in _TURNING or cycle):
             self._turning = f"G{number}", line
@@ -113,32 +119,39 @@ class Clues:
         return number in _TURNING or cycle
 
     def m_code(self, value: float, letters: set[str], line: int) -> None:
-        """Note an M-code that tells a machine; those of a printer set a temperature, on a mill they are anything."""
+        """Note an M-code that indicates the machine.
+
+        M104, M109, M140 and M190 indicate a 3D printer only with an S or R word, the temperature. On mills, these codes
+        have various meanings.
+        """
         if value in _PRINTER and self._printer is None and not letters.isdisjoint("SR"):
             self._printer = f"M{value:g}", line
         self._changer |= value == 6
 
     def tool(self, number: int, line: int) -> None:
-        """Note a tool; T0101 is one in a turret, with its offset."""
+        """Note a tool number; T0101 is tool 1 with offset 1 in the turret of a lathe."""
         if self._turret is None and 0 < number < 10_000 and number % 101 == 0:
             self._turret = f"T{number:04}", line
 
     def feed(self, codes: list[int], parameters: dict[str, float], mode: int, feed: float, line: int) -> None:
-        """Note the feed rate of a line: below 2 mm a minute it is one per turn, as G98 and G99 switch it on a lathe.
+        """Note the feed rate of a line: a lathe uses G99 for feed per turn, and G98 for feed per minute.
+
+        A feed rate below 2 mm/min is too slow for milling, so it is probably a feed per turn.
 
         Parameters
         ----------
         codes : list of int
             The line's G-codes, in tenths.
         parameters : dict
-            Its words.
+            The line's words, without G, M, S, T, N and O words.
         mode : int
-            The motion that is in force.
+            The motion in force, in tenths of its G-code.
         feed : float
-            Its feed rate, mm/min; 0 where there is none.
+            The line's feed rate, mm/min; 0 without an F word, and under G93 and G95.
         line : int
+            Line of the text, counted from 1.
         """
-        if mode in CYCLES:  # G98 and G99 tell how they end
+        if mode in CYCLES:  # with a canned cycle, G98 and G99 select the height after the cycle
             return
         if 980 in codes or 990 in codes:
             self._per_turn = line if 990 in codes else None
@@ -153,7 +166,7 @@ class Clues:
         for letter in "ABC":
             value = parameters.get(letter)
             if value is not None and value != self._turns.get(letter):
-                if cuts and (value or letter in self._turns):  # it stands at 0 before its first word
+                if cuts and (value or letter in self._turns):  # an axis is at 0 before its first word
                     self.rotary.append(line)
                 self._turns[letter] = value
         if self._incremental is None and not {"U", "W"}.isdisjoint(parameters):
@@ -164,7 +177,7 @@ class Clues:
             self._wire.append(line)
 
     def arc(self, letters: set[str], line: int) -> None:
-        """Note an arc in X and Z: a mill needs a G18 before it, a lathe knows no other plane."""
+        """Note an arc in X and Z without a G18 before it: on a lathe, XZ is the only plane."""
         if self._plane is None and "Z" in letters and letters.isdisjoint("YJ"):
             if "K" in letters:
                 self._plane = "K", line
@@ -172,12 +185,15 @@ class Clues:
                 self._plane = "R", line
 
     def y(self, moves: bool) -> None:
-        """Note a Y word, and whether it moves the tool, as on no lathe: those for turning and milling name Y0 as well."""
+        """Note a Y word, and whether it moves the tool along Y.
+
+        A program for a lathe does not move the tool along Y, but a program for turning and milling may contain Y0.
+        """
         self._names_y = True
         self._along_y |= moves
 
     def other_machine(self) -> Message | None:
-        """Return the other machine that the program is for, with the sign of it; None for a mill."""
+        """Return a message with the machine for which the program was written, and the sign of it; None for a mill."""
         heats = None if self._mills or self._changer else self._printer
         if heats or len(self._extrusions) > _EXTRUSIONS:
             name, line = heats or ("E", self._extrusions[0])

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The text of an NC program becomes commands, in mm and mm/s.
+"""Convert the text of an NC program into commands, in mm and mm/s.
 
-The dialect is that of RS274/NGC (Kramer, Proctor and Messina, NISTIR 6556, 2000) with what Fanuc, Haas, Mach3, grbl
-and LinuxCNC add; of Heidenhain's DIN/ISO the moves are read. Here each line becomes words; what these do, the interpreter
-knows.
+The dialect is RS274/NGC (Kramer, Proctor and Messina, NISTIR 6556, 2000) with additions from Fanuc, Haas, Mach3, grbl
+and LinuxCNC. Heidenhain's DIN/ISO is read as far as it moves the tool. This module splits each line into words; the
+interpreter converts the words into commands.
 """
 
 from __future__ import annotations
@@ -27,40 +27,44 @@ _OKUMA_LETTERS = re.compile(r"(?<![A-Z])([HD])[ABC](?![A-Z\d=])")
 _COOLANT = frozenset([("M", 7.0), ("M", 8.0), ("M", 9.0)])
 _DWELL = ("G", 4.0)
 _MODES = frozenset([*(("G", float(code)) for code in (20, 21, 40, 90, 91, 92)), ("M", 3.0), ("M", 4.0), ("M", 5.0)])
-_HEIDENHAIN_NAME = re.compile(r"(?:N\s*\d+\s*)?%\s*\S+\s+G(7[01])$")  # a program's first line, and its last
-_PERCENT = re.compile(r"(?:N\s*\d+\s*)?%")  # with a block number, too
+_HEIDENHAIN_NAME = re.compile(r"(?:N\s*\d+\s*)?%\s*\S+\s+G(7[01])$")  # first and last line of a program
+_PERCENT = re.compile(r"(?:N\s*\d+\s*)?%")  # a block number may precede the sign
 _BLOCK_DELETE = re.compile(r"^(N\s*\d+\s*)?(?:/\d?\s*)+")
-# What asks or unlocks a grbl, and what a Fanuc or Haas prints: nothing of it moves.
+# Queries and unlock commands for grbl, and print commands for Fanuc and Haas. These lines do not move the tool.
 _SAYS = re.compile(r"\?|\$[$#GINXC]?|(?:N\s*\d+\s*)?(?:POPEN|PCLOS|[BD]PRNT\s*\[.*)")
 _RETURN = re.compile(r"M\s*99(?!\d)")
-# By which Fanuc rounds or chamfers the corner behind a move, or tells its direction.
+# Fanuc's words for rounding (,R) or chamfering (,C) the corner after a move, and for the angle of a move (,A).
 _CORNER = re.compile(r",\s*([RCA])\s*[-+]?(?:\d+\.?\d*|\.\d+)")
-# Siemens' radius of an arc, CR=10, and its other way to write a word, X=10.
+# Siemens' radius of an arc, CR=10, and Siemens' spelling of a word with an equals sign, X=10.
 _EQUALS = re.compile(r"(?<![A-Z])(?:CR|([A-Z]))\s*=\s*(?=[-+]?\.?\d)")
 _SUB = re.compile(r"^\s*(?:N\s*\d+\s*)?O\s*(?:\d+|<[^>]*>|\[[^]]*\])\s*(SUB|ENDSUB)\b")
 # A word whose number is a variable or an expression: X#1, Z#<depth>, Y[1 + 2].
 _MACRO_WORD = re.compile(r"[A-Z]\s*[-+]?\s*(?:#+(?:\d+|<[^>]*>)|\[[^\[\]]*(?:\[[^\[\]]*\][^\[\]]*)*\])")
-_DEEPEST, _MOST_CALLED = 10, 1_000_000  # calls within calls; lines that are read in calls, each time again
+# Largest depth of calls within calls; largest number of lines read in calls, counted once for each call.
+_DEEPEST, _MOST_CALLED = 10, 1_000_000
 
 
 def read_program(text: str) -> Program:
     """Read the text of an NC program.
 
-    Lines with a block delete (``/``) are read as those without. What follows M30 is read as part of the same program,
-    up to the number of another one; where a block is called (M97), it is a subprogram. Subprograms of the same text, called
-    by M98 or M97, are run where they are called, as if all their words stood in the line of the call. Variables stand for the
-    number that they were set to. Other variables, all in programs with jumps, expressions, and subprograms that are called
-    otherwise or stand elsewhere are not read; each of these is a problem with its line.
+    Lines with a block delete (``/``) are read like other lines, and reported. Lines after M2 or M30 are read as part of
+    the program, up to the number of another program. If the program calls its own blocks (M97, or M98 with Q), the
+    lines after the end are subprograms, and are read only at their calls. A subprogram in the same text, called with
+    M98 or M97, is read at each call, as if all its words were in the line of the call. A variable is replaced by the
+    number that the program assigns to it.
+
+    Not read, but reported as a problem with the line: other variables, all variables in programs with jumps,
+    expressions, subprograms outside of this text, and subprograms that are called in other ways.
 
     Parameters
     ----------
     text : str
-        Lines end with any line end.
+        Text of the program, with any kind of line ends.
 
     Raises
     ------
     Unusable
-        If it is no NC program, or one of a control with a language of its own.
+        If the text is not an NC program, contains no moves, or is written in the language of another control.
     """
     lines = text.replace("\r\n", "\n").replace("\r", "\n").split("\n")
     reader = _Reader(lines)
@@ -78,7 +82,8 @@ class _Reader:
     Attributes
     ----------
     number : int
-        Of the line that is read, counted from 1; in a subprogram that of its call, so that they never descend.
+        The current line, counted from 1. In a subprogram, the line of the call, so that the lines of the commands never
+        decrease.
     """
 
     def __init__(self, lines: list[str]) -> None:
@@ -89,18 +94,18 @@ class _Reader:
         self.comments: list[tuple[int, int, str]] = []
         self.in_calls: set[int] = set()
         self.in_subprogram = 0
-        self.in_called = False  # in a subprogram that is not read where it stands
-        self.passed: list[int] = []  # indices of the lines with the numbers of those
+        self.in_called = False  # whether this line belongs to a subprogram that is read only at its calls
+        self.passed: list[int] = []  # indices of lines with the number of a subprogram that is read only at its calls
         self.ran: set[int] = set()  # indices of the lines that were read in calls
-        self.calls: list[int] = []  # first lines of the subprograms that are run, each called by the one before
-        self.lent = 0  # how many lines were read in calls
+        self.calls: list[int] = []  # first lines of the current subprograms, from the outermost call to the innermost
+        self.lent = 0  # number of lines read in calls; a line is counted at each call
         self.deleted = False  # whether this line has a block delete
         self.number = 0
         self.blocks = 0
         self.strange: list[int] = []
 
     def line(self, index: int) -> bool:
-        """Read one line; return whether it ends the program, or the subprogram in which it is read."""
+        """Read one line; return whether the line ends the program, or the current subprogram."""
         line = self.lines[index]
         code, comments = split_comments(line)
         code = code.strip().upper()
@@ -113,7 +118,7 @@ class _Reader:
         self.deleted = "/" in code and _BLOCK_DELETE.match(code) is not None
         if self.deleted:
             code = _BLOCK_DELETE.sub(r"\1", code)
-        if code[:4] == "M117":  # shows the rest of its line
+        if code[:4] == "M117":  # the rest of the line is a message to the operator
             code, comments = "", [line.strip()[4:].strip()]
         if not code:
             self._keep(comments)
@@ -137,7 +142,7 @@ class _Reader:
         return None
 
     def _skips(self, index: int, code: str) -> bool:
-        """Return whether a line belongs to a subprogram that is read at its calls, not where it stands."""
+        """Return whether a line belongs to a subprogram that is read only at its calls."""
         if code[0] in "O:":
             program = PROGRAM_NUMBER.match(code)
             called = program is not None and int(program[1]) in self.subprograms.called
@@ -150,7 +155,13 @@ class _Reader:
         return True
 
     def _block(self, index: int, code: str, comments: list[str]) -> bool:
-        """Have the machine do what the words of a line's code say; return as `line`."""
+        """Pass the words of a line to the interpreter, and run the subprogram that the line calls.
+
+        Returns
+        -------
+        bool
+            Whether the line ends the program, or the current subprogram.
+        """
         self.blocks += 1
         plain, rest = split_words(code)
         words = self._strange(self.lines[index], code, rest) if rest or self.in_subprogram else plain
@@ -158,19 +169,22 @@ class _Reader:
             self._keep(comments)
             return False
         letters = {letter for letter, _ in words}
-        if "L" in letters and letters <= {"N", "L", "P"}:  # Siemens calls by L10 P3, Fadal by L0103
+        if "L" in letters and letters <= {"N", "L", "P"}:  # a subprogram call: L10 P3 (Siemens) or L0103 (Fadal)
             self._problem(Message("subprogram-not-read"))
         if letters.isdisjoint("XYZ") or not letters.isdisjoint("TMO"):
             self._keep(comments if not letters.isdisjoint("TO") else _no_explanations(words, comments))
         ended = self.machine.block(self.number, words, letters, deleted=self.deleted)
-        if self.calls and not self.deleted:  # also M99 P returns
+        if self.calls and not self.deleted:  # M99 with a P word also returns to the caller
             ended |= _RETURN.search(code) is not None
         if self.machine.call is not None:
             self._call(self.machine.call, dict(words), index)
         return ended
 
     def _call(self, m_code: float, words: dict[str, float], caller: int) -> None:
-        """Run a subprogram of the same text; tell where that cannot be, or would have no end."""
+        """Run a subprogram in the same text; report a problem if it is not found or calls itself.
+
+        Also report a call that is nested deeper than `_DEEPEST`, or exceeds the `_MOST_CALLED` lines.
+        """
         found = self.subprograms.find(m_code, words, caller)
         if found is None or found[0] in self.calls or len(self.calls) == _DEEPEST:
             self._problem(Message("subprogram-not-read"))
@@ -182,7 +196,7 @@ class _Reader:
         self.calls.pop()
 
     def _run(self, first: int) -> bool:
-        """Run the subprogram that begins at a line; return whether it came to its end, before too much was run."""
+        """Run the subprogram that begins at a line; return whether its end was reached within `_MOST_CALLED` lines."""
         for index in range(first, self.subprograms.end(first)):
             if self.lent == _MOST_CALLED:
                 return False
@@ -202,14 +216,14 @@ class _Reader:
         self.machine.problem(what, self.number if line is None else line)
 
     def _strange(self, line: str, code: str, rest: str) -> list[tuple[str, float]] | None:
-        """Return the words of a line that holds more than words; None if it cannot be read."""
+        """Return the words of a line that also contains other text; None if the line cannot be read."""
         if self._of_subprogram(code):
             return None
         if "#" in rest:
             code = self.variables.put_in(code)
             if not code:
                 return None
-        if code[0] == "<":  # of a drawing or a web page, whose equals signs tell no variables
+        if code[0] == "<":  # XML or HTML: an equals sign does not assign a variable
             self._no_words()
             return None
         dialects.refuse(line.strip().upper(), code, self.number)
@@ -224,12 +238,15 @@ class _Reader:
             return None if rest else words
         if rest in ("", "N") or (rest != ":" and PROGRAM_NUMBER.fullmatch(rest)):  # N without a number; :1000
             return words
-        if rest != ":":  # some write it before a comment without parentheses
+        if rest != ":":  # some programs have a colon before a comment without parentheses
             self._no_words()
         return None
 
     def _of_subprogram(self, code: str) -> bool:
-        """Return whether a line begins, ends or belongs to a subprogram of named blocks, which is not read."""
+        """Return whether a line belongs to a LinuxCNC subprogram, from O word with SUB to O word with ENDSUB.
+
+        Subprograms of this kind are not read.
+        """
         subprogram = _SUB.match(code)
         if subprogram:
             self._problem(Message("subprogram-not-read"))
@@ -237,7 +254,7 @@ class _Reader:
         return subprogram is not None or self.in_subprogram > 0
 
     def _common_spelling(self, code: str) -> str:
-        """Return the code with words that only some controls write left out (,R) or respelled (HA, X=)."""
+        """Return the code in the common spelling: ``,R`` is left out and reported, ``HA`` and ``X=`` are respelled."""
         _, rest = split_words(code)
         if "," in rest:
             for letter in _CORNER.findall(code):
@@ -256,7 +273,7 @@ class _Reader:
         self._problem(Message("words-not-read"))
 
     def after_end(self, first: int) -> None:
-        """Tell of moves from this line on that were not read."""
+        """Report the first move at or after this line (an index) that was not read in a call."""
         for index in range(first, len(self.lines)):
             if index in self.ran:
                 continue
@@ -282,14 +299,15 @@ class _Reader:
 
 
 def _no_explanations(words: list[tuple[str, float]], comments: list[str]) -> list[str]:
-    """Return the comments of a line without those that say what coolant it is, why it waits, or what a mode is.
+    """Return the comments of a line, without comments that explain the line's codes.
 
-    So do those beside a spindle's or a laser's speed and start.
+    All comments beside a coolant code are explanations. Beside a dwell, a mode (`_MODES`), or only a feed rate or speed,
+    all comments are explanations except for descriptions of tools.
     """
     codes = {word for word in words if word[0] in "GM"}
     if not _COOLANT.isdisjoint(codes):
         return []
     says_modes = bool(codes) or any(letter in "SF" for letter, _ in words)
-    if _DWELL in codes or (says_modes and codes <= _MODES):  # pcb2gcode waits beside the next tool
+    if _DWELL in codes or (says_modes and codes <= _MODES):  # pcb2gcode describes the next tool beside a dwell
         return [comment for comment in comments if tool_told(comment, inches=False) is not None]
     return comments

@@ -1,5 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Where the subprograms of an NC program's text are, which are called by M98 with their number or a block's (Q), by Haas' M97 with a block's."""
+"""Find the subprograms in the text of an NC program.
+
+M98 calls a program by its number (P), or a block by its number (Q); Haas' M97 calls a block by its number (P).
+"""
 
 from __future__ import annotations
 
@@ -12,13 +15,13 @@ from vkworkbench.core.gcode.blocks import LARGEST_NUMBER, split_comments, split_
 
 PROGRAM_NUMBER = re.compile(r"[O:]\s*(\d{1,8})\b(?!\s*[A-Z]{2})")
 _BLOCK = re.compile(r"\s*(?:/\d?\s*)?N\s*(\d{1,8})(?![\d.])", re.IGNORECASE)
-_CALLS = frozenset([("M", 98.0), ("M", 198.0), ("G", 65.0), ("G", 66.0)])  # of the program whose number is the P word
-_CALL_LETTERS = frozenset("PpOo:")  # of calls, and of the programs in which they stand
-_TIMES = 10_000  # P31000 is three times 1000 where there is no 31000
+_CALLS = frozenset([("M", 98.0), ("M", 198.0), ("G", 65.0), ("G", 66.0)])  # codes that call the program with number P
+_CALL_LETTERS = frozenset("PpOo:")  # letters in lines with a call or with the number of a program
+_TIMES = 10_000  # P31000 calls program 1000 three times if the text contains only program 1000
 
 
 def calls_block(m_code: float, letters: Collection[str]) -> bool:
-    """Return whether an M-code calls a block of its own program, by the words beside it."""
+    """Return whether an M-code, with the letters of the line's words, calls a block of its own program."""
     return m_code == 97 or (m_code == 98 and "Q" in letters and "P" not in letters)
 
 
@@ -28,13 +31,14 @@ class Subprograms:
     Parameters
     ----------
     lines : list of str
+        The whole text.
 
     Attributes
     ----------
     called : set of int
-        Numbers of the programs that others call as subprograms.
+        Numbers of the programs that another program calls as a subprogram.
     heads : list of int
-        Indices of the lines with a program's number.
+        Indices of the lines with a program's number, ascending.
     """
 
     def __init__(self, lines: list[str]) -> None:
@@ -60,46 +64,49 @@ class Subprograms:
         self.called = {number for caller, number in called if number != caller}
 
     def find(self, m_code: float, words: dict[str, float], caller: int) -> tuple[int, int] | None:
-        """Return the index of a subprogram's first line, and how often it is to be run; None where it is not in this text.
+        """Return the index of a subprogram's first line, and the number of runs; None if it is not in this text.
 
         Parameters
         ----------
         m_code : float
-            Of the call.
+            The M-code that calls the subprogram.
         words : dict
-            The words beside it.
+            The words of the line.
         caller : int
             Index of the line with the call.
         """
         if "P" not in words and not calls_block(m_code, words.keys()):
             return None
         number, times, first = whole(words.get("P", 0.0), LARGEST_NUMBER), 1, None
-        if m_code == 98 and "Q" in words:  # Fanuc: from that block on, of this program where P names no other
+        if m_code == 98 and "Q" in words:  # Fanuc: run from block Q of program P, or of this program without P
             head = self._first.get(number) if "P" in words else self._head(caller)
             first = None if head is None else self._blocks.get((head, whole(words["Q"], LARGEST_NUMBER)))
         elif m_code == 97:
             first = self._blocks.get((self._head(caller), number))
-        elif m_code == 98:  # M198 calls from another place
+        elif m_code == 98:  # M198 calls a program outside of this text
             if number not in self._first:
                 times, number = divmod(number, _TIMES)
             first = self._first.get(number)
-        if first is None or (m_code == 98 and first == self._head(caller)):  # which would call itself for ever
+        if first is None or (m_code == 98 and first == self._head(caller)):  # the program would call itself for ever
             return None
         return first, whole(words.get("L", times), LARGEST_NUMBER)
 
     def end(self, first: int) -> int:
-        """Return the index of the line before which a subprogram ends, at the latest: that of the next program's number."""
+        """Return the index of the line with the next program's number, or the number of lines if there is none.
+
+        The subprogram ends before this line, or earlier with M99.
+        """
         after = bisect_right(self.heads, first)
         return self.heads[after] if after < len(self.heads) else len(self._lines)
 
     def _head(self, index: int) -> int:
-        """Return the index of the line with the number of the program in which a line stands; -1 where there is none."""
+        """Return the index of the line with the number of the program that contains a line; -1 if there is none."""
         before = bisect_right(self.heads, index)
         return self.heads[before - 1] if before else -1
 
     @cached_property
     def _blocks(self) -> dict[tuple[int, int], int]:
-        """Index of the first line of each number, of each program on its own."""
+        """Index of the first line with a block number (N), for each pair of a program's head and a block number."""
         blocks: dict[tuple[int, int], int] = {}
         for index, line in enumerate(self._lines):
             number = _BLOCK.match(line)

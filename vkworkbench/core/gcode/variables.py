@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Variables that stand for numbers: #1=-3, then G1 Z#1.
+"""Replace variables by numbers: #1=-3, then G1 Z#1.
 
-Boards' exporters write the depth and the feed rates so, at the top of the program, for people to change them there.
+Exporters for circuit boards write depths and feed rates as variables at the top of the program, where users can change
+them.
 """
 
 from __future__ import annotations
@@ -11,7 +12,7 @@ from collections.abc import Iterable
 
 from vkworkbench.core.gcode.blocks import split_comments
 
-# Where lines are read in another order than they stand, or several times, a number is not the one that was set last.
+# Words for jumps, loops and calls, after which the value of a variable may differ from its last assignment in the text.
 FLOW = re.compile(r"\b(IF|THEN|ELSE|WHILE|GOTO|DO\s*\d|END\s*\d|ENDIF|ENDWHILE|REPEAT)|^O\s*[\d<].*\b(SUB|CALL|DO)\b")
 _NAME = r"(?<!#)#\s*(\d+|<[^<>]*>)"
 _NUMBER = r"[-+]?(?:\d+\.?\d*|\.\d+)"
@@ -22,7 +23,7 @@ _BRACKETS = re.compile(rf"\[\s*({_NUMBER})\s*\]")
 
 
 class Variables:
-    """The numbers that the variables of a program stand for, up to the line that is read.
+    """The numbers assigned to the variables of a program, up to the current line.
 
     Parameters
     ----------
@@ -36,9 +37,15 @@ class Variables:
         self._numbers: dict[str, str] = {}
 
     def put_in(self, code: str) -> str:
-        """Return a line in capitals with the numbers of its variables, empty where it only sets one to a number.
+        """Return a line with its variables replaced by their numbers; empty if the line only assigns a number.
 
-        What is set to anything else, and all where the program has jumps or loops, stays.
+        A variable without a known number is not replaced. A line that assigns anything else than a number is returned
+        unchanged, and so is every line of a program with jumps or loops.
+
+        Parameters
+        ----------
+        code : str
+            The line in capitals, without comments.
         """
         if self._straight is None:
             self._straight = not any(FLOW.search(split_comments(line)[0].strip().upper()) for line in self._lines)
@@ -66,5 +73,5 @@ class Variables:
 
 
 def _plain(name: str) -> str:
-    """Return a variable's name as LinuxCNC compares them, without spaces."""
+    """Return the name of a variable without spaces, because LinuxCNC ignores spaces in names."""
     return "".join(name.split())
