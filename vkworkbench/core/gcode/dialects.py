@@ -68,8 +68,8 @@ def check(blocks: int, strange: list[int], moves: bool, problems: tuple[Problem,
     blocks : int
         Number of lines read that contain more than comments.
     strange : list of int
-        Lines with text that cannot be read as words; variables and jumps do not count. More than half of the blocks: the
-        text is not an NC program.
+        Lines with text that cannot be read as words; variables and jumps do not count. A text in which more than half
+        of the `blocks` are strange is not an NC program.
     moves : bool
         Whether any line moves the tool.
     problems : tuple of Problem

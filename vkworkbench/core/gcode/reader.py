@@ -30,7 +30,7 @@ _MODES = frozenset([*(("G", float(code)) for code in (20, 21, 40, 90, 91, 92)), 
 _HEIDENHAIN_NAME = re.compile(r"(?:N\s*\d+\s*)?%\s*\S+\s+G(7[01])$")  # first and last line of a program
 _PERCENT = re.compile(r"(?:N\s*\d+\s*)?%")  # a block number may precede the sign
 _BLOCK_DELETE = re.compile(r"^(N\s*\d+\s*)?(?:/\d?\s*)+")
-# Queries and unlock commands for grbl, and print commands for Fanuc and Haas. These lines do not move the tool.
+# Lines that do not move the tool: queries and unlock commands for grbl, and print commands for Fanuc and Haas.
 _SAYS = re.compile(r"\?|\$[$#GINXC]?|(?:N\s*\d+\s*)?(?:POPEN|PCLOS|[BD]PRNT\s*\[.*)")
 _RETURN = re.compile(r"M\s*99(?!\d)")
 # Fanuc's words for rounding (,R) or chamfering (,C) the corner after a move, and for the angle of a move (,A).
@@ -301,8 +301,8 @@ class _Reader:
 def _no_explanations(words: list[tuple[str, float]], comments: list[str]) -> list[str]:
     """Return the comments of a line, without comments that explain the line's codes.
 
-    All comments beside a coolant code are explanations. Beside a dwell, a mode (`_MODES`), or only a feed rate or speed,
-    all comments are explanations except for descriptions of tools.
+    All comments beside a coolant code are explanations. Beside a dwell, a mode (`_MODES`), or only a feed rate or
+    speed, all comments are explanations except for descriptions of tools.
     """
     codes = {word for word in words if word[0] in "GM"}
     if not _COOLANT.isdisjoint(codes):
