@@ -7,13 +7,15 @@ from dataclasses import dataclass
 
 import numpy as np
 
-KILOMETRE = 1e6  # mm; an arc of such a radius is a line
-LARGEST_CIRCLE = 1e4  # mm; a larger arc of more than half a turn has a centre that was rounded to the wrong side
-LARGEST_STEP = np.pi / 4  # a chord never spans more, so that tiny circles keep their directions
-SMALLEST_STEP = 1e-9  # rad; finer chords would not fit into memory
+KILOMETRE = 1e6  # mm; an arc with this radius or a larger one is read as a line
+# Largest radius of an arc of more than half a turn, mm. An arc with a larger radius is read as a line, because rounding
+# moved its centre to the wrong side.
+LARGEST_CIRCLE = 1e4
+LARGEST_STEP = np.pi / 4  # rad, largest angle of a chord; with larger angles, tiny circles lose their directions
+SMALLEST_STEP = 1e-9  # rad, smallest angle of a chord; finer chords would not fit into memory
 SAME_POINT = 1e-6  # mm; FreeCAD saves 6 decimals
-SAME_DIRECTION = 5e-7  # rad; to Grbl an arc of less is a full circle
-ROUNDED = 0.02  # mm; a program of inches may have three decimals
+SAME_DIRECTION = 5e-7  # rad; grbl reads a smaller sweep as a full circle
+ROUNDED = 0.02  # mm, largest rounding error of an end point; a program in inches may have three decimals
 
 
 @dataclass(frozen=True)
@@ -25,11 +27,11 @@ class Arcs:
     centre : (m, 2) float64
         In-plane centre, mm.
     sweep : (m,) float64
-        Exact sweep, rad, counter-clockwise positive; 0 where the arc is to be read as a line.
+        Exact sweep, rad, counter-clockwise positive; 0 if the arc is read as a line.
     radius : (m, 2) float64
         Radius at the start and at the end, mm.
     degenerate : (m,) bool
-        True where the centre is missing or impossible, so that the arc is read as a line.
+        True if the centre is missing or impossible, so that the arc is read as a line.
     """
 
     centre: np.ndarray
@@ -39,7 +41,7 @@ class Arcs:
 
     @property
     def gap(self) -> np.ndarray:
-        """How far the arcs end from the circles on which they begin, (m,) mm."""
+        """Distance between the end point of each arc and the circle through its start point, (m,) mm."""
         gap: np.ndarray = np.abs(self.radius[:, 1] - self.radius[:, 0])
         return gap
 
@@ -52,20 +54,20 @@ def resolve(
     radius_word: np.ndarray,
     absolute_centre: np.ndarray,
 ) -> Arcs:
-    """Find centre and sweep of arcs given by centre words or by a radius word.
+    """Compute the centre and the sweep of arcs from their centre words or their radius word.
 
     Parameters
     ----------
     start, end : (m, 2) float64
         In-plane end points, mm.
     clockwise : (m,) bool
-        G2.
+        True for G2.
     offset : (m, 2) float64
-        Centre words (I, J in G17), NaN where absent.
+        Centre words (I, J in G17), mm; NaN where absent.
     radius_word : (m,) float64
-        R, NaN where absent; negative for more than half a turn.
+        R word, mm; NaN where absent, negative for more than half a turn.
     absolute_centre : (m,) bool
-        G90.1: the centre words are coordinates, not offsets from the start.
+        True under G90.1: the centre words are coordinates, not offsets from the start.
     """
     chord = end - start
     distance = np.hypot(chord[:, 0], chord[:, 1])
@@ -75,7 +77,7 @@ def resolve(
 
     by_radius = ~by_centre & ~np.isnan(radius_word) & (distance > SAME_POINT)
     size = np.abs(radius_word)
-    # A radius that only rounding makes shorter than half the chord makes a half circle.
+    # A radius that is shorter than half the chord only because of rounding gives a half circle.
     by_radius &= size > 0.5 * distance - np.maximum(1e-3, 1e-4 * distance)
     height = np.sqrt(np.maximum(size**2 - 0.25 * distance**2, 0.0))
     left = np.where(clockwise == (radius_word < 0), 1.0, -1.0) * height / np.where(distance > SAME_POINT, distance, 1.0)
@@ -87,7 +89,8 @@ def resolve(
     angle = np.arctan2(arm_end[:, 1], arm_end[:, 0]) - np.arctan2(arm[:, 1], arm[:, 0])
     turn = 2 * np.pi
     sweep = np.where(clockwise, -((-angle) % turn), angle % turn)
-    # The end of a circle may be rounded otherwise than where it begins: an arc of no length nobody writes.
+    # An arc with centre words and almost no sweep is a full circle if its end point differs from its start point only
+    # by rounding.
     radial = by_centre & (np.abs(sweep) <= SAME_DIRECTION)
     whole = (distance <= SAME_POINT) | (radial & (distance <= ROUNDED))
     sweep = np.where(whole, np.where(clockwise, -turn, turn), sweep)
@@ -98,7 +101,7 @@ def resolve(
 
 
 def chord_counts(arcs: Arcs, tolerance: float) -> np.ndarray:
-    """Return how many chords each arc needs, (m,) int, at least 1.
+    """Return the number of chords for each arc, (m,) int, at least 1.
 
     The chord error (sagitta) r (1 - cos(step / 2)) = 2 r sin(step / 4)^2 stays at or below `tolerance`, mm.
     """
@@ -119,8 +122,8 @@ def chords(
 ) -> np.ndarray:
     """Return the end points of all chords in plane coordinates, (sum(counts), 3) mm.
 
-    The radius goes linearly from its value at the start to that at the end, so that the last chord ends
-    exactly where the program says.
+    The radius changes linearly from its value at the start to its value at the end, so that the last chord ends exactly
+    at the programmed end point.
     """
     arc = np.repeat(np.arange(len(counts)), counts)
     part = np.arange(len(arc)) - np.repeat(np.cumsum(counts) - counts, counts) + 1

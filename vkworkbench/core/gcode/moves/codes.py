@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The G-codes by what they do, and the names of commands as numbers.
+"""G-codes, grouped by function, and the conversion between names of commands and numbers.
 
-G-codes are numbered in tenths (G90.1 is 901); what is no G-code is negative.
+The number of a G-code is in tenths (G90.1 is 901). Other commands have negative numbers.
 """
 
 from __future__ import annotations
@@ -15,47 +15,51 @@ RAPID, FEED, CLOCKWISE, COUNTER_CLOCKWISE = 0, 10, 20, 30
 ARCS = (CLOCKWISE, COUNTER_CLOCKWISE)
 CHIP_BREAK, PECK, BORING, CANCEL = 730, 830, 860, 800
 TAPPING = (740, 840)
-FEED_OUT = (*TAPPING, 850, 880, 890)  # out of the hole, up to R
+FEED_OUT = (*TAPPING, 850, 880, 890)  # cycles that leave the hole at feed, up to R
 PECKING = (CHIP_BREAK, PECK)
-CYCLES = (CHIP_BREAK, 740, 810, 820, PECK, 840, 850, BORING, 880, 890)  # drilling cycles, which CANCEL ends
+CYCLES = (CHIP_BREAK, 740, 810, 820, PECK, 840, 850, BORING, 880, 890)  # canned drilling cycles, until CANCEL
 MOTIONS = (RAPID, FEED, *ARCS, *CYCLES)
 SPLINES = (50, 51)
-HOME, HOME_2, MACHINE_COORDINATES = 280, 300, 530  # to positions of the machine, which no program says
+HOME, HOME_2, MACHINE_COORDINATES = 280, 300, 530  # moves to machine positions, which are not in the program
 MACHINE = (HOME, HOME_2, MACHINE_COORDINATES)
 PROBES = (382, 383, 384, 385)
 
 # Modal state.
 PLANES = {170: 17, 180: 18, 190: 19}
 ABSOLUTE, RELATIVE, ABSOLUTE_CENTRES, RELATIVE_CENTRES = 900, 910, 901, 911
-TO_START, TO_RETRACT_PLANE = 980, 990  # where cycles end
+TO_START, TO_RETRACT_PLANE = 980, 990  # height after a canned cycle
 INVERSE_TIME, PER_MINUTE, PER_TURN = 930, 940, 950
 FEED_MODES = (INVERSE_TIME, PER_MINUTE, PER_TURN)
 COMPENSATION = (410, 411, 420, 421)
 DWELL = 40
 
-# Codes in FreeCAD's commands that set a state which is read of them, or one that does not move the tool.
+# Codes that `linearize` accepts and that do not move the tool. `linearize` reads the state that a code sets, ignores
+# the code, or reports that the code is not read.
 STATES = (
     DWELL, 70, 80, 150, *PLANES, 200, 210, 400, *COMPENSATION, 430, 431, 432, 490, 500, 540, 550, 560, 570, 580, 590, 591, 592,
     593, 610, 611, 640, 690, CANCEL, ABSOLUTE, ABSOLUTE_CENTRES, RELATIVE, RELATIVE_CENTRES, 921, 922, *FEED_MODES, 960, 970,
     TO_START, TO_RETRACT_PLANE,
 )  # fmt: skip
 
-# Codes of NC programs.
-# Those that commands keep.
+# The remaining codes are used only for the text of NC programs.
+# The interpreter adds these codes to the commands, for `linearize`.
 KEPT = frozenset([*PLANES, CANCEL, ABSOLUTE, ABSOLUTE_CENTRES, RELATIVE, RELATIVE_CENTRES, TO_START, TO_RETRACT_PLANE])
 CENTRES = frozenset([ABSOLUTE_CENTRES, RELATIVE_CENTRES])
 PROBES_OF_PROGRAMS = frozenset([310, *PROBES])
-# Codes whose axis words are no target in the program's coordinates: dwell, data, home, machine coordinates, probes, the
-# end of a mirror (G50.1), of which its beginning (G51.1) tells.
+# Codes whose axis words are not a target in the program's coordinates: data (G10), stored positions for G28 and G30
+# (G28.1, G30.1), end of mirroring (G50.1; its start, G51.1, is reported), suspension and restoration of the G92 offset
+# (G92.2, G92.3), probes, and moves to machine positions.
 APART = frozenset([100, 281, 301, 501, 922, 923]) | PROBES_OF_PROGRAMS | set(MACHINE)
-NUMBERED_OFFSETS = frozenset([541, 1540])  # by the P word
+NUMBERED_OFFSETS = frozenset([541, 1540])  # G54.1 and G154: the P word is the number of the work offset
 OFFSETS = NUMBERED_OFFSETS | frozenset([
     540, 550, 560, 570, 580, 590, 591, 592, 593,
-    *range(1100, 1300, 10),  # of Haas
-    5000, *range(5050, 6000, 10),  # of Siemens
+    *range(1100, 1300, 10),  # Haas
+    5000, *range(5050, 6000, 10),  # Siemens
 ])  # fmt: skip
-OKUMA_OFFSET = 150  # G15 with an H word; its G54 to G56 H are lengths of tools, also HA to HC, which have no number
-LOCAL = 520  # shifts the coordinates by its axis words
+# Okuma's G15 with an H word selects a work offset. Okuma's G54 to G56 with an H word, or with HA to HC, select a tool
+# length offset.
+OKUMA_OFFSET = 150
+LOCAL = 520  # G52, shifts the coordinates by its axis words
 CHANGES_COORDINATES = frozenset([71, 160, 510, 511, LOCAL, 680, 682, 920])
 DATA = 100
 INCHES = frozenset([200, 700, 7000])
@@ -65,9 +69,9 @@ MACRO_CALLS = frozenset([650, 660])
 HARMLESS = OFFSETS | frozenset([
     80, 90, 110, 150, 200, 210, 400, 401, 410, 411, 412, 420, 421, 422, 430, 431, 432, 434, 435, 440, 490, 500, 600,
     610, 611, 620, 630, 640, 670, 690, 700, 710, 921, 930, 940, 950, 960, 970, 1030, 1870,
-    4500, 4510, 6010, 6020, 6030, 6410, 6420, 6430, 6440, 6450,  # how a Siemens goes around corners
+    4500, 4510, 6010, 6020, 6030, 6410, 6420, 6430, 6440, 6450,  # Siemens: modes for motion around corners
 ])  # fmt: skip
-# Heidenhain's DIN/ISO: the codes that mean what they mean elsewhere, and those of blank and tools, which move nothing.
+# Heidenhain's DIN/ISO: codes with the usual meaning, and codes that define the blank and the tools without a move.
 HEIDENHAIN = frozenset([0, 10, 20, 30, 40, 170, 180, 190, 400, 410, 420, 700, 710, 900, 910])
 HEIDENHAIN_DATA = frozenset([300, 310, 990])
 
@@ -75,9 +79,9 @@ _NAME = re.compile(r"([A-Z])0*(\d{1,9})(?:\.(\d))?", re.ASCII)
 
 
 def code_of(name: str) -> int:
-    """Return the number of a command name: G-codes in tenths, else one of the negative kinds.
+    """Return the number of a command name: a G-code in tenths, or one of the negative numbers for other commands.
 
-    ``G01`` and ``g1`` are the same; an empty name continues the last motion (a modal line).
+    ``G01`` and ``g1`` have the same number. An empty name continues the last motion (a modal line).
     """
     name = name.strip().upper()
     if not name:

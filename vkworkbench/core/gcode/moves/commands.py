@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The commands of a program, in a tenth of the memory that pairs of names and dictionaries take."""
+"""A list of commands that needs a tenth of the memory of a list of names and dictionaries."""
 
 from __future__ import annotations
 
@@ -8,17 +8,20 @@ from collections.abc import Iterator, Mapping
 
 
 class Commands:
-    """A list of (name, parameters) pairs; each is made when it is looked at, and what is changed in it is not kept.
+    """A list of (name, parameters) pairs.
+
+    Indexing creates a new pair, so a change in the parameters of the pair does not change the list.
 
     Attributes
     ----------
     names : list of str
+        Name of each command.
     """
 
     def __init__(self) -> None:
         self.names: list[str] = []
         self._letters: list[str] = []
-        self._known: dict[str, str] = {}  # each different name, and sequence of letters, is kept once
+        self._known: dict[str, str] = {}  # each different name or sequence of letters is stored once
         self._first, self._values = array("q"), array("d")
 
     def append(self, command: tuple[str, Mapping[str, float]]) -> None:

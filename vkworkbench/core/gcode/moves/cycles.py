@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Canned drilling cycles as moves, many cycles at a time."""
+"""Convert canned drilling cycles into moves, many cycles at a time."""
 
 from __future__ import annotations
 
@@ -9,8 +9,8 @@ import numpy as np
 
 from vkworkbench.core.gcode.moves.codes import FEED_OUT, PECK, PECKING
 
-CHIP_BREAK_RETRACT = 0.25  # mm, as LinuxCNC's G73
-MOST_PECKS = 10_000  # more is a Q word gone wrong, and would fill the memory
+CHIP_BREAK_RETRACT = 0.25  # mm, as in LinuxCNC's G73
+MOST_PECKS = 10_000  # pecks in a hole; a Q word that needs more is ignored, because the moves would fill the memory
 
 
 def heights(
@@ -22,32 +22,33 @@ def heights(
     bottom: np.ndarray,
     to_retract_plane: np.ndarray,
 ) -> tuple[np.ndarray, np.ndarray]:
-    """Resolve Z along a program with cycles: each one starts where the last motion left the tool.
+    """Resolve Z in a program with canned cycles, in which each cycle starts at the height of the last motion.
 
-    R and Z hold for the rest of a series. Relative ones (G91) count from the height where it began, and from R, so
-    that all its holes are equally deep.
+    R and Z words are valid for the rest of a series of cycles. Under G91, R is relative to the height at the start of
+    the series, and Z is relative to R, so that all holes of a series have equal depths.
 
     Parameters
     ----------
     z : (n,) float64
-        Z words of the commands that are no cycles, NaN elsewhere.
+        Z words of the commands that are not cycles, mm; NaN elsewhere.
     relative : (n,) bool
-        G91.
+        True under G91.
     rows : (m,) int
-        Which commands are cycles.
+        Indices of the commands that are cycles, ascending.
     series : (m,) int
-        The same number for cycles that no other motion and no G80 parts.
+        Number of the series of each cycle. Another motion or G80 ends a series.
     retract, bottom : (m,) float64
-        Their own R and Z words, NaN where there is none.
+        The cycles' own R and Z words, mm; NaN where absent.
     to_retract_plane : (m,) bool
-        G99: the cycle ends at R; else where its series began, or at R where that is higher (G98).
+        True under G99: the cycle ends at R. False under G98: the cycle ends at the height at the start of its series,
+        or at R if R is higher.
 
     Returns
     -------
     z : (n,) float64
-        Absolute Z where a command sets it, NaN elsewhere.
+        Absolute Z after each command that sets Z, mm; NaN elsewhere.
     heights : (m, 4) float64
-        For each cycle the heights before it, of its R plane, of its bottom, and after it.
+        For each cycle, the height before the cycle, of its R plane, of the hole's bottom, and after the cycle, mm.
     """
     absolute = z.copy()
     resolved = np.empty((len(rows), 4))
@@ -62,7 +63,7 @@ def heights(
         else:
             own_r, own_z = not isnan(retract[i]), not isnan(bottom[i])
             last_r, last_z = float(retract[i]) if own_r else last_r, float(bottom[i]) if own_z else last_z
-            if height is None:  # Z was never given: the hole starts at its R plane
+            if height is None:  # without a Z word before the cycle, the cycle starts at its R plane
                 height = 0.0 if isnan(last_r) else last_r
             begins = series[i] != number
             if begins:
@@ -79,11 +80,12 @@ def heights(
 
 
 def move_counts(code: np.ndarray, heights: np.ndarray, peck: np.ndarray) -> np.ndarray:
-    """Return how many moves each cycle takes, (m,) int; the parameters are those of :func:`moves`."""
+    """Return the number of moves of each cycle, (m,) int; see :func:`moves` for the parameters."""
     depth = np.maximum(heights[:, 1] - heights[:, 2], 0.0)
     pecking = np.isin(code, PECKING) & (peck * MOST_PECKS > depth)
     pecks = np.ceil(depth / np.where(pecking, peck, np.inf) - 1e-9)
-    # Approach (3 moves), for each peck but the last feed, out, back; then to the bottom, with some out at feed, leave.
+    # Moves: 3 to approach; 3 for each peck except the last one (feed, retract, return); then feed to the bottom, feed
+    # out of the hole (FEED_OUT only), and retract to the height after the cycle.
     counts: np.ndarray = 3 + 3 * (np.maximum(pecks, 1.0).astype(np.int64) - 1) + 2 + np.isin(code, FEED_OUT)
     return counts
 
@@ -100,17 +102,18 @@ def moves(
     start : (m, 3) float64
         Position before the cycle, mm.
     hole : (m, 2) float64
-        X and Y of the hole.
+        X and Y of the hole, mm.
     heights : (m, 4) float64
-        Before the cycle, of the R plane, of the hole's bottom, and after the cycle (G98/G99), mm.
+        Height before the cycle, of the R plane, of the hole's bottom, and after the cycle (G98/G99), mm.
     peck : (m,) float64
-        Q, depth of one peck; NaN where there is none.
+        Q word, depth of one peck, mm; NaN where absent.
 
     Returns
     -------
     points : (k, 3) float64
-        End point of each move; some are zero-length.
+        End point of each move, mm; some moves have zero length.
     rapid : (k,) bool
+        Whether each move is a rapid.
     """
     _, retract, bottom, after = heights.T
     counts = move_counts(code, heights, peck)

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Commands to trajectories: modal state, arcs and canned cycles resolved into straight moves.
+"""Convert commands into trajectories: resolve modal state, arcs and canned cycles into straight moves.
 
-Everything is done on whole columns: a state that a command sets and later ones inherit is the value at the
-last row that set it, which is one running maximum of row numbers. So 100,000 commands take no Python loop
-but the one that reads them, and where there are canned cycles the one that keeps their heights.
+All steps process whole columns. A modal state has the value from the last row that sets the state, and a running
+maximum of row numbers finds this row. Python loops are needed only to read the commands and to compute the heights of
+canned cycles.
 """
 
 from __future__ import annotations
@@ -49,13 +49,13 @@ from vkworkbench.core.toolpath import COORDINATE_LIMIT, PLANE_AXES, Problem, Too
 from vkworkbench.given import number, positive
 from vkworkbench.language import Message, Unusable
 
-MOST_TRAJECTORIES = 5_000_000  # 2 GB of memory
-SLOWEST_FEED = 1e-6  # mm/s, eleven days for a millimetre
-_COARSEST_PITCH = 10.0  # mm; a tap's feed per minute is a larger number
+MOST_TRAJECTORIES = 5_000_000  # needs 2 GB of memory
+SLOWEST_FEED = 1e-6  # mm/s, eleven days for a millimetre; a lower feed is an error
+_COARSEST_PITCH = 10.0  # mm; a larger F word of a tap is a feed rate, not a pitch
 
-_MOST_NAMED = 10  # unknown codes; the others are counted
-_ZERO_LENGTH = 1e-9  # mm
-_OFF_CIRCLE = 0.05  # mm; an arc that ends farther from its circle has another centre
+_MOST_NAMED = 10  # unknown codes with a message each; further codes are only counted
+_ZERO_LENGTH = 1e-9  # mm; shorter trajectories are left out
+_OFF_CIRCLE = 0.05  # mm; if an arc ends farther from its circle, its centre words were probably misread
 
 
 def linearize(commands: Iterable[Any] | Words, *, tolerance: float = 0.01, infer_centres: bool = False) -> Toolpath:
@@ -67,30 +67,32 @@ def linearize(commands: Iterable[Any] | Words, *, tolerance: float = 0.01, infer
     Parameters
     ----------
     commands : iterable or Words
-        ``(name, parameters)`` pairs, or objects with ``.Name`` and ``.Parameters``, in FreeCAD's units
-        (mm, mm/s). Names as they come: ``G1``, ``G01``, ``(comment)``, or empty for a modal line. Beside an S word (turns a
-        minute) the F word of a tap (G84, G74) is its pitch, mm, unless it is more than 10.
+        ``(name, parameters)`` pairs, or objects with ``.Name`` and ``.Parameters``, in FreeCAD's units (mm, mm/s).
+        Names may be ``G1``, ``G01``, ``(comment)``, or empty for a modal line. In a tap (G84, G74) with an S word
+        (turns/min), an F word of at most 10 is the pitch, mm.
     tolerance : float
         Largest distance between an arc and its chords, mm.
     infer_centres : bool
-        Whether the centre words of arcs are read as coordinates also where neither G90.1 nor G91.1 tells, but most arcs end
-        on their circles only then: controls may be set so.
+        Whether the centre words of arcs may be read as coordinates if the commands contain neither G90.1 nor G91.1,
+        because this is the default of some controls. The words are read as coordinates if more than half of the arcs
+        end off their circles when read as offsets, and if less than half as many do when read as coordinates.
 
     Returns
     -------
     Toolpath
-        Its `problems` say what could not be used. An axis that is not yet known does not move, so the
-        first words give the start position and there is no move from the origin. Where the machine's own position is
-        the target (G28, G30, G53), the tool rises to the highest place of the program, and stays over where it was.
+        The trajectories; `problems` lists the parts of the commands that could not be used. The first word of an axis
+        gives its start position, so the path does not begin with a move from the origin. In a move to a machine
+        position (G28, G30, G53), the tool does not move in X and Y. In Z, the tool moves to the highest Z word if all Z
+        words are absolute.
 
     Raises
     ------
     ValueError
         If `tolerance` is not a positive number.
     TypeError
-        If `commands` is something else, as a FreeCAD Path itself or the text of a program.
+        If `commands` has another type, for example a FreeCAD Path or the text of a program.
     Unusable
-        If arcs and cycles would need more than 5 million moves.
+        If the commands need more than 5 million moves.
     """
     tolerance = number("tolerance", tolerance, "a positive number of mm", positive)
     words = commands if isinstance(commands, Words) else Words(commands)
@@ -98,7 +100,7 @@ def linearize(commands: Iterable[Any] | Words, *, tolerance: float = 0.01, infer
     points, rapid, command, sweep, is_cycle = _moves(program, tolerance)
 
     moved = _moved(points)
-    while not moved.all():  # again: leaving out short moves may shorten the next one
+    while not moved.all():  # repeat, because leaving out a short move may shorten the next move
         points = points[np.concatenate([[True], moved])]
         rapid, command, sweep, is_cycle = rapid[moved], command[moved], sweep[moved], is_cycle[moved]
         moved = _moved(points)
@@ -116,13 +118,13 @@ def linearize(commands: Iterable[Any] | Words, *, tolerance: float = 0.01, infer
 
 
 def _moved(points: np.ndarray) -> np.ndarray:
-    """Which trajectories have a length."""
+    """Return whether each trajectory is longer than `_ZERO_LENGTH` along an axis, (n - 1,) bool."""
     result: np.ndarray = np.abs(np.diff(points, axis=0)).max(axis=1, initial=0.0) > _ZERO_LENGTH
     return result
 
 
 class _Problems(List[Problem]):
-    """The problems found, one for each kind."""
+    """The problems found, one for each message."""
 
     def add(self, rows: np.ndarray, what: Message) -> None:
         if len(rows):
@@ -130,14 +132,14 @@ class _Problems(List[Problem]):
 
 
 class _Program:
-    """The modal state at every command: motion, position, plane, modes and feed; and the problems found until now."""
+    """The modal state at every command (motion, position, plane, modes and feed), and the problems found so far."""
 
     def __init__(self, words: Words, infer_centres: bool) -> None:
         self.words, self.problems = words, _Problems()
         codes = words.codes
         self._report_codes()
 
-        # A name that is empty continues the last motion, until G80 ends it.
+        # A command with an empty name continues the last motion, until G80 ends the motion.
         is_motion = np.isin(codes, MOTIONS)
         self.motion = np.where(is_motion, codes, -1)
         modal = np.flatnonzero(codes == MODAL)
@@ -159,7 +161,7 @@ class _Program:
         self.infer_centres = infer_centres and not np.isin(codes, (ABSOLUTE_CENTRES, RELATIVE_CENTRES)).any()
         self.to_retract_plane = _mode(codes, {TO_START: 0, TO_RETRACT_PLANE: 1}, 0) == 1
         self.feed = self._feed()
-        self.cycle_heights, self.cycle_peck = np.empty((0, 4)), np.empty(0)  # of the canned cycles alone
+        self.cycle_heights, self.cycle_peck = np.empty((0, 4)), np.empty(0)  # rows: canned cycles
         self.position, self.known = self._positions()
 
     def _report_codes(self) -> None:
@@ -176,9 +178,9 @@ class _Program:
             self.problems.add(np.array(rest), Message("more-unknown-codes", count=len(unknown) - _MOST_NAMED))
 
     def _moves_to_machine(self) -> tuple[np.ndarray, np.ndarray]:
-        """Return the commands that move to positions of the machine, and those of them that rise, (m,) and (r,) int.
+        """Return the indices of all moves to machine positions, (m,) int, and of the moves that rise in Z, (r,) int.
 
-        FreeCAD makes two commands of a line as ``G53 G0 Z0``, or ``G28 G91 Z0``.
+        FreeCAD splits a line such as ``G53 G0 Z0`` or ``G28 G91 Z0`` into two commands.
         """
         codes = self.words.codes
         rows = np.flatnonzero(np.isin(codes, MACHINE))
@@ -198,7 +200,7 @@ class _Program:
         return moving, np.union1d(moving[along_z[moving]], home)
 
     def before(self, rows: np.ndarray) -> np.ndarray:
-        """Position before each of the given commands, (m, 3) mm."""
+        """Return the position before each of the given commands, (m, 3) mm."""
         result: np.ndarray = self.position[np.maximum(rows - 1, 0)]
         return result
 
@@ -207,7 +209,7 @@ class _Program:
         unusable |= (values != 0) & (values < SLOWEST_FEED)
         self.problems.add(np.flatnonzero(unusable), Message("unusable-feed"))
         tapping = np.flatnonzero(np.isin(self.motion, TAPPING) & (values <= _COARSEST_PITCH))
-        if len(tapping):  # FreeCAD's own taps tell the pitch and the speed, which its posts multiply
+        if len(tapping):  # a FreeCAD tap has the pitch in F and the speed in S; the feed rate is their product
             speed = self.words.column("S", tapping)[0]  # turns/min
             values[tapping] *= np.where(speed > 0, speed / 60, 1)
         setter = _last(values >= SLOWEST_FEED)
@@ -231,13 +233,21 @@ class _Program:
                 relative = self.relative
             position[:, axis], known[:, axis] = _coordinate(values, relative)
         beyond = np.abs(position) > COORDINATE_LIMIT
-        if beyond.any():  # relative words may add up to anything
+        if beyond.any():  # the sum of relative words may exceed the limit
             self.problems.add(np.flatnonzero(beyond.any(axis=1)), Message("position-cut-off"))
             position = np.clip(position, -COORDINATE_LIMIT, COORDINATE_LIMIT)
         return position, known
 
     def _resolve_cycles(self, z: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        """Resolve the sticky words of the canned cycles; return Z as absolute values and no relative row."""
+        """Resolve the modal words of the canned cycles.
+
+        Returns
+        -------
+        z : (n,) float64
+            Absolute Z, mm; NaN where a command does not set Z.
+        relative : (n,) bool
+            False everywhere, because all values are absolute.
+        """
         rows = np.flatnonzero(self.is_cycle)
         own = {"Z": z[rows]}
         for letter in "RQ":
@@ -256,7 +266,7 @@ class _Program:
 
 
 def _moves(program: _Program, tolerance: float) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
-    """Return points, rapid, command, sweep and cycle of all moves, zero-length ones included."""
+    """Return points, rapid, command, sweep and cycle of all moves, including moves with zero length."""
     motion, position = program.motion, program.position
     is_arc = np.isin(motion, ARCS)
     counts = (motion >= 0).astype(np.int64)
@@ -323,7 +333,7 @@ def _resolve_arcs(
     problems.add(rows[bad], Message("arc-as-line"))
     uneven = (resolved.gap > np.maximum(0.1, 0.01 * resolved.radius[:, 0])) & (resolved.sweep != 0) & ~unknown_start
     problems.add(rows[uneven], Message("arc-of-changing-radius"))
-    resolved.sweep[unknown_start] = 0.0  # an unknown start is set to the end, so a line has no length
+    resolved.sweep[unknown_start] = 0.0  # an unknown start equals the end, so the arc becomes a line with zero length
     return resolved
 
 
@@ -336,13 +346,13 @@ def _expand_cycles(program: _Program, rows: np.ndarray) -> tuple[np.ndarray, np.
 
 
 def _highest(z: np.ndarray, relative: np.ndarray) -> float:
-    """The highest of these words, mm; NaN where some are relative, or there are none."""
+    """Return the highest Z word, mm; NaN without Z words, or if any Z word is relative."""
     given = z[~np.isnan(z)]
     return float("nan") if not len(given) or (relative & ~np.isnan(z)).any() else float(given.max())
 
 
 def _last(mask: np.ndarray) -> np.ndarray:
-    """Index of the last True at or before each place, -1 where there is none."""
+    """Return the index of the last True at or before each element, -1 if there is none, (n,) int."""
     return np.maximum.accumulate(np.where(mask, np.arange(len(mask)), -1))
 
 
@@ -353,7 +363,7 @@ def _held(values: np.ndarray) -> np.ndarray:
 
 
 def _mode(codes: np.ndarray, states: dict[int, int], default: int) -> np.ndarray:
-    """State of a modal group at every command: the value of the last of its codes."""
+    """Return the state of a modal group at every command: the value for the group's last code, (n,) int."""
     value, sets = np.full(len(codes), default, np.int64), np.zeros(len(codes), bool)
     for code, code_value in states.items():
         own = codes == code
@@ -366,10 +376,11 @@ def _mode(codes: np.ndarray, states: dict[int, int], default: int) -> np.ndarray
 
 
 def _coordinate(values: np.ndarray, relative: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """One axis after every command, and whether it is known there.
+    """Return the position of one axis after every command, (n,) mm, and whether it is known, (n,) bool.
 
-    Before its first word an axis stands where that word puts it; relative words count from 0 until an
-    absolute one comes; an axis without any word is 0.
+    The position is not known before the axis's first word, and is set to the value of this word if the word is
+    absolute. Relative words before the first absolute word are added up from 0. The position of an axis without words
+    is 0.
     """
     given = ~np.isnan(values)
     known = _last(given) >= 0

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""An NC program as commands, with what else its text says."""
+"""An NC program as commands, with the other contents of its text."""
 
 from __future__ import annotations
 
@@ -21,27 +21,27 @@ class Program:
     Attributes
     ----------
     commands : Commands
-        What `linearize` takes, in mm and mm/s; every tool change is an ``M6`` with its number as ``T``. Where there are
-        M6 words, a tool that is named is a ``T1`` without words.
+        Input for `linearize`, in mm and mm/s. Every tool change is an ``M6`` with the tool's number as parameter ``T``,
+        if known. In a program with M6, a T word is also a command of its own, such as ``T1``, without parameters.
     lines : (n,) int64
-        Line of the text in which each command stands, counted from 1; of a subprogram the line of its call.
+        Line of the text for each command, counted from 1; for commands in a subprogram, the line of the call.
     comments : tuple of (int, int, str)
-        For each comment with a line of its own (or that of a tool change, a stop or the program's number) the
-        command before which it stands, its line and its text.
+        For each comment, the index of the command that follows the comment, the line and the text. Comments beside X, Y
+        or Z words are left out, except with a T, M or O word; so are comments that only explain a code in their line.
     in_calls : frozenset of int
-        Which of the comments stand in subprograms.
+        Indices of the comments in subprograms.
     inverse_time : dict of int to float
-        For each command under G93 (inverse time) the share of its move that is done in one second, 1/s.
+        For each command under G93 (inverse time), the share of its move that is completed in one second, 1/s.
     inches : bool
-        Whether the program's first unit word is G20; lengths in its comments are in that unit.
+        Whether the program's first unit word is in inches (G20); lengths in comments have the same unit.
     unit_told : bool
-        Whether there is a unit word (G20, G21) at all; without one it is read in mm.
+        Whether the program contains a unit word (G20, G21); without one, the program is read in mm.
     other : Message or None
-        For which machine it is, where that is no mill.
+        Message with the machine for which the program was written; None for a mill.
     rotary : tuple of int
         Lines in which a rotary axis turns while the tool cuts.
     problems : tuple of Problem
-        What is not read; `command` is a line of the text.
+        The parts of the program that were not read; `command` is a line of the text.
     """
 
     commands: Commands
@@ -56,14 +56,21 @@ class Program:
     problems: tuple[Problem, ...]
 
     def toolpath(self, *, tolerance: float = 0.01) -> Toolpath:
-        """Return the whole program's trajectories, with its problems; `command` is a line of the text in all of them.
+        """Return the trajectories of the whole program, with its problems.
 
-        Their `commands` are as many as these numbers need.
+        `command` is a line of the text in trajectories and problems, so `commands` is the last line + 1.
+
+        Parameters
+        ----------
+        tolerance : float
+            Largest distance between an arc and its chords, mm.
 
         Raises
         ------
         ValueError
-            As `linearize`.
+            If `tolerance` is not a positive number.
+        Unusable
+            If the program needs more than 5 million moves.
         """
         path = linearize(self.commands, tolerance=tolerance, infer_centres=True)
         feed = path.feed

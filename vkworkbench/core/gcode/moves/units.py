@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Whether units were mistaken: inches or thousandths read as mm, mm/min as mm/s, where nothing else says it."""
+"""Detect wrong units where a program does not contain its unit: inches or thousandths read as mm, mm/min as mm/s."""
 
 from __future__ import annotations
 
@@ -12,17 +12,19 @@ from vkworkbench.language import Message
 
 INCH = 25.4  # mm
 
-# A toolpath below all of these limits is more often in the wrong unit than really that small (benchmarks/inches.py
-# prints how often toolpaths are said to be inches at their true size, and at 1/25.4 of it).
-SMALL = 15.0  # mm, longer side of what is cut; a part of 15 inches is a large one
-LOW = 4.0  # mm, from the lowest cut to the highest point; tools are lifted higher than this, even over a thin sheet
-SLOW = 5.0  # mm/s, median feed; 300 inches a minute are fast
-IMPORTED_SLOW = 300.0  # mm/s as FreeCAD imports: it takes the mm or inches a minute of a file for mm/s
-# mm/s, 15 m/min. Faster mills exist, but a program whose fastest cut is slower than 250 mm/min is rarer.
+# A toolpath below the limits SMALL, LOW and SLOW is more often in the wrong unit than really this small.
+# benchmarks/inches.py prints how often toolpaths are taken for inches, at their true size and at 1/25.4 of this size.
+SMALL = 15.0  # mm, longer side of the cuts in X and Y; few parts are larger than 15 inches
+LOW = 4.0  # mm, from the lowest cut to the highest point; programs in mm lift the tool higher, even over a thin sheet
+SLOW = 5.0  # mm/s, median feed; few programs in inches are faster than 300 inches/min
+IMPORTED_SLOW = 300.0  # SLOW for toolpaths that FreeCAD imported, because its import reads mm/min or inches/min as mm/s
+# If the fastest feed, mm/s, reaches this limit, all feeds are taken for mm/min. Some mills cut faster than 250 mm/s
+# (15 m/min), but even fewer programs cut more slowly than 250 mm/min throughout.
 PER_MINUTE = 250.0
-# mm, longer side of what is cut. A part of 5 mm is small, a mill of 5 m that cuts in whole millimetres rare.
+# If the longer side of the cuts, mm, reaches this limit, the words may be increments of 0.001 mm. Lower: large parts
+# programmed in whole millimetres are taken for increments. Higher: small parts programmed in increments are missed.
 LONG = 5000.0
-TOOLS = 4.0  # tool diameters; something wider was made for this tool, so its size is right
+TOOLS = 4.0  # tool diameters; wider cuts were programmed for this tool, so their unit is right
 
 
 def looks_like_inches(toolpath: Toolpath, *, tool_diameter: float | None = None, imported: bool = False) -> bool:
@@ -32,9 +34,9 @@ def looks_like_inches(toolpath: Toolpath, *, tool_diameter: float | None = None,
     ----------
     toolpath : Toolpath
     tool_diameter : float, optional
-        mm, where it is known by other means than the program.
+        Diameter of the tool, mm, if known from another source than the program.
     imported : bool
-        Whether FreeCAD imported it, so that its feeds are 60 times too large.
+        Whether FreeCAD imported the toolpath, so that its feeds are 60 times too large.
     """
     cuts = ~toolpath.rapid
     if not cuts.any():
@@ -42,7 +44,7 @@ def looks_like_inches(toolpath: Toolpath, *, tool_diameter: float | None = None,
     points = _ends(toolpath)
     size = float(np.ptp(points[:, :2], axis=0).max())
     lift = float(toolpath.points[:, 2].max() - points[:, 2].min())
-    if not (0 < size < SMALL and 0 < lift < LOW):  # a single hole, or a laser, has no size, or no lift
+    if not (0 < size < SMALL and 0 < lift < LOW):  # a single hole has size 0, a laser has lift 0
         return False
     if tool_diameter and size > TOOLS * tool_diameter:
         return False
@@ -50,15 +52,16 @@ def looks_like_inches(toolpath: Toolpath, *, tool_diameter: float | None = None,
 
 
 def looks_like_increments(toolpath: Toolpath, *, inches: bool) -> bool:
-    """Return whether a toolpath looks as if its words had no decimal point.
+    """Return whether a toolpath looks as if its program has no decimal points.
 
-    Old controls count such words in least increments (0.001 mm, 0.0001 inches), new ones in whole units.
+    Old controls read words without a decimal point in least increments (0.001 mm, 0.0001 inches), new controls in whole
+    units.
 
     Parameters
     ----------
     toolpath : Toolpath
     inches : bool
-        Whether its program is in inches.
+        Whether the program is in inches.
     """
     if toolpath.rapid.all() or np.ptp(_ends(toolpath)[:, :2], axis=0).max() < LONG:
         return False
@@ -67,15 +70,15 @@ def looks_like_increments(toolpath: Toolpath, *, inches: bool) -> bool:
 
 
 def _ends(toolpath: Toolpath) -> np.ndarray:
-    """Return where the cuts begin and end, (2c, 3) mm."""
+    """Return the start and end points of the c cuts, (2c, 3) mm."""
     cuts = ~toolpath.rapid
     return np.concatenate((toolpath.points[:-1][cuts], toolpath.points[1:][cuts]))
 
 
 def in_seconds(toolpath: Toolpath) -> tuple[Toolpath, Message | None]:
-    """Return an imported toolpath with its feeds in mm/s, and what is to be said where they were mm/min.
+    """Return an imported toolpath with its feeds in mm/s, and a message if the feeds were in mm/min, else None.
 
-    FreeCAD's importers keep the F words of the file as they are, while the feeds of its own operations are mm/s.
+    FreeCAD's importers do not convert the F words of a file, while FreeCAD's own operations have feeds in mm/s.
     """
     fastest = float(toolpath.feed.max(initial=0.0))
     if fastest < PER_MINUTE:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Words that are understood by a machine but not read here: each is told, none is passed over in silence."""
+"""Report the words that a machine reads but this package does not."""
 
 from __future__ import annotations
 
@@ -24,27 +24,27 @@ from vkworkbench.core.gcode.moves.words import Words
 from vkworkbench.language import Message
 
 ROTARY = "ABC"
-# Words that moves and cycles are read from, and those that say nothing about the way of the tool.
+# Words that `linearize` reads, and words without influence on the tool's path.
 _READ = frozenset("XYZIJKRQF" + "GMNSTDH" + "LP")
 _INCHES = 200
-_CORNERS = frozenset("IJKR")  # by which some controls round or chamfer the corner behind a straight move
+_CORNERS = frozenset("IJKR")  # in a straight move, some controls round or chamfer the next corner with these words
 _M_CODE = re.compile(r"\s*[Mm]0*(2|30|97|98|198)(?:\.0*)?\s*", re.ASCII)
 
 
 def unread(words: Words, motion: np.ndarray) -> Iterator[tuple[np.ndarray, Message]]:
-    """Return what is not read of a program, with the commands concerned.
+    """Yield a message for each kind of word that is not read, with the commands that contain the word.
 
     Parameters
     ----------
     words : Words
-        Of n commands.
+        The words of n commands.
     motion : (n,) int
-        The motion of each, in tenths of its G-code; negative where it is none.
+        The motion of each command, in tenths of its G-code; negative if the command is not a motion.
 
-    Returns
-    -------
-    iterator of ((m,) int, Message)
-        No commands where there is nothing to tell.
+    Yields
+    ------
+    (m,) int, Message
+        Indices of the commands, none if the message does not apply; and the message.
     """
     codes, moves = words.codes, motion >= 0
     for letter in sorted(words.letters - _READ):
@@ -89,7 +89,7 @@ def _given(words: Words, letter: str) -> np.ndarray:
 
 
 def _changed(words: Words, letter: str) -> np.ndarray:
-    """Commands that turn an axis, which stands at 0 before its first word, (m,) int."""
+    """Return the indices of the commands that turn an axis, (m,) int; the axis is at 0 before its first word."""
     values, unusable = words.column(letter)
     rows = np.flatnonzero(~np.isnan(values) | unusable)
     result: np.ndarray = rows[np.diff(values[rows], prepend=0.0) != 0]

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The words of a program as arrays: G-codes and parameter columns of a command list."""
+"""Convert a list of commands into arrays: G-codes and parameter columns."""
 
 from __future__ import annotations
 
@@ -14,8 +14,8 @@ from vkworkbench.core.gcode.moves.codes import code_of
 from vkworkbench.core.toolpath import COORDINATE_LIMIT
 
 _ABSENT = 1e300
-_PIECE = 50_000  # commands read at once: their parameters take half a kB each
-# A line that begins with a coordinate or a line number: FreeCAD takes that word for the command's name.
+_PIECE = 50_000  # commands read at once; the parameters of a command need half a kB of memory
+# A line that begins with a coordinate or a line number: FreeCAD's import makes this word the command's name.
 _WORD_NAME = re.compile(r"\s*([XYZIJKRFN])\s*([-+]?(?:\d+\.?\d*|\.\d+))\s*", re.IGNORECASE | re.ASCII)
 
 
@@ -25,12 +25,12 @@ class Words:
     Parameters
     ----------
     commands : iterable
-        ``(name, parameters)`` pairs, or objects with ``.Name`` and ``.Parameters`` as FreeCAD's.
+        ``(name, parameters)`` pairs, or objects with ``.Name`` and ``.Parameters`` such as FreeCAD's commands.
 
     Raises
     ------
     TypeError
-        If it is something else.
+        If `commands` has another type.
     """
 
     def __init__(self, commands: Iterable[Any]) -> None:
@@ -49,7 +49,7 @@ class Words:
         count, self._values = np.concatenate(counts), np.concatenate(values)
         table = {name: code_of(name) for name in known}
         self.codes = np.fromiter(map(table.__getitem__, self.names), np.int64, len(self.names))
-        # Small letters are the same words; FreeCAD's own are all large.
+        # Lower-case letters are valid, too; FreeCAD's own letters are upper-case.
         self._letters = np.frombuffer("".join(letters).encode("ascii", "replace").upper(), np.uint8)
         self._rows = np.repeat(np.arange(len(count), dtype=np.int32), count)
 
@@ -58,25 +58,25 @@ class Words:
 
     @property
     def letters(self) -> set[str]:
-        """set of str : the letters of all parameters."""
+        """set of str : The letters of all parameters."""
         return {chr(letter) for letter in np.flatnonzero(np.bincount(self._letters)).tolist()}
 
     def column(self, letter: str, rows: np.ndarray | None = None) -> tuple[np.ndarray, np.ndarray]:
-        """Return the values of one parameter and which of them cannot be used.
+        """Return the values of one parameter, and whether each value is unusable.
 
         Parameters
         ----------
         letter : str
             Name of the parameter, e.g. ``"X"``.
         rows : (m,) int, optional
-            Only these commands.
+            Indices of the commands; all commands if not given.
 
         Returns
         -------
         values : (m,) float64
             NaN where the parameter is absent or unusable.
         unusable : (m,) bool
-            True where the word is there but is no finite number below `COORDINATE_LIMIT`.
+            True where the parameter is present but is not a finite number within ±`COORDINATE_LIMIT`.
         """
         given = np.flatnonzero(self._letters == ord(letter))
         row, value = self._rows.take(given), self._values.take(given)
@@ -89,7 +89,7 @@ class Words:
 
 def _columns(piece: list[Any]) -> tuple[list[str], list[Any]]:
     """Return the names and the parameters of commands."""
-    if piece and isinstance(piece[0], str):  # a line of a program: its letters would be taken for a name and parameters
+    if piece and isinstance(piece[0], str):  # indexing a text would return letters as name and parameters
         raise _no_commands(piece)
     try:
         if piece and hasattr(piece[0], "Parameters"):
@@ -105,7 +105,7 @@ def _columns(piece: list[Any]) -> tuple[list[str], list[Any]]:
 
 
 def _no_commands(given: Any) -> TypeError:
-    """Return the error that says what commands are, and what was given."""
+    """Return the error for an argument that is not a list of commands."""
     first = given[0] if isinstance(given, list) else given
     return TypeError(
         "commands are (name, parameters) pairs, or objects with Name and Parameters as in a Path's Commands, "
@@ -114,14 +114,17 @@ def _no_commands(given: Any) -> TypeError:
 
 
 def used_up(commands: list[Any]) -> Iterator[Any]:
-    """Yield the commands of a list, which is empty then: FreeCAD's keep a copy of their parameters once they were asked."""
+    """Yield the commands of a list and remove them from the list.
+
+    Removal frees memory, because a FreeCAD command keeps a copy of its parameters after the first access.
+    """
     commands.reverse()
     while commands:
         yield commands.pop()
 
 
 def _read_word_names(names: list[str], all_parameters: list[dict[str, Any] | None]) -> None:
-    """Turn ``X10`` into a modal line with an X word, and ``N10`` with a G word into that G-code."""
+    """Replace the name ``X10`` by an empty name and an X parameter, and ``N10`` with a G parameter by the G-code."""
     word_names = {name for name in set(names) if name and name[0] in "XYZIJKRFNxyzijkrfn \t"}
     if not word_names:
         return
@@ -142,7 +145,7 @@ def _read_word_names(names: list[str], all_parameters: list[dict[str, Any] | Non
 
 
 def _table_of(parameters: list[Any]) -> tuple[np.ndarray, str, np.ndarray]:
-    """Return the table of parameters of whatever kind."""
+    """Return the table of the parameters as `_table` does; values that are not numbers become NaN."""
     try:
         return _table(parameters)
     except (TypeError, ValueError, OverflowError):
@@ -150,9 +153,9 @@ def _table_of(parameters: list[Any]) -> tuple[np.ndarray, str, np.ndarray]:
 
 
 def _table(parameters: list[dict[str, Any]]) -> tuple[np.ndarray, str, np.ndarray]:
-    """Return how many parameters each command has, and of all of them the letters and the values.
+    """Return the number of parameters of each command, and the letters and the values of all parameters.
 
-    No Python loop: each of the three passes runs inside of an iterator.
+    Iterators replace Python loops in the three passes, for speed.
     """
     count = np.fromiter(map(len, parameters), np.int64, len(parameters))
     names = ",".join(chain.from_iterable(parameters))
@@ -163,7 +166,7 @@ def _table(parameters: list[dict[str, Any]]) -> tuple[np.ndarray, str, np.ndarra
 
 
 def _numbers(parameters: Mapping[Any, Any] | None) -> dict[str, float]:
-    """Return the parameters that a letter names, NaN where they are no number."""
+    """Return the parameters with single-letter names; values that are not numbers become NaN."""
     if parameters is not None and not isinstance(parameters, Mapping):
         raise _no_commands(parameters)
     words = parameters.items() if parameters else ()
