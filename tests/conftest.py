@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What the tests inside FreeCAD share."""
+"""Fixtures of the tests inside FreeCAD."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ import pytest
 
 @pytest.fixture(scope="session")
 def example_path(tmp_path_factory):
-    """The example job's file, made once by this FreeCAD; tests open it and do not write to it."""
+    """Make the example job's file once with this FreeCAD. Tests open the file and do not write to it."""
     import FreeCAD
     from make_example import make_example
 

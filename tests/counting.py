@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Work and memory that are counted: a test that asserts on seconds fails on a busy computer."""
+"""Count instructions and memory, because a test that asserts on seconds fails on a busy computer."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ import tracemalloc
 
 
 def steps(function):
-    """Number of Python's instructions that a call takes."""
+    """Return the number of Python instructions that a call executes."""
     count = 0
 
     def trace(frame, event, _argument):
@@ -27,7 +27,7 @@ def steps(function):
 
 
 def memory(function):
-    """What a call returns, the memory that it leaves taken, and its peak, bytes."""
+    """Return a call's result, the memory still allocated after the call, and the peak memory of the call, bytes."""
     tracemalloc.start()
     try:
         result = function()

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Tell PySide about widgets that FreeCAD deleted and that PySide takes for alive.
+"""Invalidate PySide's wrappers of widgets that FreeCAD has deleted.
 
-Since 1.0 FreeCAD leaves such forms behind each time its preferences or the panel of its simulator are closed. PySide takes
-a later widget at the same address for the deleted form, and FreeCAD crashes.
+Since version 1.0 FreeCAD leaves wrappers of deleted forms behind when its preferences or its simulator's panel are closed.
+PySide takes a later widget at the same address for the deleted form, and FreeCAD crashes.
 """
 
 import gc
@@ -14,7 +14,7 @@ shiboken = sys.modules.get("shiboken6") or sys.modules["shiboken2"]
 
 
 def forget():
-    """Tell PySide which widgets are gone, and assert that none of them is the add-on's."""
+    """Invalidate the wrappers of deleted widgets, and assert that the add-on owns no deleted widget."""
     alive = {shiboken.getCppPointer(widget)[0] for widget in QtGui.QApplication.allWidgets()}
     kinds = set(_with_subclasses(QtGui.QWidget))  # faster than isinstance
     for thing in gc.get_objects():

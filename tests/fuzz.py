@@ -1,10 +1,11 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Random and mutated programs through the whole core: nothing may leave it but documented ValueErrors.
+"""Send random and mutated programs through the whole core, which may raise only documented ValueErrors.
 
     python3 tests/fuzz.py [--count 10000] [--seed 0] [--minutes M]
 
 Prints how many programs were read, refused or failed (each failure with its seed), the longest time per command
-and trajectory, and the peak memory. Exits with 1 where one failed. A failure's seed goes into tests/core/gcode/test_vk_fuzz.py.
+and trajectory, and the peak memory. Exits with 1 if a program failed. Add the seed of a failure to
+tests/core/gcode/test_vk_fuzz.py.
 """
 
 from __future__ import annotations
@@ -32,7 +33,7 @@ from vkworkbench.core.gcode import Words
 from vkworkbench.core.simulators import Conditions, Task, opengl_cost, preflight
 from vkworkbench.preferences import DIRECTIONS
 
-# Time of one call is bounded by START + EACH * (commands + trajectories): linear, whatever the commands say.
+# Longest allowed processor time for one program: START + EACH * (commands + trajectories). The limit is linear.
 START, EACH = 0.5, 50e-6  # s
 
 STOCK = Stock((-10, -10, -20), (60, 60, 0))
@@ -66,7 +67,7 @@ def command(rng):
 
 
 def mutated(rng, commands):
-    """A program with some of its commands changed, cut, moved or repeated."""
+    """Return a program with some of its commands changed, deleted, inserted, reversed, repeated or scaled."""
     for _ in range(rng.choice([1, 1, 2, 5, 20])):
         at = rng.randrange(len(commands)) if commands else 0
         to = min(at + rng.randrange(1, 40), len(commands))
@@ -100,7 +101,7 @@ def scaled(value, scale):
 
 
 def program(seed):
-    """What is given to the core for a seed: commands, tolerance, tool diameter and the name of the view."""
+    """Return the input of the core for a seed: commands, tolerance, tool diameter and the name of the view."""
     rng = random.Random(f"view {seed}")
     commands, tolerance, diameter = flat_program(seed)
     if rng.random() < 0.3:
@@ -109,7 +110,7 @@ def program(seed):
 
 
 def slanted(commands, slope):
-    """The program with every move in X made a ramp."""
+    """Return the program with every move in X turned into a ramp."""
     return [
         (name, {**words, "Z": slope * words["X"]} if words and usable(words.get("X")) else words)
         for name, words in commands
@@ -121,7 +122,7 @@ def usable(value):
 
 
 def flat_program(seed):
-    """Random words, or sound programs mutated: commands, tolerance and tool diameter."""
+    """Return commands, tolerance and tool diameter. The commands are random words or mutated valid programs."""
     rng = random.Random(seed)
     if rng.random() < 0.5:
         commands = [command(rng) for _ in range(int(10 ** rng.uniform(0, 2.5)) - 1)]
@@ -140,9 +141,9 @@ def flat_program(seed):
 
 @dataclass
 class Result:
-    """What one program came to."""
+    """The outcome, size and processor time of one program."""
 
-    outcome: str  # "read", "refused" or the failure in words
+    outcome: str  # "read", "refused" or a description of the failure
     commands: int
     trajectories: int
     seconds: float
@@ -199,7 +200,7 @@ def feed_program(commands, tolerance=0.01, diameter=5.0, view="Top"):
 
 def where(error):
     """The error and the line of this repository that raised it."""
-    # Python 3.8 names the script that it runs as it was told.
+    # Python 3.8 keeps a relative path of the script, as on the command line.
     frames = [f for f in traceback.extract_tb(error.__traceback__) if ROOT in Path(f.filename).resolve().parents]
     frame = frames[-1]
     return f"{type(error).__name__}: {error} at {Path(frame.filename).name}:{frame.lineno} {frame.line}"
@@ -227,7 +228,7 @@ def check_estimate(cost):
 
 
 def main(arguments=None):
-    """Feed so many programs, or for so many minutes, and print what came of them; return 1 where one failed."""
+    """Run a number of programs, or programs for a number of minutes, print a summary, and return 1 if one failed."""
     parser = argparse.ArgumentParser()
     parser.add_argument("--count", type=int)
     parser.add_argument("--seed", type=int, default=0)

@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Random documents, changes, marks, settings and clicks inside FreeCAD; tests/fuzz.sh runs it, headless and in a window.
 
-Each seed is a session of its own: documents are made, changed, analysed, marked, damaged, copied, saved and closed.
-After each action every mark that says it fits is compared with what it stands on. A session has failed where that is
-not so, where anything but a documented error leaves the add-on, or where FreeCAD's log shows a traceback of it.
+Each seed is one session: documents are made, changed, analysed, marked, damaged, copied, saved and closed. After each
+action every mark that claims to be current is compared with its toolpath. A session has failed if a current mark does
+not fit, if the add-on raises anything but a documented error, or if FreeCAD's log shows a traceback of the add-on.
 
-The environment says which: VKWORKBENCH_FUZZ="SEED MINUTES [SESSIONS]".
+An environment variable selects the sessions: VKWORKBENCH_FUZZ="SEED MINUTES [SESSIONS]".
 """
 
 from __future__ import annotations
@@ -80,7 +80,7 @@ def a_path(rng):
 
 
 class Session:
-    """What a seed does."""
+    """The random actions of one seed, and the documents that they work on."""
 
     def __init__(self, seed):
         self.rng = random.Random(seed)
@@ -112,7 +112,7 @@ class Session:
         FreeCAD.ParamGet(preferences.GROUP).Clear()
         calibration_file().unlink(missing_ok=True)
 
-    # What there is.
+    # Random choices among the open documents and their objects
 
     @property
     def document(self):
@@ -129,7 +129,7 @@ class Session:
     def something(self):
         return self.rng.choice([self.document, self.an_operation() or self.document, self.an_object() or self.document])
 
-    # What must hold.
+    # Checks after each action
 
     def settle(self):
         for document in FreeCAD.listDocuments().values():
@@ -157,7 +157,7 @@ class Session:
         assert before == {obj.Name: (obj.Label, obj.Label2, list(obj.State)) for obj in find_all(what)}
         return report
 
-    # What is done.
+    # Actions on documents, with and without a window
 
     def do_new_document(self):
         if len(FreeCAD.listDocuments()) > 2:
@@ -380,7 +380,7 @@ class Session:
         with suppress(Unusable):
             str(vkworkbench.simulate(self.something_with_toolpaths(), view=view).facts)
 
-    # What is clicked.
+    # Actions in the window
 
     def click_analyze(self):
         self.click("Vk_Analyze")

@@ -14,7 +14,7 @@ def run_and_leave(main):
     """Call main() once FreeCAD runs, and end with the status that it returns; with 1 where it raises."""
 
     def run():
-        # In a window these are FreeCAD's report view, which nobody sees here.
+        # In FreeCAD's window, sys.stdout and sys.stderr write to the report view, which is not visible during tests.
         sys.stdout, sys.stderr = sys.__stdout__, sys.__stderr__
         status = 1
         try:

@@ -1,16 +1,18 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Mutation testing: change one thing in a file, run the tests that reach that line, and see whether one of them fails.
+"""Mutation testing: change one place in a file, run the tests that reach its line, and check whether a test fails.
 
     python3 tests/mutate.py [FILES] [--count 20] [--seed 0] [--jobs 2] [--tests TESTS ...]
 
-FILES are files and folders of vkworkbench, by default all but the window and freecad.py; of each file, COUNT mutants are
-drawn (all with --count 0). Rows of three numbers and more are left as they are: colours, tables of measured times.
-Tests of a file are those of its room: tests/core/ROOM, or tests/document inside the FreeCAD of this machine; --tests
-takes fewer, which is quicker while one writes them. Those that only start programs of their own are left out: no mutant
-is tried in these. A mutant is killed where a test fails, or takes far more of the processor than before. Prints the rate
-of those killed by file and by folder, as a table for docs/reliability.md; the mutants that live go to the error output.
-Other rooms' tests may kill some of those that live, and some are no change at all: the rate is a lower bound. The checkout
-is not touched: copies of it are.
+FILES are files and folders of vkworkbench, by default everything except the window and freecad.py. COUNT mutants are
+drawn from each file (all with --count 0). Rows of three or more numbers, such as colours and measured times, are not
+mutated. A file is tested by the tests of its package (its "room"): tests/core/ROOM, or tests/document inside this
+machine's FreeCAD. --tests selects fewer tests, which is quicker while tests are written. Tests that only start other
+programs are left out, because a mutant does not reach the other programs. A mutant is killed if a test fails or needs
+far more processor time than before.
+
+Prints the share of killed mutants by file and by folder, as a table for docs/reliability.md, and writes the surviving
+mutants to the error output. The share is a lower bound: tests of other rooms may kill more mutants, and some mutants do
+not change the behaviour. The mutants are written to copies of the checkout, never to the checkout itself.
 """
 
 from __future__ import annotations
@@ -35,14 +37,14 @@ ROOT = Path(__file__).resolve().parents[1]
 DRAWN_FROM = "core", "document", "language", "program", "report", "preferences.py", "worker.py"
 COPIED = "vkworkbench", "tests", "toolpaths", "examples", "resources", "docs", "benchmarks", "pyproject.toml"
 COPIED += "package.xml", "Init.py", "InitGui.py", "README.md"
-# Tests of other rooms that the files in no room, and the reports, need beside their own.
+# Additional tests from other rooms, for the files that belong to no room and for the reports.
 OF_OTHER_ROOMS = {
     **{file: ["tests/core/zbuffer"] for file in ("hull", "solids", "stocks", "tool", "view")},
     "report": ["tests/core/program"],
 }
-# What is tested inside FreeCAD.
+# Modules that are tested inside FreeCAD.
 IN_FREECAD = "document", "preferences"
-# Tests that start a FreeCAD of their own, in which no mutant is tried.
+# Tests that start another FreeCAD process, which a mutant does not reach.
 ELSEWHERE = "test_vk_release.py", "test_vk_show_example.py"
 LEAST_SECONDS = 30
 SWAPS = {
@@ -64,7 +66,7 @@ class Mutant(NamedTuple):
 
 
 def mutants(source: str) -> list[Mutant]:
-    """All mutants of a file."""
+    """Return all mutants of a file."""
     tree = ast.parse(source)
     lines = source.splitlines(keepends=True)
     starts = [0]
@@ -85,7 +87,7 @@ def mutants(source: str) -> list[Mutant]:
 
 
 def _mutable(tree: ast.AST) -> Iterator[ast.AST]:
-    """The nodes where behaviour is written: no annotations, docstrings or wording."""
+    """Yield the nodes that determine behaviour; skip annotations, docstrings and message texts."""
     todo = list(ast.iter_child_nodes(tree))
     while todo:
         node = todo.pop()
@@ -102,7 +104,7 @@ def _mutable(tree: ast.AST) -> Iterator[ast.AST]:
 
 
 def _is_row(elements: list[ast.expr]) -> bool:
-    """Whether three numbers and more stand there, and beside them at most names and other rows."""
+    """Return whether a sequence contains at least three numbers, and otherwise only names and starred expressions."""
     numbers = sum(map(_is_number, elements))
     return numbers > 2 and numbers + sum(isinstance(one, (ast.Name, ast.Starred)) for one in elements) == len(elements)
 
@@ -114,11 +116,11 @@ def _is_number(node: ast.AST) -> bool:
 
 
 def _changes(node: ast.AST) -> Iterator[ast.AST]:
-    """What a node is changed to."""
+    """Yield the changed copies of a node."""
     other = copy.deepcopy(node)
     if isinstance(node, ast.Compare):
         kind = type(node.ops[0])
-        # A measured length is never exactly a threshold: only of counts is the bound itself a case.
+        # A measured length never equals a threshold exactly, so < and <= are swapped only in comparisons of counts.
         tables = (SWAPS, TURNED) if kind not in TURNED or _counts(node) else (TURNED,)
         for table in tables:
             if kind in table:
@@ -147,7 +149,7 @@ def _changes(node: ast.AST) -> Iterator[ast.AST]:
 
 
 def _counts(node: ast.Compare) -> bool:
-    """Whether whole numbers are compared, as far as one sees."""
+    """Return whether a comparison visibly compares whole numbers: an integer constant or a call of len()."""
     return any(
         (isinstance(side, ast.Constant) and isinstance(side.value, int))
         or (isinstance(side, ast.Call) and isinstance(side.func, ast.Name) and side.func.id == "len")
@@ -164,7 +166,7 @@ def _compiles(text: str) -> bool:
 
 
 def tests_of(file: Path) -> list[str]:
-    """The tests of a file's room, as pytest takes them."""
+    """Return the tests of a file's room as arguments for pytest."""
     parts = file.relative_to(ROOT / "vkworkbench").with_suffix("").parts
     in_freecad = parts[0] in IN_FREECAD
     rooms = [folder for folder in parts[:-1] if folder != "core"]
@@ -189,7 +191,7 @@ class Checkout:
         subprocess.run([str(self.root / "tests/make_home.sh"), str(self.home)], check=True)
 
     def run(self, tests: list[str], *, limit: float | None = None, **asked: Any) -> bool:
-        """Whether the tests pass; what else is asked for is told to tests/mutate_plugin.py."""
+        """Return whether the tests pass; pass the requests `asked` to tests/mutate_plugin.py."""
         told = self.home / "asked.json"  # too much for a command line
         told.write_text(json.dumps({"only": [], "reached": "", "tries": [], **asked}))
         environment = {
@@ -212,13 +214,13 @@ class Checkout:
         return ended.returncode == 0
 
     def reach(self, tests: tuple[str, ...]) -> dict[str, Any]:
-        """Which lines of which file each of the tests reaches, and its seconds."""
+        """Return the lines of each file that each test reaches, and the duration of each test, s."""
         found = self.home / "reached.json"
         self.run(list(tests), reached=str(found))
         return json.loads(found.read_text())
 
     def graft(self, file: Path, tries: list[tuple[Mutant, dict[str, float]]], jobs: int) -> list[bool | None]:
-        """Which mutants live, tried in one start with the tests that reach them and their seconds; None: takes its own."""
+        """Return for each mutant whether it survives its tests, all tried in one process; None: needs a new process."""
         if not tries:
             return []
         only = sorted({test for _, tests in tries for test in tests})
@@ -230,7 +232,7 @@ class Checkout:
         return [{0: True, 1: False}.get(status) for status in json.loads(found.read_text())]
 
     def lives(self, mutant: Mutant, file: Path, tests: list[str], limit: float) -> bool:
-        """Whether the tests pass with a mutant in its file's place."""
+        """Return whether the tests pass while a mutant replaces its file."""
         own = self.root / file.relative_to(ROOT)
         original = own.read_text(encoding="utf-8")
         self._write(own, mutant.text)
@@ -240,36 +242,36 @@ class Checkout:
             self._write(own, original)
 
     def _write(self, file: Path, text: str) -> None:
-        """Write a source, each time with another time: Python takes compiled code for that of a source of its time."""
+        """Write a source file with a new time stamp, without which Python would reuse the compiled code."""
         file.write_text(text, encoding="utf-8")
         self.written += 1
         os.utime(file, (self.written, self.written))
 
 
 def sample(file: Path, count: int, seed: int) -> list[Mutant]:
-    """Mutants of a file, the same for the same seed."""
+    """Return randomly drawn mutants of a file, identical for equal seeds."""
     every = mutants(file.read_text(encoding="utf-8"))
     chosen = random.Random(f"{seed} {file.name}")
     return every if not count or len(every) <= count else chosen.sample(every, count)
 
 
 def judge(file: Path, drawn: list[Mutant], known: dict[str, Any], checkout: Checkout, jobs: int) -> list[Mutant]:
-    """The mutants that live, by what `Checkout.reach` knows of their tests."""
+    """Return the surviving mutants; `known` is the result of `Checkout.reach`."""
     name = str(checkout.root / file.relative_to(ROOT))
     quickest = sorted(known["seconds"], key=known["seconds"].get)
     reached = known["reached"].get(name, {})
     tries, anew, alive = [], [], []
     for mutant in drawn:
         tests = [test for test in quickest if mutant.line in reached.get(test, ())]
-        # What no test reaches is of an import or of another process, on which any test may depend.
+        # A line that no test reaches runs during an import or in another process; any test may depend on it.
         (tries if tests else anew).append((mutant, tests or quickest))
     told = [(mutant, {test: known["seconds"][test] for test in tests}) for mutant, tests in tries]
     for (mutant, tests), lives in zip(tries, checkout.graft(file, told, jobs)):
-        if lives is None:  # of what an import makes of it
+        if lives is None:  # the mutant changes only the import
             anew.append((mutant, tests))
         elif lives:
             alive.append(mutant)
-    # What an import makes of it is known everywhere, and another process reads the file: only a new start changes that.
+    # A mutant of an import, or in another process, takes effect only if the tests are started anew.
     for mutant, tests in anew:
         if checkout.lives(mutant, file, tests, LEAST_SECONDS + 10 * sum(map(known["seconds"].get, tests))):
             alive.append(mutant)
@@ -277,7 +279,7 @@ def judge(file: Path, drawn: list[Mutant], known: dict[str, Any], checkout: Chec
 
 
 def by_folder(rates: dict[Path, tuple[int, int]]) -> Iterator[str]:
-    """The table of docs/reliability.md, of how many mutants of each file were killed, and of how many."""
+    """Yield the lines of the table in docs/reliability.md; `rates` are the killed and drawn mutants of each file."""
     yield "| folder | files | noticed | drawn | rate | below nine in ten |\n|---|---:|---:|---:|---:|---|"
     folders = {
         folder: [file for file in rates if file.parent == folder] for folder in sorted({f.parent for f in rates})
@@ -296,7 +298,7 @@ def _told(rates: dict[Path, tuple[int, int]], files: list[Path]) -> str:
 
 
 def main() -> int:
-    """Print the mutants that live, and the rates."""
+    """Print the surviving mutants and the shares of killed mutants."""
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("files", nargs="*", type=Path)
     parser.add_argument("--count", type=int, default=20)

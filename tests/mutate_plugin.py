@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Inside pytest, for tests/mutate.py: which lines each test reaches, and mutants that are tried without a new start.
+"""Plugin of pytest for tests/mutate.py: record the lines that each test reaches, or try mutants in forked processes.
 
-What to do is told by the file that the environment variable MUTATE names, see `mutate.Checkout`.
+The environment variable MUTATE names a JSON file with the requests, see `mutate.Checkout.run`.
 """
 
 from __future__ import annotations
@@ -16,21 +16,22 @@ from pathlib import Path
 from types import CodeType, FunctionType
 
 ROOT = Path(__file__).resolve().parents[1]
-# A test that takes so many seconds, and so many times its own, longer than that fails.
+# A test fails after _LEAST s of processor time plus _LONGER times its usual duration, or after _WAITING s by the clock
+# plus _LONGER times its usual duration.
 _LEAST, _WAITING, _LONGER = 5, 120, 5
-# How a try ends, beside 0, where all tests pass.
+# Exit statuses of a forked process; 0 means that all tests passed.
 _FAILED, _NOT_GRAFTED = 1, 2
 ASKED = json.loads(Path(os.environ["MUTATE"]).read_text())
 
 
 class Reached:
-    """Which lines of the code each test reaches, and how long it takes."""
+    """Record the lines of code that each test reaches, and the duration of each test."""
 
     def __init__(self, out: str) -> None:
         self.out = out
-        self.code = f"{ROOT}/vkworkbench/"  # of the copy in which this runs
+        self.code = f"{ROOT}/vkworkbench/"  # in the copy of the checkout
         self.lines, self.seconds, self.shared = {}, {}, {}
-        self.seen = set()  # until the first test runs: what an import reaches
+        self.seen = set()  # until the first test runs: lines that imports reach
 
     def _trace(self, frame, _event, _argument):
         if not frame.f_code.co_filename.startswith(self.code):
@@ -43,7 +44,7 @@ class Reached:
         sys.settrace(self._trace)
 
     def pytest_runtest_setup(self, item):
-        # A fixture may be shared by all tests of its file, whichever of them is the first.
+        # Lines that a fixture reaches count for all tests of the file, because the tests may share the fixture.
         self.seen = self.shared.setdefault(item.nodeid.split("::")[0], set())
 
     def pytest_runtest_call(self, item):
@@ -64,7 +65,7 @@ class Reached:
 
 
 class Grafted:
-    """Mutants of functions, each tried in a fork of the process in which all tests are collected already."""
+    """Try each mutant in a fork of this process, in which all tests are already collected."""
 
     def __init__(self, file: str, tries: list[dict], jobs: int, out: str) -> None:
         self.file, self.tries, self.jobs, self.out = file, tries, jobs, out
@@ -89,14 +90,14 @@ class Grafted:
         return True
 
     def _try(self, text, tests):
-        """Run tests until one fails, and end this process; the system ends it where one takes far too long."""
+        """Run tests until one fails, then exit; a timer's signal ends the process if a test takes far too long."""
         status = _FAILED
         try:
             if not graft(self.file, text):
                 os._exit(_NOT_GRAFTED)
             for item, following in zip(tests, [*list(tests)[1:], None]):
                 signal.setitimer(signal.ITIMER_PROF, _LEAST + _LONGER * tests[item])  # of the processor
-                signal.alarm(_WAITING + int(_LONGER * tests[item]))  # where it waits for what never comes
+                signal.alarm(_WAITING + int(_LONGER * tests[item]))  # for a test that waits forever
                 item.config.hook.pytest_runtest_protocol(item=item, nextitem=following)
                 if self.failed:
                     break
@@ -106,9 +107,9 @@ class Grafted:
 
 
 def graft(file: str, text: str) -> bool:
-    """Give functions and plain constants of a file what they are in another text of it; return whether any differs.
+    """Replace the functions and plain constants of a loaded file by the versions in `text`; return whether any differs.
 
-    Not what an import makes of them: classes, what arguments are by default.
+    Objects that are made during the import, such as classes and default arguments, are not replaced.
     """
     texts = Path(file).read_text(encoding="utf-8"), text
     old, new = (list(_codes(compile(one, file, "exec", dont_inherit=True))) for one in texts)
@@ -133,7 +134,7 @@ def graft(file: str, text: str) -> bool:
 
 
 def _is_plain(value) -> bool:
-    """Whether a value is of numbers and texts only."""
+    """Return whether a value consists of numbers, texts and arrays only."""
     if isinstance(value, (tuple, list, set, frozenset)):
         return all(map(_is_plain, value))
     if isinstance(value, dict):
@@ -142,7 +143,7 @@ def _is_plain(value) -> bool:
 
 
 def _codes(code: CodeType):
-    """A code and all in it, in the order in which they are written."""
+    """Yield a code object and all code objects within it, in the order of the source."""
     yield code
     for inner in code.co_consts:
         if isinstance(inner, CodeType):
@@ -157,7 +158,7 @@ def pytest_configure(config):
 
 
 def pytest_collection_modifyitems(items):
-    """Keep the tests that are asked for, in their order."""
+    """Keep the requested tests, in the requested order."""
     only = {test: place for place, test in enumerate(ASKED["only"])}
     if only:
         items[:] = sorted((item for item in items if item.nodeid in only), key=lambda item: only[item.nodeid])

@@ -31,9 +31,9 @@ def one_way(rows=10, length=50.0, step=3.0, depths=(0.0,)):
 
 
 def outline(sides=4, radius=30.0, z=0.0, start=0, waves=0.0, longer=0.0):
-    """Closed polygon; `waves` makes it a wavy one, `longer` stretches it along X by so many mm.
+    """Return a closed polygon, wavy with `waves`, and `longer` mm longer along X.
 
-    Stretched by moving one half aside, so that the offsets of the polygon stay offsets.
+    One half of the polygon is moved along X, so that the offsets of a polygon remain offsets of the longer polygon.
     """
     points = []
     for i in range(sides):
@@ -108,7 +108,7 @@ def adaptive(bites=40, radius=8.0, step=1.0):
 
 
 def engraving(letters=14):
-    """Short strokes of letters, each other than the one before."""
+    """Return short strokes as in engraved letters; every stroke has another shape than the stroke before."""
     strokes = []
     for i in range(letters):
         x, lean = 9.0 * i, 0.4 * i

@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""As much of FreeCAD as the document layer needs to analyse and mark a job, in any Python.
+"""Stubs for the part of FreeCAD that the document layer needs to analyse and mark a job, in any Python.
 
     python3.8 tests/stubbed_freecad.py      # in a Python that no FreeCAD here has; needs numpy
 
-Imports all of the package but the window, analyses a job of every strategy, marks it, changes a path and clears the
-marks. tests/core/test_vk_python.py runs it in this Python.
+Imports the whole package except the window, analyses a job with an operation of every strategy, marks the job, changes
+a path and clears the marks. tests/core/test_vk_python.py runs this script in its own Python.
 """
 
 from __future__ import annotations
@@ -22,7 +22,7 @@ import programs
 
 
 class Parameters:
-    """A group of preferences that nobody has changed."""
+    """A group of preferences in which every preference has its default."""
 
     def __getattr__(self, name):
         return lambda parameter, default=None: default

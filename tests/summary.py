@@ -21,7 +21,7 @@ STATUS = {"5": "no test was selected", "124": "stopped after too long a time"}
 
 
 def count(report):
-    """Number of passed, failed and skipped tests in a JUnit file."""
+    """Return the numbers of passed, failed and skipped tests in a JUnit file."""
     numbers = Counter()
     for suite in ElementTree.parse(report).iter("testsuite"):
         failed = int(suite.get("failures")) + int(suite.get("errors"))
@@ -31,7 +31,7 @@ def count(report):
 
 
 def judge(folder, layer):
-    """Counts of the tests of `layer`, and in words what went wrong beyond single tests, "" where nothing did."""
+    """Return the counts of the tests of `layer`, and a description of a problem beyond single tests, or ""."""
     status = (folder / f"{layer}.status").read_text().strip()
     report = folder / f"{layer}.xml"
     numbers = count(report) if report.exists() else Counter()
@@ -47,7 +47,7 @@ def judge(folder, layer):
 
 
 def tail(log):
-    """The part of a log that tells what failed."""
+    """Return the part of a log that shows the failures."""
     lines = log.read_text(errors="replace").splitlines()
     starts = [n for n, line in enumerate(lines) if re.match(r"=+ (FAILURES|ERRORS) =+|Traceback|Fatal|Timeout", line)]
     ends = [n for n, line in enumerate(lines) if re.match(r"=+ warnings summary =+", line)]
@@ -60,12 +60,12 @@ def in_words(numbers):
 
 
 def duration(folder, layer):
-    """How long a layer took, as "in 3:05" (minutes and seconds)."""
+    """Return the duration of a layer, for example "in 3:05" (minutes and seconds)."""
     return "in {}:{:02}".format(*divmod(int((folder / f"{layer}.seconds").read_text()), 60))
 
 
 def judge_tools(results):
-    """What ruff and mypy say, in a line; whether they are content, None where they did not run."""
+    """Return the result of ruff and mypy as one line, and True or False for success, or None if they did not run."""
     if (results / "tools.not-run").exists():
         return f"NOT RUN: ruff and mypy: {(results / 'tools.not-run').read_text().strip()}", None
     if not (results / "tools.status").exists():

@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The house stands: who imports whom, read from the imports of every file, those inside functions too.
+"""Check the imports of every file, including imports inside functions, against the layers of the package.
 
-Nobody imports from a floor above, past a room's face, or in a circle; FreeCAD, Qt and numpy come in only where they
-belong.
+A layer is called a floor: a module imports only from its own floor and the floors below. A package with an ``__all__``
+is called a room, and the package's public names are the room's face: other rooms import only these names. Imports form
+no circles, and only the listed modules import FreeCAD, Qt or numpy.
 """
 
 from __future__ import annotations
@@ -19,7 +20,7 @@ pytestmark = pytest.mark.sources
 
 ROOT = Path(__file__).resolve().parents[2]
 PACKAGE = "vkworkbench"
-# The floors, the lowest first. What stands side by side on one is one room.
+# The floors, the lowest first. Modules on one floor may import one another.
 FLOORS = (
     ("language",),
     ("worker", "given"),
@@ -50,14 +51,14 @@ FLOORS = (
     ("document.marks",),
     ("document.simulation",),
     ("document",),
-    ("", "__main__"),  # the package itself, the names for macros; and its command
+    ("", "__main__"),  # the package itself, which offers names for macros; and the command line
     ("gui.qt",),
     ("gui.tree", "gui.gauss", "gui.strategies"),
     ("gui.results", "gui.simulation"),
     ("gui.simulators",),
     ("gui",),
 )
-# What comes from outside beside the standard library, by the longest name that fits.
+# Third-party modules that a module may import. The longest listed prefix of the module's name counts.
 OUTSIDE = {
     "": set(),
     "core": {"numpy"},
@@ -74,7 +75,7 @@ OUTSIDE = {
 
 
 def read(folder: str) -> dict[str, str]:
-    """The files below a folder by their module's name, e.g. ``"vkworkbench.core.paper.areas"``; a package has its name."""
+    """Return the source texts below a folder by module name, e.g. ``"vkworkbench.core.paper.areas"``."""
     found = {}
     for path in sorted((ROOT / folder).rglob("*.py")):
         parts = path.relative_to(ROOT).with_suffix("").parts
@@ -89,7 +90,7 @@ def parsed(code: str) -> ast.Module:
 
 @lru_cache(maxsize=None)
 def import_nodes(code: str) -> list[ast.Import | ast.ImportFrom]:
-    """The imports of a file, wherever they stand: among statements, so that expressions need not be looked through."""
+    """Return all imports of a file. Imports are statements, so the search skips expressions."""
     todo: list[ast.AST] = [parsed(code)]
     for node in todo:
         for part in ("body", "orelse", "handlers", "finalbody", "cases"):
@@ -98,7 +99,7 @@ def import_nodes(code: str) -> list[ast.Import | ast.ImportFrom]:
 
 
 def names_of_face(code: str) -> set[str]:
-    """The names that a package offers: what its ``__all__`` lists; none where there is no such list."""
+    """Return the names in a package's ``__all__``, or an empty set if there is no ``__all__``."""
     for node in parsed(code).body:
         if isinstance(node, ast.Assign) and getattr(node.targets[0], "id", "") == "__all__":
             return {element.value for element in node.value.elts}
@@ -106,7 +107,7 @@ def names_of_face(code: str) -> set[str]:
 
 
 class House:
-    """The package's files, and how an imported name is read."""
+    """Source files by module name, the public names of their packages, and a resolver for imported names."""
 
     def __init__(self, files: dict[str, str]) -> None:
         self.files = files
@@ -115,7 +116,7 @@ class House:
         self.faces = {name: names for name, names in faces.items() if names and name != PACKAGE}
 
     def imports(self, code: str) -> Iterator[tuple[int, str]]:
-        """Lines and modules that a file imports: a package where the name is one of its face."""
+        """Yield the line and module of each import; a name in a package's ``__all__`` counts as the package."""
         for node in import_nodes(code):
             if isinstance(node, ast.Import):
                 yield from ((node.lineno, alias.name) for alias in node.names)
@@ -126,20 +127,20 @@ class House:
                     yield node.lineno, inner if is_module and not node.level else f"{'.' * node.level}{node.module}"
 
     def room_of(self, module: str) -> str | None:
-        """The room of a module: the innermost package with a face in which it is; None for one in no such package."""
+        """Return the room of a module: the innermost package with an ``__all__`` around the module, or None."""
         parts = module.split(".")
         packages = (".".join(parts[:count]) for count in range(len(parts) - 1, 0, -1))
         return next((package for package in packages if package in self.faces), None)
 
 
 def within(module: str) -> str:
-    """The name of a module within the package."""
+    """Return the name of a module relative to the package."""
     return ".".join(module.split(".")[1:]) if module.split(".", maxsplit=1)[0] == PACKAGE else module
 
 
 @lru_cache(maxsize=None)
 def floor_of(module: str) -> int | None:
-    """How high a module of the package stands; None where it stands nowhere."""
+    """Return the index of a module's floor, or None if no floor lists the module."""
     own = within(module)
     fits = [
         (len(room), height)
@@ -160,7 +161,7 @@ def is_own(module: str) -> bool:
 
 
 def offences(files: dict[str, str]) -> Iterator[str]:
-    """What is wrong with the imports of the package's files."""
+    """Yield a description of each forbidden import."""
     house = House(files)
     graph: dict[str, set[str]] = {}
     for module, code in files.items():
@@ -186,7 +187,7 @@ def offences(files: dict[str, str]) -> Iterator[str]:
 
 
 def past_face(house: House, module: str, where: str, target: str) -> Iterator[str]:
-    """Whether a module imports what only the room of the target may import."""
+    """Yield an offence if `module` imports an internal module of another room instead of the room's face."""
     room = house.room_of(target)
     if room is not None and target not in house.faces and not module.startswith(f"{room}."):
         if module != room:
@@ -194,7 +195,7 @@ def past_face(house: House, module: str, where: str, target: str) -> Iterator[st
 
 
 def circles(graph: dict[str, set[str]]) -> Iterator[str]:
-    """Circles of imports, each once."""
+    """Yield each circle of imports once."""
     done: set[str] = set()
 
     def visit(module: str, way: list[str]) -> Iterator[str]:
@@ -261,7 +262,7 @@ def test_names_for_macros_are_where_they_are_said_to_be():
 
 
 def offences_of_tests(tests: dict[str, str], benchmarks: set[str]) -> Iterator[str]:
-    """Tests import no benchmark, and of a room's own modules only those of the room in whose folder they are."""
+    """Yield the tests' imports of benchmarks, and of internal modules from rooms other than the test's folder."""
     house = House(FILES)
     for module, code in tests.items():
         for line, target in house.imports(code):
