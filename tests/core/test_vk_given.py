@@ -52,7 +52,7 @@ class Quantity:
         return self.value
 
 
-NUMBERS = {  # what no number fits, but -1 and nan, and what they name
+NUMBERS = {  # calls with a number that must be finite and not negative, by the argument's name
     "memory_budget": lambda given: simulate(PATH, **WITH, memory_budget=given),
     "tolerance": lambda given: facts(DONE, tolerance=given),
     " tolerance": lambda given: linearize([], tolerance=given),
@@ -98,7 +98,7 @@ def test_numbers(name, given):
         ("width", 0.5, lambda given: View(width=given)),
         ("step", 0.5, DONE.at),
         ("step", "1", DONE.at),
-        ("first", -1, lambda given: DONE.chips(given, 2)),  # the number of what the stock owns
+        ("first", -1, lambda given: DONE.chips(given, 2)),  # -1 is the source of the uncut stock
         ("end", 3, lambda given: DONE.chips(0, given)),
         ("trajectory", 1.5, DONE.cuts.source),
         ("processes", 0, lambda given: simulate(PATH, **WITH, processes=given)),

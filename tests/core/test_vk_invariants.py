@@ -11,7 +11,7 @@ from vkworkbench.core import linearize, signature
 PI, TURN = np.pi, 2 * np.pi
 CLOSE = {"abs": 1e-6}
 
-# Directions in whole degrees and lengths that are no rounding noise: so that exact reversals are exact.
+# Directions are whole degrees, and lengths are far above rounding errors, so that exact reversals remain exact.
 vectors = st.lists(st.tuples(st.floats(0.1, 100), st.integers(0, 359)), min_size=2, max_size=40)
 
 

@@ -105,7 +105,7 @@ def test_unknown_rapid_speeds_are_named_and_left_out():
     assert one.notes == (
         "The machining time does not include 4 mm of rapids, because the tool controller's VertRapid is 0.",
     )
-    level = machining(linearize([*commands[:2], ("G1", {"Z": 0.0, "F": 1.0})]))  # no rapid asks for the other one
+    level = machining(linearize([*commands[:2], ("G1", {"Z": 0.0, "F": 1.0})]))  # no rapid needs VertRapid
     assert level.notes == (
         "The machining time does not include 100 mm of rapids, because the tool controller's HorizRapid is 0.",
     )
@@ -162,7 +162,7 @@ def test_lengths_of_lines_are_the_chords():
 
 
 def test_the_lowest_point_is_that_of_what_is_cut_whichever_way():
-    """Into the stock by a rapid and out of it at feed; a rapid below is no cut."""
+    """The tool enters the stock at rapid and leaves at feed. The height of a lower rapid does not count."""
     rising = [("G0", {"X": 0.0, "Y": 0.0, "Z": 5.0}), ("G0", {"Z": -2.0}), ("G1", {"X": 9.0, "Z": 1.0, "F": 5.0})]
     work = machining(linearize([*rising, ("G0", {"Z": 9.0}), ("G0", {"X": 50.0}), ("G0", {"Z": -7.0})]), top=1.0)
     assert (work.lowest, work.depth) == (-2, 3)

@@ -29,7 +29,7 @@ def named(tree):
             if isinstance(node.func, ast.Name):
                 yield node.func.id
             elif isinstance(node.func, ast.Attribute) and isinstance(node.func.value, ast.Name):
-                if node.func.attr != "exec" and node.func.value.id != "re":  # those of a Qt dialog and of re
+                if node.func.attr != "exec" and node.func.value.id != "re":  # skip the exec of Qt dialogs and functions of re
                     yield node.func.attr
         elif isinstance(node, ast.Import):
             for alias in node.names:
@@ -85,7 +85,7 @@ def test_cells_that_begin_like_a_formula_become_text(text, tmp_path):
         (row,) = csv.DictReader(file)
     for cell in (row["label"], row["cautions"], row["machining_notes"]):
         assert cell == ("'" + text if text in FORMULAS else text)
-    assert float(row["length"]) == -1.5  # a number is no text
+    assert float(row["length"]) == -1.5  # numbers are not quoted
 
 
 @pytest.mark.sources

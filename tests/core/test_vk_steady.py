@@ -76,7 +76,7 @@ def test_a_busy_computer_gives_the_times_of_a_quiet_one():
 
 @pytest.mark.skipif(os.name == "nt", reason="its clock of the processor is too coarse")
 def test_waiting_takes_the_processor_no_time():
-    """Of several waits, for a busy computer may have something else to do in one of them."""
+    """The least of five waits counts, because other work of a busy computer may disturb some waits."""
     times = [processor_clock()]
     for _ in range(5):
         time.sleep(0.05)

@@ -29,7 +29,7 @@ LANGUAGES = dict(names_in_languages())
 
 
 def forgotten(entry):
-    """What is missing of an entry of the table."""
+    """Yield the fields of a strategy's entry that are missing or malformed."""
     for field in FIELDS:
         if not getattr(entry, field, None):
             yield field

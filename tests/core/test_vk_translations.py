@@ -60,7 +60,7 @@ def test_sources_are_what_the_code_says(name, texts_of_code):
 def test_everything_is_translated(language):
     for (_, text), translation in messages(f"VkWorkbench_{language}.ts").items():
         assert translation, text
-        # What is filled in, what a dialog follows, tags and lines are the same.
+        # A translation keeps the placeholders, the … of commands that open a dialog, the tags and the line breaks.
         for pattern in (r"\{[^{}]*\}", "…$", r"</?\w+>", "\n"):
             expected, found = (sorted(re.findall(pattern, t)) for t in (text, translation))
             assert found == expected, (text, translation)

@@ -94,7 +94,7 @@ def test_the_python_of_a_program_that_is_not_python(monkeypatch, tmp_path):
         monkeypatch.setattr(sys, "executable", executable)
         monkeypatch.setattr(sys, "prefix", str(tmp_path / "usr"))
         assert worker.interpreter() is None and worker.processes() == 1
-    (tmp_path / "usr" / "bin" / "python3").mkdir(parents=True)  # a folder is no program
+    (tmp_path / "usr" / "bin" / "python3").mkdir(parents=True)  # a folder is not a program
     (tmp_path / "apart").mkdir()
     monkeypatch.setattr(sys, "executable", str(tmp_path / "apart" / "FreeCAD"))
     for place in (

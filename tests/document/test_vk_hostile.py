@@ -428,7 +428,7 @@ def test_unit_system_of_the_user_changes_no_number(example):
 
 
 class Audit:
-    """Records files opened for writing or deleted, started programs, and connections while it is on."""
+    """While switched on, record started programs, connections, and files that are opened for writing or deleted."""
 
     def __init__(self):
         self.on, self.seen = False, []

@@ -86,7 +86,7 @@ def test_it_is_said_whether_a_simulation_found_something_else(small):
     first, second = read_job(small.job).operations
     crash, other = [(1, CRASH)], [(2, CRASH)]
     assert not keep_faults({first: [], second: []})
-    assert keep_faults({first: crash, second: []})  # in any of them
+    assert keep_faults({first: crash, second: []})  # one changed operation is enough
     assert not keep_faults({first: crash, second: []})
     assert keep_faults({first: crash, second: other}) and keep_faults({first: other, second: other})
     assert keep_faults({first: [], second: other}) and not keep_faults({second: other})

@@ -28,7 +28,7 @@ def test_the_first_click_marks_the_job_and_shows_the_column(opened, window):
     window.click("Analyze Toolpaths")
     window.wait(lambda: marked(opened))
     window.wait(lambda: not window.tree.isColumnHidden(1) and window.tree.columnWidth(1) > 100)
-    # As many as have a sign in the results: for the time that the OpenGL simulator takes for arcs, for example.
+    # The message counts the rows with a warning sign, for example for slow arcs in the OpenGL simulator.
     rows = [row for job in rows_of(read_findings(opened)) for row in job.rows]
     told = sum(row.is_warned for row in rows)
     count = vkworkbench.analyze(opened).totals[0].operations

@@ -148,7 +148,7 @@ def test_slider_and_number_step_through_vectors(view, window):
     # All three plots change.
     changed = (pictures[0] != pictures[2]).any(axis=(0, 2))
     assert all(part.any() for part in np.array_split(changed, 3))
-    # The same step gives the same picture.
+    # A step that is shown again gives an identical picture.
     view.slider.setValue(last)
     assert same(view.picture(), pictures[0])
 

@@ -594,7 +594,7 @@ def test_faulty_operations_have_a_remark(panel, opened, window):
     assert not rest and (not cautions or " takes about " in cautions)  # a slow computer's simulator has a caution
     assert remarks["Job"].startswith(
         "The simulation cost of Bore is unknown."
-    )  # what else is told depends on the computer's speed
+    )  # further remarks depend on the computer's speed
 
 
 def test_switching_an_operation_off_needs_no_analysis(panel, opened, window):

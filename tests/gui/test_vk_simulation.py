@@ -34,7 +34,7 @@ def whole(desk, window):
 
 @pytest.fixture
 def whole_from_above(desk, window):
-    """The same player, seen from above, which is quicker to simulate."""
+    """A player of the whole example, seen from above, which is quicker to simulate."""
     return desk.shared(desk.example, "Top").player
 
 
@@ -125,7 +125,7 @@ def test_turning_moving_and_zooming_with_the_mouse(whole, window):
 def test_click_on_a_surface_selects_its_operation(whole_from_above, window):
     player = whole_from_above
     view = player.view
-    # FreeCAD 1.1 checks where the pointer is, not where the event was, before it passes a click on.
+    # Before FreeCAD 1.1 forwards a click, it checks the position of the pointer instead of the position of the event.
     QtGui.QCursor.setPos(view.mapToGlobal(view.rect().center()))
     window.click_at(view, view.rect().center())
     window.idle()

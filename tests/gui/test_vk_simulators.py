@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""FreeCAD's own simulators: how FreeCAD names them, and what the first analysis measures for them."""
+"""FreeCAD's own simulators: their names, and the measurements of the first analysis."""
 
 import FreeCADGui as Gui
 

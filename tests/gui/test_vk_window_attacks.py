@@ -210,7 +210,7 @@ def test_show_strategies_survives_changes_of_the_scene(short_job, window, tiny, 
 
 @pytest.fixture
 def trap(tmp_path):
-    """A text that loads a picture if a view takes it for HTML, and a function that tells whether it did."""
+    """Return a text that loads a picture if a view reads the text as HTML, and a check of whether it was loaded."""
     picture = QtGui.QPixmap(60, 60)
     picture.fill(QtGui.QColor("#ff0000"))
     file = tmp_path / "trap.png"

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Random and mutated programs through the core; more of them by python3 tests/fuzz.py --count 10000."""
+"""Send random and mutated programs through the core. Run python3 tests/fuzz.py --count 10000 for more programs."""
 
 from __future__ import annotations
 
@@ -36,7 +36,7 @@ def test_programs_that_failed_once(seed):
 
 
 def test_a_flat_end_that_hardly_moves_across_the_ray():
-    result = fuzz.feed(62133)  # its views are not those of `flat_program`
+    result = fuzz.feed(62133)  # the seed's view differs from the view of `flat_program`
     assert not result.failed, result.outcome
 
 

@@ -173,7 +173,8 @@ def test_full_circle_with_equal_end_points():
 def test_circle_with_rounded_end_is_full(code, sense, x, y):
     toolpath = path(("G0", {"X": 1, "Y": 2, "Z": 3}), (code, {"X": 1 + x, "Y": 2 + y, "I": -1.5, "J": 0}))
     assert toolpath.sweep.sum() == pytest.approx(sense * 2 * np.pi)
-    # What ends farther from the centre sweeps nothing; what goes on is as short as it says, a radius makes no whole circle.
+    # An arc whose end is farther from the centre has no sweep. An arc whose end is slightly ahead of its start is short,
+    # whether the arc has a centre or a radius.
     assert path(("G0", {"X": 1, "Y": 2, "Z": 3}), (code, {"X": 1.5, "Y": 2, "I": -1.5, "J": 0})).sweep.sum() == 0
     for more in ({"I": -1.5, "J": 0}, {"R": 1.5}):
         on = path(("G0", {"X": 1, "Y": 2, "Z": 3}), (code, {"X": 1, "Y": 2 + sense * 1e-3, **more}))
@@ -466,7 +467,7 @@ def test_what_is_no_command_is_told_in_a_sentence(commands):
     ],
 )
 def test_machine_height_is_at_least_highest_move(commands):
-    """FreeCAD makes two commands of such a line: the second is no move to Z-3 of the part."""
+    """FreeCAD splits such a line into two commands. The second is not a move to Z-3 in the part's coordinates."""
     begin = [("G0", {"X": 0, "Y": 0, "Z": 5}), ("G1", {"Z": -5, "F": 1}), ("G1", {"X": 50})]
     path = linearize([*begin, *commands, ("G0", {"X": 0, "Y": 40}), ("G1", {"Z": -5})])
     assert path.points[2:].tolist() == [[50, 0, -5], [50, 0, 5], [0, 40, 5], [0, 40, -5]]

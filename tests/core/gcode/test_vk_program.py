@@ -216,7 +216,7 @@ def test_a_feed_by_turn_follows_the_spindle():
 
 
 def test_a_feed_by_turn_of_a_spindle_that_stands_is_unknown():
-    """And not the one of before."""
+    """The feed of an earlier G94 move is not used instead."""
     path = read_program("G0 X0 Y0 Z0\nG1 X10 F600\nG95 F.1\nX20\nS1200 M3\nX30\nG94 F300\nX40").toolpath()
     assert path.feed.tolist() == pytest.approx([10, 0, 2, 5])
     assert [problem.what.code for problem in path.problems] == ["feed-mode-not-read"]
@@ -226,7 +226,7 @@ def test_a_feed_by_turn_of_a_spindle_that_stands_is_unknown():
 
 
 def test_there_are_as_many_commands_as_numbers_of_lines():
-    """What is found for each command of a toolpath finds those of a program, too."""
+    """Command numbers of a program's toolpath are line numbers, so code that works by command works for programs."""
     path = read_program("%\n\nG0 X0 Y0 Z0\n\nG1 X10 F600\n\n(end)\n").toolpath()
     assert path.command.tolist() == [5] and path.commands == 6
 
@@ -408,7 +408,7 @@ HEIDENHAIN = (
 def test_heidenhain_iso():
     text = HEIDENHAIN.format("N70 X+50 M99 *")
     assert points(text) == [[0, 50, 5], [0, 50, -1], [50, 50, -1], [50, 50, 5]] and said(text) == []
-    assert points(text.replace(" *", "*")) == points(text)  # the end of a block is no digit
+    assert points(text.replace(" *", "*")) == points(text)  # the end of a block is not a digit
     program = read_program(text)
     assert program.unit_told and not program.inches
     inches = read_program(text.replace("G71", "G70"))

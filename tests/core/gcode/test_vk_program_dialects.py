@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What controls say each in their own way, and what only looks like another control or another machine."""
+"""Words with a different meaning on each control, and words that only look like those of another control or machine."""
 
 import pytest
 

@@ -354,7 +354,7 @@ def test_tools_and_remarks_in_chinese():
 
 
 def test_a_tool_for_cutviewer_is_the_tool_from_there_on():
-    """MeshCAM writes one of its own before that of the program; a list of what is needed names the first tool first."""
+    """MeshCAM writes a tool of its own before the program's tool. The first tool in a tool list is used first."""
     assert sections(f"(TOOL/MILL,0.1,0.05,0,0)\n(TOOL/MILL,6,0,20,0)\nT1 M6\n{CUT}") == [("", 1, 6)]
     assert sections(f"(TOOL/MILL,0.1,0.05,0,0)\nT1 M6\n(TOOL/MILL,6,0,20,0)\n{CUT}(TOOL/MILL,3,0,9,0)\nT1 M6\n{CUT}") == [
         ("", 1, 6), ("", 1, 3)
@@ -363,13 +363,13 @@ def test_a_tool_for_cutviewer_is_the_tool_from_there_on():
 
 
 def test_unnumbered_tool_list_fills_missing_tools():
-    """hyperMILL lists all tools at the beginning, and says each again where it is changed to."""
+    """hyperMILL lists all tools at the beginning and repeats a tool's name at its tool change."""
     tools = ["KOMET-1.0", ".375 STUB END MILL", ".248 REAMER", ".5_1/2 X 90 DEG. SPOT DRILL .06 TO.125 DIA."]
     listed = "".join(f"({tool})\n" for tool in tools)
     changes = "".join(f"(OPERATION {k})\n({tool})\nT{k} M6\n{CUT}" for k, tool in enumerate(tools, 1))
     found = [diameter for _, _, diameter in sections(f"G20\n{listed}{changes}")]
     assert found == [None, pytest.approx(9.525), pytest.approx(6.2992), pytest.approx(12.7)]
-    # What is true of two tools lists none.
+    # A comment that is repeated for several tools does not start a tool list.
     same = "".join(f"(PART 7)\n(End mill 6mm)\nT{k} M6\n{CUT}" for k in range(1, 4))
     assert [diameter for _, _, diameter in sections(same)] == [6, 6, 6]
 
@@ -509,7 +509,7 @@ def test_a_title_that_names_a_tool_of_before_has_that_tool():
 
 
 def test_fusion_for_marlin_names_an_operation_before_its_tool():
-    """Behind a table of ranges, which is no name; what the operator is to do is none, either."""
+    """The table of ranges before it and the instructions to the operator are not names of operations."""
     header = ";Ranges table:\n; X: Min=0 Max=5 Size=5\n;Tools table:\n"
     listed = "; T1 D=6 CR=0 - ZMIN=-3 - flat end mill\n; T3 D=3 CR=0 - ZMIN=-3 - flat end mill\n"
     second = "M6 ;wait for user interaction\n;2D Contour1 - Milling - Tool: 3 - flat end mill\n"

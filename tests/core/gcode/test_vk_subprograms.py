@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Subprograms that stand in the same text as their calls are run there; others are told, and none runs for ever."""
+"""Subprograms in the same file as their calls are expanded, other subprograms are reported, and recursion ends."""
 
 from __future__ import annotations
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Every word that a machine understands and that is not read is told, of commands and of programs."""
+"""Words that a machine understands but the reader ignores are reported, for commands and for programs."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ HOLE = {"X": 1.0, "Y": 2.0, "Z": -3.0, "R": 1.0, "F": 2.0}
 
 
 def told(commands):
-    """Codes, letters or names, first commands and counts of what is told of a program that begins with START."""
+    """Return code, arguments, first command and count of each problem in a program that begins with START."""
     problems = linearize([*START, *commands]).problems
     return [(p.what.code, *p.what.arguments.values(), p.command, p.count) for p in problems]
 

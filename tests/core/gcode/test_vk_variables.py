@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Variables that stand for numbers, and those that do not."""
+"""Variables with a known value are replaced by it; variables without a known value are reported."""
 
 import pytest
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Commands become columns a piece at a time: very many of them take little more memory than the columns."""
+"""Commands are converted to columns in chunks, so that the conversion needs little more memory than the columns."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from vkworkbench.core.gcode.moves import words
 
 
 class Command:
-    """As FreeCAD's: name and parameters are made anew each time they are asked for."""
+    """A command like FreeCAD's, which creates its name and parameters anew at each access."""
 
     @property
     def Name(self):

@@ -31,7 +31,7 @@ def templates(code):
 
 
 def places(code):
-    """Names of what a message is filled with, and the quantity of each."""
+    """Return the placeholders of a message, each with its quantity."""
     return dict(place for template in templates(code) for place in PLACE.findall(template))
 
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""One computation of the signature: phi, level and reversals are the same wherever they are told."""
+"""Phi, level and reversals agree in the recognition, the Gauss map, the mark, the panel and the report."""
 
 import csv
 import gzip
@@ -93,14 +93,14 @@ def check(commands, diameter, file):
     if found.strategy in (Strategy.EMPTY, Strategy.DRILLING):
         return False
     told = found.phi_range, found.level, found.reversals
-    # What the Gauss map shows: the operation as a whole, and each area.
+    # The Gauss map shows the signature of the whole operation and of each area.
     assert (areas.phi_range, areas.top_level, len(areas.reversals)) == told
     each = [areas.signature(area) for area in range(len(areas.start))]
     low, high = min(s.phi_range[0] for s in each), max(s.phi_range[1] for s in each)
     assert ((low, high), sum(len(s.reversals) for s in each)) == (found.phi_range, found.reversals)
     assert found.level in {s.top_level for s in each}
     assert found.paper == paper_verdict(areas)
-    # What the mark, its tooltip and the panel say.
+    # The mark, its tooltip and the panel show the reason.
     if found.reason.startswith("Phi "):
         shown = [ENGLISH.turns(phi) for phi in found.phi_range]
         numbers = NUMBER.findall(found.reason.partition(" turns")[0])

@@ -93,7 +93,7 @@ def test_reliefs_in_the_corners_leave_a_contour_its_turn():
 @pytest.mark.parametrize("behind", [-150, 0, 150])
 @pytest.mark.parametrize("sense", [1, -1])
 def test_detour_and_back_adds_no_turn(before, behind, sense):
-    """Out by 120 degrees, back on the same line, and on by 60 as the way went before."""
+    """The path turns by 120 degrees, returns on the same line, and turns by 60 degrees back to its old direction."""
     heading = sense * np.radians(np.cumsum([0, before, 120, 180, 60, behind]))
     path = np.cumsum(np.vstack(([0, 0], 10 * np.column_stack((np.cos(heading), np.sin(heading))))), axis=0)
     areas = areas_of(SLOT, path.tolist())
@@ -111,7 +111,7 @@ def test_rows_that_are_cut_there_and_back_stay_on_their_level(links):
 
 @pytest.mark.parametrize("x", [50, 900, -900])
 def test_a_gap_counts_against_what_is_enclosed_wherever_it_lies(x):
-    # 3 % of the side: 0.6 mm of these 20 mm.
+    # A contour is closed if the gap is at most 3 % of the side of a square of equal area: 0.6 mm for 20 mm.
     for gap, closed in ((0.5, True), (0.65, False)):
         assert areas_of(at([*SQUARE[:-1], (0.0, gap)], x, -30), at(ROW, 0, 0)).closed.tolist() == [closed, False]
 

@@ -49,8 +49,8 @@ def test_v_of_nearly_closed_contour_has_no_direction():
 
 def test_the_image_of_a_contour_goes_around_in_one_sense():
     assert (verdict(SQUARE).sense, verdict(SQUARE, -1).sense) == ("ccw", "cw")
-    assert verdict([(0, 0), (10, 0), (20, 0)]).sense is None  # it does not move
-    assert verdict([(0, 0), (30, 0), (30, 2), (0, 2), (0, 4), (30, 4)]).sense is None  # to and fro
+    assert verdict([(0, 0), (10, 0), (20, 0)]).sense is None  # the image does not move
+    assert verdict([(0, 0), (30, 0), (30, 2), (0, 2), (0, 4), (30, 4)]).sense is None  # the image turns back and forth
 
 
 def test_image_of_v_goes_around_from_inside_only():

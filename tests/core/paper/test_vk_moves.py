@@ -126,11 +126,11 @@ def test_links_in_the_air_at_feed_are_left_out():
 
 
 def test_last_link_may_end_at_program_end_height():
-    """Of drilling at feed it would else be all that cuts, and the program a profile."""
+    """Otherwise the last link would be the only cutting area of a program that drills at feed, and look like a profile."""
     holes = [(x, 0, z) for x in (0, 20, 40) for z in (1, -2, 1)]
     drilled = areas_of(*feed(*holes, (-30, -20, 1), (-30, -20, 20), (-30, -20, 30)))
     assert len(drilled) == 0 and len(drilled.holes) == 3
-    # With a cut behind it, it is no last one; and who lifts at rapid, links at rapid.
+    # A feed move before a rapid lift is not a link, and a feed move with a cut after it is not the last link.
     assert sizes(areas_of(*feed(*holes, (-30, -20, 1)), rapid(-30, -20, 20))) == [1]
     assert sizes(areas_of(*feed(*holes, (-30, -20, 1), (-30, -20, 20), (0, -20, -1)))) == [1, 1]
 
@@ -139,14 +139,14 @@ def test_rows_that_begin_and_end_by_parallel_moves_are_no_link():
     """A terrace, reached by a lift at feed and left by a plunge; or any rows where Z counts downward."""
     rows = [(x, y, 1) for y in range(2, 12, 2) for x in ((0, 20) if y % 4 else (20, 0))]
     assert sizes(areas_of(*feed((0, 0, -1), (0, 2, -1), *rows, (20, 10, -1), (20, 30, -1)))) == [1, 9, 1]
-    # What lies in one line is one, in however many moves.
+    # Moves along one line count as one move.
     straight = [(x, 2, 5) for x in range(0, 45, 5)]
     assert sizes(areas_of(*feed((0, 0, -1), (0, 2, -1), *straight, (40, 2, -1), (40, 30, -1)))) == [1, 1]
 
 
 @pytest.mark.parametrize(("height", "air"), [(20, True), (19, False)])
 def test_a_fast_feed_at_the_top_beside_a_rapid_is_a_link(height, air):
-    """As Fusion's posts write rapids for those who do not pay; lower down it may cut."""
+    """Fusion's posts write rapids as feeds in the free version. A feed below the top height may cut."""
     cut = feed((0, 0, -1), *ROW)
     above = [rapid(0, 2, 20), rapid(20, 2, 20), rapid(20, 2, height)][: 2 if air else 3]
     down = [rapid(40, 2, 5), *feed((40, 2, -1), (40, 20, -1))]
@@ -154,7 +154,7 @@ def test_a_fast_feed_at_the_top_beside_a_rapid_is_a_link(height, air):
     up = [rapid(0, 2, height), *feed((20, 2, height)), rapid(40, 2, height), rapid(40, 2, 20)]
     assert sizes(areas_of(*cut, *up)) == ([3] if air else [3, 1])
     lifted = [*cut, *feed((0, 2, 20)), rapid(20, 2, 20), *feed((40, 2, 20))]
-    if air:  # though what led up was no rapid
+    if air:  # the move up may be a feed
         assert sizes(areas_of(*lifted, *down)) == [3, 1]
         first = [rapid(0, 0, 20), *feed((20, 0, 20)), rapid(20, 0, -1), *feed((40, 0, -1))]
         assert sizes(areas_of(*first)) == [1]
@@ -185,7 +185,7 @@ def test_a_plateau_between_walls_is_cut():
     aslant = [(0, 0, -1), (20, 0, -1), (20, 0, 4), (40, 20, 4), (40, 20, -1), (60, 20, -1)]
     assert sizes(areas_of(*feed(*aslant))) == [1, 1]
     lifted = [*feed((0, 0, -1), (20, 0, -1)), rapid(20, 0, 4), *feed((40, 0, 4)), rapid(40, 0, -1), *feed((60, 0, -1))]
-    # It need go on in the direction of one pass beside it only, the one before or the one behind.
+    # The move only has to continue the direction of the pass before it or of the pass after it.
     into = [*feed((0, 0, -1), (0, 20, -1), (0, 20, 4), (20, 20, 4)), rapid(20, 20, -1), *feed((40, 20, -1))]
     assert sizes(areas_of(*into)) == [1, 1, 1]
     out = [*feed((0, 0, -1), (20, 0, -1)), rapid(20, 0, 4), *feed((40, 0, 4), (40, 0, -1), (40, 20, -1))]

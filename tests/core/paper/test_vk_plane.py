@@ -47,7 +47,7 @@ def test_where_rapids_go_does_not_matter():
 
 @pytest.mark.parametrize("place", [0, 1, 99, 100, 200])
 def test_one_point_aside_is_enough_to_be_horizontal(place):
-    """Of long paths some moves are looked at first: those between them count as well, and both their ends."""
+    """The search first samples the moves of a long path, but the moves between the samples and both ends count, too."""
     points = waves(200)
     points[place, 1] += 1
     assert plane(points) == XY

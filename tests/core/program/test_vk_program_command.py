@@ -40,7 +40,7 @@ def folder(tmp_path):
     return folder
 
 
-# What Python runs when it starts, if it finds it: then one file never opens, as on a server that does not answer.
+# Code for sitecustomize.py, which Python runs when it starts: one file never opens, as on a server that does not answer.
 NEVER_OPENS = """
 import builtins, time
 opened = builtins.open
@@ -73,7 +73,7 @@ def run(*arguments, **options):
 
 @pytest.fixture
 def inside(capsys, monkeypatch):
-    """The command and what it analyses in this process, for what their start as others does not change."""
+    """Run the command and its analyses in this process, for tests that need no separate processes."""
     monkeypatch.setattr(command_line, "analyze_apart", lambda path, chosen, _patience: analyze_file(path, chosen))
 
     def run_inside(*arguments):
@@ -466,7 +466,7 @@ def test_names_that_are_no_utf8(tmp_path, inside):
 
 @pytest.fixture
 def scheduler(tmp_path):
-    """Address of a Dask scheduler with two workers, all of them real processes."""
+    """Start a Dask scheduler and two workers as real processes; yield the scheduler's address and a client."""
     pytest.importorskip("distributed", reason="python3-distributed is not installed: --scheduler is not tested")
     with socket.create_server(("127.0.0.1", 0)) as server:
         try:
@@ -494,7 +494,7 @@ def scheduler(tmp_path):
             client.wait_for_workers(2, timeout=60)
             yield client.scheduler.address, client
     finally:
-        # Asked to end, they take 5 s. What a worker started sees that it is gone, and ends as well.
+        # A normal end takes 5 s. The child processes of a killed worker notice its end and exit, too.
         for process in processes:
             process.kill()
         for process in processes:

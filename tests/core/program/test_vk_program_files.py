@@ -263,7 +263,7 @@ def test_a_time_without_a_dwell_is_the_least(tmp_path):
 
 
 def test_each_operation_with_a_dwell_says_so(tmp_path):
-    """Another remark is told once, with the operation in which it first occurs."""
+    """Any other remark is reported once, for the operation in which the cause first occurs."""
     path = tmp_path / "router.nc"
     cut = "G0 Z5\nG4 P1\nG1 Z-1 F600\nX40\nX0\n"
     path.write_text(
@@ -321,7 +321,8 @@ def test_what_cannot_be_read_costs_only_itself(tmp_path):
         "Line 3: Words with variables or expressions are ignored.",
         "missing.nc": "The file cannot be read: No such file or directory.",
     }
-    # Of what cannot be read nothing is known; what has no cut is empty, and was read unless something in it was not.
+    # An unreadable file has the strategy "unknown". A file without a cut is empty, and has an error only if a line of the
+    # file was ignored.
     strategies = {Path(row.document).name: str(row.strategy) for row in report.operations}
     assert {name for name, strategy in strategies.items() if strategy == "unknown"} == {"a.nc", "c.nc", "missing.nc"}
     assert {name for name, strategy in strategies.items() if strategy == "empty"} == {"d.nc", "e.nc"}

@@ -12,7 +12,7 @@ GREY = (200, 200, 200)
 
 
 def plane(right=0.0, up=0.0, size=(40, 60)):
-    """A plane that rises towards the eye by so much for each mm to the right and up, pixels of 0.5 mm."""
+    """Return the depths of a plane with pixels of 0.5 mm. `right` and `up` are the slopes towards the eye."""
     row, column = np.mgrid[: size[0], : size[1]]
     return (100 - 0.5 * (right * column + up * row)).astype(np.float32)
 
@@ -50,7 +50,7 @@ def test_a_step_is_a_dark_line_and_nothing_else():
     depth[:, 30:] -= 5
     image = shade(depth, 0.5, GREY)
     line = image[20, 29:31].astype(int)
-    # Of the two slopes beside the step the smaller one is the surface's: the light of the flat, less the line.
+    # The smaller slope of the two sides of the step is used, so the line has the light of the flat surface, darkened.
     assert np.abs(line - 0.55 * 200).max() <= 1 and (image[20, 10] == 200).all()
     assert (np.delete(image, (29, 30), axis=1) == image[20, 10]).all()
 

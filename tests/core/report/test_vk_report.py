@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""A report of whatever operations: what they take together, and the table of them."""
+"""The totals and the table of a report on several operations."""
 
 from __future__ import annotations
 
@@ -129,7 +129,7 @@ def test_a_name_of_a_program_is_two_hundred_letters_long_at_most():
 
 
 def test_job_length_is_unknown_if_an_operation_is():
-    """Of two that cut nothing as far as one knows."""
+    """The known cutting length of both operations is 0, but ignored commands may cut."""
     no_cut = replace(KNOWN, cutting_length=0.0, cutting_seconds=0.0)
     unknown = replace(PARTLY, cutting_length=0.0, cutting_seconds=None)
     for machining, shown in ((no_cut, "0"), (unknown, "?")):

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What a simulation told, as a table and in files: operations without and with faults."""
+"""The results of a simulation as a table and in files, for operations with and without faults."""
 
 from __future__ import annotations
 

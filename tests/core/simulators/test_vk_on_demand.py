@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Costs are computed once, at their first use, and not before."""
+"""Costs are computed only once, at their first use."""
 
 from __future__ import annotations
 

@@ -210,7 +210,7 @@ def test_the_share_that_is_done_grows_from_nothing(workers):
     path, solids = case()
     simulate(path, **solids, processes=2, going_on=going_on)
     assert told[0] == 0 and told == sorted(told) and told[-1] < 1
-    # Regions of this process and of the others count before the first band is finished.
+    # Finished regions of all processes count before the first band is finished.
     assert 0 < min(filter(None, told)) < 64 / 200 and len(set(told)) > 2
 
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Bounds for oblique views: tools grown and shrunk by half a tile, the depths of the stock, and the depths opened before."""
+"""Depth bounds for oblique views: tools grown and shrunk by half a tile, depths of the stock, and earlier depths."""
 
 from __future__ import annotations
 

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Bounds of the depth of moves in squares seen from above, compared with the tool at many positions of each move.
 
-Too deep a bound only takes longer, too shallow a one loses a cut: both are told here.
+A bound that is too deep costs time, and a bound that is too shallow loses a cut. The tests find both faults.
 """
 
 from __future__ import annotations

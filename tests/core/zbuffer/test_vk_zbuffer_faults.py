@@ -245,7 +245,7 @@ def test_a_wall_through_a_pixel_is_no_deviation():
 
 
 def test_worst_places_lie_apart_and_name_what_made_them():
-    """Two holes in a model of 8 mm, one of them through the whole model. Each hole is listed once, the deeper one first."""
+    """The model of 8 mm has a blind hole and a through hole. Each hole is listed once, the deeper hole first."""
     drilled = path([(10, 15, 12), (10, 15, 5), (10, 15, 12), (30, 15, 12), (30, 15, -1), (30, 15, 12)])
     z = simulate_job([Cut(SOUND, FLAT), Cut(drilled, FLAT)], stock=STOCK, view=View((0, 0, -1), 200, 150))
     found = deviations(z, MODEL)
