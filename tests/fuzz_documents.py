@@ -3,7 +3,7 @@
 
 Each seed is one session: documents are made, changed, analysed, marked, damaged, copied, saved and closed. After each
 action every mark that claims to be current is compared with its toolpath. A session has failed if a current mark does
-not fit, if the add-on raises anything but a documented error, or if FreeCAD's log shows a traceback of the add-on.
+not fit, if the add-on raises an undocumented error, or if FreeCAD's log shows a traceback from the add-on's code.
 
 An environment variable selects the sessions: VKWORKBENCH_FUZZ="SEED MINUTES [SESSIONS]".
 """
@@ -80,7 +80,7 @@ def a_path(rng):
 
 
 class Session:
-    """The random actions of one seed, and the documents that they work on."""
+    """The random actions of one seed on open documents."""
 
     def __init__(self, seed):
         self.rng = random.Random(seed)

@@ -8,7 +8,7 @@ drawn from each file (all with --count 0). Rows of three or more numbers, such a
 mutated. A file is tested by the tests of its package (its "room"): tests/core/ROOM, or tests/document inside this
 machine's FreeCAD. --tests selects fewer tests, which is quicker while tests are written. Tests that only start other
 programs are left out, because a mutant does not reach the other programs. A mutant is killed if a test fails or needs
-far more processor time than before.
+far more processor time than without the mutant.
 
 Prints the share of killed mutants by file and by folder, as a table for docs/reliability.md, and writes the surviving
 mutants to the error output. The share is a lower bound: tests of other rooms may kill more mutants, and some mutants do

@@ -108,7 +108,7 @@ def adaptive(bites=40, radius=8.0, step=1.0):
 
 
 def engraving(letters=14):
-    """Return short strokes as in engraved letters; every stroke has another shape than the stroke before."""
+    """Return short strokes as in engraved letters, each with a different shape."""
     strokes = []
     for i in range(letters):
         x, lean = 9.0 * i, 0.4 * i

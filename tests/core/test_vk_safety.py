@@ -29,7 +29,7 @@ def named(tree):
             if isinstance(node.func, ast.Name):
                 yield node.func.id
             elif isinstance(node.func, ast.Attribute) and isinstance(node.func.value, ast.Name):
-                if node.func.attr != "exec" and node.func.value.id != "re":  # skip the exec of Qt dialogs and functions of re
+                if node.func.attr != "exec" and node.func.value.id != "re":  # Qt's exec, and re's functions
                     yield node.func.attr
         elif isinstance(node, ast.Import):
             for alias in node.names:

@@ -72,7 +72,7 @@ def test_where_rays_miss_a_box(origin, direction):
 
 
 def test_rays_of_a_view_through_a_box():
-    """Seen from above, the image's centre is (3, 6), depths are measured from z = 4.5, and a box has 0 gaps."""
+    """Seen from above, the image's centre is (3, 6), and depths are measured from z = 4.5. A box has no gaps."""
     frame = View(pixel=1).frame(box())
     near, far, gaps = box().spans(frame, np.array([0.0, 1.9, 2.1]), np.array([0.0, -3.9, 0.0]))
     assert near[:2].tolist() == [-1.5, -1.5] and far[:2].tolist() == [1.5, 1.5] and near[2] >= far[2]

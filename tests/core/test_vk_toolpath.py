@@ -101,7 +101,7 @@ def test_cuts_through_points_are_what_linearize_makes_of_them():
 
 
 def test_time_problem_lists_own_commands_only():
-    """A problem of time is divided by its commands. Any other problem stays whole with its first command."""
+    """In a range of commands, a problem of time keeps its commands in the range; other problems stay whole."""
     dwells = Problem.at([4, 6, 9], Message("dwell-untimed"))
     assert dwells == Problem(4, dwells.what, 3) and hash(dwells) == hash(Problem(4, dwells.what, 3))
     assert "commands" not in repr(dwells)

@@ -84,7 +84,7 @@ def restored_calibration():
 
 @pytest.fixture(autouse=True)
 def nothing_known(request):
-    """Forget the results of earlier analyses, except those of the kept document in `marked`."""
+    """Forget the results of earlier analyses unless the test uses `marked` and the kept document is already marked."""
     if not ("marked" in request.fixturenames and request.getfixturevalue("kept_document").is_marked):
         RESULTS.clear()
 

@@ -15,7 +15,7 @@ from vkworkbench.report import Cancelled
 
 @pytest.fixture
 def again(marked):
-    """The marked example while the preference is on."""
+    """The marked example, with analysis after each recompute switched on during the test."""
     before = preferences.read().analyze_after_recompute
     preferences.write(analyze_after_recompute=True)
     yield marked

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""*Show strategies* in the 3D view: visible colours, an unchanged document, and no nodes left behind."""
+"""*Show strategies* in the 3D view: visible colours, an unchanged document, and no remaining nodes."""
 
 import threading
 import time

@@ -173,8 +173,8 @@ def test_full_circle_with_equal_end_points():
 def test_circle_with_rounded_end_is_full(code, sense, x, y):
     toolpath = path(("G0", {"X": 1, "Y": 2, "Z": 3}), (code, {"X": 1 + x, "Y": 2 + y, "I": -1.5, "J": 0}))
     assert toolpath.sweep.sum() == pytest.approx(sense * 2 * np.pi)
-    # An arc whose end is farther from the centre has no sweep. An arc whose end is slightly ahead of its start is short,
-    # whether the arc has a centre or a radius.
+    # An arc has no sweep if its end is farther from the centre than its start. An arc is short if its end is slightly
+    # ahead of its start, whether the program gives the centre or the radius.
     assert path(("G0", {"X": 1, "Y": 2, "Z": 3}), (code, {"X": 1.5, "Y": 2, "I": -1.5, "J": 0})).sweep.sum() == 0
     for more in ({"I": -1.5, "J": 0}, {"R": 1.5}):
         on = path(("G0", {"X": 1, "Y": 2, "Z": 3}), (code, {"X": 1, "Y": 2 + sense * 1e-3, **more}))

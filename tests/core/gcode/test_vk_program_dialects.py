@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Words with a different meaning on each control, and words that only look like those of another control or machine."""
+"""Words with a different meaning on each control, and words that resemble another control's or machine's words."""
 
 import pytest
 

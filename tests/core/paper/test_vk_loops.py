@@ -89,7 +89,10 @@ def test_what_comes_back_without_a_full_turn_is_no_loop():
 
 
 def contoured(count, notches=0):
-    """Return rows with a contour through their start, notched on its right side, and the moves of the rows and contour."""
+    """Return rows with a contour through their start, and the numbers of moves in the rows and in the contour.
+
+    The contour has notches on its right side.
+    """
     top = 3.0 * (count - 1)
     rows = [(x, 3.0 * k, 0.0) for k in range(count) for x in ((0.0, 40.0) if k % 2 == 0 else (40.0, 0.0))]
     steps = [(x, 2.0 + 2 * k + y, 0.0) for k in range(notches) for x, y in ((45.0, 0), (44.0, 0), (44.0, 1), (45.0, 1))]
@@ -112,7 +115,7 @@ def test_little_loops_within_the_zigzag_do_not_hide_the_contour():
     def little(x, y, up):
         return [(x, y, 0.0), (x + 4, y, 0.0), (x + 4, y + up, 0.0), (x, y + up, 0.0), (x, y, 0.0)]
 
-    # Two rows that run to the right each get a loop on both sides, so that the total turning of the zigzag is unchanged.
+    # Two rows to the right each get a loop on both sides, so that the total turning of the zigzag is unchanged.
     first, second = ([*little(20.0, y, 1.0), *little(30.0, y, -1.0)] for y in (6.0, 12.0))
     assert loops_of([*path[:5], *first, *path[5:9], *second, *path[9:]]) == [(rows + 20, around)]
 

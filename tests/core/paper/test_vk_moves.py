@@ -126,7 +126,7 @@ def test_links_in_the_air_at_feed_are_left_out():
 
 
 def test_last_link_may_end_at_program_end_height():
-    """Otherwise the last link would be the only cutting area of a program that drills at feed, and look like a profile."""
+    """Otherwise the last link would be the only cutting area of drilling at feed, and look like a profile."""
     holes = [(x, 0, z) for x in (0, 20, 40) for z in (1, -2, 1)]
     drilled = areas_of(*feed(*holes, (-30, -20, 1), (-30, -20, 20), (-30, -20, 30)))
     assert len(drilled) == 0 and len(drilled.holes) == 3

@@ -40,7 +40,7 @@ def folder(tmp_path):
     return folder
 
 
-# Code for sitecustomize.py, which Python runs when it starts: one file never opens, as on a server that does not answer.
+# sitecustomize.py, which Python runs when it starts: one file never opens, as on a server that does not answer.
 NEVER_OPENS = """
 import builtins, time
 opened = builtins.open

@@ -321,8 +321,8 @@ def test_what_cannot_be_read_costs_only_itself(tmp_path):
         "Line 3: Words with variables or expressions are ignored.",
         "missing.nc": "The file cannot be read: No such file or directory.",
     }
-    # An unreadable file has the strategy "unknown". A file without a cut is empty, and has an error only if a line of the
-    # file was ignored.
+    # An unreadable file has the strategy "unknown". A file without a cut is empty, and has an error only if a line was
+    # ignored.
     strategies = {Path(row.document).name: str(row.strategy) for row in report.operations}
     assert {name for name, strategy in strategies.items() if strategy == "unknown"} == {"a.nc", "c.nc", "missing.nc"}
     assert {name for name, strategy in strategies.items() if strategy == "empty"} == {"d.nc", "e.nc"}

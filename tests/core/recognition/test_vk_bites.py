@@ -17,7 +17,7 @@ from vkworkbench.core.recognition.patterns.strokes import relate_strokes
 
 
 def wavy(x):
-    """It bends by as much as a bite, but not without turning back by more than half a turn."""
+    """Return an arc that bends by as large an angle as a bite, but turns back by more than half a turn on the way."""
     points, heading = [(50.0 + x, 0.0, 0.0)], 0.0
     for bend in [0.5, 0.5, 0.5, -0.5, -0.5, -0.5, -0.5, 0.5, 0.5, 0.5, 0.5] + [0.2] * 12:
         heading += bend
@@ -55,7 +55,7 @@ def test_arcs_at_another_depth_do_not_overlap():
 
 def test_what_bends_less_than_a_quarter_turn_is_none():
     assert bites(arc(0, turns=0.2), arc(2, turns=0.2)) == "--"
-    assert bites(arc(0), arc(1, turns=0.2), arc(2)) == "b-b"  # and does not part those that do
+    assert bites(arc(0), arc(1, turns=0.2), arc(2)) == "b-b"  # a short arc does not separate bites
     assert bites([(0, 0, 0), (20, 0, 0)], [(0, 1, 0), (20, 1, 0)]) == "--"
 
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Arcs drawn about one centre, whose lengths and distances are known; and what makes an elected strategy sure."""
+"""Concentric arcs with known lengths and distances, and the quantities behind the confidence of a strategy."""
 
 from __future__ import annotations
 
@@ -20,9 +20,11 @@ QUARTER, CHORDS = np.pi / 2, 60
 def found(
     radii, *, way=lambda k: 1, climb=0.0, turned=0.0, centre=(33.0, -21.0), aside=(), chords=CHORDS, sector=QUARTER
 ):
-    """The arcs in quarter circles, or other sectors, of these radii, each of so many chords; `way` runs each backwards or not, `climb` mm wider at its end, each `turned` further.
+    """Return the arcs that are found in a program of concentric sectors with these radii, each of `chords` chords.
 
-    Behind its end each goes on to so much wider radii, straight from the centre.
+    `way` returns the direction of the sector with an index, 1 or -1. The radius grows by `climb` mm along a sector, and
+    each sector begins `turned` rad after the previous sector. `aside` lists further points at the end of a sector, as
+    radial distances from the end, mm.
     """
     commands = []
     for k, radius in enumerate(radii):
@@ -82,13 +84,16 @@ def test_widening_arc_is_part_of_a_spiral(climb, spirals):
 
 @pytest.mark.parametrize(("climb", "spirals"), [(0.1, False), (0.3, True)])
 def test_widening_arcs_of_few_chords_are_spiral(climb, spirals):
-    """From the middle of the first of four chords to that of the last it is three quarters of 0.4 and 1.2 mm in a turn."""
+    """From the middle of the first chord to the middle of the last chord, three quarters of `climb` are measured.
+
+    A full turn is four quarter circles: the radius grows by 0.4 or 1.2 mm.
+    """
     arcs = found([10, 12, 14, 16], climb=climb, turned=QUARTER, chords=4)
     assert arcs.spiral == pytest.approx(arcs.length if spirals else 0)
 
 
 def test_what_leads_aside_leaves_arcs_their_centre():
-    """Arcs of 16 to 25 mm, each with a way of 0.6 mm out and back, in small steps."""
+    """Each arc of 16 to 25 mm ends with a detour of 0.6 mm away from the centre and back, in small steps."""
     out = np.linspace(0, 0.6, 13)
     arcs = found([10, 12, 14, 16], aside=[*out[1:], *out[-2::-1]])
     assert (arcs.count, arcs.spiral, arcs.opposite) == (4, 0, 0)
@@ -112,7 +117,7 @@ def test_rows_have_no_centre(degrees, lean):
 
 @pytest.mark.parametrize(("degrees", "bent"), [(17, False), (24, True)])
 def test_what_bends_by_less_than_twenty_degrees_is_straight(degrees, bent):
-    """Of directions spread evenly over an angle of 0.35 the least squares are a hundredth of what they could be."""
+    """Directions that spread evenly over 0.35 rad (20 degrees) have a hundredth of the largest possible scatter."""
     arcs = found([60, 62, 64, 66], sector=np.radians(degrees))
     assert (arcs is not None) == bent
     assert arcs is None or arcs.step == pytest.approx(2, rel=1e-2)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What lies between the crossings of scan lines, of passes that were drawn so."""
+"""Measures of neighbouring crossings on scan lines, for drawn passes with known measures."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from vkworkbench.core.recognition.verdict.crossings import FROM_THE_MIDDLE, NAME
 
 EXTENT = 60.0
 ROWS, STEP = 10, 3.0
-# Of ten rows, 3 mm apart, cut in their order.
+# Measures of ten rows, 3 mm apart, cut in their order.
 SIDE_BY_SIDE = {
     "step": log(STEP / EXTENT), "monotonous": 1, "even": 1, "count": log1p(ROWS - 1), "tight": 0,
     "run": (ROWS - 2) / (ROWS - 1), "next": 1, "other": 0, "cover": 1,
@@ -31,7 +31,7 @@ def scanned(commands):
 
 
 def told(commands):
-    """How many crossings a line has, and the measures of neighbours at one depth and of all."""
+    """Return the crossings per scan line, the measures of neighbours at one depth, and the measures at all depths."""
     found = scanned(commands)
     names = {which: {name: found[f"{which}_{name}"] for name in NAMES} for which in ("level", "plan")}
     assert set(found) == {"crossings", *(f"{which}_{name}" for which in names for name in NAMES)}
@@ -54,7 +54,7 @@ def test_rows_side_by_side(commands, way):
 
 
 def test_rows_at_two_depths_are_compared_at_each_depth():
-    """From above every other neighbour lies on the line of the one before it, which is no distance."""
+    """Seen from above, every second crossing coincides with the previous crossing. Distances of 0 do not count."""
     crossings, level, plan = told(programs.one_way(ROWS, 50.0, STEP, depths=(0.0, -1.0)))
     assert crossings == pytest.approx(2 * ROWS)
     assert level == pytest.approx({**SIDE_BY_SIDE, **ONE_WAY, "count": log1p(2 * (ROWS - 1))}, abs=1e-6)
@@ -63,7 +63,7 @@ def test_rows_at_two_depths_are_compared_at_each_depth():
 
 
 def test_rows_cut_in_turns_from_both_sides():
-    """0, 9, 1, 8, ...: of neighbours only those in the middle are cut one after the other."""
+    """In the order 0, 9, 1, 8, ..., only the two neighbouring rows in the middle are cut one after the other."""
     order = np.ravel(np.column_stack((np.arange(5), np.arange(9, 4, -1))))
     _, level, _ = told(rows(np.zeros(ROWS), STEP * order))
     assert level["next"] == pytest.approx(1 / 9)
@@ -106,7 +106,10 @@ def test_what_lies_between_the_lines_tells_nothing():
 
 
 def test_middle_crossings_are_sampled():
-    """Two lines, 600 crossings each: of 2,000 rows one way those from the 700th on; before and behind they go to and fro."""
+    """Two scan lines take their 600 crossings from the middle 600 of 2,000 rows.
+
+    The middle rows are cut one way; the rows before and after are cut back and forth.
+    """
     strokes = []
     for k in range(2000):
         ends = [(0.0, 0.5 * k, 0.0), (500.0, 0.5 * k, 0.0)]
@@ -116,7 +119,7 @@ def test_middle_crossings_are_sampled():
     assert crossings == pytest.approx(600) and level["count"] == pytest.approx(log1p(599))
     assert (level["opposite"], level["signed"], level["keep"]) == pytest.approx((0, 1, 1))
     moves = monotonous_areas(linearize(commands))
-    for rows in (np.arange(2000), np.arange(0, 2000, 2)):  # a half that stands for all tells as much
+    for rows in (np.arange(2000), np.arange(0, 2000, 2)):  # a sample of half of the rows is enough
         assert np.unique(_cross(moves, Sample.of(moves, rows)).line).tolist() == [0, 1]
     few = monotonous_areas(linearize(programs.zigzag(ROWS, 50.0, STEP)))
     assert np.unique(_cross(few, Sample.of(few, np.arange(len(few)))).line).tolist() == list(range(12))

@@ -49,7 +49,7 @@ def test_growing_and_shrinking_loops_have_no_milling_direction():
 
 
 def test_profile_of_two_nested_contours_has_no_stepover():
-    """Of a narrow slot, whose walls move inward at the lowest depth alone."""
+    """The contours are those in a narrow slot whose walls move inward only at the lowest depth."""
     strokes = [polygon(60, z=-float(k)) for k in range(5)] + [polygon(58, z=-4.0)]
     found = found_in(programs.program(strokes))
     assert found.strategy is Strategy.PROFILE and found.stepover is None and "apart" not in found.reason

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Which contours finish the walls of what is cleared before or behind them."""
+"""Find the contours that finish the walls of an area cleared by the operation before or after them."""
 
 from __future__ import annotations
 
@@ -17,9 +17,9 @@ ZIGZAG, ADAPTIVE, PROFILE, OFFSETS = Strategy.ZIGZAG, Strategy.ADAPTIVE, Strateg
 
 
 def found_in(*sections, where=0.0, doubtful=None, rapids=True):
-    """Return the numbers of the sections that go on with the operation before them; each is (strategy, box[, depth[, passes[, stepover]]]).
+    """Return the indices of the sections that continue the operation before them.
 
-    Between them are rapids, or moves at feed.
+    A section is (strategy, box[, depth[, passes[, stepover]]]). The links between sections are rapids or feed moves.
     """
     points, rapid, cut = [(where, where, 5.0)], [], []
     for strategy, (x, y, u, v), *more in sections:

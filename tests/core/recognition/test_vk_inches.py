@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What was read 25.4 times too small: the verdict is that of its own size, the lengths are those that were read."""
+"""Toolpaths in inches that were read as mm: the verdict fits the true size, and the lengths stay as they were read."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ PROGRAMS = {
 
 
 def steps_of(message):
-    """All steps in a message and in those that it holds."""
+    """Yield all steps in a message and in the messages that it contains."""
     for name, value in message.arguments.items():
         if name == "step":
             yield value
@@ -49,7 +49,7 @@ def test_a_toolpath_of_inches_is_what_it_is(name):
 
 
 def test_reasons_within_a_reason_are_of_the_size_that_was_read():
-    """Two operations of a program: the reason names their strategies, which are no messages."""
+    """The reason for a program of two operations contains strategies instead of messages."""
     own = linearize([*PROGRAMS["zigzag"], *PROGRAMS["profile"]])
     own = replace(own, comments=(), tool_changes=np.array([len(linearize(PROGRAMS["zigzag"]))]))
     true = recognize(own, tool_diameter=TOOL, program=True)

@@ -138,13 +138,13 @@ def test_two_turns_are_of_one_sense_or_not(aside, keeps):
 
 @pytest.mark.parametrize("gap, closed", [(1.5, 1), (1.7, 0)])
 def test_area_is_closed_within_two_percent_gap(gap, closed):
-    """Of 80 mm."""
+    """Two percent of the contour's length of 80 mm are 1.6 mm."""
     around = [(0, 0, 0), (20, 0, 0), (20, 20, 0), (0, 20, 0), (0, gap, 0)]
     assert told(programs.program([around]))["closed_areas"] == closed
 
 
 def test_star_in_one_stroke_turns_more_than_once():
-    """By four of its five corners of 144 degrees."""
+    """A star in one stroke turns at four of its five corners, by 144 degrees each: 1.6 turns."""
     star = [(20 * np.cos(angle), 20 * np.sin(angle), 0.0) for angle in 0.8 * np.pi * np.arange(6)]
     holds(told(programs.program([star])), {"closed_areas": 1, "one_turn": 0, "area_turns": log1p(1.6), "long_arcs": 1})
 
@@ -154,7 +154,7 @@ def test_star_in_one_stroke_turns_more_than_once():
     [(100, "short"), (112, ""), (140, ""), (148, "half"), (212, "half"), (220, ""), (265, ""), (275, "long")],
 )
 def test_arcs_of_the_image_are_bends_half_turns_or_go_around(degrees, kinds):
-    """A stroke of four turns in one sense: up to 0.3 turns, 0.4 to 0.6, and from 0.75 on."""
+    """A stroke bends in one sense. Limits in turns: short up to 0.3, half from 0.4 to 0.6, long from 0.75."""
     heading = np.radians(degrees) / 4 * np.arange(5)
     points = np.cumsum(np.column_stack((np.cos(heading), np.sin(heading), 0 * heading)) * 10, axis=0)
     found = told(programs.program([[(0.0, 0.0, 0.0), *points.tolist()]]))
@@ -176,7 +176,7 @@ def test_turns_are_dividing_retracts_by_fifteen_degrees(other, surprise):
 
 
 def test_surprise_is_the_entropy_of_the_turns():
-    """As many turns by 1.7 as by 0.6."""
+    """Turns by 1.7 rad and by 0.6 rad are equally frequent."""
     stroke, heading = [(0.0, 0.0)], 0.0
     for k in range(17):
         x, y = stroke[-1]

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Open strokes that lie side by side, and those that do not, of strokes that were drawn so."""
+"""Find open strokes that lie side by side, among drawn strokes with and without neighbours."""
 
 from __future__ import annotations
 
@@ -43,7 +43,7 @@ def test_every_other_one_back():
 
 @pytest.mark.parametrize("lag", [1, 2, 3, 4])
 def test_a_neighbour_is_one_of_the_last_three(lag):
-    """So many walls are offset in turns. The first of the first wall counts, which has none before it."""
+    """The offsets of `lag` walls are cut in turns. The first wall's first stroke counts without a stroke before it."""
     found = neighbours([line(100.0 * wall + 2.0 * k) for k in range(5) for wall in range(lag)])
     if lag > 3:
         assert found is None
@@ -68,11 +68,11 @@ def test_what_is_far_for_its_length_is_no_neighbour():
 def test_at_another_height_is_not_beside():
     assert neighbours([line(2.0 * k, z=-1.0 * k) for k in range(5)]) is None
     falling = [[(0.0, 2.0 * k, 5.0 - k), (50.0, 2.0 * k, -k)] for k in range(5)]
-    assert neighbours(falling).count == 5  # those that climb have no height of their own
+    assert neighbours(falling).count == 5  # the height of a climbing stroke is not compared
 
 
 def test_strokes_face_one_another_along_most_of_them():
-    """Half of each lies beside the next one; then three quarters."""
+    """First, half of each stroke lies beside the next stroke; then, three quarters."""
     for onward in (1, -1):
         assert neighbours([line(2.0 * k, x=onward * 25.0 * k) for k in range(5)]) is None
         assert neighbours([line(2.0 * k, x=onward * 12.0 * k) for k in range(5)]).count == 5
@@ -106,13 +106,13 @@ def test_one_far_from_the_usual_step_counts_as_none():
 
 
 def test_short_stroke_is_not_neighbour_of_far_long_one():
-    """Every other one is 9 mm long, and 6 mm from those of 90 mm on both sides."""
+    """Every second stroke is 9 mm long, and 6 mm away from the strokes of 90 mm on both sides."""
     strokes = [line(6.0 * k, x=40.0 * (k % 2), length=9.0 if k % 2 else 90.0) for k in range(4)]
     assert neighbours(strokes, 0.0) is None
 
 
 def test_three_strokes_are_enough():
-    """Two of them have one before them."""
+    """Two of the three strokes have a stroke before them."""
     assert neighbours([line(2.0 * k) for k in range(3)]).count == 3
 
 

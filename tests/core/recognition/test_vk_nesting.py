@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""How far squares lie inside one another, and how far apart those of one pocket may lie."""
+"""Distances between nested squares, and the largest distance between neighbouring rings of one pocket."""
 
 from __future__ import annotations
 
@@ -49,7 +49,7 @@ def test_offsets_in_a_pocket_that_is_open_at_a_side_share_it():
     assert open_pocket(0.0, 3.0, 6.0)[2][3] == pytest.approx([6])
     assert open_pocket(6.0, 3.0, 0.0)[1][3] == pytest.approx([3, 3])
     assert open_pocket(0.0, 3.0, 6.0, low=[0])[1][3] == pytest.approx([3, 3])  # in a corner of the part
-    assert open_pocket(0.0, 3.0, 6.0, low=[0, 2])[1][3].tolist() == [0, 0]  # one goes on where the other ends
+    assert open_pocket(0.0, 3.0, 6.0, low=[0, 2])[1][3].tolist() == [0, 0]  # one ring continues at the end of another
 
 
 def test_ring_sharing_a_side_is_offset_if_others_move():
@@ -58,7 +58,10 @@ def test_ring_sharing_a_side_is_offset_if_others_move():
 
 
 def square_inside(step, **drawn):
-    """A square 2 mm inside one of 20 mm, of which islands or what is open leave the area of one `step` inside."""
+    """Return the distance of a square 2 mm inside a square of 20 mm.
+
+    Islands or openings reduce the inner ring's area to the area of a square `step` mm inside.
+    """
     return distance(20.0, 16.0, enclosed=[400.0, 400 - step * (80 + 64) / 2], **drawn)
 
 
@@ -89,17 +92,17 @@ def test_nested_rings_without_tool_are_two_steps_apart():
     assert reached(40.0, 36.0, 32.0)[0] == pytest.approx(4)
     assert reached(40.0, 38.0)[0] == pytest.approx(2)  # two: two steps, or a twentieth of the larger one
     assert reached(40.0, 36.0)[0] == pytest.approx(2)
-    assert reached(40.0, 40.0, 38.0, 36.0)[0] == pytest.approx(2)  # a ring that is cut twice is no step
+    assert reached(40.0, 40.0, 38.0, 36.0)[0] == pytest.approx(2)  # the repeat of a ring does not count as a step
 
 
 def test_without_a_tool_the_steps_have_to_be_alike():
-    """Of 2, 2, 5, 6 and 7 mm less than half are the usual one: no more than a twentieth of 70 mm is believed."""
+    """Less than half of the steps of 2, 2, 5, 6 and 7 mm are alike, so the limit is a twentieth of 70 mm."""
     limit, steps, _ = reached(70.0, 66.0, 62.0, 52.0, 40.0, 26.0)
     assert steps.tolist() == [2, 2, 5, 6, 7] and limit == pytest.approx(3.5)
 
 
 def test_steps_that_differ_by_less_than_three_tenths_are_alike():
-    """Two of 2 mm and four of 2.5 mm: twice the usual one, more than a twentieth of 60 mm."""
+    """Two steps are 2 mm and four 2.5 mm. The limit is twice the usual step: more than a twentieth of 60 mm."""
     sides = 60.0 - 2 * np.cumsum([0, 2, 2, 2.5, 2.5, 2.5, 2.5])
     assert reached(*sides)[0] == pytest.approx(4)
 

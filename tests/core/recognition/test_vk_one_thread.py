@@ -13,12 +13,12 @@ pytestmark = pytest.mark.sources
 CORE = Path(__file__).parents[3] / "vkworkbench" / "core"
 SOURCES = [*(p for room in ("gcode", "paper", "recognition") for p in (CORE / room).rglob("*.py")), *CORE.glob("*.py")]
 BLAS = {"dot", "vdot", "inner", "matmul", "tensordot", "linalg", "polyfit", "corrcoef", "cov", "convolve", "correlate"}
-# Solids and views are no part of recognising; the products there are of three numbers.
+# The recognition does not use solids and views, whose matrix products are too small (3 numbers) for threads.
 OTHER = {"solids.py", "stocks.py", "view.py"}
 
 
 def products(tree):
-    """Where numpy would call BLAS: products of matrices, and functions of numpy that do so."""
+    """Yield the lines on which numpy would call BLAS: matrix products, and numpy functions that contain them."""
     for node in ast.walk(tree):
         if isinstance(node, (ast.BinOp, ast.AugAssign)) and isinstance(node.op, ast.MatMult):
             yield node.lineno

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The pieces that areas are cut into, and what is measured of each, of toolpaths that were drawn so."""
+"""The pieces into which areas are cut, and the measures of each piece, for drawn toolpaths with known pieces."""
 
 from __future__ import annotations
 
@@ -89,7 +89,7 @@ def test_winding_turns_are_pieces_of_its_kind():
 @pytest.mark.parametrize("corners", [4, 48])
 @pytest.mark.parametrize("turned", [0.25, 12.25])
 def test_a_box_holds_all_of_a_piece(corners, turned):
-    """Of few points and of many, which are found in another way; it begins at its right side, or at its top."""
+    """Boxes of few and of many points are computed differently. The piece begins at its right side or at its top."""
     drawn = polygon(20, x=100, y=50, corners=corners, turned=turned)
     low, high = np.min(drawn, axis=0)[:2], np.max(drawn, axis=0)[:2]
     (box,) = pieces_of(drawn).box
@@ -117,14 +117,14 @@ def test_a_zigzag_that_ends_where_it_began_is_a_wavy_loop():
 
 @pytest.mark.parametrize(("rows", "kind"), [(2, STROKE), (3, ZIGZAG), (6, ZIGZAG)])
 def test_what_goes_back_once_is_no_zigzag(rows, kind):
-    """Of three rows one lies between two others: a third of the length."""
+    """One of three rows lies between two rows, which is a third of the length and enough for a zigzag."""
     pieces = pieces_of(zigzag(rows))
     assert pieces.kind.tolist() == [kind] and pieces.passes.tolist() == [rows]
     assert not pieces.wavy.any()
 
 
 def test_short_zigzags_between_large_loops_are_links():
-    """Whoever goes back and forth for a thousandth of the length is not looked at."""
+    """Zigzags that are only a thousandth of the length are not searched."""
     large = [polygon(400 - 10 * k) for k in range(8)]
     small = zigzag(6, length=1.0, step=0.2)
     assert pieces_of(*large, small).kind.tolist() == [LOOP] * 8 + [STROKE]

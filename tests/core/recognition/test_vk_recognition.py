@@ -90,7 +90,7 @@ def test_evidence_of_nested_offsets():
     assert found.direction is None
     back = recognize(cut(rings(6, step=3.0)[::-1]), tool_diameter=6.0)
     assert back.strategy is Strategy.CONTOUR_PARALLEL
-    # The same loops backwards go clockwise and shrink: what is left lies on the right again.
+    # In reverse, the loops run clockwise and shrink, so the uncut material lies on the right again.
     assert back.level <= -5 and back.sense == "cw" and back.milling == "climb"
 
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What the rules and the votes decide together: measures that do not depend on where one cuts, nonsense, and reasons."""
+"""Joint decisions of the rules and the votes: measures that do not depend on the position, nonsense, and reasons."""
 
 from __future__ import annotations
 
@@ -96,12 +96,12 @@ def test_few_holes_do_not_name_a_nonsense_path():
         else:
             commands.append(("G1", {"X": x, "Y": y, "F": 10.0}))
     path = linearize([*commands, ("G0", {"Z": 5.0})])
-    assert len(monotonous_areas(path).holes) >= 30  # so many that their runs are sections of their own
+    assert len(monotonous_areas(path).holes) >= 30  # enough holes that runs of holes become sections
     assert recognize(path).strategy is Strategy.UNKNOWN
 
 
 def drawn(corners):
-    """Once around, 1 mm deep."""
+    """Return a toolpath once around a polygon, 1 mm deep."""
     (x, y), *others = np.vstack([corners, corners[:1]]).tolist()
     program = [("G0", {"Z": 5.0}), ("G0", {"X": x, "Y": y}), ("G1", {"Z": -1.0, "F": 2.0})]
     return linearize([*program, *(("G1", {"X": x, "Y": y, "F": 10.0}) for x, y in others), ("G0", {"Z": 5.0})])
@@ -163,7 +163,7 @@ def test_only_the_rules_say_mixed_and_drilling():
 
 
 def test_what_the_papers_rule_leaves_open_speaks_for_no_class():
-    """Without a tool nobody has anything but the votes, the rules, and their class."""
+    """Without a tool and votes, only the strategy that the rules propose and its class have a score."""
     assert not np.isin(NO_LETTER, CLASS)
     votes, rules = np.zeros(len(STRATEGIES)), STRATEGIES.index(Strategy.PROFILE)
     has = standing(votes, Proposal(rules, NO_LETTER, False))
@@ -172,7 +172,11 @@ def test_what_the_papers_rule_leaves_open_speaks_for_no_class():
 
 @pytest.mark.parametrize(("tool", "rules"), [(True, 0.5), (False, 0.1)])
 def test_the_rules_lose_against_more_votes_than_theirs(tool, rules):
-    """With a tool 0.425 of them: 1.6 times that, with the class of what they are for, is what the rules and their class have."""
+    """With a tool, the rules lose against a share of more than 0.425 of the votes.
+
+    A strategy's votes count 1.6 times, once for itself and 0.6 times for its class. The rules and their class have
+    0.5 + 0.6 * 0.3 with a tool.
+    """
     profile = STRATEGIES.index(Strategy.PROFILE)
     theirs = (rules + 0.6 * 0.3) / 1.6
     for share, said in ((theirs - 0.01, Strategy.ZIGZAG), (theirs + 0.01, Strategy.PROFILE)):
@@ -186,7 +190,7 @@ def test_the_rules_lose_against_more_votes_than_theirs(tool, rules):
     [(Strategy.HELIX, 0.25), (Strategy.ADAPTIVE, 0.25), (Strategy.SPIRAL, 0.5)],
 )
 def test_what_the_rules_see_without_a_tool_counts_more(seen, rules):
-    """Beside a tenth, for what they see with a tool alone."""
+    """Without a tool, strategies that the rules recognise without a tool count 0.25 or 0.5 instead of 0.1."""
     votes = np.zeros(len(STRATEGIES))
     for more, said in ((-0.01, seen), (0.01, Strategy.ENGRAVING)):
         votes[STRATEGIES.index(Strategy.ENGRAVING)] = (rules + 0.6 * 0.3) / 1.6 + more
@@ -236,7 +240,7 @@ def test_grounds_are_six_numbers():
     votes = np.zeros(len(STRATEGIES))
     votes[STRATEGIES.index(Strategy.ZIGZAG)], votes[STRATEGIES.index(Strategy.ENGRAVING)] = 0.7, 0.3
     odds = np.log((0.7 + VOTES.MIN_SHARE) / (0.3 + VOTES.MIN_SHARE))
-    # The rules propose it, with a tool: their share, and that of its class, are added to its votes.
+    # The rules propose zigzag with a tool, so the shares of the rules and of their class are added to zigzag's votes.
     ahead = 0.7 + VOTES.RULES + VOTES.CLASS * (0.7 + VOTES.RULES_OF_CLASS)
     second = max(VOTES.CLASS * (0.7 + VOTES.RULES_OF_CLASS), (1 + VOTES.CLASS) * 0.3)
     proposed = proposed_by(Strategy.ZIGZAG, Family.ROWS, tool=True)

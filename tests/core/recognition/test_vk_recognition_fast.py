@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What is computed in a shorter way gives what the longer one gives."""
+"""Fast computations give the results of the straightforward computations."""
 
 import numpy as np
 import pytest

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What must not change the strategy: where, how large, which way round and in how many pieces one cuts."""
+"""The strategy does not depend on the position, size, direction and number of moves of a toolpath."""
 
 from __future__ import annotations
 
@@ -42,7 +42,7 @@ def commands_of(made):
 
 
 def path_of(made):
-    """The toolpath of a program and what is recognised in it: the strategy it was made for."""
+    """Return a program's toolpath and its recognition, which must find the intended strategy of the program."""
     path = linearize(commands_of(made))
     found = recognize(path, tool_diameter=TOOL)
     assert found.strategy == made[0], found.reason
@@ -134,7 +134,7 @@ def test_splitting_adds_collinear_points_and_changes_nothing(made, data):
     again = recognize(split(path, np.resize(few, len(path))), tool_diameter=TOOL)
     assert again.strategy == found.strategy
     same_level(found, again)
-    if found.strategy != "adaptive":  # its bites are told by their overlap, and some only just
+    if found.strategy != "adaptive":  # some bites overlap only just enough to be found
         assert again.passes == found.passes
 
 

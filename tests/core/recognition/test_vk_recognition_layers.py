@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The way in and the way out are told beside the pattern, and the pattern decides."""
+"""The lead-in and the lead-out are reported beside the pattern, and only the pattern decides the strategy."""
 
 from __future__ import annotations
 
@@ -43,7 +43,7 @@ def rows(count=12, length=40.0, step=2.0):
 
 
 def ramp(passes=10, length=10.0):
-    """Commands of a ramp to and fro along X, which ends at the origin."""
+    """Return the commands of a ramp back and forth along X, which ends at the origin."""
     down = [("G1", {"X": length * (1 - k % 2), "Z": DEEP * (k + 1) / passes}) for k in range(passes)]
     return [*ABOVE, ("G1", {"Z": 0.0, "F": 5.0}), *down]
 
@@ -119,7 +119,7 @@ def box(left, bottom, right, top):
 
 
 def between(left, right, bottom, top):
-    """Rows to and fro, 3 mm apart, in one stroke."""
+    """Return rows cut back and forth, 3 mm apart, in one stroke."""
     ends = ((left, right), (right, left))
     return [(x, y, -4.0) for row, y in enumerate(np.arange(bottom, top + 0.1, 3.0)) for x in ends[row % 2]]
 
@@ -161,7 +161,7 @@ def way_down(*points, x=0.0):
 
 SINGLE = [(0, 0, 0), (20, 0, -3)]
 RAMP = [(0, 0, 0), (20, 0, -1), (40, 0, -4)]
-CORNER = [(0, 0, 0), (20, 0, -1), (20, 20, -3)]  # a quarter turn is no winding
+CORNER = [(0, 0, 0), (20, 0, -1), (20, 20, -3)]  # a quarter turn is not a winding
 TO_AND_FRO = [(0, 0, 0), (20, 0, -1), (0, 0, -2), (20, 0, -3)]
 HELIX = [(4 * np.cos(a), 4 * np.sin(a) - 4, -5 * a / TURN) for a in np.linspace(0, TURN, 25)]
 DOWN_ALL_ALONG = [(200 + x, y, 2 * z) for x, y, z in HELIX]
@@ -182,10 +182,10 @@ DOWN_ALL_ALONG = [(200 + x, y, 2 * z) for x, y, z in HELIX]
         ([way_down((0, 0, 0), (20, 0, -0.01)), way_down(*SINGLE, x=100)], "ramp"),
         ([way_down(*RAMP), DOWN_ALL_ALONG], "ramp"),  # nothing level follows the helix
         ([DOWN_ALL_ALONG], None),
-        ([[*way_down((0, 0, -1)), (50, 0, -1.5)]], "plunge"),  # it begins level
-        ([way_down((0, 0, 0), (20, 0, -0.01))], "plunge"),  # so little is no depth
+        ([[*way_down((0, 0, -1)), (50, 0, -1.5)]], "plunge"),  # a level move comes first
+        ([way_down((0, 0, 0), (20, 0, -0.01))], "plunge"),  # 0.01 mm is not a depth
         ([[(0, 0, 0), (20, 0, -1), (60, 0, -1), (60, 20, -2), (0, 20, -3)]], None),  # 40 of 120 mm are level
-        ([[(0, 0, 0), (20, 0, -1), (20, 90, -1), (60, 90, -2), (60, 70, -3)]], "ramp"),  # 90 of 150 mm are
+        ([[(0, 0, 0), (20, 0, -1), (20, 90, -1), (60, 90, -2), (60, 70, -3)]], "ramp"),  # 90 of 150 mm are level
     ],
 )
 def test_the_entry_is_that_of_most_of_the_depth(strokes, entry):

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What parts an operation from the next, and what does not: tool changes, titles, depths and links at feed."""
+"""Borders between operations: tool changes, titles, depths and links at feed that separate operations, or do not."""
 
 from __future__ import annotations
 
@@ -151,7 +151,7 @@ def test_borders_surround_runs_of_holes():
 
 
 def test_what_is_left_at_feed_goes_on_to_the_rapid():
-    """A steep lift behind what is milled, and the way out of a tapped hole, are no operations of their own."""
+    """A steep lift after milling, and the retract from a tapped hole, are not separate operations."""
     milled = [
         ("G0", {"X": 0.0, "Y": 0.0, "Z": 5.0}),
         ("G1", {"Z": -1.0, "F": 5.0}),
@@ -275,7 +275,7 @@ def test_pattern_with_few_holes_keeps_its_name(program):
     assert [s.strategy for s in found.spans] == [Strategy.CONTOUR_PARALLEL, Strategy.DRILLING]
     assert found.spans[1].share < 0.05
     assert found.reason.endswith(" A small part is drilling."), found.reason
-    assert found.passes == 12  # the numbers are those of the pattern
+    assert found.passes == 12  # the numbers describe only the pattern
 
 
 @pytest.mark.parametrize("program", [False, True])
@@ -353,19 +353,19 @@ def test_other_tool_is_other_operation_in_programs(loops, other):
 def test_more_than_two_hundred_titles_are_those_of_no_operations(titles, borders):
     path = linearize(programs.one_way(210))
     path = replace(path, comments=tuple((at, "title") for at in range(1, titles + 1)), tool_changes=np.array([5]))
-    # The tool change is one of them, or the only one.
+    # The tool change is one of the borders, or the only border.
     found = find_borders(path, monotonous_areas(path))
     assert len(found) == max(borders, 1) and found[5] is True and sum(found.values()) == 1
 
 
 def told(strategy, *spans, **numbers):
-    """A recognition with spans that are (first, last, strategy, share)."""
+    """Return a recognition with the given spans, each (first, last, strategy, share)."""
     spans = tuple(Span(first, last, first, last, one, share) for first, last, one, share in spans)
     return Recognition(strategy, numbers.pop("confidence", 0.9), Message("moves-nothing"), spans, **numbers)
 
 
 def test_stretches_of_loops_and_of_rows_lie_one_behind_the_other():
-    """Of six pieces: a ring and a link, two rows and a link, a ring; of one to three moves each."""
+    """The six pieces are a ring, a link, two rows, a link and a ring, with one to three moves each."""
     rings, rows = Strategy.PROFILE, Strategy.ZIGZAG
     section = SimpleNamespace(
         ring_pieces=np.array([1, 0, 0, 0, 0, 1], bool), row_pieces=np.array([0, 0, 1, 1, 0, 0], bool),
@@ -386,7 +386,7 @@ def test_two_verdicts_are_as_likely_different_as_both_are_right():
     assert _odds_of_difference(zigzag, told(Strategy.ZIGZAG)) == 0
     for other in (told(Strategy.UNKNOWN), told(Strategy.EMPTY)):
         assert _odds_of_difference(zigzag, other) == 0 == _odds_of_difference(other, zigzag)
-    # What adaptive clearing winds in a round place is a spiral.
+    # Adaptive clearing cuts a round area as a spiral, so the two strategies do not differ.
     spiral, adaptive = told(Strategy.SPIRAL), told(Strategy.ADAPTIVE)
     assert (
         _odds_of_difference(spiral, adaptive) == 0 == _odds_of_difference(adaptive, spiral)
@@ -440,7 +440,7 @@ ROWS, AROUND, STROKES = Strategy.ZIGZAG, Strategy.PROFILE, Strategy.ENGRAVING
         (ROWS, 0, 0, Strategy.ONE_WAY, True, True, True),
         (ROWS, 0, 0, ROWS, True, True, False),
         (ROWS, 0, 0, AROUND, False, True, False),
-        (STROKES, 0, 9, ROWS, False, False, False),  # strokes are no family that a title divides
+        (STROKES, 0, 9, ROWS, False, False, False),  # a title does not separate strokes
         (STROKES, 0, 9, ROWS, True, False, True),
         (ROWS, 0, 9, STROKES, False, False, False),
         (Strategy.UNKNOWN, 0, 9, ROWS, True, True, False),

@@ -67,7 +67,7 @@ def test_passes_that_go_over_themselves_are_no_spurs():
 
 
 def ramped(to_and_fro):
-    """Commands of a contour entered by a ramp along its first side, down at once or to and fro."""
+    """Return a contour entered by a ramp along its first side, in one descent or back and forth."""
     down = [(40.0, -1.0), (0.0, -2.0), (40.0, -3.0)] if to_and_fro else [(40.0, -3.0)]
     commands = [("G0", {"Z": 5.0}), ("G0", {"X": 0.0, "Y": 0.0}), ("G1", {"Z": 0.0})]
     commands += [("G1", {"X": x, "Y": 0.0, "Z": z}) for x, z in down]

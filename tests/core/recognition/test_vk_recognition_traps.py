@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What real programs contain does not lead the recognition astray."""
+"""Peculiarities of real programs that must not mislead the recognition."""
 
 from __future__ import annotations
 
@@ -242,7 +242,7 @@ def test_two_contours_at_every_depth_are_not_a_pocket(ccw, tool):
     # Nor a zigzag where the tool is as wide as the washer.
     washer = squares([30, 12], ccw=False, depths=(-1, -2, -3))
     assert strategy(washer, tool_diameter=25.0) is not Strategy.ZIGZAG
-    # What is cut from one to the other without a lift clears what lies between.
+    # A cut from one contour to the other without a lift clears the area between them.
     corners = [(1, 1), (-1, 1), (-1, -1), (1, -1), (1, 1)]
     first, *others = [{"X": half * u, "Y": half * v} for half in (30.0, 12.0) for u, v in corners]
     linked = [START[0]]
@@ -332,7 +332,7 @@ def test_reasons_are_written_as_people_write():
 @pytest.mark.parametrize("turn", [1, -1])
 @pytest.mark.parametrize("count", [5, 8, 15, 33])
 def test_a_contour_that_leads_by_the_start_of_its_zigzag(count, turn):
-    # Zigzag and first half of the contour come back to the start after one net turn: that is no loop.
+    # The zigzag and the first half of the contour return to the start after one net turn, but are not a loop.
     width, step = 30.0, 7.0
     end = (count - 1) * step
     corners = [(0.0, 0.0), (end, 0.0), (end, width), (0.0, width)]
@@ -383,7 +383,7 @@ def test_the_slopes_of_carved_strokes_are_no_depths(pieces):
 
 @pytest.mark.parametrize("degrees", [0, 30])
 def test_loops_around_ribs_in_a_row_are_no_trochoids(degrees):
-    # Loops of one size side by side, each at four depths; those of a trochoid overlap, not only their boxes.
+    # Loops of one size lie side by side, each at four depths. In a trochoid, not only the boxes but the loops overlap.
     program = []
     u, v = math.cos(math.radians(degrees)), math.sin(math.radians(degrees))
     for z in (-1.0, -2.0, -3.0, -4.0):
@@ -418,7 +418,7 @@ def test_winding_with_many_strokes_is_not_a_spiral(straight):
 @pytest.mark.parametrize("diameter", [3.0, None])
 @pytest.mark.parametrize("teeth, width, gap", [(12, 3.5, 6.6), (5, 4.0, 4.0), (9, 6.0, 7.0)])
 def test_the_walls_of_a_comb_are_no_rows(teeth, width, gap, diameter):
-    """A profile around a comb runs to and fro in even steps; but it is closed, and teeth and gaps take turns."""
+    """A profile around a comb runs back and forth in even steps, but is closed, and teeth alternate with gaps."""
     outside, corners = 1.5, [(-1.5, -10.0)]
     for left in np.arange(teeth) * (width + gap):
         corners += [(left - outside, 30.0), (left + width + outside, 30.0)]

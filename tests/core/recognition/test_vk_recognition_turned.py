@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Toolpaths of lathes, told from those of a mill that never moves in Y."""
+"""Toolpaths of lathes are distinguished from toolpaths of a mill that never moves in Y."""
 
 from __future__ import annotations
 
@@ -74,12 +74,12 @@ def test_rapids_and_flat_ramps_are_not_lathe_passes():
 
 @pytest.mark.parametrize("length, lathe", [(2.0, True), (0.8, False)])
 def test_lathe_passes_are_mostly_along_z(length, lathe):
-    """Each begins 2 mm above 0 and ends by 2 mm along X: 4 mm are twice as long, 2.8 mm are not half as much longer."""
+    """Each pass begins 2 mm above Z0 and ends with 2 mm along X: 4 mm along Z are enough, 2.8 mm are not."""
     assert is_turned(linearize(turning(5, length, depth=2.0))) is lathe
 
 
 def test_passes_at_many_x_may_all_leave_the_part_at_one():
-    """What counts is where they are cut: ways out that end at one X, as those of a collar do."""
+    """Only the X of the cuts counts. The lead-outs may all end at one X, as at a collar."""
     program = [("G0", {"X": 30.0, "Y": 0.0, "Z": 2.0})]
     for x in (29.0, 28.0, 27.0):
         program += [("G0", {"X": x}), ("G1", {"Z": -40.0}), ("G1", {"X": 30.0}), ("G0", {"Z": 2.0})]

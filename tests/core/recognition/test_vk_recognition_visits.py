@@ -97,7 +97,7 @@ def test_next_to_nothing_has_no_borders(commands):
 
 
 def test_descending_retracts_do_not_recurse_deeply():
-    """Of blocks that each begin lower than the one before every retract is the top of those that follow."""
+    """Each block begins lower than the block before, so every retract is the highest of the retracts that follow."""
     commands = [("G0", {"X": 0.0, "Y": 0.0, "Z": 3310.0})]
     for k in range(1100):
         x, corner = 200.0 * k, 5.0
@@ -241,9 +241,9 @@ def test_visits_are_compared_without_a_unit():
         "visits": np.log(2), "again": 0, "again_above": 0,
     }  # fmt: skip
     assert told == pytest.approx(expected)
-    # Backwards all is the same but what says which of the two is higher.
+    # With the visits swapped, only the measures of the higher visit change.
     expected.update({"higher_bottom": 1, "higher_begin": 1, "deeper": 3 / 5})
-    expected.update({"again": shared / one, "again_above": shared / one})  # of the ground of what is now the second
+    expected.update({"again": shared / one, "again_above": shared / one})  # share of the second visit's ground
     (row,) = compare_visits(backwards(two_visits()))
     assert {name: value for name, value in zip(MEASURES, row) if name in expected} == pytest.approx(expected)
 
@@ -278,7 +278,7 @@ def test_the_same_ground_lies_between_the_same_sides(low, high, same):
 
 
 def test_axes_differ_by_the_angle_between_them():
-    """Of directions at twice their angle: the same, half of it, and at a right angle."""
+    """Axes are directions at twice the angle. Tested are an equal axis, half its length, and a right angle."""
     for other, differ in ((1, 0), (0.5, 0.5), (-1, 2)):
         assert compare_visits(two_visits(axis=[1, other]))[0, MEASURES.index("axis")] == pytest.approx(differ)
 
@@ -336,7 +336,10 @@ def test_contour_around_rows_finishes_their_walls():
 
 
 def in_turns(count, *drawn):
-    """What is drawn in turns, each time 200 mm on; and where all but the first begin."""
+    """Return the toolpath of `count` strokes, and the trajectories at which all strokes but the first begin.
+
+    The strokes alternate between the shapes in `drawn`; each stroke lies 200 mm farther in X.
+    """
     strokes = [[(x + 200.0 * k, y, z) for x, y, z in drawn[k % len(drawn)]] for k in range(count)]
     path = linearize(programs.program(strokes))
     return path, (np.flatnonzero(path.rapid[:-1] & ~path.rapid[1:])).tolist()

@@ -98,7 +98,7 @@ def test_ring_around_island_is_not_an_offset():
 
 
 def box(left, bottom, right, top):
-    """A rectangle by how far its sides lie inside those of one of 40 mm."""
+    """Return a rectangle whose sides lie inside the sides of a square of 40 mm by the given distances, mm."""
     x, y, u, v = 50 + left, -60 + bottom, 90 - right, -20 - top
     return [(x, y, 0), (u, y, 0), (u, v, 0), (x, v, 0), (x, y, 0)]
 
@@ -115,14 +115,14 @@ def test_no_side_of_an_offset_moves_by_less_than_half_the_step(left, nested):
 
 
 def squares(*steps, first=300.0):
-    """Squares inside one another, so many mm apart."""
+    """Return nested squares with the given distances between neighbours, mm."""
     return [polygon(first - 2 * inside) for inside in np.cumsum([0.0, *steps])]
 
 
 @pytest.mark.parametrize("steps", [[10] * 5, [10, 10, 10, 19, 19, 19]])
 @pytest.mark.parametrize("tool, nested", [(6.0, False), (0.0, True)])
 def test_even_steps_are_a_pocket_without_a_tool(steps, tool, nested):
-    """They are longer than a tool of 6 mm reaches, and all less than twice the usual one."""
+    """The steps are larger than the reach of a tool of 6 mm, and all are less than twice the usual step."""
     assert rings_of(squares(*steps), tool).nested.tolist() == [nested] * (len(steps) + 1)
 
 
@@ -165,7 +165,7 @@ def test_a_large_ring_may_be_farther_off_and_still_be_the_same(side, relation):
 
 def test_a_contour_deeper_and_elsewhere_lies_under_none():
     assert rings_of([polygon(20), polygon(24, x=300, z=-2)]).alone.all()
-    # It overlaps by a corner, and is no wall of the same part.
+    # The deeper contour overlaps the upper contour by a corner and is not a wall of the same part.
     assert rings_of([polygon(20), polygon(20, x=15, z=-2)]).deeper.all()
     assert rings_of([polygon(20), polygon(20, x=25, z=-2)]).alone.all()
 
@@ -257,7 +257,7 @@ def test_stepover_does_not_depend_on_ring_order(order):
 
 
 def test_stepover_with_interleaved_island_offsets():
-    """As FreeCAD 1.0 orders them: most neighbours in the order of cutting are 3.6 mm apart, those of one nest 2.4 mm."""
+    """Rings of a nest are 2.4 mm apart, but FreeCAD 1.0's order puts 3.6 mm between most successive rings."""
 
     def rectangle(x, y, u, v):
         return [(x, y, 0.0), (u, y, 0.0), (u, v, 0.0), (x, v, 0.0), (x, y, 0.0)]
@@ -327,7 +327,7 @@ def test_loops_and_windings_may_be_wavy():
 
 
 def toothed(inside, left=0.0):
-    """Around a comb of eight teeth, as far inside; its left side so much farther."""
+    """Return an offset of a comb with eight teeth, `inside` mm inside the comb, and `left` mm more on the left side."""
     low, high, width = 20.0 - inside, 60.0 - inside, 10.0 - inside
     teeth = [
         (20 * k + x, y)

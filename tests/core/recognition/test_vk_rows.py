@@ -25,7 +25,7 @@ def rows_of(commands):
 
 
 def turned(commands, quarter):
-    """The same, by a quarter about Z."""
+    """Return the commands, turned by a quarter turn about Z if `quarter`."""
     return [
         (name, {**p, "X": -p.get("Y", 0.0), "Y": p.get("X", 0.0)} if quarter and "X" in p else p)
         for name, p in commands
@@ -139,7 +139,7 @@ def test_rows_of_a_grid_may_lean_to_both_sides_of_their_axis():
 
 
 def test_little_across_the_rows_is_no_family():
-    """What is left is looked at only where it is worth it, and kept only where it is much."""
+    """A second family is searched only if enough length remains, and kept only if the family is long enough."""
     across = [[(0.0, 3.0 * row, 0.0), (50.0, 3.0 * row, 0.0)] for row in range(12)]
     for count, families in ((0, 1), (1, 1), (2, 2), (13, 2)):
         down = [[(4.0 * row, 0.0, 0.0), (4.0 * row, 33.0, 0.0)] for row in range(count)]
@@ -157,7 +157,7 @@ def test_much_in_many_other_directions_is_no_second_family():
     "lines, period",
     [
         ((0, 1, 10, 11), 10.0),
-        ((0, 1, 10), 5.0),  # three lines tell of no period: half of them are 5 mm apart
+        ((0, 1, 10), 5.0),  # three lines show no period: half of the gaps are 5 mm
         ((0, 3.0, 6.2, 9.6, 13.2, 17.0), 3.4),  # gaps that grow slowly are one set
         # a ball that went around for some time: 3.9 apart, and by chance 31.2
         (np.cumsum([0, 1, 2, 1, 3, 3, 3, 5, 3, 4, 2, 1, 2, 1, 3, 2, 4, 5, 4, 3, 2, 1, 2, 1, 3]) * 1.3, 3.9),

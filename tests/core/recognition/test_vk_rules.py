@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What the rules alone propose, of toolpaths that were drawn for one rule each, and what they say they saw.
+"""Proposals of the rules alone, and their reasons, for toolpaths that were drawn for one rule each.
 
-The votes mostly agree with them, so that a rule that is wrong would not show in a verdict.
+The votes mostly agree with the rules, so a wrong rule would not show in the verdicts.
 """
 
 from __future__ import annotations
@@ -182,13 +182,13 @@ def test_the_step_of_passes_that_are_no_rings(name, step):
 
 
 def beside(strokes, others, share):
-    """Strokes, and others that have a share of the length; `others` draws them, in all so many mm long."""
+    """Return the strokes, and other strokes with a share of the whole length; `others` draws a length of strokes."""
     length = sum(math.dist(a[:2], b[:2]) for stroke in strokes for a, b in zip(stroke, stroke[1:]))
     return [*strokes, *others(length * share / (1 - share))]
 
 
 def contours(length, count=4):
-    """Squares that have nothing to do with one another."""
+    """Return unrelated squares."""
     return [polygon(length / count / 4, x=500.0 * k, y=-600) for k in range(count)]
 
 
@@ -222,13 +222,14 @@ def entered(share):
 
 
 def divided(ratio):
-    """Squares whose steps in depth go from 0.5 to 1.5 mm, and those in the plane are so much more even."""
+    """Return squares whose steps vary by 50 % around 1 mm in depth, and by ratio * 50 % in the plane."""
     at = np.linspace(-0.5, 0.5, 11)
     sides, heights = (np.append(0, np.cumsum(step)) for step in (4 * (1 + ratio * at), -(1 + at)))
     return [polygon(20 + side, z=z) for side, z in zip(sides, heights)]
 
 
-# From which value on a toolpath is something else, and what draws it with a value. Lengths are shares of the whole.
+# The value at which a toolpath changes its strategy, and the function that draws the toolpath for a value. Lengths are
+# shares of the whole length.
 BORDERS = {
     "bites among contours": (0.1, lambda share: beside(bites(300, 12), contours, 1 - share), "profile", "adaptive"),
     "contours among scribbles": (0.35, lambda share: beside(contours(480), scribbles, 1 - share), "engraving", "profile"),

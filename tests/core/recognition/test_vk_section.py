@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What is measured of a section before it is judged, of toolpaths that were drawn so that it can be said by hand."""
+"""Measures of a section, for drawn toolpaths whose measures can be computed by hand."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ def rows(count=6, length=30.0, step=3.0, x=0.0, y=0.0, z=0.0):
 
 
 def walk(*steps, start=(70.0, -40.0)):
-    """The points of a walk: each step turns by so many degrees and then goes so many mm."""
+    """Return the points of a polyline. Each step is (turn, length): a turn in degrees, then a straight length in mm."""
     (x, y), heading, points = start, 0.0, [(*start, 0.0)]
     for turn, length in steps:
         heading += math.radians(turn)
@@ -40,13 +40,13 @@ def walk(*steps, start=(70.0, -40.0)):
 
 
 def square_spiral(turns, side_steps, grows=2.0):
-    """Sides that grow; `side_steps` goes along one side of a length and gives its steps."""
+    """Return a square spiral; `side_steps` returns the steps of `walk` along one side of a given length."""
     lengths = [20.0 + grows * k for k in range(4 * turns)]
     return walk(*(step for length in lengths for step in side_steps(length)))
 
 
 def jogs(count, degrees, length=None):
-    """Sides of a square spiral, each first of four with so many bends against the sense of the spiral, and back."""
+    """Return sides for `square_spiral`. Every fourth side bends `count` times against the spiral's sense, and back."""
     side = iter(range(10**6))
 
     def steps(whole):
@@ -160,7 +160,7 @@ def test_a_small_loop_between_rows_is_a_part_of_the_zigzag():
 
 @pytest.mark.parametrize("inside", [-2.0, 2.0])
 def test_loop_slightly_inside_rows_is_a_contour(inside):
-    """By 2 mm on each side of rows of 40 by 18 mm, which 15 % are 6 and 2.7 mm of."""
+    """The loop lies 2 mm inside or outside rows of 40 by 18 mm, whose tolerance of 15 % is 6 and 2.7 mm."""
     stroke = rows(7, length=40.0) + box(inside, 18.0 - inside, 40.0 - 2 * inside, 18.0 - 2 * inside)
     assert kinds(stroke) == ([ZIGZAG, LOOP], [ZIGZAG, LOOP])
 
@@ -251,7 +251,7 @@ def letter(i, x, z=0.0, size=3.0):
 
 
 def written(shapes, copies=0, depths=1, size=3.0):
-    """So many contours of different shapes, and as many again as there are copies."""
+    """Return a section of `shapes` different contours, followed by copies of the first `copies` contours."""
     text = [*range(shapes), *range(copies)]
     return section(*(letter(i, 12.0 * k, -1.0 * d, size) for d in range(depths) for k, i in enumerate(text)))
 
@@ -285,7 +285,7 @@ def test_letters_in_boxes_of_one_size_differ_by_their_lengths():
     assert section(*map(notched, range(1, 9))).letters()
 
 
-# What lies inside a ring
+# Contours inside a ring
 
 
 FAR = polygon(40, x=300)

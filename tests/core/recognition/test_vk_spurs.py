@@ -67,7 +67,7 @@ def test_long_detour_is_not_a_corner_relief(near):
 
 @pytest.mark.parametrize("ahead", [True, False], ids=["along the side before", "along the side behind"])
 def test_a_spur_along_a_side_leaves_no_reversal_behind(ahead):
-    """The way out goes on along one side, the way back reverses it, and the corner is left by a quarter turn."""
+    """The spur continues a side, the move back reverses the spur, and the path leaves the corner by a quarter turn."""
     tip = (23, 0, 0) if ahead else (20, 3, 0)
     moves = areas([(0, 0, 0), (20, 0, 0), tip, (20, 0, 0), (20, 40, 0), (-20, 40, 0), (-20, 0, 0), (0, 0, 0)])
     kept = without_spurs(moves)
@@ -76,7 +76,7 @@ def test_a_spur_along_a_side_leaves_no_reversal_behind(ahead):
 
 
 def test_reversals_elsewhere_stay_where_they_are():
-    """Of a contour with a relief, and of the zigzag on one line that is cut after it."""
+    """The toolpath is a contour with a relief move, and then a zigzag on one line."""
     moves = areas(square(2.0), [(0, -80, 0), (30, -80, 0), (0, -80, 0), (30, -80, 0)])
     kept = without_spurs(moves)
     assert len(moves.reversals) == 3 and kept.reversals.tolist() == (moves.reversals[1:] - 2).tolist()
@@ -84,7 +84,7 @@ def test_reversals_elsewhere_stay_where_they_are():
 
 @pytest.mark.parametrize("off, there", [(0.01, False), (0.05, True)])
 def test_a_way_back_that_ends_elsewhere_is_no_spur(off, there):
-    """By more than lines may differ that are one."""
+    """The move back misses the start of the spur by less or more than the tolerance for lines that count as one."""
     points = [(0, 0, 0), (20, 0, 0), (24, -3, 0), (20 - 0.8 * off, 0.6 * off, 0), (20, 40, 0), (-20, 40, 0)]
     moves = areas([*points, (-20, 0, 0), (0, 0, 0)])
     assert len(moves.reversals) == 1 and len(without_spurs(moves)) == len(moves) - (0 if there else 2)

@@ -80,7 +80,7 @@ def test_a_circle_over_tags_is_one_contour(chords):
 
 
 def test_what_cuts_over_the_tags_is_a_part_of_the_contour():
-    """Estlcam goes over them in a stroke of its own, and down behind."""
+    """Estlcam cuts across each tag in a separate stroke and plunges after the tag."""
     parts = parts_of_sides(tags=1)
     strokes = []
     for stroke, following in zip(parts, [*parts[1:], None]):

@@ -47,7 +47,7 @@ UNITS = [
     "visits",
     "half-turns",
 ]
-# What is geometry or bookkeeping: halves, sides of a square, thirds of a cell, columns of a box, two ends of a stretch.
+# Numbers of geometry or bookkeeping: halves, sides of a square, thirds of a cell, columns of a box, ends of a stretch.
 FACTS = {0, 0.5, 1, 2, 3, 4}
 # Learned tables, and hashes.
 NUMBERS = {"borders.py", "learned.py"}
