@@ -30,7 +30,7 @@ def arc(x=0.0, y=0.0, z=0.0, *, radius=10.0, turns=0.4, clockwise=False, drop=0.
 
 
 def winding(first, last, turns, *, z=0.0, drop=0.0):
-    """A spiral from one radius to another; a helix where they are the same and it drops."""
+    """Return a spiral from one radius to another, or a helix if the radii are equal and the height drops."""
     angles = np.linspace(0, 2 * math.pi * turns, int(36 * turns) + 1)
     share = angles / angles[-1]
     radius = first + (last - first) * share

@@ -183,7 +183,7 @@ def feed_program(commands, tolerance=0.01, diameter=5.0, view="Top"):
             assert len(phi) == len(path) and np.isfinite(phi).all()
             try:
                 tool = Tool("endmill", diameter)
-            except (TypeError, ValueError):  # None and impossible diameters: there is nothing to estimate with
+            except (TypeError, ValueError):  # without a valid diameter, no cost can be estimated
                 tool = None
             if tool is not None:
                 cost = estimate(path, found, tool=tool, stock=STOCK, view=VIEWS[view])

@@ -457,7 +457,7 @@ def waiting():
 
 
 def answer():
-    """Answer what asks the user: a box by its last button, else by Esc."""
+    """Close an open question to the user: a message box by its last button, another dialog by Esc."""
     box = QtGui.QApplication.activeModalWidget()
     if isinstance(box, QtGui.QMessageBox):
         box.buttons()[-1].click()

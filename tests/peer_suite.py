@@ -86,7 +86,7 @@ class MarkAtOnce:
 
 
 def run(results, addon):
-    """Run FreeCAD's tests and write what came of each."""
+    """Run FreeCAD's tests and write the result of each test."""
     import FreeCAD
     import FreeCADGui as Gui
 

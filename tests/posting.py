@@ -7,7 +7,7 @@ from vkworkbench import freecad
 
 
 def posted(job) -> list[str]:
-    """Return its lines, but for the one with the time of day."""
+    """Return the lines of the posted program, without the line that contains the time."""
     if freecad.version() < (1, 0):
         from PathScripts.PathPostProcessor import PostProcessor
 

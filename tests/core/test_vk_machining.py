@@ -32,7 +32,7 @@ def test_feeds_rapids_and_depth_add_up():
 
 
 def test_the_shortest_and_the_median_way_are_those_of_commands():
-    """An arc is one whatever its chords, a rapid none, and a drilling cycle what it feeds."""
+    """An arc counts as one move regardless of its chords, a rapid does not count, and a cycle counts with its feeds."""
     path = linearize(
         [
             ("G0", {"X": 0.0, "Y": 0.0, "Z": 0.0}),

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The oldest Python that the add-on runs on: package.xml says it, and nothing newer is used.
+"""The oldest Python that the add-on supports is declared in package.xml, and the code uses no newer features.
 
 FreeCAD 0.20 and 0.21 for Windows come with 3.8, Ubuntu's builds with 3.10.
 """
@@ -23,7 +23,10 @@ LATER = {"pairwise", "batched", "bit_count", "hardlink_to", "TaskGroup", "StrEnu
 
 
 def newer(source: str) -> list[str]:
-    """Return what a source has of later Pythons, by line; `X | Y` of types outside of annotations only a run finds."""
+    """Return the uses of newer Python features in a source text, by line.
+
+    A union of types `X | Y` outside annotations is not found; only running the code would show it.
+    """
     try:
         tree = ast.parse(source, feature_version=OLDEST)
     except SyntaxError as error:

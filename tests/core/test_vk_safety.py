@@ -18,7 +18,7 @@ CALLS = {"eval", "exec", "compile", "__import__", "system", "popen", "urlopen", 
 MODULES = {"socket", "ssl", "http", "urllib", "ftplib", "smtplib", "requests", "asyncio", "subprocess",
            "ctypes", "pickle", "marshal", "shelve", "xmlrpc", "telnetlib", "webbrowser", "QtNetwork",
            "QtWebEngineWidgets"}  # fmt: skip
-# Work is done in processes of this add-on's own; only what these send is unpickled. Only the C library gives memory back.
+# The add-on starts worker processes and unpickles only their messages. ctypes calls the C library to release memory.
 ALLOWED = {"vkworkbench/worker.py": {"pickle", "subprocess"}, "vkworkbench/document/computer/garbage.py": {"ctypes"}}
 
 
@@ -98,7 +98,7 @@ def test_boxes_and_tooltips_of_the_window_are_made_in_one_place(parse):
 
 @pytest.mark.sources
 def test_no_widget_of_freecad_is_kept_beyond_its_end():
-    # See vkworkbench/gui/qt/widgets.py: PySide keeps what is found among a window's children or tells of its own end.
+    # PySide keeps a reference to widgets found by findChild or connected to `destroyed`; see gui/qt/widgets.py.
     keeping = re.compile(r"getMainWindow\(\)\.findChild|\bwindow\.findChildren|\.destroyed\b")
     gui = ROOT / "vkworkbench" / "gui"
     found = {

@@ -43,7 +43,7 @@ def test_a_cylinder():
         ((1, 2, 20), (0, 0, -1), 9, 17),
         ((5, 5, 0), (0, 0, 1), 3, 11),  # on the wall
         ((-10, 2, 5), (1, 0, 0), 6, 16),
-        ((-10, 5, 5), (1, 0, 0), 7, 15),  # 3 aside: 4 before and behind the middle
+        ((-10, 5, 5), (1, 0, 0), 7, 15),  # 3 mm aside: from 4 mm before to 4 mm behind the axis
         ((1, 20, 3), (0, -1, 0), 13, 23),  # in the lower face
         ((1, 20, 11), (0, -1, 0), 13, 23),
         ((-5, 2, 9), (0.8, 0, -0.6), 1.25, 10),  # through the wall, and out below

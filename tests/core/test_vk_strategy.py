@@ -18,7 +18,7 @@ FIELDS = ("value", "label", "family", "color", "about")
 
 
 def names_in_languages():
-    """The translated names of strategies by their English ones, for each language."""
+    """Yield each language with its translated strategy names by English name."""
     for path in sorted((ROOT / "resources" / "translations").glob("VkWorkbench_*.ts")):
         for context in ElementTree.parse(path).getroot().iter("context"):
             if context.findtext("name") == "Strategy":
@@ -75,7 +75,7 @@ def test_documents_know_no_other_strategy():
 
 
 def test_values_are_stable():
-    # They are stored in documents and read by macros: one may be added, none changed.
+    # Documents store the values and macros read them: values may be added, but not changed.
     stored = {"zigzag", "one-way", "contour-parallel", "profile", "waterline", "spiral", "helix", "adaptive",
               "drilling", "engraving", "mixed", "unknown", "empty"}  # fmt: skip
     assert stored <= {strategy.value for strategy in Strategy}

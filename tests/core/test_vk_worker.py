@@ -82,12 +82,12 @@ def test_as_many_processes_as_this_one_has_cores(monkeypatch):
         assert worker.processes() == 1
     finally:
         os.sched_setaffinity(0, mine)
-    monkeypatch.delattr(os, "sched_getaffinity")  # Windows and macOS do not tell
+    monkeypatch.delattr(os, "sched_getaffinity")  # as on Windows and macOS
     assert worker.processes() == os.cpu_count()
 
 
 def test_the_python_of_a_program_that_is_not_python(monkeypatch, tmp_path):
-    """FreeCAD's own name is the executable's; its Python lies in the folder of its modules, or beside it."""
+    """In FreeCAD, sys.executable is FreeCAD itself. Its Python lies beside FreeCAD or in the folders of sys.prefix."""
     assert worker.interpreter() == sys.executable
     version = f"python{sys.version_info.major}.{sys.version_info.minor}"
     for executable in (str(tmp_path / "apart" / "FreeCAD"), "", None):

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""A small real job that a test gives toolpaths of its own."""
+"""A small real job, whose operations get their toolpaths from the test."""
 
 from __future__ import annotations
 

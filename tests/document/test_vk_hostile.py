@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Hostile documents: what is broken is said in its row, stops no other row and is changed by nothing but marks."""
+"""Hostile documents: a broken object is reported in its row, stops no other row, and is changed only by marks."""
 
 import csv
 import json

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Jobs made before FreeCAD 0.20 keep their operations in a compound of toolpaths: it holds them, and is none itself."""
+"""Jobs made before FreeCAD 0.20 keep their operations in a toolpath compound, which is not an operation itself."""
 
 import FreeCAD
 import pytest

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The macros of examples/macros do what they say, on the example and on jobs of the tests."""
+"""The macros of examples/macros work as described, on the example and on jobs of the tests."""
 
 import csv
 import shutil

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Marks: what they say, and that they change nothing else: no recompute, no G-code, no word of the user's."""
+"""Texts of the marks. Marking changes nothing else: no recompute, no G-code, and no text of the user."""
 
 import json
 import os

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Never a wrong mark: where an operation is not what was analysed, its mark says so or there is none."""
+"""No mark is ever wrong: if an operation has changed since its analysis, its mark is removed or shows the change."""
 
 import FreeCAD
 import Part

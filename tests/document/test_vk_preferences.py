@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Every preference governs what it says, for a macro as for a click."""
+"""Every preference has its described effect, for macros and for clicks."""
 
 import json
 from dataclasses import fields

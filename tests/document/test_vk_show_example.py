@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The README's first command leaves what it promises, in a window of its own."""
+"""The README's first command opens a window with the promised result."""
 
 from __future__ import annotations
 

@@ -91,7 +91,7 @@ def nothing_known(request):
 
 @pytest.fixture(autouse=True)
 def no_dead_widgets():
-    """After a test that opened a simulator of FreeCAD, tell PySide which widgets are gone."""
+    """After a test that opened a FreeCAD simulator, invalidate PySide's wrappers of the deleted widgets."""
     yield
     if Window.opened_simulator:
         Window.opened_simulator = False

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The first analysis measures this computer: a dialog says so, events are handled, and Esc ends the measurement."""
+"""The first analysis measures this computer: a dialog shows it, events are handled, and Esc ends the measurement."""
 
 import time
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""FreeCAD's window in each language: texts are translated, and none is cut off."""
+"""FreeCAD's window in each language: all texts are translated and fit their widgets."""
 
 import re
 from contextlib import contextmanager

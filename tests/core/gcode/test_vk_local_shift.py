@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""G52 shifts the coordinates of what follows, as where parts lie beside one another in a fixture."""
+"""G52 shifts the coordinates of the following moves, for example for several parts in a fixture."""
 
 from __future__ import annotations
 

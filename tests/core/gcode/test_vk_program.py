@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""NC programs read as text: what a machine would do with them, in mm and mm/s."""
+"""NC programs are read from text into the moves that a machine would make, in mm and mm/s."""
 
 from contextlib import suppress
 from time import process_time
@@ -335,7 +335,7 @@ def test_a_percent_sign_behind_a_move_ends_the_program():
 
 @pytest.mark.parametrize("line", ["G28 G91 Z0\nG90", "G91 G28 Z0.\nG90", "G53 G0 Z0", "G0 G53 Z-3.", "G30 Z0", "G28"])
 def test_tool_rises_to_machine_height_over_the_part(line):
-    """How high, no program says: as high as it moves. From the depth where it was the next rapid would cut."""
+    """The machine's height is unknown, so the program's highest Z is used. Without a rise, the next rapid would cut."""
     path = read_program(f"{PLAIN}{line}\nG0 X40 Y0\nG1 Z-1\nX50\n").toolpath()
     at = np.flatnonzero(path.points[:, 0] == 10)[0]
     assert path.points[at : at + 3].tolist() == [[10, 2, -1], [10, 2, 5], [40, 0, 5]] and path.rapid[at : at + 2].all()
@@ -608,12 +608,12 @@ def test_reading_time_is_linear_in_line_length(line):
     assert seconds(40_000) < 3 * 8 * seconds(5_000)
 
 
-# Two round corners of a square around (200, 200): from where, to where, around what.
+# Two round corners of a square around (200, 200): start, end and centre of each.
 CORNERS = [((220, 210), (210, 220), (210, 210)), ((190, 220), (180, 210), (190, 210))]
 
 
 def rounded(absolute, said=""):
-    """A program of round corners, whose centre words are coordinates or offsets; it may say which."""
+    """Return the toolpath of round corners, whose centre words are coordinates or offsets; `said` may declare which."""
     lines = [f"G90 {said}", "G0 X220 Y200 Z0", "F600"]
     for (x, y), (to_x, to_y), (i, j) in CORNERS:
         lines += [f"G1 X{x} Y{y}", f"G3 X{to_x} Y{to_y} " + (f"I{i} J{j}" if absolute else f"I{i - x} J{j - y}")]

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The operations of an NC program: titles, tool changes, and what comments say of the tools."""
+"""The operations of an NC program: titles, tool changes, and descriptions of tools in comments."""
 
 import math
 
@@ -155,7 +155,7 @@ def test_a_unit_is_that_of_its_size():
         assert tool_told(comment, inches=True).tool.diameter == 6, comment
     assert tool_told("1in face mill", inches=False).tool.diameter == 25.4
     assert tool_told("M8 X 1.25 TAP", inches=True).tool.diameter == 8
-    # FreeCAD converts the moves of its programs to inches, not what it says of the tool.
+    # FreeCAD converts the moves of its programs to inches, but not the tool's diameter in a comment.
     assert tool_told("Compensated Tool Path. Diameter: 4.7498", inches=True).tool.diameter == 4.7498
     assert tool_told("T1 5/16-18 TAP", inches=True).tool.diameter == pytest.approx(7.9375)
 
@@ -303,7 +303,7 @@ def test_the_tool_that_the_line_of_its_change_tells_stays():
     next_one = "T2 (NEXT TOOL: 5MM DRILL)\n"
     assert sections(f"T1 M6 (10MM ENDMILL)\n{next_one}{CUT}") == [("10MM ENDMILL", 1, 10)]
     assert sections(f"(20MM FACE MILL)\nT1 M6 (10MM ENDMILL)\n{next_one}{CUT}") == [("10MM ENDMILL", 1, 10)]
-    # The last of several changes counts, and with a comment of its own behind it where its line has none.
+    # The last of several tool changes counts. Its comment may follow on the next line.
     assert sections(f"T1 M6 (10MM ENDMILL)\nT2 M6 (5MM DRILL)\n{CUT}") == [("5MM DRILL", 2, 5)]
     assert sections(f"T1 M6 (10MM ENDMILL)\nT2 M6\n(5MM DRILL)\n{CUT}") == [("5MM DRILL", 2, 5)]
     assert sections(f"(10MM ENDMILL)\nT1 M6\n(5MM DRILL)\n{CUT}") == [("5MM DRILL", 1, 5)]
@@ -339,8 +339,8 @@ def test_the_tool_is_named_behind_its_change():
     two = f"M6\nT1.1 (10MM ENDMILL)\nM0\n{CUT}M6\nT9.9 (5MM DRILL)\n{CUT}"
     assert sections(two) == [("10MM ENDMILL", 1, 10), ("5MM DRILL", 9, 5)]
     assert sections(f"T1\nM6\n{CUT}M6\nT2 (5MM DRILL)\n{CUT}")[-1] == ("5MM DRILL", 2, 5)
-    assert sections(f"T1\nM6\nT2 (5MM DRILL)\n{CUT}") == [("", 1, None)]  # got ready
-    assert sections(f"M6\n{CUT}T2 (5MM DRILL)\n{CUT}")[-1][1] is None  # behind a cut it is got ready
+    assert sections(f"T1\nM6\nT2 (5MM DRILL)\n{CUT}") == [("", 1, None)]  # the tool is only prepared
+    assert sections(f"M6\n{CUT}T2 (5MM DRILL)\n{CUT}")[-1][1] is None  # after a cut the tool is only prepared
 
 
 def test_tools_and_remarks_in_chinese():
@@ -430,7 +430,7 @@ def test_a_title_between_a_plunge_and_its_cut_parts_nothing():
     assert [title for title, _, _ in sections(f"(Sides)\nG0 X0 Y0\nG1 Z1 F9\nZ-2\n(Rough)\nX10\nY5\n(Wall)\n{CUT}")] == [
         "Rough", "Wall"
     ]  # fmt: skip
-    # A hole is a cut, also where the title stands before the tool is lifted.
+    # A hole is a cut, even if the title comes before the retract.
     for hole in ("G1 Z-2 F9\n(Second)\nG0 Z5\n", "G1 Z-2 F9\n(Second)\nG1 Z5\n", "G1 Z-2 F9\nG0 Z5\n(Second)\n"):
         assert len(sections(f"(First)\nG0 X0 Y0\n{hole}X5\nG1 Z-2\n")) == 2
 
@@ -449,7 +449,7 @@ def test_numbered_repeat_of_name_is_another_operation():
 
 
 def test_a_line_of_words_alone_cuts_where_it_goes_on_with_a_feed():
-    """Titles behind the first cut part a program: what cuts has to be seen where G1 stands some lines above."""
+    """Titles after the first cut divide a program, so cuts must be found even if G1 is several lines above."""
     cut = "X10\nY5\nX0\n"
     assert [title for title, _, _ in sections(f"(One)\nG1 F100\n{cut}(Two)\n{cut}")] == ["One", "Two"]
     # Rapids and feeds without a way cut nothing: the second title is another name of the same operation.
@@ -492,7 +492,7 @@ def test_sheetcam_names_an_operation_before_its_tool():
 
 
 def test_what_stands_beside_a_move_is_no_title():
-    """It says what the move is for; what it says of a tool counts."""
+    """A comment on the line of a move describes the move. Only a tool description in it is used."""
     text = "(FACE TOP)\nT2 M6 (6 mm end mill)\nG0 X0 Y0 S1200 M3 (H1)\nG1 Z-1 F100\nX50\nG0 Z5 M5 (back off and stop)\nG1 X0\n"
     assert sections(text) == [("FACE TOP", 2, 6)]
 

@@ -28,7 +28,10 @@ class Command:
 
 @pytest.fixture
 def many(monkeypatch):
-    """How many commands are read, of which an eighth at once: with fewer at once fewer do to tell the two apart."""
+    """Return the number of commands, and reduce the chunk size to an eighth of it.
+
+    With small chunks, few commands suffice to see that the memory depends on the chunk and not on the whole.
+    """
     monkeypatch.setattr(words, "_PIECE", 1_500)
     return 12_000
 
@@ -42,7 +45,7 @@ def test_very_many_commands_take_little_memory(many):
 
 
 class Keeping:
-    """As FreeCAD's too: what was asked for is kept beside the command."""
+    """A command like FreeCAD's that keeps its parameters after the first access."""
 
     Name = "G1"
 

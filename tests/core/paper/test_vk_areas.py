@@ -34,7 +34,7 @@ def test_an_area_after_others_is_told_as_if_it_were_alone(strokes):
 
 @pytest.mark.parametrize("sense", [1, -1])
 def test_a_reversal_turns_back_what_its_own_area_has_turned(sense):
-    """A quarter turn, straight on, and back, behind a contour that turned by more, the one way and the other."""
+    """The area turns by a quarter, runs straight and reverses. The contour before it turned more, in either sense."""
     late = [(0, 0), (30, 0), (30, 30 * sense), (30, 60 * sense), (30, 30 * sense), (30, 0)]
     for before in (SQUARE, SQUARE[::-1]):
         phi = areas_of(before, late).signature(1).phi / np.pi
@@ -124,7 +124,7 @@ def test_small_gap_counts_around_tiny_area(gap, closed):
 
 @pytest.mark.parametrize("turned", [0.0, 0.008])
 def test_phi_is_the_direction_of_rows_that_fan_out(turned):
-    """Rows there and back, each turned a little against the one before: what half turns are off pi adds up."""
+    """Each row is slightly turned from the previous row. The deviations of the half turns from pi add up."""
     angle = np.arange(400) * turned + np.pi * (np.arange(400) % 2)
     fan = [(50 * np.cos(a), 50 * np.sin(a)) for a in angle.tolist()]
     signature = areas_of(fan).signature(0)
@@ -133,7 +133,7 @@ def test_phi_is_the_direction_of_rows_that_fan_out(turned):
 
 
 def test_a_loop_behind_a_zigzag_closes_nothing():
-    """The tool comes back to a row's end once: that turn is none of a contour's."""
+    """The loop returns to the end of a row once, and does not make the zigzag a closed contour."""
     rows = [(x, 3.0 * k) for k in range(12) for x in ((0.0, 40.0) if k % 2 == 0 else (40.0, 0.0))]
     loop = [(0.0, 36.0), (5.0, 36.0), (5.0, 40.0), (0.0, 40.0), (0.0, 36.0)]
     areas = areas_of([*rows, *loop])

@@ -63,7 +63,7 @@ def test_nearly_closed_loop_is_found_anywhere(gap, is_one):
 @pytest.mark.parametrize("degrees", range(0, 360, 15))
 @pytest.mark.parametrize("tip", [30, 10])
 def test_so_it_is_with_a_lead_that_is_travelled_in_and_out(tip, degrees):
-    """At its tip the path turns by half a turn, whose sign would tell one loop from two, whichever way it points."""
+    """The path turns by half a turn at the lead's tip. The number of loops must not depend on the sign of this turn."""
     around = [(20, 20), (-20, 20), (-20, -20), (20, -20), (20, 0)]
     path = np.array([(tip, 0), (20, 0), *around, *around, (tip, 0)])
     angle = np.radians(degrees)

@@ -69,7 +69,7 @@ def test_a_plunge_aside_between_level_cuts_is_left_out():
 
 
 def test_each_cut_begins_where_the_one_before_ends():
-    # With what is left out, and where all of the path is a cut.
+    # The first path has moves that are left out, and the second path consists of cuts only.
     for path in (areas_of(*feed((0, 0, -1), *ROW)), monotonous_areas(linearize(feed((0, 0, -1), *ROW)))):
         assert path.x.tolist() == [40, 60, 60] and path.y.tolist() == [30, 30, 32] and path.z.tolist() == [-1] * 3
         assert (path.x + path.dx).tolist() == [60, 60, 40] and path.length.tolist() == [20, 2, 20]
@@ -120,7 +120,7 @@ def test_links_in_the_air_at_feed_are_left_out():
     more = [(40, 20, -1), (60, 20, -1), (60, 4, -1)]
     areas = areas_of(*feed((0, 0, -1), *ROW, *link(40, 2), *more))
     assert sizes(areas) == [3, 3] and areas.index.tolist() == [1, 2, 3, 7, 8, 9]
-    # As the first and the last move of a program, too, where it lifts or plunges but once.
+    # The first and last moves of a program are links, too, although each has only one plunge or lift beside it.
     areas = areas_of(*feed((-30, 0, 5), (-30, 0, -1), (-10, 0, -1), (-10, 5, -1), (-10, 5, 5), (20, 5, 5)))
     assert areas.index.tolist() == [2, 3]
 

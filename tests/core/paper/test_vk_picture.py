@@ -72,7 +72,7 @@ def test_no_more_are_drawn_than_may_be_however_far_apart():
 
 
 def test_ends_on_both_sides_of_where_all_begin_are_told_apart():
-    """A star on cells of 1 mm: what ends left of its middle is not what ends right of it."""
+    """A star is drawn on cells of 1 mm. Rays that end left and right of the centre are different rays."""
     ends = [(-10, -10), (-0.4, 0), (0.4, 0), (10, 10), (10, 10)]
     points = np.array([point for end in ends for point in ((0.0, 0.0), end)], float)
     assert distinct(points, 2 * np.arange(5), cells=20, most=4).tolist() == [0, 2, 4, 6]

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Which open strokes are bites of an adaptive tool: they bend the way most do, and overlap the one before or after."""
+"""Bites of adaptive clearing are open strokes that bend in the usual sense and overlap the previous or next bite."""
 
 from __future__ import annotations
 

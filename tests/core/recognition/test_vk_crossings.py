@@ -162,7 +162,7 @@ def test_what_runs_along_the_lines_is_not_crossed(sine, crosses):
 
 @pytest.mark.parametrize("deeper, apart", [(0.04, True), (0.02, False)])
 def test_clearly_different_heights_are_two_depths(deeper, apart):
-    """Half of 0.05 mm; on one depth a pass lies over the one before it, and beside none of its neighbours."""
+    """Heights that differ by more than 0.025 mm are two depths. On one depth, equal rows would lie on one another."""
     _, level, _ = told(programs.one_way(ROWS, 50.0, STEP, depths=(0.0, -deeper)))
     assert level["run"] == pytest.approx((ROWS - 2) / (ROWS - 1) if apart else 0)
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The numbers beside a verdict and the sentence that tells them, of toolpaths that were drawn so."""
+"""The numbers of a verdict and the sentence that reports them, for drawn toolpaths with known numbers."""
 
 from __future__ import annotations
 

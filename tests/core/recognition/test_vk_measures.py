@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The measures that the learned trees read, of toolpaths that were drawn so, beside their numbers by hand."""
+"""The measures that the learned trees use, compared with values computed by hand, for drawn toolpaths."""
 
 from __future__ import annotations
 

@@ -99,7 +99,7 @@ def test_offset_keeps_distance_within_thirty_percent(opens, even):
 
 
 def test_one_far_from_the_usual_step_counts_as_none():
-    """Rows of 2 mm and, behind them, one of 7 mm, and nothing beside the other half of the length."""
+    """Five rows are 2 mm apart, and a sixth row is 7 mm away from the last of the five rows."""
     strokes = [*(line(2.0 * k, length=200.0) for k in range(5)), line(15.0, length=200.0)]
     found = neighbours(strokes, 0.0)
     assert found.count == 5 and found.share == pytest.approx(5 / 6) and found.step == 2.0

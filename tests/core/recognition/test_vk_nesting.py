@@ -10,7 +10,7 @@ from vkworkbench.core.recognition.patterns.nesting import Inward, evenness, midd
 
 
 def inward(*sides, aside=0.0, enclosed=None, slack=1.0):
-    """Squares about one middle; each lies `aside` farther than the one before, along X."""
+    """Return squares with a common centre, or with centres that move by `aside` along X from square to square."""
     half, x = np.array(sides) / 2, aside * np.arange(len(sides))
     borders = np.array([x - half, -half, -(x + half), -half])
     area = np.array(sides) ** 2.0 if enclosed is None else np.array(enclosed)

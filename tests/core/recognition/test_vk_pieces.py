@@ -49,7 +49,7 @@ def wave(turns=1.0, count=60):
 
 @pytest.mark.parametrize("xy", [[(0, 0), (60, 0), (60, 40)], wave(), wave(3.0)], ids=["corner", "s", "waves"])
 def test_bent_pass_on_a_ramp_is_a_piece_each_time(xy):
-    """It wavers as a zigzag does where it comes again, and is none."""
+    """A bent pass that is cut back and forth bends like a zigzag, but is not a zigzag."""
     pieces = pieces_of(to_and_fro(xy))
     assert pieces.kind.tolist() == [STROKE] * 5 and pieces.area.tolist() == [0] * 5
     assert pieces.length == pytest.approx([pieces.length[0]] * 5) and not pieces.wavy.any()
@@ -58,7 +58,7 @@ def test_bent_pass_on_a_ramp_is_a_piece_each_time(xy):
 
 @pytest.mark.parametrize("aside", [0.0, 0.01])
 def test_a_straight_pass_that_comes_back_on_a_ramp_is_one_piece(aside):
-    """It may be how the tool gets into the material, with what rounding leaves beside its line."""
+    """A straight pass back and forth may be an entry ramp, whose points rounding may move off the line."""
     assert len(pieces_of([(0, 0, 0), (60, 0, -1), (0, aside, -2), (60, 0, -3), (0, 0, -4)])) == 1
 
 
@@ -75,7 +75,7 @@ def test_a_loop_with_a_tail_is_two_pieces_of_one_area():
 
 
 def test_winding_turns_are_pieces_of_its_kind():
-    """A spiral of three turns, and a zigzag behind it whose kind is its own."""
+    """A spiral of three turns is followed by a zigzag, which remains a piece of its own kind."""
     angles = np.linspace(0, 3 * TURN, 145)
     radius = 30 - 6 * angles / TURN
     spiral = np.column_stack((radius * np.cos(angles), radius * np.sin(angles), np.zeros(145))).tolist()

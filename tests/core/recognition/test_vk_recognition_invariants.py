@@ -64,7 +64,7 @@ def backwards(path):
 
 
 def split(path, parts):
-    """Each trajectory in as many pieces as `parts`, (n,) int, says."""
+    """Return the toolpath with each trajectory divided into `parts` pieces, (n,) int."""
     of = np.repeat(np.arange(len(path)), parts)
     share = (np.arange(len(of)) - np.repeat(np.cumsum(parts) - parts, parts) + 1) / parts[of]
     points = path.points[of] + share[:, None] * (path.points[of + 1] - path.points[of])
@@ -209,7 +209,7 @@ def test_loops_that_close_with_a_move_as_short_as_rounding(short, loops, sides, 
 @settings(max_examples=25)
 def test_an_unknown_tool(made):
     path, found = path_of(made)
-    # Three loops may as well be three contours where nothing says how wide the tool is.
+    # Three loops may also be three separate contours if the tool's diameter is unknown.
     if found.strategy != "contour-parallel" or found.passes > 3:
         assert recognize(path).strategy == found.strategy
 

@@ -197,7 +197,7 @@ WAYS_IN = [SINGLE, RAMP, CORNER, TO_AND_FRO, HELIX]
 
 @pytest.mark.parametrize("points", WAYS_IN, ids=["one move", "ramp", "around a corner", "to and fro", "helix"])
 def test_entry_is_not_part_of_pattern_unless_it_winds(points):
-    """A helix of one turn on a radius of 4 mm; the rectangle, begun anew where the way in ends, is what is left."""
+    """Only the rectangle remains, beginning at the end of the entry. Only the helix of one turn counts as winding."""
     moves = areas(way_down(*points))
     pattern, wound = without_entries(moves)
     assert len(pattern) == len(moves) - (len(points) - 1) and not pattern.dz.any()
@@ -206,7 +206,7 @@ def test_entry_is_not_part_of_pattern_unless_it_winds(points):
 
 
 def test_sharp_turns_after_straight_entry_are_not_winding():
-    """Twice 150 degrees in one sense, more than three quarters of a turn, of which none is in the ramp."""
+    """Two turns of 150 degrees are more than three quarters of a full turn, but neither is part of the ramp."""
     turned = np.cumsum(np.radians([150, 150, 30, 30]))
     steps = 20 * np.column_stack((np.cos(turned), np.sin(turned), np.zeros(4)))
     moves = areas([(0, 0, 0), (20, 0, -1), *(np.array((20, 0, -1)) + np.cumsum(steps, axis=0)).tolist()])
@@ -248,7 +248,7 @@ def test_moves_before_first_and_after_last_are_counted(other, before, after):
 
 
 def out_and(*points, at=0.0):
-    """A way that goes out level, around a bend, in the air, then along these points, and 40 mm on at the last one's height."""
+    """Return a path that runs level around a bend, then along the points, and 40 mm on at the last point's height."""
     x, y, z = points[-1]
     stroke = [(0, 0, 0), (6, 0, 0), (6, 8, 0), *points, (x, y - 40, z), (x + 5, y - 40, z)]
     return areas([(at + x, y - at, z) for x, y, z in stroke])
@@ -258,10 +258,10 @@ def out_and(*points, at=0.0):
 @pytest.mark.parametrize(
     ("points", "entry", "left"),
     [
-        ([(6, 0, -1), (0, 0, -2)], "ramp", 2),  # back where it began
-        ([(6, 0, -1), (1, 0, -2)], "plunge", 6),  # not quite back: who knows what it leaves
-        ([(0, 0, -2)], "plunge", 5),  # back on another way
-        ([(6, 0, 0), (0, 0, 0)], "plunge", 6),  # level all the way
+        ([(6, 0, -1), (0, 0, -2)], "ramp", 2),  # the ramp ends at the path's start
+        ([(6, 0, -1), (1, 0, -2)], "plunge", 6),  # the ramp ends short of the path's start
+        ([(0, 0, -2)], "plunge", 5),  # the tool returns on another line
+        ([(6, 0, 0), (0, 0, 0)], "plunge", 6),  # the way back is level
     ],
 )
 def test_a_ramp_may_first_go_out_level_on_the_way_it_comes_back(points, entry, left, at):

@@ -366,7 +366,7 @@ def test_doubtful_retract_divides_by_odds_or_votes():
 
 
 def test_a_way_down_from_the_top_is_no_retract_to_it():
-    """A ramp at feed from the height of the retracts; a lift of 3 mm behind it begins no visit, the retract does."""
+    """The first visit begins with a ramp from the retract height. A lift of 3 mm after the ramp is not a new visit."""
     path = linearize([
         ("G0", {"X": 0.0, "Y": 0.0, "Z": 9.0}), ("G1", {"X": 30.0, "Z": -1.0, "F": 10.0}), ("G0", {"Z": 2.0}),
         ("G0", {"X": 40.0}), ("G1", {"Z": -1.0, "F": 10.0}), ("G1", {"X": 60.0, "F": 10.0}), ("G0", {"Z": 9.0}),

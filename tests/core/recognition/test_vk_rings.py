@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""How rings lie to one another, told of loops that were drawn so: what the rules and the reason say rests on it."""
+"""Relations between rings (nested, repeated, deeper), for drawn loops. The rules and the reasons depend on them."""
 
 from __future__ import annotations
 
@@ -88,7 +88,7 @@ def comb(wide, deep):
 
 @pytest.mark.parametrize(("wide", "deep", "nested"), [(2, 0.2, True), (4, 5, True), (2, 12, False)])
 def test_frame_around_comb_is_offset_if_equally_long(wide, deep, nested):
-    """Gaps of twice the distance close, but what is three times as long is another contour."""
+    """An offset closes gaps of up to twice its distance, but a contour of three times the length is not an offset."""
     frame = [(-2, -2, 0.0), (152, -2, 0.0), (152, 42, 0.0), (-2, 42, 0.0), (-2, -2, 0.0)]
     assert rings_of([frame, comb(wide, deep)]).nested.tolist() == [nested] * 2
 

@@ -83,7 +83,7 @@ def test_a_row_that_an_island_interrupts_is_one_row(degrees):
 
 
 def test_a_row_whose_moves_waver_is_one_row():
-    """By a tenth of a millimetre on ten, which is as good as parallel; each row is a stroke of its own."""
+    """Moves that deviate by 0.1 mm over 10 mm count as parallel. Each row is a separate stroke."""
     strokes = [[(10.0 * k, 3.0 * row + 0.1 * (k % 2), 0.0) for k in range(6)] for row in range(8)]
     (rows,) = rows_of(programs.program(strokes))
     assert (rows.count, rows.lines) == (8, 8)
@@ -147,7 +147,7 @@ def test_little_across_the_rows_is_no_family():
 
 
 def test_much_in_many_other_directions_is_no_second_family():
-    """Five lines of 20 mm, each askew in its own way, beside twelve rows of 50 mm: together a sixth, each a thirtieth."""
+    """Five lines of 20 mm in different directions have a sixth of the length of twelve rows of 50 mm."""
     across = [[(0.0, 3.0 * row, 0.0), (50.0, 3.0 * row, 0.0)] for row in range(12)]
     askew = [slanted([[(0.0, 0.0, 0.0), (20.0, 0.0, 0.0)]], 25.0 * k)[0] for k in range(1, 6)]
     assert [rows.length for rows in rows_of(programs.program(across + askew))] == pytest.approx([600])

@@ -213,7 +213,7 @@ def bites(length, count=6):
 
 
 def entered(share):
-    """Windings of 1781 mm, each wider than the one before by more, behind a helix of two turns with a share of that."""
+    """Return 1781 mm of windings whose spacing grows, entered by a helix of two turns with a share of this length."""
     radii, way_in = [10 + 2 * k + k * k / 4 for k in range(11)], 1781 * share / (4 * math.pi)
     turns = [winding(*pair, 1) for pair in zip(radii, radii[1:])]
     return [

@@ -178,7 +178,7 @@ def test_loop_slightly_inside_rows_is_a_contour(inside):
     ids=["right", "left", "above", "below", "narrow", "half"],
 )
 def test_loop_beside_rows_is_not_a_contour(loop):
-    """Each reaches as far as the rows on some sides, and lies farther inside than it may on one."""
+    """Each loop reaches the border of the rows on some sides, but lies too far inside on one side."""
     cut, absorbed = kinds(rows(7, length=40.0) + loop)
     assert cut == [ZIGZAG, LOOP] and absorbed == [ZIGZAG, ZIGZAG]
 

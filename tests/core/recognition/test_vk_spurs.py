@@ -49,14 +49,14 @@ def test_every_area_counts_from_its_own_first_move():
     ids=["open", "long", "down", "none"],
 )
 def test_what_is_no_relief_stays(stroke):
-    """In an open stroke; a fifth of the length and more; where it leads deeper."""
+    """A detour in an open stroke, of at least a fifth of the length, or to a greater depth is not a relief."""
     moves = areas(stroke)
     assert without_spurs(moves) is moves
 
 
 @pytest.mark.parametrize("near", [(1.0, 20.0), (20.0, 1.0)], ids=["before", "behind"])
 def test_long_detour_is_not_a_corner_relief(near):
-    """2.8 mm, from a corner with a point 1 mm before or behind it on its sides."""
+    """The detour of 2.8 mm is longer than one of the corner's sides, which has a point 1 mm away from the corner."""
     before, behind = near
     points = [(0, 0, 0), (20 - before, 0, 0), (20, 0, 0), (22, -2, 0), (20, 0, 0), (20, behind, 0), (20, 40, 0)]
     moves = areas([*points, (-20, 40, 0), (-20, 0, 0), (0, 0, 0)])
@@ -106,7 +106,7 @@ def test_reliefs_are_less_than_a_fifth_of_a_contour(out, there):
 
 
 def test_spurs_one_after_the_other_are_no_reliefs():
-    """To and fro on one line is a stroke of its own: only the first way out and back could be one."""
+    """Repeated moves on one line are a stroke of their own. Only the first move out and back could be a relief."""
     there, half = (21.0, -1.0, 0.0), (20.0, 0.0, 0.0)
     stroke = square()
     moves = areas([*stroke[:2], there, half, there, half, *stroke[2:]])

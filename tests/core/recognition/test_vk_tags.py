@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Contours that are lifted over what holds the part."""
+"""Contours that are lifted over holding tags."""
 
 from __future__ import annotations
 
@@ -156,7 +156,7 @@ def test_strokes_to_and_fro_on_one_line_are_none():
 
 
 def test_a_gap_of_rounding_does_not_take_a_short_move_away():
-    """It is as long as the way back from it to where the next stroke begins."""
+    """The short move is as long as the gap between its end and the start of the next stroke."""
     sides = [[(0.0, 0.0, -1.0), (40.0, 0.0, -1.0)], [(40.0, 30.0, -1.0), (0.0, 30.0, -1.0), (0.0, 0.0, -1.0)]]
     short, up = [(40.0, 0.0, -1.0), (40.0, 0.015, -1.0)], [(40.0, 0.0, -1.0), (40.0, 30.0, -1.0)]
     around = joined([sides[0], short, up, sides[1]])

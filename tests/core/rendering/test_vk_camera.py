@@ -40,7 +40,7 @@ def test_turning_there_and_back():
 
 
 def test_the_part_follows_the_hand():
-    """Dragged to the right what is in front of the axis goes to the right, dragged up it goes up."""
+    """A point in front of the axis moves right when the view is dragged to the right, and up when dragged up."""
     front = np.array([[40.0, 0.0, 10.0]])
     before = project(front, View((0, 1, 0)).frame(STOCK))[0]
     right = project(front, View(turned((0, 1, 0), 0.1, 0)).frame(STOCK))[0]
@@ -97,7 +97,7 @@ def test_reprojected_picture_resembles_new_one():
 
 
 def drawn_by_hand(columns, rows, depths, colors, size):
-    """Points as squares of two pixels, down and left of theirs; of several the nearest, black where there is none."""
+    """Draw points as squares of 2 x 2 pixels, extended down and to the left; the nearest point is on top."""
     image = np.zeros((*size, 3), np.uint8)
     for far in np.argsort(-depths):
         for row in (rows[far] - 1, rows[far]):
@@ -189,7 +189,7 @@ def test_a_png_holds_the_image():
     image = np.random.default_rng(1).integers(0, 256, (5, 7, 3)).astype(np.uint8)
     data = png(image)
     assert data[:8] == b"\x89PNG\r\n\x1a\n" and struct.unpack(">II", data[16:24]) == (7, 5)
-    # As the format wants it: 8 bits of red, green and blue, no filter or interlacing that is not told.
+    # The PNG header declares 8 bits for each of red, green and blue, standard filters, and no interlacing.
     assert data[12:16] == b"IHDR" and data[24:29] == bytes([8, 2, 0, 0, 0])
     start = data.index(b"IDAT")
     (length,) = struct.unpack(">I", data[start - 4 : start])

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Pictures of depths: where light falls, where lines are, what is background."""
+"""Shaded pictures of depth images: light, lines at steps, and background."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ def test_plane_is_lit_from_above_left():
 
 @pytest.mark.parametrize("right, up", [(0.5, -0.3), (-0.2, 0.4), (1.5, -1.5)])
 def test_the_light_of_a_slope_is_that_of_its_angle_to_the_light(right, up):
-    """Lambert's law, beside the light of all around; a level plane has its own colour."""
+    """The light is ambient light plus Lambert's law. A level plane has exactly its own colour."""
     normal = np.array((-right, -up, 1)) / np.sqrt(1 + right**2 + up**2)
     share = normal @ (-0.35, 0.5, 0.79) / 0.79
     assert brightness(plane(right, up)) == pytest.approx(min(200 * (0.38 + 0.62 * share), 255), abs=1)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Cautions before a simulation: each found where it is, none where it is not."""
+"""Cautions before a simulation: each problem is found, and a sound program gets no caution."""
 
 from __future__ import annotations
 
@@ -79,7 +79,7 @@ def test_arc_without_sweep_below_its_start_hangs():
 
 
 def test_arc_begins_where_the_line_before_it_ends():
-    """From (0, 10) a quarter turn about (0, 0); from (10, 0), where it was before, it would end above its centre's start."""
+    """The arc is a quarter turn about (0, 0) from the line's end (0, 10), and not from the line's start (10, 0)."""
     line = ("G1", {"X": 0.0, "Y": 10.0, "F": 5.0})
     assert check([START, line, ("G2", {"X": 10.0, "Y": 0.0, "Z": 5.0, "I": 0.0, "J": -10.0})]) == ()
 

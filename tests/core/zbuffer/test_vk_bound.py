@@ -86,7 +86,7 @@ def test_what_a_flat_end_cuts_at_one_height_it_cuts_once():
     there_and_back = [(0, 0, 5), (200, 0, 5), (0, 0, 5)]
     assert records_of(there_and_back) == 4800
     assert records_of([*there_and_back, (0, 0, 3), (200, 0, 3)]) == 2 * 4800
-    # The plunge is of the level it comes to: beside the full one its foot is new.
+    # A plunge counts for the level at its lower end, where its footprint is new.
     assert records_of([*there_and_back, (0, 0, 3)]) == pytest.approx(4800 + ROUND)
     assert records_of([(0, 0, 3), (200, 0, 3), (200, 0, 5), (0, 0, 5)]) == 2 * 4800  # going up from it, too
     sloped = [(0, 0, 5), (200, 0, 4), (0, 0, 5)]

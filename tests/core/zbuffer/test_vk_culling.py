@@ -187,7 +187,7 @@ def test_quarters_are_those_in_the_image_that_something_may_cut():
 
 @pytest.mark.parametrize("heights, cut", [((6.0, 8.0), [0]), ((8.0, 6.0), [0, 2])])
 def test_what_is_opened_deeper_before_is_left_to_no_pixel(heights, cut):
-    """The second slot, 2, removes something only where it is the deeper one; 1 is the way back from one to the other."""
+    """Trajectories 0 and 2 are slots, and 1 is the link. The second slot removes material only if it is deeper."""
     trajectories = of_slots(*heights)
     found, tested = [], 0
     for tiles, own in small_tiles(trajectories, Upright(trajectories), Region(0, 400, 128, 192)):

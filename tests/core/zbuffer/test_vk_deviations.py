@@ -97,7 +97,7 @@ def test_tiles_of_three_pixels_hang_together_where_they_touch(other, places):
 
 @pytest.mark.parametrize(("tolerance", "depths"), [(0.5, []), (0.1, [PIXEL])])
 def test_a_wall_is_as_far_from_its_place_as_it_lies_beside_it(tolerance, depths):
-    """3 mm high, one pixel beside: along the view the pixel between lies 3 mm above the model."""
+    """A wall 3 mm high is displaced by one pixel. Along the view, this pixel lies 3 mm above the model."""
     part, model = (
         UNCUT.picture.depth.reshape(HEIGHT, WIDTH) + np.float32(3) * (np.arange(WIDTH) >= edge) for edge in (101, 100)
     )
@@ -171,7 +171,7 @@ def test_every_strip_of_64_rows_of_a_model_may_end_the_work():
 
 
 def test_each_cut_has_one_worst_gouge_and_all_of_its_area():
-    """A slot of 3 mm and one of 4 mm by the first cut, one of 5 mm by the second, 30 mm long and 6 mm wide."""
+    """The first cut makes slots 3 and 4 mm deep, and the second cut a slot 5 mm deep, all 30 mm long and 6 mm wide."""
     one = path((5, 5, 7), (35, 5, 7), (35, 5, 20), (5, 25, 20), (5, 25, 6), (35, 25, 6))
     two = path((5, 15, 5), (35, 15, 5))
     z = simulated(one, two)
@@ -203,7 +203,7 @@ def test_gouge_through_part_is_attributed_to_first_remover(x, y):
 
 
 class Milled(Convex):
-    """A block without boxes and cylinders; its rays in closed form. Cut it in one process: others do not know this class."""
+    """A block minus boxes and cylinders, with exact rays. Simulate it in one process: workers do not know it."""
 
     def __init__(self, block, *removed):
         self.block, self.removed = block, removed
@@ -253,7 +253,7 @@ def test_the_sound_part_is_not_gouged(direction, offset, pixel):
 @pytest.mark.parametrize("direction", VIEWS)
 @pytest.mark.parametrize("offset, pixel", IMAGES)
 def test_only_what_cuts_into_the_model_is_guilty(direction, offset, pixel):
-    """Through what a rapid cut away one sees walls that others cut rightly, later or earlier."""
+    """Walls that other operations cut correctly are visible where the rapid removed material, and are not gouges."""
     # In every other image: the rapid comes first and last in half of the images of each view, and of each image's views.
     guilty = 3 * ((VIEWS.index(direction) + IMAGES.index((offset, pixel))) % 2)
     jobs = [FACING, POCKET, DRILLING]
@@ -274,7 +274,7 @@ def test_what_is_cut_within_the_tolerance_makes_nobody_guilty():
 
 
 def test_who_is_guilty_of_what_lies_behind_a_gap_of_the_stock():
-    """A model of 8 mm in a stock that is hollow from 4 to 9 mm: a slot through its lid is none's, one to 2 mm a gouge."""
+    """A model of 8 mm lies in a stock that is hollow from 4 to 9 mm. A slot to 2 mm is a gouge, a slot in the lid is not."""
     solid = Stock((0, 0, 0), (40, 30, 10))
     hollow = Milled(solid)
     hollow.spans = lambda frame, x, y: Spans(
@@ -297,7 +297,7 @@ def test_who_is_guilty_of_what_lies_behind_a_gap_of_the_stock():
 @pytest.mark.long
 @pytest.mark.parametrize("direction, seen", list(zip(VIEWS, (1, 1, 1, 0.7, 1))))
 def test_wall_gouge_is_its_distance_not_its_height(direction, seen):
-    """A step of 8 mm, whose wall is cut 1 mm too far. From behind only the missing edge is seen, across its width."""
+    """The wall of a step of 8 mm is cut 1 mm too far. From behind, only the width of the missing edge is visible."""
     step = Milled(Stock((0, 0, 0), (40, 30, 10)), Stock((-1, -1, 2), (20, 31, 20)))
     z = simulate_job([Cut(path((18, -5, 2), (18, 35, 2)), FLAT)], stock=BOX, view=View(direction, 400, 300))
     (gouge,) = gouges(z, deviations(z, step), 0.1)
@@ -354,10 +354,10 @@ def test_what_is_left_in_holes_through_the_model():
     # 2 mm too short; with a drill of 7 mm.
     assert left(Cut(path((20, 15, 12), (20, 15, 2)), DRILL)) == pytest.approx([2])
     assert left(Cut(path((20, 15, 12), (20, 15, -1)), Tool("endmill", 7))) == pytest.approx([0.5], abs=0.15)
-    # Through the model, and into what lies below it.
+    # The drill goes through the model and into the stock below the model.
     spare = Stock((0, 0, -3), (40, 30, 10))
     assert left(Cut(path((20, 15, 12), (20, 15, -1)), DRILL), stock=spare) == []
-    # A window that is cut out along its wall, and what then falls out of it; one that opens to the side is none.
+    # A window is cut out along its wall, and the inner piece falls out. An opening to the side is not a window.
     window = Milled(BOX, Stock((10, 8, -1), (30, 22, 20)))
     around = Cut(
         path((11, 9, 12), *((x, y, -1) for x, y in ((11, 9), (29, 9), (29, 21), (11, 21), (11, 9)))), Tool("endmill", 2)
@@ -390,7 +390,7 @@ def test_piece_that_falls_out_of_a_sheet_is_not_left(diameter, pixels):
 
 
 def test_oblique_view_does_not_compare_fallen_piece():
-    """Beyond a slot as wide as the sheet is high one sees what falls out before the end of the wall behind it."""
+    """In this view the piece that falls out is visible through the slot, in front of the lower end of the far wall."""
     sheet = Stock((0, 0, 0), (120, 80, 6))
     corners = (23, 23), (97, 23), (97, 57), (23, 57), (23, 23)
     slot = Cut(path((23, 23, 12), *((x, y, -1) for x, y in corners)), Tool("endmill", 6))

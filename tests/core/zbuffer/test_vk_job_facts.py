@@ -29,7 +29,7 @@ def simulated(*paths):
     return simulate_job([Cut(one, FLAT) for one in paths], stock=BLOCK, view=VIEW)
 
 
-# Through the block at two feeds (3 and 1.5 s), up (1 s), back above it, down beside it, and through the slot again (6 s).
+# Through the block at two feeds (3 and 1.5 s), up (1 s), back by rapid, and through the slot again (6 s).
 THERE_AGAIN = path(
     [(-10, 15, 7), (20, 15, 7), (50, 15, 7), (50, 15, 12), (-10, 15, 12), (-10, 15, 7), (50, 15, 7)],
     [10, 20, 5, 0, 0, 10],
@@ -102,7 +102,7 @@ def test_the_width_is_that_of_the_moves_that_go_somewhere():
 
 
 def test_a_narrow_width_is_one():
-    """Half a millimetre more beside a slot."""
+    """The second cut widens a slot by half a millimetre."""
     found = facts(simulated(path([(-10, 15, 7), (50, 15, 7)], [10]), path([(-10, 15.5, 7), (50, 15.5, 7)], [10])))
     assert found.cuts[1].width_of_cut == pytest.approx(0.5 * 40 / 60)
 

@@ -119,7 +119,7 @@ def test_the_error_bar_holds_as_often_as_it_should():
             totals.append(rays.total(np.bincount(pieces.ray[pieces.owner != UNCUT], minlength=len(rays.x))))
         total, error = np.array(totals).T
         within.append(np.abs(total - total.mean()) <= 2 * error)
-        # Not so safe either that it says nothing.
+        # The error estimate must not be so large that it is useless.
         assert error.mean() < 2 * total.std(ddof=1)
     assert np.mean(within) >= 0.95
 

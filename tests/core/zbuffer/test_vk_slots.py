@@ -117,7 +117,7 @@ def test_move_nearly_along_the_ray_is_cut_as_along_it(slot, fall, tilt):
 
 @pytest.mark.parametrize("radius, aside", [(3.0, 3.625), (1.0, 1.25), (2.0, 2.25), (3.0, 3.3)])
 def test_ray_at_side_of_rim_is_continuous(radius, aside):
-    """There is a place of the tool whose chord of the ray has no length: rounding may put it beside the tool."""
+    """At one position of the tool, the ray only touches the tool. Rounding may move the ray past the tool."""
     there, back = np.array([1.0, 0.0, 2.0])[:, None], np.array([-1.0, 0.0, -2.0])[:, None]
     share = (aside - radius) + np.array([0.0, 1e-6, -1e-6])  # of the move, where the rim is passed
     x, y = np.full(3, aside), np.zeros(3)
@@ -134,7 +134,10 @@ def test_ray_at_side_of_rim_is_continuous(radius, aside):
 @pytest.mark.parametrize("length", [-9.0, 0.5, 20.0])
 @pytest.mark.parametrize("slot", [ball_slot, sloped_slot])
 def test_move_along_the_ray_is_cut_from_end_to_end(slot, length, tilt):
-    """From where the ray enters the tool at one end of the move to where it leaves the tool at the other, whatever rounding says."""
+    """Rounding must not shorten the cut.
+
+    It begins where the ray enters the tool at one end of the move, and ends where the ray leaves the tool at the other.
+    """
     sine, cosine = np.sin(tilt), np.cos(tilt)
     x, y, z = np.random.default_rng(5).uniform([[-2.9], [-20], [-5]], [[2.9], [20], [25]], (3, 500))
     near, far = slot(RADIUS, (x, y, z), np.zeros((3, len(x))), sine, cosine)

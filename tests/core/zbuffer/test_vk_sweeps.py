@@ -37,7 +37,7 @@ def test_ray_parallel_to_a_cone_is_continuous(steepness, side):
 
 
 def test_ray_at_side_of_cone_rim_is_continuous():
-    """There the tool's chord of the ray has no length: rounding may put the tool beside it."""
+    """The ray only touches the tool there. Rounding may move the ray past the tool."""
     tool = Tool("drill", 8, tip_angle=2 * atan(2))
     start, move = (np.repeat([[x], [y], [z]], RAYS, axis=1) for x, y, z in ((2.0, 12.0, 10.0), (-12.0, -16.0, -12.0)))
     along = np.linspace(-3, 3, RAYS)  # the same ray, from many points of it
@@ -67,7 +67,7 @@ def test_sweep_above_a_point_begins_at_lowest_tool(tool):
     clear = np.abs(away.min(axis=0) - tool.radius) > 1e-3  # of the rim
     assert np.array_equal(np.isfinite(found)[clear], np.isfinite(expected)[clear]) and clear.sum() > 0.7 * RAYS
     hit = clear & np.isfinite(expected)
-    # Between two places the tool is lower by at most what it falls, or its flank is moved, from one to the next.
+    # Between two sampled positions, the tool is lower by at most the change between the positions.
     assert (np.abs(found - expected)[hit] < 0.05).all() and np.mean(np.abs(found - expected)[hit]) < 3e-3
     assert (inner[hit] > 0).all()
 
@@ -125,7 +125,7 @@ def test_short_bull_nose_moves_are_decided_by_their_ends(tilt, monkeypatch):
 
 
 def test_ray_along_side_of_bull_nose_is_continuous():
-    """It touches the tool wherever that stands, and nowhere for long."""
+    """The ray touches the tool at every position of the move, but only in a point."""
     start, move = np.zeros((3, 5)), np.repeat([[0.0], [20.0], [5.0]], 5, axis=1)
     height = np.linspace(1.5, 5.5, 5)
     exact, beside = (

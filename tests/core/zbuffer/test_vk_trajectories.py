@@ -180,7 +180,7 @@ def test_many_pairs_are_as_few_at_a_time(monkeypatch):
 
 @pytest.mark.parametrize("direction", [ABOVE, (1, 1, -1)])
 def test_many_trajectories_are_prepared_as_few_at_a_time(direction, monkeypatch):
-    """Also where cuts have none, or all of theirs miss the stock."""
+    """Some cuts have no trajectories, and all trajectories of some cuts miss the stock."""
     rng = np.random.default_rng(6)
     away, nothing = np.array([(100.0, 100, 5), (101, 100, 5)]), np.empty((0, 3))
     paths = [

@@ -34,7 +34,7 @@ def bounded(tool, slope, along, aside, extent, half_run):
 
 
 def opened(tool, slope, along, aside, extent, half_run):
-    """Depths to which the tool opens the points of a square: (k,), -inf where it does not pass."""
+    """Return the depths to which the tool cuts at points of a square, (k,); -inf at points outside the tool's sweep."""
     side = np.linspace(-extent, extent, STEP)
     x, y = (values.ravel() for values in np.meshgrid(along + side, aside + side))
     t = np.linspace(-half_run, half_run, PLACES)[:, None]

@@ -188,7 +188,7 @@ def test_a_crash_is_shown_where_it_is_deepest():
 
 @pytest.mark.parametrize("tool", [FLAT, Tool("bullnose", 6, corner_radius=1)], ids=str)
 def test_rapid_into_round_slot_only_touches_its_chords(tool):
-    """It goes down where no chord of the circle ends, and its side passes up to 0.01 mm of the outer wall."""
+    """The rapid plunges between two chord ends of the circle, where the tool's side cuts up to 0.01 mm of the wall."""
     circle = [
         ("G0", {"X": 10, "Y": 0, "Z": 5}),
         ("G1", {"Z": -2, "F": 10}),
@@ -226,7 +226,7 @@ GROOVING = {
     ],
 )
 def test_rapid_along_a_round_groove_only_touches_its_flanks(name, direction, tolerance):
-    """It goes along the same circle, from where no chord ends: what it cuts is as thick as arcs rise above their chords."""
+    """The rapid follows the circle from a point between two chord ends, and cuts only the chord error of the arcs."""
     tool = GROOVING[name]
 
     def arc(radius, height, start, chords):

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Jobs with one fault each, made on purpose: it is found, with its place and command; the sound job has none."""
+"""Jobs with one deliberate fault each: the fault is found with its place and command, and a sound job has no faults."""
 
 from __future__ import annotations
 
