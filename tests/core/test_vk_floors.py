@@ -214,7 +214,7 @@ FILES = read(PACKAGE)
 
 
 @pytest.mark.long
-def test_no_import_goes_wrong():
+def test_imports_respect_floors_and_faces():
     assert list(offences(FILES)) == []
 
 
@@ -245,14 +245,14 @@ def test_no_import_goes_wrong():
         ("core.attic", "import os", "stands on no floor"),
     ],
 )
-def test_an_import_that_goes_wrong_is_found(module, line, offence):
+def test_forbidden_import_is_found(module, line, offence):
     name = f"{PACKAGE}.{module}"
     found = list(offences(FILES | {name: FILES.get(name, "") + f"\n{line}\n"}))
     assert len(found) >= 1 and all(one.startswith((name, "a circle")) for one in found)
     assert any(offence in one for one in found), found
 
 
-def test_names_for_macros_are_where_they_are_said_to_be():
+def test_names_for_macros_are_defined_in_their_modules():
     import vkworkbench
 
     for name, module in vkworkbench._HOMES.items():
@@ -278,7 +278,7 @@ BENCHMARKS = {"benchmarks", *(path.stem for path in (ROOT / "benchmarks").glob("
 
 
 @pytest.mark.long
-def test_tests_import_no_benchmark_and_nothing_past_a_face():
+def test_tests_import_no_benchmarks_and_no_internal_modules():
     assert list(offences_of_tests(read("tests"), BENCHMARKS)) == []
     line = "def f():\n    import {}\n"
     for module, offence in (
@@ -292,7 +292,7 @@ def test_tests_import_no_benchmark_and_nothing_past_a_face():
         assert [offence in one for one in found] == ([True] if offence else [])
 
 
-def test_benchmarks_import_one_another_in_no_circle():
+def test_benchmarks_have_no_import_circle():
     files = read("benchmarks")
     graph = {name: {f"benchmarks.{target}" for _, target in House({}).imports(code)} for name, code in files.items()}
     assert list(circles(graph)) == []

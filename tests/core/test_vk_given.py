@@ -67,7 +67,7 @@ NUMBERS = {  # calls with a number that must be finite and not negative, by the 
 
 @pytest.mark.parametrize("name", NUMBERS)
 @pytest.mark.parametrize("given", ["much", -1, float("nan"), [1], {}, 1j, 10**400])
-def test_numbers(name, given):
+def test_bad_number_raises_with_its_name(name, given):
     with pytest.raises((ValueError, TypeError), match=f"^{name.strip()} must be .*, not "):
         NUMBERS[name](given)
 
@@ -106,7 +106,7 @@ def test_numbers(name, given):
         ("most", 0, lambda given: steady_seconds([], most=given)),
     ],
 )
-def test_single_arguments(name, given, use):
+def test_bad_argument_raises_with_its_name(name, given, use):
     with pytest.raises((ValueError, TypeError), match=f"^{name} must be .*, not {re.escape(repr(given))}$"):
         use(given)
 
@@ -151,7 +151,7 @@ def test_kinds(what, use):
         use(6)
 
 
-def test_what_is_nearly_a_number_is_one():
+def test_number_like_values_are_accepted():
     assert linearize([], tolerance="0.1").commands == 0
     assert View(pixel=Quantity(0.5)).pixel == 0.5 and View(offset=np.array([1, 2])).offset == (1.0, 2.0)
     assert best_resolution([FOUND], memory_bytes=Quantity(1e8)).memory_bytes <= 1e8

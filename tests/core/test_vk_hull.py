@@ -7,7 +7,7 @@ import pytest
 from vkworkbench.core.hull import convex_hull
 
 
-def test_a_convex_hull_has_the_corners_alone():
+def test_convex_hull_contains_only_corners():
     """Points on a side, inside points and duplicates are left out. The corners are in counter-clockwise order."""
     corners = [[0, 0], [4, 0], [5, 2], [1, 3]]
     others = [[2, 0], [2, 1], [4, 0], [3, 2.5], [0, 0], [4.5, 1]]

@@ -31,7 +31,7 @@ def test_feeds_rapids_and_depth_add_up():
     assert work.lowest == 15 and work.depth == 5 and work.notes == ()
 
 
-def test_the_shortest_and_the_median_way_are_those_of_commands():
+def test_shortest_and_median_length_are_per_command():
     """An arc counts as one move regardless of its chords, a rapid does not count, and a cycle counts with its feeds."""
     path = linearize(
         [
@@ -161,7 +161,7 @@ def test_lengths_of_lines_are_the_chords():
     assert np.allclose(exact_lengths(path), path.lengths)
 
 
-def test_the_lowest_point_is_that_of_what_is_cut_whichever_way():
+def test_lowest_point_ignores_rapids_below_cuts():
     """The tool enters the stock at rapid and leaves at feed. The height of a lower rapid does not count."""
     rising = [("G0", {"X": 0.0, "Y": 0.0, "Z": 5.0}), ("G0", {"Z": -2.0}), ("G1", {"X": 9.0, "Z": 1.0, "F": 5.0})]
     work = machining(linearize([*rising, ("G0", {"Z": 9.0}), ("G0", {"X": 50.0}), ("G0", {"Z": -7.0})]), top=1.0)
@@ -171,7 +171,7 @@ def test_the_lowest_point_is_that_of_what_is_cut_whichever_way():
     assert machining(linearize(rising), top=-2.5).depth == 0  # all of it above the stock
 
 
-def test_what_is_not_read_and_takes_time_makes_a_time_the_least():
+def test_unread_timed_commands_make_time_a_lower_bound():
     start, cut = ("G0", {"X": 0.0, "Y": 0.0, "Z": 5.0}), ("G1", {"X": 50.0, "F": 10.0})
     for command, code in (
         (("G1", {"X": 60.0, "A": 90.0}), "rotary-cuts"), (("G0", {"A": 45.0}), "rotary-not-read"),

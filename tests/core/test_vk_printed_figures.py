@@ -27,7 +27,7 @@ def test_every_begin_of_a_place_has_its_end():
         assert opened == text.count("<!-- end -->") == len(print_figures.PLACE.findall(text)), document.name
 
 
-def test_a_place_holds_figures_of_a_command_that_is_there():
+def test_command_of_each_place_exists():
     wrong = []
     for document, command, text in PLACES:
         scripts = re.findall(r"[\w./-]+\.(?:py|sh)\b", command.replace("$PWD/", ""))
@@ -39,7 +39,7 @@ def test_a_place_holds_figures_of_a_command_that_is_there():
 
 
 @pytest.mark.parametrize("before", ["", "\n```text\nof before\n```\n\n"])
-def test_what_a_command_prints_replaces_what_stood_there(tmp_path, before):
+def test_printed_figures_replace_old_figures(tmp_path, before):
     document = tmp_path / "page.md"
     places = "<!-- printed by: echo '| a | 1 |' -->\n{}<!-- end -->\n<!-- printed by: echo 2 -->\n{}<!-- end -->\n"
     document.write_text("# Page\n" + places.format(before, before) + "The rest.\n", encoding="utf-8")

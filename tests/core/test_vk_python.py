@@ -53,7 +53,7 @@ def _annotations(tree: ast.AST) -> list[ast.expr]:
 
 
 @pytest.mark.sources
-def test_no_newer_python_is_needed():
+def test_code_uses_no_newer_python():
     found = {str(path.relative_to(ROOT)): newer(path.read_text(encoding="utf-8")) for path in FILES}
     assert {name: what for name, what in found.items() if what} == {}
 
@@ -64,12 +64,12 @@ def test_no_newer_python_is_needed():
     ("x: int | None = None", "1: annotations"), ("try:\n    pass\nexcept* ValueError:\n    pass", ""),
     ("@dataclass(slots=True)\nclass A: pass", "1: slots="),
 ])  # fmt: skip
-def test_what_is_newer_is_found(source, what):
+def test_newer_python_features_are_found(source, what):
     assert newer(source) and newer(source)[0].startswith(what)
 
 
 @pytest.mark.sources
-def test_the_package_says_it():
+def test_package_declares_oldest_python():
     text = (ROOT / "package.xml").read_text(encoding="utf-8")
     assert re.findall(r"<pythonmin>(.*?)</pythonmin>", text) == [".".join(map(str, OLDEST))] * 1
 

@@ -46,7 +46,7 @@ def test_no_evaluation_and_no_network(parse):
 
 
 @pytest.mark.sources
-def test_the_search_finds_what_it_looks_for():
+def test_search_finds_forbidden_names():
     code = "import os.path, urllib.request\nfrom PySide import QtNetwork\n"
     code += "eval('1')\nos.system('x')\nre.compile('x')\nbox.exec()"
     assert (CALLS | MODULES) & set(named(ast.parse(code))) == {"urllib", "QtNetwork", "eval", "system"}

@@ -91,7 +91,7 @@ def test_a_stock_around_cuts():
     assert flat.lower[2] == -3 and flat.upper[2] == 3  # as high as the tool is wide
 
 
-def test_a_stock_around_cuts_is_never_beyond_what_a_stock_may_be():
+def test_stock_around_cuts_is_limited_to_allowed_sizes():
     path = linearize(programs.program([[(0.0, 0.0, -2.0), (30.0, 0.0, -2.0)]]))
     for move in (4 * COORDINATE_LIMIT, -4 * COORDINATE_LIMIT):
         box = stock_around(replace(path, points=path.points + move), Tool("endmill", 6))
@@ -99,7 +99,7 @@ def test_a_stock_around_cuts_is_never_beyond_what_a_stock_may_be():
     assert hypot(*stock_around(path, Tool("endmill", 6)).lower[:2]) == pytest.approx(hypot(3, 3))
 
 
-def test_where_nothing_cuts_no_stock_is_around_it():
+def test_toolpath_without_cuts_has_no_stock_around():
     for commands in ([], [("G0", {"X": 0}), ("G0", {"X": 5})]):
         with pytest.raises(ValueError, match="a toolpath without any"):
             stock_around(linearize(commands), Tool("endmill", 6))

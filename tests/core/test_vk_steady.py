@@ -35,7 +35,7 @@ def test_piece_is_timed_until_shortest_time_repeats_three_times():
     assert len(shop.turns) == 6
 
 
-def test_the_shortest_time_counts_where_it_never_is_steady():
+def test_shortest_time_counts_if_never_steady():
     shop = Workshop([2.0**k for k in range(9, -1, -1)])
     assert steady_seconds(shop.pieces, most=10, clock=shop.clock) == pytest.approx([1.0])
 

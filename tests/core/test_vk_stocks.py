@@ -70,7 +70,7 @@ def test_where_rays_miss_a_cylinder(origin, direction):
     assert near >= far
 
 
-def test_cylinders_that_cannot_be():
+def test_impossible_cylinders_raise():
     for arguments, code in (
         (((0, 0, 0), 0, 1), "stock-without-volume"), (((0, 0, 0), 1, 0), "stock-without-volume"),
         (((0, 0, 0), -1, 1), "stock-without-volume"), (((0, 0, 0), 1, -1), "stock-without-volume"),

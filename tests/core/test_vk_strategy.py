@@ -47,7 +47,7 @@ def forgotten(entry):
 
 @pytest.mark.sources
 @pytest.mark.parametrize("strategy", Strategy)
-def test_no_entry_lacks_anything(strategy):
+def test_every_strategy_is_complete(strategy):
     assert list(forgotten(strategy)) == []
 
 
@@ -63,7 +63,7 @@ def test_no_entry_lacks_anything(strategy):
         ("family", Family.HOLES, ["docs/recognition.md"]),
     ],
 )
-def test_what_is_forgotten_is_found(field, value, missing):
+def test_incomplete_strategy_is_found(field, value, missing):
     zigzag = {name: getattr(Strategy.ZIGZAG, name) for name in FIELDS}
     assert list(forgotten(SimpleNamespace(**zigzag))) == []
     assert list(forgotten(SimpleNamespace(**zigzag | {field: value}))) == missing
@@ -82,5 +82,5 @@ def test_values_are_stable():
     assert Strategy("one-way") is Strategy.ONE_WAY and f"{Strategy.ONE_WAY}" == Strategy.ONE_WAY == "one-way"
 
 
-def test_only_what_says_something_of_the_operation_is_an_answer():
+def test_unknown_and_empty_are_not_answers():
     assert [one.value for one in Strategy if not one.is_answer] == ["unknown", "empty"]

@@ -73,7 +73,7 @@ def test_what_a_tool_is_made_of():
         (("vbit", 6, 0, 1.0, -0.001), "tip-diameter"),
     ],
 )
-def test_tools_that_cannot_be(arguments, code):
+def test_impossible_tools_raise(arguments, code):
     with pytest.raises(Unusable) as refused:
         Tool(*arguments)
     assert refused.value.what.code == code

@@ -40,7 +40,7 @@ def test_a_toolpath_of_points_alone_comes_from_no_commands():
     assert (alone.commands, len(alone.tool_changes), alone.comments, alone.problems) == (0, 0, (), ())
 
 
-def test_a_part_holds_what_lies_between_its_ends_and_no_problems():
+def test_part_keeps_inner_events_and_no_problems():
     path = linearize(COMMANDS)
     assert path.tool_changes.tolist() == [1, 3] and [at for at, _ in path.comments] == [0, 2, 3]
     part = path.part(1, 4)
@@ -65,7 +65,7 @@ def test_problem_has_first_command_and_count():
     assert not problem.takes_time
 
 
-def test_what_is_no_toolpath_is_told_in_a_sentence():
+def test_wrong_type_of_toolpath_raises_with_a_sentence():
     commands, tool = [("G1", {"X": 0.0}), ("G1", {"X": 5.0})], Tool("endmill", 6)
     stock, view = Stock((0, 0, 0), (9, 9, 9)), View(width=8, height=6)
     for use in (
@@ -89,7 +89,7 @@ def test_dwell_changes_time_only_and_rotary_axis_also_length():
     assert turned.takes_time and not turned.of_time
 
 
-def test_cuts_through_points_are_what_linearize_makes_of_them():
+def test_cuts_through_points_equal_linearized_commands():
     points = [(0.0, 0.0, 5.0), (10.0, 0.0, 5.0), (10.0, 8.0, 4.0)]
     commands = [("G1", {**dict(zip("XYZ", point)), "F": 10.0}) for point in points]
     made, read = Toolpath.through(points), linearize(commands)

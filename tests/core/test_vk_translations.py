@@ -51,7 +51,7 @@ def messages(name):
 
 
 @pytest.mark.parametrize("name", ["VkWorkbench.ts", *(f"VkWorkbench_{language}.ts" for language in LANGUAGES)])
-def test_sources_are_what_the_code_says(name, texts_of_code):
+def test_translation_sources_equal_texts_in_code(name, texts_of_code):
     # Else run resources/update_translations.sh.
     assert set(messages(name)) == {*texts_of_code, *texts_of_forms()}
 

@@ -34,7 +34,7 @@ def test_the_axes_of_an_image(direction, right, up):
     assert (frame.pixel, frame.width, frame.height) == (0.5, 800, 600)
 
 
-def test_the_smallest_pixel_with_which_an_image_holds_the_stock():
+def test_smallest_pixel_that_fits_the_stock_in_the_image():
     """A stock of 4 x 8 x 3 mm, seen from above, from the side, and 45 degrees from above."""
     for direction, width, height, pixel in (
         ((0, 0, -1), 40, 40, 0.2), ((0, 0, -1), 10, 40, 0.4), ((0, 1, 0), 8, 100, 0.5), ((0, 1, 0), 100, 5, 0.6),
@@ -51,7 +51,7 @@ def test_rays_of_an_image():
     assert frame.origins(x, y).tolist() == [[12.25, 6, 24.25], [13.75, 6, 24.75]]
 
 
-def test_views_that_cannot_be():
+def test_impossible_views_raise():
     for direction in ((0, 0, 0), (0, 0, np.nan), (0, 1), (np.inf, 0, 0)):
         with pytest.raises(ValueError, match="direction must be three finite numbers"):
             View(direction)

@@ -33,7 +33,7 @@ def test_a_worker_whose_work_fails_dies():
 
 
 @pytest.mark.skipif(not hasattr(signal, "SIGPIPE"), reason="Windows has no such signal")
-def test_a_worker_that_has_died_sends_no_signal_to_who_asks_it():
+def test_dead_worker_sends_no_signal_to_its_caller():
     """FreeCAD 1.0 would end by it."""
     got = []
     before = signal.signal(signal.SIGPIPE, lambda *_: got.append(1))
@@ -49,7 +49,7 @@ def test_a_worker_that_has_died_sends_no_signal_to_who_asks_it():
     assert not got
 
 
-def test_what_work_prints_does_not_come_between_answers():
+def test_printed_output_of_work_does_not_disturb_answers():
     one = Worker(print)
     assert one("something") is None and one("else") is None
     one.end()
@@ -75,7 +75,7 @@ def test_a_worker_finds_the_numpy_that_is_used_here(monkeypatch, tmp_path):
     one.end()
 
 
-def test_as_many_processes_as_this_one_has_cores(monkeypatch):
+def test_processes_equal_available_cores(monkeypatch):
     mine = os.sched_getaffinity(0)
     os.sched_setaffinity(0, {min(mine)})
     try:

@@ -116,13 +116,13 @@ def check(commands, diameter, file):
 
 
 @pytest.mark.parametrize("name", OWN)
-def test_every_place_tells_the_same(name, tmp_path):
+def test_signature_agrees_in_all_places(name, tmp_path):
     assert check(OWN[name], 6.0, tmp_path / "report.csv")
 
 
 @pytest.mark.long
 @pytest.mark.skipif(not FILES, reason="the corpus of FreeCAD's operations is not beside this repository")
-def test_every_place_tells_the_same_of_operations_of_freecad(tmp_path):
+def test_signature_of_freecad_operations_agrees_in_all_places(tmp_path):
     assert sum(check(*one, tmp_path / "report.csv") for one in islice(of_corpus(), 0, None, 10)) >= 50
 
 
@@ -152,7 +152,7 @@ def test_areas_are_views_of_one_block():
     assert all(np.shares_memory(ours, whole) for ours, whole in ((one.alpha, areas.alpha), (one.phi, areas.phi)))
 
 
-def test_the_paper_to_the_letter():
+def test_literal_verdict_of_the_paper():
     path = {name: linearize(commands) for name, commands in OWN.items()}
     verdicts = {name: recognize(p, tool_diameter=6.0).paper for name, p in path.items()}
     assert verdicts["zigzag"].strategy is Strategy.ZIGZAG and verdicts["zigzag"].sense is None

@@ -24,7 +24,7 @@ def at(stroke, x, y):
 
 
 @pytest.mark.parametrize("strokes", [(SLOT, SLOT), (SQUARE, SLOT), (ROW, SQUARE, SLOT)])
-def test_an_area_after_others_is_told_as_if_it_were_alone(strokes):
+def test_area_does_not_depend_on_earlier_areas(strokes):
     alone, last = areas_of(SLOT).signature(0), areas_of(*strokes).signature(len(strokes) - 1)
     assert last.unsigned.tolist() == alone.unsigned.tolist() == [0, 1]
     assert last.reversals.tolist() == alone.reversals.tolist()
@@ -42,7 +42,7 @@ def test_a_reversal_turns_back_what_its_own_area_has_turned(sense):
 
 
 @pytest.mark.parametrize("x, y", [(0, 0), (500, -300), (-200, 700)])
-def test_what_closes_does_so_wherever_it_lies(x, y):
+def test_closed_areas_do_not_depend_on_position(x, y):
     strokes = at(SQUARE, x, y), at(ROW, x, y), at(SQUARE, 2 * x, y), at(SLOT, x, 2 * y)
     areas = areas_of(*strokes)
     assert areas.closed.tolist() == [True, False, True, False]
@@ -110,7 +110,7 @@ def test_rows_that_are_cut_there_and_back_stay_on_their_level(links):
 
 
 @pytest.mark.parametrize("x", [50, 900, -900])
-def test_a_gap_counts_against_what_is_enclosed_wherever_it_lies(x):
+def test_gap_is_compared_with_enclosed_area_anywhere(x):
     # A contour is closed if the gap is at most 3 % of the side of a square of equal area: 0.6 mm for 20 mm.
     for gap, closed in ((0.5, True), (0.65, False)):
         assert areas_of(at([*SQUARE[:-1], (0.0, gap)], x, -30), at(ROW, 0, 0)).closed.tolist() == [closed, False]
@@ -132,7 +132,7 @@ def test_phi_is_the_direction_of_rows_that_fan_out(turned):
     assert abs(signature.phi[-1]) == pytest.approx(398 * turned, abs=np.pi + 1e-9)
 
 
-def test_a_loop_behind_a_zigzag_closes_nothing():
+def test_loop_after_zigzag_does_not_close_the_area():
     """The loop returns to the end of a row once, and does not make the zigzag a closed contour."""
     rows = [(x, 3.0 * k) for k in range(12) for x in ((0.0, 40.0) if k % 2 == 0 else (40.0, 0.0))]
     loop = [(0.0, 36.0), (5.0, 36.0), (5.0, 40.0), (0.0, 40.0), (0.0, 36.0)]

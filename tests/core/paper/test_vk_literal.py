@@ -64,14 +64,14 @@ def test_image_of_v_goes_around_from_inside_only():
         assert swept > 2 * np.pi if goes_around else swept == pytest.approx(np.pi / 2)
 
 
-def test_the_image_is_told_from_where_it_begins():
+def test_image_sense_counts_from_its_start():
     """V_k points up at first, and then less and less so, to the left."""
     assert np.degrees(verdict([(0, 0), (0, 30), (-30, 30)]).theta_range) == pytest.approx((90, 135))
     assert verdict([(0, 0), (0, 30), (-30, 30)]).sense == "ccw"  # by an eighth of a turn
     assert verdict([(0, 0), (0, 30), (30, 30)]).sense == "cw"
 
 
-def test_a_short_way_to_and_fro_has_no_sense():
+def test_short_move_back_and_forth_has_no_sense():
     found = verdict([(0, 0), (30, 0), (60, 6), (100, 5)])
     assert found.sense is None and max(found.theta_range) == pytest.approx(np.arctan2(6, 60))
 

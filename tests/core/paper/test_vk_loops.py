@@ -62,7 +62,7 @@ def test_nearly_closed_loop_is_found_anywhere(gap, is_one):
 
 @pytest.mark.parametrize("degrees", range(0, 360, 15))
 @pytest.mark.parametrize("tip", [30, 10])
-def test_so_it_is_with_a_lead_that_is_travelled_in_and_out(tip, degrees):
+def test_lead_in_and_out_does_not_change_loop_count(tip, degrees):
     """The path turns by half a turn at the lead's tip. The number of loops must not depend on the sign of this turn."""
     around = [(20, 20), (-20, 20), (-20, -20), (20, -20), (20, 0)]
     path = np.array([(tip, 0), (20, 0), *around, *around, (tip, 0)])
@@ -71,7 +71,7 @@ def test_so_it_is_with_a_lead_that_is_travelled_in_and_out(tip, degrees):
     assert loops_of([(x, y, 0.0) for x, y in path.tolist()]) == [(1, 5), (6, 5)]
 
 
-def test_what_comes_back_without_a_full_turn_is_no_loop():
+def test_return_without_full_turn_is_not_a_loop():
     eight = [
         (0, 0, 0),
         (10, 10, 0),
@@ -163,7 +163,7 @@ def test_turning_back_and_on_begins_no_new_turn():
     assert len(turns) in (3, 4) and (np.diff(turns) > 40).all()
 
 
-def test_a_triangle_is_a_loop_and_the_way_there_and_back_is_none():
+def test_triangle_is_a_loop_but_move_there_and_back_is_not():
     assert is_closed(np.zeros(2), np.full(2, 100.0), np.array([3, 2])).tolist() == [True, False]
     assert loops_of(polygon(40, corners=3)) == [(0, 3)]
 

@@ -83,7 +83,7 @@ def test_a_move_of_rounding_beside_a_long_one_has_no_direction(beside, kept):
     assert len(last) == 2 + kept
 
 
-def test_what_is_beside_a_move_is_just_before_and_behind_it():
+def test_neighbours_of_a_move_are_its_previous_and_next_move():
     short = feed((0, 0, -1), (0.3, 0, -1), (0.6, 0.1, -1))
     for steps in (
         [(20, 0.1, -1), (20, 0.115, -1), (20.1, 0.115, -1)],
@@ -100,7 +100,7 @@ def test_tiny_move_beside_long_one_has_a_direction(width, kept):
 
 
 @pytest.mark.parametrize("step, moves", [(0.0008, 0), (0.0015, 3)])
-def test_what_moves_by_less_than_a_thousandth_stands_still(step, moves):
+def test_move_below_a_thousandth_stands_still(step, moves):
     assert len(areas_of(*feed((0, 0, -1), (step, 0, -1), (step, step, -1), (0, step, -1)))) == moves
 
 
@@ -135,7 +135,7 @@ def test_last_link_may_end_at_program_end_height():
     assert sizes(areas_of(*feed(*holes, (-30, -20, 1), (-30, -20, 20), (0, -20, -1)))) == [1, 1]
 
 
-def test_rows_that_begin_and_end_by_parallel_moves_are_no_link():
+def test_rows_between_parallel_moves_are_not_a_link():
     """A terrace, reached by a lift at feed and left by a plunge; or any rows where Z counts downward."""
     rows = [(x, y, 1) for y in range(2, 12, 2) for x in ((0, 20) if y % 4 else (20, 0))]
     assert sizes(areas_of(*feed((0, 0, -1), (0, 2, -1), *rows, (20, 10, -1), (20, 30, -1)))) == [1, 9, 1]
@@ -163,7 +163,7 @@ def test_a_fast_feed_at_the_top_beside_a_rapid_is_a_link(height, air):
     assert sizes(areas_of(*cut, *flat)) == [3, 1]
 
 
-def test_what_goes_round_a_corner_or_slopes_is_no_link():
+def test_moves_around_corners_or_slopes_are_not_links():
     bent = [(0, 2, 5), (20, 20, 5), (40, 2, 5), (40, 2, -1)]
     assert sizes(areas_of(*feed((0, 0, -1), *ROW, *bent, (60, 2, -1)))) == [3, 2, 1]
     sloped = [(0, 2, 5), (40, 2, 8), (40, 2, -1)]
@@ -172,7 +172,7 @@ def test_what_goes_round_a_corner_or_slopes_is_no_link():
     assert sizes(areas_of(*feed((0, 0, -1), *ROW, *low, (40, 30, -1), (60, 30, -1)))) == [3, 1, 2]
 
 
-def test_of_a_laser_that_never_lifts_the_first_stroke_is_one():
+def test_first_stroke_of_laser_without_lift_is_an_area():
     strokes = [("G1", {"X": 60.0, "F": FEED}), ("G0", {"X": 80.0}), ("G1", {"X": 90.0, "F": FEED}), ("G0", {"X": 0.0})]
     assert sizes(areas_of(*strokes)) == [1, 1]
 
@@ -215,7 +215,7 @@ def test_a_hole_is_a_plunge_where_nothing_is_milled():
     assert areas_of(*peck, *milled).holes.tolist() == [3]
 
 
-def test_what_drills_nothing_is_no_hole():
+def test_plunge_without_drilling_is_not_a_hole():
     down = [rapid(10, 0, 5), rapid(10, 0, 0), rapid(10, 0, 5)]  # a touch in rapid
     up = [rapid(10, 0, -6), *feed((10, 0, 5))]  # back out of a hole at feed, as boring does
     still = [rapid(10, 0, 5), *feed((10, 0, 4.9995)), rapid(20, 0, 5)]  # less than a thousandth

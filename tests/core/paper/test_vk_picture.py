@@ -52,7 +52,7 @@ def rows(count, apart, at):
 
 
 @pytest.mark.parametrize("at", [0.0, 300.0, -300.0])
-def test_of_rows_in_one_row_of_cells_the_first_is_drawn(at):
+def test_first_of_rows_in_one_row_of_cells_is_drawn(at):
     """Ninety rows on ten cells of 1 mm; and on five where no more than six may be drawn."""
     points, segments = rows(90, 0.11, at)
     for most, cell in ((20, 1), (6, 2)):
@@ -62,7 +62,7 @@ def test_of_rows_in_one_row_of_cells_the_first_is_drawn(at):
     assert distinct(points, segments, cells=10, most=90) is segments
 
 
-def test_no_more_are_drawn_than_may_be_however_far_apart():
+def test_number_of_drawn_strokes_is_limited():
     points, segments = rows(4, 3.0, 0.0)
     assert distinct(points, segments, cells=10, most=1).tolist() == [0]
     standing = np.column_stack((points, np.zeros(len(points))))
@@ -71,7 +71,7 @@ def test_no_more_are_drawn_than_may_be_however_far_apart():
     )
 
 
-def test_ends_on_both_sides_of_where_all_begin_are_told_apart():
+def test_rays_to_both_sides_of_a_common_start_are_distinct():
     """A star is drawn on cells of 1 mm. Rays that end left and right of the centre are different rays."""
     ends = [(-10, -10), (-0.4, 0), (0.4, 0), (10, 10), (10, 10)]
     points = np.array([point for end in ends for point in ((0.0, 0.0), end)], float)
@@ -87,7 +87,7 @@ def test_fan_is_drawn_with_one_ray_per_cell():
     assert len(distinct(points[::-1], segments, cells=10, most=20)) == len(first) == 10
 
 
-def test_no_two_pairs_of_cells_are_taken_for_one():
+def test_different_pairs_of_cells_stay_different():
     places = [(x, y) for x in range(5) for y in range(5)]
     pairs = [pair for k, one in enumerate(places) for pair in ((one, other) for other in places[k + 1 :])]
     points = np.array([point for pair in pairs + pairs for point in pair], float)

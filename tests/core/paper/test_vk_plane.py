@@ -25,7 +25,7 @@ def plane(points, rapid=()):
 
 @pytest.mark.parametrize("count", [1, 2, 49, 50, 51, 200])
 @pytest.mark.parametrize(("along", "found"), [(0, ZX), (1, YZ)])
-def test_what_slopes_in_a_vertical_plane_lies_in_it(along, found, count):
+def test_slopes_in_a_vertical_plane_lie_in_it(along, found, count):
     assert plane(waves(count, along)) == found
 
 
@@ -39,7 +39,7 @@ def test_one_slope_defines_a_vertical_plane():
     assert plane([(0, 7, 0), (40, 7, 0), (50, 7, -5), (90, 7, -5)]) == ZX
 
 
-def test_where_rapids_go_does_not_matter():
+def test_rapids_do_not_affect_the_plane():
     points = np.vstack([[(0, 50, 30), (0, 7, 30)], waves(200), [(600, 7, 30), (600, 50, 30)]])
     assert plane(points, rapid=(0, 1, 202, 203)) == ZX
     assert plane(waves(30), rapid=range(30)) == XY
@@ -68,6 +68,6 @@ def test_slight_fall_stays_in_horizontal_plane():
 
 
 @pytest.mark.parametrize(("fall", "found"), [(4, XY), (7, ZX)])
-def test_what_falls_by_a_twentieth_slopes(fall, found):
+def test_fall_by_a_twentieth_is_a_slope(fall, found):
     assert plane([(0, 7, 0), (100, 7, -fall)]) == found
     assert plane([(0, 7, 0), (fall, 7, -100)]) == found

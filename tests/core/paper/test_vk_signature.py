@@ -56,7 +56,7 @@ def test_nested_squares_climb_one_level_each():
     assert signature(spiral * [1, -1]).level.min() == -3
 
 
-def test_theta_on_its_level_falls_back_where_v_goes_on():
+def test_theta_on_its_level_falls_back_while_v_continues():
     """A square spiral from its middle: n counts the turns of phi, and theta jumps from pi to -pi."""
     spiral = [(0, 0), (1, 0), (1, 1), (-1, 1), (-1, -1), (2, -1), (2, 2), (-2, 2), (-2, -2)]
     result = signature(spiral)
@@ -68,7 +68,7 @@ def test_theta_on_its_level_falls_back_where_v_goes_on():
 
 
 @pytest.mark.parametrize("first, extent", [(0, 2), (1, 2), (2, 2.5), (3, 2.5), (4, 2), (5, 2)])
-def test_the_range_of_phi_around_an_l_depends_on_where_it_begins(first, extent):
+def test_phi_range_around_an_l_depends_on_start(first, extent):
     corners = np.array([(0, 0), (2, 0), (2, 1), (1, 1), (1, 2), (0, 2)], float)
     result = signature(np.roll(corners, -first, axis=0)[[*range(6), 0]])
     assert np.ptp(result.phi_range) == pytest.approx(extent * PI)

@@ -274,7 +274,7 @@ def test_what_is_cut_within_the_tolerance_makes_nobody_guilty():
 
 
 def test_who_is_guilty_of_what_lies_behind_a_gap_of_the_stock():
-    """A model of 8 mm lies in a stock that is hollow from 4 to 9 mm. A slot to 2 mm is a gouge, a slot in the lid is not."""
+    """A model of 8 mm lies in a stock hollow from 4 to 9 mm. A slot to 2 mm is a gouge, a slot in the lid is not."""
     solid = Stock((0, 0, 0), (40, 30, 10))
     hollow = Milled(solid)
     hollow.spans = lambda frame, x, y: Spans(
