@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Figures of the documents stand where their command writes them, and the command is there."""
+"""The figures in the documents are in the places that their commands write, and the commands exist."""
 
 from __future__ import annotations
 

@@ -100,7 +100,7 @@ def no_dead_widgets():
 
 @pytest.fixture(autouse=True)
 def mouse_below_the_window():
-    """Move the pointer away: FreeCAD 1.1 asks where the pointer is, not where the event was, what a press hits."""
+    """Move the pointer away, because FreeCAD 1.1 selects at the pointer's position instead of the event's position."""
     QtGui.QCursor.setPos(QtGui.QApplication.primaryScreen().geometry().bottomRight())
 
 
@@ -365,7 +365,7 @@ def desk(window, example_path, tmp_path_factory):
 
 @pytest.fixture
 def document(desk):
-    """A job of four operations, opened anew, which the test may change."""
+    """A freshly opened job of four operations, which the test may change."""
     return desk.open(desk.small)
 
 

@@ -160,7 +160,7 @@ def test_areas_are_chosen(view, opened, window):
     areas = view.dock._reading.areas
     lengths = [areas.area_length[view.chooser.itemData(row)] for row in range(view.chooser.count())]
     assert lengths[1:] == sorted(lengths[1:], reverse=True)
-    # First the area that proves it: phi goes there as far as the mark says.
+    # The first area is the evidence of the verdict: its largest phi is the phi in the mark.
     assert view.signature.phi_range[1] == pytest.approx(view.dock._reading.recognition.phi_range[1], abs=1e-9)
     before = view.picture()
     view.chooser.setFocus()

@@ -487,7 +487,7 @@ def test_simulation_time_is_the_same_as_in_marks(panel, opened, window):
         for name in ("legacy", *(["OpenGL"] if OPENGL else []), "z-buffer"):
             preferences.write(mark_simulator=name)
             title = f"{'Simulate Toolpaths' if name == 'z-buffer' else user().simulator(name)} Time"
-            # In an event of its own, which on a busy computer takes its time.
+            # The column is updated by a later event, which may be slow on a busy computer.
             window.wait(lambda title=title: column(panel, "Simulation Time") == column(panel, title))
             shown = column(panel, "Simulation Time")
             if name == "z-buffer" and marks.read(opened.getObject("Job")).cost(name) is None:

@@ -10,7 +10,7 @@ from vkworkbench.core.paper.plane import XY, YZ, ZX, plane_of_points, plane_of_t
 
 
 def waves(count, along=0):
-    """Cuts up and down along X (0) or Y (1), 7 mm beside the other axis."""
+    """Return cuts up and down along X (0) or Y (1), 7 mm away from this axis."""
     points = np.full((count + 1, 3), 7.0)
     points[:, along] = 3.0 * np.arange(count + 1)
     points[:, 2] = 2.0 * (np.arange(count + 1) % 2) - 4

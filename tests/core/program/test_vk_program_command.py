@@ -307,7 +307,7 @@ def test_a_table_is_seen_when_its_program_is_read(tmp_path, monkeypatch):
         return analyze_file(path, chosen)
 
     monkeypatch.setattr(command_line, "analyze_apart", read)
-    monkeypatch.setattr(sys, "stdout", io.TextIOWrapper(written))  # as a pipe: it keeps what is not flushed
+    monkeypatch.setattr(sys, "stdout", io.TextIOWrapper(written))  # a buffered stream, like a pipe
     assert main([str(tmp_path), "--jobs", "1"]) == 0
     assert b"zigzag" in seen[1]
 
@@ -403,7 +403,7 @@ FULL = "vkworkbench: cannot write the standard output: No space left on device\n
 
 @pytest.mark.parametrize("kind", [(), ("--csv", "-"), ("--json-lines", "-")])
 def test_an_output_that_is_full_is_told_in_one_line(folder, kind, inside, monkeypatch):
-    with open("/dev/full", "w", encoding="utf-8") as full:  # to close it writes what is still unwritten
+    with open("/dev/full", "w", encoding="utf-8") as full:  # closing the file writes the rest of its buffer
         monkeypatch.setattr(sys, "stdout", full)
         done = inside(folder / "a.nc", *kind)
     assert (done.returncode, done.stderr) == (2, FULL)
@@ -432,7 +432,7 @@ def test_a_disk_that_is_full_is_told_in_one_line_and_resumed(folder, tmp_path, k
     whole, out = tmp_path / "whole", tmp_path / "out"
     inside(folder, kind, whole)
     size = len(whole.read_bytes())
-    for most in (size - 20, 10):  # no room for the last line; none for the first
+    for most in (size - 20, 10):  # no room for the last line, and no room for the first line
         with room_for(most):
             done = inside(folder, kind, out)
         then = "" if kind == "--csv" and most == 10 else "; continue with --resume"
@@ -474,7 +474,7 @@ def scheduler(tmp_path):
         except OSError as error:  # a root without a network
             pytest.skip(f"no connection to 127.0.0.1 ({error}): --scheduler is not tested")
     file = tmp_path / "scheduler.json"
-    # They find the add-on as on a cluster: installed, not by their working folder.
+    # As on a cluster, the workers import the installed add-on and do not find it by their working folder.
     paths = os.pathsep.join(filter(None, [str(ROOT), os.environ.get("PYTHONPATH")]))
     options = {"cwd": tmp_path, "env": {**os.environ, "PYTHONPATH": paths}, "stderr": subprocess.DEVNULL}
     local = ("--host", "127.0.0.1", "--no-dashboard")

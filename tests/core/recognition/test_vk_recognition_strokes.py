@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Open strokes, and contours with what CAM programs add to them: of several sizes, turned anyhow, by any post."""
+"""Open strokes, and contours with additions of CAM programs, in several sizes, directions and post formats."""
 
 from __future__ import annotations
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Thresholds have one home: each has a unit and a reason there and is used, and no other file has numbers of its own."""
+"""All thresholds are in their own files, each with a unit, a reason and a use. Other files contain no thresholds."""
 
 from __future__ import annotations
 

@@ -16,7 +16,7 @@ from vkworkbench.report import SimulationFacts
 
 
 def fault(command=None, **numbers):
-    """A place where something is wrong, by a command or by none."""
+    """Return a faulty place, caused by a command or by no command."""
     return SimpleNamespace(source=command and SimpleNamespace(command=command), place=(1.0, 2.0, 3.0), **numbers)
 
 

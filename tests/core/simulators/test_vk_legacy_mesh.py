@@ -116,7 +116,7 @@ def test_half_the_size_at_half_the_cell_makes_equal_meshes():
 
 
 def test_mirror_image_makes_as_many_triangles():
-    """A step beside another step of less than half its height is a wall, on either side."""
+    """A step is a wall if a neighbouring step, on either side, has less than half of its height."""
     heights = np.tile(np.cumsum([0.0, 0.0, 1.2, 3.0, 0.0, 0.0, 0.7, 0.7])[:, None], 6)
     there, back = (
         mesh_facets(one, 4.0, 0.5, floor=np.ones((1, 1), bool), floor_size=4.0) for one in (heights, heights[::-1])

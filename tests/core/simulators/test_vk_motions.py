@@ -74,8 +74,8 @@ def test_peck_drilling_cycle_is_three_motions():
     assert np.allclose(made.move[vertical, 2], [-12, 12, -12, 12])
     assert made.command.tolist() == [1, 1, 1, 2, 2, 2]
     there = [("G0", {"X": 5.0, "Y": 5.0, "Z": 3.0}), ("G81", {"X": 5.0, "Y": 5.0, "Z": -9.0, "R": 3.0, "F": 2.0})]
-    assert np.allclose(motions(linearize(there)).move, [[0, 0, -12], [0, 0, 12]])  # it is over the hole already
-    # Over each hole at the retract height, where they end, too, though the cycle returns to 20 mm.
+    assert np.allclose(motions(linearize(there)).move, [[0, 0, -12], [0, 0, 12]])  # the tool is already over the hole
+    # The cycles begin and end at the retract height over each hole, although the cycle returns to 20 mm.
     assert np.allclose(made.move[~vertical], [[5, 5, -17], [10, 0, 0]])
 
 

@@ -70,7 +70,7 @@ def test_preflight_draws_no_rays_if_the_bound_is_allowed(asked):
     costs, _ = predict(whole, Conditions(version=(1, 1)))
     assert not preflight(whole, costs, Conditions(version=(1, 1)))
     assert sorted(asked) == ["OpenGL", "legacy"]
-    # With less memory than the bound it takes the rays to tell.
+    # If the bound exceeds the memory budget, the rays are needed to estimate the memory.
     few = Conditions(version=(1, 1), memory_budget=costs["z-buffer"].memory_bytes + 1e4)
     assert not [
         caution for caution in preflight(whole, costs, few) if caution.what.arguments["simulator"] == "z-buffer"

@@ -105,7 +105,7 @@ def test_area_of_an_arc_is_its_chords_and_its_tool():
 
 def play(path, diameter, speed, constants):
     """Play frame by frame, drawing everything done so far, as the simulator does."""
-    drawn = [0.0]  # draw calls of a frame after each step, what it fills included
+    drawn = [0.0]  # cost of a frame after each step, in draw calls, including the filled area
     made = motions(path)
     window = 1.819 * 100.0**2  # at a distance of 160 mm it is 0.7 rad high and four thirds as wide
     areas = opengl_work(made, diameter=diameter).area

@@ -33,7 +33,7 @@ def test_thin_first_piece_joins_the_next():
 
 
 def test_pieces_fill_their_rays_whichever_are_too_thin():
-    """Three rays of six pieces, of which some are thin; a ray of thin pieces alone has none."""
+    """Some of the six pieces of three rays are thin. A ray that consists of thin pieces has no material."""
     for seed in range(20):
         rng = np.random.default_rng(seed)
         lengths = np.where(rng.random((3, 6)) < 0.5, 0.4 * THINNEST, rng.uniform(0.5, 2, (3, 6)))

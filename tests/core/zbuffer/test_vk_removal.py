@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Scattered rays: each is cut as if it were alone, however many there are and however few are worked on at once."""
+"""Scattered rays: the result for a ray does not depend on the other rays or on the number of rays in a group."""
 
 from __future__ import annotations
 

@@ -31,7 +31,7 @@ WIDE = View((1, 1, -1), 180, 200)
 
 @pytest.fixture
 def workers(monkeypatch):
-    """Let others help from the beginning, and tell of their processes and of what each has done."""
+    """Let worker processes help from the beginning, and record the workers and the regions of each."""
     made = []
 
     class Watched(Worker):
@@ -52,7 +52,7 @@ def workers(monkeypatch):
 
 
 def until(done):
-    """Leave all work to the other processes until one region is finished, at most for a minute."""
+    """Return a callback that makes this process wait, for at most a minute, until `done` returns True."""
 
     def going_on(_):
         end = time.monotonic() + 60

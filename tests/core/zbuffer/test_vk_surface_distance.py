@@ -106,7 +106,7 @@ def test_the_farthest_corner_of_an_image_is_looked_at():
 
 
 def test_of_small_distances_the_farthest_is_found_as_well():
-    """First a wall 9 mm high, which is a pixel beside its place, then a hole 0.3 mm deep."""
+    """A wall 9 mm high is displaced by one pixel (0.05 mm), and a hole is 0.3 mm deep."""
     front, behind = (np.where(np.arange(40) < edge, 0, 9) * np.ones((30, 1)) for edge in (31, 30))
     behind[10, 5] = 0.3
     front, behind = front.astype(np.float32), behind.astype(np.float32)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Where rays pass what tools sweep, in views in which a quadratic loses its square."""
+"""Intersections of rays with swept tools, including views in which the square term of a quadratic equation is 0."""
 
 from __future__ import annotations
 

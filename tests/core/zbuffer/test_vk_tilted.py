@@ -23,7 +23,7 @@ SHIFTS = [(a * REACH, b * REACH) for a in (-1, -0.5, 0, 1) for b in (-1, 0.3, 1)
 
 
 def moved(shift, angle, level):
-    """Where a ray aside in the image is aside in space, where it passes a horizontal plane, or one across the view."""
+    """Return the shift in space of a ray that is shifted in the image, on a level plane or a plane across the view."""
     x, y = shift
     return np.array((x, y / cos(angle), 0) if level else (x, y * cos(angle), y * sin(angle)))
 

@@ -103,7 +103,7 @@ def test_point_beside_the_axis_of_a_move_is_opened_as_deep(tool, slope):
     "along, aside, near, far",
     [
         (0.0, 0.0, 0.0, 0.5),  # around the move
-        (2.0, 1.0, 0.5, 1.5),  # beside it
+        (2.0, 1.0, 0.5, 1.5),  # beside the move
         (6.5, 0.0, 1.0, 4.25**0.5),  # beyond its end: 2 mm on, and 0.5 mm aside
         (-6.5, 1.5, 2**0.5, 8**0.5),  # and beside it as well
     ],

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The extended z-buffer against a second implementation that shares only the tool's profile with it.
+"""The extended z-buffer is compared with a second implementation that shares only the tool's profile with it.
 
 A point belongs to the first trajectory whose tool reaches the point. The second implementation tries single points with
 every move: the height of the tool's surface above a point is a convex function of the tool's place on its move, so halving
@@ -78,7 +78,7 @@ def reached(tool, start, move, at, grown):
 
 
 def wrong_probes(cuts, at, owner, uncut):
-    """Return which points (p, 3) do not belong to their owner (p,), a trajectory or, where there is none, `uncut`."""
+    """Return which points (p, 3) do not belong to their owner (p,), a trajectory or `uncut`."""
     starts, ends = cuts.ends
     wrong = np.zeros(len(at), bool)
     for number, cut in enumerate(cuts.cuts):

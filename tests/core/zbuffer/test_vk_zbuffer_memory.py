@@ -23,7 +23,7 @@ from vkworkbench.core.zbuffer.simulator.simulate import simulate, simulate_job
 from vkworkbench.core.zbuffer.sweeps.cuts import Cut, Cuts
 
 ROOT = Path(__file__).resolve().parents[3]
-# Runs in a process of its own, so that nothing from before is given back or used again.
+# Runs in a separate process, so that memory of earlier tests is neither released nor reused during the measurement.
 MEASURE = """
 import sys
 from pathlib import Path
@@ -134,7 +134,7 @@ def test_the_peak_grows_with_records_pixels_and_trajectories():
 
 
 def test_peak_memory_counts_pictures_after_processes_end(monkeypatch):
-    """Fourteen bytes of each that is removed, and may uncover what is seen."""
+    """While pictures are made, each trace takes 14 bytes in addition to its record of 8 bytes."""
     flat = removal(TOOLS[0], (0, 0, -1))
     some, many = (Counts(*[0] * 3, 1e8 * share, *[0] * 5, 4800) for share in (0.5, 1.0))
     assert many.traces == 1e8

@@ -41,7 +41,7 @@ def ball(middle, radius, parts=12):
     return np.concatenate((np.stack((a, b, c), 2).reshape(-1, 3, 3), np.stack((b, d, c), 2).reshape(-1, 3, 3)))
 
 
-# A block of 40 x 30 x 10 with a cavity of 20 x 10 x 4 in it, and a block beside it behind a slot.
+# A block of 25 x 30 x 10 mm with a cavity of 15 x 10 x 4 mm, and a second block beyond a slot of 5 mm.
 HOLLOW = np.concatenate((box((0, 0, 0), (25, 30, 10)), box((5, 10, 3), (20, 20, 7)), box((30, 0, 0), (40, 30, 10))))
 
 
@@ -73,7 +73,7 @@ def test_holes_are_holes_from_the_start(direction):
 @pytest.mark.long
 @pytest.mark.parametrize("seed", range(18))
 def test_a_mesh_is_cut_as_every_trajectory_on_every_ray_cuts_it(seed):
-    """Its inside from the crossings of ray and triangle, one pair after the other (Moeller and Trumbore 1997)."""
+    """The reference intersects each ray with each triangle separately (Moeller and Trumbore 1997)."""
     rng = np.random.default_rng(seed)
     stock = Mesh(HOLLOW if seed % 2 else np.concatenate((ball((20, 15, 5), 14), ball((20, 15, 5), 9))))
     path, tool = PATHS[rng.integers(len(PATHS))], TOOLS[rng.integers(len(TOOLS))]
@@ -84,7 +84,7 @@ def test_a_mesh_is_cut_as_every_trajectory_on_every_ray_cuts_it(seed):
     x, y = frame.pixel_centres(column, row)
     ray, near, far = inside(stock, frame.origins(x, y), frame.direction)
     removal = Removal(Cuts([Cut(moves, tool)]), stock, frame)
-    # Each stretch inside is cut as a ray of its own.
+    # Each stretch of a ray inside the mesh is cut as a separate ray.
     stretch, item = (pairs.ravel() for pairs in np.indices((len(ray), len(removal.index))))
     enter, leave = removal.intervals(x[ray[stretch]], y[ray[stretch]], item)
     pieces = first_cuts(near, far, stretch, removal.index[item], enter, leave)
