@@ -92,7 +92,7 @@ def test_it_is_said_whether_a_simulation_found_something_else(small):
     assert keep_faults({first: [], second: other}) and not keep_faults({second: other})
 
 
-def test_it_is_told_with_no_other_toolpath_of_that_operation(small):
+def test_simulated_remark_is_not_shown_for_another_toolpath(small):
     simulated(small)
     (row,) = vkworkbench.analyze(small.document.getObjectsByLabel("Second")[0]).operations
     of_before = with_faults(replace(row, fingerprint="of:before"), row.document, row.name)

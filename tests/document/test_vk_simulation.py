@@ -285,7 +285,7 @@ def test_what_is_not_read_of_a_toolpath_is_told(small):
         vkworkbench.simulate(lost)
 
 
-def test_what_a_simulation_found_is_not_told_of_another_toolpath(small):
+def test_simulated_faults_are_not_shown_for_another_toolpath(small):
     first, second = small.add("First", slot(10.0)), small.add("Second", slot(20.0))
     found = vkworkbench.simulate(small.job, view=VIEW).facts()
     (total,) = vkworkbench.analyze(small.job).with_facts(found).totals

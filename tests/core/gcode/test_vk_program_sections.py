@@ -491,7 +491,7 @@ def test_sheetcam_names_an_operation_before_its_tool():
     assert sections(text) == [("Drill, Holes", 2, 3), ("Inside Offset, slot", 2, 3)]
 
 
-def test_what_stands_beside_a_move_is_no_title():
+def test_comment_on_the_line_of_a_move_is_not_a_title():
     """A comment on the line of a move describes the move. Only a tool description in it is used."""
     text = "(FACE TOP)\nT2 M6 (6 mm end mill)\nG0 X0 Y0 S1200 M3 (H1)\nG1 Z-1 F100\nX50\nG0 Z5 M5 (back off and stop)\nG1 X0\n"
     assert sections(text) == [("FACE TOP", 2, 6)]
@@ -519,7 +519,7 @@ def test_fusion_for_marlin_names_an_operation_before_its_tool():
     assert sections(asked + CUT)[0][0] == "ROUGH"
 
 
-def test_a_toolpath_is_no_tool():
+def test_comment_on_a_toolpath_is_not_a_tool():
     listed = "(T1 D=6 CR=0 - flat end mill)\n(T2 D=3 CR=0 - flat end mill)\nT1 M6\n"
     for title in ("Percurso da ferramenta 2", "Trayectoria de herramienta 2", "Trajectoire d'outil 2"):
         assert sections(f"{listed}({title})\n{CUT}") == [(title, 1, 6)]

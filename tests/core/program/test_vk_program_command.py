@@ -102,7 +102,7 @@ def test_a_table_for_each_program(folder, inside):
     assert inside(folder).returncode == 0
 
 
-def test_more_processes_than_there_can_be_are_one_for_each_file(folder, inside):
+def test_processes_are_limited_to_one_per_file(folder, inside):
     done = inside(folder, "--jobs", 10**20)
     assert done.returncode == 1 and done.stdout.count("Face") == 3
 
@@ -313,7 +313,7 @@ def test_a_table_is_seen_when_its_program_is_read(tmp_path, monkeypatch):
 
 
 @pytest.mark.long
-def test_a_program_that_never_ends_costs_only_itself(folder, tmp_path, endless):
+def test_endless_program_does_not_affect_other_programs(folder, tmp_path, endless):
     done = run(folder, endless, "--csv", tmp_path / "out.csv", "--timeout", "20", "--jobs", 2)
     errors = {Path(row["document"]).name: row["error"] for row in rows_of(tmp_path / "out.csv")}
     assert errors.pop("endless.nc") == "The analysis was stopped after 20 s."
@@ -402,7 +402,7 @@ FULL = "vkworkbench: cannot write the standard output: No space left on device\n
 
 
 @pytest.mark.parametrize("kind", [(), ("--csv", "-"), ("--json-lines", "-")])
-def test_an_output_that_is_full_is_told_in_one_line(folder, kind, inside, monkeypatch):
+def test_full_output_is_reported_in_one_line(folder, kind, inside, monkeypatch):
     with open("/dev/full", "w", encoding="utf-8") as full:  # closing the file writes the rest of its buffer
         monkeypatch.setattr(sys, "stdout", full)
         done = inside(folder / "a.nc", *kind)

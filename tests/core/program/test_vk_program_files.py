@@ -306,7 +306,7 @@ def test_inches_and_millimetres_are_one_part(tmp_path):
     assert found[0] == found[1]
 
 
-def test_what_cannot_be_read_costs_only_itself(tmp_path):
+def test_unreadable_file_does_not_affect_other_files(tmp_path):
     (tmp_path / "a.nc").write_bytes(b"\0\1\2binary")
     (tmp_path / "b.nc").write_text(PROGRAM)
     (tmp_path / "c.nc").write_text("1 L X+10 Y+5 R0 FMAX M3\n")

@@ -53,7 +53,7 @@ def test_arcs_at_another_depth_do_not_overlap():
     assert bites(arc(0), arc(2), arc(4, z=-2.0)) == "bb-"
 
 
-def test_what_bends_less_than_a_quarter_turn_is_none():
+def test_stroke_that_bends_less_than_a_quarter_is_not_a_bite():
     assert bites(arc(0, turns=0.2), arc(2, turns=0.2)) == "--"
     assert bites(arc(0), arc(1, turns=0.2), arc(2)) == "b-b"  # a short arc does not separate bites
     assert bites([(0, 0, 0), (20, 0, 0)], [(0, 1, 0), (20, 1, 0)]) == "--"

@@ -92,7 +92,7 @@ def test_widening_arcs_of_few_chords_are_spiral(climb, spirals):
     assert arcs.spiral == pytest.approx(arcs.length if spirals else 0)
 
 
-def test_what_leads_aside_leaves_arcs_their_centre():
+def test_detours_do_not_change_the_centre_of_arcs():
     """Each arc of 16 to 25 mm ends with a detour of 0.6 mm away from the centre and back, in small steps."""
     out = np.linspace(0, 0.6, 13)
     arcs = found([10, 12, 14, 16], aside=[*out[1:], *out[-2::-1]])

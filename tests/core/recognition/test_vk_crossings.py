@@ -168,7 +168,7 @@ def test_clearly_different_heights_are_two_depths(deeper, apart):
 
 
 @pytest.mark.parametrize("angle", [0.3, 1.0, 2.0])
-def test_turned_rows_tell_the_same(angle):
+def test_turned_rows_have_equal_measures(angle):
     cos, sin = np.cos(angle), np.sin(angle)
     turned = [(name, {**p, "X": p["X"] * cos - p["Y"] * sin, "Y": p["X"] * sin + p["Y"] * cos} if "X" in p else p)
               for name, p in programs.zigzag(ROWS, 50.0, STEP)]  # fmt: skip

@@ -27,7 +27,7 @@ def products(tree):
                 yield node.lineno
 
 
-def test_nothing_that_recognises_multiplies_matrices(parse):
+def test_recognition_multiplies_no_matrices(parse):
     lines = {str(path.relative_to(CORE)): list(products(parse(path))) for path in SOURCES if path.name not in OTHER}
     assert {name: found for name, found in lines.items() if found} == {}
 

@@ -116,7 +116,7 @@ def test_a_zigzag_that_ends_where_it_began_is_a_wavy_loop():
 
 
 @pytest.mark.parametrize(("rows", "kind"), [(2, STROKE), (3, ZIGZAG), (6, ZIGZAG)])
-def test_what_goes_back_once_is_no_zigzag(rows, kind):
+def test_two_rows_are_not_a_zigzag(rows, kind):
     """One of three rows lies between two rows, which is a third of the length and enough for a zigzag."""
     pieces = pieces_of(zigzag(rows))
     assert pieces.kind.tolist() == [kind] and pieces.passes.tolist() == [rows]

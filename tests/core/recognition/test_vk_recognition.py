@@ -118,7 +118,7 @@ def test_an_unknown_tool_is_no_obstacle(tool):
     assert recognize(cut(rings()), tool_diameter=tool).strategy is Strategy.CONTOUR_PARALLEL
 
 
-def test_two_contours_farther_apart_than_the_tool_are_no_pocket():
+def test_contours_farther_apart_than_the_tool_are_not_a_pocket():
     washer = np.vstack([rings(1) * 4, rings(1) * 2])
     path = cut(washer, rapid=[4])
     assert recognize(path, tool_diameter=3.0).strategy is Strategy.PROFILE

@@ -15,13 +15,13 @@ from vkworkbench.core.recognition.verdict.forest import Forest
 
 
 @pytest.mark.parametrize("number", [1, 2, 3, 8, 101, 1000])
-def test_the_median_is_that_of_numpy(number):
+def test_median_equals_numpy(number):
     rng = np.random.default_rng(number)
     for values in (rng.normal(size=number), rng.integers(0, 4, number).astype(float)):
         assert _median(values) == np.median(values)
 
 
-def test_percentiles_by_row_are_those_of_numpy():
+def test_percentiles_by_row_equal_numpy():
     rng = np.random.default_rng(0)
     values, percent = rng.normal(size=(2000, 16)), (10, 50, 90)
     of = rng.random(values.shape) < rng.random((2000, 1))

@@ -417,7 +417,7 @@ def test_winding_with_many_strokes_is_not_a_spiral(straight):
 
 @pytest.mark.parametrize("diameter", [3.0, None])
 @pytest.mark.parametrize("teeth, width, gap", [(12, 3.5, 6.6), (5, 4.0, 4.0), (9, 6.0, 7.0)])
-def test_the_walls_of_a_comb_are_no_rows(teeth, width, gap, diameter):
+def test_walls_of_a_comb_are_not_rows(teeth, width, gap, diameter):
     """A profile around a comb runs back and forth in even steps, but is closed, and teeth alternate with gaps."""
     outside, corners = 1.5, [(-1.5, -10.0)]
     for left in np.arange(teeth) * (width + gap):

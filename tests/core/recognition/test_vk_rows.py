@@ -138,7 +138,7 @@ def test_rows_of_a_grid_may_lean_to_both_sides_of_their_axis():
     assert (first.typical, second.typical) == pytest.approx((60, 57), rel=1e-2)
 
 
-def test_little_across_the_rows_is_no_family():
+def test_few_moves_across_the_rows_are_not_a_family():
     """A second family is searched only if enough length remains, and kept only if the family is long enough."""
     across = [[(0.0, 3.0 * row, 0.0), (50.0, 3.0 * row, 0.0)] for row in range(12)]
     for count, families in ((0, 1), (1, 1), (2, 2), (13, 2)):

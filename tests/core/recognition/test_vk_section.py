@@ -125,8 +125,8 @@ def test_rows_that_are_a_tenth_beside_rings_are_links(length, families):
     assert len(section(rows(length=length), *squares).rows) == families
 
 
-def test_a_ramp_to_and_fro_on_one_line_is_no_zigzag():
-    """On a line of 50 mm, four times, beside four rows with their links, 60 + 9 mm, away from it."""
+def test_ramp_back_and_forth_on_one_line_is_not_a_zigzag():
+    """A ramp runs four times along a line of 50 mm. Away from the ramp lie four rows with links, 60 + 9 mm long."""
     ramp = [(0, 0, 0), (30, 40, -1), (0, 0, -2), (30, 40, -3), (0, 0, -4)]
     found = section(ramp, rows(4, length=15.0, y=-60))
     assert found.retraced == pytest.approx(200 / 269) and found.zigzag == pytest.approx(69 / 269)
@@ -134,7 +134,7 @@ def test_a_ramp_to_and_fro_on_one_line_is_no_zigzag():
 
 @pytest.mark.parametrize("aside, retraced", [(0.01, 1.0), (0.05, 0.0)])
 def test_a_ramp_that_leaves_its_line_is_not_retraced(aside, retraced):
-    """The second way begins `aside` beside the line of the first."""
+    """The second pass begins at a distance of `aside` mm from the line of the first pass."""
     ramp = [(0, 0, 0), (30, 40, -1), (0.8 * aside, -0.6 * aside, -2), (30, 40, -3), (0, 0, -4)]
     assert section([(x + 70, y - 45, z) for x, y, z in ramp]).retraced == retraced
 

@@ -48,7 +48,7 @@ def test_every_area_counts_from_its_own_first_move():
     [square(2.0, closed=False)[:-1], square(17.0), square(2.0, turned=1.0), square()],
     ids=["open", "long", "down", "none"],
 )
-def test_what_is_no_relief_stays(stroke):
+def test_detours_that_are_not_reliefs_remain(stroke):
     """A detour in an open stroke, of at least a fifth of the length, or to a greater depth is not a relief."""
     moves = areas(stroke)
     assert without_spurs(moves) is moves

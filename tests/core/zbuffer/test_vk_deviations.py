@@ -252,7 +252,7 @@ def test_the_sound_part_is_not_gouged(direction, offset, pixel):
 @pytest.mark.long
 @pytest.mark.parametrize("direction", VIEWS)
 @pytest.mark.parametrize("offset, pixel", IMAGES)
-def test_only_what_cuts_into_the_model_is_guilty(direction, offset, pixel):
+def test_only_cuts_into_the_model_are_gouges(direction, offset, pixel):
     """Walls that other operations cut correctly are visible where the rapid removed material, and are not gouges."""
     # In every other image: the rapid comes first and last in half of the images of each view, and of each image's views.
     guilty = 3 * ((VIEWS.index(direction) + IMAGES.index((offset, pixel))) % 2)
@@ -273,7 +273,7 @@ def test_what_is_cut_within_the_tolerance_makes_nobody_guilty():
     assert gouge.source.cut == 1 and gouge.depth == pytest.approx(2)
 
 
-def test_who_is_guilty_of_what_lies_behind_a_gap_of_the_stock():
+def test_gouge_below_a_gap_of_the_stock_has_its_source():
     """A model of 8 mm lies in a stock hollow from 4 to 9 mm. A slot to 2 mm is a gouge, a slot in the lid is not."""
     solid = Stock((0, 0, 0), (40, 30, 10))
     hollow = Milled(solid)

@@ -77,8 +77,8 @@ def test_what_is_far_from_everything_is_found_soon(size, monkeypatch):
     assert sum(looked) < 0.2 * len(pixels)
 
 
-def test_distance_is_that_of_the_place_where_it_is_told():
-    """Among steps as high as the view is deep: distances are multiples of the pixel, which rounding must not tell apart."""
+def test_distance_belongs_to_its_reported_place():
+    """Among very high steps, distances are multiples of the pixel. Rounding must not make equal distances differ."""
     for seed in range(40):
         rng = np.random.default_rng(seed)
         size, pixel = rng.integers(8, 16, 2), 0.05
