@@ -1209,7 +1209,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Warn before starting a simulation that would hang or take too long</source>
+        <source>Warn of simulators that hang or take too long</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

@@ -1245,8 +1245,8 @@
         <translation>Zeigt eine Leiste über der Ansicht, wenn eine Simulation in einem der FreeCAD-Simulatoren hängen bliebe oder zu lange dauerte, und schlägt einen schnelleren Weg vor.</translation>
     </message>
     <message>
-        <source>Warn before starting a simulation that would hang or take too long</source>
-        <translation>Vor dem Start einer Simulation warnen, die hängen bliebe oder zu lange dauerte</translation>
+        <source>Warn of simulators that hang or take too long</source>
+        <translation>Vor Simulationen warnen, die hängen oder zu lange dauern</translation>
     </message>
     <message>
         <source>Last calibrated on {date}. The times of the {simulator} are right to within a factor of {factor}. Measured with FreeCAD {freecad} on {processor}, display {renderer}.</source>

@@ -1245,7 +1245,7 @@
         <translation>Muestra una barra sobre la vista 3D cuando una simulación en un simulador de FreeCAD se bloquearía o tardaría demasiado, y propone un camino más rápido.</translation>
     </message>
     <message>
-        <source>Warn before starting a simulation that would hang or take too long</source>
+        <source>Warn of simulators that hang or take too long</source>
         <translation>Avisar antes de iniciar una simulación que se bloquearía o tardaría demasiado</translation>
     </message>
     <message>

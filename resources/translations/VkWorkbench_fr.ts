@@ -1245,7 +1245,7 @@
         <translation>Montre une barre au-dessus de la vue 3D quand une simulation dans un simulateur de FreeCAD se bloquerait ou durerait trop longtemps, et propose une solution plus rapide.</translation>
     </message>
     <message>
-        <source>Warn before starting a simulation that would hang or take too long</source>
+        <source>Warn of simulators that hang or take too long</source>
         <translation>Avertir avant une simulation qui se bloquerait ou durerait trop longtemps</translation>
     </message>
     <message>

@@ -1245,7 +1245,7 @@
         <translation>当在 FreeCAD 的模拟器中模拟会卡死或耗时过长时，在三维视图上方显示一个栏，并建议更快的方式。</translation>
     </message>
     <message>
-        <source>Warn before starting a simulation that would hang or take too long</source>
+        <source>Warn of simulators that hang or take too long</source>
         <translation>在启动会卡死或耗时过长的模拟之前警告</translation>
     </message>
     <message>

@@ -79,7 +79,7 @@ REMARK = render(NOTHING)
         ({"strategy": None, "operations": 2}, f"2 operations · {TIME}"),
         ({"seconds": None}, "zigzag"),
         ({"remarks": (NOTHING,)}, f"zigzag · {TIME} ⚠ · {REMARK}"),
-        ({"remarks": (NOTHING, NOTHING)}, f"zigzag · {TIME} ⚠ · {REMARK}; {REMARK}"),
+        ({"remarks": (NOTHING, NOTHING)}, f"zigzag · {TIME} ⚠ · {REMARK} {REMARK}"),
         ({"remarks": (NOTHING,), "seconds": None}, f"zigzag · ⚠ {REMARK}"),
         ({"outdated": True}, f"zigzag · {TIME} · outdated"),
         ({"outdated": True, "seconds": None}, "zigzag · outdated"),

@@ -95,7 +95,7 @@ def test_default_image_is_the_finest_that_fits(small):
         done = vkworkbench.simulate(small.job, view=view, memory_budget=needed / 2)
         frame, (remark,) = done.zbuffer.frame, done.job.remarks
         assert 0.4 < frame.width / usual.width < 0.8 and frame.height == pytest.approx(frame.width * 3 / 4, abs=1)
-        assert render(remark) == f"{frame.width} x {frame.height} pixels of {frame.pixel:.2f} mm, limited by the memory"
+        assert render(remark) == f"{frame.width} x {frame.height} pixels of {frame.pixel:.2f} mm, limited by the memory."
     assert vkworkbench.simulate(small.job, memory_budget=2 * needed).job.remarks == ()
     with pytest.raises(OverBudget, match=r"Choose an image of 4\d\d x \d+ pixels"):
         vkworkbench.simulate(small.job, view=usual, memory_budget=needed / 2)
@@ -281,7 +281,7 @@ def test_what_is_not_read_of_a_toolpath_is_told(small):
     assert odd.startswith("Odd: ") and "G999" in odd
     assert turned.startswith("Turned: ") and "The tool's path is unknown here." in turned
     assert nowhere.startswith("Lost: ") and "X words that are not usable numbers" in nowhere
-    with pytest.raises(Unusable, match="Lost: X words that are not usable numbers"):
+    with pytest.raises(Unusable, match=r"Lost: Command 1 \(first of 2\): X words that are not usable numbers"):
         vkworkbench.simulate(lost)
 
 

@@ -73,7 +73,7 @@ def test_command_of_several_moves_shows_its_whole_volume(tab, window):
     first, end = map(int, command)
     player.moment.after(end - 1)
     window.wait(lambda: player.pictures.is_current)
-    volume = float(player.play_bar.text.text().split("removes ")[1].split()[0])
+    volume = float(player.play_bar.text.text().split("Removed: ")[1].split()[0])
     assert volume == pytest.approx(player.volumes[first:end].sum(), rel=0.06)
     assert volume > 1.5 * player.volumes[first]
 
