@@ -95,7 +95,9 @@ def test_default_image_is_the_finest_that_fits(small):
         done = vkworkbench.simulate(small.job, view=view, memory_budget=needed / 2)
         frame, (remark,) = done.zbuffer.frame, done.job.remarks
         assert 0.4 < frame.width / usual.width < 0.8 and frame.height == pytest.approx(frame.width * 3 / 4, abs=1)
-        assert render(remark) == f"{frame.width} x {frame.height} pixels of {frame.pixel:.2f} mm, limited by the memory."
+        assert (
+            render(remark) == f"{frame.width} x {frame.height} pixels of {frame.pixel:.2f} mm, limited by the memory."
+        )
     assert vkworkbench.simulate(small.job, memory_budget=2 * needed).job.remarks == ()
     with pytest.raises(OverBudget, match=r"Choose an image of 4\d\d x \d+ pixels"):
         vkworkbench.simulate(small.job, view=usual, memory_budget=needed / 2)
