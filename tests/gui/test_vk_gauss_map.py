@@ -375,6 +375,7 @@ def test_deciding_threshold_is_named(view, opened, window):
 
 
 def test_wheel_and_mouse_zoom_and_move(view, window):
+    window.settle()  # a late layout would move the plot under the mouse
     canvas, plot, pictures = view.canvas, view.canvas.figure.path, [view.picture()]
     before, whole = plot.window, [np.array([one.lower, one.upper]) for one in view.canvas.figure.zoomable]
     at = plot.place.center().toPoint()
