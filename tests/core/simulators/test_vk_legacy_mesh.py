@@ -7,35 +7,13 @@ import math
 
 import numpy as np
 import pytest
+from simulator_jobs import STOCK, TOOL, surface, zigzag
 
 from vkworkbench.core import Stock, Tool
 from vkworkbench.core.gcode import linearize
 from vkworkbench.core.simulators.floors import floors
 from vkworkbench.core.simulators.heightmap import heightmaps
 from vkworkbench.core.simulators.legacy_mesh import bottom_rectangles, mesh_facets
-
-STOCK = Stock((0, 0, 0), (100, 60, 20))
-TOOL = Tool("endmill", 6.0)
-
-
-def zigzag(rows, depth=15.0, width=80.0, pitch=2.0):
-    """Rows in alternating directions at one depth."""
-    commands = [("(zigzag)", {}), ("G0", {"X": 10.0, "Y": 5.0, "Z": 25.0}), ("G1", {"Z": depth, "F": 10.0})]
-    for row in range(rows):
-        commands.append(("G1", {"X": 10.0 + width * ((row + 1) % 2)}))
-        commands.append(("G1", {"Y": 5.0 + pitch * (row + 1)}))
-    return commands
-
-
-def surface(rows=60, points=60):
-    """Rows over a dome."""
-    commands = [("G0", {"X": 20.0, "Y": 10.0, "Z": 25.0})]
-    for row in range(rows):
-        y = 10 + 40 * row / rows
-        along = np.linspace(20, 80, points)[:: 1 if row % 2 == 0 else -1]
-        heights = 18 - ((along - 50) ** 2 + (y - 30) ** 2) / 100
-        commands += [("G1", {"X": x, "Y": y, "Z": z}) for x, z in zip(along.tolist(), heights.tolist())]
-    return commands
 
 
 @pytest.mark.parametrize("tool", [Tool("endmill", 8.0), Tool("ballend", 8.0), Tool("vbit", 8.0)])

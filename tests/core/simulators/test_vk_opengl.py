@@ -8,6 +8,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from simulator_jobs import STOCK, TOOL, zigzag
 
 from vkworkbench.core import Stock, Tool
 from vkworkbench.core.gcode import linearize
@@ -22,9 +23,6 @@ from vkworkbench.core.simulators.opengl import (
 )
 from vkworkbench.core.simulators.simulator import Task
 
-STOCK = Stock((0, 0, 0), (100, 60, 20))
-TOOL = Tool("endmill", 6.0)
-
 
 def arcs(count, radius):
     """Half circles back and forth."""
@@ -32,15 +30,6 @@ def arcs(count, radius):
     for i in range(count):
         x = 40.0 + (2 * radius if i % 2 == 0 else 0.0)
         commands.append(("G2", {"X": x, "Y": 30.0, "Z": 10.0, "I": radius if i % 2 == 0 else -radius, "J": 0.0}))
-    return commands
-
-
-def zigzag(rows, depth=15.0, width=80.0, pitch=2.0):
-    """Rows in alternating directions at one depth."""
-    commands = [("(zigzag)", {}), ("G0", {"X": 10.0, "Y": 5.0, "Z": 25.0}), ("G1", {"Z": depth, "F": 10.0})]
-    for row in range(rows):
-        commands.append(("G1", {"X": 10.0 + width * ((row + 1) % 2)}))
-        commands.append(("G1", {"Y": 5.0 + pitch * (row + 1)}))
     return commands
 
 
