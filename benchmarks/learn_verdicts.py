@@ -4,11 +4,11 @@
 
     python3 benchmarks/learn_verdicts.py OPERATIONS.jsonl.gz ... [--write]
 
-The operations are those that benchmarks/recognition.py reads; those of toolpaths/synthetic.py, strokes.py and nonsense.py
-join them. Those from which the table in use was learned, docs/recognition.md names. Printed, and the confidence fitted on,
-are verdicts on sources that had no part in the learning: a tenth of the repositories, parts and kinds at a time. --write
-learns from all and writes vkworkbench/core/recognition/verdict/learned.py, where the trees stay that learned earlier from other
-programs, some of which are lost: both vote.
+The files have the format that benchmarks/recognition.py reads. Toolpaths of synthetic.py, strokes.py and nonsense.py in
+toolpaths/ are added. A tenth of the repositories, parts and kinds is left out of the learning at a time; the verdicts on
+that tenth are printed, and the confidence is fitted on them. --write learns from all operations and writes
+vkworkbench/core/recognition/verdict/learned.py. That file keeps the trees that were learned earlier, in part from programs
+that are lost: old and new trees vote together.
 """
 
 from __future__ import annotations

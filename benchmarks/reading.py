@@ -242,7 +242,7 @@ def a_job():
 
 
 def analyzed(document):
-    """The report of an analysis that knows nothing from before."""
+    """Return the report of an analysis without cached results."""
     RESULTS.clear()
     return vkworkbench.analyze(document)
 

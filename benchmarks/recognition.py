@@ -6,8 +6,8 @@
 
 FILE holds operations, PROGRAMS whole programs with their sections; records.py tells their forms. Toolpaths that are the
 same to a micrometre count once. Operations of FILE are also joined to pairs, and toolpaths/nonsense.py makes paths that
-machine nothing. What FILE holds was learned from; --sources prints instead how good verdicts are on sources that had no
-part in it, some minutes; --speed the cost alone. Without files the toolpaths of toolpaths/synthetic.py and strokes.py are
+machine nothing. The shipped trees may have been learned from FILE; --sources prints instead the accuracy on sources that were left
+out of the learning, which takes some minutes; --speed prints the cost alone. Without files the toolpaths of toolpaths/synthetic.py and strokes.py are
 taken. Needs numpy only.
 """
 

@@ -112,7 +112,7 @@ def watch(found) -> None:
 
 
 def moves(value, unit: str) -> list:
-    """Return the four other values that a threshold is tested with."""
+    """Return four other values to test a threshold with."""
     if unit.startswith(("share", "cosine", "support", "confidence", "isoperimetric")):
         return [0.0, value / 2, min(2 * value, 1.0), 1.0]
     if unit == "rad":
@@ -123,7 +123,7 @@ def moves(value, unit: str) -> list:
 
 
 def answer(path, diameter) -> tuple:
-    """Return the strategy, and all that is told besides."""
+    """Return the strategy, and all other results of a recognition."""
     try:
         found = sys.modules["vkworkbench.core.recognition.programs.recognize"].recognize(path, tool_diameter=diameter)
     except Exception as error:  # a threshold at the end of its range may be no sensible number

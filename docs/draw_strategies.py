@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Draw a toolpath of each strategy for the guide, and print the guide's table of them.
+"""Draw a toolpath for each strategy of the guide, and print the guide's table of strategies.
 
     python3 docs/draw_strategies.py          # writes docs/pictures/strategies/*.svg
 
@@ -50,7 +50,7 @@ def seen(points: np.ndarray) -> np.ndarray:
 
 
 def thinned(points: np.ndarray) -> list[np.ndarray]:
-    """Return the first and last of points (n, 2), and every point between that is farther than NEAR from the one before."""
+    """Return points (n, 2) without the inner points that are at most NEAR from the last point kept."""
     kept = [points[0]]
     for point in points[1:-1]:
         if np.hypot(*(point - kept[-1])) > NEAR:
