@@ -234,7 +234,7 @@ class _Reader:
         words, rest = split_words(code)
         if "#" in rest or "[" in rest or "=" in rest:
             words, rest = split_words(_MACRO_WORD.sub(" ", code))
-            self._problem(Message("line-with-variables" if rest else "variables-not-read"))
+            self._problem(Message("line-with-variables") if rest else Message("variables-not-read"))
             return None if rest else words
         if rest in ("", "N") or (rest != ":" and PROGRAM_NUMBER.fullmatch(rest)):  # N without a number; :1000
             return words
