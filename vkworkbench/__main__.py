@@ -1,9 +1,22 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The command ``python3 -m vkworkbench``, see `vkworkbench.program`."""
+"""The command ``python3 FOLDER/vkworkbench`` or ``python3 -m vkworkbench``, see `vkworkbench.program`."""
 
+import os
 import sys
 
-from vkworkbench.program import main
+
+def _is_current_folder(folder: str) -> bool:
+    try:
+        return os.path.samefile(folder or os.curdir, os.curdir)
+    except OSError:  # a folder of sys.path need not exist
+        return False
+
 
 if __name__ == "__main__":
+    # `python3 -m` and empty entries of PYTHONPATH import from the current folder, which may contain anybody's files.
+    sys.path[:] = [folder for folder in sys.path if not _is_current_folder(folder)]
+    sys.path.insert(0, os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
+
+    from vkworkbench.program import main
+
     sys.exit(main())

@@ -3,20 +3,27 @@
 
 from __future__ import annotations
 
+import ctypes
 import os
 import pickle
 import signal
 import subprocess
 import sys
+import threading
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager, suppress
 from pathlib import Path
+from queue import SimpleQueue
 from typing import Any
 
 import numpy as np
 
-# Folders of this package and of numpy.
+# The other process imports the standard library, this package and numpy: nothing from the current folder, PYTHONPATH, the
+# user's site-packages, .pth files or sitecustomize. The folders come last, so they replace no module of the standard library.
+_ISOLATED = ["-I", "-S"]
+_START = "import sys; sys.path += sys.argv[1:]; from vkworkbench.worker import serve; serve()"
 _FOLDERS = [str(Path(__file__).resolve().parents[1]), str(Path(np.__file__).resolve().parents[1])]
+_PR_SET_PDEATHSIG = 1  # from Linux's prctl.h
 # Without this flag, Windows opens a console for each process.
 _NO_WINDOW: int = getattr(subprocess, "CREATE_NO_WINDOW", 0)
 
@@ -26,7 +33,10 @@ class WorkerDied(Exception):
 
 
 class Worker:
-    """A process that applies one function to one argument after the other. It ends with this process.
+    """A process that applies one function to one argument after the other.
+
+    The process ends with this process, also in the middle of its work and if this process is killed. On Linux it ends with
+    the thread that starts it.
 
     Parameters
     ----------
@@ -43,12 +53,10 @@ class Worker:
         python = interpreter()
         if python is None:
             raise WorkerDied
-        path = os.pathsep.join([*_FOLDERS, *filter(None, [os.environ.get("PYTHONPATH")])])
-        code = "from vkworkbench.worker import serve; serve()"
         try:
             self._process = subprocess.Popen(
-                [python, "-c", code], stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL,
-                env={**os.environ, "PYTHONPATH": path}, creationflags=_NO_WINDOW,
+                [python, *_ISOLATED, "-c", _START, *_FOLDERS], cwd=_FOLDERS[0],  # Windows loads libraries from the current folder
+                stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, creationflags=_NO_WINDOW,
             )  # fmt: skip
         except OSError:
             raise WorkerDied from None
@@ -119,18 +127,31 @@ class Worker:
 def serve() -> None:
     """Run the other process: read the function from the standard input, then arguments until its end, and answer each."""
     signal.signal(signal.SIGINT, signal.SIG_IGN)  # the parent process handles Ctrl-C, and then ends the input
+    with suppress(OSError, AttributeError, TypeError):  # other systems
+        ctypes.CDLL(None).prctl(_PR_SET_PDEATHSIG, signal.SIGKILL)
     answers = os.fdopen(os.dup(sys.stdout.fileno()), "wb")
     os.dup2(2, 1)  # other output must not mix with the answers
+    received: SimpleQueue[Any] = SimpleQueue()
+    threading.Thread(target=_receive, args=(received,), daemon=True).start()
 
     def say(answer: Any) -> None:
         pickle.dump(answer, answers, pickle.HIGHEST_PROTOCOL)
         answers.flush()
 
-    with suppress(EOFError, BrokenPipeError):
+    with suppress(BrokenPipeError):
         say(_versions())
-        work = pickle.load(sys.stdin.buffer)
+        work = received.get()
         while True:
-            say(work(pickle.load(sys.stdin.buffer)))
+            say(work(received.get()))
+
+
+def _receive(received: SimpleQueue[Any]) -> None:
+    """Read the standard input. When it ends, the parent process is gone: end this process, also in the middle of its work."""
+    try:
+        while True:
+            received.put(pickle.load(sys.stdin.buffer))
+    finally:
+        os._exit(0)
 
 
 def interpreter() -> str | None:

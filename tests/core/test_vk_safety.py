@@ -18,8 +18,11 @@ CALLS = {"eval", "exec", "compile", "__import__", "system", "popen", "urlopen", 
 MODULES = {"socket", "ssl", "http", "urllib", "ftplib", "smtplib", "requests", "asyncio", "subprocess",
            "ctypes", "pickle", "marshal", "shelve", "xmlrpc", "telnetlib", "webbrowser", "QtNetwork",
            "QtWebEngineWidgets"}  # fmt: skip
-# The add-on starts worker processes and unpickles only their messages. ctypes calls the C library to release memory.
-ALLOWED = {"vkworkbench/worker.py": {"pickle", "subprocess"}, "vkworkbench/document/computer/garbage.py": {"ctypes"}}
+# The add-on starts worker processes, which end with it, and unpickles only their messages. garbage.py releases memory.
+ALLOWED = {
+    "vkworkbench/worker.py": {"ctypes", "pickle", "subprocess"},
+    "vkworkbench/document/computer/garbage.py": {"ctypes"},
+}
 
 
 def named(tree):

@@ -5,13 +5,18 @@ from __future__ import annotations
 
 import os
 import signal
+import subprocess
 import sys
+import time
 from pathlib import Path
 
 import pytest
+from traps import environment_of_traps, lay_traps
 
 from vkworkbench import worker
 from vkworkbench.worker import Worker, WorkerDied
+
+ROOT = Path(__file__).parents[2]
 
 
 def test_a_worker_works_for_one_argument_after_the_other():
@@ -61,6 +66,67 @@ def test_a_worker_finds_the_add_on_from_any_folder(monkeypatch, tmp_path):
     one = Worker(len)
     assert one("abc") == 3
     one.end()
+
+
+def test_worker_runs_nothing_of_a_hostile_folder(monkeypatch, tmp_path):
+    ran = lay_traps(tmp_path / "traps")
+    for name, value in environment_of_traps(tmp_path / "traps").items():
+        monkeypatch.setenv(name, value)
+    monkeypatch.chdir(tmp_path / "traps")
+    one = Worker(len)
+    assert one("abc") == 3 and ran() == []
+    one.end()
+
+
+def _ends(pid):
+    """Whether a process ends; one that its parent has not waited for has ended, too."""
+    deadline = time.monotonic() + 20
+    while time.monotonic() < deadline:
+        try:
+            state = Path(f"/proc/{pid}/stat").read_text().rpartition(")")[2].split()[0]
+        except OSError:
+            return True
+        if state == "Z":
+            return True
+        time.sleep(0.02)
+    return False
+
+
+@pytest.mark.skipif(not sys.platform.startswith("linux"), reason="the state of a process is read from /proc")
+@pytest.mark.parametrize("work", ["time.sleep, 10000", "max, range(10**13)"])
+def test_worker_ends_when_its_parent_is_killed(work):
+    """Also in the middle of its work, and if the work keeps Python's lock."""
+    code = (
+        "import threading, time; from vkworkbench.worker import Worker\n"
+        "def have_done(work, argument):\n"
+        "    one = Worker(work); one.get_ready(); print(one._process.pid, flush=True); one(argument)\n"
+        f"have_done({work})"
+    )
+    with subprocess.Popen([sys.executable, "-c", code], cwd=ROOT, stdout=subprocess.PIPE, text=True) as parent:
+        pid = int(parent.stdout.readline())
+        time.sleep(0.2)
+        assert Path(f"/proc/{pid}").exists()
+        parent.kill()
+    try:
+        assert _ends(pid)
+    except AssertionError:
+        os.kill(pid, signal.SIGKILL)
+        raise
+
+
+@pytest.mark.skipif(not sys.platform.startswith("linux"), reason="the state of a process is read from /proc")
+def test_worker_ends_in_its_work_when_its_input_ends():
+    """Systems without a signal for the parent's death need it."""
+    one = Worker(time.sleep)
+    one.get_ready()
+    one._say(10_000)
+    one._process.stdin.close()
+    try:
+        assert _ends(one._process.pid)
+    finally:
+        one._process.kill()
+        one._process.wait()
+        one._process.stdout.close()
 
 
 @pytest.mark.skipif(os.name != "posix", reason="a shell's script stands for the other Python")

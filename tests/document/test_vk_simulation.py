@@ -11,6 +11,7 @@ import numpy as np
 import Part
 import Path
 import pytest
+from traps import environment_of_traps, lay_traps
 
 import vkworkbench
 from vkworkbench import preferences, worker
@@ -397,6 +398,16 @@ def test_freecad_knows_a_python_that_helps_it():
     assert one("abc") == 3
     one.end()
     assert worker.processes() >= 1
+
+
+def test_helper_runs_nothing_of_a_hostile_folder(monkeypatch, tmp_path):
+    ran = lay_traps(tmp_path / "traps")
+    for name, value in environment_of_traps(tmp_path / "traps").items():
+        monkeypatch.setenv(name, value)
+    monkeypatch.chdir(tmp_path / "traps")
+    one = Worker(len)
+    assert one("abc") == 3 and ran() == []
+    one.end()
 
 
 @pytest.mark.skipif(not hasattr(signal, "SIGPIPE"), reason="there is no such signal")

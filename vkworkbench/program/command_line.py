@@ -67,7 +67,7 @@ def _drop_unwritten() -> None:
 
 def _parser() -> argparse.ArgumentParser:
     parser = argparse.ArgumentParser(
-        "python3 -m vkworkbench",
+        "vkworkbench",
         description="Recognize the machining strategy of each operation in NC programs (G-code), and estimate the cost of "
         "its simulation.",
         epilog="Exit status: 0: all programs were read. 1: some programs could not be read. 2: nothing could be done, or the "

@@ -18,7 +18,9 @@ from contextlib import contextmanager
 from pathlib import Path
 
 import pytest
+from traps import lay_traps
 
+from vkworkbench import worker
 from vkworkbench.preferences import Preferences
 from vkworkbench.program import apart, command_line, main
 from vkworkbench.program.analysis import analyze_file
@@ -40,7 +42,7 @@ def folder(tmp_path):
     return folder
 
 
-# sitecustomize.py, which Python runs when it starts: one file never opens, as on a server that does not answer.
+# In the processes that analyse programs, one file never opens, as on a server that does not answer.
 NEVER_OPENS = """
 import builtins, time
 opened = builtins.open
@@ -58,8 +60,12 @@ def endless(tmp_path, monkeypatch):
     path = tmp_path / "hook" / "endless.nc"
     path.parent.mkdir()
     path.write_text(PROGRAM)
-    path.with_name("sitecustomize.py").write_text(NEVER_OPENS)
-    monkeypatch.setenv("PYTHONPATH", str(path.parent))
+    patched = f"from vkworkbench import worker\nworker._START = {NEVER_OPENS!r} + worker._START\n"
+    path.with_name("sitecustomize.py").write_text(
+        patched
+    )  # Python runs it when the command or a computer of Dask starts
+    monkeypatch.setenv("PYTHONPATH", os.pathsep.join([str(path.parent), str(ROOT)]))
+    monkeypatch.setattr("vkworkbench.worker._START", NEVER_OPENS + worker._START)
     return path
 
 
@@ -336,8 +342,8 @@ def test_a_process_that_dies_costs_only_its_program(tmp_path):
     while not list(apart._workers):
         time.sleep(0.01)
     time.sleep(0.1)
-    for worker in list(apart._workers):
-        os.kill(worker._process.pid, signal.SIGKILL)
+    for one in list(apart._workers):
+        os.kill(one._process.pid, signal.SIGKILL)
     thread.join(60)
     apart.end_workers()
     (died,), (alive,) = found
@@ -516,6 +522,25 @@ def test_the_same_on_a_dask_cluster(folder, tmp_path, inside, endless, scheduler
     assert len(late) == 1 and b"stopped after 5.0 s" in late[0]
     started = client.run(lambda: len(__import__("vkworkbench.program.apart", fromlist=["apart"])._workers))
     assert len(started) == 2 and all(started.values())  # both had something to do
+
+
+@pytest.mark.parametrize(
+    ("start", "names"),
+    [
+        ([str(ROOT / "vkworkbench")], ()),
+        (["-m", "vkworkbench"], ("argparse", "csv", "distributed", "json", "numpy", "pickle", "subprocess")),
+    ],
+)
+def test_command_runs_nothing_of_the_current_folder(tmp_path, start, names):
+    """With -m, Python itself imports the package and some of its own modules from the current folder."""
+    ran = lay_traps(tmp_path / "traps", names)
+    (tmp_path / "traps" / "a.nc").write_text(PROGRAM)
+    environment = {**os.environ, "PYTHONPATH": f"{ROOT}{os.pathsep}" if "-m" in start else ""}  # an empty entry, too
+    done = subprocess.run(
+        [sys.executable, *start, "."], cwd=tmp_path / "traps", env=environment, capture_output=True, text=True
+    )
+    assert (done.returncode, done.stderr, ran()) == (0, "1 operation in 1 file.\n", [])
+    assert "zigzag" in done.stdout
 
 
 @pytest.mark.long
