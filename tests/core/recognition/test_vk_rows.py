@@ -224,7 +224,7 @@ TOOL = 6.0
 # Ten rows of 50 mm, 3 mm apart, there and back.
 GOOD = Rows(
     axis=0.0, length=500.0, once=500.0, typical=50.0, count=10, lines=10, opposite=450.0, same=0.0, step=3.0, pitch=3.0,
-    period=3.0, even=1.0, lies=np.array([(3.0 * k, 0.0, 50.0) for k in range(10)]), moves=np.arange(10),
+    period=3.0, even=1.0, steep=False, lies=np.array([(3.0 * k, 0.0, 50.0) for k in range(10)]), moves=np.arange(10),
 )  # fmt: skip
 
 
@@ -262,8 +262,13 @@ def test_rows_have_a_minimum_length_in_steps(typical, lines, even, good):
     [(0.17, 6, False), (0.19, 6, True), (0.17, 0, True), (3, 2.4, False), (3, 2.6, True), (3, 0, True)],
 )
 def test_steps_are_those_that_the_tool_can_make(step, tool, good):
-    """Closer than 0.03 diameters is a pass cut again; more than 1.2 diameters leave something between."""
-    assert fills(tool, step=step) is good
+    """Fewer than ten rows closer than 0.03 diameters are a pass cut again; more than 1.2 diameters leave something between."""
+    assert fills(tool, step=step, lines=9) is good
+
+
+def test_many_close_rows_fill_unless_they_lead_down_a_wall():
+    assert fills(step=0.01)
+    assert not fills(step=0.01, steep=True)
 
 
 @pytest.mark.parametrize("period, good", [(3.0, True), (7.1, True), (7.3, False)])

@@ -364,8 +364,12 @@ class ROWS:
     #: share of the steps. Many rows are even if a larger share of their steps is. 1: zigzags in narrow teeth become
     #: profiles.
     EVEN = 0.8
-    #: tool diameters. Passes that are closer are one pass cut again. 0: ramped profiles with a tool become mixed.
+    #: tool diameters. Fewer than MANY passes that are closer are one pass cut again. 0: ramped profiles with a tool
+    #: become mixed.
     RETRACED = 0.03
+    #: mm. Smallest distance of rows. Higher: zigzags with rows 0.001 mm apart become profiles. 0: the rounding
+    #: of slanted lines divides rows that are interrupted by islands.
+    FINEST = 5e-4
     #: pitches. Rows of a contour with a larger period are the walls of its teeth. Lower: zigzags that end at their
     #: start become profiles. Higher: combs become zigzags.
     WALLS = 1.05

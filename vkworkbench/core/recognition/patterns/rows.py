@@ -44,6 +44,8 @@ class Rows:
         stepover; for evenly spaced rows it is the pitch.
     even : float
         Share of the steps that are about as long as the usual one.
+    steep : bool
+        Whether most neighbours differ more in their mean heights than in their places, as passes down a wall do.
     lies : (p, 3) float
         Sample of passes: position across the axis, and beginning and end along the axis, ascending, mm.
     moves : (k,) int
@@ -62,6 +64,7 @@ class Rows:
     pitch: float
     period: float
     even: float
+    steep: bool
     lies: np.ndarray
     moves: np.ndarray
 
@@ -131,6 +134,8 @@ class Steps(NamedTuple):
         Usual distance (median by length), mm.
     even : float
         Share of the steps of about the usual length.
+    line : float
+        Largest distance of passes on one line, mm.
     """
 
     shorter: np.ndarray
@@ -138,18 +143,31 @@ class Steps(NamedTuple):
     neighbour: np.ndarray
     usual: float
     even: float
+    line: float
 
 
 def steps_between(place: np.ndarray, length: np.ndarray) -> Steps | None:
     """Compare passes, given by positions across their direction and lengths, (k,) mm each; None if all are on one line."""
-    lateral, shorter = np.abs(place[1:] - place[:-1]), np.minimum(length[1:], length[:-1])
-    aside = lateral > ROUNDING.PLACE
+    step, shorter = np.diff(place), np.minimum(length[1:], length[:-1])
+    lateral = np.abs(step)
+    line = ROWS.FINEST if _is_fine(step, lateral) else ROUNDING.PLACE
+    aside = lateral > line
     if not aside.any():
         return None
     usual = weighted_median(lateral[aside], shorter[aside])
-    neighbour = aside & (lateral <= ROWS.MAX_DISTANCE * usual)
-    even = float(shorter[neighbour & (lateral >= ROWS.MIN_DISTANCE * usual)].sum() / shorter[aside].sum())
-    return Steps(shorter, aside, neighbour, usual, even)
+    neighbour = aside & (lateral <= ROWS.MAX_DISTANCE * usual + ROWS.FINEST)
+    even = float(shorter[neighbour & (lateral >= ROWS.MIN_DISTANCE * usual - ROWS.FINEST)].sum() / shorter[aside].sum())
+    if line < ROUNDING.PLACE:  # rounding changes single steps, but not their mean
+        usual = float(lateral[neighbour].mean())
+    return Steps(shorter, aside, neighbour, usual, even, min(line, usual / 2))
+
+
+def _is_fine(step: np.ndarray, lateral: np.ndarray) -> bool:
+    """Return whether steps within rounding lead on to one side, as fine rows do. Rounding of one line leads back and forth."""
+    small = step[(lateral > ROWS.FINEST) & (lateral <= ROUNDING.PLACE)]
+    if len(small) < max(ROWS.MANY, MAJORITY.SHARE * np.count_nonzero(lateral > ROWS.FINEST)):
+        return False
+    return bool(((small[1:] > 0) == (small[:-1] > 0)).mean() > ROWS.EVEN)
 
 
 def _densest(moves: Areas, chosen: np.ndarray) -> Rows | None:
@@ -165,16 +183,24 @@ def _densest(moves: Areas, chosen: np.ndarray) -> Rows | None:
     new = forward[1:] != forward[:-1]
     apart = np.flatnonzero(((on[1:] > on[:-1] + 1) | (area[1:] > area[:-1])) & ~new)
     before, after = on[apart], on[apart + 1]
-    shift = (moves.y[after] - moves.y[before]) * u - (moves.x[after] - moves.x[before]) * v
-    new[apart] = np.abs(shift) > ROUNDING.PLACE
+    gap_x = moves.x[after] - moves.x[before] - moves.dx[before]
+    gap_y = moves.y[after] - moves.y[before] - moves.dy[before]
+    back = (gap_x * u + gap_y * v > 0) != forward[apart]
+    new[apart] = np.abs(gap_y * u - gap_x * v) > np.where(back, ROWS.FINEST, ROUNDING.PLACE)
     begin = np.flatnonzero(np.concatenate([[True], new]))
     passed = np.add.reduceat(length, begin)
     typical = weighted_median(passed, passed)
     # Short links along the boundary that happen to be parallel to the axis are not rows.
     long = passed > NEGLIGIBLE.PASS * typical
+    first, last = on[begin[long]], on[np.append(begin[1:], len(on))[long] - 1]
+    height = np.add.reduceat(moves.z[on] * length, begin)[long] / passed[long] if moves.climbs else moves.z[first]
     begin, passed = begin[long], passed[long]
-    first = on[begin]
-    q, sense, area = moves.y[first] * u - moves.x[first] * v, forward[begin], area[begin]
+    # The middle of a pass, because links along a slanting boundary may turn the axis a little.
+    middle_x, middle_y = (
+        (moves.x[first] + moves.x[last] + moves.dx[last]) / 2,
+        (moves.y[first] + moves.y[last] + moves.dy[last]) / 2,
+    )
+    q, sense, area = middle_y * u - middle_x * v, forward[begin], area[begin]
     axis, total = axis % np.pi, float(passed.sum())
     if np.pi - axis < _ROUNDING:
         axis = 0.0
@@ -185,13 +211,14 @@ def _densest(moves: Areas, chosen: np.ndarray) -> Rows | None:
     u, v = np.cos(axis), np.sin(axis)
     lies = np.column_stack([y * u - x * v, *np.sort([x * u + y * v, end_x * u + end_y * v], axis=0)])
     if steps is None:
-        return Rows(axis, total, passed[0], typical, 1, 1, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, lies, on)
+        return Rows(axis, total, passed[0], typical, 1, 1, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, False, lies, on)
     turned = sense[1:] != sense[:-1]
     # Two passes in the same direction in one area, without a lift, are steps of one stroke and not rows: a contour that was
     # sampled on a grid looks like a staircase.
     onward = steps.neighbour & ~turned & (area[1:] != area[:-1])
+    steep = np.abs(np.diff(height)) > np.abs(np.diff(q))
     q = np.sort(q[: ROWS.SAMPLE])
-    gaps = np.diff(q[np.append(True, q[1:] - q[:-1] > ROUNDING.PLACE)])
+    gaps = np.diff(q[np.append(True, q[1:] - q[:-1] > steps.line)])
     pitch = float(np.median(gaps)) if len(gaps) else steps.usual
     return Rows(
         axis=axis,
@@ -204,14 +231,15 @@ def _densest(moves: Areas, chosen: np.ndarray) -> Rows | None:
         same=float(steps.shorter[onward].sum()),
         step=steps.usual,
         pitch=pitch,
-        period=_period(gaps, pitch),
+        period=_period(gaps, pitch, steps.line),
         even=steps.even,
+        steep=bool(steep[steps.neighbour].mean() > MAJORITY.SHARE),
         lies=lies,
         moves=on,
     )
 
 
-def _period(gaps: np.ndarray, pitch: float) -> float:
+def _period(gaps: np.ndarray, pitch: float, line: float) -> float:
     """Return the distance after which most lines repeat, mm, from the gaps between all lines in order; otherwise their pitch.
 
     A lattice has two sets of lines in each pocket. The distance between two sets is arbitrary; only inside a set it repeats.
@@ -222,7 +250,7 @@ def _period(gaps: np.ndarray, pitch: float) -> float:
         return pitch
     distance = np.concatenate(apart)
     distance = distance[distance < ROWS.FARTHEST * pitch]  # farther on begins another pocket, however far away
-    width = max(ROUNDING.PLACE, ROWS.SAME_GAP * pitch)
+    width = max(line, ROWS.SAME_GAP * pitch)
     cell = np.rint(distance / width).astype(np.int64)
     often = np.bincount(cell, minlength=2)
     often[:-1] += often[1:]  # no border between cells divides what is one distance
@@ -325,8 +353,8 @@ def _fills(f: Rows, tool: float) -> bool:
     longer = ROWS.MIN_LENGTH_IF_MANY if f.lines >= ROWS.MANY and f.even > ROWS.EVEN else ROWS.MIN_LENGTH
     if f.opposite + f.same <= ROWS.WITH_NEIGHBOUR * f.once or f.typical <= longer * f.step:
         return False
-    if f.step < ROWS.RETRACED * tool:
-        return False  # the same pass again
+    if f.step < max(ROWS.RETRACED * tool, ROUNDING.PLACE) and (f.lines < ROWS.MANY or f.steep):
+        return False  # the same pass again, or deeper along a wall
     reach = NESTS.REACH * tool
     if tool and f.step > reach and (f.period > reach or f.step > ROWS.LEFT_BETWEEN * f.period):
         return False
