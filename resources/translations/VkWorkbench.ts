@@ -1029,6 +1029,14 @@
         <source>The toolpath spans meters in whole numbers. Thousandths without a decimal point are probably read as whole units.</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>A peck depth (Q) that needs more than {most:n} pecks is ignored. The hole is drilled at once.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The program does not show whether the centers of its circles are offsets (G91.1) or positions (G90.1). They are read as offsets.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>Strategy</name>
@@ -1515,7 +1523,7 @@ Image</source>
     </message>
     <message>
         <source>Time in FreeCAD&apos;s legacy simulator in fast-forward, at the accuracy set in the preferences.</source>
-        <extracomment>FreeCAD&apos;s older one.</extracomment>
+        <extracomment>FreeCAD&apos;s older simulator.</extracomment>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1524,7 +1532,7 @@ Image</source>
     </message>
     <message>
         <source>Time in FreeCAD&apos;s OpenGL simulator at its highest speed.</source>
-        <extracomment>FreeCAD&apos;s newer one, which draws the cuts of all operations before with every operation.</extracomment>
+        <extracomment>FreeCAD&apos;s newer simulator, which draws the cuts of all earlier operations with every operation.</extracomment>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1690,7 +1698,7 @@ Memory</source>
     </message>
     <message>
         <source>Time to simulate it in an extended z-buffer. An operation is simulated alone, on the whole stock. In a job, each operation cuts the stock that is left.</source>
-        <extracomment>The paper&apos;s; its columns in CSV and JSON have no prefix.</extracomment>
+        <extracomment>The paper&apos;s simulator; its columns in CSV and JSON have no prefix.</extracomment>
         <translation type="unfinished"></translation>
     </message>
     <message>

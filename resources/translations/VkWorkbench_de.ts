@@ -1029,6 +1029,14 @@
         <source>Choose an image of {width:n} x {height:n} pixels of {pixel:mm2} in the preferences, or simulate fewer operations.</source>
         <translation>Wählen Sie in den Einstellungen ein Bild von {width:n} × {height:n} Pixel zu {pixel:mm2}, oder simulieren Sie weniger Operationen.</translation>
     </message>
+    <message>
+        <source>A peck depth (Q) that needs more than {most:n} pecks is ignored. The hole is drilled at once.</source>
+        <translation>Eine Zustelltiefe (Q), die mehr als {most:n} Zustellungen braucht, wird übergangen. Das Loch wird in einem Zug gebohrt.</translation>
+    </message>
+    <message>
+        <source>The program does not show whether the centers of its circles are offsets (G91.1) or positions (G90.1). They are read as offsets.</source>
+        <translation>Das Programm zeigt nicht, ob die Mittelpunkte seiner Kreise Abstände (G91.1) oder Positionen (G90.1) sind. Sie werden als Abstände gelesen.</translation>
+    </message>
 </context>
 <context>
     <name>Strategy</name>
@@ -1458,7 +1466,7 @@
     </message>
     <message>
         <source>Time in FreeCAD&apos;s OpenGL simulator at its highest speed.</source>
-        <extracomment>FreeCAD&apos;s newer one, which draws the cuts of all operations before with every operation.</extracomment>
+        <extracomment>FreeCAD&apos;s newer simulator, which draws the cuts of all earlier operations with every operation.</extracomment>
         <translation>Zeit im OpenGL-Simulator von FreeCAD bei höchster Geschwindigkeit.</translation>
     </message>
     <message>
@@ -1471,7 +1479,7 @@
     </message>
     <message>
         <source>Time in FreeCAD&apos;s legacy simulator in fast-forward, at the accuracy set in the preferences.</source>
-        <extracomment>FreeCAD&apos;s older one.</extracomment>
+        <extracomment>FreeCAD&apos;s older simulator.</extracomment>
         <translation>Zeit im alten FreeCAD-Simulator im schnellen Vorlauf, bei der Genauigkeit aus den Einstellungen.</translation>
     </message>
     <message>
@@ -1676,7 +1684,7 @@ höchstens</translation>
     </message>
     <message>
         <source>Time to simulate it in an extended z-buffer. An operation is simulated alone, on the whole stock. In a job, each operation cuts the stock that is left.</source>
-        <extracomment>The paper&apos;s; its columns in CSV and JSON have no prefix.</extracomment>
+        <extracomment>The paper&apos;s simulator; its columns in CSV and JSON have no prefix.</extracomment>
         <translation>Zeit der Simulation in einem erweiterten Z-Buffer. Eine Operation wird allein simuliert, am ganzen Rohteil. In einem Auftrag schneidet jede Operation das Rohteil, das noch übrig ist.</translation>
     </message>
     <message>

@@ -1029,6 +1029,14 @@
         <source>Choose an image of {width:n} x {height:n} pixels of {pixel:mm2} in the preferences, or simulate fewer operations.</source>
         <translation>Elija en las preferencias una imagen de {width:n} × {height:n} píxeles de {pixel:mm2} o simule menos operaciones.</translation>
     </message>
+    <message>
+        <source>A peck depth (Q) that needs more than {most:n} pecks is ignored. The hole is drilled at once.</source>
+        <translation>Una profundidad de picoteo (Q) que necesita más de {most:n} picoteos se ignora. El agujero se taladra de una vez.</translation>
+    </message>
+    <message>
+        <source>The program does not show whether the centers of its circles are offsets (G91.1) or positions (G90.1). They are read as offsets.</source>
+        <translation>El programa no muestra si los centros de sus círculos son desplazamientos (G91.1) o posiciones (G90.1). Se leen como desplazamientos.</translation>
+    </message>
 </context>
 <context>
     <name>Strategy</name>
@@ -1458,7 +1466,7 @@
     </message>
     <message>
         <source>Time in FreeCAD&apos;s OpenGL simulator at its highest speed.</source>
-        <extracomment>FreeCAD&apos;s newer one, which draws the cuts of all operations before with every operation.</extracomment>
+        <extracomment>FreeCAD&apos;s newer simulator, which draws the cuts of all earlier operations with every operation.</extracomment>
         <translation>Tiempo del simulador OpenGL de FreeCAD a su mayor velocidad.</translation>
     </message>
     <message>
@@ -1471,7 +1479,7 @@
     </message>
     <message>
         <source>Time in FreeCAD&apos;s legacy simulator in fast-forward, at the accuracy set in the preferences.</source>
-        <extracomment>FreeCAD&apos;s older one.</extracomment>
+        <extracomment>FreeCAD&apos;s older simulator.</extracomment>
         <translation>Tiempo del simulador antiguo de FreeCAD en avance rápido, con la precisión de las preferencias.</translation>
     </message>
     <message>
@@ -1676,7 +1684,7 @@ como mucho</translation>
     </message>
     <message>
         <source>Time to simulate it in an extended z-buffer. An operation is simulated alone, on the whole stock. In a job, each operation cuts the stock that is left.</source>
-        <extracomment>The paper&apos;s; its columns in CSV and JSON have no prefix.</extracomment>
+        <extracomment>The paper&apos;s simulator; its columns in CSV and JSON have no prefix.</extracomment>
         <translation>Tiempo de simulación en un z-buffer extendido. Una operación se simula sola, con el material entero. En un trabajo, cada operación corta el material que queda.</translation>
     </message>
     <message>

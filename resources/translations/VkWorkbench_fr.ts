@@ -1029,6 +1029,14 @@
         <source>Choose an image of {width:n} x {height:n} pixels of {pixel:mm2} in the preferences, or simulate fewer operations.</source>
         <translation>Choisissez dans les préférences une image de {width:n} × {height:n} pixels de {pixel:mm2}, ou simulez moins d&apos;opérations.</translation>
     </message>
+    <message>
+        <source>A peck depth (Q) that needs more than {most:n} pecks is ignored. The hole is drilled at once.</source>
+        <translation>Une profondeur de passe (Q) qui demande plus de {most:n} débourrages est ignorée. Le trou est percé en une fois.</translation>
+    </message>
+    <message>
+        <source>The program does not show whether the centers of its circles are offsets (G91.1) or positions (G90.1). They are read as offsets.</source>
+        <translation>Le programme ne montre pas si les centres de ses cercles sont des décalages (G91.1) ou des positions (G90.1). Ils sont lus comme des décalages.</translation>
+    </message>
 </context>
 <context>
     <name>Strategy</name>
@@ -1458,7 +1466,7 @@
     </message>
     <message>
         <source>Time in FreeCAD&apos;s OpenGL simulator at its highest speed.</source>
-        <extracomment>FreeCAD&apos;s newer one, which draws the cuts of all operations before with every operation.</extracomment>
+        <extracomment>FreeCAD&apos;s newer simulator, which draws the cuts of all earlier operations with every operation.</extracomment>
         <translation>Temps du simulateur OpenGL de FreeCAD à sa plus grande vitesse.</translation>
     </message>
     <message>
@@ -1471,7 +1479,7 @@
     </message>
     <message>
         <source>Time in FreeCAD&apos;s legacy simulator in fast-forward, at the accuracy set in the preferences.</source>
-        <extracomment>FreeCAD&apos;s older one.</extracomment>
+        <extracomment>FreeCAD&apos;s older simulator.</extracomment>
         <translation>Temps de l&apos;ancien simulateur de FreeCAD en avance rapide, à la précision des préférences.</translation>
     </message>
     <message>
@@ -1676,7 +1684,7 @@ au plus</translation>
     </message>
     <message>
         <source>Time to simulate it in an extended z-buffer. An operation is simulated alone, on the whole stock. In a job, each operation cuts the stock that is left.</source>
-        <extracomment>The paper&apos;s; its columns in CSV and JSON have no prefix.</extracomment>
+        <extracomment>The paper&apos;s simulator; its columns in CSV and JSON have no prefix.</extracomment>
         <translation>Temps de simulation dans un z-buffer étendu. Une opération est simulée seule, sur le brut entier. Dans une tâche, chaque opération coupe le brut qui reste.</translation>
     </message>
     <message>

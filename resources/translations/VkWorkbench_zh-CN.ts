@@ -1029,6 +1029,14 @@
         <source>Choose an image of {width:n} x {height:n} pixels of {pixel:mm2} in the preferences, or simulate fewer operations.</source>
         <translation>请在首选项中选择 {width:n} × {height:n} 像素、每个 {pixel:mm2} 的图像，或减少模拟的操作。</translation>
     </message>
+    <message>
+        <source>A peck depth (Q) that needs more than {most:n} pecks is ignored. The hole is drilled at once.</source>
+        <translation>需要超过 {most:n} 次啄钻的啄钻深度（Q）被忽略。孔一次钻成。</translation>
+    </message>
+    <message>
+        <source>The program does not show whether the centers of its circles are offsets (G91.1) or positions (G90.1). They are read as offsets.</source>
+        <translation>程序没有表明整圆的圆心是偏移量（G91.1）还是位置（G90.1）。按偏移量读取。</translation>
+    </message>
 </context>
 <context>
     <name>Strategy</name>
@@ -1458,7 +1466,7 @@
     </message>
     <message>
         <source>Time in FreeCAD&apos;s OpenGL simulator at its highest speed.</source>
-        <extracomment>FreeCAD&apos;s newer one, which draws the cuts of all operations before with every operation.</extracomment>
+        <extracomment>FreeCAD&apos;s newer simulator, which draws the cuts of all earlier operations with every operation.</extracomment>
         <translation>FreeCAD OpenGL 模拟器以最高速度所需的时间。</translation>
     </message>
     <message>
@@ -1471,7 +1479,7 @@
     </message>
     <message>
         <source>Time in FreeCAD&apos;s legacy simulator in fast-forward, at the accuracy set in the preferences.</source>
-        <extracomment>FreeCAD&apos;s older one.</extracomment>
+        <extracomment>FreeCAD&apos;s older simulator.</extracomment>
         <translation>FreeCAD 旧版模拟器以首选项中的精度快进所需的时间。</translation>
     </message>
     <message>
@@ -1676,7 +1684,7 @@ at Most</source>
     </message>
     <message>
         <source>Time to simulate it in an extended z-buffer. An operation is simulated alone, on the whole stock. In a job, each operation cuts the stock that is left.</source>
-        <extracomment>The paper&apos;s; its columns in CSV and JSON have no prefix.</extracomment>
+        <extracomment>The paper&apos;s simulator; its columns in CSV and JSON have no prefix.</extracomment>
         <translation>在扩展 Z 缓冲中模拟所需的时间。单个操作在完整毛坯上单独模拟。在作业中，每个操作切削剩余的毛坯。</translation>
     </message>
     <message>

@@ -147,3 +147,8 @@ def test_line_numbers_that_nobody_has_filled_in():
     text = "%00000\nN T2.2\nN M6\nN G0 X0 Y0 Z5\nN G1 Z-1 F60\nN X10\n"
     assert said(text) == []
     assert read_program(text).toolpath().points[-1].tolist() == [10, 0, -1]
+
+
+def test_full_width_digits_are_not_numbers():
+    assert last("G1 X\uff17") == (10, 2, -1)
+    assert said(PLAIN + "G1 X\uff17") == ["Line 5: Lines that do not consist of words like G1 X10 are ignored."]

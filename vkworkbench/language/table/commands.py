@@ -24,6 +24,9 @@ COMMANDS: dict[str, str | tuple[str, str]] = {
     "cycle-outside-xy": QT_TRANSLATE_NOOP(
         "Sentences", "A drilling cycle outside the XY plane is read as one in the XY plane."
     ),
+    "tiny-pecks": QT_TRANSLATE_NOOP(
+        "Sentences", "A peck depth (Q) that needs more than {most:n} pecks is ignored. The hole is drilled at once."
+    ),
     "arc-before-start": QT_TRANSLATE_NOOP("Sentences", "An arc with an unknown start is ignored."),
     "arc-as-line": QT_TRANSLATE_NOOP("Sentences", "An arc without a usable center or radius is read as a line."),
     "arc-of-changing-radius": QT_TRANSLATE_NOOP(
@@ -31,6 +34,11 @@ COMMANDS: dict[str, str | tuple[str, str]] = {
     ),
     "absolute-centres": QT_TRANSLATE_NOOP(
         "Sentences", "The centers of arcs are read as positions (as with G90.1). The arcs only close this way."
+    ),
+    "circles-alone": QT_TRANSLATE_NOOP(
+        "Sentences",
+        "The program does not show whether the centers of its circles are offsets (G91.1) or positions (G90.1). "
+        "They are read as offsets.",
     ),
     "unknown-code": QT_TRANSLATE_NOOP("Sentences", "The unknown code {name} is ignored."),
     "unknown-code-with-words": QT_TRANSLATE_NOOP(

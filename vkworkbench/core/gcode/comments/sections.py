@@ -8,11 +8,12 @@ from bisect import bisect_left
 from collections import Counter
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, field, replace
+from math import inf
 from typing import NamedTuple
 
 from vkworkbench.core.gcode.comments.titles import title_before_tool, title_of
 from vkworkbench.core.gcode.comments.tool_table import ToldTool, number_named, tool_told
-from vkworkbench.core.gcode.moves.codes import MOTION_NAMES
+from vkworkbench.core.gcode.moves.codes import CYCLES, MOTION_NAMES, name_of
 from vkworkbench.core.gcode.moves.program import Program
 from vkworkbench.core.tool import Tool
 
@@ -21,6 +22,7 @@ from vkworkbench.core.tool import Tool
 MANY_TITLES = 50
 
 _AXES = frozenset("XYZ")
+_CYCLE_NAMES = frozenset(map(name_of, CYCLES))
 # pcb-gcode writes these words in one comment and the diameter in the next.
 _TOOL_SIZE = re.compile(r"\s*tool size\s*", re.IGNORECASE)
 # NX writes the tool's name in one comment, and its diameter in a comment in the next line.
@@ -298,24 +300,32 @@ def _cuts(program: Program) -> list[int]:
     """
     cuts: list[int] = []
     plunge: int | None = None  # index of the first command of a plunge that no other move has followed yet
-    motion, depth = "", 0.0
+    motion, height, relative = "", inf, False  # the height is infinite before the first Z word
     for at, (name, words) in enumerate(program.commands):
+        relative = name == "G91" or (relative and name != "G90")
         motion = name if name in MOTION_NAMES else motion
         if name not in ("", motion) or not motion or _AXES.isdisjoint(words):
             continue
-        vertical = _AXES.isdisjoint(words.keys() - {"Z"})
-        if plunge is not None:
-            if motion == "G1" and vertical and words["Z"] < depth:
-                depth = words["Z"]
-                continue
-            if motion == "G0" or vertical:
-                cuts.append(plunge)  # a hole
-            plunge = None
-        if motion == "G1" and vertical:
-            plunge, depth = at, words["Z"]
-        elif motion != "G0":
+        before, height = height, _height(motion, words, height, relative=relative)
+        vertical = motion == "G1" and _AXES.isdisjoint(words.keys() - {"Z"})
+        if vertical and height < before:
+            plunge = at if plunge is None else plunge
+            continue
+        if plunge is not None and (motion == "G0" or vertical):
+            cuts.append(plunge)  # a hole
+        plunge = None
+        if motion != "G0" and not vertical:
             cuts.append(at)
     return cuts if plunge is None else [*cuts, plunge]
+
+
+def _height(motion: str, words: dict[str, float], before: float, *, relative: bool) -> float:
+    """Return the height after a move, mm: at the R plane after a canned cycle, whose Z word is the hole's bottom."""
+    if motion in _CYCLE_NAMES:
+        return before if relative else words.get("R", before)
+    if relative and "Z" in words:
+        return words["Z"] + (0.0 if before == inf else before)
+    return words.get("Z", before)
 
 
 def _form(title: str) -> str:

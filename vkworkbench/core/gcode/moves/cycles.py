@@ -9,7 +9,7 @@ import numpy as np
 
 from vkworkbench.core.gcode.moves.codes import FEED_OUT, PECK, PECKING
 
-CHIP_BREAK_RETRACT = 0.25  # mm, as in LinuxCNC's G73
+CLEARANCE = 0.25  # mm above the last peck: G73 retracts to this height, G83 returns at rapid to it; as in LinuxCNC
 MOST_PECKS = 10_000  # pecks in a hole; a Q word that needs more is ignored, because the moves would fill the memory
 
 
@@ -79,13 +79,19 @@ def heights(
     return absolute, resolved
 
 
+def has_tiny_pecks(heights: np.ndarray, peck: np.ndarray) -> np.ndarray:
+    """Return whether the Q word of each cycle needs more than `MOST_PECKS` pecks, (m,) bool; see :func:`moves`."""
+    result: np.ndarray = (peck > 0) & (peck * MOST_PECKS <= heights[:, 1] - heights[:, 2])
+    return result
+
+
 def move_counts(code: np.ndarray, heights: np.ndarray, peck: np.ndarray) -> np.ndarray:
     """Return the number of moves of each cycle, (m,) int; see :func:`moves` for the parameters."""
     depth = np.maximum(heights[:, 1] - heights[:, 2], 0.0)
-    pecking = np.isin(code, PECKING) & (peck * MOST_PECKS > depth)
+    pecking = np.isin(code, PECKING) & (peck > 0) & ~has_tiny_pecks(heights, peck)
     pecks = np.ceil(depth / np.where(pecking, peck, np.inf) - 1e-9)
     # Moves: 3 to approach; 3 for each peck except the last one (feed, retract, return); then feed to the bottom, feed
-    # out of the hole (FEED_OUT only), and retract to the height after the cycle.
+    # out of the hole (FEED_OUT only), and retract to the height after the cycle. The return of G73 has zero length.
     counts: np.ndarray = 3 + 3 * (np.maximum(pecks, 1.0).astype(np.int64) - 1) + 2 + np.isin(code, FEED_OUT)
     return counts
 
@@ -121,11 +127,12 @@ def moves(
     first = np.cumsum(counts) - counts
     step = np.arange(len(cycle)) - first[cycle]
     level = retract[cycle] - step // 3 * peck[cycle]
-    out = np.where(code[cycle] == PECK, retract[cycle], level + CHIP_BREAK_RETRACT)
+    back = np.minimum(level + CLEARANCE, retract[cycle])
+    out = np.where(code[cycle] == PECK, retract[cycle], back)
 
     points = np.empty((len(cycle), 3))
     points[:, :2] = hole[cycle]
-    points[:, 2] = np.where(step % 3 == 1, out, level)
+    points[:, 2] = np.choose(step % 3, [level, out, back])
     rapid = step % 3 != 0
     clear = np.maximum(start[:, 2], retract)
     points[first] = np.column_stack([start[:, :2], clear])

@@ -28,6 +28,7 @@ from vkworkbench.core.gcode.moves.codes import (
     MACHINE_COORDINATES,
     MODAL,
     MOTIONS,
+    PECKING,
     PER_MINUTE,
     PER_TURN,
     PLANES,
@@ -74,8 +75,9 @@ def linearize(commands: Iterable[Any] | Words, *, tolerance: float = 0.01, infer
         Largest distance between an arc and its chords, mm.
     infer_centres : bool
         Whether the centre words of arcs may be read as coordinates if the commands contain neither G90.1 nor G91.1,
-        because this is the default of some controls. The words are read as coordinates if more than half of the arcs
-        end off their circles when read as offsets, and if less than half as many do when read as coordinates.
+        because this is the default of some controls. Only the arcs count whose two readings differ: full circles fit
+        both, and so do arcs with an R word. The words are read as coordinates if more than half of these arcs end off
+        their circles when read as offsets, and if less than half as many do when read as coordinates.
 
     Returns
     -------
@@ -226,7 +228,7 @@ class _Program:
             values[~moves] = np.nan
             values[self.to_machine] = np.nan
             if letter == "Z":
-                values[self.rises] = _highest(values, self.relative)
+                values[self.rises] = self._highest(values)
             if letter == "Z" and self.is_cycle.any():
                 values, relative = self._resolve_cycles(values)
             else:
@@ -237,6 +239,16 @@ class _Program:
             self.problems.add(np.flatnonzero(beyond.any(axis=1)), Message("position-cut-off"))
             position = np.clip(position, -COORDINATE_LIMIT, COORDINATE_LIMIT)
         return position, known
+
+    def _highest(self, z: np.ndarray) -> float:
+        """Return the highest Z word, mm; NaN without Z words, or if any Z word is relative.
+
+        In a canned cycle, the R word counts, because the Z word is the bottom of the hole.
+        """
+        if self.is_cycle.any():
+            z = np.where(self.is_cycle, self.words.column("R")[0], z)
+        given = ~np.isnan(z)
+        return float(z[given].max()) if given.any() and not self.relative[given].any() else np.nan
 
     def _resolve_cycles(self, z: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """Resolve the modal words of the canned cycles.
@@ -262,6 +274,8 @@ class _Program:
             z, self.relative, rows, np.cumsum(parted)[rows], own["R"], own["Z"], self.to_retract_plane[rows]
         )
         self.cycle_peck = _held(own["Q"])
+        tiny = np.isin(self.motion[rows], PECKING) & cycles.has_tiny_pecks(self.cycle_heights, self.cycle_peck)
+        self.problems.add(rows[tiny], Message("tiny-pecks", most=cycles.MOST_PECKS))
         return z, np.zeros(len(z), bool)
 
 
@@ -319,12 +333,18 @@ def _resolve_arcs(
     clockwise = program.motion[rows] == CLOCKWISE
     ends = start[:, :2], end[:, :2], clockwise, offset, radius
     resolved = arcs.resolve(*ends, program.absolute_centre[rows])
-    off = np.count_nonzero(resolved.gap > _OFF_CIRCLE)
-    if program.infer_centres and 2 * off > len(rows):
+    if program.infer_centres:
         absolute = arcs.resolve(*ends, np.ones(len(rows), bool))
-        if 2 * np.count_nonzero(absolute.gap > _OFF_CIRCLE) < off:
+        differ = np.abs(resolved.centre - absolute.centre).max(axis=1) > _OFF_CIRCLE
+        circles = differ & ~np.isnan(offset).any(axis=1) & (np.abs(resolved.sweep) > 2 * np.pi - 1e-9)
+        fits, fits_absolute = resolved.gap <= _OFF_CIRCLE, absolute.gap <= _OFF_CIRCLE
+        tells = differ & ~circles & (fits | fits_absolute)
+        off, off_absolute = (np.count_nonzero(tells & ~fit) for fit in (fits, fits_absolute))
+        if 2 * off > np.count_nonzero(tells) and 2 * off_absolute < off:
             resolved = absolute
             problems.add(rows[:1], Message("absolute-centres"))
+        elif not tells.any() and not _repeats(offset[circles]):
+            problems.add(rows[circles], Message("circles-alone"))
 
     known = np.take_along_axis(program.known[np.maximum(rows - 1, 0)] & (rows > 0)[:, None], axes[:, :2], 1)
     unknown_start = ~known.all(axis=1)
@@ -337,18 +357,20 @@ def _resolve_arcs(
     return resolved
 
 
+def _repeats(offset: np.ndarray) -> bool:
+    """Return whether two neighbouring circles have equal centre words, (m, 2) mm, as circles in a helix have.
+
+    Such words are offsets, because coordinates would rarely make two circles around one centre.
+    """
+    return bool((np.diff(offset, axis=0) == 0).all(axis=1).any())
+
+
 def _expand_cycles(program: _Program, rows: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     start = program.before(rows).copy()
     start[rows == 0] = program.position[0]
     start[:, 2] = program.cycle_heights[:, 0]
     hole = program.position[rows, :2]
     return cycles.moves(program.motion[rows], start, hole, program.cycle_heights, program.cycle_peck)
-
-
-def _highest(z: np.ndarray, relative: np.ndarray) -> float:
-    """Return the highest Z word, mm; NaN without Z words, or if any Z word is relative."""
-    given = z[~np.isnan(z)]
-    return float("nan") if not len(given) or (relative & ~np.isnan(z)).any() else float(given.max())
 
 
 def _last(mask: np.ndarray) -> np.ndarray:

@@ -1,0 +1,58 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Canned cycles as a control runs them."""
+
+import numpy as np
+
+from vkworkbench.core.gcode import linearize, read_program, split_sections
+
+
+def points(text):
+    return read_program(text).toolpath().points.round(6).tolist()
+
+
+def codes(text):
+    return [problem.what.code for problem in read_program(text).toolpath().problems]
+
+
+def test_home_after_a_cycle_never_goes_down():
+    text = "G21 G90\nG0 X0 Y0\nG81 X10 Y0 Z-5 R2 F100\nG80\n{}\nG0 X5"
+    for home in ("G28 Z0", "G30 Z0", "G53 G0 Z0", "G91 G28 Z0\nG90"):
+        assert points(text.format(home))[-2:] == [[10, 0, 2], [5, 0, 2]]
+
+
+def test_home_rises_to_the_r_plane_of_a_cycle():
+    commands = [("G0", {"X": 0, "Y": 0, "Z": 1}), ("G81", {"X": 5, "Z": -5, "R": 8, "F": 2}), ("G80", {}),
+                ("G0", {"Z": 1}), ("G28", {"Z": 0}), ("G0", {"X": 9})]  # fmt: skip
+    assert linearize(commands).points[-1].tolist() == [9, 0, 8]
+
+
+def test_deep_hole_returns_at_rapid_above_the_last_peck():
+    path = read_program("G21 G90\nG0 X0 Y0 Z5\nG99 G83 X1 Y1 Z-5 R2 Q3 F100\nG80").toolpath()
+    returns = path.points[1:, 2][path.rapid][2:]
+    assert returns.tolist() == [2, -0.75, 2, -3.75, 2]
+
+
+def test_chip_break_feeds_on_from_its_retract():
+    path = read_program("G21 G90\nG0 X0 Y0 Z5\nG99 G73 X1 Y1 Z-5 R2 Q3 F100\nG80").toolpath()
+    assert np.column_stack([path.points[1:, 2], path.rapid])[2:].tolist() == [
+        [-1, 0], [-0.75, 1], [-4, 0], [-3.75, 1], [-5, 0], [2, 1]
+    ]  # fmt: skip
+
+
+def test_a_tiny_peck_is_told():
+    text = "G21 G90\nG0 X0 Y0 Z5\nG83 X1 Y1 Z-5 R2 Q{} F100\nG80"
+    assert codes(text.format(0.00000001)) == ["tiny-pecks"]
+    assert codes(text.format(1)) == []
+
+
+def titles(text):
+    return [section.title for section in split_sections(read_program(text))]
+
+
+def test_a_retract_at_feed_is_not_a_hole():
+    cut = "G21 G90\nG0 X0 Y0 Z5\n(first)\nG1 Z-1 F100\nG1 X9\n{}\nG0 X0\n(second)\nG1 Z-2\nG1 X9\n"
+    assert titles(cut.format("(note on the lift)\nG1 Z5")) == ["first", "second"]
+
+
+def test_relative_plunges_in_steps_are_one_plunge():
+    assert titles("G21 G90\nG0 X0 Y0 Z1\nG91\nG1 Z-3 F100\n(slot)\nG1 Z-2\nG1 X9\nG90\nG0 Z5\n") == ["slot"]
