@@ -1037,6 +1037,78 @@
         <source>The program does not show whether the centers of its circles are offsets (G91.1) or positions (G90.1). They are read as offsets.</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>The tool cuts {depth:mm2} deeper than its flutes, which are {length:mm3} long.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The shank collides with material {depth:mm2} high.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The holder collides with material {depth:mm2} high.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The tool is too short: it is {length:mm3} long, and the material beside it is {depth:mm2} higher than its upper end.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{part} collides with the clamp {clamp}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The tool</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The shank</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The holder</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{sentences}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Shanks were checked.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Shanks were not checked, because no tool has a cutting edge height and a shank diameter.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The shanks of {labels} were not checked, because the tools have no cutting edge height or no shank diameter.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Holders were checked.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No holder is given.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No holder is given for {labels}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>1 clamp was checked.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{count:n} clamps were checked.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No clamps are given.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>Strategy</name>

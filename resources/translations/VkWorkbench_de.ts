@@ -1037,6 +1037,78 @@
         <source>The program does not show whether the centers of its circles are offsets (G91.1) or positions (G90.1). They are read as offsets.</source>
         <translation>Das Programm zeigt nicht, ob die Mittelpunkte seiner Kreise Abstände (G91.1) oder Positionen (G90.1) sind. Sie werden als Abstände gelesen.</translation>
     </message>
+    <message>
+        <source>The tool cuts {depth:mm2} deeper than its flutes, which are {length:mm3} long.</source>
+        <translation>Das Werkzeug schneidet {depth:mm2} tiefer als seine Schneiden, die {length:mm3} lang sind.</translation>
+    </message>
+    <message>
+        <source>The shank collides with material {depth:mm2} high.</source>
+        <translation>Der Schaft stößt gegen {depth:mm2} hohes Material.</translation>
+    </message>
+    <message>
+        <source>The holder collides with material {depth:mm2} high.</source>
+        <translation>Der Werkzeughalter stößt gegen {depth:mm2} hohes Material.</translation>
+    </message>
+    <message>
+        <source>The tool is too short: it is {length:mm3} long, and the material beside it is {depth:mm2} higher than its upper end.</source>
+        <translation>Das Werkzeug ist zu kurz: Es ist {length:mm3} lang, und das Material daneben ist {depth:mm2} höher als sein oberes Ende.</translation>
+    </message>
+    <message>
+        <source>{part} collides with the clamp {clamp}.</source>
+        <translation>{part} stößt gegen die Spannvorrichtung {clamp}.</translation>
+    </message>
+    <message>
+        <source>The tool</source>
+        <translation>Das Werkzeug</translation>
+    </message>
+    <message>
+        <source>The shank</source>
+        <translation>Der Schaft</translation>
+    </message>
+    <message>
+        <source>The holder</source>
+        <translation>Der Werkzeughalter</translation>
+    </message>
+    <message>
+        <source>{sentences}</source>
+        <translation>{sentences}</translation>
+    </message>
+    <message>
+        <source>Shanks were checked.</source>
+        <translation>Die Schäfte wurden geprüft.</translation>
+    </message>
+    <message>
+        <source>Shanks were not checked, because no tool has a cutting edge height and a shank diameter.</source>
+        <translation>Die Schäfte wurden nicht geprüft, weil kein Werkzeug eine Schneidenhöhe und einen Schaftdurchmesser hat.</translation>
+    </message>
+    <message>
+        <source>The shanks of {labels} were not checked, because the tools have no cutting edge height or no shank diameter.</source>
+        <translation>Die Schäfte von {labels} wurden nicht geprüft, weil die Werkzeuge keine Schneidenhöhe oder keinen Schaftdurchmesser haben.</translation>
+    </message>
+    <message>
+        <source>Holders were checked.</source>
+        <translation>Die Werkzeughalter wurden geprüft.</translation>
+    </message>
+    <message>
+        <source>No holder is given.</source>
+        <translation>Es ist kein Werkzeughalter angegeben.</translation>
+    </message>
+    <message>
+        <source>No holder is given for {labels}.</source>
+        <translation>Für {labels} ist kein Werkzeughalter angegeben.</translation>
+    </message>
+    <message>
+        <source>1 clamp was checked.</source>
+        <translation>1 Spannvorrichtung wurde geprüft.</translation>
+    </message>
+    <message>
+        <source>{count:n} clamps were checked.</source>
+        <translation>{count:n} Spannvorrichtungen wurden geprüft.</translation>
+    </message>
+    <message>
+        <source>No clamps are given.</source>
+        <translation>Es sind keine Spannvorrichtungen angegeben.</translation>
+    </message>
 </context>
 <context>
     <name>Strategy</name>

@@ -1037,6 +1037,78 @@
         <source>The program does not show whether the centers of its circles are offsets (G91.1) or positions (G90.1). They are read as offsets.</source>
         <translation>El programa no muestra si los centros de sus círculos son desplazamientos (G91.1) o posiciones (G90.1). Se leen como desplazamientos.</translation>
     </message>
+    <message>
+        <source>The tool cuts {depth:mm2} deeper than its flutes, which are {length:mm3} long.</source>
+        <translation>La herramienta corta {depth:mm2} más profundo que sus filos, que miden {length:mm3}.</translation>
+    </message>
+    <message>
+        <source>The shank collides with material {depth:mm2} high.</source>
+        <translation>El vástago choca con material de {depth:mm2} de altura.</translation>
+    </message>
+    <message>
+        <source>The holder collides with material {depth:mm2} high.</source>
+        <translation>El portaherramientas choca con material de {depth:mm2} de altura.</translation>
+    </message>
+    <message>
+        <source>The tool is too short: it is {length:mm3} long, and the material beside it is {depth:mm2} higher than its upper end.</source>
+        <translation>La herramienta es demasiado corta: mide {length:mm3}, y el material de al lado supera su extremo superior en {depth:mm2}.</translation>
+    </message>
+    <message>
+        <source>{part} collides with the clamp {clamp}.</source>
+        <translation>{part} choca con la brida {clamp}.</translation>
+    </message>
+    <message>
+        <source>The tool</source>
+        <translation>La herramienta</translation>
+    </message>
+    <message>
+        <source>The shank</source>
+        <translation>El vástago</translation>
+    </message>
+    <message>
+        <source>The holder</source>
+        <translation>El portaherramientas</translation>
+    </message>
+    <message>
+        <source>{sentences}</source>
+        <translation>{sentences}</translation>
+    </message>
+    <message>
+        <source>Shanks were checked.</source>
+        <translation>Los vástagos se han comprobado.</translation>
+    </message>
+    <message>
+        <source>Shanks were not checked, because no tool has a cutting edge height and a shank diameter.</source>
+        <translation>Los vástagos no se han comprobado, porque ninguna herramienta tiene altura de filo y diámetro de vástago.</translation>
+    </message>
+    <message>
+        <source>The shanks of {labels} were not checked, because the tools have no cutting edge height or no shank diameter.</source>
+        <translation>Los vástagos de {labels} no se han comprobado, porque las herramientas no tienen altura de filo o diámetro de vástago.</translation>
+    </message>
+    <message>
+        <source>Holders were checked.</source>
+        <translation>Los portaherramientas se han comprobado.</translation>
+    </message>
+    <message>
+        <source>No holder is given.</source>
+        <translation>No se ha indicado ningún portaherramientas.</translation>
+    </message>
+    <message>
+        <source>No holder is given for {labels}.</source>
+        <translation>No se ha indicado ningún portaherramientas para {labels}.</translation>
+    </message>
+    <message>
+        <source>1 clamp was checked.</source>
+        <translation>Se ha comprobado 1 brida.</translation>
+    </message>
+    <message>
+        <source>{count:n} clamps were checked.</source>
+        <translation>Se han comprobado {count:n} bridas.</translation>
+    </message>
+    <message>
+        <source>No clamps are given.</source>
+        <translation>No se han indicado bridas.</translation>
+    </message>
 </context>
 <context>
     <name>Strategy</name>

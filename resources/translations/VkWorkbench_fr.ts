@@ -1037,6 +1037,78 @@
         <source>The program does not show whether the centers of its circles are offsets (G91.1) or positions (G90.1). They are read as offsets.</source>
         <translation>Le programme ne montre pas si les centres de ses cercles sont des décalages (G91.1) ou des positions (G90.1). Ils sont lus comme des décalages.</translation>
     </message>
+    <message>
+        <source>The tool cuts {depth:mm2} deeper than its flutes, which are {length:mm3} long.</source>
+        <translation>L&apos;outil coupe {depth:mm2} plus profond que ses arêtes, longues de {length:mm3}.</translation>
+    </message>
+    <message>
+        <source>The shank collides with material {depth:mm2} high.</source>
+        <translation>La queue heurte de la matière haute de {depth:mm2}.</translation>
+    </message>
+    <message>
+        <source>The holder collides with material {depth:mm2} high.</source>
+        <translation>Le porte-outil heurte de la matière haute de {depth:mm2}.</translation>
+    </message>
+    <message>
+        <source>The tool is too short: it is {length:mm3} long, and the material beside it is {depth:mm2} higher than its upper end.</source>
+        <translation>L&apos;outil est trop court : il mesure {length:mm3}, et la matière à côté dépasse son extrémité supérieure de {depth:mm2}.</translation>
+    </message>
+    <message>
+        <source>{part} collides with the clamp {clamp}.</source>
+        <translation>{part} heurte la bride {clamp}.</translation>
+    </message>
+    <message>
+        <source>The tool</source>
+        <translation>L&apos;outil</translation>
+    </message>
+    <message>
+        <source>The shank</source>
+        <translation>La queue de l&apos;outil</translation>
+    </message>
+    <message>
+        <source>The holder</source>
+        <translation>Le porte-outil</translation>
+    </message>
+    <message>
+        <source>{sentences}</source>
+        <translation>{sentences}</translation>
+    </message>
+    <message>
+        <source>Shanks were checked.</source>
+        <translation>Les queues ont été vérifiées.</translation>
+    </message>
+    <message>
+        <source>Shanks were not checked, because no tool has a cutting edge height and a shank diameter.</source>
+        <translation>Les queues n&apos;ont pas été vérifiées, car aucun outil n&apos;a de hauteur de coupe et de diamètre de queue.</translation>
+    </message>
+    <message>
+        <source>The shanks of {labels} were not checked, because the tools have no cutting edge height or no shank diameter.</source>
+        <translation>Les queues de {labels} n&apos;ont pas été vérifiées, car les outils n&apos;ont pas de hauteur de coupe ou pas de diamètre de queue.</translation>
+    </message>
+    <message>
+        <source>Holders were checked.</source>
+        <translation>Les porte-outils ont été vérifiés.</translation>
+    </message>
+    <message>
+        <source>No holder is given.</source>
+        <translation>Aucun porte-outil n&apos;est indiqué.</translation>
+    </message>
+    <message>
+        <source>No holder is given for {labels}.</source>
+        <translation>Aucun porte-outil n&apos;est indiqué pour {labels}.</translation>
+    </message>
+    <message>
+        <source>1 clamp was checked.</source>
+        <translation>1 bride a été vérifiée.</translation>
+    </message>
+    <message>
+        <source>{count:n} clamps were checked.</source>
+        <translation>{count:n} brides ont été vérifiées.</translation>
+    </message>
+    <message>
+        <source>No clamps are given.</source>
+        <translation>Aucune bride n&apos;est indiquée.</translation>
+    </message>
 </context>
 <context>
     <name>Strategy</name>

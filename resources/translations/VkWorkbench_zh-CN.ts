@@ -1037,6 +1037,78 @@
         <source>The program does not show whether the centers of its circles are offsets (G91.1) or positions (G90.1). They are read as offsets.</source>
         <translation>程序没有表明整圆的圆心是偏移量（G91.1）还是位置（G90.1）。按偏移量读取。</translation>
     </message>
+    <message>
+        <source>The tool cuts {depth:mm2} deeper than its flutes, which are {length:mm3} long.</source>
+        <translation>刀具切削深度超出切削刃 {depth:mm2}，切削刃长 {length:mm3}。</translation>
+    </message>
+    <message>
+        <source>The shank collides with material {depth:mm2} high.</source>
+        <translation>刀柄碰到高 {depth:mm2} 的材料。</translation>
+    </message>
+    <message>
+        <source>The holder collides with material {depth:mm2} high.</source>
+        <translation>刀夹碰到高 {depth:mm2} 的材料。</translation>
+    </message>
+    <message>
+        <source>The tool is too short: it is {length:mm3} long, and the material beside it is {depth:mm2} higher than its upper end.</source>
+        <translation>刀具太短：刀具长 {length:mm3}，旁边的材料比刀具上端高 {depth:mm2}。</translation>
+    </message>
+    <message>
+        <source>{part} collides with the clamp {clamp}.</source>
+        <translation>{part}碰到夹具 {clamp}。</translation>
+    </message>
+    <message>
+        <source>The tool</source>
+        <translation>刀具</translation>
+    </message>
+    <message>
+        <source>The shank</source>
+        <translation>刀柄</translation>
+    </message>
+    <message>
+        <source>The holder</source>
+        <translation>刀夹</translation>
+    </message>
+    <message>
+        <source>{sentences}</source>
+        <translation>{sentences}</translation>
+    </message>
+    <message>
+        <source>Shanks were checked.</source>
+        <translation>已检查刀柄。</translation>
+    </message>
+    <message>
+        <source>Shanks were not checked, because no tool has a cutting edge height and a shank diameter.</source>
+        <translation>未检查刀柄，因为没有刀具同时给出切削刃高度和刀柄直径。</translation>
+    </message>
+    <message>
+        <source>The shanks of {labels} were not checked, because the tools have no cutting edge height or no shank diameter.</source>
+        <translation>未检查 {labels} 的刀柄，因为刀具没有切削刃高度或刀柄直径。</translation>
+    </message>
+    <message>
+        <source>Holders were checked.</source>
+        <translation>已检查刀夹。</translation>
+    </message>
+    <message>
+        <source>No holder is given.</source>
+        <translation>未给出刀夹。</translation>
+    </message>
+    <message>
+        <source>No holder is given for {labels}.</source>
+        <translation>{labels} 未给出刀夹。</translation>
+    </message>
+    <message>
+        <source>1 clamp was checked.</source>
+        <translation>已检查 1 个夹具。</translation>
+    </message>
+    <message>
+        <source>{count:n} clamps were checked.</source>
+        <translation>已检查 {count:n} 个夹具。</translation>
+    </message>
+    <message>
+        <source>No clamps are given.</source>
+        <translation>未给出夹具。</translation>
+    </message>
 </context>
 <context>
     <name>Strategy</name>

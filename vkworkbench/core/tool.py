@@ -9,7 +9,7 @@ from math import pi, tan
 import numpy as np
 
 from vkworkbench.core.toolpath import COORDINATE_LIMIT
-from vkworkbench.given import number, of_kind
+from vkworkbench.given import number, of_kind, positive
 from vkworkbench.language import Message, Unusable
 
 SHAPES = ("endmill", "ballend", "bullnose", "vbit", "drill")
@@ -20,13 +20,15 @@ _SIZES = {
     "tip_angle": "a number of rad",
     "tip_diameter": "a number of mm",
 }
+_BODY = ("cutting_edge_height", "length", "shank_diameter", "holder_diameter", "holder_length")
 
 
 @dataclass(frozen=True)
 class Tool:
     """A milling tool or drill: a convex solid of revolution, upright, its tip at the programmed point.
 
-    The solid is unbounded upwards: the shank above the cutting edge is treated as part of the edge.
+    The solid is unbounded upwards: the simulation treats the shank above the cutting edge as part of the edge. Collisions of
+    shank and holder are found from the sizes below (`core.zbuffer.collisions`).
 
     Parameters
     ----------
@@ -40,6 +42,10 @@ class Tool:
         Included angle of a V-bit's or a drill's tip, rad; by default 60 and 118 degrees.
     tip_diameter : float
         Diameter of the flat end of a V-bit's cone, mm: chamfer mills and engravers have one.
+    cutting_edge_height, length : float, optional
+        Heights above the tip at which the flutes end and at which the holder begins, mm.
+    shank_diameter, holder_diameter, holder_length : float, optional
+        Sizes of the shank and of the holder, mm.
 
     Raises
     ------
@@ -47,7 +53,7 @@ class Tool:
         For a diameter that is not a positive number of at most a kilometre, a corner radius above half the diameter,
         a tip angle outside ]0, pi], or a tip that is wider than the tool.
     ValueError
-        For an unknown shape, or a text that is not a number.
+        For an unknown shape, a text that is not a number, or a size of shank, holder or flutes that is not positive.
     TypeError
         If a size is not a number. (FreeCAD's quantities are accepted, in mm.)
     """
@@ -57,6 +63,11 @@ class Tool:
     corner_radius: float = 0.0
     tip_angle: float | None = None
     tip_diameter: float = 0.0
+    cutting_edge_height: float | None = None
+    length: float | None = None
+    shank_diameter: float | None = None
+    holder_diameter: float | None = None
+    holder_length: float | None = None
 
     def __post_init__(self) -> None:
         if self.shape not in SHAPES:
@@ -66,6 +77,10 @@ class Tool:
             if given is not None or name != "tip_angle":
                 # FreeCAD's quantities become plain numbers here. The messages below reject unusable numbers.
                 object.__setattr__(self, name, number(name, given, takes))
+        for name in _BODY:
+            given = getattr(self, name)
+            if given is not None:
+                object.__setattr__(self, name, number(name, given, "a positive number of mm", positive))
         if not 0 < self.diameter <= COORDINATE_LIMIT:
             raise Unusable(Message("tool-diameter", diameter=self.diameter))
         if self.shape == "bullnose" and not 0 <= self.corner_radius <= self.radius:
@@ -97,6 +112,11 @@ class Tool:
     def tip(self) -> float:
         """Radius within which a conical tip is flat, mm; 0 without a cone."""
         return self.tip_diameter / 2 if self.steepness else 0.0
+
+    @property
+    def rim(self) -> float:
+        """Height of the tip: the height above the tip from which the tool has its full radius, mm."""
+        return float(self.profile(np.array(self.radius)))
 
     def height(self, r: np.ndarray | float) -> np.ndarray:
         """Return the height of the tool's lower surface above its tip.

@@ -12,6 +12,7 @@ from vkworkbench.core.zbuffer.cost.effort import WORK_UNITS
 from vkworkbench.core.zbuffer.cost.estimate import Estimate, estimate, estimate_job
 from vkworkbench.core.zbuffer.cost.resolution import Resolution, best_resolution, heaviest, passes_apart
 from vkworkbench.core.zbuffer.cost.speed import Speed, fit_speed, measure_speed
+from vkworkbench.core.zbuffer.findings.collisions import Collision, Collisions, holder_collisions
 from vkworkbench.core.zbuffer.findings.deviations import (
     TOLERANCE,
     Deviation,
@@ -37,11 +38,11 @@ from vkworkbench.core.zbuffer.simulator.simulate import simulate, simulate_job
 from vkworkbench.core.zbuffer.sweeps.cuts import Cut, Cuts, Source
 
 __all__ = [
-    "DEXEL", "FACT_COLUMNS", "RECORD_BYTES", "TOLERANCE", "TRACE", "WORK_UNITS", "Crash", "Cut", "CutFacts", "Cuts", "Deviation",
+    "DEXEL", "FACT_COLUMNS", "RECORD_BYTES", "TOLERANCE", "TRACE", "WORK_UNITS", "Collision", "Collisions", "Crash", "Cut", "CutFacts", "Cuts", "Deviation",
     "Deviations", "Estimate", "JobFacts", "OverBudget", "Peak", "Plunge", "Resolution", "SeenModel",
     "Source", "Speed", "ZBuffer", "best_resolution", "cauchy_crofton",
     "crashes", "cuts_air", "cuts_surely", "deviations", "engagement", "estimate", "estimate_job",
-    "facts", "fast_plunges", "fit_speed", "gouges", "heaviest", "material_left", "may_cut", "measure_speed",
+    "facts", "fast_plunges", "fit_speed", "gouges", "heaviest", "holder_collisions", "material_left", "may_cut", "measure_speed",
     "memory_needed", "most_bytes", "passes_apart", "removal_rates", "removed_volumes",
     "shared_seconds", "simulate", "simulate_job", "trajectory_table", "unshared_seconds", "worst_places",
 ]  # fmt: skip

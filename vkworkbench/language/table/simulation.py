@@ -15,6 +15,37 @@ SIMULATION: dict[str, str | tuple[str, str]] = {
     "plunges-fast": QT_TRANSLATE_NOOP(
         "Sentences", "The tool plunges into full material at {feed:mm/min3}. Its limit is {allowed:mm/min3}."
     ),
+    "deeper-than-flutes": QT_TRANSLATE_NOOP(
+        "Sentences", "The tool cuts {depth:mm2} deeper than its flutes, which are {length:mm3} long."
+    ),
+    "shank-collides": QT_TRANSLATE_NOOP("Sentences", "The shank collides with material {depth:mm2} high."),
+    "holder-collides": QT_TRANSLATE_NOOP("Sentences", "The holder collides with material {depth:mm2} high."),
+    "tool-too-short": QT_TRANSLATE_NOOP(
+        "Sentences",
+        "The tool is too short: it is {length:mm3} long, and the material beside it is {depth:mm2} higher than its upper end.",
+    ),
+    "hits-clamp": QT_TRANSLATE_NOOP("Sentences", "{part} collides with the clamp {clamp}."),
+    "the-tool": QT_TRANSLATE_NOOP("Sentences", "The tool"),
+    "the-shank": QT_TRANSLATE_NOOP("Sentences", "The shank"),
+    "the-holder": QT_TRANSLATE_NOOP("Sentences", "The holder"),
+    # A sentence for each of shanks, holders and clamps says what was checked.
+    "attachments": QT_TRANSLATE_NOOP("Sentences", "{sentences}"),
+    "shanks-checked": QT_TRANSLATE_NOOP("Sentences", "Shanks were checked."),
+    "no-shanks": QT_TRANSLATE_NOOP(
+        "Sentences", "Shanks were not checked, because no tool has a cutting edge height and a shank diameter."
+    ),
+    "shanks-unknown": QT_TRANSLATE_NOOP(
+        "Sentences",
+        "The shanks of {labels} were not checked, because the tools have no cutting edge height or no shank diameter.",
+    ),
+    "holders-checked": QT_TRANSLATE_NOOP("Sentences", "Holders were checked."),
+    "no-holders": QT_TRANSLATE_NOOP("Sentences", "No holder is given."),
+    "holders-unknown": QT_TRANSLATE_NOOP("Sentences", "No holder is given for {labels}."),
+    "clamps-checked": (
+        QT_TRANSLATE_NOOP("Sentences", "1 clamp was checked."),
+        QT_TRANSLATE_NOOP("Sentences", "{count:n} clamps were checked."),
+    ),
+    "no-clamps": QT_TRANSLATE_NOOP("Sentences", "No clamps are given."),
     "leaves-material": QT_TRANSLATE_NOOP("Sentences", "{depth:mm2} of stock is left on the model."),
     "picture-in-time": QT_TRANSLATE_NOOP(
         "Sentences", "A finer picture would take longer than the {allowed:s} limit in the preferences."

@@ -39,7 +39,7 @@ def simulate(
 
 
 def simulate_job(
-    cuts: Iterable[Cut],
+    cuts: Iterable[Cut] | Cuts,
     *,
     stock: Solid,
     view: View,
@@ -55,7 +55,7 @@ def simulate_job(
 
     Parameters
     ----------
-    cuts : iterable of Cut
+    cuts : iterable of Cut, or Cuts
         The operations in their order.
     stock : Solid
     view : View
@@ -83,7 +83,7 @@ def simulate_job(
     of_kind("going_on", going_on, Callable, "a function")
     if processes is not None:
         processes = whole("processes", processes, "a whole number of at least 1", lambda n: n >= 1)
-    numbered = Cuts(cuts)
+    numbered = cuts if isinstance(cuts, Cuts) else Cuts(cuts)
     frame = fitted(view, stock)
     image = CutImage(numbered, stock, frame)
     check_memory(image.removal, len(numbered), memory_budget)

@@ -1,0 +1,372 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Find collisions of shanks and holders, cuts deeper than the flutes, tools that are too short, and collisions with clamps.
+
+The parts of a tool above its flutes are bodies that do not cut. A body collides where it meets material that the tool has not
+removed before. The z-buffer along the tool axis finds this material: tools and bodies move alternately, and a piece that a body
+removes is a collision. A body that moves first finds every collision, but also material that the tool removes in the same move
+before the body arrives. The moves found in this way are divided into parts, and the body moves after the tool in each part: what it
+removes then is a collision.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from vkworkbench.core.stocks import Solid
+from vkworkbench.core.tool import Tool
+from vkworkbench.core.toolpath import Toolpath
+from vkworkbench.core.view import View
+from vkworkbench.core.zbuffer.memory.memory import BUDGET, OverBudget
+from vkworkbench.core.zbuffer.simulator.moments import ZBuffer
+from vkworkbench.core.zbuffer.simulator.simulate import simulate_job
+from vkworkbench.core.zbuffer.sweeps.bodies import Alternation, Body, alternate, slimmer
+from vkworkbench.core.zbuffer.sweeps.cuts import Cut, Cuts, Source
+from vkworkbench.language import Message
+
+FLUTES, SHANK, HOLDER, LENGTH, TOOL = "flutes", "shank", "holder", "length", "tool"
+# Distance, mm, below which a body only touches. Chords of arcs leave material that is higher by their rise; the factor adds a margin.
+_TOUCHES, _OF_RISE = 0.02, 2.0
+# Diameter of the narrowest holders, as a multiple of the diameter of the part of the tool that they hold.
+_NARROWEST_HOLDER = 1.5
+# Largest fall of a part of a sloped move, mm, for cuts deeper than the flutes.
+_FALL = 0.5
+# Parts of a sloped or level move, as a share of the width by which a body is wider than its tool; and the largest number of parts.
+_SHARE, _MOST_PARTS = 0.5, 1000
+# Number of pixels of an image.
+_PIXELS = 150_000
+
+
+@dataclass(frozen=True)
+class Collision:
+    """The collisions of one part of a tool in one cut.
+
+    Attributes
+    ----------
+    body : {"flutes", "shank", "holder", "length", "tool"}
+        Part of the tool: "flutes" if the cut is deeper than the flutes; "length" if material is higher than the upper end of a
+        tool without a known holder; "tool" if the tool cuts a clamp.
+    trajectory : int
+        Number of the first trajectory that collides.
+    source, last : Source
+        Origin of the first and of the last trajectory that collides.
+    place : (3,) tuple of float
+        Middle of the longest piece of a ray that the first trajectory would remove, mm.
+    depth : float
+        Largest height of material above the lower end of the colliding part, mm.
+    clamp : str
+        Name of the clamp; empty for a collision with the workpiece.
+    size : float
+        Length of the flutes or of the tool for the bodies "flutes" and "length", mm; otherwise 0.
+    """
+
+    body: str
+    trajectory: int
+    source: Source
+    last: Source
+    place: tuple[float, float, float]
+    depth: float
+    clamp: str = ""
+    size: float = 0.0
+
+    @property
+    def what(self) -> Message:
+        """The collision as a message."""
+        if self.clamp:
+            parts = {TOOL: Message("the-tool"), SHANK: Message("the-shank"), HOLDER: Message("the-holder")}
+            return Message("hits-clamp", part=parts[self.body], clamp=self.clamp)
+        return {
+            FLUTES: Message("deeper-than-flutes", depth=self.depth, length=self.size),
+            SHANK: Message("shank-collides", depth=self.depth),
+            HOLDER: Message("holder-collides", depth=self.depth),
+            LENGTH: Message("tool-too-short", depth=self.depth, length=self.size),
+        }[self.body]
+
+
+@dataclass(frozen=True)
+class Collisions:
+    """The collisions in a job.
+
+    Attributes
+    ----------
+    found : tuple of Collision
+        In the order of the first trajectories.
+    pixel : float
+        Largest pixel of the images in which collisions were sought, mm; 0 if no body is as low as the material.
+    shanks, holders : tuple of bool
+        Whether the sizes of the shank and of the holder of each cut's tool are known.
+    clamps : int
+        Number of clamps.
+    """
+
+    found: tuple[Collision, ...]
+    pixel: float
+    shanks: tuple[bool, ...]
+    holders: tuple[bool, ...]
+    clamps: int
+
+    def attachments(self, labels: Sequence[str]) -> Message:
+        """Return a message that says for which operations shanks and holders were checked, and whether clamps were.
+
+        Parameters
+        ----------
+        labels : sequence of str
+            Labels of the operations.
+        """
+        shanks, holders = (
+            tuple(label for label, one in zip(labels, known) if not one) for known in (self.shanks, self.holders)
+        )
+        without_shanks = Message("shanks-unknown", labels=shanks) if any(self.shanks) else Message("no-shanks")
+        without_holders = Message("holders-unknown", labels=holders) if any(self.holders) else Message("no-holders")
+        sentences = (
+            without_shanks if shanks else Message("shanks-checked"),
+            without_holders if holders else Message("holders-checked"),
+            Message("clamps-checked", count=self.clamps) if self.clamps else Message("no-clamps"),
+        )
+        return Message("attachments", sentences=sentences)
+
+
+def holder_collisions(
+    cuts: Cuts,
+    stock: Solid,
+    *,
+    clamps: Mapping[str, Solid] | None = None,
+    memory_budget: float = BUDGET,
+    going_on: Callable[[float], None] = lambda _: None,
+) -> Collisions:
+    """Find the collisions of all parts of the tools that do not cut, with the workpiece and with clamps.
+
+    Parameters
+    ----------
+    cuts : Cuts
+        The operations. Parts of which a tool has no size are not checked.
+    stock : Solid
+    clamps : mapping of str to Solid, optional
+        Solids that nothing may touch, by their names.
+    memory_budget : float
+        Largest peak memory, bytes. Images that need more are made coarser.
+    going_on : callable, optional
+        Called many times a second. An exception from it ends the work.
+
+    Returns
+    -------
+    Collisions
+    """
+    clamps = clamps or {}
+    search = _Search(memory_budget, going_on)
+    found = [one for body in (FLUTES, SHANK, HOLDER, LENGTH) for one in search.in_workpiece(cuts, stock, body)]
+    slim = Cuts(replace(cut, tool=slimmer(cut.tool, _margin(cut.toolpath))) for cut in cuts.cuts)
+    for name, clamp in clamps.items():
+        of_cut: dict[int, Collision] = {}
+        for body in (TOOL, SHANK, HOLDER):
+            for one in search.in_clamp(slim if body == TOOL else cuts, clamp, name, body):
+                of_cut.setdefault(one.source.cut, one)
+        found += of_cut.values()
+    tools = [cut.tool for cut in cuts.cuts]
+    return Collisions(
+        tuple(sorted(found, key=lambda one: one.trajectory)),
+        search.pixel,
+        tuple(None not in (tool.cutting_edge_height, tool.shank_diameter) for tool in tools),
+        tuple(None not in (tool.length, tool.holder_diameter) for tool in tools),
+        len(clamps),
+    )
+
+
+def _margin(toolpath: Toolpath) -> float:
+    rise = toolpath.lengths / 2 * np.tan(np.abs(toolpath.sweep) / 4)
+    return max(_TOUCHES, _OF_RISE * float(rise.max(initial=0.0)))
+
+
+def _body_of(cut: Cut, body: str) -> Body | None:
+    """Return a part of a cut's tool, without a margin that only touches; None if its sizes are unknown, or it is not wider."""
+    tool, margin = cut.tool, _margin(cut.toolpath)
+    width, above = _width(tool, body), tool.cutting_edge_height if body in (FLUTES, SHANK) else tool.length
+    if width is None or above is None:
+        return None
+    if body == FLUTES:
+        width = slimmer(tool, margin).diameter
+    else:
+        width -= 2 * margin
+        if width <= tool.diameter:
+            return None
+    return Body(width / 2, max(above, tool.rim) + margin)
+
+
+def _width(tool: Tool, body: str) -> float | None:
+    """Return the diameter of a part of a tool, mm; None if it is unknown."""
+    if body == LENGTH and tool.holder_diameter is None:
+        return _NARROWEST_HOLDER * max(tool.diameter, tool.shank_diameter or 0.0)
+    return {FLUTES: tool.diameter, SHANK: tool.shank_diameter, HOLDER: tool.holder_diameter}.get(body)
+
+
+class _Search:
+    def __init__(self, memory_budget: float, going_on: Callable[[float], None]) -> None:
+        self._budget, self._going_on = memory_budget, going_on
+        self.pixel = 0.0
+
+    def in_workpiece(self, cuts: Cuts, stock: Solid, body: str) -> Iterator[Collision]:
+        """Yield the collisions of one part of the tools with the workpiece."""
+        bodies = [_body_of(cut, body) for cut in cuts.cuts]
+        low = _low_moves(cuts, bodies, stock)
+        if not low.any():
+            return
+        view = _view_of(cuts, bodies, low, stock)
+        if body == FLUTES:
+            removed = self._removed(_lifted(cuts, bodies, low), stock, view)
+        else:
+            removed = self._of_wider(cuts, bodies, low, stock, view)
+        if body == HOLDER:
+            removed = removed.within_holders(cuts, bodies)
+        yield from removed.collisions(cuts, body)
+
+    def _of_wider(
+        self, cuts: Cuts, bodies: Sequence[Body | None], low: np.ndarray, stock: Solid, view: View
+    ) -> _Removed:
+        """Return what bodies that are wider than their tools meet before the tools have removed it."""
+        removed = self._removed(alternate(cuts, bodies, low, body_first=True), stock, view)
+        candidates = removed.is_by(len(cuts))
+        if not candidates.any():
+            return removed
+        removed = self._removed(alternate(cuts, bodies, candidates, body_first=False), stock, view)
+        undecided = candidates & ~removed.is_by(len(cuts))
+        if not undecided.any():
+            return removed
+        start, end = cuts.ends
+        run = np.where(undecided, np.hypot(*(end - start)[:, :2].T), 0)
+        wider = np.array([own.radius - cut.tool.radius if own else 1.0 for own, cut in zip(bodies, cuts.cuts)])
+        parts = _parts(run / (_SHARE * wider[cuts.cut]))
+        return self._removed(alternate(cuts, bodies, candidates, body_first=False, parts=parts), stock, view)
+
+    def in_clamp(self, cuts: Cuts, clamp: Solid, name: str, body: str) -> Iterator[Collision]:
+        """Yield the collisions of one part of the tools with a clamp."""
+        if body == TOOL:
+            bodies: list[Body | None] = [Body(cut.tool.radius, 0.0) for cut in cuts.cuts]
+        else:
+            bodies = [_body_of(cut, body) for cut in cuts.cuts]
+        low = _low_moves(cuts, bodies, clamp)
+        if not low.any():
+            return
+        view = _view_of(cuts, bodies, low, clamp)
+        alternation = alternate(cuts, bodies, low & (body != TOOL), body_first=True)
+        removed = self._removed(alternation, clamp, view, of_tools=body == TOOL)
+        if body == HOLDER:
+            removed = removed.within_holders(cuts, bodies)
+        yield from removed.collisions(cuts, body, name)
+
+    def _removed(self, alternation: Alternation, stock: Solid, view: View, of_tools: bool = False) -> _Removed:
+        zbuffer = self._simulated(alternation, stock, view)
+        self.pixel = max(self.pixel, zbuffer.frame.pixel)
+        return _Removed.by(zbuffer, alternation.trajectory, alternation.of_body ^ of_tools)
+
+    def _simulated(self, alternation: Alternation, stock: Solid, view: View) -> ZBuffer:
+        wanted = view
+        while True:
+            try:
+                return simulate_job(
+                    alternation.moves, stock=stock, view=view, memory_budget=self._budget, going_on=self._going_on
+                )
+            except OverBudget as refused:
+                if refused.size is None:
+                    raise
+                view = wanted.of_size(*refused.size)
+
+
+def _low_moves(cuts: Cuts, bodies: Sequence[Body | None], stock: Solid) -> np.ndarray:
+    """Return the moves during which a body may be as low as the material, (n,) bool."""
+    radius = np.array([body.radius if body else 0.0 for body in bodies])[cuts.cut][:, None]
+    bottom = np.array([body.bottom if body else np.inf for body in bodies])[cuts.cut]
+    lower, upper = np.minimum(*cuts.ends), np.maximum(*cuts.ends)
+    beside = (lower[:, :2] - radius >= stock.upper[:2]) | (upper[:, :2] + radius <= stock.lower[:2])
+    low: np.ndarray = ~beside.any(axis=1) & (lower[:, 2] + bottom < stock.upper[2])
+    return low
+
+
+def _view_of(cuts: Cuts, bodies: Sequence[Body | None], low: np.ndarray, stock: Solid) -> View:
+    """Return the view along the tool axis of the part of the stock where bodies are low."""
+    own = cuts.cut[low]
+    radius = np.array([body.radius if body else 0.0 for body in bodies])[own][:, None]
+    ends = [points[low, :2] for points in cuts.ends]
+    lower = np.maximum((np.minimum(*ends) - radius).min(axis=0), stock.lower[:2])
+    upper = np.minimum((np.maximum(*ends) + radius).max(axis=0), stock.upper[:2])
+    size = upper - lower
+    pixel = max(float(np.sqrt(size.prod() / _PIXELS)), _TOUCHES)
+    width, height = np.maximum(np.ceil(size / pixel), 1).astype(int).tolist()
+    offset = (lower + upper) / 2 - ((stock.lower + stock.upper) / 2)[:2]
+    return View(width=width, height=height, pixel=pixel, offset=tuple(offset.tolist()))
+
+
+def _lifted(cuts: Cuts, bodies: Sequence[Body | None], low: np.ndarray) -> Alternation:
+    """Return the moves of bodies before their tools. Sloped moves are divided, because a body is lifted by the fall of each part."""
+    start, end = cuts.ends
+    sloped = low & (start[:, :2] != end[:, :2]).any(axis=1)
+    parts = _parts(np.where(sloped, np.maximum(start - end, 0)[:, 2], 0) / _FALL)
+    return alternate(cuts, bodies, low, body_first=True, parts=parts, lifted=True)
+
+
+def _parts(wanted: np.ndarray) -> np.ndarray:
+    result: np.ndarray = np.clip(np.ceil(wanted), 1, _MOST_PARTS).astype(np.int64)
+    return result
+
+
+@dataclass(frozen=True, eq=False)
+class _Removed:
+    """Pieces of rays that bodies would remove.
+
+    Attributes
+    ----------
+    trajectory : (k,) int64
+        Trajectory of the job.
+    lower, upper : (k, 3) float64
+        Lower and upper end of each piece, mm.
+    height : (k,) float64
+        Height of the colliding material above the lower end, mm.
+    """
+
+    trajectory: np.ndarray
+    lower: np.ndarray
+    upper: np.ndarray
+    height: np.ndarray
+
+    @classmethod
+    def by(cls, zbuffer: ZBuffer, trajectory: np.ndarray, chosen: np.ndarray) -> _Removed:
+        """Return the pieces that chosen moves (n,) of given trajectories (n,) remove."""
+        records = zbuffer.records
+        piece, pixel, near = records.pieces_of(chosen)
+        far = records.far[piece]
+        # The pieces directly above were removed by the same bodies before. They belong to the colliding material.
+        begins = np.ones(len(piece), bool)
+        begins[1:] = (np.diff(piece) != 1) | (np.diff(pixel) != 0)
+        top = near[np.flatnonzero(begins)][np.cumsum(begins) - 1] if len(piece) else near
+        row, column = np.divmod(pixel, zbuffer.frame.width)
+        lower, upper = (zbuffer.frame.points(column, row, depth.astype(float)) for depth in (far, near))
+        return cls(trajectory[records.owner[piece]], lower, upper, far.astype(float) - top)
+
+    def is_by(self, trajectories: int) -> np.ndarray:
+        """Return which trajectories remove pieces, (trajectories,) bool."""
+        found = np.zeros(trajectories, bool)
+        found[self.trajectory] = True
+        return found
+
+    def within_holders(self, cuts: Cuts, bodies: Sequence[Body | None]) -> _Removed:
+        """Return the pieces that are not above the upper ends of the holders."""
+        ends = [cut.tool.holder_length or np.inf for cut in cuts.cuts]
+        tops = np.array([body.bottom + end if body else np.inf for body, end in zip(bodies, ends)])
+        tip = np.minimum(*(points[:, 2] for points in cuts.ends))
+        kept = self.lower[:, 2] < (tip + tops[cuts.cut])[self.trajectory]
+        return _Removed(self.trajectory[kept], self.lower[kept], self.upper[kept], self.height[kept])
+
+    def collisions(self, cuts: Cuts, body: str, clamp: str = "") -> Iterator[Collision]:
+        """Yield one collision for each cut."""
+        cut = cuts.cut[self.trajectory]
+        for number in np.unique(cut).tolist():
+            own = np.flatnonzero(cut == number)
+            first, last = int(self.trajectory[own].min()), int(self.trajectory[own].max())
+            pieces = own[self.trajectory[own] == first]
+            longest = pieces[np.argmax((self.upper - self.lower)[pieces, 2])]
+            x, y, z = ((self.lower[longest] + self.upper[longest]) / 2).tolist()
+            tool = cuts.cuts[number].tool
+            size = {FLUTES: tool.cutting_edge_height, LENGTH: tool.length}.get(body) or 0.0
+            depth = float(self.height[own].max())
+            yield Collision(body, first, cuts.source(first), cuts.source(last), (x, y, z), depth, clamp, size)
