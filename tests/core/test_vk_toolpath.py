@@ -65,6 +65,13 @@ def test_problem_has_first_command_and_count():
     assert not problem.takes_time
 
 
+def test_problem_that_hides_cuts_is_divided_between_operations():
+    problem = Problem.at([3, 9], Message("jumps-not-followed"))
+    assert problem.hides_cuts and not problem.takes_time
+    assert problem.within(5, 20) == Problem(9, problem.what) and problem.within(4, 9) is None
+    assert not Problem(3, Message("word-not-read", letter="U")).hides_cuts
+
+
 def test_wrong_type_of_toolpath_raises_with_a_sentence():
     commands, tool = [("G1", {"X": 0.0}), ("G1", {"X": 5.0})], Tool("endmill", 6)
     stock, view = Stock((0, 0, 0), (9, 9, 9)), View(width=8, height=6)

@@ -19,6 +19,9 @@ PLANE_AXES = {17: (0, 1, 2), 18: (2, 0, 1), 19: (1, 2, 0)}
 
 _OF_TIME = "dwell-untimed", "probing-untimed"
 _TAKES_TIME = "rotary-cuts", "rotary-not-read"
+_HIDES_CUTS = (
+    "rotary-cuts", "jumps-not-followed", "line-with-variables", "variables-not-read", "subprogram-not-read",
+)  # fmt: skip
 
 
 @dataclass(frozen=True)
@@ -34,7 +37,7 @@ class Problem:
     count : int
         Number of commands concerned.
     commands : (count,) int64
-        All commands concerned if the problem affects the machining time; otherwise empty.
+        All commands concerned if the problem affects the machining time or hides cuts; otherwise empty.
     """
 
     command: int
@@ -46,14 +49,14 @@ class Problem:
     def at(cls, commands: Sequence[int] | np.ndarray, what: Message) -> Problem:
         """Return the problem `what` of one or more commands in ascending order."""
         problem = cls(int(commands[0]), what, len(commands))
-        return replace(problem, commands=np.asarray(commands, np.int64)) if problem.takes_time else problem
+        return replace(problem, commands=np.asarray(commands, np.int64)) if problem._is_divided else problem
 
     def within(self, first: float, end: float) -> Problem | None:
         """Return the part of the problem that concerns commands first .. end - 1, or None.
 
-        Only a problem that affects the machining time is divided; any other belongs to its first command.
+        Only a problem that affects the machining time or hides cuts is divided; any other belongs to its first command.
         """
-        if not self.takes_time:
+        if not self._is_divided:
             return self if first <= self.command < end else None
         commands = self.commands[(first <= self.commands) & (self.commands < end)]
         return Problem.at(commands, self.what) if len(commands) else None
@@ -72,6 +75,15 @@ class Problem:
     def takes_time(self) -> bool:
         """Whether the machining time is affected."""
         return self.of_time or self.what.code in _TAKES_TIME
+
+    @property
+    def hides_cuts(self) -> bool:
+        """Whether cuts may be missing or lie elsewhere, so that the strategy is unknown."""
+        return self.what.code in _HIDES_CUTS
+
+    @property
+    def _is_divided(self) -> bool:
+        return self.takes_time or self.hides_cuts
 
     @property
     def remark(self) -> Message:
@@ -162,6 +174,11 @@ class Toolpath:
     def __len__(self) -> int:
         """Return the number of trajectories."""
         return len(self.rapid)
+
+    @property
+    def hidden_cuts(self) -> Problem | None:
+        """First problem that hides cuts, or None."""
+        return next((problem for problem in self.problems if problem.hides_cuts), None)
 
     def part(self, first: int, end: int) -> Toolpath:
         """Return the trajectories first .. end - 1, with the tool changes and comments between them and no problems."""

@@ -201,7 +201,10 @@ def _row(whole: _Whole, part: Toolpath, section: Section, problems: list[Problem
     )
     if unlike_milling:
         return replace(row, recognition=unknown(part, unlike_milling), remarks=(*row.remarks, *remarks))
-    if whole.inches:
+    hidden = replace(part, problems=tuple(problems)).hidden_cuts
+    if hidden:
+        found = unknown(part, at_line(hidden))
+    elif whole.inches:
         found = recognize_inches(part, tool_diameter=tool and INCH * tool.diameter, program=whole.undivided)
     else:
         found = recognize(part, tool_diameter=tool and tool.diameter, program=whole.undivided)

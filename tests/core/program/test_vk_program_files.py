@@ -424,6 +424,18 @@ def test_an_operation_whose_rotary_axis_turns_costs_only_itself(tmp_path):
     assert [str(row.strategy) for row in vkworkbench.analyze(path).operations] == ["zigzag", "unknown"]
 
 
+def test_operation_with_a_loop_is_unknown_and_costs_only_itself(tmp_path):
+    """A loop that is not followed hides cuts; the operation before it is recognized."""
+    loop = "o101 while [#5420 LT 9]\nG1 X9\nG1 X0\no101 endwhile\n"
+    path = tmp_path / "loop.nc"
+    path.write_text(
+        f"(T1 D=6 - end mill)\nG21\nT1 M6\nG0 X0 Y0 Z5\n(Face)\nG1 Z-1 F600\n{ROWS}G0 Z5\n(Slots)\nG1 Z-1\n{loop}X9 Y9\nX0\nG0 Z5\n"
+    )
+    face, slots = vkworkbench.analyze(path).operations
+    assert (str(face.strategy), str(slots.strategy), slots.confidence) == ("zigzag", "unknown", 0.0)
+    assert slots.reason.startswith("Line ") and slots.costs
+
+
 def test_only_undivided_program_has_several_operations(tmp_path):
     rings = "".join(
         f"G1 X{100 + s} Y{100 + s}\nX{140 - s}\nY{140 - s}\nX{100 + s}\nY{100 + s}\n" for s in range(0, 18, 2)

@@ -427,3 +427,20 @@ def test_walls_of_a_comb_are_not_rows(teeth, width, gap, diameter):
     commands = [("G0", {"X": corners[0][0], "Y": corners[0][1], "Z": 5.0}), ("G1", {"Z": -2.0})]
     commands += [("G1", {"X": float(x), "Y": y}) for x, y in corners[1:]]
     assert recognize(linearize(commands), tool_diameter=diameter).strategy is Strategy.PROFILE
+
+
+@pytest.mark.parametrize(
+    "name, words, code", [("G1", {"Y": 3.0, "A": 90.0}, "rotary-cuts"), ("M98", {"P": 100.0}, "subprogram-not-read")]
+)
+def test_path_with_hidden_cuts_is_unknown_with_the_reason(name, words, code):
+    """A turning rotary axis and a subprogram cut something else than the moves in the plane show."""
+    commands = rows()
+    found = recognize(linearize([*commands, (name, words)]))
+    assert (found.strategy, found.confidence) == ("unknown", 0.0)
+    assert found.why.arguments["sentence"].code == code
+    assert recognize(linearize(commands)).strategy == "zigzag"
+
+
+def test_rotary_axis_that_turns_above_the_part_hides_no_cut():
+    commands = [*rows(), ("G0", {"Z": 5.0}), ("G0", {"A": 90.0})]
+    assert recognize(linearize(commands)).strategy == "zigzag"

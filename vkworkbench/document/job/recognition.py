@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from vkworkbench import preferences
 from vkworkbench.core import Problem, Recognition, Toolpath, recognize
 from vkworkbench.core.gcode import looks_like_inches
-from vkworkbench.core.recognition import recognize_inches, unknown
+from vkworkbench.core.recognition import recognize_inches
 from vkworkbench.document.job.operations import is_imported
 from vkworkbench.document.job.setting import read_tool
 
@@ -63,9 +63,10 @@ def recognize_operation(toolpath: Toolpath, tool_diameter: float | None, importe
     imported : bool
         Whether the toolpath may come from a file; FreeCAD's importer drops G20.
     """
-    turning = rotary_cut(toolpath)
-    if turning:
-        return unknown(toolpath, turning.remark), False
-    if imported and looks_like_inches(toolpath, tool_diameter=tool_diameter, imported=True):
+    if (
+        imported
+        and not toolpath.hidden_cuts
+        and looks_like_inches(toolpath, tool_diameter=tool_diameter, imported=True)
+    ):
         return recognize_inches(toolpath, tool_diameter=tool_diameter, program=True), True
     return recognize(toolpath, tool_diameter=tool_diameter, program=imported), False

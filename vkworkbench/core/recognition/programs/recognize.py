@@ -34,7 +34,7 @@ def recognize(toolpath: Toolpath, *, tool_diameter: float | None = None, program
     Returns
     -------
     Recognition
-        Strategy.EMPTY if nothing cuts. No toolpath raises an exception.
+        Strategy.EMPTY if nothing cuts, Strategy.UNKNOWN if a problem of the toolpath hides cuts. No toolpath raises an exception.
 
     Raises
     ------
@@ -47,6 +47,8 @@ def recognize(toolpath: Toolpath, *, tool_diameter: float | None = None, program
     rapid = toolpath.rapid
     if rapid.all():
         return Recognition(Strategy.EMPTY, 1.0, Message("only-rapids") if len(toolpath) else Message("no-moves"))
+    if toolpath.hidden_cuts:
+        return unknown(toolpath, toolpath.hidden_cuts.remark)
     if is_turned(toolpath):
         return unknown(toolpath, Message("like-a-lathe", strategy=Strategy.UNKNOWN))
     tool = number("tool_diameter", tool_diameter or 0.0, "a number of mm, or None")
