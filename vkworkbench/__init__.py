@@ -7,6 +7,7 @@
     print(report)
     vkworkbench.mark(report)           # marks the tree in one undo step
     vkworkbench.clear()
+    vkworkbench.set_clamps(job, [vice])     # what no tool may touch, for the simulation
     vkworkbench.simulate(job, view="Isometric").at(100)     # the part after 100 trajectories
 
 Importing this package is cheap, because the functions load their modules when they are first called.
@@ -19,13 +20,14 @@ from collections.abc import Callable, Iterable
 from importlib import import_module
 
 __version__ = "0.1.0"
-__all__ = ["Cancelled", "Report", "analyze", "clear", "mark", "simulate"]
+__all__ = ["Cancelled", "Report", "analyze", "clear", "mark", "set_clamps", "simulate"]
 
 _HOMES = {
     "Cancelled": "vkworkbench.report",
     "mark": "vkworkbench.document.upkeep",
     "clear": "vkworkbench.document.marks.marking",
     "Report": "vkworkbench.report",
+    "set_clamps": "vkworkbench.document.job.clamps",
     "simulate": "vkworkbench.document.simulation.simulate",
 }
 

@@ -154,6 +154,8 @@ GROUP = Property("Group", fingerprint="setting")
 FIXTURES = Property("Fixtures", fingerprint="setting")
 STOCK = Property("Stock", fingerprint="setting")
 MODEL = Property("Model")
+# Objects that hold the workpiece; a property of this add-on.
+CLAMPS = Property("ToolpathClamps", fingerprint="setting")
 SHAPE = Property("Shape", fingerprint="setting")
 # A tool controller.
 TOOL = Property("Tool", fingerprint="setting")
@@ -172,6 +174,12 @@ FLAT_RADIUS = Property("FlatRadius", fingerprint="setting")  # before 1.1: radiu
 TIP_ANGLE = Property("TipAngle", fingerprint="setting")
 CUTTING_ANGLE = Property("CuttingEdgeAngle", fingerprint="setting")
 TIP_DIAMETER = Property("TipDiameter", fingerprint="setting")  # flat end of a V-bit or chamfer mill
+CUTTING_EDGE_HEIGHT = Property("CuttingEdgeHeight", fingerprint="setting")  # of a V-bit, the part above its cone
+TOOL_LENGTH = Property("Length", fingerprint="setting")
+SHANK_DIAMETER = Property("ShankDiameter", fingerprint="setting")
+# FreeCAD's tool bits have no holder. Users may add these properties.
+HOLDER_DIAMETER = Property("HolderDiameter", fingerprint="setting")
+HOLDER_LENGTH = Property("HolderLength", fingerprint="setting")
 
 _PROPERTIES = tuple(entry for entry in globals().values() if isinstance(entry, Property))
 

@@ -70,6 +70,10 @@ class Preferences:
     warn_of_simulators : bool
         Whether a bar above the 3D view warns of simulations in FreeCAD's simulators that would hang or exceed the time
         limit.
+    holder_diameter, holder_length : float
+        Diameter and length of the holders of tools that have no holder of their own, mm; 0 if unknown.
+    travel_x, travel_y, travel_z : float
+        Travel of the machine along its axes, mm; 0 if unknown.
     renderer : str
         OpenGL's name of the renderer at the last calibration. Not on the page.
     result_columns : str
@@ -88,6 +92,11 @@ class Preferences:
     analyze_after_recompute: bool = False
     show_pills: bool = True
     warn_of_simulators: bool = True
+    holder_diameter: float = _number(0.0, 0.0, 1e4)
+    holder_length: float = _number(0.0, 0.0, 1e4)
+    travel_x: float = _number(0.0, 0.0, 1e6)
+    travel_y: float = _number(0.0, 0.0, 1e6)
+    travel_z: float = _number(0.0, 0.0, 1e6)
     renderer: str = ""
     result_columns: str = ""
 
@@ -114,6 +123,17 @@ class Preferences:
     def budget(self) -> dict[str, float]:
         """Limits of memory, bytes, and time, s, as ``best_resolution`` takes them."""
         return {"memory_bytes": self.memory_budget_bytes, "seconds": self.time_budget}
+
+    @property
+    def holder(self) -> dict[str, float]:
+        """Known sizes of the holder, mm, by their names in a `Tool`."""
+        sizes = {"holder_diameter": self.holder_diameter, "holder_length": self.holder_length}
+        return {name: size for name, size in sizes.items() if size} if self.holder_diameter else {}
+
+    @property
+    def travel(self) -> tuple[float, float, float]:
+        """Travel of the machine along X, Y and Z, mm; 0 if unknown."""
+        return self.travel_x, self.travel_y, self.travel_z
 
     @property
     def view(self):

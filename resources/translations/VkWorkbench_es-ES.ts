@@ -1332,6 +1332,50 @@
         <source>Last calibrated on {date}. The times of the {simulator} are right to within a factor of {factor}. Measured with FreeCAD {freecad} on {processor}, display {renderer}.</source>
         <translation>Última calibración el {date}. Los tiempos del {simulator} aciertan dentro de un factor {factor}. Medido con FreeCAD {freecad} en {processor}, pantalla {renderer}.</translation>
     </message>
+    <message>
+        <source>Machine</source>
+        <translation>Máquina</translation>
+    </message>
+    <message>
+        <source>Travel in X</source>
+        <translation>Recorrido en X</translation>
+    </message>
+    <message>
+        <source>Travel of the machine along X. The analysis warns of jobs and programs that need more. 0: unknown.</source>
+        <translation>Recorrido de la máquina en X. El análisis advierte de los trabajos y programas que necesitan más. 0: desconocido.</translation>
+    </message>
+    <message>
+        <source>Travel in Y</source>
+        <translation>Recorrido en Y</translation>
+    </message>
+    <message>
+        <source>Travel of the machine along Y. The analysis warns of jobs and programs that need more. 0: unknown.</source>
+        <translation>Recorrido de la máquina en Y. El análisis advierte de los trabajos y programas que necesitan más. 0: desconocido.</translation>
+    </message>
+    <message>
+        <source>Travel in Z</source>
+        <translation>Recorrido en Z</translation>
+    </message>
+    <message>
+        <source>Travel of the machine along Z. The analysis warns of jobs and programs that need more. 0: unknown.</source>
+        <translation>Recorrido de la máquina en Z. El análisis advierte de los trabajos y programas que necesitan más. 0: desconocido.</translation>
+    </message>
+    <message>
+        <source>Holder diameter</source>
+        <translation>Diámetro del portaherramientas</translation>
+    </message>
+    <message>
+        <source>Diameter of the tool holder. The simulation warns of collisions. A property HolderDiameter of a tool bit takes precedence. 0: unknown.</source>
+        <translation>Diámetro del portaherramientas. La simulación advierte de colisiones. Una propiedad HolderDiameter de la herramienta tiene prioridad. 0: desconocido.</translation>
+    </message>
+    <message>
+        <source>Holder length</source>
+        <translation>Longitud del portaherramientas</translation>
+    </message>
+    <message>
+        <source>Length of the tool holder. A property HolderLength of a tool bit takes precedence. 0: the holder has no upper end.</source>
+        <translation>Longitud del portaherramientas. Una propiedad HolderLength de la herramienta tiene prioridad. 0: el portaherramientas no tiene extremo superior.</translation>
+    </message>
 </context>
 <context>
     <name>Vk_Analyze</name>

@@ -1332,6 +1332,50 @@
         <source>Last calibrated on {date}. The times of the {simulator} are right to within a factor of {factor}. Measured with FreeCAD {freecad} on {processor}, display {renderer}.</source>
         <translation>Dernier étalonnage le {date}. Les temps de « {simulator} » sont justes à un facteur {factor} près. Mesuré avec FreeCAD {freecad} sur {processor}, affichage {renderer}.</translation>
     </message>
+    <message>
+        <source>Machine</source>
+        <translation>Machine</translation>
+    </message>
+    <message>
+        <source>Travel in X</source>
+        <translation>Course en X</translation>
+    </message>
+    <message>
+        <source>Travel of the machine along X. The analysis warns of jobs and programs that need more. 0: unknown.</source>
+        <translation>Course de la machine selon X. L&apos;analyse signale les travaux et programmes qui demandent plus. 0 : inconnue.</translation>
+    </message>
+    <message>
+        <source>Travel in Y</source>
+        <translation>Course en Y</translation>
+    </message>
+    <message>
+        <source>Travel of the machine along Y. The analysis warns of jobs and programs that need more. 0: unknown.</source>
+        <translation>Course de la machine selon Y. L&apos;analyse signale les travaux et programmes qui demandent plus. 0 : inconnue.</translation>
+    </message>
+    <message>
+        <source>Travel in Z</source>
+        <translation>Course en Z</translation>
+    </message>
+    <message>
+        <source>Travel of the machine along Z. The analysis warns of jobs and programs that need more. 0: unknown.</source>
+        <translation>Course de la machine selon Z. L&apos;analyse signale les travaux et programmes qui demandent plus. 0 : inconnue.</translation>
+    </message>
+    <message>
+        <source>Holder diameter</source>
+        <translation>Diamètre du porte-outil</translation>
+    </message>
+    <message>
+        <source>Diameter of the tool holder. The simulation warns of collisions. A property HolderDiameter of a tool bit takes precedence. 0: unknown.</source>
+        <translation>Diamètre du porte-outil. La simulation signale les collisions. Une propriété HolderDiameter de l&apos;outil est prioritaire. 0 : inconnu.</translation>
+    </message>
+    <message>
+        <source>Holder length</source>
+        <translation>Longueur du porte-outil</translation>
+    </message>
+    <message>
+        <source>Length of the tool holder. A property HolderLength of a tool bit takes precedence. 0: the holder has no upper end.</source>
+        <translation>Longueur du porte-outil. Une propriété HolderLength de l&apos;outil est prioritaire. 0 : le porte-outil n&apos;a pas d&apos;extrémité supérieure.</translation>
+    </message>
 </context>
 <context>
     <name>Vk_Analyze</name>

@@ -63,7 +63,8 @@ def test_defaults_are_those_of_the_documents():
 LIMITS = {
     "legacy_accuracy": (0.1, 1.0), "opengl_quality": (1, 10),  # the ends of FreeCAD's sliders
     "time_budget": (0.1, 1e6), "memory_budget": (1.0, 1e6), "image_width": (1, 10_000), "image_height": (1, 10_000),
-    "tolerance": (1e-4, 1.0),
+    "tolerance": (1e-4, 1.0), "holder_diameter": (0.0, 1e4), "holder_length": (0.0, 1e4),
+    "travel_x": (0.0, 1e6), "travel_y": (0.0, 1e6), "travel_z": (0.0, 1e6),
 }  # fmt: skip
 
 

@@ -20,7 +20,7 @@ _SIZES = {
     "tip_angle": "a number of rad",
     "tip_diameter": "a number of mm",
 }
-_BODY = ("cutting_edge_height", "length", "shank_diameter", "holder_diameter", "holder_length")
+_BODIES = ("cutting_edge_height", "length", "shank_diameter", "holder_diameter", "holder_length")
 
 
 @dataclass(frozen=True)
@@ -77,7 +77,7 @@ class Tool:
             if given is not None or name != "tip_angle":
                 # FreeCAD's quantities become plain numbers here. The messages below reject unusable numbers.
                 object.__setattr__(self, name, number(name, given, takes))
-        for name in _BODY:
+        for name in _BODIES:
             given = getattr(self, name)
             if given is not None:
                 object.__setattr__(self, name, number(name, given, "a positive number of mm", positive))
@@ -112,6 +112,11 @@ class Tool:
     def tip(self) -> float:
         """Radius within which a conical tip is flat, mm; 0 without a cone."""
         return self.tip_diameter / 2 if self.steepness else 0.0
+
+    @property
+    def body_sizes(self) -> dict[str, float]:
+        """The known sizes of flutes, shank and holder, mm, by their names."""
+        return {name: size for name in _BODIES if (size := getattr(self, name)) is not None}
 
     @property
     def rim(self) -> float:

@@ -121,6 +121,8 @@ def setting_fingerprint(
         parts[0] = (tool.shape, round(tool.diameter, 4), round(tool.corner_radius, 4), angle)
         if tool.tip:
             parts[0] += (round(tool.tip, 4),)
+        if tool.body_sizes:
+            parts[0] += ({name: round(size, 4) for name, size in tool.body_sizes.items()},)
     if stock is not None:
         parts[1] = [round(float(value) + _OFFSET, 2) + 0.0 for value in (*stock.lower, *stock.upper)]
         parts[1] += form

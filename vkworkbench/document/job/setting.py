@@ -14,6 +14,7 @@ import Part
 from vkworkbench import freecad
 from vkworkbench.core import COORDINATE_LIMIT, Stock, Tool, Toolpath
 from vkworkbench.document.job.operations import through_bases
+from vkworkbench.given import positive
 from vkworkbench.language import Message, Unusable
 
 # FreeCAD's names of tool shapes, in small letters, and the shapes that a simulation uses for them.
@@ -30,6 +31,8 @@ _SIMPLIFIED = {
     "taperedballnose": _AS_BALL_END, "tap": _AS_DRILL, "threadmill": _AS_END_MILL, "slittingsaw": _AS_END_MILL,
     "slotcutter": _AS_END_MILL, "dovetail": _AS_END_MILL, "radius": _AS_END_MILL,
 }  # fmt: skip
+# Pointed tools whose cutting edge height includes the cone. The height of other pointed tools begins above the cone.
+_WHOLE_EDGE = ("chamfer", "countersink")
 
 
 class ShapeCache:
@@ -87,7 +90,7 @@ def read_tool(operation) -> Tool:
     if diameter is None:
         raise Unusable(Message("no-diameter", label=controller.Label))
     try:
-        return _tool(bit, diameter)
+        return _with_bodies(_tool(bit, diameter), bit)
     except Unusable as error:
         raise Unusable(Message("of", label=controller.Label, sentence=error.what)) from None
 
@@ -125,6 +128,24 @@ def _tool(bit, diameter: float) -> Tool:
         angle, tip = freecad.CUTTING_ANGLE.number(bit), freecad.TIP_DIAMETER.number(bit)
         return Tool(shape, diameter, tip_angle=_radians(angle), tip_diameter=tip or 0.0)
     return Tool(shape, diameter)
+
+
+def _with_bodies(tool: Tool, bit) -> Tool:
+    """Return a tool with the sizes of its flutes, shank and holder. FreeCAD's sizes that are 0 are unknown."""
+    name = _shape_name(bit)
+    edge = freecad.CUTTING_EDGE_HEIGHT.number(bit)
+    if name not in _SHAPES or name in _SIMPLIFIED:
+        edge = None  # the simpler shape cuts where the tool has a neck
+    elif edge and tool.shape == "vbit" and name not in _WHOLE_EDGE:
+        edge += tool.rim
+    sizes = {
+        "cutting_edge_height": edge,
+        "length": freecad.TOOL_LENGTH.number(bit),
+        "shank_diameter": freecad.SHANK_DIAMETER.number(bit),
+        "holder_diameter": freecad.HOLDER_DIAMETER.number(bit),
+        "holder_length": freecad.HOLDER_LENGTH.number(bit),
+    }
+    return replace(tool, **{name: size for name, size in sizes.items() if size and positive(size)})
 
 
 def _radians(degrees: float | None) -> float | None:

@@ -86,6 +86,11 @@ def are_equal(one, other) -> bool:
     )
 
 
+def have_equal_shapes(shapes: Sequence, others: Sequence) -> bool:
+    """Return whether two sequences of shapes are equal, shape by shape."""
+    return len(shapes) == len(others) and all(map(are_equal, shapes, others))
+
+
 def _measures_of(shape) -> tuple[float, float]:
     return _measures.of(shape, lambda: (shape.Volume, shape.Area))
 
@@ -117,12 +122,19 @@ def model_solid(shapes: tuple) -> Mesh | None:
 
 def _solid_or_reason(shape, box: Stock) -> tuple[Solid, None] | tuple[None, Message]:
     try:
-        return _solid(shape, box), None
+        return solid_of(shape, box), None
     except Unusable as error:
         return None, error.what
 
 
-def _solid(shape, box: Stock) -> Solid:
+def solid_of(shape, box: Stock) -> Solid:
+    """Return a shape as a solid: its box, an upright cylinder, or triangles.
+
+    Raises
+    ------
+    Unusable
+        If the shape is not closed.
+    """
     kind = _kind(shape, box)
     if kind is Stock:
         return box

@@ -12,6 +12,7 @@ import FreeCAD
 from vkworkbench import preferences
 from vkworkbench.core import Cut, Stock, Tool, Toolpath, linearize
 from vkworkbench.core.gcode import in_seconds, used_up
+from vkworkbench.document.job.clamps import clamp_solids, clamps_of, shapes_of
 from vkworkbench.document.job.fingerprint import (
     finding_path_fingerprint,
     fingerprint_of,
@@ -41,7 +42,7 @@ from vkworkbench.document.job.setting import (
     tool_remark,
     vertical_feed,
 )
-from vkworkbench.document.job.solids import are_equal, form_of_stock, model_shapes, shapes_of_model, stock_solid
+from vkworkbench.document.job.solids import form_of_stock, have_equal_shapes, model_shapes, shapes_of_model, stock_solid
 from vkworkbench.document.simulation.job import SimulatedJob, SimulatedOperation
 from vkworkbench.language import Message, Unusable
 
@@ -93,7 +94,7 @@ class JobCopy:
         Internal names of the operations, and their labels.
     """
 
-    def __init__(self, objects: list, job, asked: list) -> None:
+    def __init__(self, objects: list, job, asked: list, clamps: Iterable | None = None) -> None:
         self._asked = tuple(obj.Name for obj in asked if is_object(obj))
         self.document = objects[0].Document.Name
         self.names = tuple(obj.Name for obj in objects)
@@ -106,7 +107,11 @@ class JobCopy:
         self._model = shapes_of_model(job)
         self._settings: dict[str, str] = {}  # fingerprints, by the names of operations
         self._paths: dict[str, str] = {}
-        self._tolerance = preferences.read().tolerance
+        self._given_clamps = None if clamps is None else tuple(clamps)
+        self._clamp_shapes = shapes_of(self._clamps_of(job))
+        self._clamps = clamp_solids(self._clamps_of(job))
+        chosen = preferences.read()
+        self._tolerance, self._holder = chosen.tolerance, chosen.holder
         self._remarks = (remark,) if remark else ()
         self._copied: SimpleQueue = SimpleQueue()
 
@@ -119,7 +124,7 @@ class JobCopy:
             If an operation was deleted meanwhile.
         """
         for obj in self._objects:
-            copied = _copied(obj, self._box, self._form)
+            copied = _copied(obj, self._box, self._form, self._holder)
             self._settings[obj.Name] = copied.operation.fingerprint
             self._copied.put(copied)
             yield
@@ -148,8 +153,9 @@ class JobCopy:
         """
         try:
             objects, job = _posted(self.asked())
-            model = shapes_of_model(job)
-            same = len(model) == len(self._model) and all(map(are_equal, model, self._model))
+            same = have_equal_shapes(shapes_of_model(job), self._model) and have_equal_shapes(
+                shapes_of(self._clamps_of(job)), self._clamp_shapes
+            )
         except Unusable:  # operations of several jobs, a model without volume
             return False
         if not same or tuple(obj.Name for obj in objects) != self.names:
@@ -185,7 +191,11 @@ class JobCopy:
             self._stock,
             self._model_shapes,
             remarks + self._remarks,
+            self._clamps,
         )
+
+    def _clamps_of(self, job) -> tuple:
+        return clamps_of(job) if self._given_clamps is None else self._given_clamps
 
     def _next(self, going_on: Callable[[], None]) -> _Copied:
         while True:
@@ -197,31 +207,33 @@ class JobCopy:
             return copied
 
 
-def read_job(what=None) -> SimulatedJob:
+def read_job(what=None, clamps: Iterable | None = None) -> SimulatedJob:
     """Return the job to simulate; see :func:`vkworkbench.simulate`."""
-    copy = copy_job(what)
+    copy = copy_job(what, clamps)
     for _ in copy.copying():
         pass
     return copy.job(copy.read())
 
 
-def copy_job(what=None) -> JobCopy:
+def copy_job(what=None, clamps: Iterable | None = None) -> JobCopy:
     """Return the job to simulate, not copied yet; see :func:`vkworkbench.simulate`."""
     what = or_active_document(what)
     asked = list(what) if isinstance(what, Iterable) else [what]
     objects, job = _posted(asked)
     if not objects:
         raise Unusable(Message("nothing-to-simulate"))
-    return JobCopy(objects, job, asked)
+    return JobCopy(objects, job, asked, clamps)
 
 
-def _copied(obj, box: Stock, form: tuple) -> _Copied:
+def _copied(obj, box: Stock, form: tuple, holder: dict[str, float]) -> _Copied:
     try:
         tool, remark = read_tool(obj), tool_remark(obj)
     except Unusable as error:
         tool, remark = None, error.what
     rapids = rapid_feeds(obj)
     setting = setting_fingerprint(tool, box, form, rapids)
+    if tool is not None and tool.holder_diameter is None:
+        tool = replace(tool, **holder)
     operation = SimulatedOperation(obj.Document.Name, obj.Name, obj.Label, rapids, is_imported(obj), setting)
     return _Copied(operation, obj.Path, obj.Placement, tool, vertical_feed(obj), remark)
 

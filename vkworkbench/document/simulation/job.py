@@ -3,8 +3,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from dataclasses import dataclass
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, field
 from functools import cached_property
 
 import numpy as np
@@ -59,6 +59,8 @@ class SimulatedJob:
         Shapes of the job's model.
     remarks : tuple of Message
         What the simulation leaves out or simplifies, and why.
+    clamps : mapping of str to Solid
+        Solids that no tool may touch, by the labels of their objects.
     """
 
     operations: tuple[SimulatedOperation, ...]
@@ -68,6 +70,7 @@ class SimulatedJob:
     stock: Solid
     model_shapes: tuple
     remarks: tuple[Message, ...]
+    clamps: Mapping[str, Solid] = field(default_factory=dict)
 
     @cached_property
     def model(self) -> Solid | None:

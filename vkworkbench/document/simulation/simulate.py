@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass, replace
 from pathlib import Path
 
@@ -28,6 +28,7 @@ def simulate(
     what=None,
     *,
     view: View | str | None = None,
+    clamps: Iterable | None = None,
     memory_budget: float | None = None,
     going_on: Callable[[float], None] = lambda _: None,
 ) -> Simulation:
@@ -40,6 +41,8 @@ def simulate(
     view : View or str, optional
         The image, or the name of a direction, e.g. ``"Isometric"``. None stands for the direction in the preferences. Without a
         View, the image is made coarser if it would need too much memory, and a remark of the job says so.
+    clamps : iterable of DocumentObject, optional
+        Objects that no tool may touch, such as clamps and vices. None stands for the clamps of the job, see `set_clamps`.
     memory_budget : float, optional
         Largest memory, bytes. None stands for the budget in the preferences.
     going_on : callable, optional
@@ -53,7 +56,7 @@ def simulate(
     Raises
     ------
     Unusable
-        If there is nothing to simulate, or no stock. The message says what to do.
+        If there is nothing to simulate, no stock, or a clamp without a solid. The message says what to do.
     OverBudget
         If the simulation would need more memory. Nothing was simulated; the message names an image that fits.
     ValueError
@@ -63,7 +66,7 @@ def simulate(
     TypeError
         If an argument has another type.
     """
-    job, chosen = read_job(what), preferences.read()
+    job, chosen = read_job(what, clamps), preferences.read()
     budget = chosen.memory_budget_bytes if memory_budget is None else memory_budget
     of_kind("view", view, (View, str, type(None)), "a View or the name of a direction")
     if isinstance(view, View):

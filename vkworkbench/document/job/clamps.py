@@ -1,0 +1,78 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The clamps of a job: objects of the document that nothing may touch."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+
+import numpy as np
+import Part
+
+from vkworkbench import freecad
+from vkworkbench.core import Solid, Stock
+from vkworkbench.document.job.setting import exact_box
+from vkworkbench.document.job.solids import solid_of
+from vkworkbench.language import Message, Unusable
+
+# A hidden link does not make the job depend on its clamps, so that moving a clamp recomputes no operation.
+_TYPE = "App::PropertyLinkListHidden"
+_HIDDEN_AND_OUTPUT = 4 | 8  # setting the property does not touch the job
+
+
+def clamps_of(job) -> tuple:
+    """Return the objects that are the clamps of a job."""
+    return tuple(freecad.CLAMPS.of(job) or ()) if job is not None else ()
+
+
+def set_clamps(job, clamps: Iterable) -> None:
+    """Set the clamps of a job in one undo step. They are saved with the job.
+
+    Parameters
+    ----------
+    job : DocumentObject
+    clamps : iterable of DocumentObject
+        Objects with solids, such as clamps and vices. An empty list removes the clamps.
+
+    Raises
+    ------
+    Unusable
+        If an object has no closed solid.
+    """
+    clamps = list(clamps)
+    clamp_solids(clamps)  # raises the error before anything changes
+    document, name = job.Document, freecad.CLAMPS.name
+    document.openTransaction("Set clamps")
+    try:
+        if not freecad.CLAMPS.is_in(job):
+            job.addProperty(_TYPE, name, "Toolpath analysis", "Objects that no tool may touch", _HIDDEN_AND_OUTPUT)
+        setattr(job, name, clamps)
+    except BaseException:
+        document.abortTransaction()
+        raise
+    document.commitTransaction()
+
+
+def clamp_solids(clamps: Iterable) -> dict[str, Solid]:
+    """Return the solids of clamps, by their labels.
+
+    Raises
+    ------
+    Unusable
+        If an object has no closed solid.
+    """
+    return dict(_solid_of(obj) for obj in clamps)
+
+
+def _solid_of(obj) -> tuple[str, Solid]:
+    shape = freecad.SHAPE.of(obj)
+    if not isinstance(shape, Part.Shape) or shape.isNull():
+        raise Unusable(Message("of", label=obj.Label, sentence=Message("solid-not-closed")))
+    try:
+        return obj.Label, solid_of(shape, Stock(*map(np.array, exact_box(shape))))
+    except Unusable as error:
+        raise Unusable(Message("of", label=obj.Label, sentence=error.what)) from None
+
+
+def shapes_of(clamps: Iterable) -> list:
+    """Return the shapes of clamps."""
+    return [freecad.SHAPE.of(obj) for obj in clamps]
