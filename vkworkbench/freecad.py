@@ -165,6 +165,11 @@ HORIZONTAL_RAPID = Property("HorizRapid", fingerprint="setting")
 VERTICAL_RAPID = Property("VertRapid", fingerprint="setting")
 VERTICAL_FEED = Property("VertFeed")
 GCODE = Property("Gcode")  # lines of a file that FreeCAD imported as a custom operation
+# Depths of an operation, and the sizes of a deburred edge.
+START_DEPTH = Property("StartDepth")
+FINAL_DEPTH = Property("FinalDepth")
+DEBURRED_WIDTH = Property("Width")
+EXTRA_DEPTH = Property("ExtraDepth")
 # A tool. The last name of its shape is for tools of 0.20 without a tool bit.
 TOOL_SHAPE = Property("ShapeType", since=(1, 1), before=("ShapeName", "ToolType"), fingerprint="setting")
 TOOL_SHAPE_FILE = Property("ShapeID", since=(1, 1), before=("BitShape",), fingerprint="setting")

@@ -1109,6 +1109,82 @@
         <source>No clamps are given.</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Nothing is checked yet.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing was checked, because no tool meets the stock.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No {what}, checked to {pixel:mm2}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Checked to {pixel:mm2}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>collision, gouge or fast plunge</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>collision or fast plunge</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>1 rapid cuts into material.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{count:n} rapids cut into material.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>1 move collides.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{count:n} moves collide.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>1 gouge is {depth:mm2} deep in the model.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{count:n} gouges are up to {depth:mm2} deep in the model.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>1 plunge is too fast.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{count:n} plunges are too fast.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>1 rapid or fast plunge was not checked for lack of time: command {command:#} of {label}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{count:n} rapids and fast plunges were not checked for lack of time, the first is command {command:#} of {label}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Gouges not checked, because the job has no model with a volume.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Gouges of {labels} not checked, because the tool is simulated by a simpler shape.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Shank, holder and clamps not checked.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>Strategy</name>

@@ -1109,6 +1109,82 @@
         <source>No clamps are given.</source>
         <translation>Es sind keine Spannvorrichtungen angegeben.</translation>
     </message>
+    <message>
+        <source>Nothing is checked yet.</source>
+        <translation>Noch ist nichts geprüft.</translation>
+    </message>
+    <message>
+        <source>Nothing was checked, because no tool meets the stock.</source>
+        <translation>Nichts wurde geprüft, weil kein Werkzeug das Rohteil trifft.</translation>
+    </message>
+    <message>
+        <source>No {what}, checked to {pixel:mm2}.</source>
+        <translation>Ohne {what}, auf {pixel:mm2} genau geprüft.</translation>
+    </message>
+    <message>
+        <source>Checked to {pixel:mm2}.</source>
+        <translation>Auf {pixel:mm2} genau geprüft.</translation>
+    </message>
+    <message>
+        <source>collision, gouge or fast plunge</source>
+        <translation>Kollision, Schnitt ins Modell oder zu schnelles Eintauchen</translation>
+    </message>
+    <message>
+        <source>collision or fast plunge</source>
+        <translation>Kollision oder zu schnelles Eintauchen</translation>
+    </message>
+    <message>
+        <source>1 rapid cuts into material.</source>
+        <translation>1 Eilgang schneidet in Material.</translation>
+    </message>
+    <message>
+        <source>{count:n} rapids cut into material.</source>
+        <translation>{count:n} Eilgänge schneiden in Material.</translation>
+    </message>
+    <message>
+        <source>1 move collides.</source>
+        <translation>1 Bewegung kollidiert.</translation>
+    </message>
+    <message>
+        <source>{count:n} moves collide.</source>
+        <translation>{count:n} Bewegungen kollidieren.</translation>
+    </message>
+    <message>
+        <source>1 gouge is {depth:mm2} deep in the model.</source>
+        <translation>1 Schnitt geht {depth:mm2} tief ins Modell.</translation>
+    </message>
+    <message>
+        <source>{count:n} gouges are up to {depth:mm2} deep in the model.</source>
+        <translation>{count:n} Schnitte gehen bis {depth:mm2} tief ins Modell.</translation>
+    </message>
+    <message>
+        <source>1 plunge is too fast.</source>
+        <translation>1 Eintauchen ist zu schnell.</translation>
+    </message>
+    <message>
+        <source>{count:n} plunges are too fast.</source>
+        <translation>{count:n}-mal wird zu schnell eingetaucht.</translation>
+    </message>
+    <message>
+        <source>1 rapid or fast plunge was not checked for lack of time: command {command:#} of {label}.</source>
+        <translation>Für 1 Eilgang oder schnelles Eintauchen reichte die Zeit nicht: Befehl {command:#} von {label}.</translation>
+    </message>
+    <message>
+        <source>{count:n} rapids and fast plunges were not checked for lack of time, the first is command {command:#} of {label}.</source>
+        <translation>Für {count:n} Eilgänge und schnelles Eintauchen reichte die Zeit nicht, zuerst Befehl {command:#} von {label}.</translation>
+    </message>
+    <message>
+        <source>Gouges not checked, because the job has no model with a volume.</source>
+        <translation>Schnitte ins Modell nicht geprüft, weil der Auftrag kein Modell mit Volumen hat.</translation>
+    </message>
+    <message>
+        <source>Gouges of {labels} not checked, because the tool is simulated by a simpler shape.</source>
+        <translation>Schnitte ins Modell von {labels} nicht geprüft, weil das Werkzeug durch eine einfachere Form simuliert wird.</translation>
+    </message>
+    <message>
+        <source>Shank, holder and clamps not checked.</source>
+        <translation>Schaft, Halter und Spannmittel nicht geprüft.</translation>
+    </message>
 </context>
 <context>
     <name>Strategy</name>

@@ -1109,6 +1109,82 @@
         <source>No clamps are given.</source>
         <translation>No se han indicado bridas.</translation>
     </message>
+    <message>
+        <source>Nothing is checked yet.</source>
+        <translation>Todavía no se ha comprobado nada.</translation>
+    </message>
+    <message>
+        <source>Nothing was checked, because no tool meets the stock.</source>
+        <translation>No se ha comprobado nada, porque ninguna herramienta toca el material en bruto.</translation>
+    </message>
+    <message>
+        <source>No {what}, checked to {pixel:mm2}.</source>
+        <translation>Sin {what}, comprobado con una precisión de {pixel:mm2}.</translation>
+    </message>
+    <message>
+        <source>Checked to {pixel:mm2}.</source>
+        <translation>Comprobado con una precisión de {pixel:mm2}.</translation>
+    </message>
+    <message>
+        <source>collision, gouge or fast plunge</source>
+        <translation>colisión, corte en el modelo ni entrada demasiado rápida</translation>
+    </message>
+    <message>
+        <source>collision or fast plunge</source>
+        <translation>colisión ni entrada demasiado rápida</translation>
+    </message>
+    <message>
+        <source>1 rapid cuts into material.</source>
+        <translation>1 movimiento rápido corta material.</translation>
+    </message>
+    <message>
+        <source>{count:n} rapids cut into material.</source>
+        <translation>{count:n} movimientos rápidos cortan material.</translation>
+    </message>
+    <message>
+        <source>1 move collides.</source>
+        <translation>1 movimiento colisiona.</translation>
+    </message>
+    <message>
+        <source>{count:n} moves collide.</source>
+        <translation>{count:n} movimientos colisionan.</translation>
+    </message>
+    <message>
+        <source>1 gouge is {depth:mm2} deep in the model.</source>
+        <translation>1 corte entra {depth:mm2} en el modelo.</translation>
+    </message>
+    <message>
+        <source>{count:n} gouges are up to {depth:mm2} deep in the model.</source>
+        <translation>{count:n} cortes entran hasta {depth:mm2} en el modelo.</translation>
+    </message>
+    <message>
+        <source>1 plunge is too fast.</source>
+        <translation>1 entrada es demasiado rápida.</translation>
+    </message>
+    <message>
+        <source>{count:n} plunges are too fast.</source>
+        <translation>{count:n} entradas son demasiado rápidas.</translation>
+    </message>
+    <message>
+        <source>1 rapid or fast plunge was not checked for lack of time: command {command:#} of {label}.</source>
+        <translation>Por falta de tiempo no se ha comprobado 1 movimiento rápido o entrada: comando {command:#} de {label}.</translation>
+    </message>
+    <message>
+        <source>{count:n} rapids and fast plunges were not checked for lack of time, the first is command {command:#} of {label}.</source>
+        <translation>Por falta de tiempo no se han comprobado {count:n} movimientos rápidos y entradas; el primero es el comando {command:#} de {label}.</translation>
+    </message>
+    <message>
+        <source>Gouges not checked, because the job has no model with a volume.</source>
+        <translation>No se han comprobado cortes en el modelo, porque el trabajo no tiene un modelo con volumen.</translation>
+    </message>
+    <message>
+        <source>Gouges of {labels} not checked, because the tool is simulated by a simpler shape.</source>
+        <translation>No se han comprobado cortes en el modelo de {labels}, porque la herramienta se simula con una forma más simple.</translation>
+    </message>
+    <message>
+        <source>Shank, holder and clamps not checked.</source>
+        <translation>No se han comprobado vástago, portaherramientas ni bridas.</translation>
+    </message>
 </context>
 <context>
     <name>Strategy</name>

@@ -1109,6 +1109,82 @@
         <source>No clamps are given.</source>
         <translation>Aucune bride n&apos;est indiquée.</translation>
     </message>
+    <message>
+        <source>Nothing is checked yet.</source>
+        <translation>Rien n&apos;est encore vérifié.</translation>
+    </message>
+    <message>
+        <source>Nothing was checked, because no tool meets the stock.</source>
+        <translation>Rien n&apos;a été vérifié, car aucun outil ne rencontre le brut.</translation>
+    </message>
+    <message>
+        <source>No {what}, checked to {pixel:mm2}.</source>
+        <translation>Aucun problème ({what}), vérifié à {pixel:mm2} près.</translation>
+    </message>
+    <message>
+        <source>Checked to {pixel:mm2}.</source>
+        <translation>Vérifié à {pixel:mm2} près.</translation>
+    </message>
+    <message>
+        <source>collision, gouge or fast plunge</source>
+        <translation>collision, coupe dans le modèle ou plongée trop rapide</translation>
+    </message>
+    <message>
+        <source>collision or fast plunge</source>
+        <translation>collision ou plongée trop rapide</translation>
+    </message>
+    <message>
+        <source>1 rapid cuts into material.</source>
+        <translation>1 déplacement rapide coupe la matière.</translation>
+    </message>
+    <message>
+        <source>{count:n} rapids cut into material.</source>
+        <translation>{count:n} déplacements rapides coupent la matière.</translation>
+    </message>
+    <message>
+        <source>1 move collides.</source>
+        <translation>1 déplacement entre en collision.</translation>
+    </message>
+    <message>
+        <source>{count:n} moves collide.</source>
+        <translation>{count:n} déplacements entrent en collision.</translation>
+    </message>
+    <message>
+        <source>1 gouge is {depth:mm2} deep in the model.</source>
+        <translation>1 coupe entre de {depth:mm2} dans le modèle.</translation>
+    </message>
+    <message>
+        <source>{count:n} gouges are up to {depth:mm2} deep in the model.</source>
+        <translation>{count:n} coupes entrent jusqu&apos;à {depth:mm2} dans le modèle.</translation>
+    </message>
+    <message>
+        <source>1 plunge is too fast.</source>
+        <translation>1 plongée est trop rapide.</translation>
+    </message>
+    <message>
+        <source>{count:n} plunges are too fast.</source>
+        <translation>{count:n} plongées sont trop rapides.</translation>
+    </message>
+    <message>
+        <source>1 rapid or fast plunge was not checked for lack of time: command {command:#} of {label}.</source>
+        <translation>Faute de temps, 1 déplacement rapide ou plongée n&apos;a pas été vérifié : commande {command:#} de {label}.</translation>
+    </message>
+    <message>
+        <source>{count:n} rapids and fast plunges were not checked for lack of time, the first is command {command:#} of {label}.</source>
+        <translation>Faute de temps, {count:n} déplacements rapides et plongées n&apos;ont pas été vérifiés, le premier est la commande {command:#} de {label}.</translation>
+    </message>
+    <message>
+        <source>Gouges not checked, because the job has no model with a volume.</source>
+        <translation>Coupes dans le modèle non vérifiées, car la tâche n&apos;a pas de modèle avec un volume.</translation>
+    </message>
+    <message>
+        <source>Gouges of {labels} not checked, because the tool is simulated by a simpler shape.</source>
+        <translation>Coupes dans le modèle de {labels} non vérifiées, car l&apos;outil est simulé par une forme plus simple.</translation>
+    </message>
+    <message>
+        <source>Shank, holder and clamps not checked.</source>
+        <translation>Queue, porte-outil et brides non vérifiés.</translation>
+    </message>
 </context>
 <context>
     <name>Strategy</name>

@@ -1109,6 +1109,82 @@
         <source>No clamps are given.</source>
         <translation>未给出夹具。</translation>
     </message>
+    <message>
+        <source>Nothing is checked yet.</source>
+        <translation>尚未检查。</translation>
+    </message>
+    <message>
+        <source>Nothing was checked, because no tool meets the stock.</source>
+        <translation>未检查任何内容，因为没有刀具接触毛坯。</translation>
+    </message>
+    <message>
+        <source>No {what}, checked to {pixel:mm2}.</source>
+        <translation>没有{what}，检查精度为 {pixel:mm2}。</translation>
+    </message>
+    <message>
+        <source>Checked to {pixel:mm2}.</source>
+        <translation>检查精度为 {pixel:mm2}。</translation>
+    </message>
+    <message>
+        <source>collision, gouge or fast plunge</source>
+        <translation>碰撞、过切或过快的下刀</translation>
+    </message>
+    <message>
+        <source>collision or fast plunge</source>
+        <translation>碰撞或过快的下刀</translation>
+    </message>
+    <message>
+        <source>1 rapid cuts into material.</source>
+        <translation>1 个快速移动切入材料。</translation>
+    </message>
+    <message>
+        <source>{count:n} rapids cut into material.</source>
+        <translation>{count:n} 个快速移动切入材料。</translation>
+    </message>
+    <message>
+        <source>1 move collides.</source>
+        <translation>1 个移动发生碰撞。</translation>
+    </message>
+    <message>
+        <source>{count:n} moves collide.</source>
+        <translation>{count:n} 个移动发生碰撞。</translation>
+    </message>
+    <message>
+        <source>1 gouge is {depth:mm2} deep in the model.</source>
+        <translation>1 处过切，深入模型 {depth:mm2}。</translation>
+    </message>
+    <message>
+        <source>{count:n} gouges are up to {depth:mm2} deep in the model.</source>
+        <translation>{count:n} 处过切，最深深入模型 {depth:mm2}。</translation>
+    </message>
+    <message>
+        <source>1 plunge is too fast.</source>
+        <translation>1 次下刀过快。</translation>
+    </message>
+    <message>
+        <source>{count:n} plunges are too fast.</source>
+        <translation>{count:n} 次下刀过快。</translation>
+    </message>
+    <message>
+        <source>1 rapid or fast plunge was not checked for lack of time: command {command:#} of {label}.</source>
+        <translation>时间不足，1 个快速移动或快速下刀未检查：{label} 的第 {command:#} 条命令。</translation>
+    </message>
+    <message>
+        <source>{count:n} rapids and fast plunges were not checked for lack of time, the first is command {command:#} of {label}.</source>
+        <translation>时间不足，{count:n} 个快速移动和快速下刀未检查，第一个是 {label} 的第 {command:#} 条命令。</translation>
+    </message>
+    <message>
+        <source>Gouges not checked, because the job has no model with a volume.</source>
+        <translation>未检查过切，因为任务没有实体模型。</translation>
+    </message>
+    <message>
+        <source>Gouges of {labels} not checked, because the tool is simulated by a simpler shape.</source>
+        <translation>未检查 {labels} 的过切，因为刀具由更简单的形状模拟。</translation>
+    </message>
+    <message>
+        <source>Shank, holder and clamps not checked.</source>
+        <translation>未检查刀柄、刀夹和夹具。</translation>
+    </message>
 </context>
 <context>
     <name>Strategy</name>

@@ -30,7 +30,7 @@ from vkworkbench.core import (
     stock_around,
     trajectory_seconds,
 )
-from vkworkbench.core.zbuffer import estimate_job, facts, memory_needed
+from vkworkbench.core.zbuffer import CrashCheck, estimate_job, facts, memory_needed
 from vkworkbench.report import Report
 
 PATH = linearize([("G0", {"X": 0, "Y": 0, "Z": 5}), ("G1", {"Z": -1, "F": 5}), ("G1", {"X": 50})])
@@ -54,7 +54,7 @@ class Quantity:
 
 NUMBERS = {  # calls with a number that must be finite and not negative, by the argument's name
     "memory_budget": lambda given: simulate(PATH, **WITH, memory_budget=given),
-    "tolerance": lambda given: facts(DONE, tolerance=given),
+    "tolerance": lambda given: facts(DONE, CrashCheck(), tolerance=given),
     " tolerance": lambda given: linearize([], tolerance=given),
     "horizontal_rapid": lambda given: machining(PATH, horizontal_rapid=given),
     "vertical_rapid": lambda given: trajectory_seconds(PATH, vertical_rapid=given),
@@ -156,7 +156,7 @@ def test_number_like_values_are_accepted():
     assert View(pixel=Quantity(0.5)).pixel == 0.5 and View(offset=np.array([1, 2])).offset == (1.0, 2.0)
     assert best_resolution([FOUND], memory_bytes=Quantity(1e8)).memory_bytes <= 1e8
     assert simulate(PATH, **WITH, memory_budget=float("inf"), processes=np.int64(1)).at(np.int64(1)).step == 1
-    assert facts(DONE, tolerance=Quantity(0.0)).job.removed_volume > 0
+    assert facts(DONE, CrashCheck(), tolerance=Quantity(0.0)).job.removed_volume > 0
 
 
 def test_a_long_argument_is_shortened():

@@ -13,11 +13,13 @@ from typing import Any
 
 import numpy as np
 
-from vkworkbench.core.zbuffer import FACT_COLUMNS, CutFacts
+from vkworkbench.core.zbuffer import FACT_COLUMNS, PENDING, CutFacts, Verdict
 from vkworkbench.given import check_file_name
 from vkworkbench.language import ENGLISH, Message, render
 from vkworkbench.report.spreadsheet import as_cell
 from vkworkbench.report.text_table import how_many, line, printable, widths_of
+
+_WIDTH = 400  # characters of a remark below the table
 
 
 @dataclass(frozen=True)
@@ -38,6 +40,8 @@ class SimulationFacts:
         Columns with one value for each trajectory, see `core.zbuffer.trajectory_table`.
     remarks : tuple of Message
         Remarks on the simulation, e.g. tools that were simulated only approximately.
+    verdict : Verdict
+        Faults, fineness and gaps of the check.
     """
 
     operations: tuple[tuple[str, CutFacts], ...]
@@ -46,16 +50,27 @@ class SimulationFacts:
     fingerprints: tuple[str, ...]
     trajectories: Mapping[str, np.ndarray]
     remarks: tuple[Message, ...] = ()
+    verdict: Verdict = PENDING
 
     def __repr__(self) -> str:
         """Return one line for consoles. `print` prints the table."""
         return f"<SimulationFacts of {how_many(len(self.operations), 'operation')}>"
+
+    @property
+    def sentence(self) -> Message:
+        """The verdict as a message."""
+        return self.verdict.message([label for label, _ in self.operations])
 
     def as_dict(self) -> dict[str, Any]:
         """Return the facts as numbers, strings and lists, in mm, s, mm^3 and mm^3/min."""
         return {
             "operations": [{"label": label, **facts.as_dict()} for label, facts in self.operations],
             "job": self.job.as_dict(),
+            "pixel": self.verdict.pixel,
+            "verdict": render(self.sentence),
+            "unchecked": [
+                {"label": self.operations[one.cut][0], "command": one.command} for one in self.verdict.unchecked
+            ],
             "remarks": [render(remark) for remark in self.remarks],
         }
 
@@ -103,7 +118,10 @@ class SimulationFacts:
         rows = [header, *(_row(label, facts) for label, facts in (*self.operations, ("job", self.job)))]
         widths = widths_of(rows)
         return "\n".join(
-            [*(line(row, widths, left={0}) for row in rows), *(printable(render(one), 200) for one in self.remarks)]
+            [
+                *(line(row, widths, left={0}) for row in rows),
+                *(printable(render(one), _WIDTH) for one in (self.sentence, *self.remarks)),
+            ]
         )
 
 

@@ -10,14 +10,15 @@ from types import SimpleNamespace
 
 import numpy as np
 
-from vkworkbench.core.zbuffer import CutFacts
+from vkworkbench.core.zbuffer import CutFacts, Source, Verdict
 from vkworkbench.language import Message, render
 from vkworkbench.report import SimulationFacts
 
 
 def fault(command=None, **numbers):
     """Return a faulty place, caused by a command or by no command."""
-    return SimpleNamespace(source=command and SimpleNamespace(command=command), place=(1.0, 2.0, 3.0), **numbers)
+    source = command and SimpleNamespace(command=command)
+    return SimpleNamespace(source=source, last=source, place=(1.0, 2.0, 3.0), **numbers)
 
 
 CLEAN = CutFacts(
@@ -52,11 +53,11 @@ def read(path):
 
 
 def test_the_table_has_a_line_for_each_operation_and_one_for_all():
-    header, clean, faulty, job = str(FOUND).splitlines()
+    header, clean, faulty, job, verdict = str(FOUND).splitlines()
     assert header.split()[0] == "operation"
     assert clean.split() == ["Fräsen", "12.34", "18.51", "30.00", "25%"]  # nothing is wrong with it
     assert faulty.split() == ["=Pocket", "12.34", "18.51", "30.00", "25%", "2", "1", "0.8", "mm", "1.5", "mm"]
-    assert job.split() == ["job", *faulty.split()[1:]]
+    assert job.split() == ["job", *faulty.split()[1:]] and verdict == "Nothing is checked yet."
 
 
 def test_simulation_remarks_stand_below_table(tmp_path):
@@ -67,6 +68,20 @@ def test_simulation_remarks_stand_below_table(tmp_path):
     assert json.loads((tmp_path / "facts.json").read_text(encoding="utf-8"))["remarks"] == [render(told.remarks[0])]
 
 
+def test_verdict_stands_below_table_and_in_file(tmp_path):
+    unchecked = (Source(1, 4, 4), Source(1, 9, 9))
+    found = replace(FOUND, verdict=Verdict(pixel=0.125, met=True, crashes=2, unchecked=unchecked))
+    text = (
+        "2 rapids cut into material. Checked to 0.12 mm. 2 rapids and fast plunges were not checked for lack of time, the first is "
+        "command 5 of =Pocket. Shank, holder and clamps not checked."
+    )
+    assert str(found).splitlines()[-1] == text
+    found.to_json(tmp_path / "facts.json")
+    data = json.loads((tmp_path / "facts.json").read_text(encoding="utf-8"))
+    assert (data["verdict"], data["pixel"]) == (text, 0.125)
+    assert data["unchecked"] == [{"label": "=Pocket", "command": 4}, {"label": "=Pocket", "command": 9}]
+
+
 def test_a_console_shows_facts_in_a_line():
     assert repr(FOUND) == f"<SimulationFacts of {len(FOUND.operations)} operations>"
     assert repr(replace(FOUND, operations=FOUND.operations[:1])) == "<SimulationFacts of 1 operation>"
@@ -74,7 +89,7 @@ def test_a_console_shows_facts_in_a_line():
 
 def test_table_columns_fit_widest_cell():
     found = replace(FOUND, operations=(("A long label " * 3, CLEAN), ("x" * 70, CLEAN)))
-    header, long, longest, job = str(found).splitlines()
+    header, long, longest, job, _ = str(found).splitlines()
     assert longest.startswith("x" * 59 + "…  ") and long.startswith("A long label")
     assert header.index("removed, cm3") == 60 + 2
     for line in (long, longest, job):  # numbers end below the end of their title

@@ -170,16 +170,37 @@ def test_every_strip_of_64_rows_of_a_model_may_end_the_work():
     assert len(strips) == 3
 
 
-def test_each_cut_has_one_worst_gouge_and_all_of_its_area():
+def test_every_gouge_has_its_first_and_last_command():
     """The first cut makes slots 3 and 4 mm deep, and the second cut a slot 5 mm deep, all 30 mm long and 6 mm wide."""
-    one = path((5, 5, 7), (35, 5, 7), (35, 5, 20), (5, 25, 20), (5, 25, 6), (35, 25, 6))
+    one = path((5, 5, 7), (20, 5, 7), (35, 5, 7), (35, 5, 20), (5, 25, 20), (5, 25, 6), (35, 25, 6))
     two = path((5, 15, 5), (35, 15, 5))
     z = simulated(one, two)
     found = gouges(z, deviations(z, BOX), 0.1)
-    assert [gouge.depth for gouge in found] == pytest.approx([5, 4]) and [gouge.source.cut for gouge in found] == [1, 0]
-    assert [gouge.trajectory for gouge in found] == [len(one), 3]  # the plunge into the deeper slot comes first
-    assert [gouge.area for gouge in found] == pytest.approx([180 + 9 * np.pi, 2 * (180 + 9 * np.pi)], rel=0.05)
+    assert [gouge.depth for gouge in found] == pytest.approx([5, 4, 3])
+    commands = [(gouge.source.cut, gouge.source.command, gouge.last.command) for gouge in found]
+    assert commands == [(1, 0, 0), (0, 4, 5), (0, 0, 1)] and [gouge.trajectory for gouge in found] == [6, 4, 0]
+    assert [gouge.area for gouge in found] == pytest.approx([180 + 9 * np.pi] * 3, rel=0.05)
     assert material_left(z, deviations(z, BOX), 0.1) == []
+
+
+def test_forty_holes_are_forty_gouges():
+    places = [(4.5 * column + 2, 4.5 * row + 2) for row in range(5) for column in range(8)]
+    z = simulate_job(
+        [Cut(path(*((x, y, z) for x, y in places for z in (12, 9, 12))), Tool("endmill", 2))], stock=BOX, view=VIEW
+    )
+    found = gouges(z, deviations(z, BOX), 0.1)
+    assert sorted(gouge.source.command for gouge in found) == [3 * k for k in range(40)]
+
+
+def test_allowed_depth_of_a_cut_is_not_a_gouge():
+    """An engraving 0.3 mm deep; the second line is 0.8 mm deep. A tool that stands for another shape has no gouges."""
+    lines = path((5, 5, 12), (5, 5, 9.7), (35, 5, 9.7), (35, 5, 12), (5, 25, 12), (5, 25, 9.2), (35, 25, 9.2))
+
+    def depths(allowed):
+        z = simulate_job([Cut(lines, FLAT, 0.0, allowed)], stock=BOX, view=VIEW)
+        return [round(gouge.depth, 3) for gouge in gouges(z, deviations(z, BOX), 0.1)]
+
+    assert depths(0.0) == [0.8, 0.3] and depths(0.3) == [0.8] and depths(0.8) == depths(np.inf) == []
 
 
 def test_the_stocks_own_surface_was_made_by_no_cut():

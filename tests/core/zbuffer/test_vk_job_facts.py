@@ -8,10 +8,10 @@ from math import pi
 
 import numpy as np
 import pytest
-from zbuffer_inputs import toolpath
+from zbuffer_inputs import facts, toolpath
 
 from vkworkbench.core import Cut, Stock, Tool, View
-from vkworkbench.core.zbuffer import facts, removed_volumes, simulate_job
+from vkworkbench.core.zbuffer import removed_volumes, simulate_job
 
 BLOCK, MODEL = Stock((0, 0, 0), (40, 30, 10)), Stock((0, 0, 0), (40, 30, 8))
 FLAT, VIEW = Tool("endmill", 6), View((0, 0, -1), 400, 300)  # pixels of 0.1 mm

@@ -9,14 +9,13 @@ from types import SimpleNamespace
 
 import numpy as np
 import pytest
-from zbuffer_inputs import DIRECTIONS, helix, toolpath
+from zbuffer_inputs import DIRECTIONS, facts, helix, toolpath
 
 from vkworkbench.core import Cut, Stock, Tool, View, linearize
 from vkworkbench.core.zbuffer import (
     crashes,
     cuts_air,
     engagement,
-    facts,
     fast_plunges,
     removal_rates,
     removed_volumes,

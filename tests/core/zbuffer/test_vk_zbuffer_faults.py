@@ -8,7 +8,7 @@ from math import pi
 
 import numpy as np
 import pytest
-from zbuffer_inputs import toolpath
+from zbuffer_inputs import facts, toolpath
 
 from vkworkbench.core import Cut, Stock, Tool, View
 from vkworkbench.core.zbuffer import (
@@ -16,7 +16,6 @@ from vkworkbench.core.zbuffer import (
     cuts_air,
     deviations,
     engagement,
-    facts,
     gouges,
     removed_volumes,
     simulate_job,

@@ -7,12 +7,14 @@ time estimated from sampled rays; `Resolution`, the finest image within a budget
 too much memory; `Speed`, the speed of this computer.
 """
 
+from vkworkbench.core.zbuffer.cost.axis_view import axis_view
 from vkworkbench.core.zbuffer.cost.bound import cauchy_crofton, cuts_surely, may_cut, most_bytes
 from vkworkbench.core.zbuffer.cost.effort import WORK_UNITS
 from vkworkbench.core.zbuffer.cost.estimate import Estimate, estimate, estimate_job
 from vkworkbench.core.zbuffer.cost.resolution import Resolution, best_resolution, heaviest, passes_apart
 from vkworkbench.core.zbuffer.cost.speed import Speed, fit_speed, measure_speed
 from vkworkbench.core.zbuffer.findings.collisions import Collision, Collisions, holder_collisions
+from vkworkbench.core.zbuffer.findings.crash_check import CrashCheck, check_crashes
 from vkworkbench.core.zbuffer.findings.deviations import (
     TOLERANCE,
     Deviation,
@@ -30,6 +32,7 @@ from vkworkbench.core.zbuffer.findings.facts import (
 from vkworkbench.core.zbuffer.findings.faults import Crash, Plunge, crashes, fast_plunges
 from vkworkbench.core.zbuffer.findings.job_facts import FACT_COLUMNS, CutFacts, JobFacts, facts
 from vkworkbench.core.zbuffer.findings.seen_model import Deviations, SeenModel, deviations
+from vkworkbench.core.zbuffer.findings.verdict import PENDING, Verdict
 from vkworkbench.core.zbuffer.memory.memory import OverBudget, Peak, memory_needed
 from vkworkbench.core.zbuffer.rays.records import DEXEL, RECORD_BYTES, TRACE
 from vkworkbench.core.zbuffer.simulator.moments import ZBuffer
@@ -38,9 +41,10 @@ from vkworkbench.core.zbuffer.simulator.simulate import simulate, simulate_job
 from vkworkbench.core.zbuffer.sweeps.cuts import Cut, Cuts, Source
 
 __all__ = [
-    "DEXEL", "FACT_COLUMNS", "RECORD_BYTES", "TOLERANCE", "TRACE", "WORK_UNITS", "Collision", "Collisions", "Crash", "Cut", "CutFacts", "Cuts", "Deviation",
+    "DEXEL", "FACT_COLUMNS", "PENDING", "RECORD_BYTES", "TOLERANCE", "TRACE", "WORK_UNITS", "Collision", "Collisions",
+    "Crash", "CrashCheck", "Cut", "CutFacts", "Cuts", "Deviation",
     "Deviations", "Estimate", "JobFacts", "OverBudget", "Peak", "Plunge", "Resolution", "SeenModel",
-    "Source", "Speed", "ZBuffer", "best_resolution", "cauchy_crofton",
+    "Source", "Speed", "Verdict", "ZBuffer", "axis_view", "best_resolution", "cauchy_crofton", "check_crashes",
     "crashes", "cuts_air", "cuts_surely", "deviations", "engagement", "estimate", "estimate_job",
     "facts", "fast_plunges", "fit_speed", "gouges", "heaviest", "holder_collisions", "material_left", "may_cut", "measure_speed",
     "memory_needed", "most_bytes", "passes_apart", "removal_rates", "removed_volumes",

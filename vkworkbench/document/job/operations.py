@@ -260,7 +260,8 @@ def _bases(obj) -> list:
     return [b for b in candidates if is_object(b) and has_toolpath(b)]
 
 
-def _all_bases(obj) -> Iterator:
+def all_bases(obj) -> Iterator:
+    """Yield the bases of a dress-up or array, and their bases, each once."""
     seen = {obj.Name}
     pending = _bases(obj)
     while pending:
@@ -273,7 +274,7 @@ def _all_bases(obj) -> Iterator:
 
 def _dressed(obj) -> Iterator:
     """Yield the bases that are not posted because a dress-up replaces them. The bases of an array are posted."""
-    for base in _all_bases(obj):
+    for base in all_bases(obj):
         yield base
         if kind(base) == "array":
             return
@@ -314,7 +315,7 @@ def job_of(obj):
 
 def through_bases(obj, wanted: freecad.Property):
     """Return a property of an operation, or of its dressed-up base; None if neither has the property."""
-    for one in (obj, *_all_bases(obj)):
+    for one in (obj, *all_bases(obj)):
         value = wanted.of(one)
         if value is not None:
             return value
@@ -323,7 +324,7 @@ def through_bases(obj, wanted: freecad.Property):
 
 def takes_tool(obj) -> bool:
     """Return whether an operation or its base needs a tool, even if its tool controller is not set."""
-    return any(map(freecad.CONTROLLER.is_in, (obj, *_all_bases(obj))))
+    return any(map(freecad.CONTROLLER.is_in, (obj, *all_bases(obj))))
 
 
 def is_active(obj, _above: tuple[str, ...] = ()) -> bool:
@@ -338,4 +339,4 @@ def is_active(obj, _above: tuple[str, ...] = ()) -> bool:
 
 def is_imported(obj) -> bool:
     """Return whether a toolpath, or the toolpath of a base, may come from a file."""
-    return any(map(freecad.is_imported, (obj, *_all_bases(obj))))
+    return any(map(freecad.is_imported, (obj, *all_bases(obj))))

@@ -43,6 +43,7 @@ from vkworkbench.document.job.setting import (
     vertical_feed,
 )
 from vkworkbench.document.job.solids import form_of_stock, have_equal_shapes, model_shapes, shapes_of_model, stock_solid
+from vkworkbench.document.simulation.allowed_depth import allowed_depth, with_stroke_depth
 from vkworkbench.document.simulation.job import SimulatedJob, SimulatedOperation
 from vkworkbench.language import Message, Unusable
 
@@ -58,6 +59,7 @@ class _Copied:
     placement: object
     tool: Tool | None
     vertical_feed: float
+    allowed_depth: float  # see `Cut`
     remark: Message | None  # on the tool
 
 
@@ -105,6 +107,8 @@ class JobCopy:
         self._stock, remark = stock_solid(job, self._box)
         self._model_shapes = model_shapes(job)
         self._model = shapes_of_model(job)
+        # Height of the surface that an engraving is cut into, mm.
+        self._top = max((shape.BoundBox.ZMax for shape in self._model_shapes), default=float(self._box.upper[2]))
         self._settings: dict[str, str] = {}  # fingerprints, by the names of operations
         self._paths: dict[str, str] = {}
         self._given_clamps = None if clamps is None else tuple(clamps)
@@ -185,7 +189,7 @@ class JobCopy:
             raise Unusable(remarks[0] if remarks else Message("nothing-to-simulate"))
         return SimulatedJob(
             tuple(one.operation for one in cuts),
-            tuple(one.cut for one in cuts),
+            tuple(with_stroke_depth(one.operation, one.cut, self._top) for one in cuts),
             tuple(one.as_read for one in cuts),
             tuple(one.listing for one in cuts),
             self._stock,
@@ -235,7 +239,8 @@ def _copied(obj, box: Stock, form: tuple, holder: dict[str, float]) -> _Copied:
     if tool is not None and tool.holder_diameter is None:
         tool = replace(tool, **holder)
     operation = SimulatedOperation(obj.Document.Name, obj.Name, obj.Label, rapids, is_imported(obj), setting)
-    return _Copied(operation, obj.Path, obj.Placement, tool, vertical_feed(obj), remark)
+    allowed = allowed_depth(obj, tool, remark)
+    return _Copied(operation, obj.Path, obj.Placement, tool, vertical_feed(obj), allowed, remark)
 
 
 def _linearized(copied: _Copied, tolerance: float) -> ReadCut:
@@ -258,7 +263,7 @@ def _linearized(copied: _Copied, tolerance: float) -> ReadCut:
             if rotary_cut(toolpath) or not len(toolpath):
                 found = unread
             else:
-                cut = Cut(feeding, copied.tool, copied.vertical_feed)
+                cut = Cut(feeding, copied.tool, copied.vertical_feed, copied.allowed_depth)
                 found = [*found, minutes, *unread]
     remarks = tuple(Message("of", label=operation.label, sentence=remark) for remark in found if remark)
     return ReadCut(operation, cut, toolpath, listing, remarks)

@@ -13,7 +13,8 @@ import numpy as np
 from vkworkbench import preferences
 from vkworkbench.core import Solid, View, ZBuffer, simulate_job
 from vkworkbench.core.rendering import CUT, colors_of, palette, png, shade
-from vkworkbench.core.zbuffer import TOLERANCE, OverBudget, facts, trajectory_table
+from vkworkbench.core.zbuffer import TOLERANCE, OverBudget, trajectory_table
+from vkworkbench.document.simulation.along_axis import OnceAlongAxis
 from vkworkbench.document.simulation.copy import read_job
 from vkworkbench.document.simulation.job import SimulatedJob, SimulatedOperation
 from vkworkbench.given import check_file_name, of_kind
@@ -107,9 +108,8 @@ def simulate_read(
     job: SimulatedJob, view: View, memory_budget: float, going_on: Callable[[float], None] = lambda _: None
 ) -> Simulation:
     """Simulate a job that was read; see :func:`simulate`. Runs in any thread, because it uses nothing of FreeCAD."""
-    return Simulation(
-        job, simulate_job(job.cuts, stock=job.stock, view=view, memory_budget=memory_budget, going_on=going_on)
-    )
+    zbuffer = simulate_job(job.cuts, stock=job.stock, view=view, memory_budget=memory_budget, going_on=going_on)
+    return Simulation(job, zbuffer, OnceAlongAxis(job, memory_budget))
 
 
 @dataclass(frozen=True, eq=False)
@@ -121,10 +121,13 @@ class Simulation:
     job : SimulatedJob
     zbuffer : ZBuffer
         Depth and owner of every pixel, dexels and traces.
+    along_axis : OnceAlongAxis
+        The simulation along the tool axis, from which the facts come.
     """
 
     job: SimulatedJob
     zbuffer: ZBuffer
+    along_axis: OnceAlongAxis
 
     def __repr__(self) -> str:
         return f"<Simulation of {how_many(len(self.job.operations), 'operation')}, {self.step} of {self.trajectories} trajectories>"
@@ -177,7 +180,8 @@ class Simulation:
     def facts(self, *, tolerance: float = TOLERANCE) -> SimulationFacts:
         """Return what each operation and the job remove, and where they cut air, crash, plunge too fast, gouge or leave material.
 
-        Passes closer than a pixel cannot be distinguished. For a part with walls, the view from above is best.
+        The facts do not depend on the view and the moment. They come from a simulation along the tool axis, which the first
+        call makes, as fine as is useful and as the budgets allow.
 
         Parameters
         ----------
@@ -193,11 +197,11 @@ class Simulation:
         """
         labels = [operation.label for operation in self.job.operations]
         names = tuple((operation.document, operation.name) for operation in self.job.operations)
-        zbuffer = self.at(self.trajectories).zbuffer
-        found = facts(zbuffer, model=self.job.model, tolerance=tolerance)
+        axis = self.along_axis()
+        found = axis.facts(tolerance)
         fingerprints = tuple(operation.fingerprint for operation in self.job.operations)
-        operations = tuple(zip(labels, found.cuts))
-        return SimulationFacts(operations, found.job, names, fingerprints, trajectory_table(zbuffer), self.job.remarks)
+        operations, table = tuple(zip(labels, found.cuts)), trajectory_table(axis.zbuffer)
+        return SimulationFacts(operations, found.job, names, fingerprints, table, self.job.remarks, found.verdict)
 
     def source(self, trajectory: int) -> tuple[SimulatedOperation, int]:
         """Return the operation of a trajectory and the index of its command in the operation's Path.

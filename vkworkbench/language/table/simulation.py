@@ -50,6 +50,46 @@ SIMULATION: dict[str, str | tuple[str, str]] = {
     "picture-in-time": QT_TRANSLATE_NOOP(
         "Sentences", "A finer picture would take longer than the {allowed:s} limit in the preferences."
     ),
+    # The verdict on a job.
+    "verdict": QT_TRANSLATE_NOOP("Sentences", "{sentences}"),
+    "verdict-pending": QT_TRANSLATE_NOOP("Sentences", "Nothing is checked yet."),
+    "verdict-nothing": QT_TRANSLATE_NOOP("Sentences", "Nothing was checked, because no tool meets the stock."),
+    "verdict-sound": QT_TRANSLATE_NOOP("Sentences", "No {what}, checked to {pixel:mm2}."),
+    "verdict-checked": QT_TRANSLATE_NOOP("Sentences", "Checked to {pixel:mm2}."),
+    "verdict-kinds": QT_TRANSLATE_NOOP("Sentences", "collision, gouge or fast plunge"),
+    "verdict-kinds-without-model": QT_TRANSLATE_NOOP("Sentences", "collision or fast plunge"),
+    "verdict-crashes": (
+        QT_TRANSLATE_NOOP("Sentences", "1 rapid cuts into material."),
+        QT_TRANSLATE_NOOP("Sentences", "{count:n} rapids cut into material."),
+    ),
+    "verdict-collisions": (
+        QT_TRANSLATE_NOOP("Sentences", "1 move collides."),
+        QT_TRANSLATE_NOOP("Sentences", "{count:n} moves collide."),
+    ),
+    "verdict-gouges": (
+        QT_TRANSLATE_NOOP("Sentences", "1 gouge is {depth:mm2} deep in the model."),
+        QT_TRANSLATE_NOOP("Sentences", "{count:n} gouges are up to {depth:mm2} deep in the model."),
+    ),
+    "verdict-plunges": (
+        QT_TRANSLATE_NOOP("Sentences", "1 plunge is too fast."),
+        QT_TRANSLATE_NOOP("Sentences", "{count:n} plunges are too fast."),
+    ),
+    "verdict-unchecked": (
+        QT_TRANSLATE_NOOP(
+            "Sentences", "1 rapid or fast plunge was not checked for lack of time: command {command:#} of {label}."
+        ),
+        QT_TRANSLATE_NOOP(
+            "Sentences",
+            "{count:n} rapids and fast plunges were not checked for lack of time, the first is command {command:#} of {label}.",
+        ),
+    ),
+    "verdict-no-model": QT_TRANSLATE_NOOP(
+        "Sentences", "Gouges not checked, because the job has no model with a volume."
+    ),
+    "verdict-unjudged": QT_TRANSLATE_NOOP(
+        "Sentences", "Gouges of {labels} not checked, because the tool is simulated by a simpler shape."
+    ),
+    "attachments-unchecked": QT_TRANSLATE_NOOP("Sentences", "Shank, holder and clamps not checked."),
     # A fault of an operation, in the results.
     "simulated": (
         QT_TRANSLATE_NOOP("Sentences", "The simulation shows a fault at command {command:#}: {fault}"),

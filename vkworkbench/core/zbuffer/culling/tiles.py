@@ -13,7 +13,7 @@ Only pairs that remove nothing are dropped, so the pieces of all rays stay the s
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from typing import NamedTuple, Protocol
 
@@ -179,10 +179,28 @@ def small_tiles(trajectories: Trajectories, bounds: Bounds, region: Region) -> I
         Number of pairs of a tile or pixel and a trajectory that were tested for these tiles.
     """
     left = np.arange(region.left, region.right, TILE)
-    pending = [first_tiles(trajectories, left, np.full(len(left), region.bottom))]
+    return divided(trajectories, bounds, first_tiles(trajectories, left, np.full(len(left), region.bottom)))
+
+
+def divided(
+    trajectories: Trajectories, bounds: Bounds, tiles: Tiles, needed: Callable[[Tiles], Tiles] = lambda tiles: tiles
+) -> Iterator[tuple[Tiles, int]]:
+    """Divide tiles, which may lie anywhere in the image, and yield the small tiles as `small_tiles` does.
+
+    Parameters
+    ----------
+    trajectories : Trajectories
+    bounds : Bounds
+        Bounds of the same view.
+    tiles : Tiles
+    needed : callable, optional
+        Returns the needed part of tiles: some of the tiles, each with the first trajectories of its list. Called at each level.
+    """
+    pending = [tiles]
     tested = 0
     while pending:
         for block in pending.pop().blocks(PAIRS_AT_ONCE):
+            block = needed(block)
             fine = are_small(block, bounds.slow)
             if not fine.all():
                 coarse = block.selected(~fine)

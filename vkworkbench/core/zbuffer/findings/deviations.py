@@ -3,11 +3,13 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
 from typing import NamedTuple
 
 import numpy as np
 
+from vkworkbench.core.view import Frame
 from vkworkbench.core.zbuffer.findings.seen_model import Deviations, SeenModel, around
 from vkworkbench.core.zbuffer.findings.surface_distance import farthest
 from vkworkbench.core.zbuffer.rays.records import GAP, first_not_below
@@ -20,25 +22,30 @@ TOLERANCE = 0.1
 
 # Side of the tiles that group deviating pixels, as a share of the image's shorter side. Deviations in neighbouring tiles are one place.
 _APART = 0.02
+# Number of tiles along the image's longer side that group the pixels of a gouge. More: gouges close to each other stay apart. Fewer:
+# a gouge that the pixels show in pieces stays one gouge.
+_TILES = 500
 
 
 @dataclass(frozen=True)
 class Deviation:
-    """The worst place of a gouge or of leftover material, for one cut or for one connected group of pixels.
+    """A gouge, or the worst place of leftover material, for one cut or for one connected group of pixels.
 
     Attributes
     ----------
     trajectory : int or None
-        For leftover material: the trajectory that made the part's surface. For a gouge: the trajectory that removed the
+        For leftover material: the trajectory that made the part's surface. For a gouge: the first trajectory that removed
         material at the model's surface. None if this surface belongs to the uncut stock.
     source : Source or None
         Cut and command of the trajectory.
     place : (3,) tuple of float
-        Point of the part's surface, mm; of the model's far side if the part is gone there.
+        Point of the part's surface at which the depth is largest, mm; of the model's far side if the part is gone there.
     depth : float
-        Distance between the surfaces of part and model, mm; see `surface_distance.farthest`.
+        Largest distance between the surfaces of part and model, mm; see `surface_distance.farthest`.
     area : float
         Area of the image in which the cut, or the group of pixels, exceeds the tolerance along the view, mm^2.
+    last : Source or None
+        For a gouge of a cut: the last command that removed material at the model's surface.
     """
 
     trajectory: int | None
@@ -46,10 +53,13 @@ class Deviation:
     place: tuple[float, float, float]
     depth: float
     area: float
+    last: Source | None = None
 
 
 def gouges(zbuffer: ZBuffer, found: Deviations, tolerance: float) -> list[Deviation]:
-    """Return the worst gouge of each cut, the deepest first.
+    """Return every gouge, the deepest first: connected pixels in which one cut exceeds the tolerance and its allowed depth.
+
+    The places where the stock lacks material of the model are one deviation without a source.
 
     Parameters
     ----------
@@ -57,18 +67,60 @@ def gouges(zbuffer: ZBuffer, found: Deviations, tolerance: float) -> list[Deviat
     found : Deviations
         Deviations of this `zbuffer`.
     tolerance : float
-        Largest depth that is not a gouge, mm.
+        Largest depth that is not a gouge, mm; `Cut.allowed_depth` is added.
 
     Returns
     -------
     list of Deviation
     """
-    return _worst_by_cut(zbuffer, _gouge_gap(found), tolerance)
+    gap = _gouge_gap(found)
+    pixels, maker = _find_makers(zbuffer, gap, tolerance)
+    cut = _cuts_of(zbuffer, maker)
+    deepest: list[Deviation] = []
+    for own in np.unique(cut):
+        group = np.flatnonzero(cut == own)
+        if own < 0:
+            deepest += _worst_place(zbuffer, gap, pixels[group], maker[group], tolerance)
+            continue
+        least = tolerance + zbuffer.cuts.cuts[own].allowed_depth
+        group = group[gap.along[pixels[group]] > least]
+        for one in _connected(zbuffer.frame, pixels[group]):
+            deepest += _gouge(zbuffer, gap, pixels[group[one]], maker[group[one]], least)
+    return sorted(deepest, key=_negative_depth)
+
+
+def _gouge(zbuffer: ZBuffer, gap: _Gap, pixels: np.ndarray, maker: np.ndarray, least: float) -> list[Deviation]:
+    """Return the gouge of connected pixels (k,), or nothing if its depth is at most `least`."""
+    source, first, last = zbuffer.cuts.source, int(maker.min()), int(maker.max())
+    worst = _worst_place(zbuffer, gap, pixels, maker, least)
+    return [replace(one, trajectory=first, source=source(first), last=source(last)) for one in worst]
+
+
+def _connected(frame: Frame, pixels: np.ndarray) -> Iterator[np.ndarray]:
+    """Yield the positions in `pixels` (k,), numbers in the flat image, of each group of connected tiles."""
+    side = max(1, round(max(frame.height, frame.width) / _TILES))
+    columns = -(-frame.width // side)
+    row, column = np.divmod(pixels, frame.width)
+    tile = row // side * columns + column // side
+    order = np.argsort(tile, kind="stable")
+    deviating = np.zeros((-(-frame.height // side), columns), bool)
+    deviating.ravel()[tile] = True
+    ends = np.searchsorted(tile[order], np.arange(deviating.size + 1))
+    while deviating.any():
+        tiles = _clear_group(deviating, *divmod(int(deviating.argmax()), columns))
+        yield np.sort(np.concatenate([order[ends[own] : ends[own + 1]] for own in tiles]))
 
 
 def material_left(zbuffer: ZBuffer, found: Deviations, tolerance: float) -> list[Deviation]:
     """Return the thickest leftover material of each cut, the thickest first. Arguments as for `gouges`."""
-    return _worst_by_cut(zbuffer, _leftover_gap(found), tolerance)
+    gap = _leftover_gap(found)
+    pixels, maker = _find_makers(zbuffer, gap, tolerance)
+    cut = _cuts_of(zbuffer, maker)
+    worst: list[Deviation] = []
+    for own in np.unique(cut):
+        group = np.flatnonzero(cut == own)
+        worst += _worst_place(zbuffer, gap, pixels[group], maker[group], tolerance)
+    return sorted(worst, key=_negative_depth)
 
 
 def worst_places(
@@ -147,17 +199,6 @@ def _clear_group(worst: np.ndarray, row: int, column: int) -> list[int]:
         worst[beside[:, 0], beside[:, 1]] = 0
         pending += map(tuple, beside.tolist())
     return taken
-
-
-def _worst_by_cut(zbuffer: ZBuffer, gap: _Gap, tolerance: float) -> list[Deviation]:
-    """Return the worst place of each cut, the worst first."""
-    pixels, maker = _find_makers(zbuffer, gap, tolerance)
-    cut = _cuts_of(zbuffer, maker)
-    worst: list[Deviation] = []
-    for own in np.unique(cut):
-        group = np.flatnonzero(cut == own)
-        worst += _worst_place(zbuffer, gap, pixels[group], maker[group], tolerance)
-    return sorted(worst, key=_negative_depth)
 
 
 def _negative_depth(deviation: Deviation) -> float:

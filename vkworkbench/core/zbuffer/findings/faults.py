@@ -10,8 +10,8 @@ import numpy as np
 
 from vkworkbench.core.tool import Tool
 from vkworkbench.core.toolpath import Toolpath
-from vkworkbench.core.view import Frame
 from vkworkbench.core.zbuffer.findings.facts import removed_volumes
+from vkworkbench.core.zbuffer.findings.removed_pieces import RemovedPieces, pieces_of
 from vkworkbench.core.zbuffer.simulator.moments import ZBuffer
 from vkworkbench.core.zbuffer.sweeps.cuts import Cuts, Source
 from vkworkbench.core.zbuffer.sweeps.intervals import headings, lowest
@@ -60,6 +60,8 @@ class Crash:
 def crashes(zbuffer: ZBuffer) -> list[Crash]:
     """Return the rapids that remove material, except those that only touch a wall or flank with the tool's side.
 
+    A rapid that removes less than a pixel may be missed; `check_crashes` finds it.
+
     Parameters
     ----------
     zbuffer : ZBuffer
@@ -69,44 +71,50 @@ def crashes(zbuffer: ZBuffer) -> list[Crash]:
     list of Crash
         In the order of the trajectories.
     """
-    records, frame = zbuffer.records, zbuffer.frame
-    pieces, pixel, near = records.pieces_of(zbuffer.cuts.rapid)
-    if len(pieces) == 0:
+    return crashes_among(zbuffer.cuts, pieces_of(zbuffer, zbuffer.cuts.rapid), removed_volumes(zbuffer))
+
+
+def crashes_among(cuts: Cuts, pieces: RemovedPieces, volumes: np.ndarray) -> list[Crash]:
+    """Return the crashes among the pieces that rapids remove.
+
+    Parameters
+    ----------
+    cuts : Cuts
+    pieces : RemovedPieces
+        Pieces of rapids only.
+    volumes : (n,) ndarray
+        Volume that each trajectory removes, mm^3.
+    """
+    if len(pieces.owner) == 0:
         return []
-    owner, near, far = records.owner[pieces], near.astype(float), records.far[pieces].astype(float)
-    upper, middle = _upper_ends(frame, near, far), (near + far) / 2
-
-    def place(piece: np.ndarray, depth: np.ndarray) -> np.ndarray:
-        row, column = np.divmod(pixel[piece], frame.width)
-        return frame.points(column, row, depth[piece])
-
-    cuts, volumes = zbuffer.cuts, removed_volumes(zbuffer)
-    rises = np.max([_rises(cut.toolpath) for cut in cuts.cuts], axis=0)
-    touches = np.maximum((_TOUCHES, _ROUNDED), _OF_RISE * rises)
+    owner, middle, length = pieces.owner, (pieces.near + pieces.far) / 2, pieces.far - pieces.near
+    touches = touching(cuts)
     # Longest pieces first. A rapid that only touches a wall has long pieces too, as high as the wall, so all pieces are tried.
-    order = np.argsort(near - far, kind="stable")
-    longest = np.full(zbuffer.trajectories, -1)
+    order = np.argsort(-length, kind="stable")
+    longest = np.full(len(cuts), -1)
     for first in range(0, len(order), _PIECES_AT_ONCE):
         some = order[first : first + _PIECES_AT_ONCE]
         some = some[longest[owner[some]] < 0]
         if len(some):
-            upper_in, middle_in = (_inside(cuts, owner[some], place(some, depth), touches) for depth in (upper, middle))
+            ends = pieces.upper[some], middle[some]
+            upper_in, middle_in = (_inside(cuts, owner[some], pieces.points(some, depth), touches) for depth in ends)
             some = some[upper_in | middle_in]
             crashed, position = np.unique(owner[some], return_index=True)
             longest[crashed] = some[position]
     crashed = np.flatnonzero(longest >= 0)
     longest = longest[crashed]
+    places = pieces.points(longest, middle[longest])
     return [
         Crash(trajectory, cuts.source(trajectory), tuple(at), depth, float(volumes[trajectory]))
-        for trajectory, at, depth in zip(
-            crashed.tolist(), place(longest, middle).tolist(), (far - near)[longest].tolist()
-        )
+        for trajectory, at, depth in zip(crashed.tolist(), places.tolist(), length[longest].tolist())
     ]
 
 
-def _upper_ends(frame: Frame, near: np.ndarray, far: np.ndarray) -> np.ndarray:
-    """Return the higher end of each piece of a ray."""
-    return near if frame.direction[2] < 0 else far
+def touching(cuts: Cuts) -> np.ndarray:
+    """Return the distances, to the side and upwards, by which a rapid may enter material that it only touches, (2,) mm."""
+    rises = np.max([_rises(cut.toolpath) for cut in cuts.cuts], axis=0, initial=0.0)
+    result: np.ndarray = np.maximum((_TOUCHES, _ROUNDED), _OF_RISE * rises)
+    return result
 
 
 def _inside(cuts: Cuts, trajectory: np.ndarray, points: np.ndarray, touches: np.ndarray) -> np.ndarray:
@@ -175,35 +183,41 @@ def fast_plunges(zbuffer: ZBuffer) -> list[Plunge]:
         In the order of the trajectories.
     """
     cuts = zbuffer.cuts
+    fast = too_fast(cuts) & (removed_volumes(zbuffer) > 0)
+    return plunges_among(cuts, np.flatnonzero(fast), pieces_of(zbuffer, fast)) if fast.any() else []
+
+
+def too_fast(cuts: Cuts) -> np.ndarray:
+    """Return which trajectories plunge faster than the vertical feed of their tool, into material or not, (n,) bool."""
     start, end = cuts.ends
     run, fall = np.hypot(*(end - start)[:, :2].T), start[:, 2] - end[:, 2]
-    allowed = np.array([own.vertical_feed for own in cuts.cuts])[cuts.cut]
-    volumes = removed_volumes(zbuffer)
-    fast = ~cuts.rapid & (fall > _PLUNGE * run) & (allowed > 0) & (cuts.feed > _FASTER * allowed) & (volumes > 0)
-    if not fast.any():
-        return []
-    plunges = np.flatnonzero(fast)
+    allowed = _vertical_feeds(cuts)
+    result: np.ndarray = ~cuts.rapid & (fall > _PLUNGE * run) & (allowed > 0) & (cuts.feed > _FASTER * allowed)
+    return result
+
+
+def plunges_among(cuts: Cuts, plunges: np.ndarray, pieces: RemovedPieces) -> list[Plunge]:
+    """Return the plunges into full material among plunges (k,) that are too fast, from the pieces that they remove."""
+    start, end = (ends[plunges] for ends in cuts.ends)
     # Depth of the tip below the highest removed point, at most the height of the plunge.
-    depth = np.minimum(_highest_removed(zbuffer, fast) - end[:, 2], fall)[plunges]
+    depth = np.minimum(pieces.tops(len(cuts))[plunges], start[:, 2]) - end[:, 2]
     displaced = np.empty(len(plunges))
-    for number in np.unique(cuts.cut[plunges]):
-        own = cuts.cut[plunges] == number
+    of_cut = cuts.cut[plunges]
+    for number in np.unique(of_cut):
+        own = of_cut == number
         displaced[own] = _displaced_volume(cuts.cuts[number].tool, depth[own])
+    volumes, allowed = pieces.volumes(len(cuts))[plunges], _vertical_feeds(cuts)[plunges]
     return [
-        Plunge(int(i), cuts.source(int(i)), tuple(end[i].tolist()), float(cuts.feed[i]), float(allowed[i]))
-        for i in plunges[volumes[plunges] > _FULL * displaced]
-    ]
+        Plunge(int(plunges[i]), cuts.source(int(plunges[i])), tuple(end[i].tolist()),
+               float(cuts.feed[plunges[i]]), float(allowed[i]))
+        for i in np.flatnonzero((volumes > 0) & (volumes > _FULL * displaced))
+    ]  # fmt: skip
 
 
-def _highest_removed(zbuffer: ZBuffer, owners: np.ndarray) -> np.ndarray:
-    """Return the height of the highest point that each selected trajectory removes, (n,) mm; -inf for none. `owners` is (n,) bool."""
-    records, frame = zbuffer.records, zbuffer.frame
-    pieces, pixel, near = records.pieces_of(owners)
-    row, column = np.divmod(pixel, frame.width)
-    height = frame.points(column, row, _upper_ends(frame, near, records.far[pieces]))[:, 2]
-    tops = np.full(zbuffer.trajectories, -np.inf)
-    np.maximum.at(tops, records.owner[pieces], height)
-    return tops
+def _vertical_feeds(cuts: Cuts) -> np.ndarray:
+    """Return the vertical feed of each trajectory's tool, (n,) mm/s; 0 if unknown."""
+    allowed: np.ndarray = np.array([own.vertical_feed for own in cuts.cuts])[cuts.cut]
+    return allowed
 
 
 def _displaced_volume(tool: Tool, depth: np.ndarray) -> np.ndarray:

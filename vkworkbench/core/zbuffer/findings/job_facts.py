@@ -3,16 +3,19 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, TypeVar
 
 import numpy as np
 
 from vkworkbench.core.stocks import Solid
+from vkworkbench.core.zbuffer.findings.crash_check import CrashCheck
 from vkworkbench.core.zbuffer.findings.deviations import TOLERANCE, Deviation, gouges, material_left
 from vkworkbench.core.zbuffer.findings.facts import cuts_air, engagement, removed_volumes
 from vkworkbench.core.zbuffer.findings.faults import Crash, Plunge, crashes, fast_plunges
 from vkworkbench.core.zbuffer.findings.seen_model import deviations
+from vkworkbench.core.zbuffer.findings.verdict import Verdict
 from vkworkbench.core.zbuffer.simulator.moments import ZBuffer
 from vkworkbench.given import number
 
@@ -22,6 +25,7 @@ _NUMBERS = (
     "removed_volume", "cutting_length", "cutting_seconds", "air_length", "air_seconds", "air_length_share",
     "air_time_share", "mean_rate", "peak_rate", "depth_of_cut", "width_of_cut", "tool_diameter",
 )  # fmt: skip
+_Fault = TypeVar("_Fault", Crash, Plunge)
 _FAULTS = ("crashes", "first_crash_command", "fast_plunges", "deepest_gouge", "most_left")
 
 
@@ -88,7 +92,13 @@ class CutFacts:
         ]
         gouges, left = (
             [
-                {"command": d.source and d.source.command, "place": list(d.place), "depth": d.depth, "area": d.area}
+                {
+                    "command": d.source and d.source.command,
+                    "last_command": d.last and d.last.command,
+                    "place": list(d.place),
+                    "depth": d.depth,
+                    "area": d.area,
+                }
                 for d in found
             ]
             for found in (self.gouges, self.left)
@@ -125,19 +135,25 @@ class JobFacts:
     job : CutFacts
         Facts on all operations together. Only these include deviations without a source: leftover material where no operation
         cut, and places where the stock is too small for the model (among the gouges).
+    verdict : Verdict
     """
 
     cuts: tuple[CutFacts, ...]
     job: CutFacts
+    verdict: Verdict
 
 
-def facts(zbuffer: ZBuffer, *, model: Solid | None = None, tolerance: float = TOLERANCE) -> JobFacts:
+def facts(
+    zbuffer: ZBuffer, checked: CrashCheck, *, model: Solid | None = None, tolerance: float = TOLERANCE
+) -> JobFacts:
     """Compute the facts on every operation and on the job.
 
     Parameters
     ----------
     zbuffer : ZBuffer
-        At its last moment.
+        Seen along the tool axis, at its last moment.
+    checked : CrashCheck
+        The check of the rapids and plunges of the same job.
     model : Solid, optional
         The finished part. Without a model, gouges and leftover material are empty.
     tolerance : float
@@ -157,7 +173,10 @@ def facts(zbuffer: ZBuffer, *, model: Solid | None = None, tolerance: float = TO
     tolerance = number("tolerance", tolerance, "a length of at least 0 mm", lambda length: length >= 0)
     cuts = zbuffer.cuts
     volumes, air, (depth, width) = removed_volumes(zbuffer), cuts_air(zbuffer), engagement(zbuffer)
-    crashed, plunged = crashes(zbuffer), fast_plunges(zbuffer)
+    crashed, plunged = (
+        with_known(checked.crashes, crashes(zbuffer)),
+        with_known(checked.fast_plunges, fast_plunges(zbuffer)),
+    )
     gouged, left = [], []
     if model is not None:
         found = deviations(zbuffer, model)
@@ -191,9 +210,46 @@ def facts(zbuffer: ZBuffer, *, model: Solid | None = None, tolerance: float = TO
             left=own(left),
         )
 
-    return JobFacts(
-        tuple(facts_of(range(cut, cut + 1)) for cut in range(len(cuts.cuts))),
-        facts_of(range(len(cuts.cuts)), whole=True),
+    job = facts_of(range(len(cuts.cuts)), whole=True)
+    verdict = verdict_on(zbuffer, job, checked, compared=model is not None)
+    return JobFacts(tuple(facts_of(range(cut, cut + 1)) for cut in range(len(cuts.cuts))), job, verdict)
+
+
+def with_known(known: Sequence[_Fault], found: Sequence[_Fault]) -> list[_Fault]:
+    """Return faults of trajectories in their order. Known faults replace found faults of the same trajectories."""
+    faults: dict[int, _Fault] = {}
+    for some in (found, known):
+        for fault in some:
+            faults[fault.trajectory] = fault
+    return [faults[trajectory] for trajectory in sorted(faults)]
+
+
+def verdict_on(zbuffer: ZBuffer, job: CutFacts, checked: CrashCheck, *, compared: bool) -> Verdict:
+    """Return the verdict on a job.
+
+    Parameters
+    ----------
+    zbuffer : ZBuffer
+    job : CutFacts
+        Facts on all operations together.
+    checked : CrashCheck
+    compared : bool
+        Whether the part was compared with a model.
+    """
+    crashed = {crash.source for crash in job.crashes}
+    gouged = [one.depth for one in job.gouges if one.source is not None]
+    of_tools = tuple(number for number, cut in enumerate(zbuffer.cuts.cuts) if cut.allowed_depth == np.inf)
+    return Verdict(
+        pixel=zbuffer.frame.pixel,
+        met=checked.met,
+        compared=compared,
+        crashes=len(job.crashes),
+        gouges=len(gouged),
+        fast_plunges=len(job.fast_plunges),
+        deepest_gouge=max(gouged, default=0.0),
+        lacking=max((one.depth for one in job.gouges if one.source is None), default=0.0),
+        unchecked=tuple(one for one in checked.unchecked if one not in crashed),
+        unjudged=of_tools if compared else (),
     )
 
 

@@ -25,24 +25,30 @@ class Cut:
     tool : Tool
     vertical_feed : float
         Largest feed for plunging, mm/s; 0 if unknown.
+    allowed_depth : float
+        Depth to which the operation is meant to cut into the model, mm: engraving, V-carving and deburring do. Infinite if the
+        tool only stands for another shape, so that its gouges mean nothing.
 
     Raises
     ------
     TypeError
         If an argument has another type, such as an operation's Path or tool bit.
     ValueError
-        If the feed is not a number.
+        If the feed or the depth is not a number.
     """
 
     toolpath: Toolpath
     tool: Tool
     vertical_feed: float = 0.0
+    allowed_depth: float = 0.0
 
     def __post_init__(self) -> None:
         check_toolpath(self.toolpath)
         check_tool(self.tool)
         feed = number("vertical_feed", self.vertical_feed, "a number of mm/s")
         object.__setattr__(self, "vertical_feed", feed)
+        depth = number("allowed_depth", self.allowed_depth, "a depth of at least 0 mm", lambda depth: depth >= 0)
+        object.__setattr__(self, "allowed_depth", depth)
 
 
 @dataclass(frozen=True)

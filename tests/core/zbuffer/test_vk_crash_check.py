@@ -1,0 +1,121 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Rapids and fast plunges are checked on rays fine enough for their tools, whatever the size of the stock."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from zbuffer_inputs import toolpath
+
+from vkworkbench.core import Cut, Cylinder, Stock, Tool, View
+from vkworkbench.core.zbuffer import check_crashes, crashes, simulate_job
+
+BLOCK, PLATE = Stock((0, 0, 0), (100, 80, 20)), Stock((0, 0, 0), (600, 400, 20))
+FLAT = Tool("endmill", 6)
+
+
+def path(points, rapid=(), feed=10.0):
+    moves = toolpath(np.array(points, float))
+    fast = np.isin(np.arange(len(moves)), rapid)
+    return replace(moves, rapid=fast, feed=np.where(fast, 0.0, feed))
+
+
+def plunges(places, depth=3.0, kind="rapid", feed=10.0):
+    """Vertical moves into the plate, 3 mm deep, and retracts."""
+    points = [point for x, y in places for point in ((x, y, 25), (x, y, 20 - depth), (x, y, 25))]
+    moves = len(points) - 1
+    down = list(range(0, moves, 3))
+    return path(points, [k for k in range(moves) if kind == "rapid" or k not in down], feed)
+
+
+TWELVE = [(60.1 + 37.3 * k, 150.0) for k in range(12)]
+
+
+@pytest.mark.parametrize("diameter", [0.1, 0.5, 20])
+def test_rapid_plunges_of_every_tool_are_crashes(diameter):
+    found = check_crashes([Cut(plunges(TWELVE), Tool("endmill", diameter))], PLATE)
+    assert [crash.source.command for crash in found.crashes] == list(range(0, 36, 3)) and found.unchecked == ()
+    assert found.pixel <= diameter / 8
+    assert [crash.volume for crash in found.crashes] == pytest.approx([np.pi * diameter**2 / 4 * 3] * 12, rel=0.1)
+    assert found.crashes[0].place[:2] == pytest.approx(TWELVE[0], abs=diameter) and found.crashes[0].depth == 3
+
+
+@pytest.mark.parametrize(
+    "tool", [Tool("vbit", 6), Tool("ballend", 6), Tool("drill", 6), Tool("bullnose", 6, corner_radius=1)]
+)
+def test_rapid_plunges_of_pointed_tools_are_crashes(tool):
+    shallow = check_crashes([Cut(plunges(TWELVE, depth=0.1), tool)], PLATE)
+    assert len(shallow.crashes) == 12
+
+
+def test_fast_plunges_of_thin_tools_are_found():
+    check = [
+        check_crashes([Cut(plunges(TWELVE, kind="feed", feed=feed), Tool("endmill", 0.5), 2.0)], PLATE)
+        for feed in (2, 6)
+    ]
+    assert [len(found.fast_plunges) for found in check] == [0, 12] and check[1].crashes == ()
+    assert [plunge.source.command for plunge in check[1].fast_plunges] == list(range(0, 36, 3))
+
+
+@pytest.mark.parametrize("aside, crashed", [(0.0, False), (0.015, False), (0.1, True), (0.3, True)])
+def test_rapid_beside_a_slot_is_a_crash_beyond_touching(aside, crashed):
+    """A rapid back through a slot, moved to the side; rays a sixteenth of the tool apart pass beside the shaved wall."""
+    slot = [(-5, 20, 25), (-5, 20, 10), (105, 20, 10), (105, 20 + aside, 10), (-5, 20 + aside, 10), (-5, 20, 25)]
+    found = check_crashes([Cut(path(slot, [0, 3, 4]), FLAT)], BLOCK)
+    assert [crash.source.command for crash in found.crashes] == [3] * crashed
+    assert (
+        bool(crashes(simulate_job([Cut(path(slot, [0, 3, 4]), FLAT)], stock=BLOCK, view=View(width=100, height=80))))
+        <= crashed
+    )
+
+
+def test_rapids_in_a_cleared_pocket_are_not_crashes():
+    """Sixty rapids on the floor of a pocket that rows have cleared; then the end of one rapid is 0.1 mm too deep."""
+    rng = np.random.default_rng(4)
+    rows = [(x, y, 15) for k, y in enumerate(np.arange(10, 70, 4.0)) for x in ((10, 90) if k % 2 == 0 else (90, 10))]
+    links = [(*point, 15.0) for point in rng.uniform((14, 14), (86, 62), (60, 2))]
+    first = len(rows) + 1  # the first rapid
+    points = [(10, 10, 25), *rows, (50, 66, 15), *links]
+    rapid = range(first, len(points) - 1)
+    found = check_crashes([Cut(path(points, rapid), FLAT)], BLOCK)
+    assert found.crashes == () and found.unchecked == () and found.pixel == 0.5
+    points[first + 31] = (*points[first + 31][:2], 14.9)
+    found = check_crashes([Cut(path(points, rapid), FLAT)], BLOCK)
+    assert [crash.source.command for crash in found.crashes] == [first + 30, first + 31]
+
+
+def test_retract_along_the_tools_axis_is_not_checked():
+    """After an unknown move the tool may retract from anywhere, so that the first move of an operation is checked."""
+    drilled = path([(50, 40, 25), (50, 40, 5), (50, 40, 25)], [1])
+    assert check_crashes([Cut(drilled, FLAT)], BLOCK).pixel == 0
+    assert len(check_crashes([Cut(path([(50, 40, 5), (50, 40, 25)], [0]), FLAT)], BLOCK).crashes) == 1
+
+
+def test_stock_with_a_hollow_is_checked_in_its_material_only():
+    stock = Cylinder((50, 40, 0), 30, 20)
+    beside, inside = plunges([(85, 40)]), plunges([(78, 40)])
+    assert check_crashes([Cut(beside, FLAT)], stock).crashes == ()
+    assert len(check_crashes([Cut(inside, FLAT)], stock).crashes) == 1
+
+
+def test_moves_without_time_are_named():
+    cut = Cut(plunges(TWELVE), Tool("endmill", 0.5))
+    found = check_crashes([cut], PLATE, seconds=0)
+    assert found.crashes == () and [source.command for source in found.unchecked] == list(range(0, 36, 3))
+
+
+def test_check_can_be_ended():
+    def stop():
+        raise KeyboardInterrupt
+
+    with pytest.raises(KeyboardInterrupt):
+        check_crashes([Cut(plunges(TWELVE), FLAT)], PLATE, going_on=stop)
+
+
+def test_moves_beside_or_above_the_stock_meet_nothing():
+    above = path([(0, 0, 21), (100, 80, 21), (-20, 80, 5)], [0])
+    assert not check_crashes([Cut(above, FLAT)], Stock((0, 0, 0), (60, 40, 4))).met
+    assert check_crashes([Cut(plunges(TWELVE), FLAT)], PLATE).met
+    assert check_crashes([], PLATE) == check_crashes([Cut(path(np.empty((0, 3))), FLAT)], PLATE)

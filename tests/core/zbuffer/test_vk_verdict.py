@@ -1,0 +1,88 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The verdict says what is wrong, how finely it was checked, and what was not checked."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from zbuffer_inputs import toolpath
+
+from vkworkbench.core import Cut, Stock, Tool, View
+from vkworkbench.core.zbuffer import PENDING, CrashCheck, Source, Verdict, check_crashes, facts, simulate_job
+from vkworkbench.language import render
+
+LABELS = ["Face", "Engrave"]
+SOUND = Verdict(pixel=0.12)
+
+
+def text(verdict):
+    return render(verdict.message(LABELS))
+
+
+def test_nothing_wrong_nothing_checked_and_nothing_met_differ():
+    texts = [text(one) for one in (SOUND, PENDING, replace(SOUND, met=False))]
+    assert texts == [
+        "No collision, gouge or fast plunge, checked to 0.12 mm. Shank, holder and clamps not checked.",
+        "Nothing is checked yet.",
+        "Nothing was checked, because no tool meets the stock.",
+    ]
+    assert [one.is_sound for one in (SOUND, PENDING, replace(SOUND, met=False))] == [True, False, False]
+
+
+@pytest.mark.parametrize(
+    "fault, sentence",
+    [
+        ({"crashes": 1}, "1 rapid cuts into material."),
+        ({"crashes": 3}, "3 rapids cut into material."),
+        ({"collisions": 2}, "2 moves collide."),
+        ({"gouges": 2, "deepest_gouge": 0.5}, "2 gouges are up to 0.5 mm deep in the model."),
+        (
+            {"lacking": 4.0},
+            "The stock is 4 mm too small for the model. Choose a larger stock, or move the model within it.",
+        ),
+        ({"fast_plunges": 2}, "2 plunges are too fast."),
+    ],
+)
+def test_faults_come_first(fault, sentence):
+    verdict = replace(SOUND, **fault)
+    assert text(verdict) == f"{sentence} Checked to 0.12 mm. Shank, holder and clamps not checked."
+    assert not verdict.is_sound
+
+
+def test_everything_without_a_check_is_named():
+    partly = replace(SOUND, compared=False, unjudged=(1,), unchecked=(Source(1, 7, 6),))
+    assert text(partly) == (
+        "No collision or fast plunge, checked to 0.12 mm. 1 rapid or fast plunge was not checked for lack of time: command 7 of Engrave. "
+        "Gouges not checked, because the job has no model with a volume. "
+        "Gouges of Engrave not checked, because the tool is simulated by a simpler shape. Shank, holder and clamps not checked."
+    )
+
+
+STOCK = Stock((0, 0, 0), (40, 30, 10))
+
+
+def verdict_of(points, rapid=(), model=None, allowed=0.0, **check):
+    moves = toolpath(np.array(points, float))
+    cut = Cut(replace(moves, rapid=np.isin(np.arange(len(moves)), rapid)), Tool("endmill", 0.1), 0.0, allowed)
+    zbuffer = simulate_job([cut], stock=STOCK, view=View(width=20, height=15))
+    return facts(zbuffer, check_crashes([cut], STOCK, **check), model=model).verdict
+
+
+def test_verdict_on_a_job_counts_crashes_between_its_rays():
+    """The tool is a twentieth of a pixel wide."""
+    drilled = [(10.5, 10.5, 12), (10.5, 10.5, 8), (10.5, 10.5, 12)]
+    assert verdict_of(drilled, [0]) == Verdict(pixel=2.0, compared=False, crashes=1)
+    assert verdict_of(drilled, [0], seconds=0).unchecked == (Source(0, 0, 0),)
+    assert verdict_of(drilled).is_sound and verdict_of(drilled).met
+    assert not verdict_of([(10, 10, 12), (20, 10, 12)]).met
+    assert verdict_of(drilled, model=STOCK, allowed=np.inf).unjudged == (0,)
+
+
+def test_crash_in_the_image_counts_without_a_check():
+    cut = Cut(
+        replace(toolpath(np.array([(10, 10, 12), (10, 10, 5)], float)), rapid=np.array([True])), Tool("endmill", 6)
+    )
+    zbuffer = simulate_job([cut], stock=STOCK, view=View(width=80, height=60))
+    assert facts(zbuffer, CrashCheck(unchecked=(Source(0, 0, 0),))).verdict.crashes == 1

@@ -1,0 +1,59 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The view along the tool axis in which a job is checked: the finest that the budgets allow."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import replace
+from math import ceil
+
+import numpy as np
+
+from vkworkbench.core.stocks import Solid
+from vkworkbench.core.view import View
+from vkworkbench.core.zbuffer.cost.estimate import estimate_job
+from vkworkbench.core.zbuffer.cost.resolution import best_resolution
+from vkworkbench.core.zbuffer.cost.speed import USUAL, Speed
+from vkworkbench.core.zbuffer.sweeps.cuts import Cut
+
+# Pixel that needs not be smaller, mm: half the default tolerance of the comparison with the model, so that a wall that is
+# just beyond the tolerance lies more than a pixel aside; and a share of the thinnest tool's diameter.
+_FINE_ENOUGH, _OF_TOOL = 0.05, 1 / 16
+# Longer side of the image from which larger images are estimated, pixels.
+_FIRST = 800
+# Peak memory of comparing the part with the model, as a multiple of the peak of the simulation.
+_COMPARING = 1.6
+
+
+def axis_view(cuts: Iterable[Cut], stock: Solid, *, memory_bytes: float, seconds: float, speed: Speed = USUAL) -> View:
+    """Return the view from above with the finest pixel that is useful and within the budgets.
+
+    Parameters
+    ----------
+    cuts : iterable of Cut
+        The operations in their order.
+    stock : Solid
+    memory_bytes, seconds : float
+        Largest peak memory, bytes, and longest time of the simulation, s.
+    speed : Speed
+        Speed of this computer.
+
+    Returns
+    -------
+    View
+        An image of one pixel if the budgets allow no image.
+    """
+    cuts = list(cuts)
+    useful = min([_FINE_ENOUGH, *(_OF_TOOL * cut.tool.diameter for cut in cuts)])
+    extent = (stock.upper - stock.lower)[:2]
+    first = _image(extent, max(extent.max() / _FIRST, useful))
+    estimate = estimate_job(cuts, stock=stock, view=first, speed=speed)
+    best = best_resolution([estimate], memory_bytes=memory_bytes / _COMPARING, seconds=seconds).view
+    if best is None:
+        return replace(first, width=1, height=1, pixel=None)
+    return _image(extent, max(best.frame(stock).pixel, useful))
+
+
+def _image(extent: np.ndarray, pixel: float) -> View:
+    width, height = (max(1, ceil(side / pixel - 1e-9)) for side in extent.tolist())
+    return View((0.0, 0.0, -1.0), width, height, pixel)

@@ -1,0 +1,227 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Check the rapids and the fast plunges of a job on rays that are fine enough for each tool."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Callable, Iterable, Iterator
+from dataclasses import dataclass
+
+import numpy as np
+
+from vkworkbench.core.solids import SMALLEST
+from vkworkbench.core.stocks import Solid
+from vkworkbench.core.tool import Tool
+from vkworkbench.core.zbuffer.findings.faults import (
+    Crash,
+    Plunge,
+    crashes_among,
+    plunges_among,
+    too_fast,
+    touching,
+)
+from vkworkbench.core.zbuffer.findings.fine_rays import FineRays
+from vkworkbench.core.zbuffer.findings.removed_pieces import joined
+from vkworkbench.core.zbuffer.sweeps.cuts import Cut, Cuts, Source
+
+# Number of rays across the part of a tool that is below the top of the stock.
+_RAYS_ACROSS = 8
+# Distance between rays, mm: rapids that remove nothing on the first rays are checked again on rays this close. A larger
+# distance misses rapids that shave a wall. A smaller distance takes longer.
+_CLOSE = 2.0**-5
+# Smallest distance between rays, mm, for pointed tools that are hardly below the top.
+_CLOSEST = 2.0**-8
+# Length of the moves that are checked together, in tools' half widths, and largest number of the moves. Larger parts exceed
+# the time limit by more. Smaller parts take longer together.
+_TOGETHER, _MOVES = 4000.0, 256
+
+
+@dataclass(frozen=True)
+class CrashCheck:
+    """The crashes and fast plunges of a job, found on rays that are fine enough for each tool.
+
+    Attributes
+    ----------
+    crashes : tuple of Crash
+        Rapids that cut, in the order of the trajectories.
+    fast_plunges : tuple of Plunge
+        Plunges into full material that are too fast, in the order of the trajectories.
+    unchecked : tuple of Source
+        Rapids and fast plunges for which the time did not suffice, in the order of the trajectories.
+    pixel : float
+        Largest distance between rays, mm; 0 if no move had to be checked.
+    met : bool
+        Whether any move of a tool may meet the stock.
+    """
+
+    crashes: tuple[Crash, ...] = ()
+    fast_plunges: tuple[Plunge, ...] = ()
+    unchecked: tuple[Source, ...] = ()
+    pixel: float = 0.0
+    met: bool = True
+
+
+def check_crashes(
+    cuts: Iterable[Cut],
+    stock: Solid,
+    *,
+    seconds: float = np.inf,
+    going_on: Callable[[], None] = lambda: None,
+) -> CrashCheck:
+    """Find the rapids that cut and the plunges that are too fast, whatever the size of the tool and of the stock.
+
+    A rapid that surely stays above the material, or retracts along its own tool's axis, is not checked. All other rapids, and
+    all plunges faster than their tool's vertical feed, are simulated on rays whose distance is at most an eighth of
+    the width in which the tool is below the top of the stock. Rapids that remove nothing there are checked again on rays
+    that are at most 0.03 mm apart, as far as the time suffices.
+
+    Parameters
+    ----------
+    cuts : iterable of Cut
+        The operations in their order.
+    stock : Solid
+    seconds : float
+        Longest time, s. Moves for which it does not suffice are returned as unchecked.
+    going_on : callable, optional
+        Called many times a second. An exception from it ends the check.
+
+    Returns
+    -------
+    CrashCheck
+    """
+    numbered = Cuts(cuts)
+    return _Check(numbered, stock, time.monotonic() + seconds, going_on).run()
+
+
+class _OutOfTime(Exception):
+    pass
+
+
+class _Check:
+    def __init__(self, cuts: Cuts, stock: Solid, end: float, going_on: Callable[[], None]) -> None:
+        self.cuts, self.stock, self._end, self._going_on = cuts, stock, end, going_on
+        self.fast = too_fast(cuts)
+        self.crashes: dict[int, Crash] = {}
+        self.plunges: list[Plunge] = []
+
+    def run(self) -> CrashCheck:
+        moves, half_width = self._doubtful()
+        pixel = 2.0 ** np.floor(np.log2(np.maximum(2 * half_width / _RAYS_ACROSS, _CLOSEST)))
+        unchecked, largest = [], 0.0
+        for size in np.unique(pixel)[::-1].tolist():
+            own = np.flatnonzero(pixel == size)
+            left = self._check(moves[own], half_width[own], size, self._find)
+            unchecked += left
+            if len(left) < len(own):
+                largest = max(largest, size)
+        if not unchecked:
+            self._look_closer(moves, half_width, pixel)
+        return CrashCheck(
+            tuple(self.crashes[trajectory] for trajectory in sorted(self.crashes)),
+            tuple(sorted(self.plunges, key=lambda plunge: plunge.trajectory)),
+            tuple(self.cuts.source(trajectory) for trajectory in sorted(unchecked) if trajectory not in self.crashes),
+            largest,
+            bool(self._met.any()),
+        )
+
+    def _doubtful(self) -> tuple[np.ndarray, np.ndarray]:
+        """Return the moves to check (k,), and half the width in which each tool is below the top of the stock, mm."""
+        cuts, stock = self.cuts, self.stock
+        start, end = cuts.ends
+        radius = np.array([cut.tool.radius for cut in cuts.cuts])[cuts.cut]
+        low, high = np.minimum(start, end), np.maximum(start, end)
+        depth = stock.upper[2] - low[:, 2]
+        met = (high[:, :2] > stock.lower[:2] - radius[:, None]).all(axis=1)
+        met &= (low[:, :2] < stock.upper[:2] + radius[:, None]).all(axis=1)
+        # A tool that moves straight up from the end of its last move stays in the hole that this move has cut.
+        up = (np.hypot(*(end - start)[:, :2].T) < SMALLEST) & (end[:, 2] >= start[:, 2])
+        up[cuts.first[:-1][np.diff(cuts.first) > 0]] = False
+        rapid = cuts.rapid & ~up & (depth > touching(cuts)[1]) if len(cuts) else cuts.rapid
+        self._met = met & (depth > 0)
+        moves = np.flatnonzero(met & (rapid | self.fast & (depth > 0)))
+        of_cut = cuts.cut[moves]
+        half_width = np.empty(len(moves))
+        for number in np.unique(of_cut):
+            own = of_cut == number
+            half_width[own] = half_widths(cuts.cuts[number].tool, depth[moves[own]])
+        return moves, half_width
+
+    def _look_closer(self, moves: np.ndarray, half_width: np.ndarray, pixel: np.ndarray) -> None:
+        """Check rapids again that remove nothing on rays farther apart."""
+        fine = ~self.fast[moves] & (pixel > _CLOSE) & ~np.isin(moves, list(self.crashes))
+        self._check(moves[fine], half_width[fine], _CLOSE, self._find_touch)
+
+    def _check(
+        self,
+        moves: np.ndarray,
+        half_width: np.ndarray,
+        pixel: float,
+        find: Callable[[FineRays, np.ndarray, np.ndarray], None],
+    ) -> list[int]:
+        """Check moves (k,) with `find`, part by part; return the moves for which the time did not suffice."""
+        if len(moves) == 0:
+            return []
+        rays = FineRays(self.cuts, self.stock, pixel)
+        for part in _parts(self.cuts.lengths[moves] / half_width):
+            try:
+                self._continue()
+                find(rays, moves[part], half_width[part])
+            except _OutOfTime:
+                left: list[int] = moves[part.start :].tolist()
+                return left
+        return []
+
+    def _continue(self) -> None:
+        self._going_on()
+        if time.monotonic() > self._end:
+            raise _OutOfTime
+
+    def _find(self, rays: FineRays, moves: np.ndarray, half_width: np.ndarray) -> None:
+        """Find the crashes and fast plunges among moves (k,), with their volumes."""
+        parts = list(rays.removed_by(moves, half_width, self._continue))
+        if not parts:
+            return
+        pieces, cuts = joined(parts), self.cuts
+        fast = self.fast[pieces.owner]
+        rapid = pieces.selected(~fast)
+        for crash in crashes_among(cuts, rapid, rapid.volumes(len(cuts))):
+            self.crashes[crash.trajectory] = crash
+        plunges = moves[self.fast[moves]]
+        if len(plunges):
+            self.plunges += plunges_among(cuts, plunges, pieces.selected(fast))
+
+    def _find_touch(self, rays: FineRays, moves: np.ndarray, half_width: np.ndarray) -> None:
+        """Find the crashes among moves (k,), and stop looking at a move when it is found to crash."""
+        removed = np.zeros(len(self.cuts))
+        for pieces in rays.removed_by(moves, half_width, self._continue):
+            removed += pieces.volumes(len(self.cuts))
+            found = crashes_among(self.cuts, pieces, removed)
+            for crash in found:
+                self.crashes.setdefault(crash.trajectory, crash)
+            rays.forget(np.array([crash.trajectory for crash in found], np.int64))
+
+
+def _parts(lengths: np.ndarray) -> Iterator[slice]:
+    """Yield parts of the moves that are about equally long together."""
+    first = 0
+    ends = np.cumsum(lengths + 1)
+    while first < len(lengths):
+        before = ends[first - 1] if first else 0.0
+        end = int(np.searchsorted(ends, before + _TOGETHER, side="right"))
+        end = min(max(end, first + 1), first + _MOVES)
+        yield slice(first, end)
+        first = end
+
+
+def half_widths(tool: Tool, height: np.ndarray) -> np.ndarray:
+    """Return half the width of a tool at heights (k,) above its tip, mm."""
+    corner = tool.rounding
+    if corner:
+        below = np.maximum(corner - height, 0.0)
+        wide = tool.radius - corner + np.sqrt(corner**2 - np.minimum(below, corner) ** 2)
+    elif tool.steepness:
+        wide = tool.tip + np.maximum(height, 0.0) / tool.steepness
+    else:
+        wide = np.full(len(height), tool.radius)
+    result: np.ndarray = np.minimum(wide, tool.radius)
+    return result

@@ -1,0 +1,151 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Find what single trajectories remove, on rays close together along their way only.
+
+The rays lie on the grid of an image of the whole stock, which may have billions of pixels: only the tiles along the chosen
+trajectories are cut, by all trajectories up to the last chosen one.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from math import ceil, log2
+
+import numpy as np
+
+from vkworkbench.core.stocks import Solid
+from vkworkbench.core.view import Frame, View
+from vkworkbench.core.zbuffer.culling.tiles import TILE, Tiles, divided
+from vkworkbench.core.zbuffer.culling.upright import Upright
+from vkworkbench.core.zbuffer.findings.removed_pieces import RemovedPieces, joined
+from vkworkbench.core.zbuffer.rays.chains import cut_rays, gaps_of
+from vkworkbench.core.zbuffer.rays.dexels import THINNEST, beginnings
+from vkworkbench.core.zbuffer.sweeps.cuts import Cuts
+from vkworkbench.core.zbuffer.sweeps.trajectories import Trajectories
+
+_BLOCKS = 16  # number of blocks of small tiles whose pieces are joined
+
+
+class FineRays:
+    """Vertical rays close together.
+
+    Parameters
+    ----------
+    cuts : Cuts
+    stock : Solid
+    pixel : float
+        Distance between neighbouring rays, mm.
+    """
+
+    def __init__(self, cuts: Cuts, stock: Solid, pixel: float) -> None:
+        above = View((0.0, 0.0, -1.0), 1, 1, pixel).frame(stock)
+        width, height = (ceil(extent / pixel) for extent in (stock.upper - stock.lower)[:2].tolist())
+        frame = Frame(above.centre, above.right, above.up, above.direction, pixel, width, height)
+        self.trajectories = Trajectories(cuts, stock, frame)
+        self._bounds = Upright(self.trajectories)
+        self._wanted = np.zeros(len(self.trajectories.index), bool)
+
+    def removed_by(
+        self, chosen: np.ndarray, half_width: np.ndarray, going_on: Callable[[], None]
+    ) -> Iterator[RemovedPieces]:
+        """Yield the pieces that the chosen trajectories remove.
+
+        Parameters
+        ----------
+        chosen : (k,) ndarray of int
+            Numbers of the trajectories, ascending.
+        half_width : (k,) ndarray
+            Half the width of the strip along each trajectory that is cut, mm.
+        going_on : callable
+            Called many times a second. An exception from it ends the work.
+        """
+        trajectories = self.trajectories
+        item = np.searchsorted(trajectories.index, chosen)
+        item[item == len(trajectories.index)] = 0
+        met = trajectories.index[item] == chosen if len(trajectories.index) else np.zeros(len(chosen), bool)
+        if not met.any():
+            return
+        self._wanted[:] = False
+        self._wanted[item[met]] = True
+        tiles = self._tiles_along(item[met], half_width[met])
+        found = []
+        for small, _ in divided(trajectories, self._bounds, tiles, self._needed):
+            going_on()
+            found.append(self._cut(small))
+            if len(found) == _BLOCKS:
+                yield joined(found)
+                found = []
+        if found:
+            yield joined(found)
+
+    def forget(self, trajectories: np.ndarray) -> None:
+        """Stop looking for pieces of some trajectories (k,), whose pieces are known well enough."""
+        self._wanted[np.searchsorted(self.trajectories.index, trajectories)] = False
+
+    def _tiles_along(self, item: np.ndarray, half_width: np.ndarray) -> Tiles:
+        """Return the tiles on the strips along moves (k,), with the trajectories that pass through each."""
+        frame = self.trajectories.frame
+        # Tiles are at least eight times as large as the half width, so that the four corners of a square around a point of the
+        # move lie in all tiles that the strip meets there.
+        side = max(TILE, 2 ** ceil(log2(8 * half_width.max() / frame.pixel)))
+        start, move = self.trajectories.start[:, item], self.trajectories.move[:, item]
+        size = side * frame.pixel
+        steps = np.ceil(2 * np.hypot(move[0], move[1]) / size).astype(np.int64) + 1
+        own = np.repeat(np.arange(len(item)), steps)
+        share = np.arange(len(own)) - np.repeat(np.cumsum(steps) - steps, steps)
+        share = share / np.maximum(steps[own] - 1, 1)
+        reach = half_width[own] + size / 4
+        corners = []
+        for across in (-reach, reach):
+            for up in (-reach, reach):
+                x, y = start[0, own] + share * move[0, own] + across, start[1, own] + share * move[1, own] + up
+                corners.append(
+                    (np.floor(x / size + frame.width / side / 2), np.floor(y / size + frame.height / side / 2))
+                )
+        column, row = (np.concatenate(one) for one in zip(*corners))
+        columns, rows = -(-frame.width // side), -(-frame.height // side)
+        inside = (column >= 0) & (column < columns) & (row >= 0) & (row < rows)
+        number = np.unique(row[inside].astype(np.int64) * columns + column[inside].astype(np.int64))
+        row, column = np.divmod(number, columns)
+        column, row = column * side, row * side
+        x0, y0 = frame.pixel_centres(column, row)
+        x1, y1 = frame.pixel_centres(column + side - 1, row + side - 1)
+        tile, met = self.trajectories.meeting(x0, x1, y0, y1)
+        return Tiles(side, column, row, np.searchsorted(tile, np.arange(len(column) + 1)), met)
+
+    def _needed(self, tiles: Tiles) -> Tiles:
+        """Return the tiles with a wanted trajectory, without the trajectories after their last wanted one."""
+        at = np.flatnonzero(self._wanted[tiles.item])
+        end = tiles.first[:-1].copy()
+        end[np.searchsorted(tiles.first, at, side="right") - 1] = at + 1
+        count, used = end - tiles.first[:-1], end > tiles.first[:-1]
+        kept = np.arange(len(tiles.item)) < np.repeat(end, np.diff(tiles.first))
+        first = np.append(0, np.cumsum(count[used]))
+        return Tiles(tiles.side, tiles.column[used], tiles.row[used], first, tiles.item[kept])
+
+    def _cut(self, tiles: Tiles) -> RemovedPieces:
+        """Cut the rays of small tiles; return the wanted pieces."""
+        trajectories, frame = self.trajectories, self.trajectories.frame
+        shape = tiles.side, tiles.side, len(tiles.column)
+        column, row = tiles.pixels()
+        x, y = frame.pixel_centres(column, row)
+        x, y = np.broadcast_to(x, shape).ravel(), np.broadcast_to(y[:, None], shape).ravel()
+        near, far, gaps = trajectories.spans(x, y)
+        inside, rays = far - near > THINNEST, (tiles.side**2, len(tiles.column))
+        first, end = np.where(inside, near, np.inf).reshape(rays), np.where(inside, far, -np.inf).reshape(rays)
+        tile = np.repeat(np.arange(len(tiles.column)), np.diff(tiles.first))
+        hit, enter, leave = self._bounds.removals(tiles, tile, first, end)
+        pixel, pair = np.divmod(hit, max(len(tile), 1))
+        number = pixel * len(tiles.column) + tile[pair]
+        begin = beginnings(number)
+        met = number[begin]
+        ray = np.repeat(np.arange(len(begin)), np.diff(begin, append=len(number)))
+        if enter is None:
+            enter = np.full(len(hit), -np.inf)
+        pieces = cut_rays(near[met], far[met], ray, tiles.item[pair], enter, leave, gaps_of(gaps, met))
+        # Gaps of the stock and pieces that nothing removes belong to no trajectory.
+        cut = np.flatnonzero((pieces.owner >= 0) & (pieces.owner < len(self._wanted)))
+        cut = cut[self._wanted[pieces.owner[cut]]]
+        own = met[pieces.ray[cut]]
+        return RemovedPieces(
+            frame, trajectories.index[pieces.owner[cut]], x[own], y[own], pieces.near[cut], pieces.far[cut]
+        )

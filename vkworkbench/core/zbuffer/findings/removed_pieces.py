@@ -1,0 +1,79 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The pieces of rays that some trajectories remove, with their points in space."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from vkworkbench.core.view import Frame
+from vkworkbench.core.zbuffer.simulator.moments import ZBuffer
+
+
+@dataclass(frozen=True, eq=False)
+class RemovedPieces:
+    """Removed pieces of rays.
+
+    Attributes
+    ----------
+    frame : Frame
+        The image of the rays.
+    owner : (k,) ndarray of int
+        Trajectory that removes each piece.
+    x, y : (k,) ndarray
+        Image coordinates of each piece's ray, mm.
+    near, far : (k,) ndarray
+        Depths of each piece's ends, mm.
+    """
+
+    frame: Frame
+    owner: np.ndarray
+    x: np.ndarray
+    y: np.ndarray
+    near: np.ndarray
+    far: np.ndarray
+
+    def points(self, piece: np.ndarray, depth: np.ndarray) -> np.ndarray:
+        """Return the points (q, 3) at depths (q,) on the rays of some pieces (q,), mm."""
+        result: np.ndarray = self.frame.origins(self.x[piece], self.y[piece])
+        result += np.multiply.outer(depth, self.frame.direction)
+        return result
+
+    def selected(self, chosen: np.ndarray) -> RemovedPieces:
+        """Return the pieces selected by a mask (k,) bool."""
+        columns = (self.owner, self.x, self.y, self.near, self.far)
+        return RemovedPieces(self.frame, *(column[chosen] for column in columns))
+
+    @property
+    def upper(self) -> np.ndarray:
+        """Depth of the higher end of each piece, (k,) mm."""
+        return self.near if self.frame.direction[2] < 0 else self.far
+
+    def volumes(self, trajectories: int) -> np.ndarray:
+        """Return the volume that each trajectory removes, (trajectories,) mm^3."""
+        return np.bincount(self.owner, self.far - self.near, trajectories) * self.frame.pixel**2
+
+    def tops(self, trajectories: int) -> np.ndarray:
+        """Return the height of the highest point that each trajectory removes, (trajectories,) mm; -inf without one."""
+        heights = self.points(np.arange(len(self.owner)), self.upper)[:, 2]
+        tops = np.full(trajectories, -np.inf)
+        np.maximum.at(tops, self.owner, heights)
+        return tops
+
+
+def joined(parts: Sequence[RemovedPieces]) -> RemovedPieces:
+    """Join the pieces of one image."""
+    columns = zip(*((part.owner, part.x, part.y, part.near, part.far) for part in parts))
+    return RemovedPieces(parts[0].frame, *map(np.concatenate, columns))
+
+
+def pieces_of(zbuffer: ZBuffer, owners: np.ndarray) -> RemovedPieces:
+    """Return the pieces that the selected trajectories remove in an image. `owners` is (n,) bool."""
+    records, frame = zbuffer.records, zbuffer.frame
+    pieces, pixel, near = records.pieces_of(owners)
+    row, column = np.divmod(pixel, frame.width)
+    x, y = frame.pixel_centres(column, row)
+    far = records.far[pieces].astype(float)
+    return RemovedPieces(frame, records.owner[pieces], x, y, near.astype(float), far)

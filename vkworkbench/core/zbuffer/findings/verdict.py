@@ -1,0 +1,106 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The verdict on a simulated job in one message: its faults, the fineness of the check, and the gaps of the check."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from vkworkbench.core.zbuffer.sweeps.cuts import Source
+from vkworkbench.language import Message
+
+# The sentence for a check without shank, holder and clamps.
+UNATTACHED = Message("attachments-unchecked")
+
+
+@dataclass(frozen=True)
+class Verdict:
+    """The faults that a check of a job found, and the extent of the check.
+
+    Attributes
+    ----------
+    pixel : float or None
+        Side of the pixels of the checked simulation, mm; None before the check.
+    met : bool
+        Whether any tool meets the stock. If not, there was nothing to check.
+    compared : bool
+        Whether the part was compared with a model.
+    crashes, gouges, fast_plunges : int
+        Number of rapids that cut, of cuts into the model, and of plunges that are too fast.
+    deepest_gouge, lacking : float
+        Depth of the deepest gouge, and thickness that the stock lacks of the model, mm.
+    collisions : int
+        Number of moves on which something else than the cutting edge hits material or a clamp.
+    unchecked : tuple of Source
+        Rapids and plunges for which the time did not suffice.
+    unjudged : tuple of int
+        Cuts whose gouges are unknown, because their tools only stand for other shapes.
+    attachments : Message
+        Sentence on the check of shank, holder and clamps.
+    """
+
+    pixel: float | None = None
+    met: bool = True
+    compared: bool = True
+    crashes: int = 0
+    gouges: int = 0
+    fast_plunges: int = 0
+    deepest_gouge: float = 0.0
+    lacking: float = 0.0
+    collisions: int = 0
+    unchecked: tuple[Source, ...] = ()
+    unjudged: tuple[int, ...] = ()
+    attachments: Message = UNATTACHED
+
+    @property
+    def is_checked(self) -> bool:
+        """Whether there was something to check, and it was checked."""
+        return self.pixel is not None and self.met
+
+    @property
+    def is_sound(self) -> bool:
+        """Whether the job was checked and nothing is wrong. Moves without a check may still be wrong, see `unchecked`."""
+        return self.is_checked and not self._faults()
+
+    def message(self, labels: Sequence[str]) -> Message:
+        """Return the verdict as one message.
+
+        Parameters
+        ----------
+        labels : sequence of str
+            Labels of the operations.
+        """
+        if self.pixel is None:
+            return Message("verdict-pending")
+        if not self.met:
+            return Message("verdict-nothing")
+        faults, what = self._faults(), Message("verdict-kinds" if self.compared else "verdict-kinds-without-model")
+        result = Message("verdict-checked" if faults else "verdict-sound", what=what, pixel=self.pixel)
+        return Message("verdict", sentences=(*faults, result, *self._left_out(labels), self.attachments))
+
+    def _faults(self) -> tuple[Message, ...]:
+        found = (
+            (self.collisions, Message("verdict-collisions", count=self.collisions)),
+            (self.crashes, Message("verdict-crashes", count=self.crashes)),
+            (self.gouges, Message("verdict-gouges", count=self.gouges, depth=self.deepest_gouge)),
+            (self.lacking, Message("stock-lacks", depth=self.lacking)),
+            (self.fast_plunges, Message("verdict-plunges", count=self.fast_plunges)),
+        )
+        return tuple(message for number, message in found if number)
+
+    def _left_out(self, labels: Sequence[str]) -> tuple[Message, ...]:
+        """Return a sentence for everything that the check left out."""
+        sentences = []
+        if self.unchecked:
+            first = self.unchecked[0]
+            count, label = len(self.unchecked), labels[first.cut]
+            sentences.append(Message("verdict-unchecked", count=count, command=first.command + 1, label=label))
+        if not self.compared:
+            sentences.append(Message("verdict-no-model"))
+        if self.unjudged:
+            sentences.append(Message("verdict-unjudged", labels=tuple(labels[cut] for cut in self.unjudged)))
+        return tuple(sentences)
+
+
+# The verdict before the check.
+PENDING = Verdict()

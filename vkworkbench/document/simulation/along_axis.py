@@ -1,0 +1,88 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The simulation of a job along its tool axis, from which all facts come, whatever view is shown."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Callable
+from dataclasses import dataclass
+
+from vkworkbench import preferences
+from vkworkbench.core import ZBuffer, simulate_job
+from vkworkbench.core.zbuffer import CrashCheck, JobFacts, OverBudget, axis_view, check_crashes, facts
+from vkworkbench.document.computer.calibration import known_speed
+from vkworkbench.document.simulation.job import SimulatedJob
+
+
+@dataclass(frozen=True, eq=False)
+class AlongAxis:
+    """A job simulated along its tool axis, with its crashes.
+
+    Attributes
+    ----------
+    job : SimulatedJob
+    zbuffer : ZBuffer
+        At its last moment.
+    checked : CrashCheck
+    """
+
+    job: SimulatedJob
+    zbuffer: ZBuffer
+    checked: CrashCheck
+
+    def facts(self, tolerance: float) -> JobFacts:
+        """Return the facts on the operations and the job, and the verdict; see `core.zbuffer.facts`."""
+        return facts(self.zbuffer, self.checked, model=self.job.model, tolerance=tolerance)
+
+
+def simulate_along_axis(
+    job: SimulatedJob, memory_budget: float, going_on: Callable[[float], None] = lambda _: None
+) -> AlongAxis:
+    """Simulate a job along its tool axis, as finely as is useful and as the budgets allow, and check its rapids.
+
+    Parameters
+    ----------
+    job : SimulatedJob
+    memory_budget : float
+        Largest memory, bytes. The preferences contain the time budget.
+    going_on : callable, optional
+        Called many times a second with the completed share of the simulation, 0 to 1. An exception from it ends the work.
+
+    Raises
+    ------
+    OverBudget
+        If the memory does not suffice for an image of one pixel.
+    """
+    seconds = preferences.read().time_budget
+    end = time.monotonic() + seconds
+    view = axis_view(job.cuts, job.stock, memory_bytes=memory_budget, seconds=seconds / 2, speed=known_speed())
+    zbuffer = None
+    while zbuffer is None:
+        try:
+            zbuffer = simulate_job(job.cuts, stock=job.stock, view=view, memory_budget=memory_budget, going_on=going_on)
+        except OverBudget as refused:
+            if refused.size is None:
+                raise
+            view = view.of_size(*refused.size)
+    left = max(end - time.monotonic(), 0.0)
+    return AlongAxis(job, zbuffer, check_crashes(job.cuts, job.stock, seconds=left, going_on=lambda: going_on(1.0)))
+
+
+class OnceAlongAxis:
+    """The simulation of a job along its tool axis, made at the first use.
+
+    Parameters
+    ----------
+    job : SimulatedJob
+    memory_budget : float
+        Largest memory, bytes.
+    """
+
+    def __init__(self, job: SimulatedJob, memory_budget: float) -> None:
+        self._arguments = job, memory_budget
+        self._done: AlongAxis | None = None
+
+    def __call__(self) -> AlongAxis:
+        if self._done is None:
+            self._done = simulate_along_axis(*self._arguments)
+        return self._done
