@@ -42,6 +42,9 @@ class Worker:
     ----------
     work : callable
         Function of one argument. The function, its arguments and its results must be picklable.
+    most_memory : float, optional
+        Limit of the memory for the work, bytes; beyond it the work gets a `MemoryError`. Other systems than Linux have no
+        such limit.
 
     Raises
     ------
@@ -49,7 +52,7 @@ class Worker:
         If no Python was found to run the process.
     """
 
-    def __init__(self, work: Callable[[Any], Any]) -> None:
+    def __init__(self, work: Callable[[Any], Any], most_memory: float | None = None) -> None:
         python = interpreter()
         if python is None:
             raise WorkerDied
@@ -60,7 +63,7 @@ class Worker:
             )  # fmt: skip
         except OSError:
             raise WorkerDied from None
-        self._work = work
+        self._work, self._most_memory = work, most_memory
         self._ready = False
 
     @property
@@ -80,6 +83,7 @@ class Worker:
         if self._answer() != _versions():
             self.end()
             raise WorkerDied
+        self._say(self._most_memory)
         self._say(self._work)
         self._ready = True
 
@@ -140,6 +144,7 @@ def serve() -> None:
 
     with suppress(BrokenPipeError):
         say(_versions())
+        _limit_memory(received.get())
         work = received.get()
         while True:
             say(work(received.get()))
@@ -152,6 +157,17 @@ def _receive(received: SimpleQueue[Any]) -> None:
             received.put(pickle.load(sys.stdin.buffer))
     finally:
         os._exit(0)
+
+
+def _limit_memory(most: float | None) -> None:
+    """Limit the memory that this process allocates from now on, bytes."""
+    if most is not None and sys.platform == "linux":
+        import resource  # Windows has none
+
+        pages = int(Path("/proc/self/statm").read_text().split()[5])  # data and stack, without reserved addresses
+        limit = pages * resource.getpagesize() + int(most)
+        with suppress(ValueError, OSError):  # the user has set a lower limit
+            resource.setrlimit(resource.RLIMIT_DATA, (limit, limit))
 
 
 def interpreter() -> str | None:

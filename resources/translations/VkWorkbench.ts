@@ -1185,6 +1185,18 @@
         <source>Shank, holder and clamps not checked.</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>The file has more than {lines:n} lines.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This is not an NC program. It has a line of more than {characters:n} characters.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The memory is not sufficient for this program. Divide it into smaller programs.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>Strategy</name>

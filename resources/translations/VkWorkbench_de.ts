@@ -1185,6 +1185,18 @@
         <source>Shank, holder and clamps not checked.</source>
         <translation>Schaft, Halter und Spannmittel nicht geprüft.</translation>
     </message>
+    <message>
+        <source>The file has more than {lines:n} lines.</source>
+        <translation>Die Datei hat mehr als {lines:n} Zeilen.</translation>
+    </message>
+    <message>
+        <source>This is not an NC program. It has a line of more than {characters:n} characters.</source>
+        <translation>Das ist kein NC-Programm. Es hat eine Zeile mit mehr als {characters:n} Zeichen.</translation>
+    </message>
+    <message>
+        <source>The memory is not sufficient for this program. Divide it into smaller programs.</source>
+        <translation>Der Speicher reicht für dieses Programm nicht aus. Teilen Sie es in kleinere Programme auf.</translation>
+    </message>
 </context>
 <context>
     <name>Strategy</name>

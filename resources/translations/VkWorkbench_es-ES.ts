@@ -1185,6 +1185,18 @@
         <source>Shank, holder and clamps not checked.</source>
         <translation>No se han comprobado vástago, portaherramientas ni bridas.</translation>
     </message>
+    <message>
+        <source>The file has more than {lines:n} lines.</source>
+        <translation>El archivo tiene más de {lines:n} líneas.</translation>
+    </message>
+    <message>
+        <source>This is not an NC program. It has a line of more than {characters:n} characters.</source>
+        <translation>Esto no es un programa CN. Tiene una línea de más de {characters:n} caracteres.</translation>
+    </message>
+    <message>
+        <source>The memory is not sufficient for this program. Divide it into smaller programs.</source>
+        <translation>La memoria no es suficiente para este programa. Divídalo en programas más pequeños.</translation>
+    </message>
 </context>
 <context>
     <name>Strategy</name>

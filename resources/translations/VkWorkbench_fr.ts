@@ -1185,6 +1185,18 @@
         <source>Shank, holder and clamps not checked.</source>
         <translation>Queue, porte-outil et brides non vérifiés.</translation>
     </message>
+    <message>
+        <source>The file has more than {lines:n} lines.</source>
+        <translation>Le fichier a plus de {lines:n} lignes.</translation>
+    </message>
+    <message>
+        <source>This is not an NC program. It has a line of more than {characters:n} characters.</source>
+        <translation>Ce n&apos;est pas un programme CN. Il contient une ligne de plus de {characters:n} caractères.</translation>
+    </message>
+    <message>
+        <source>The memory is not sufficient for this program. Divide it into smaller programs.</source>
+        <translation>La mémoire ne suffit pas pour ce programme. Divisez-le en programmes plus petits.</translation>
+    </message>
 </context>
 <context>
     <name>Strategy</name>

@@ -1185,6 +1185,18 @@
         <source>Shank, holder and clamps not checked.</source>
         <translation>未检查刀柄、刀夹和夹具。</translation>
     </message>
+    <message>
+        <source>The file has more than {lines:n} lines.</source>
+        <translation>文件超过 {lines:n} 行。</translation>
+    </message>
+    <message>
+        <source>This is not an NC program. It has a line of more than {characters:n} characters.</source>
+        <translation>这不是 NC 程序。其中有一行超过 {characters:n} 个字符。</translation>
+    </message>
+    <message>
+        <source>The memory is not sufficient for this program. Divide it into smaller programs.</source>
+        <translation>内存不足以处理此程序。请将其拆分为较小的程序。</translation>
+    </message>
 </context>
 <context>
     <name>Strategy</name>

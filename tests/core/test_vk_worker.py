@@ -78,6 +78,17 @@ def test_worker_runs_nothing_of_a_hostile_folder(monkeypatch, tmp_path):
     one.end()
 
 
+@pytest.mark.skipif(sys.platform != "linux", reason="other systems do not limit the memory of a process")
+def test_memory_of_a_worker_is_limited():
+    one = Worker(bytes, 1e8)
+    assert len(one(10_000_000)) == 10_000_000
+    with pytest.raises(WorkerDied):
+        one(110_000_000)
+    free = Worker(bytes)
+    assert len(free(110_000_000)) == 110_000_000
+    free.end()
+
+
 def _ends(pid):
     """Whether a process ends; one that its parent has not waited for has ended, too."""
     deadline = time.monotonic() + 20

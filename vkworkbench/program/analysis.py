@@ -111,6 +111,8 @@ def analyze_file(path: Path, chosen: Preferences) -> tuple[OperationReport, ...]
         return tuple(_rows(path, read_program(text_of(read_bytes(path))), chosen))
     except Unusable as error:
         return (unread(path, error.what),)
+    except MemoryError:
+        return (unread(path, Message("memory-short")),)
     except Exception as error:  # an error in this add-on must not stop the analysis of the other files
         return (unread(path, Message("not-analysed", error=f"{type(error).__name__}: {error}")),)
 

@@ -14,6 +14,8 @@ from vkworkbench.program.analysis import analyze_file, unread
 from vkworkbench.report import OperationReport
 from vkworkbench.worker import Worker, WorkerDied
 
+# Memory for the analysis of one program, bytes. A toolpath of 5 million moves, the largest that is read, needs less.
+_MOST_MEMORY = 4e9
 _of_thread = threading.local()
 _workers: weakref.WeakSet[Worker] = weakref.WeakSet()
 
@@ -59,7 +61,7 @@ def _worker() -> Worker:
     """Return the process of this thread, ready for work. A process that died is replaced."""
     worker = getattr(_of_thread, "worker", None)
     if worker is None or not worker.lives:
-        worker = _of_thread.worker = Worker(_analyze)
+        worker = _of_thread.worker = Worker(_analyze, _MOST_MEMORY)
         _workers.add(worker)
         worker.get_ready()
     return worker

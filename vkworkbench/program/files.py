@@ -19,7 +19,10 @@ _SUFFIXES = frozenset([
     ".nc", ".ngc", ".gcode", ".gc", ".g", ".tap", ".cnc", ".ncc", ".ncf", ".iso",
     ".eia", ".din", ".min", ".mpf", ".spf", ".prg", ".fnc", ".nc1", ".ptp", ".mcd",
 ])  # fmt: skip
-MOST_BYTES = 400_000_000  # largest text: about ten million lines, more than a toolpath can have
+# Limits of a text, decompressed. A toolpath has up to 5 million moves. A longer line has no moves of a machine.
+MOST_BYTES, MOST_LINES, LONGEST_LINE = 400_000_000, 10_000_000, 500_000
+_PART = 10_000_000  # bytes that are read at once
+_LINE_END = re.compile("[\n\r]")
 _PACKED = {".xz": lzma.open, ".gz": gzip.open}
 _MARKS = ((codecs.BOM_UTF8, "utf-8-sig"), (codecs.BOM_UTF16_LE, "utf-16"), (codecs.BOM_UTF16_BE, "utf-16"))
 # Three neighbouring letters beyond ASCII mean Cyrillic text. In Western languages these letters are single.
@@ -100,9 +103,12 @@ def read_bytes(path: Path) -> bytes:
         raise Unusable(Message("no-file"))
     try:
         with _PACKED.get(path.suffix.lower(), open)(path, "rb") as file:
-            data = file.read(MOST_BYTES + 1)
+            parts: list[bytes] = []  # file.read(MOST_BYTES) would allocate as much for every file
+            while sum(map(len, parts)) <= MOST_BYTES and (part := file.read(_PART)):
+                parts.append(part)
     except (OSError, EOFError, lzma.LZMAError, zlib.error) as error:
         raise Unusable(Message("file-unreadable", name=getattr(error, "strerror", None) or str(error))) from None
+    data = b"".join(parts)
     if len(data) > MOST_BYTES:
         raise Unusable(Message("file-too-large", size=MOST_BYTES))
     return data
@@ -114,8 +120,19 @@ def text_of(data: bytes) -> str:
     Raises
     ------
     Unusable
-        If the data is not text.
+        If the data is not text, or has too many or too long lines. A line of `LONGEST_LINE` characters may be too long, a
+        line of twice that length always is.
     """
+    text = _decoded(data)
+    if text.count("\n") + text.count("\r") - text.count("\r\n") > MOST_LINES:
+        raise Unusable(Message("too-many-lines", lines=MOST_LINES))
+    for start in range(0, len(text) - LONGEST_LINE + 1, LONGEST_LINE):
+        if not _LINE_END.search(text, start, start + LONGEST_LINE):
+            raise Unusable(Message("line-too-long", characters=LONGEST_LINE))
+    return text
+
+
+def _decoded(data: bytes) -> str:
     if data.startswith(_ZIP):
         of_freecad = data.startswith(b"Document.xml", _FIRST_NAME)
         raise Unusable(Message("freecad-document") if of_freecad else Message("archive"))

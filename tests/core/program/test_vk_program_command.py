@@ -4,6 +4,7 @@
 import csv
 import io
 import json
+import lzma
 import os
 import resource
 import shlex
@@ -284,6 +285,20 @@ def test_after_a_program_that_is_given_up_the_next_is_read(folder, endless):
     late, other = apart_in_a_thread((endless, 0.5), (folder / "a.nc", 1e10))
     assert late.error == "The analysis was stopped after 500 ms." and not late.counted
     assert str(other.strategy) == "zigzag"
+
+
+@pytest.mark.skipif(sys.platform != "linux", reason="other systems do not limit the memory of a process")
+def test_a_bomb_costs_only_its_row(folder, tmp_path, monkeypatch):
+    """It is small until it is decompressed and read. Other programs are read, also by the same process."""
+    monkeypatch.setattr(apart, "_MOST_MEMORY", 1.5e8)
+    bomb = tmp_path / "bomb.nc.xz"
+    bomb.write_bytes(lzma.compress(b"G1 X1\nX2\n" * 400_000, preset=0))
+    assert bomb.stat().st_size < 10_000
+    before, found, after = apart_in_a_thread((folder / "a.nc", 60), (bomb, 60), (folder / "a.nc", 60))
+    assert not found.counted and found.error == (
+        "The memory is not sufficient for this program. Divide it into smaller programs."
+    )
+    assert before == after and str(after.strategy) == "zigzag"
 
 
 def test_an_analysis_that_fails_costs_only_its_program(folder, inside, monkeypatch):

@@ -109,6 +109,23 @@ def test_a_file_larger_than_any_toolpath_is_refused(tmp_path, monkeypatch):
         read_bytes(path)
 
 
+@pytest.mark.parametrize("end", ["\n", "\r\n", "\r"])
+def test_text_with_too_many_lines_is_refused(monkeypatch, end):
+    monkeypatch.setattr(files, "MOST_LINES", 3)
+    assert text_of(f"X1{end}X2{end}X3{end}X4".encode()).endswith("X4")
+    with pytest.raises(Unusable, match=r"^The file has more than 3 lines\.$"):
+        text_of(f"X1{end}X2{end}X3{end}X4{end}".encode())
+
+
+@pytest.mark.parametrize("end", ["\n", "\r\n", "\r"])
+def test_text_with_a_too_long_line_is_refused(monkeypatch, end):
+    monkeypatch.setattr(files, "LONGEST_LINE", 10)
+    assert text_of(f"X12345678{end}".encode() * 9)
+    for before in range(12):
+        with pytest.raises(Unusable, match="has a line of more than 10 characters"):
+            text_of((f"{'X' * before}{end}" + 20 * "/" + f"{end}X1").encode())
+
+
 def test_a_pipe_or_a_device_is_no_file(tmp_path):
     os.mkfifo(tmp_path / "pipe.nc")
     (tmp_path / "linked.nc").symlink_to(tmp_path / "pipe.nc")

@@ -88,4 +88,11 @@ PROGRAMS: dict[str, str | tuple[str, str]] = {
         "Sentences", "The process that read the file ended unexpectedly, perhaps for lack of memory."
     ),
     "file-too-large": QT_TRANSLATE_NOOP("Sentences", "The file is larger than {size:bytes}."),
+    "too-many-lines": QT_TRANSLATE_NOOP("Sentences", "The file has more than {lines:n} lines."),
+    "line-too-long": QT_TRANSLATE_NOOP(
+        "Sentences", "This is not an NC program. It has a line of more than {characters:n} characters."
+    ),
+    "memory-short": QT_TRANSLATE_NOOP(
+        "Sentences", "The memory is not sufficient for this program. Divide it into smaller programs."
+    ),
 }
