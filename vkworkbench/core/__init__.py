@@ -5,7 +5,8 @@ Other packages import each folder's public names from its ``__init__``, never fr
 """
 
 from vkworkbench.core.gcode import linearize
-from vkworkbench.core.machining import Machining, exact_lengths, machining, trajectory_seconds
+from vkworkbench.core.machine import MACHINES, Machine, machine_of_grbl
+from vkworkbench.core.machining import Machining, machining, trajectory_seconds
 from vkworkbench.core.paper import Complexity, Signature, complexity, signature
 from vkworkbench.core.recognition import Recognition, Span, recognize
 from vkworkbench.core.solids import Stock, stock_around
@@ -13,7 +14,7 @@ from vkworkbench.core.steady import processor_clock, steady_seconds
 from vkworkbench.core.stocks import Cylinder, Mesh, Solid
 from vkworkbench.core.strategy import Family, Strategy
 from vkworkbench.core.tool import Tool
-from vkworkbench.core.toolpath import COORDINATE_LIMIT, Problem, Toolpath
+from vkworkbench.core.toolpath import COORDINATE_LIMIT, Problem, Toolpath, exact_lengths
 from vkworkbench.core.view import Frame, View
 from vkworkbench.core.zbuffer import (
     Cut,
@@ -30,9 +31,9 @@ from vkworkbench.core.zbuffer import (
 )
 
 __all__ = [
-    "COORDINATE_LIMIT", "Complexity", "Cut", "Cylinder", "Estimate", "Family", "Frame", "Machining", "Mesh", "Problem",
+    "COORDINATE_LIMIT", "MACHINES", "Complexity", "Cut", "Cylinder", "Estimate", "Family", "Frame", "Machine", "Machining", "Mesh", "Problem",
     "Recognition", "Resolution", "Signature", "Solid", "Span", "Speed", "Stock", "Strategy", "Tool", "Toolpath",
-    "View", "ZBuffer", "best_resolution", "cauchy_crofton", "complexity", "estimate", "exact_lengths", "linearize", "machining",
+    "View", "ZBuffer", "best_resolution", "cauchy_crofton", "complexity", "estimate", "exact_lengths", "linearize", "machine_of_grbl", "machining",
     "measure_speed", "processor_clock", "recognize", "signature", "simulate", "simulate_job", "steady_seconds",
     "stock_around", "trajectory_seconds",
 ]  # fmt: skip

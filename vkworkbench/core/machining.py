@@ -11,8 +11,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from vkworkbench.core.toolpath import PLANE_AXES, Toolpath, check_toolpath
-from vkworkbench.given import not_negative, number
+from vkworkbench.core.machine import Machine
+from vkworkbench.core.toolpath import Toolpath, check_toolpath, exact_lengths
+from vkworkbench.given import not_negative, number, of_kind
 from vkworkbench.language import Message, render
 
 
@@ -29,8 +30,8 @@ class Machining:
     depth : float or None
         Distance of `lowest` below the top of the stock, mm, at least 0; None if one of the two is unknown.
     cutting_seconds, rapid_seconds : float or None
-        Time of the moves whose speed is known, s; None if no speed is known. The moves have a constant feed:
-        acceleration, dwells and tool changes are left out.
+        Time of the moves whose speed is known, s; None if no speed is known. Without a machine, the moves have a
+        constant feed. Dwells and tool changes are left out.
     left_out : tuple of Message
         Reasons why the times are incomplete; empty if they are complete.
     shortest, median : float or None
@@ -66,51 +67,17 @@ class Machining:
         return self.cutting_seconds + (self.rapid_seconds or 0.0)
 
 
-def exact_lengths(toolpath: Toolpath) -> np.ndarray:
-    """Return the length of every trajectory; for a chord of an arc or helix, the length along the curve.
-
-    A chord with length c in the working plane and sweep s belongs to an arc of radius r = c / (2 sin(s/2)); with the
-    rise h along the plane's normal, the piece of the helix is sqrt((r s)^2 + h^2) long.
-
-    Parameters
-    ----------
-    toolpath : Toolpath
-        n trajectories.
-
-    Returns
-    -------
-    (n,) float64
-        Lengths, mm.
-
-    Raises
-    ------
-    TypeError
-        If `toolpath` is not a Toolpath.
-    """
-    check_toolpath(toolpath)
-    moves = np.diff(toolpath.points, axis=0)
-    if not len(moves):
-        return np.zeros(0)
-    lengths: np.ndarray = np.sqrt((moves**2).sum(axis=1))
-    arc = np.flatnonzero(toolpath.sweep)
-    if len(arc):
-        squares = moves[arc] ** 2
-        normal = np.zeros(len(arc), dtype=int)
-        for plane, (_, _, axis) in PLANE_AXES.items():
-            normal[toolpath.plane[arc] == plane] = axis
-        rise2 = squares[np.arange(len(arc)), normal]
-        half = np.abs(toolpath.sweep[arc]) / 2
-        lengths[arc] = np.sqrt((squares.sum(axis=1) - rise2) * (half / np.sin(half)) ** 2 + rise2)
-    return lengths
-
-
-def trajectory_seconds(toolpath: Toolpath, *, horizontal_rapid: float = 0.0, vertical_rapid: float = 0.0) -> np.ndarray:
-    """Return the time of every trajectory at constant feed, (n,) float64 s; NaN if its speed is unknown.
+def trajectory_seconds(
+    toolpath: Toolpath, *, horizontal_rapid: float = 0.0, vertical_rapid: float = 0.0, machine: Machine | None = None
+) -> np.ndarray:
+    """Return the time of every trajectory, (n,) float64 s; NaN if its speed is unknown.
 
     Parameters
     ----------
     toolpath : Toolpath
     horizontal_rapid, vertical_rapid : float
+        As for :func:`machining`.
+    machine : Machine, optional
         As for :func:`machining`.
 
     Raises
@@ -119,27 +86,19 @@ def trajectory_seconds(toolpath: Toolpath, *, horizontal_rapid: float = 0.0, ver
         As for :func:`machining`.
     """
     check_toolpath(toolpath)
-    horizontal_rapid, vertical_rapid = _rapids(horizontal_rapid, vertical_rapid)
-    speed = _speeds(toolpath, horizontal_rapid, vertical_rapid)
+    of_kind("machine", machine, (Machine, type(None)), "a Machine or None")
+    takes = "a rapid speed in mm/s, a number of at least 0"
+    horizontal_rapid = number("horizontal_rapid", horizontal_rapid, takes, not_negative)
+    vertical_rapid = number("vertical_rapid", vertical_rapid, takes, not_negative)
+    if machine is not None:
+        return machine.seconds(toolpath)
+    rapid = np.where(_upright(toolpath), vertical_rapid, horizontal_rapid)
+    speed = np.where(toolpath.rapid, rapid, toolpath.feed)
     return exact_lengths(toolpath) / np.where(speed > 0, speed, np.nan)
 
 
-def _rapids(horizontal_rapid: object, vertical_rapid: object) -> tuple[float, float]:
-    takes = "a rapid speed in mm/s, a number of at least 0"
-    return (
-        number("horizontal_rapid", horizontal_rapid, takes, not_negative),
-        number("vertical_rapid", vertical_rapid, takes, not_negative),
-    )
-
-
-def _speeds(toolpath: Toolpath, horizontal_rapid: float, vertical_rapid: float) -> np.ndarray:
-    """Return the speed of every trajectory, (n,) mm/s; 0 if it is unknown."""
-    rapid: np.ndarray = np.where(_upright(toolpath), vertical_rapid, horizontal_rapid)
-    return np.where(toolpath.rapid, rapid, toolpath.feed)
-
-
-def _timed(moves: np.ndarray, lengths: np.ndarray, speed: np.ndarray) -> tuple[float, float | None, float, int]:
-    """Measure the moves selected by `moves`, (n,) bool.
+def _timed(moves: np.ndarray, lengths: np.ndarray, seconds: np.ndarray) -> tuple[float, float | None, float, int]:
+    """Measure the moves selected by `moves`, (n,) bool. Unknown times are NaN.
 
     Returns
     -------
@@ -152,10 +111,10 @@ def _timed(moves: np.ndarray, lengths: np.ndarray, speed: np.ndarray) -> tuple[f
     missing : int
         Number of moves whose speed is unknown.
     """
-    timed = moves & (speed > 0)
+    timed = moves & ~np.isnan(seconds)
     length, missing = float(lengths[moves].sum()), int((moves & ~timed).sum())
-    seconds = None if missing and not timed.any() else float((lengths[timed] / speed[timed]).sum())
-    return length, seconds, length - float(lengths[timed].sum()), missing
+    known = None if missing and not timed.any() else float(seconds[timed].sum())
+    return length, known, length - float(lengths[timed].sum()), missing
 
 
 def _rapids_untimed(length: float, names: list[str], controller: bool) -> Message:
@@ -183,6 +142,7 @@ def machining(
     vertical_rapid: float = 0.0,
     controller: bool = True,
     top: float | None = None,
+    machine: Machine | None = None,
 ) -> Machining:
     """Return lengths, depth and time of one operation.
 
@@ -197,6 +157,8 @@ def machining(
         Whether the operation has a tool controller, where the user can set the speeds.
     top : float, optional
         Height of the stock's top, mm.
+    machine : Machine, optional
+        Plans the times with its accelerations, and replaces the rapid speeds. None: constant feeds and rapid speeds.
 
     Returns
     -------
@@ -207,19 +169,19 @@ def machining(
     ValueError
         For a negative or non-finite rapid speed.
     TypeError
-        If `toolpath` is not a Toolpath, or a speed or `top` is not a number.
+        If `toolpath` is not a Toolpath, `machine` is not a Machine, or a speed or `top` is not a number.
     """
-    check_toolpath(toolpath)
-    horizontal_rapid, vertical_rapid = _rapids(horizontal_rapid, vertical_rapid)
+    seconds = trajectory_seconds(
+        toolpath, horizontal_rapid=horizontal_rapid, vertical_rapid=vertical_rapid, machine=machine
+    )
     top = None if top is None else number("top", top, "a number of mm")
     lengths = exact_lengths(toolpath)
-    speed = _speeds(toolpath, horizontal_rapid, vertical_rapid)
     rapid = toolpath.rapid
     left_out = []
-    cutting_length, cutting_seconds, untimed, missing = _timed(~rapid, lengths, speed)
+    cutting_length, cutting_seconds, untimed, missing = _timed(~rapid, lengths, seconds)
     if missing:
         left_out.append(Message("cutting-untimed", length=untimed, count=missing))
-    rapid_length, rapid_seconds, untimed, missing = _timed(rapid, lengths, speed)
+    rapid_length, rapid_seconds, untimed, missing = _timed(rapid, lengths, seconds)
     if missing:
         upright = _upright(toolpath)
         speeds = ("HorizRapid", horizontal_rapid, ~upright), ("VertRapid", vertical_rapid, upright)

@@ -211,3 +211,41 @@ def check_toolpath(given: object) -> None:
     TypeError
     """
     of_kind("a toolpath", given, Toolpath, "the Toolpath that linearize makes of commands")
+
+
+def exact_lengths(toolpath: Toolpath) -> np.ndarray:
+    """Return the length of every trajectory; for a chord of an arc or helix, the length along the curve.
+
+    A chord with length c in the working plane and sweep s belongs to an arc of radius r = c / (2 sin(s/2)); with the
+    rise h along the plane's normal, the piece of the helix is sqrt((r s)^2 + h^2) long.
+
+    Parameters
+    ----------
+    toolpath : Toolpath
+        n trajectories.
+
+    Returns
+    -------
+    (n,) float64
+        Lengths, mm.
+
+    Raises
+    ------
+    TypeError
+        If `toolpath` is not a Toolpath.
+    """
+    check_toolpath(toolpath)
+    moves = np.diff(toolpath.points, axis=0)
+    if not len(moves):
+        return np.zeros(0)
+    lengths: np.ndarray = np.sqrt((moves**2).sum(axis=1))
+    arc = np.flatnonzero(toolpath.sweep)
+    if len(arc):
+        squares = moves[arc] ** 2
+        normal = np.zeros(len(arc), dtype=int)
+        for plane, (_, _, axis) in PLANE_AXES.items():
+            normal[toolpath.plane[arc] == plane] = axis
+        rise2 = squares[np.arange(len(arc)), normal]
+        half = np.abs(toolpath.sweep[arc]) / 2
+        lengths[arc] = np.sqrt((squares.sum(axis=1) - rise2) * (half / np.sin(half)) ** 2 + rise2)
+    return lengths

@@ -9,8 +9,7 @@ import numpy as np
 
 from vkworkbench.core.gcode.moves.commands import Commands
 from vkworkbench.core.gcode.moves.linearize import linearize
-from vkworkbench.core.machining import exact_lengths
-from vkworkbench.core.toolpath import Problem, Toolpath
+from vkworkbench.core.toolpath import Problem, Toolpath, exact_lengths
 from vkworkbench.language import Message
 
 

@@ -9,9 +9,8 @@ from functools import cached_property
 
 import numpy as np
 
-from vkworkbench.core.machining import exact_lengths
 from vkworkbench.core.tool import Tool, check_tool
-from vkworkbench.core.toolpath import Toolpath, check_toolpath
+from vkworkbench.core.toolpath import Toolpath, check_toolpath, exact_lengths
 from vkworkbench.given import number, of_kind, whole
 
 

@@ -1,0 +1,216 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Machining times with acceleration: the speed of the tool along a toolpath, as a machine's controller plans it.
+
+A controller drives as fast as feed, axes and corners allow, and brakes in time for each corner. The squared speed at the
+corners is planned for all moves at once by two cumulative minima: braking backwards, accelerating forwards.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, fields
+from types import MappingProxyType
+
+import numpy as np
+
+from vkworkbench.core.toolpath import PLANE_AXES, Toolpath, check_toolpath, exact_lengths
+from vkworkbench.given import not_negative, number, numbers, positive, whole
+
+# Sine of half the angle between two moves above which the corner is straight: rounding, not a limit of the speed.
+_STRAIGHT = 1 - 1e-12
+
+
+def _are_three_positive(values: np.ndarray) -> bool:
+    return values.shape == (3,) and bool(np.isfinite(values).all() and (values > 0).all())
+
+
+@dataclass(frozen=True)
+class Machine:
+    """Speeds and accelerations of a machine.
+
+    Parameters
+    ----------
+    rates : (3,) tuple of float
+        Largest speeds of the X, Y and Z axes, mm/s. Rapids use them.
+    accelerations : (3,) tuple of float
+        Accelerations of the axes, mm/s^2.
+    deviation : float
+        Distance from the corner at which the controller may round it, mm: grbl's junction deviation, LinuxCNC's path
+        tolerance (G64 P). With 0, the tool stops at each corner.
+    lookahead : int
+        Number of moves that the controller plans ahead; it can always stop within them. Where a program has tiny moves,
+        a small number slows the tool.
+    tool_change : float
+        Time of a tool change, s.
+    factor : float
+        Measured time of a job divided by its planned time.
+
+    Raises
+    ------
+    ValueError
+        If a value is not positive; deviation and tool change may be 0.
+    TypeError
+        If a value is not a number, or `lookahead` is not an integer.
+    """
+
+    rates: tuple[float, float, float]
+    accelerations: tuple[float, float, float]
+    deviation: float
+    lookahead: int = 1000
+    tool_change: float = 0.0
+    factor: float = 1.0
+
+    def __post_init__(self) -> None:
+        for name in ("rates", "accelerations"):
+            takes = "three positive numbers, for X, Y and Z"
+            given = numbers(name, getattr(self, name), takes, _are_three_positive)
+            object.__setattr__(self, name, tuple(given.tolist()))
+        for name, fits in (("deviation", not_negative), ("tool_change", not_negative), ("factor", positive)):
+            takes = "a number of at least 0" if fits is not_negative else "a positive number"
+            object.__setattr__(self, name, number(name, getattr(self, name), takes, fits))
+        takes = "a whole number of moves, at least 1"
+        object.__setattr__(self, "lookahead", whole("lookahead", self.lookahead, takes, lambda moves: moves >= 1))
+
+    def seconds(self, toolpath: Toolpath) -> np.ndarray:
+        """Return the time of every trajectory, from standstill to standstill.
+
+        Parameters
+        ----------
+        toolpath : Toolpath
+            n trajectories, feeds in mm/s.
+
+        Returns
+        -------
+        (n,) float64
+            s; NaN for cutting moves without a feed.
+
+        Raises
+        ------
+        TypeError
+            If `toolpath` is not a Toolpath.
+        """
+        check_toolpath(toolpath)
+        if not len(toolpath):
+            return np.zeros(0)
+        lengths, (begin, end) = exact_lengths(toolpath), _tangents(toolpath)
+        along = np.abs(np.diff(toolpath.points, axis=0)) / toolpath.lengths[:, None]
+        speed = self._speeds(toolpath, along, lengths)
+        gain = 2 * _least_over(self.accelerations, along) * lengths  # of the squared speed, at full acceleration
+        reached = np.concatenate(([0.0], np.cumsum(gain)))
+        planned = reached[np.minimum(np.arange(len(reached)) + self.lookahead, len(gain))]
+        squared = np.minimum(self._corners(begin, end, speed), planned - reached)
+        squared = np.minimum.accumulate((squared + reached)[::-1])[::-1] - reached
+        squared = np.minimum.accumulate(squared - reached) + reached
+        return _trapezoids(np.maximum(squared, 0.0), speed, gain, lengths) * self.factor
+
+    def _speeds(self, toolpath: Toolpath, along: np.ndarray, lengths: np.ndarray) -> np.ndarray:
+        """Return the largest speed in each move, (n,) mm/s; NaN without a feed."""
+        limit = _least_over(self.rates, along)
+        feed = np.where(toolpath.feed > 0, toolpath.feed, np.nan)
+        speed = np.where(toolpath.rapid, limit, np.minimum(feed, limit))
+        arc = np.flatnonzero(toolpath.sweep)
+        acceleration = np.array([min(self.accelerations[axis] for axis in PLANE_AXES[plane][:2])
+                                 for plane in (17, 18, 19)])[toolpath.plane[arc] - 17]  # fmt: skip
+        # The centripetal acceleration: the tool turns by the sweep on the way.
+        centripetal = np.sqrt(acceleration * lengths[arc] / np.abs(toolpath.sweep[arc]))
+        speed[arc] = np.minimum(speed[arc], centripetal)
+        return speed
+
+    def _corners(self, begin: np.ndarray, end: np.ndarray, speed: np.ndarray) -> np.ndarray:
+        """Return the largest squared speed at each of the n + 1 points; 0 at both ends and beside an unknown speed."""
+        turn = begin[1:] - end[:-1]
+        sine = np.sqrt(np.clip((1 + (begin[1:] * end[:-1]).sum(axis=1)) / 2, 0, 1))
+        change = np.sqrt((turn**2).sum(axis=1))
+        with np.errstate(divide="ignore", invalid="ignore"):
+            acceleration = _least_over(self.accelerations, np.abs(turn) / change[:, None])
+            # The circle through a corner that stays within the deviation has the radius deviation * sine / (1 - sine).
+            squared = np.where(sine < _STRAIGHT, acceleration * self.deviation * sine / (1 - sine), np.inf)
+        squared = np.minimum(squared, np.minimum(speed[1:], speed[:-1]) ** 2)
+        return np.concatenate(([0.0], np.nan_to_num(squared), [0.0]))
+
+
+# Typical machines: a belt or screw driven hobby router with grbl, a small milling machine, a machining centre.
+MACHINES: Mapping[str, Machine] = MappingProxyType({
+    "hobby-router": Machine((50.0, 50.0, 10.0), (250.0, 250.0, 100.0), 0.01, lookahead=15, tool_change=120.0),
+    "small-mill": Machine((50.0, 50.0, 40.0), (500.0, 500.0, 400.0), 0.02, tool_change=60.0),
+    "machining-centre": Machine((500.0, 500.0, 400.0), (4000.0, 4000.0, 4000.0), 0.02, tool_change=8.0),
+})  # fmt: skip
+
+# Numbers of grbl's settings that have an equivalent here, by field: rates are in mm/min.
+_GRBL = {"rates": (110, 111, 112), "accelerations": (120, 121, 122)}
+_GRBL_DEVIATION = 11
+
+
+def machine_of_grbl(settings: str, otherwise: Machine) -> Machine:
+    """Return the machine of a list of grbl's settings, as its command ``$$`` prints them.
+
+    Parameters
+    ----------
+    settings : str
+        Lines such as ``$110=3000.000``. Other lines are skipped.
+    otherwise : Machine
+        Gives the values that are not listed.
+
+    Raises
+    ------
+    ValueError
+        If no line is a known setting, or if a value is impossible.
+    """
+    found = {}
+    for line in settings.splitlines():
+        name, _, value = line.strip().partition("=")
+        if name[:1] == "$" and name[1:].isdigit() and value:
+            found[int(name[1:])] = number(name, value.split()[0].split("(")[0], "a number")
+    if not {_GRBL_DEVIATION, *_GRBL["rates"], *_GRBL["accelerations"]} & found.keys():
+        raise ValueError("there is no line such as $110=3000: paste what grbl answers to $$")
+    given = {field.name: getattr(otherwise, field.name) for field in fields(Machine)}
+    for name, scale in (("rates", 60.0), ("accelerations", 1.0)):
+        given[name] = tuple(found.get(key, scale * kept) / scale for key, kept in zip(_GRBL[name], given[name]))
+    given["deviation"] = found.get(_GRBL_DEVIATION, otherwise.deviation)
+    return Machine(**given)
+
+
+def _least_over(limits: tuple[float, float, float], along: np.ndarray) -> np.ndarray:
+    """Return the largest length of a vector in each direction `along` (n, 3) whose components keep the limits."""
+    with np.errstate(divide="ignore"):
+        result: np.ndarray = (np.array(limits) / along).min(axis=1)
+    return result
+
+
+def _tangents(toolpath: Toolpath) -> tuple[np.ndarray, np.ndarray]:
+    """Return the directions of motion at the begin and at the end of each trajectory, (n, 3) unit vectors.
+
+    A chord of an arc differs from its tangents by half of the sweep, in the arc's plane.
+    """
+    moves = np.diff(toolpath.points, axis=0)
+    begin, end = moves.copy(), moves.copy()
+    for plane, (first, second, _) in PLANE_AXES.items():
+        arc = np.flatnonzero((toolpath.sweep != 0) & (toolpath.plane == plane))
+        half = toolpath.sweep[arc] / 2
+        across, up = moves[arc, first], moves[arc, second]
+        stretch = half / np.sin(half)  # of the arc over its chord; the rise of a helix is along the arc
+        for tangents, angle in ((begin, -half), (end, half)):
+            tangents[arc, first] = stretch * (np.cos(angle) * across - np.sin(angle) * up)
+            tangents[arc, second] = stretch * (np.sin(angle) * across + np.cos(angle) * up)
+    for tangents in (begin, end):
+        tangents /= np.sqrt((tangents**2).sum(axis=1))[:, None]
+    return begin, end
+
+
+def _trapezoids(squared: np.ndarray, speed: np.ndarray, gain: np.ndarray, lengths: np.ndarray) -> np.ndarray:
+    """Return the time of each move, (n,) s: it accelerates, keeps its speed, and brakes.
+
+    Parameters
+    ----------
+    squared : (n + 1,) ndarray
+        Squared speeds at the points, mm^2/s^2.
+    speed, gain, lengths : (n,) ndarray
+        Largest speed, gain of the squared speed at full acceleration, and length of each move.
+    """
+    enter, leave = squared[:-1], squared[1:]
+    top = np.minimum(speed**2, (enter + leave + gain) / 2)
+    peak, acceleration = np.sqrt(top), gain / (2 * lengths)
+    changing = (2 * peak - np.sqrt(enter) - np.sqrt(leave)) / acceleration
+    steady = np.maximum(lengths - (2 * top - enter - leave) / (2 * acceleration), 0.0)
+    result: np.ndarray = changing + steady / peak
+    return result
