@@ -10,10 +10,10 @@ from __future__ import annotations
 
 import sys
 from collections.abc import Callable
-from dataclasses import dataclass, field, fields
+from dataclasses import dataclass, field, fields, replace
 from functools import cached_property
 
-OWN = "own"  # the simulator of FreeCAD's button
+OWN = "own"  # the simulator of FreeCAD's button; the user's own values of a machine
 GROUP = "User parameter:BaseApp/Preferences/Mod/VkWorkbench"
 
 # View directions by the names of FreeCAD's standard views.
@@ -37,6 +37,13 @@ def _simulators() -> tuple[str, ...]:
     from vkworkbench.freecad import version
 
     return OWN, *(simulator.name for simulator in available(version()))
+
+
+def _machines() -> tuple[str, ...]:
+    """Return the names of the typical machines."""
+    from vkworkbench.core import MACHINES
+
+    return tuple(MACHINES)
 
 
 @dataclass(frozen=True)
@@ -74,6 +81,18 @@ class Preferences:
         Diameter and length of the holders of tools that have no holder of their own, mm; 0 if unknown.
     travel_x, travel_y, travel_z : float
         Travel of the machine along its axes, mm; 0 if unknown.
+    machine : {"", "hobby-router", "small-mill", "machining-centre", "own"}
+        The machine for which machining times are planned; "" for constant feeds, "own" for the values below.
+    rate_x, rate_y, rate_z : float
+        Largest speeds of the axes, mm/min.
+    acceleration_x, acceleration_y, acceleration_z : float
+        mm/s^2.
+    corner_deviation : float
+        mm; see `core.Machine.deviation`.
+    lookahead : int
+        Number of moves that the controller plans ahead.
+    time_factor : float
+        Measured time of a job divided by its planned time.
     renderer : str
         OpenGL's name of the renderer at the last calibration. Not on the page.
     result_columns : str
@@ -97,6 +116,16 @@ class Preferences:
     travel_x: float = _number(0.0, 0.0, 1e6)
     travel_y: float = _number(0.0, 0.0, 1e6)
     travel_z: float = _number(0.0, 0.0, 1e6)
+    machine: str = _choice("", lambda: ("", *_machines(), OWN))
+    rate_x: float = _number(3000.0, 1.0, 1e6)
+    rate_y: float = _number(3000.0, 1.0, 1e6)
+    rate_z: float = _number(600.0, 1.0, 1e6)
+    acceleration_x: float = _number(250.0, 0.1, 1e6)
+    acceleration_y: float = _number(250.0, 0.1, 1e6)
+    acceleration_z: float = _number(100.0, 0.1, 1e6)
+    corner_deviation: float = _number(0.01, 0.0, 10.0)
+    lookahead: int = _number(15, 1, 100_000)
+    time_factor: float = _number(1.0, 0.01, 100.0)
     renderer: str = ""
     result_columns: str = ""
 
@@ -134,6 +163,28 @@ class Preferences:
     def travel(self) -> tuple[float, float, float]:
         """Travel of the machine along X, Y and Z, mm; 0 if unknown."""
         return self.travel_x, self.travel_y, self.travel_z
+
+    @property
+    def planned_machine(self):
+        """The `Machine` for which machining times are planned; None for constant feeds."""
+        from vkworkbench.core import MACHINES, Machine
+
+        if self.machine == "":
+            return None
+        if self.machine != OWN:
+            return replace(MACHINES[self.machine], factor=self.time_factor)
+        rates = self.rate_x / 60, self.rate_y / 60, self.rate_z / 60
+        accelerations = self.acceleration_x, self.acceleration_y, self.acceleration_z
+        return Machine(rates, accelerations, self.corner_deviation, self.lookahead, self.time_factor)
+
+    def with_machine(self, name: str, machine) -> Preferences:
+        """Return the preferences with the values of a machine, except its time factor."""
+        rates, accelerations = machine.rates, machine.accelerations
+        return replace(
+            self, machine=name, rate_x=60 * rates[0], rate_y=60 * rates[1], rate_z=60 * rates[2],
+            acceleration_x=accelerations[0], acceleration_y=accelerations[1], acceleration_z=accelerations[2],
+            corner_deviation=machine.deviation, lookahead=machine.lookahead,
+        )  # fmt: skip
 
     @property
     def view(self):
@@ -192,6 +243,11 @@ _observers: list = []
 def entry(name: str) -> str:
     """Return the name of the parameter that stores a preference."""
     return "".join(word.capitalize() for word in name.split("_"))
+
+
+def choices(name: str) -> tuple[str, ...]:
+    """Return the possible values of a preference, in the order of the form."""
+    return next(preference.metadata["choices"]() for preference in fields(Preferences) if preference.name == name)
 
 
 def _possible(value, limits) -> bool:

@@ -91,6 +91,10 @@
         <source>Simulation time in the {simulator}: at least {time}. Memory: {memory}.</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>sim {time}</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>QObject</name>
@@ -1255,6 +1259,129 @@
     </message>
 </context>
 <context>
+    <name>VkMachine</name>
+    <message>
+        <source>grbl Settings</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The lines that grbl answers to the command $$:</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Machine</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Machining Times</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The machine that machining times are planned for. The next analysis uses it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>None: constant feed, no acceleration</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Hobby router with grbl</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Small milling machine</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Machining center</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Own values</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Speed X</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Largest speed of the X axis. Rapids use it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Speed Y</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Largest speed of the Y axis. Rapids use it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Speed Z</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Largest speed of the Z axis. Rapids use it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Acceleration X</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Acceleration of the X axis.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Acceleration Y</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Acceleration of the Y axis.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Acceleration Z</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Acceleration of the Z axis.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Corner deviation</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Distance from a corner at which the controller may round it: grbl&apos;s junction deviation ($11), LinuxCNC&apos;s path tolerance (G64 P). With 0, the tool stops at each corner.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Moves planned ahead</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Number of moves that the controller plans ahead. grbl on an Arduino plans 15.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Measured / planned time</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Measured time of a job divided by the time planned here. Multiplies all times.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Fills the values from the answer of grbl to the command $$.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Paste grbl Settings…</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>VkPreferences</name>
     <message>
         <source>Calibrate</source>
@@ -1757,10 +1884,6 @@ Time</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Time on the machine at the programmed feeds. Rapids are included if the tool controller has rapid speeds.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Simulation
 Time</source>
         <translation type="unfinished"></translation>
@@ -1907,6 +2030,10 @@ Memory</source>
     </message>
     <message>
         <source>Memory to simulate it in an extended z-buffer. An operation includes the whole stock. A job includes the stock once.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Time on the machine of the preferences. Without a machine: at constant feeds, and with rapids if the tool controller has rapid speeds.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

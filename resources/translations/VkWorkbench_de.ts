@@ -91,6 +91,10 @@
         <source>switched off</source>
         <translation>ausgeschaltet</translation>
     </message>
+    <message>
+        <source>sim {time}</source>
+        <translation>Sim. {time}</translation>
+    </message>
 </context>
 <context>
     <name>QObject</name>
@@ -1255,6 +1259,129 @@
     </message>
 </context>
 <context>
+    <name>VkMachine</name>
+    <message>
+        <source>grbl Settings</source>
+        <translation>grbl-Einstellungen</translation>
+    </message>
+    <message>
+        <source>The lines that grbl answers to the command $$:</source>
+        <translation>Die Zeilen, mit denen grbl auf den Befehl $$ antwortet:</translation>
+    </message>
+    <message>
+        <source>Machine</source>
+        <translation>Maschine</translation>
+    </message>
+    <message>
+        <source>Machining Times</source>
+        <translation>Bearbeitungszeiten</translation>
+    </message>
+    <message>
+        <source>The machine that machining times are planned for. The next analysis uses it.</source>
+        <translation>Die Maschine, für die Bearbeitungszeiten geplant werden. Die nächste Analyse verwendet sie.</translation>
+    </message>
+    <message>
+        <source>None: constant feed, no acceleration</source>
+        <translation>Keine: konstanter Vorschub, keine Beschleunigung</translation>
+    </message>
+    <message>
+        <source>Hobby router with grbl</source>
+        <translation>Hobbyfräse mit grbl</translation>
+    </message>
+    <message>
+        <source>Small milling machine</source>
+        <translation>Kleine Fräsmaschine</translation>
+    </message>
+    <message>
+        <source>Machining center</source>
+        <translation>Bearbeitungszentrum</translation>
+    </message>
+    <message>
+        <source>Own values</source>
+        <translation>Eigene Werte</translation>
+    </message>
+    <message>
+        <source>Speed X</source>
+        <translation>Geschwindigkeit X</translation>
+    </message>
+    <message>
+        <source>Largest speed of the X axis. Rapids use it.</source>
+        <translation>Größte Geschwindigkeit der X-Achse. Eilgänge verwenden sie.</translation>
+    </message>
+    <message>
+        <source>Speed Y</source>
+        <translation>Geschwindigkeit Y</translation>
+    </message>
+    <message>
+        <source>Largest speed of the Y axis. Rapids use it.</source>
+        <translation>Größte Geschwindigkeit der Y-Achse. Eilgänge verwenden sie.</translation>
+    </message>
+    <message>
+        <source>Speed Z</source>
+        <translation>Geschwindigkeit Z</translation>
+    </message>
+    <message>
+        <source>Largest speed of the Z axis. Rapids use it.</source>
+        <translation>Größte Geschwindigkeit der Z-Achse. Eilgänge verwenden sie.</translation>
+    </message>
+    <message>
+        <source>Acceleration X</source>
+        <translation>Beschleunigung X</translation>
+    </message>
+    <message>
+        <source>Acceleration of the X axis.</source>
+        <translation>Beschleunigung der X-Achse.</translation>
+    </message>
+    <message>
+        <source>Acceleration Y</source>
+        <translation>Beschleunigung Y</translation>
+    </message>
+    <message>
+        <source>Acceleration of the Y axis.</source>
+        <translation>Beschleunigung der Y-Achse.</translation>
+    </message>
+    <message>
+        <source>Acceleration Z</source>
+        <translation>Beschleunigung Z</translation>
+    </message>
+    <message>
+        <source>Acceleration of the Z axis.</source>
+        <translation>Beschleunigung der Z-Achse.</translation>
+    </message>
+    <message>
+        <source>Corner deviation</source>
+        <translation>Eckenabweichung</translation>
+    </message>
+    <message>
+        <source>Distance from a corner at which the controller may round it: grbl&apos;s junction deviation ($11), LinuxCNC&apos;s path tolerance (G64 P). With 0, the tool stops at each corner.</source>
+        <translation>Abstand von einer Ecke, in dem die Steuerung sie runden darf: Junction Deviation von grbl ($11), Bahntoleranz von LinuxCNC (G64 P). Bei 0 hält das Werkzeug an jeder Ecke.</translation>
+    </message>
+    <message>
+        <source>Moves planned ahead</source>
+        <translation>Vorausgeplante Bewegungen</translation>
+    </message>
+    <message>
+        <source>Number of moves that the controller plans ahead. grbl on an Arduino plans 15.</source>
+        <translation>Anzahl der Bewegungen, die die Steuerung vorausplant. grbl auf einem Arduino plant 15.</translation>
+    </message>
+    <message>
+        <source>Measured / planned time</source>
+        <translation>Gemessene / geplante Zeit</translation>
+    </message>
+    <message>
+        <source>Measured time of a job divided by the time planned here. Multiplies all times.</source>
+        <translation>Gemessene Zeit eines Auftrags geteilt durch die hier geplante Zeit. Multipliziert alle Zeiten.</translation>
+    </message>
+    <message>
+        <source>Fills the values from the answer of grbl to the command $$.</source>
+        <translation>Füllt die Werte aus der Antwort von grbl auf den Befehl $$.</translation>
+    </message>
+    <message>
+        <source>Paste grbl Settings…</source>
+        <translation>grbl-Einstellungen einfügen…</translation>
+    </message>
+</context>
+<context>
     <name>VkPreferences</name>
     <message>
         <source>Calibrate</source>
@@ -1715,10 +1842,6 @@ Time</source>
 tungszeit</translation>
     </message>
     <message>
-        <source>Time on the machine at the programmed feeds. Rapids are included if the tool controller has rapid speeds.</source>
-        <translation>Zeit auf der Maschine mit den programmierten Vorschüben. Eilgänge sind enthalten, wenn der Werkzeugcontroller ihre Geschwindigkeiten nennt.</translation>
-    </message>
-    <message>
         <source>Export &amp;CSV…</source>
         <translation>&amp;CSV exportieren…</translation>
     </message>
@@ -1914,6 +2037,10 @@ höchstens</translation>
     <message>
         <source>No operation matches the filter.</source>
         <translation>Keine Operation passt zum Filter.</translation>
+    </message>
+    <message>
+        <source>Time on the machine of the preferences. Without a machine: at constant feeds, and with rapids if the tool controller has rapid speeds.</source>
+        <translation>Zeit auf der Maschine der Einstellungen. Ohne Maschine: mit konstantem Vorschub, und mit Eilgängen, wenn der Werkzeugcontroller Eilganggeschwindigkeiten hat.</translation>
     </message>
 </context>
 <context>

@@ -91,6 +91,10 @@
         <source>switched off</source>
         <translation>desactivada</translation>
     </message>
+    <message>
+        <source>sim {time}</source>
+        <translation>sim. {time}</translation>
+    </message>
 </context>
 <context>
     <name>QObject</name>
@@ -1255,6 +1259,129 @@
     </message>
 </context>
 <context>
+    <name>VkMachine</name>
+    <message>
+        <source>grbl Settings</source>
+        <translation>Ajustes de grbl</translation>
+    </message>
+    <message>
+        <source>The lines that grbl answers to the command $$:</source>
+        <translation>Las líneas con las que grbl responde al comando $$:</translation>
+    </message>
+    <message>
+        <source>Machine</source>
+        <translation>Máquina</translation>
+    </message>
+    <message>
+        <source>Machining Times</source>
+        <translation>Tiempos de mecanizado</translation>
+    </message>
+    <message>
+        <source>The machine that machining times are planned for. The next analysis uses it.</source>
+        <translation>La máquina para la que se planifican los tiempos de mecanizado. El próximo análisis la usa.</translation>
+    </message>
+    <message>
+        <source>None: constant feed, no acceleration</source>
+        <translation>Ninguna: avance constante, sin aceleración</translation>
+    </message>
+    <message>
+        <source>Hobby router with grbl</source>
+        <translation>Fresadora de aficionado con grbl</translation>
+    </message>
+    <message>
+        <source>Small milling machine</source>
+        <translation>Fresadora pequeña</translation>
+    </message>
+    <message>
+        <source>Machining center</source>
+        <translation>Centro de mecanizado</translation>
+    </message>
+    <message>
+        <source>Own values</source>
+        <translation>Valores propios</translation>
+    </message>
+    <message>
+        <source>Speed X</source>
+        <translation>Velocidad X</translation>
+    </message>
+    <message>
+        <source>Largest speed of the X axis. Rapids use it.</source>
+        <translation>Velocidad máxima del eje X. Los movimientos rápidos la usan.</translation>
+    </message>
+    <message>
+        <source>Speed Y</source>
+        <translation>Velocidad Y</translation>
+    </message>
+    <message>
+        <source>Largest speed of the Y axis. Rapids use it.</source>
+        <translation>Velocidad máxima del eje Y. Los movimientos rápidos la usan.</translation>
+    </message>
+    <message>
+        <source>Speed Z</source>
+        <translation>Velocidad Z</translation>
+    </message>
+    <message>
+        <source>Largest speed of the Z axis. Rapids use it.</source>
+        <translation>Velocidad máxima del eje Z. Los movimientos rápidos la usan.</translation>
+    </message>
+    <message>
+        <source>Acceleration X</source>
+        <translation>Aceleración X</translation>
+    </message>
+    <message>
+        <source>Acceleration of the X axis.</source>
+        <translation>Aceleración del eje X.</translation>
+    </message>
+    <message>
+        <source>Acceleration Y</source>
+        <translation>Aceleración Y</translation>
+    </message>
+    <message>
+        <source>Acceleration of the Y axis.</source>
+        <translation>Aceleración del eje Y.</translation>
+    </message>
+    <message>
+        <source>Acceleration Z</source>
+        <translation>Aceleración Z</translation>
+    </message>
+    <message>
+        <source>Acceleration of the Z axis.</source>
+        <translation>Aceleración del eje Z.</translation>
+    </message>
+    <message>
+        <source>Corner deviation</source>
+        <translation>Desviación en esquinas</translation>
+    </message>
+    <message>
+        <source>Distance from a corner at which the controller may round it: grbl&apos;s junction deviation ($11), LinuxCNC&apos;s path tolerance (G64 P). With 0, the tool stops at each corner.</source>
+        <translation>Distancia de una esquina a la que el control puede redondearla: junction deviation de grbl ($11), tolerancia de trayectoria de LinuxCNC (G64 P). Con 0, la herramienta se detiene en cada esquina.</translation>
+    </message>
+    <message>
+        <source>Moves planned ahead</source>
+        <translation>Movimientos planificados por adelantado</translation>
+    </message>
+    <message>
+        <source>Number of moves that the controller plans ahead. grbl on an Arduino plans 15.</source>
+        <translation>Número de movimientos que el control planifica por adelantado. grbl en un Arduino planifica 15.</translation>
+    </message>
+    <message>
+        <source>Measured / planned time</source>
+        <translation>Tiempo medido / planificado</translation>
+    </message>
+    <message>
+        <source>Measured time of a job divided by the time planned here. Multiplies all times.</source>
+        <translation>Tiempo medido de un trabajo dividido por el tiempo planificado aquí. Multiplica todos los tiempos.</translation>
+    </message>
+    <message>
+        <source>Fills the values from the answer of grbl to the command $$.</source>
+        <translation>Rellena los valores con la respuesta de grbl al comando $$.</translation>
+    </message>
+    <message>
+        <source>Paste grbl Settings…</source>
+        <translation>Pegar ajustes de grbl…</translation>
+    </message>
+</context>
+<context>
     <name>VkPreferences</name>
     <message>
         <source>Calibrate</source>
@@ -1715,10 +1842,6 @@ Time</source>
 mecanizado</translation>
     </message>
     <message>
-        <source>Time on the machine at the programmed feeds. Rapids are included if the tool controller has rapid speeds.</source>
-        <translation>Tiempo en la máquina con los avances programados. Los rápidos están incluidos si el controlador de herramienta tiene velocidades rápidas.</translation>
-    </message>
-    <message>
         <source>Export &amp;CSV…</source>
         <translation>Exportar &amp;CSV…</translation>
     </message>
@@ -1914,6 +2037,10 @@ como mucho</translation>
     <message>
         <source>No operation matches the filter.</source>
         <translation>Ninguna operación coincide con el filtro.</translation>
+    </message>
+    <message>
+        <source>Time on the machine of the preferences. Without a machine: at constant feeds, and with rapids if the tool controller has rapid speeds.</source>
+        <translation>Tiempo en la máquina de las preferencias. Sin máquina: con avance constante, y con movimientos rápidos si el controlador de herramienta tiene velocidades rápidas.</translation>
     </message>
 </context>
 <context>

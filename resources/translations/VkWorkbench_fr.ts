@@ -91,6 +91,10 @@
         <source>switched off</source>
         <translation>désactivée</translation>
     </message>
+    <message>
+        <source>sim {time}</source>
+        <translation>sim. {time}</translation>
+    </message>
 </context>
 <context>
     <name>QObject</name>
@@ -1255,6 +1259,129 @@
     </message>
 </context>
 <context>
+    <name>VkMachine</name>
+    <message>
+        <source>grbl Settings</source>
+        <translation>Réglages de grbl</translation>
+    </message>
+    <message>
+        <source>The lines that grbl answers to the command $$:</source>
+        <translation>Les lignes que grbl répond à la commande $$ :</translation>
+    </message>
+    <message>
+        <source>Machine</source>
+        <translation>Machine</translation>
+    </message>
+    <message>
+        <source>Machining Times</source>
+        <translation>Temps d&apos;usinage</translation>
+    </message>
+    <message>
+        <source>The machine that machining times are planned for. The next analysis uses it.</source>
+        <translation>La machine pour laquelle les temps d&apos;usinage sont planifiés. La prochaine analyse l&apos;utilise.</translation>
+    </message>
+    <message>
+        <source>None: constant feed, no acceleration</source>
+        <translation>Aucune : avance constante, sans accélération</translation>
+    </message>
+    <message>
+        <source>Hobby router with grbl</source>
+        <translation>Fraiseuse de loisir avec grbl</translation>
+    </message>
+    <message>
+        <source>Small milling machine</source>
+        <translation>Petite fraiseuse</translation>
+    </message>
+    <message>
+        <source>Machining center</source>
+        <translation>Centre d&apos;usinage</translation>
+    </message>
+    <message>
+        <source>Own values</source>
+        <translation>Valeurs personnelles</translation>
+    </message>
+    <message>
+        <source>Speed X</source>
+        <translation>Vitesse X</translation>
+    </message>
+    <message>
+        <source>Largest speed of the X axis. Rapids use it.</source>
+        <translation>Vitesse maximale de l&apos;axe X. Les déplacements rapides l&apos;utilisent.</translation>
+    </message>
+    <message>
+        <source>Speed Y</source>
+        <translation>Vitesse Y</translation>
+    </message>
+    <message>
+        <source>Largest speed of the Y axis. Rapids use it.</source>
+        <translation>Vitesse maximale de l&apos;axe Y. Les déplacements rapides l&apos;utilisent.</translation>
+    </message>
+    <message>
+        <source>Speed Z</source>
+        <translation>Vitesse Z</translation>
+    </message>
+    <message>
+        <source>Largest speed of the Z axis. Rapids use it.</source>
+        <translation>Vitesse maximale de l&apos;axe Z. Les déplacements rapides l&apos;utilisent.</translation>
+    </message>
+    <message>
+        <source>Acceleration X</source>
+        <translation>Accélération X</translation>
+    </message>
+    <message>
+        <source>Acceleration of the X axis.</source>
+        <translation>Accélération de l&apos;axe X.</translation>
+    </message>
+    <message>
+        <source>Acceleration Y</source>
+        <translation>Accélération Y</translation>
+    </message>
+    <message>
+        <source>Acceleration of the Y axis.</source>
+        <translation>Accélération de l&apos;axe Y.</translation>
+    </message>
+    <message>
+        <source>Acceleration Z</source>
+        <translation>Accélération Z</translation>
+    </message>
+    <message>
+        <source>Acceleration of the Z axis.</source>
+        <translation>Accélération de l&apos;axe Z.</translation>
+    </message>
+    <message>
+        <source>Corner deviation</source>
+        <translation>Écart aux angles</translation>
+    </message>
+    <message>
+        <source>Distance from a corner at which the controller may round it: grbl&apos;s junction deviation ($11), LinuxCNC&apos;s path tolerance (G64 P). With 0, the tool stops at each corner.</source>
+        <translation>Distance d&apos;un angle à laquelle la commande peut l&apos;arrondir : junction deviation de grbl ($11), tolérance de trajectoire de LinuxCNC (G64 P). Avec 0, l&apos;outil s&apos;arrête à chaque angle.</translation>
+    </message>
+    <message>
+        <source>Moves planned ahead</source>
+        <translation>Déplacements planifiés d&apos;avance</translation>
+    </message>
+    <message>
+        <source>Number of moves that the controller plans ahead. grbl on an Arduino plans 15.</source>
+        <translation>Nombre de déplacements que la commande planifie d&apos;avance. grbl sur un Arduino en planifie 15.</translation>
+    </message>
+    <message>
+        <source>Measured / planned time</source>
+        <translation>Temps mesuré / planifié</translation>
+    </message>
+    <message>
+        <source>Measured time of a job divided by the time planned here. Multiplies all times.</source>
+        <translation>Temps mesuré d&apos;une tâche divisé par le temps planifié ici. Multiplie tous les temps.</translation>
+    </message>
+    <message>
+        <source>Fills the values from the answer of grbl to the command $$.</source>
+        <translation>Remplit les valeurs à partir de la réponse de grbl à la commande $$.</translation>
+    </message>
+    <message>
+        <source>Paste grbl Settings…</source>
+        <translation>Coller les réglages de grbl…</translation>
+    </message>
+</context>
+<context>
     <name>VkPreferences</name>
     <message>
         <source>Calibrate</source>
@@ -1715,10 +1842,6 @@ Time</source>
 d&apos;usinage</translation>
     </message>
     <message>
-        <source>Time on the machine at the programmed feeds. Rapids are included if the tool controller has rapid speeds.</source>
-        <translation>Durée sur la machine aux avances programmées. Les déplacements rapides sont compris si le contrôleur d&apos;outil a des vitesses rapides.</translation>
-    </message>
-    <message>
         <source>Export &amp;CSV…</source>
         <translation>Exporter en &amp;CSV…</translation>
     </message>
@@ -1914,6 +2037,10 @@ au plus</translation>
     <message>
         <source>No operation matches the filter.</source>
         <translation>Aucune opération ne correspond au filtre.</translation>
+    </message>
+    <message>
+        <source>Time on the machine of the preferences. Without a machine: at constant feeds, and with rapids if the tool controller has rapid speeds.</source>
+        <translation>Temps sur la machine des préférences. Sans machine : à avance constante, avec les déplacements rapides si le contrôleur d&apos;outil a des vitesses rapides.</translation>
     </message>
 </context>
 <context>

@@ -91,6 +91,10 @@
         <source>switched off</source>
         <translation>已停用</translation>
     </message>
+    <message>
+        <source>sim {time}</source>
+        <translation>仿真 {time}</translation>
+    </message>
 </context>
 <context>
     <name>QObject</name>
@@ -1255,6 +1259,129 @@
     </message>
 </context>
 <context>
+    <name>VkMachine</name>
+    <message>
+        <source>grbl Settings</source>
+        <translation>grbl 设置</translation>
+    </message>
+    <message>
+        <source>The lines that grbl answers to the command $$:</source>
+        <translation>grbl 对命令 $$ 回应的各行：</translation>
+    </message>
+    <message>
+        <source>Machine</source>
+        <translation>机床</translation>
+    </message>
+    <message>
+        <source>Machining Times</source>
+        <translation>加工时间</translation>
+    </message>
+    <message>
+        <source>The machine that machining times are planned for. The next analysis uses it.</source>
+        <translation>用于规划加工时间的机床。下一次分析时生效。</translation>
+    </message>
+    <message>
+        <source>None: constant feed, no acceleration</source>
+        <translation>无：恒定进给，不计加速度</translation>
+    </message>
+    <message>
+        <source>Hobby router with grbl</source>
+        <translation>使用 grbl 的业余雕刻机</translation>
+    </message>
+    <message>
+        <source>Small milling machine</source>
+        <translation>小型铣床</translation>
+    </message>
+    <message>
+        <source>Machining center</source>
+        <translation>加工中心</translation>
+    </message>
+    <message>
+        <source>Own values</source>
+        <translation>自定义数值</translation>
+    </message>
+    <message>
+        <source>Speed X</source>
+        <translation>X 轴速度</translation>
+    </message>
+    <message>
+        <source>Largest speed of the X axis. Rapids use it.</source>
+        <translation>X 轴的最大速度，快速移动使用此速度。</translation>
+    </message>
+    <message>
+        <source>Speed Y</source>
+        <translation>Y 轴速度</translation>
+    </message>
+    <message>
+        <source>Largest speed of the Y axis. Rapids use it.</source>
+        <translation>Y 轴的最大速度，快速移动使用此速度。</translation>
+    </message>
+    <message>
+        <source>Speed Z</source>
+        <translation>Z 轴速度</translation>
+    </message>
+    <message>
+        <source>Largest speed of the Z axis. Rapids use it.</source>
+        <translation>Z 轴的最大速度，快速移动使用此速度。</translation>
+    </message>
+    <message>
+        <source>Acceleration X</source>
+        <translation>X 轴加速度</translation>
+    </message>
+    <message>
+        <source>Acceleration of the X axis.</source>
+        <translation>X 轴的加速度。</translation>
+    </message>
+    <message>
+        <source>Acceleration Y</source>
+        <translation>Y 轴加速度</translation>
+    </message>
+    <message>
+        <source>Acceleration of the Y axis.</source>
+        <translation>Y 轴的加速度。</translation>
+    </message>
+    <message>
+        <source>Acceleration Z</source>
+        <translation>Z 轴加速度</translation>
+    </message>
+    <message>
+        <source>Acceleration of the Z axis.</source>
+        <translation>Z 轴的加速度。</translation>
+    </message>
+    <message>
+        <source>Corner deviation</source>
+        <translation>拐角偏差</translation>
+    </message>
+    <message>
+        <source>Distance from a corner at which the controller may round it: grbl&apos;s junction deviation ($11), LinuxCNC&apos;s path tolerance (G64 P). With 0, the tool stops at each corner.</source>
+        <translation>控制器可以在距拐角多远处将其圆滑：grbl 的 junction deviation（$11），LinuxCNC 的路径公差（G64 P）。为 0 时，刀具在每个拐角停止。</translation>
+    </message>
+    <message>
+        <source>Moves planned ahead</source>
+        <translation>预读的移动数</translation>
+    </message>
+    <message>
+        <source>Number of moves that the controller plans ahead. grbl on an Arduino plans 15.</source>
+        <translation>控制器预先规划的移动数。Arduino 上的 grbl 规划 15 个。</translation>
+    </message>
+    <message>
+        <source>Measured / planned time</source>
+        <translation>实测时间 / 规划时间</translation>
+    </message>
+    <message>
+        <source>Measured time of a job divided by the time planned here. Multiplies all times.</source>
+        <translation>任务的实测时间除以此处规划的时间。所有时间都乘以该系数。</translation>
+    </message>
+    <message>
+        <source>Fills the values from the answer of grbl to the command $$.</source>
+        <translation>用 grbl 对命令 $$ 的回应填写数值。</translation>
+    </message>
+    <message>
+        <source>Paste grbl Settings…</source>
+        <translation>粘贴 grbl 设置…</translation>
+    </message>
+</context>
+<context>
     <name>VkPreferences</name>
     <message>
         <source>Calibrate</source>
@@ -1715,10 +1842,6 @@ Time</source>
 时间</translation>
     </message>
     <message>
-        <source>Time on the machine at the programmed feeds. Rapids are included if the tool controller has rapid speeds.</source>
-        <translation>按编程进给在机床上的时间。如果刀具控制器有快速移动速度，则包括快速移动。</translation>
-    </message>
-    <message>
         <source>Export &amp;CSV…</source>
         <translation>导出 &amp;CSV…</translation>
     </message>
@@ -1914,6 +2037,10 @@ at Most</source>
     <message>
         <source>No operation matches the filter.</source>
         <translation>没有符合筛选条件的操作。</translation>
+    </message>
+    <message>
+        <source>Time on the machine of the preferences. Without a machine: at constant feeds, and with rapids if the tool controller has rapid speeds.</source>
+        <translation>首选项中所选机床上的时间。未选机床时：按恒定进给计算，若刀具控制器设有快速速度则包括快速移动。</translation>
     </message>
 </context>
 <context>

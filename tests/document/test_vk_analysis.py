@@ -83,10 +83,10 @@ def test_table_says_the_times_that_the_marks_say(example_path):
     assert f"{report.simulator} time" in header and report.simulator == preferences.read().simulator
     for o in report.operations:
         (line,) = [line for line in lines if line.split("  ")[0].strip("()") == o.label]
-        (said,) = re.findall("▶ (about )?([0-9.,]+ [a-z]+)", document.getObject(o.name).Label2)
+        (said,) = re.findall("sim (about )?([0-9.,]+ [a-z]+)", document.getObject(o.name).Label2)
         assert f" {''.join(said)} " in f"{line} "
     job = document.getObject(report.operations[0].job)
-    (said,) = re.findall("▶ (about )?([0-9.,]+ [a-z]+)", job.Label2)
+    (said,) = re.findall("sim (about )?([0-9.,]+ [a-z]+)", job.Label2)
     assert f" {''.join(said)} " in f"{lines[-1]} "
     FreeCAD.closeDocument(document.Name)
 

@@ -64,7 +64,7 @@ def test_the_time_of_what_is_not_all_known_is_a_least_one():
     assert time_of(record(None), CHOSEN) == "" == time_of(record(None, incomplete=True), CHOSEN)
 
 
-TIME = f"▶ {time_of(record(), CHOSEN)}"
+TIME = f"sim {time_of(record(), CHOSEN)}"
 REMARK = render(NOTHING)
 
 
@@ -78,6 +78,10 @@ REMARK = render(NOTHING)
         ({"strategy": None, "operations": 1}, f"1 operation · {TIME}"),
         ({"strategy": None, "operations": 2}, f"2 operations · {TIME}"),
         ({"seconds": None}, "zigzag"),
+        ({"machining_seconds": 78.0}, f"zigzag · 1:18 · {TIME}"),
+        ({"machining_seconds": 78.0, "left_out": (NOTHING,)}, f"zigzag · ≥ 1:18 · {TIME}"),
+        ({"machining_seconds": 78.0, "seconds": None}, "zigzag · 1:18"),
+        ({"strategy": None, "operations": 2, "machining_seconds": 3904.0}, f"2 operations · 1:05:04 · {TIME}"),
         ({"remarks": (NOTHING,)}, f"zigzag · {TIME} ⚠ · {REMARK}"),
         ({"remarks": (NOTHING, NOTHING)}, f"zigzag · {TIME} ⚠ · {REMARK} {REMARK}"),
         ({"remarks": (NOTHING,), "seconds": None}, f"zigzag · ⚠ {REMARK}"),

@@ -36,7 +36,7 @@ def test_mark_text_and_data(small, zigzag_commands):
     (o,) = report.operations
     cost, own = o.costs[freecad.own_simulator()], marks.read(op)
     time = ENGLISH.estimated_time(cost.seconds, cost.factor)
-    assert op.Label2 == f"⟦zigzag · ▶ {time}⟧"
+    assert op.Label2 == f"⟦zigzag · ≥ {ENGLISH.clock(o.machining_seconds)} · sim {time}⟧"
     assert (op.Strategy, op.Confidence, op.Reason, op.Remarks) == ("zigzag", round(100 * o.confidence), o.reason, "")
     assert op.CuttingLength.getValueAs("mm") == pytest.approx(o.length)
     if freecad.version() >= (1, 0):
@@ -49,7 +49,9 @@ def test_mark_text_and_data(small, zigzag_commands):
     assert set(op.getEditorMode("ToolpathMark")) == {"ReadOnly", "Hidden"} and "Touched" not in op.State
     assert (own.strategy, own.trajectories, own.fingerprint) == (o.strategy, o.trajectories, o.fingerprint)
     assert own.costs["legacy"].seconds == o.costs["legacy"].seconds
-    assert small.job.Label2.startswith("⟦1 operation · ▶ ") and not hasattr(small.job, "Strategy")
+    assert small.job.Label2.startswith(f"⟦1 operation · ≥ {ENGLISH.clock(o.machining_seconds)} · sim ") and not hasattr(
+        small.job, "Strategy"
+    )
     assert small.job.CuttingLength.getValueAs("mm") == pytest.approx(o.length)
 
 
@@ -57,7 +59,7 @@ def test_how_sure_is_said_where_it_is_low(small, zigzag_commands):
     op = small.add("Zigzag", zigzag_commands)
     report = vkworkbench.analyze(small.document)
     (o,) = report.operations
-    for confidence, expected in ((0.79, "zigzag 79% · ▶"), (0.81, "zigzag · ▶")):
+    for confidence, expected in ((0.79, "zigzag 79% · "), (0.81, "zigzag · ")):
         unsure = replace(o, recognition=replace(o.recognition, confidence=confidence))
         vkworkbench.mark(replace(report, operations=(unsure,)))
         assert op.Label2.startswith(f"⟦{expected}")
@@ -194,7 +196,7 @@ def test_a_description_that_is_not_ours_to_write_stays(small, zigzag_commands, h
 
 
 @pytest.mark.parametrize("other", [
-    "⟦sculpting · ▶ 3 s⟧", "⟦Zickzack 97 % · 5 s · 9 MB⟧", "⟦3D scallop 40%⟧", "⟦zigzag⟧", "⟦2 operations · 5 s⟧",
+    "⟦sculpting · ▶ 3 s⟧", "⟦sculpting · 1:18 · sim 3 s⟧", "⟦Zickzack 97 % · 5 s · 9 MB⟧", "⟦3D scallop 40%⟧", "⟦zigzag⟧", "⟦2 operations · 5 s⟧",
     "⟦empty · inactive: switch it on · outdated⟧",
 ])  # fmt: skip
 def test_another_mark_is_replaced_and_cleared(small, zigzag_commands, other):
@@ -218,7 +220,7 @@ def test_the_text_of_a_newer_version_is_known_by_its_property(small, zigzag_comm
     op.Label2 = "mine ⟦whatever it says⟧"
     assert marks.read(op) is None and marks.words_of(op) == "mine"
     vkworkbench.mark(vkworkbench.analyze(op))
-    assert op.Label2.startswith("mine ⟦zigzag · ▶") and op.Label2.count("⟦") == 1 and isinstance(op.Reason, str)
+    assert op.Label2.startswith("mine ⟦zigzag · ") and op.Label2.count("⟦") == 1 and isinstance(op.Reason, str)
     vkworkbench.clear(op)
     assert op.Label2 == "mine" and marked(small.document) == []
 

@@ -157,7 +157,7 @@ def test_whose_cost_the_mark_shows(arc, small, simulator):
     (found,), (total,) = report.operations, report.totals
     for obj, one in ((arc, found), (small.job, total)):
         assert marks.read(obj).cost(simulator) == one.cost(simulator)
-        assert f"▶ {ENGLISH.estimated_time(one.cost(simulator)[0], one.factor(simulator))}" in obj.Label2
+        assert f"sim {ENGLISH.estimated_time(one.cost(simulator)[0], one.factor(simulator))}" in obj.Label2
 
 
 def test_marks_follow_a_changed_preference_without_an_analysis(arc, small, monkeypatch):
@@ -172,7 +172,7 @@ def test_marks_follow_a_changed_preference_without_an_analysis(arc, small, monke
     for simulator in (LEGACY.name, OWN, ZBUFFER.name):
         preferences.write(mark_simulator=simulator)
         shown = preferences.read().simulator
-        assert f"▶ {ENGLISH.estimated_time(found.cost(shown)[0], found.factor(shown))}" in arc.Label2
+        assert f"sim {ENGLISH.estimated_time(found.cost(shown)[0], found.factor(shown))}" in arc.Label2
     assert [obj.Label2 for obj in (arc, small.job)] == fresh
     preferences.write(mark_simulator=LEGACY.name, time_budget=0.1)
     assert "⚠" in arc.Label2 and "⚠" in small.job.Label2
@@ -206,7 +206,7 @@ def test_a_total_of_different_simulators_is_not_told(arc, small):
     other.ToolpathMark = json.dumps(data)
     preferences.write(mark_simulator=LEGACY.name)
     vkworkbench.mark(vkworkbench.analyze(arc))
-    assert not marks.read(small.job).cost(LEGACY.name) and "▶" not in small.job.Label2
+    assert not marks.read(small.job).cost(LEGACY.name) and "sim" not in small.job.Label2
 
 
 @pytest.mark.parametrize("wanted", [False, True])

@@ -101,23 +101,33 @@ def test_a_time_near_or_over_the_budget_has_its_colour(seconds, color):
     assert colored == [Strategy.ADAPTIVE.color, *([colors.BURDEN[color][0]] if color else [])]
     assert any(piece.kind == "warning" for piece in shown.pieces) == (color == "OVER")
     assert (user().time(seconds) in shown.text) == (color is None)
-    assert layout(record, mark_simulator="legacy", time_budget=1e5).text.endswith(f"▶ {user().time(seconds)}")
+    assert layout(record, mark_simulator="legacy", time_budget=1e5).text.endswith(f"sim {user().time(seconds)}")
 
 
-def test_narrow_pill_drops_the_remark_then_the_time():
-    record = record_of(6120, factor=4.0, remarks=(Message("no-job"),))
-    kinds, room = [], 600
-    while room > 10:
+def test_narrow_pill_drops_the_machine_then_the_simulation():
+    record = record_of(6120, factor=4.0, machining_seconds=78.0, remarks=(Message("no-job"),))
+    texts = []
+    for room in range(600, 10, -5):
         shown = layout(record, "own words", room=room, mark_simulator="legacy")
-        said = [
-            "strategy",
-            *(["time"] if len(shown.pieces) > 1 else []),
-            *(["remark"] if "no stock" in shown.text else []),
-        ]
-        if said not in kinds:
-            kinds.append(said)
-        room -= 5
-    assert kinds == [["strategy", "time", "remark"], ["strategy", "time"], ["strategy"]]
+        text = " ".join([piece.text for piece in shown.pieces] + shown.text.split())
+        if text not in texts:
+            texts.append(text)
+    about = user().estimated_time(6120, 4.0)
+    plain = user().time(6120, 4.0)
+    assert [[part in text for part in ("own words", "1:18", about, f"sim {plain}", plain)] for text in texts] == [
+        [True, True, True, False, True],
+        [False, True, False, True, True],
+        [False, False, False, True, True],
+        [False, False, False, False, True],
+        [False, False, False, False, False],
+    ]
+
+
+def test_warning_sign_is_there_in_every_width():
+    record = record_of(6120, machining_seconds=78.0)
+    for room in range(600, 10, -5):
+        shown = layout(record, "own words", room=room, mark_simulator="legacy", time_budget=600.0)
+        assert "warning" in [piece.kind for piece in shown.pieces]
 
 
 def test_error_has_a_sign_instead_of_a_pill():
@@ -166,7 +176,7 @@ def test_text_beside_a_pill_is_readable(marked, window, theme):
     image = picture(window, "Face")
     metrics = QtGui.QFontMetrics(window.tree.font())
     beside = image.copy(
-        metrics.horizontalAdvance("zigzag  ") + 20, 0, metrics.horizontalAdvance("▶ about"), image.height()
+        metrics.horizontalAdvance("zigzag  ") + 20, 0, metrics.horizontalAdvance("sim about"), image.height()
     )
     shades = sorted({beside.pixelColor(x, y).name() for x in range(beside.width()) for y in range(beside.height())},
                     key=luminance)  # fmt: skip
@@ -192,7 +202,7 @@ def test_tooltip_has_reason_and_times(marked, window):
     (reason,) = known.reason
     assert plain_sentence(reason).replace("<", "&lt;").replace(">", "&gt;") in text and "φ" not in text
     assert (
-        f"Machining time: {user().time(known.machining_seconds)}. Cutting length: {user().length(known.length)}."
+        f"Machining time: {user().clock(known.machining_seconds)}. Cutting length: {user().length(known.length)}."
         in text
     )
     for name in freecad.own_simulators():

@@ -275,5 +275,5 @@ def test_pills_follow_the_users_locale(german):
     record = Record(Strategy.ZIGZAG, confidence=0.7, costs={"z-buffer": cost}, remarks=(Message("no-tool"),))
     metrics = QtGui.QFontMetrics(QtGui.QFont())
     (full, *_) = layouts(record, "own words", Preferences(mark_simulator="z-buffer"), metrics, None)
-    assert full.pieces[0].text == "Zickzack 70 %" and "▶ 1,4 s" in full.text
+    assert full.pieces[0].text == "Zickzack 70 %" and "Sim. 1,4 s" in full.text
     assert full.text.endswith("Die Operation hat kein Werkzeug. Geben Sie ihr einen Werkzeugcontroller.  own words")

@@ -40,15 +40,13 @@ class Machine:
     lookahead : int
         Number of moves that the controller plans ahead; it can always stop within them. Where a program has tiny moves,
         a small number slows the tool.
-    tool_change : float
-        Time of a tool change, s.
     factor : float
         Measured time of a job divided by its planned time.
 
     Raises
     ------
     ValueError
-        If a value is not positive; deviation and tool change may be 0.
+        If a value is not positive; the deviation may be 0.
     TypeError
         If a value is not a number, or `lookahead` is not an integer.
     """
@@ -57,7 +55,6 @@ class Machine:
     accelerations: tuple[float, float, float]
     deviation: float
     lookahead: int = 1000
-    tool_change: float = 0.0
     factor: float = 1.0
 
     def __post_init__(self) -> None:
@@ -65,7 +62,7 @@ class Machine:
             takes = "three positive numbers, for X, Y and Z"
             given = numbers(name, getattr(self, name), takes, _are_three_positive)
             object.__setattr__(self, name, tuple(given.tolist()))
-        for name, fits in (("deviation", not_negative), ("tool_change", not_negative), ("factor", positive)):
+        for name, fits in (("deviation", not_negative), ("factor", positive)):
             takes = "a number of at least 0" if fits is not_negative else "a positive number"
             object.__setattr__(self, name, number(name, getattr(self, name), takes, fits))
         takes = "a whole number of moves, at least 1"
@@ -131,9 +128,9 @@ class Machine:
 
 # Typical machines: a belt or screw driven hobby router with grbl, a small milling machine, a machining centre.
 MACHINES: Mapping[str, Machine] = MappingProxyType({
-    "hobby-router": Machine((50.0, 50.0, 10.0), (250.0, 250.0, 100.0), 0.01, lookahead=15, tool_change=120.0),
-    "small-mill": Machine((50.0, 50.0, 40.0), (500.0, 500.0, 400.0), 0.02, tool_change=60.0),
-    "machining-centre": Machine((500.0, 500.0, 400.0), (4000.0, 4000.0, 4000.0), 0.02, tool_change=8.0),
+    "hobby-router": Machine((50.0, 50.0, 10.0), (250.0, 250.0, 100.0), 0.01, lookahead=15),
+    "small-mill": Machine((50.0, 50.0, 40.0), (500.0, 500.0, 400.0), 0.02),
+    "machining-centre": Machine((500.0, 500.0, 400.0), (4000.0, 4000.0, 4000.0), 0.02),
 })  # fmt: skip
 
 # Numbers of grbl's settings that have an equivalent here, by field: rates are in mm/min.

@@ -190,7 +190,7 @@ def _analysed_or_known(
     text = text_of(reading.path, commands)
     going_on()
     key = key_of(text, *reading.placement.toMatrix().A, *(getattr(reading, name) for name in SETTINGS), chosen.tolerance,
-                 conditions)  # fmt: skip
+                 chosen.planned_machine, conditions)  # fmt: skip
     known = RESULTS.find(key)
     if known is None:
         words = Words(
@@ -241,7 +241,8 @@ def _analysed(
         recognition=found,
         trajectories=len(toolpath),
         machining=machining(toolpath, horizontal_rapid=horizontal, vertical_rapid=vertical,
-                            controller=reading.has_controller, top=reading.stock and reading.stock.upper[2]),
+                            controller=reading.has_controller, top=reading.stock and reading.stock.upper[2],
+                            machine=chosen.planned_machine),
         costs=costs,
         advice=advice,
         cautions=preflight(task, costs, conditions),

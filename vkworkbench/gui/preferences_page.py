@@ -1,37 +1,25 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The page in FreeCAD's preferences for vkworkbench/preferences.py. Loads no numpy before it is shown."""
+"""The page *General* in FreeCAD's preferences. Loads no numpy before it is shown."""
 
 from __future__ import annotations
 
-from dataclasses import fields
-from pathlib import Path
-
-import FreeCAD
-import FreeCADGui as Gui
-
 from vkworkbench import freecad, preferences
+from vkworkbench.gui.form_page import FormPage
 from vkworkbench.gui.qt.names import QDate, QLocale, Qt
 from vkworkbench.gui.qt.plain_text import WholeText, as_plain, warn
 from vkworkbench.gui.qt.sentences import user
 from vkworkbench.gui.qt.text import QT_TRANSLATE_NOOP, translate
-from vkworkbench.preferences import Preferences
 
-UI = Path(__file__).resolve().parents[2] / "resources" / "ui" / "preferences.ui"
 TITLE = QT_TRANSLATE_NOOP(
     "QObject", "Toolpath Analysis"
 )  # title of the group; its icon is preferences-toolpath_analysis.svg
 
 
-class PreferencesPage:
-    """A page with a form that FreeCAD loads and saves."""
+class PreferencesPage(FormPage):
+    """The page *General*."""
 
     def __init__(self, parent=None) -> None:
-        self.form = Gui.PySideUic.loadUi(str(UI))
-        for preference in fields(Preferences):
-            widget, limits = getattr(self.form, preference.name, None), preference.metadata
-            if "least" in limits and widget is not None:
-                widget.setProperty("minimum", limits["least"])
-                widget.setProperty("maximum", limits["most"])
+        super().__init__("preferences.ui")
         self._offer_simulators()
         as_plain(self.form.calibrated)
         self._whole = WholeText(self.form.calibrated)
@@ -58,50 +46,8 @@ class PreferencesPage:
                     getattr(self.form, f"{name}_label").hide()
 
     def loadSettings(self) -> None:
-        self._show(preferences.read())
+        super().loadSettings()
         self._say_last_calibration()
-
-    def saveSettings(self) -> None:
-        """Save changed values only: a number that the page shows rounded, for example in inches, is not changed."""
-        now = self._chosen()
-        preferences.write(**{name: value for name, value in now.items() if value != self._shown[name]})
-        self._shown = now
-        from vkworkbench.gui.tree import pills
-
-        pills.show()
-
-    def resetSettingsToDefaults(self) -> None:
-        self._show(Preferences())
-        preferences.write(**{name: getattr(Preferences(), name) for name, _ in self._widgets()})
-
-    def _show(self, values: Preferences) -> None:
-        for name, widget in self._widgets():
-            value = getattr(values, name)
-            if hasattr(widget, "setChecked"):
-                widget.setChecked(value)
-            elif hasattr(widget, "setCurrentIndex"):
-                widget.setCurrentIndex(_choices(name).index(value))
-            else:
-                widget.setProperty("value", _as_length(value) if _is_length(widget) else value)
-        self._shown = self._chosen()
-
-    def _chosen(self) -> dict:
-        chosen = {}
-        for name, widget in self._widgets():
-            if hasattr(widget, "isChecked"):
-                chosen[name] = widget.isChecked()
-            elif hasattr(widget, "currentIndex"):
-                chosen[name] = _choices(name)[widget.currentIndex()]
-            else:
-                chosen[name] = widget.property("rawValue" if _is_length(widget) else "value")
-        return chosen
-
-    def _widgets(self):
-        """Yield the names of the preferences on the page, and their widgets."""
-        for preference in fields(Preferences):
-            widget = getattr(self.form, preference.name, None)
-            if widget is not None:
-                yield preference.name, widget
 
     def _calibrate(self) -> None:
         from vkworkbench.gui.qt import progress
@@ -140,22 +86,6 @@ class PreferencesPage:
             date=_local_date(known.date), factor=user().number(known.constants.legacy_factor, 2),
             simulator=user().simulator(LEGACY.name), freecad=known.freecad, processor=known.processor, renderer=known.renderer or "?",
         )  # fmt: skip
-
-
-def _choices(name: str) -> tuple[str, ...]:
-    """Return the possible values of a preference, in the order of the form."""
-    return next(preference.metadata["choices"]() for preference in fields(Preferences) if preference.name == name)
-
-
-def _is_length(widget) -> bool:
-    return widget.property("rawValue") is not None
-
-
-def _as_length(millimetres: float):
-    """Return a length in FreeCAD's units, with four decimals."""
-    quantity = FreeCAD.Units.Quantity(millimetres, FreeCAD.Units.Length)
-    quantity.Format = {**quantity.Format, "Precision": 4}
-    return quantity
 
 
 def _local_date(iso: str) -> str:

@@ -12,7 +12,7 @@ import FreeCADGui as Gui
 from vkworkbench import freecad, preferences
 from vkworkbench.document.computer import idle
 from vkworkbench.document.marks.properties import may_have_mark
-from vkworkbench.gui import preferences_page
+from vkworkbench.gui import machine_page, preferences_page
 from vkworkbench.gui.qt.document_command import selected_operations
 from vkworkbench.gui.qt.names import QTimer
 from vkworkbench.gui.qt.text import QT_TRANSLATE_NOOP, translate
@@ -53,7 +53,8 @@ def install() -> None:
     Gui.addLanguagePath(str(TRANSLATIONS))
     Gui.updateLocale()
     Gui.addIconPath(str(ICONS))
-    Gui.addPreferencePage(preferences_page.PreferencesPage, preferences_page.TITLE)
+    for page in (preferences_page.PreferencesPage, machine_page.MachinePage):
+        Gui.addPreferencePage(page, preferences_page.TITLE)
     Gui.addWorkbench(VkWorkbench())
     for name, menu in freecad.WORKBENCHES.items():
         workbench = Gui.listWorkbenches().get(name)

@@ -112,6 +112,12 @@ class Reader:
             return f"{self._digits(seconds / 60, extra_digits)} min"
         return f"{self._digits(seconds / 3600, extra_digits)} h"
 
+    def clock(self, seconds: float) -> str:
+        """Return a time on the machine as machinists write it, e.g. ``"0:45"``, ``"15:04"``, ``"1:02:30"``."""
+        minutes, rest = divmod(max(round(seconds), 1) if seconds else 0, 60)
+        hours, minutes = divmod(minutes, 60)
+        return f"{hours}:{minutes:02}:{rest:02}" if hours else f"{minutes}:{rest:02}"
+
     def estimated_time(self, seconds: float, factor: float) -> str:
         """Return a duration as :meth:`time` does, after "about" if `factor` is `ROUGH` or more."""
         text = self.time(seconds, factor)

@@ -87,7 +87,7 @@ def _is_measured(o: OperationReport) -> bool:
 
 def _machining(length: float, seconds: float, complete: bool, measured: bool) -> tuple[str, str]:
     """Return the cutting length and the machining time as texts; unknown ones are question marks."""
-    time = ENGLISH.time(seconds)
+    time = ENGLISH.clock(seconds)
     if complete:
         return ENGLISH.length(length), time
     return ENGLISH.length(length) if length or measured else "?", f">= {time}" if seconds else "?"

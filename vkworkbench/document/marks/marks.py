@@ -21,14 +21,14 @@ from vkworkbench.document.job.operations import find, fixtures_of, is_active
 from vkworkbench.document.marks import properties as mark_properties
 from vkworkbench.document.marks import record
 from vkworkbench.document.marks.record import Record
-from vkworkbench.document.marks.text import CLOSING, OPENING, PLAY, SEPARATOR, SWITCHED_OFF, text_of
+from vkworkbench.document.marks.text import CLOSING, OPENING, SEPARATOR, SIMULATION, SWITCHED_OFF, text_of
 from vkworkbench.preferences import Preferences
 from vkworkbench.report import OperationReport, total_of
 
 _BRACKETS = re.compile(f" ?{OPENING}([^{OPENING}{CLOSING}]*){CLOSING}")
 # The text of a mark in any version: a confidence, a time, or only a strategy.
 _LIKE_A_MARK = re.compile(
-    rf"\S.*?(?: \d{{1,3}} ?%|{SEPARATOR}{PLAY} .+)(?:{SEPARATOR}.*|$)|"
+    rf"\S.*?(?: \d{{1,3}} ?%|{SEPARATOR}(?:{SIMULATION}|▶) .+)(?:{SEPARATOR}.*|$)|"
     rf"(?:{'|'.join(strategy.value for strategy in Strategy)}|{SWITCHED_OFF}|\d+ operations?)(?:{SEPARATOR}.*)?"
 )
 

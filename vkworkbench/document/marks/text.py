@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The text of a mark: the strategy, the time of one simulator, and warnings."""
+"""The text of a mark: the strategy, the time on the machine, the time of one simulator, and warnings."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from vkworkbench.report import SERIOUS, how_many, is_switched_off
 
 OPENING, CLOSING, SEPARATOR, OUTDATED = "⟦", "⟧", " · ", "outdated"
 SWITCHED_OFF = "switched off"
-PLAY, WARNING = "▶", "⚠"
+SIMULATION, WARNING = "sim", "⚠"
 UNSURE = 0.8  # a mark shows a confidence below this
 _NEAR = 0.5  # share of the time budget from which a time is "near"
 _LONGEST_REMARK = 120  # characters in a document; the window shows all that fits
@@ -54,6 +54,14 @@ def time_of(record: Record, chosen: Preferences, reader: Reader = ENGLISH) -> st
     return f"≥ {time}" if record.incomplete else time
 
 
+def machine_time_of(record: Record, reader: Reader = ENGLISH) -> str:
+    """Return the time on the machine as text; empty if unknown."""
+    if not record.machining_seconds or is_switched_off(record):
+        return ""
+    time = reader.clock(record.machining_seconds)
+    return f"≥ {time}" if record.left_out else time
+
+
 def text_of(record: Record, chosen: Preferences) -> str:
     """Return the text between the brackets of a description, in English for all readers."""
     if record.strategy is None:
@@ -62,8 +70,9 @@ def text_of(record: Record, chosen: Preferences) -> str:
         first = SWITCHED_OFF
     else:
         first = record.strategy.value + (f" {record.confidence:.0%}" if is_unsure(record) else "")
-    time, warning = time_of(record, chosen), f" {WARNING}" if is_warned(record, chosen) else ""
-    parts = [first, *([f"{PLAY} {time}{warning}"] if time else [])]
+    machine, time = machine_time_of(record), time_of(record, chosen)
+    warning = f" {WARNING}" if is_warned(record, chosen) else ""
+    parts = [first, *filter(None, [machine]), *([f"{SIMULATION} {time}{warning}"] if time else [])]
     if record.remarks and not is_switched_off(record):
         remark = _shortened(" ".join(map(render, record.remarks)))
         parts.append(remark if time else f"{WARNING} {remark}")

@@ -87,9 +87,9 @@ def columns(version: tuple[int, ...], marked: str) -> tuple[list[Column], list[C
                translate("Vk_Results", "The machining strategy, recognized from the toolpath alone."),
                lambda row: row.kind),
         Column("machining_time", translate("Vk_Results", "Machining\nTime"),
-               translate("Vk_Results", "Time on the machine at the programmed feeds. Rapids are included if the tool "
-                                       "controller has rapid speeds."),
-               lambda row: row.found.machining_seconds or None, _as("time"), least=lambda row: not row.machining_complete),
+               translate("Vk_Results", "Time on the machine of the preferences. Without a machine: at constant feeds, and "
+                                       "with rapids if the tool controller has rapid speeds."),
+               lambda row: row.found.machining_seconds or None, _as("clock"), least=lambda row: not row.machining_complete),
         Column("simulation_time", translate("Vk_Results", "Simulation\nTime"),
                time.format(simulator=user().simulator(marked)),
                partial(_seconds, marked), factor=partial(_factor, marked), least=_is_bound),

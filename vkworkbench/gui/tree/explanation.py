@@ -53,7 +53,7 @@ def _machining(record: Record) -> str:
     length = user().length(record.length)
     if not record.machining_seconds:  # "at least 0 s" says nothing
         return translate("Pills", "Cutting length: {length}.").format(length=length)
-    time = user().time(record.machining_seconds)
+    time = user().clock(record.machining_seconds)
     text = translate("Pills", "Machining time: {time}. Cutting length: {length}.")
     if record.left_out:
         text = translate("Pills", "Machining time: at least {time}. Cutting length: {length}.")

@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Lay out a mark in a cell of the tree.
 
-The strategy has the highest priority, then the time. The rest is shown as far as there is room.
+The strategy and the warning sign have the highest priority, then the time of the simulation, then the time on the machine.
+The rest is shown as far as there is room.
 """
 
 from __future__ import annotations
@@ -11,11 +12,11 @@ from dataclasses import dataclass
 
 from vkworkbench.document.marks.record import Record
 from vkworkbench.document.marks.text import (
-    PLAY,
     Burden,
     burden,
     is_unsure,
     is_warned,
+    machine_time_of,
     time_of,
 )  # fmt: skip
 from vkworkbench.gui.qt.colors import BURDEN, ERROR, TEXT, TOTAL, WARNING
@@ -110,9 +111,6 @@ def layouts(record: Record, words: str, chosen: Preferences, metrics, most_of_re
     most_of_remark : int or None
         Maximum number of characters of a remark; None for all.
     """
-    reader = user()
-    about, (seconds, _) = time_of(record, chosen, reader), record.cost(chosen.simulator) or (None, None)
-    plain = reader.time(seconds, record.factor(chosen.simulator)) if about else ""
     name = pill_text(record)
     is_error = _is_error(record)
     has_pill = not is_error or record.strategy is None or record.strategy.is_answer
@@ -124,23 +122,34 @@ def layouts(record: Record, words: str, chosen: Preferences, metrics, most_of_re
     outdated = translate("Pills", "outdated") if record.outdated else ""
     rest = "  ".join(filter(None, [outdated, remark, words]))
 
-    def begun() -> Layout:
-        layout = Layout(metrics)
+    def layout(*times: str) -> Layout:
+        shown = Layout(metrics)
         if is_error:
-            layout.add("error", "", *ERROR)
+            shown.add("error", "", *ERROR)
         if has_pill:
-            _add_pill(layout, record, name)
-        return layout
+            _add_pill(shown, record, name)
+            _add_times(shown, record, chosen, *times)
+        if not is_error and is_warned(record, chosen):
+            shown.add("warning", "", *WARNING)
+        return shown
 
-    full, shorter, shortest = begun(), begun(), begun()
-    if has_pill:
-        _add_time(full, record, chosen, about and f"{PLAY} {about}")
-        _add_time(shorter, record, chosen, plain and f"{PLAY} {plain}")
-        _add_time(shortest, record, chosen, plain)
-    if not is_error and is_warned(record, chosen):
-        full.add("warning", "", *WARNING)
+    machine, about, named, plain = _times(record, chosen)
+    full = layout(machine, about)
     full.say_more(rest)
-    return [full, *([shorter, shortest, begun()] if has_pill else [])]
+    shorter = ((machine, named), ("", named), ("", plain), ("", ""))
+    return [full, *(layout(*times) for times in shorter)] if has_pill else [full]
+
+
+def _times(record: Record, chosen: Preferences) -> tuple[str, str, str, str]:
+    """Return the time on the machine, and three texts for the time of the simulation, the longest first."""
+    reader = user()
+    machine = machine_time_of(record, reader)
+    about, cost = time_of(record, chosen, reader), record.cost(chosen.simulator)
+    if not about:
+        return machine, "", "", ""
+    plain = reader.time(cost[0], record.factor(chosen.simulator))
+    named = translate("Pills", "sim {time}")
+    return machine, named.format(time=about), named.format(time=plain), plain
 
 
 def _is_error(record: Record) -> bool:
@@ -153,7 +162,9 @@ def _add_pill(layout: Layout, record: Record, name: str) -> None:
     layout.add("outlined" if record.outdated else "filled", name, color)
 
 
-def _add_time(layout: Layout, record: Record, chosen: Preferences, time: str) -> None:
+def _add_times(layout: Layout, record: Record, chosen: Preferences, machine: str, time: str) -> None:
+    if machine:
+        layout.say(machine)
     heavy = burden(record, chosen)
     if time and heavy is Burden.FINE:
         layout.say(time)
