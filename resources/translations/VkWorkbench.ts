@@ -1146,14 +1146,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>1 move collides.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>{count:n} moves collide.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>1 gouge is {depth:mm2} deep in the model.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -1199,6 +1191,10 @@
     </message>
     <message>
         <source>The memory is not sufficient for this program. Divide it into smaller programs.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Shank checked; no holder and no clamps given.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

@@ -1146,14 +1146,6 @@
         <translation>{count:n} Eilgänge schneiden in Material.</translation>
     </message>
     <message>
-        <source>1 move collides.</source>
-        <translation>1 Bewegung kollidiert.</translation>
-    </message>
-    <message>
-        <source>{count:n} moves collide.</source>
-        <translation>{count:n} Bewegungen kollidieren.</translation>
-    </message>
-    <message>
         <source>1 gouge is {depth:mm2} deep in the model.</source>
         <translation>1 Schnitt geht {depth:mm2} tief ins Modell.</translation>
     </message>
@@ -1200,6 +1192,10 @@
     <message>
         <source>The memory is not sufficient for this program. Divide it into smaller programs.</source>
         <translation>Der Speicher reicht für dieses Programm nicht aus. Teilen Sie es in kleinere Programme auf.</translation>
+    </message>
+    <message>
+        <source>Shank checked; no holder and no clamps given.</source>
+        <translation>Schaft geprüft; kein Halter und keine Spannvorrichtungen angegeben.</translation>
     </message>
 </context>
 <context>

@@ -1146,14 +1146,6 @@
         <translation>{count:n} movimientos rápidos cortan material.</translation>
     </message>
     <message>
-        <source>1 move collides.</source>
-        <translation>1 movimiento colisiona.</translation>
-    </message>
-    <message>
-        <source>{count:n} moves collide.</source>
-        <translation>{count:n} movimientos colisionan.</translation>
-    </message>
-    <message>
         <source>1 gouge is {depth:mm2} deep in the model.</source>
         <translation>1 corte entra {depth:mm2} en el modelo.</translation>
     </message>
@@ -1200,6 +1192,10 @@
     <message>
         <source>The memory is not sufficient for this program. Divide it into smaller programs.</source>
         <translation>La memoria no es suficiente para este programa. Divídalo en programas más pequeños.</translation>
+    </message>
+    <message>
+        <source>Shank checked; no holder and no clamps given.</source>
+        <translation>Vástago comprobado; sin portaherramientas ni bridas indicados.</translation>
     </message>
 </context>
 <context>

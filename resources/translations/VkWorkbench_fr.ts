@@ -1146,14 +1146,6 @@
         <translation>{count:n} déplacements rapides coupent la matière.</translation>
     </message>
     <message>
-        <source>1 move collides.</source>
-        <translation>1 déplacement entre en collision.</translation>
-    </message>
-    <message>
-        <source>{count:n} moves collide.</source>
-        <translation>{count:n} déplacements entrent en collision.</translation>
-    </message>
-    <message>
         <source>1 gouge is {depth:mm2} deep in the model.</source>
         <translation>1 coupe entre de {depth:mm2} dans le modèle.</translation>
     </message>
@@ -1200,6 +1192,10 @@
     <message>
         <source>The memory is not sufficient for this program. Divide it into smaller programs.</source>
         <translation>La mémoire ne suffit pas pour ce programme. Divisez-le en programmes plus petits.</translation>
+    </message>
+    <message>
+        <source>Shank checked; no holder and no clamps given.</source>
+        <translation>Queue vérifiée ; ni porte-outil ni brides indiqués.</translation>
     </message>
 </context>
 <context>

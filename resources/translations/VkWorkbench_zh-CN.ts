@@ -1146,14 +1146,6 @@
         <translation>{count:n} 个快速移动切入材料。</translation>
     </message>
     <message>
-        <source>1 move collides.</source>
-        <translation>1 个移动发生碰撞。</translation>
-    </message>
-    <message>
-        <source>{count:n} moves collide.</source>
-        <translation>{count:n} 个移动发生碰撞。</translation>
-    </message>
-    <message>
         <source>1 gouge is {depth:mm2} deep in the model.</source>
         <translation>1 处过切，深入模型 {depth:mm2}。</translation>
     </message>
@@ -1200,6 +1192,10 @@
     <message>
         <source>The memory is not sufficient for this program. Divide it into smaller programs.</source>
         <translation>内存不足以处理此程序。请将其拆分为较小的程序。</translation>
+    </message>
+    <message>
+        <source>Shank checked; no holder and no clamps given.</source>
+        <translation>已检查刀柄；未给出刀夹和夹具。</translation>
     </message>
 </context>
 <context>

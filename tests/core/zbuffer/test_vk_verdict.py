@@ -10,7 +10,17 @@ import pytest
 from zbuffer_inputs import toolpath
 
 from vkworkbench.core import Cut, Stock, Tool, View
-from vkworkbench.core.zbuffer import PENDING, CrashCheck, Source, Verdict, check_crashes, facts, simulate_job
+from vkworkbench.core.zbuffer import (
+    PENDING,
+    Collision,
+    Collisions,
+    CrashCheck,
+    Source,
+    Verdict,
+    check_crashes,
+    facts,
+    simulate_job,
+)
 from vkworkbench.language import render
 
 LABELS = ["Face", "Engrave"]
@@ -36,7 +46,6 @@ def test_nothing_wrong_nothing_checked_and_nothing_met_differ():
     [
         ({"crashes": 1}, "1 rapid cuts into material."),
         ({"crashes": 3}, "3 rapids cut into material."),
-        ({"collisions": 2}, "2 moves collide."),
         ({"gouges": 2, "deepest_gouge": 0.5}, "2 gouges are up to 0.5 mm deep in the model."),
         (
             {"lacking": 4.0},
@@ -49,6 +58,16 @@ def test_faults_come_first(fault, sentence):
     verdict = replace(SOUND, **fault)
     assert text(verdict) == f"{sentence} Checked to 0.12 mm. Shank, holder and clamps not checked."
     assert not verdict.is_sound
+
+
+def test_collisions_of_shanks_are_faults():
+    """The deepest of each kind is named, and so is what was checked."""
+    first, second = (Collision("shank", k, Source(k, 0, 0), Source(k, 5, 5), (0, 0, 0), 2.0 + k) for k in range(2))
+    checked = replace(SOUND, collisions=Collisions((first, second), 0.1, (True, True), (False, False), 0))
+    assert text(checked) == (
+        "The shank collides with material 3 mm high. Checked to 0.12 mm. Shank checked; no holder and no clamps given."
+    )
+    assert not checked.is_sound and replace(checked, collisions=replace(checked.collisions, found=())).is_sound
 
 
 def test_everything_without_a_check_is_named():

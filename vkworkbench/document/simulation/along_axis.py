@@ -9,14 +9,23 @@ from dataclasses import dataclass
 
 from vkworkbench import preferences
 from vkworkbench.core import ZBuffer, simulate_job
-from vkworkbench.core.zbuffer import CrashCheck, JobFacts, OverBudget, axis_view, check_crashes, facts
+from vkworkbench.core.zbuffer import (
+    Collisions,
+    CrashCheck,
+    JobFacts,
+    OverBudget,
+    axis_view,
+    check_crashes,
+    facts,
+    holder_collisions,
+)
 from vkworkbench.document.computer.calibration import known_speed
 from vkworkbench.document.simulation.job import SimulatedJob
 
 
 @dataclass(frozen=True, eq=False)
 class AlongAxis:
-    """A job simulated along its tool axis, with its crashes.
+    """A job simulated along its tool axis, with its crashes and collisions.
 
     Attributes
     ----------
@@ -24,15 +33,17 @@ class AlongAxis:
     zbuffer : ZBuffer
         At its last moment.
     checked : CrashCheck
+    collisions : Collisions
     """
 
     job: SimulatedJob
     zbuffer: ZBuffer
     checked: CrashCheck
+    collisions: Collisions
 
     def facts(self, tolerance: float) -> JobFacts:
         """Return the facts on the operations and the job, and the verdict; see `core.zbuffer.facts`."""
-        return facts(self.zbuffer, self.checked, model=self.job.model, tolerance=tolerance)
+        return facts(self.zbuffer, self.checked, model=self.job.model, tolerance=tolerance, collisions=self.collisions)
 
 
 def simulate_along_axis(
@@ -65,7 +76,11 @@ def simulate_along_axis(
                 raise
             view = view.of_size(*refused.size)
     left = max(end - time.monotonic(), 0.0)
-    return AlongAxis(job, zbuffer, check_crashes(job.cuts, job.stock, seconds=left, going_on=lambda: going_on(1.0)))
+    checked = check_crashes(job.cuts, job.stock, seconds=left, going_on=lambda: going_on(1.0))
+    collisions = holder_collisions(
+        zbuffer.cuts, job.stock, clamps=job.clamps, memory_budget=memory_budget, going_on=lambda _: going_on(1.0)
+    )
+    return AlongAxis(job, zbuffer, checked, collisions)
 
 
 class OnceAlongAxis:

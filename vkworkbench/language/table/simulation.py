@@ -30,6 +30,7 @@ SIMULATION: dict[str, str | tuple[str, str]] = {
     "the-holder": QT_TRANSLATE_NOOP("Sentences", "The holder"),
     # A sentence for each of shanks, holders and clamps says what was checked.
     "attachments": QT_TRANSLATE_NOOP("Sentences", "{sentences}"),
+    "only-shanks-checked": QT_TRANSLATE_NOOP("Sentences", "Shank checked; no holder and no clamps given."),
     "shanks-checked": QT_TRANSLATE_NOOP("Sentences", "Shanks were checked."),
     "no-shanks": QT_TRANSLATE_NOOP(
         "Sentences", "Shanks were not checked, because no tool has a cutting edge height and a shank diameter."
@@ -61,10 +62,6 @@ SIMULATION: dict[str, str | tuple[str, str]] = {
     "verdict-crashes": (
         QT_TRANSLATE_NOOP("Sentences", "1 rapid cuts into material."),
         QT_TRANSLATE_NOOP("Sentences", "{count:n} rapids cut into material."),
-    ),
-    "verdict-collisions": (
-        QT_TRANSLATE_NOOP("Sentences", "1 move collides."),
-        QT_TRANSLATE_NOOP("Sentences", "{count:n} moves collide."),
     ),
     "verdict-gouges": (
         QT_TRANSLATE_NOOP("Sentences", "1 gouge is {depth:mm2} deep in the model."),

@@ -107,6 +107,16 @@ class Collisions:
     holders: tuple[bool, ...]
     clamps: int
 
+    @property
+    def worst(self) -> tuple[Collision, ...]:
+        """The deepest collision of each part of tools with the workpiece and with each clamp, in the order of the trajectories."""
+        deepest: dict[tuple[str, str], Collision] = {}
+        for one in self.found:
+            known = deepest.setdefault((one.body, one.clamp), one)
+            if one.depth > known.depth:
+                deepest[one.body, one.clamp] = one
+        return tuple(deepest.values())
+
     def attachments(self, labels: Sequence[str]) -> Message:
         """Return a message that says for which operations shanks and holders were checked, and whether clamps were.
 
@@ -118,6 +128,8 @@ class Collisions:
         shanks, holders = (
             tuple(label for label, one in zip(labels, known) if not one) for known in (self.shanks, self.holders)
         )
+        if not shanks and not any(self.holders) and not self.clamps:
+            return Message("only-shanks-checked")
         without_shanks = Message("shanks-unknown", labels=shanks) if any(self.shanks) else Message("no-shanks")
         without_holders = Message("holders-unknown", labels=holders) if any(self.holders) else Message("no-holders")
         sentences = (

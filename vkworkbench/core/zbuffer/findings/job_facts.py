@@ -10,6 +10,7 @@ from typing import Any, TypeVar
 import numpy as np
 
 from vkworkbench.core.stocks import Solid
+from vkworkbench.core.zbuffer.findings.collisions import Collision, Collisions
 from vkworkbench.core.zbuffer.findings.crash_check import CrashCheck
 from vkworkbench.core.zbuffer.findings.deviations import TOLERANCE, Deviation, gouges, material_left
 from vkworkbench.core.zbuffer.findings.facts import cuts_air, engagement, removed_volumes
@@ -18,6 +19,7 @@ from vkworkbench.core.zbuffer.findings.seen_model import deviations
 from vkworkbench.core.zbuffer.findings.verdict import Verdict
 from vkworkbench.core.zbuffer.simulator.moments import ZBuffer
 from vkworkbench.given import number
+from vkworkbench.language import render
 
 # Time over which the peak removal rate is averaged, s. Shorter: the rate depends on single pixels.
 _WINDOW = 1.0
@@ -26,7 +28,7 @@ _NUMBERS = (
     "air_time_share", "mean_rate", "peak_rate", "depth_of_cut", "width_of_cut", "tool_diameter",
 )  # fmt: skip
 _Fault = TypeVar("_Fault", Crash, Plunge)
-_FAULTS = ("crashes", "first_crash_command", "fast_plunges", "deepest_gouge", "most_left")
+_FAULTS = ("crashes", "first_crash_command", "fast_plunges", "deepest_gouge", "most_left", "collisions")
 
 
 @dataclass(frozen=True)
@@ -53,6 +55,8 @@ class CutFacts:
         Plunges into full material above the tool's vertical feed.
     gouges, left : tuple of Deviation
         Places cut below the model's surface, and leftover material above it; empty without a model.
+    collisions : tuple of Collision
+        Collisions of shanks and holders, cuts deeper than the flutes, tools that are too short, and collisions with clamps.
     """
 
     removed_volume: float
@@ -69,6 +73,7 @@ class CutFacts:
     fast_plunges: tuple[Plunge, ...]
     gouges: tuple[Deviation, ...]
     left: tuple[Deviation, ...]
+    collisions: tuple[Collision, ...] = ()
 
     @property
     def air_length_share(self) -> float:
@@ -103,7 +108,26 @@ class CutFacts:
             ]
             for found in (self.gouges, self.left)
         )
-        return {**self._numbers(), "crashes": crashes, "fast_plunges": plunges, "gouges": gouges, "left": left}
+        collisions = [
+            {
+                "command": c.source.command,
+                "last_command": c.last.command,
+                "place": list(c.place),
+                "depth": c.depth,
+                "body": c.body,
+                "clamp": c.clamp or None,
+                "message": render(c.what),
+            }
+            for c in self.collisions
+        ]
+        return {
+            **self._numbers(),
+            "crashes": crashes,
+            "fast_plunges": plunges,
+            "gouges": gouges,
+            "left": left,
+            "collisions": collisions,
+        }
 
     def cells(self) -> dict[str, float | int | None]:
         """Return the facts as one row of a table with the columns `FACT_COLUMNS`. Faults are counts and largest depths, mm."""
@@ -113,6 +137,7 @@ class CutFacts:
             len(self.fast_plunges),
             max((gouge.depth for gouge in self.gouges), default=0.0),
             max((left.depth for left in self.left), default=0.0),
+            len(self.collisions),
         )
         return {**self._numbers(), **dict(zip(_FAULTS, faults))}
 
@@ -144,7 +169,12 @@ class JobFacts:
 
 
 def facts(
-    zbuffer: ZBuffer, checked: CrashCheck, *, model: Solid | None = None, tolerance: float = TOLERANCE
+    zbuffer: ZBuffer,
+    checked: CrashCheck,
+    *,
+    model: Solid | None = None,
+    tolerance: float = TOLERANCE,
+    collisions: Collisions | None = None,
 ) -> JobFacts:
     """Compute the facts on every operation and on the job.
 
@@ -158,6 +188,8 @@ def facts(
         The finished part. Without a model, gouges and leftover material are empty.
     tolerance : float
         Largest deviation from the model that is ignored, mm.
+    collisions : Collisions, optional
+        The check of shanks, holders and clamps of the same job.
 
     Returns
     -------
@@ -208,10 +240,11 @@ def facts(
             fast_plunges=own(plunged),
             gouges=own(gouged),
             left=own(left),
+            collisions=own(list(collisions.found) if collisions else []),
         )
 
     job = facts_of(range(len(cuts.cuts)), whole=True)
-    verdict = verdict_on(zbuffer, job, checked, compared=model is not None)
+    verdict = verdict_on(zbuffer, job, checked, compared=model is not None, collisions=collisions)
     return JobFacts(tuple(facts_of(range(cut, cut + 1)) for cut in range(len(cuts.cuts))), job, verdict)
 
 
@@ -224,7 +257,9 @@ def with_known(known: Sequence[_Fault], found: Sequence[_Fault]) -> list[_Fault]
     return [faults[trajectory] for trajectory in sorted(faults)]
 
 
-def verdict_on(zbuffer: ZBuffer, job: CutFacts, checked: CrashCheck, *, compared: bool) -> Verdict:
+def verdict_on(
+    zbuffer: ZBuffer, job: CutFacts, checked: CrashCheck, *, compared: bool, collisions: Collisions | None = None
+) -> Verdict:
     """Return the verdict on a job.
 
     Parameters
@@ -235,12 +270,14 @@ def verdict_on(zbuffer: ZBuffer, job: CutFacts, checked: CrashCheck, *, compared
     checked : CrashCheck
     compared : bool
         Whether the part was compared with a model.
+    collisions : Collisions, optional
+        The check of shanks, holders and clamps.
     """
     crashed = {crash.source for crash in job.crashes}
     gouged = [one.depth for one in job.gouges if one.source is not None]
     of_tools = tuple(number for number, cut in enumerate(zbuffer.cuts.cuts) if cut.allowed_depth == np.inf)
     return Verdict(
-        pixel=zbuffer.frame.pixel,
+        pixel=max(zbuffer.frame.pixel, collisions.pixel if collisions else 0.0),
         met=checked.met,
         compared=compared,
         crashes=len(job.crashes),
@@ -250,6 +287,7 @@ def verdict_on(zbuffer: ZBuffer, job: CutFacts, checked: CrashCheck, *, compared
         lacking=max((one.depth for one in job.gouges if one.source is None), default=0.0),
         unchecked=tuple(one for one in checked.unchecked if one not in crashed),
         unjudged=of_tools if compared else (),
+        collisions=collisions,
     )
 
 

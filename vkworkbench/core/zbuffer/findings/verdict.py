@@ -6,6 +6,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 
+from vkworkbench.core.zbuffer.findings.collisions import Collisions
 from vkworkbench.core.zbuffer.sweeps.cuts import Source
 from vkworkbench.language import Message
 
@@ -29,14 +30,12 @@ class Verdict:
         Number of rapids that cut, of cuts into the model, and of plunges that are too fast.
     deepest_gouge, lacking : float
         Depth of the deepest gouge, and thickness that the stock lacks of the model, mm.
-    collisions : int
-        Number of moves on which something else than the cutting edge hits material or a clamp.
     unchecked : tuple of Source
         Rapids and plunges for which the time did not suffice.
     unjudged : tuple of int
         Cuts whose gouges are unknown, because their tools only stand for other shapes.
-    attachments : Message
-        Sentence on the check of shank, holder and clamps.
+    collisions : Collisions or None
+        Collisions of shanks, holders and clamps; None if they were not checked.
     """
 
     pixel: float | None = None
@@ -47,10 +46,9 @@ class Verdict:
     fast_plunges: int = 0
     deepest_gouge: float = 0.0
     lacking: float = 0.0
-    collisions: int = 0
     unchecked: tuple[Source, ...] = ()
     unjudged: tuple[int, ...] = ()
-    attachments: Message = UNATTACHED
+    collisions: Collisions | None = None
 
     @property
     def is_checked(self) -> bool:
@@ -74,19 +72,21 @@ class Verdict:
             return Message("verdict-pending")
         if not self.met:
             return Message("verdict-nothing")
-        faults, what = self._faults(), Message("verdict-kinds" if self.compared else "verdict-kinds-without-model")
+        faults = self._faults()
+        what = Message("verdict-kinds") if self.compared else Message("verdict-kinds-without-model")
         result = Message("verdict-checked" if faults else "verdict-sound", what=what, pixel=self.pixel)
-        return Message("verdict", sentences=(*faults, result, *self._left_out(labels), self.attachments))
+        attachments = self.collisions.attachments(labels) if self.collisions else UNATTACHED
+        return Message("verdict", sentences=(*faults, result, *self._left_out(labels), attachments))
 
     def _faults(self) -> tuple[Message, ...]:
         found = (
-            (self.collisions, Message("verdict-collisions", count=self.collisions)),
             (self.crashes, Message("verdict-crashes", count=self.crashes)),
             (self.gouges, Message("verdict-gouges", count=self.gouges, depth=self.deepest_gouge)),
             (self.lacking, Message("stock-lacks", depth=self.lacking)),
             (self.fast_plunges, Message("verdict-plunges", count=self.fast_plunges)),
         )
-        return tuple(message for number, message in found if number)
+        collided = self.collisions.worst if self.collisions else ()
+        return (*(one.what for one in collided), *(message for number, message in found if number))
 
     def _left_out(self, labels: Sequence[str]) -> tuple[Message, ...]:
         """Return a sentence for everything that the check left out."""
