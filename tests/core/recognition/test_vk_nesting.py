@@ -14,7 +14,7 @@ def inward(*sides, aside=0.0, enclosed=None, slack=1.0):
     half, x = np.array(sides) / 2, aside * np.arange(len(sides))
     borders = np.array([x - half, -half, -(x + half), -half])
     area = np.array(sides) ** 2.0 if enclosed is None else np.array(enclosed)
-    return Inward(borders, area, 4.0 * np.array(sides), np.full(len(sides), slack))
+    return Inward(borders, area, 4.0 * np.array(sides), np.full(len(sides), slack), np.zeros(len(sides), bool))
 
 
 def distance(*sides, lag=1, **drawn):
@@ -41,7 +41,7 @@ def open_pocket(*steps, low=(), wide=60.0, tall=40.0, slack=1.0):
     sides = np.array([steps, 0 * steps, steps - wide, steps - tall])
     sides[list(low)] = sides[list(low), :1]
     width, height = -(sides[0] + sides[2]), -(sides[1] + sides[3])
-    return Inward(sides, width * height, 2 * (width + height), np.full(len(steps), slack))
+    return Inward(sides, width * height, 2 * (width + height), np.full(len(steps), slack), np.zeros(len(steps), bool))
 
 
 def test_offsets_in_a_pocket_that_is_open_at_a_side_share_it():

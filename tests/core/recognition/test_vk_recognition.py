@@ -236,3 +236,30 @@ def test_tiny_tool_is_known_and_zero_diameter_is_not(tool, known):
 def test_that_nothing_cuts_is_certain(commands):
     found = recognize(linearize(commands))
     assert (found.strategy, found.confidence) == (Strategy.EMPTY, 1.0)
+
+
+def rectangle(x, y, width, height):
+    """Commands of a closed loop with a plunge, around a corner at (x, y)."""
+    ways = [(x, y), (x + width, y), (x + width, y + height), (x, y + height), (x, y)]
+    commands = [("G0", {"Z": 5.0}), ("G0", {"X": x, "Y": y}), ("G1", {"Z": -1.0, "F": 5.0})]
+    return commands + [("G1", {"X": a, "Y": b, "F": 10.0}) for a, b in ways[1:]]
+
+
+def test_stepover_is_that_of_large_loops_not_of_many_small_ones():
+    """What is left in the corners of a pocket is cleared by small loops with smaller steps."""
+    corners = [(x, y) for x in (-20, 120) for y in (-20, 100)]
+    loops = [(4.2 * k, 4.2 * k, 100 - 8.4 * k, 80 - 8.4 * k) for k in range(4)]
+    loops += [(x + 1.5 * k, y + 1.5 * k, 9 - 3 * k, 8 - 3 * k) for x, y in corners for k in (0, 1)]
+    commands = [command for loop in loops for command in rectangle(*loop)]
+    found = recognize(linearize(commands), tool_diameter=6.0)
+    assert found.strategy == "contour-parallel"
+    assert found.stepover == pytest.approx(4.2)
+
+
+def test_loop_that_runs_around_islands_is_one_step_inside():
+    """The second loop has run into the offset of an island: it is longer and encloses less, but all its sides moved alike."""
+    bay = [(4.2, 4.2), (95.8, 4.2), (95.8, 75.8), (4.2, 75.8), (4.2, 50), (40, 50), (40, 30), (4.2, 30), (4.2, 4.2)]
+    inner = [("G0", {"Z": 5.0}), ("G0", {"X": 4.2, "Y": 4.2}), ("G1", {"Z": -1.0})]
+    inner += [("G1", {"X": x, "Y": y}) for x, y in bay[1:]]
+    found = recognize(linearize(rectangle(0, 0, 100, 80) + inner), tool_diameter=6.0)
+    assert found.stepover == pytest.approx(4.2)

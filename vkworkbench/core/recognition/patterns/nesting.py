@@ -31,13 +31,17 @@ class Inward(Dict[int, Tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]]):
         mm2, mm.
     slack : (k,) float
         1 for closed loops; 2 for turns of windings, which are open, so that their areas are approximate.
+    wavy : (k,) bool
+        Rings that may be passes of a lattice, whose boxes show no distance.
     """
 
-    def __init__(self, sides: np.ndarray, enclosed: np.ndarray, length: np.ndarray, slack: np.ndarray) -> None:
-        self._of = sides, enclosed, length, slack
+    def __init__(
+        self, sides: np.ndarray, enclosed: np.ndarray, length: np.ndarray, slack: np.ndarray, wavy: np.ndarray
+    ) -> None:
+        self._of = sides, enclosed, length, slack, wavy
 
     def __missing__(self, lag: int) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
-        sides, enclosed, length, slack = self._of
+        sides, enclosed, length, slack, wavy = self._of
         moved = sides[:, lag:] - sides[:, :-lag]
         low, high, mean = moved.min(axis=0), moved.max(axis=0), moved.sum(axis=0) / 4
         around, one_way = length[lag:] + length[:-lag], low * high > 0
@@ -51,7 +55,11 @@ class Inward(Dict[int, Tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]]):
         step = 2 * np.abs(enclosed[lag:] - enclosed[:-lag]) / around
         fits = near > NESTS.SIDE_AT_LEAST * step / loose - ROUNDING.PLACE
         fits &= near < NESTS.SIDE_AT_MOST * step * loose + ROUNDING.PLACE
-        self[lag] = low, high, mean, np.where(one_way & fits, np.minimum(step, near), 0.0)
+        # An offset that runs around an island, too, is longer than the ring around it, but all its sides move alike.
+        longer = (length[lag:] - length[:-lag]) * mean > 0
+        alike = (high - low <= NESTS.EQUAL_SIDES * np.abs(mean)) & longer & ~(wavy[lag:] | wavy[:-lag])
+        step = np.where(alike & ~fits, near, np.minimum(step, near))
+        self[lag] = low, high, mean, np.where(one_way & (fits | alike), step, 0.0)
         return self[lag]
 
 

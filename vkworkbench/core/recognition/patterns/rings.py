@@ -12,6 +12,7 @@ from vkworkbench.core.paper import TURN
 from vkworkbench.core.recognition.patterns.footprints import come_again, count_depths
 from vkworkbench.core.recognition.patterns.nesting import Inward, evenness, middle, reach
 from vkworkbench.core.recognition.patterns.pieces import WINDING, Pieces
+from vkworkbench.core.recognition.patterns.rows import weighted_median
 from vkworkbench.core.recognition.thresholds import MAJORITY, NESTS, RINGS, ROUNDING, TROCHOIDS, WATERLINES, WINDINGS
 
 
@@ -47,7 +48,7 @@ class Rings:
     back : (k,) float
         Turning that cancels out, rad.
     step : float
-        Distance from a ring to the next nested one (median), mm; NaN without nested rings.
+        Distance from a ring to the next nested one (median by enclosed area), mm; NaN without nested rings.
     growing : float
         Share of outward steps; NaN without nested rings.
     equidistant : bool
@@ -101,7 +102,7 @@ def relate_rings(pieces: Pieces, index: np.ndarray, tool: float) -> Rings:
     """
     k = len(index)
     shapes = _shapes(pieces, index)
-    inward = Inward(shapes.sides, shapes.enclosed, shapes.length, shapes.slack)
+    inward = Inward(shapes.sides, shapes.enclosed, shapes.length, shapes.slack, shapes.wavy)
     limit, next_step, next_drop = reach(inward, shapes.size, shapes.z, shapes.flat, tool, pieces.area[index])
     names = ("nested", "opposite", "deeper", "repeated", "moved", "crossing")
     flags = {name: np.zeros(k, bool) for name in names}
@@ -121,8 +122,8 @@ def relate_rings(pieces: Pieces, index: np.ndarray, tool: float) -> Rings:
         np.minimum(inner[a], np.where(found["nested"] & (mean > 0), step, np.inf), out=inner[a])
         np.minimum(inner[b], np.where(found["nested"] & (mean < 0), step, np.inf), out=inner[b])
         if flags["nested"].all():
-            inside = inner[np.isfinite(inner)]
-            if inside.max() < 2 * inside.min():  # no room for another ring between two
+            steps_inside = inner[np.isfinite(inner)]
+            if steps_inside.max() < 2 * steps_inside.min():  # no room for another ring between two
                 break
     depths = count_depths(shapes.z)
     again, distinct = come_again(pieces, index) if depths > 1 else (np.zeros(k, bool), k)
@@ -131,6 +132,9 @@ def relate_rings(pieces: Pieces, index: np.ndarray, tool: float) -> Rings:
     # Contours of one part come again deeper in the same company; a waterline that is cut again does not.
     if distinct * depths < WATERLINES.DEPTHS * k:
         flags["deeper"] &= ~again
+    inside = np.isfinite(inner)
+    # Large loops show the stepover. The turns of windings count alike, because their areas are approximate.
+    weight = np.where(shapes.slack > 1, shapes.enclosed.mean(), shapes.enclosed)[inside] if k else shapes.enclosed
     related = flags["nested"] | flags["deeper"] | flags["repeated"] | flags["moved"] | flags["crossing"]
     steps: np.ndarray = np.concatenate(all_steps) if all_steps else np.zeros(0)
     return Rings(
@@ -141,7 +145,7 @@ def relate_rings(pieces: Pieces, index: np.ndarray, tool: float) -> Rings:
         round=4 * np.pi * shapes.enclosed > RINGS.ROUND * shapes.length**2,
         sloped=_sloped(pieces, index),
         back=pieces.back[index],
-        step=middle(inner[np.isfinite(inner)]) if len(steps) else np.nan,
+        step=weighted_median(inner[inside], weight) if inside.any() else np.nan,
         growing=np.count_nonzero(steps < 0) / len(steps) if len(steps) else np.nan,
         equidistant=_equal(next_turn),
         distinct=distinct,
