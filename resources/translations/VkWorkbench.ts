@@ -1197,6 +1197,10 @@
         <source>Shank checked; no holder and no clamps given.</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>FreeCAD is still reading {document}. Try again when the document is open.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>Strategy</name>
@@ -1376,6 +1380,50 @@
         <source>Paste grbl Settings…</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Travel and Tool Holder</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Travel in X</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Travel of the machine along X. The analysis warns of jobs and programs that need more. 0: unknown.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Travel in Y</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Travel of the machine along Y. The analysis warns of jobs and programs that need more. 0: unknown.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Travel in Z</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Travel of the machine along Z. The analysis warns of jobs and programs that need more. 0: unknown.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Holder diameter</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Diameter of the tool holder. The simulation warns of collisions. A property HolderDiameter of a tool bit takes precedence. 0: unknown.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Holder length</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Length of the tool holder. A property HolderLength of a tool bit takes precedence. 0: the holder has no upper end.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>VkPreferences</name>
@@ -1541,50 +1589,6 @@
     </message>
     <message>
         <source>Last calibrated on {date}. The times of the {simulator} are right to within a factor of {factor}. Measured with FreeCAD {freecad} on {processor}, display {renderer}.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Machine</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Travel in X</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Travel of the machine along X. The analysis warns of jobs and programs that need more. 0: unknown.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Travel in Y</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Travel of the machine along Y. The analysis warns of jobs and programs that need more. 0: unknown.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Travel in Z</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Travel of the machine along Z. The analysis warns of jobs and programs that need more. 0: unknown.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Holder diameter</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Diameter of the tool holder. The simulation warns of collisions. A property HolderDiameter of a tool bit takes precedence. 0: unknown.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Holder length</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Length of the tool holder. A property HolderLength of a tool bit takes precedence. 0: the holder has no upper end.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

@@ -1197,6 +1197,10 @@
         <source>Shank checked; no holder and no clamps given.</source>
         <translation>Schaft geprüft; kein Halter und keine Spannvorrichtungen angegeben.</translation>
     </message>
+    <message>
+        <source>FreeCAD is still reading {document}. Try again when the document is open.</source>
+        <translation>FreeCAD liest {document} noch. Versuchen Sie es wieder, wenn das Dokument geöffnet ist.</translation>
+    </message>
 </context>
 <context>
     <name>Strategy</name>
@@ -1376,6 +1380,50 @@
         <source>Paste grbl Settings…</source>
         <translation>grbl-Einstellungen einfügen…</translation>
     </message>
+    <message>
+        <source>Travel and Tool Holder</source>
+        <translation>Verfahrweg und Werkzeughalter</translation>
+    </message>
+    <message>
+        <source>Travel in X</source>
+        <translation>Verfahrweg in X</translation>
+    </message>
+    <message>
+        <source>Travel of the machine along X. The analysis warns of jobs and programs that need more. 0: unknown.</source>
+        <translation>Verfahrweg der Maschine in X. Die Analyse warnt vor Aufträgen und Programmen, die mehr brauchen. 0: unbekannt.</translation>
+    </message>
+    <message>
+        <source>Travel in Y</source>
+        <translation>Verfahrweg in Y</translation>
+    </message>
+    <message>
+        <source>Travel of the machine along Y. The analysis warns of jobs and programs that need more. 0: unknown.</source>
+        <translation>Verfahrweg der Maschine in Y. Die Analyse warnt vor Aufträgen und Programmen, die mehr brauchen. 0: unbekannt.</translation>
+    </message>
+    <message>
+        <source>Travel in Z</source>
+        <translation>Verfahrweg in Z</translation>
+    </message>
+    <message>
+        <source>Travel of the machine along Z. The analysis warns of jobs and programs that need more. 0: unknown.</source>
+        <translation>Verfahrweg der Maschine in Z. Die Analyse warnt vor Aufträgen und Programmen, die mehr brauchen. 0: unbekannt.</translation>
+    </message>
+    <message>
+        <source>Holder diameter</source>
+        <translation>Halterdurchmesser</translation>
+    </message>
+    <message>
+        <source>Diameter of the tool holder. The simulation warns of collisions. A property HolderDiameter of a tool bit takes precedence. 0: unknown.</source>
+        <translation>Durchmesser des Werkzeughalters. Die Simulation warnt vor Kollisionen. Eine Eigenschaft HolderDiameter des Werkzeugs hat Vorrang. 0: unbekannt.</translation>
+    </message>
+    <message>
+        <source>Holder length</source>
+        <translation>Halterlänge</translation>
+    </message>
+    <message>
+        <source>Length of the tool holder. A property HolderLength of a tool bit takes precedence. 0: the holder has no upper end.</source>
+        <translation>Länge des Werkzeughalters. Eine Eigenschaft HolderLength des Werkzeugs hat Vorrang. 0: Der Halter hat kein oberes Ende.</translation>
+    </message>
 </context>
 <context>
     <name>VkPreferences</name>
@@ -1542,50 +1590,6 @@
     <message>
         <source>Last calibrated on {date}. The times of the {simulator} are right to within a factor of {factor}. Measured with FreeCAD {freecad} on {processor}, display {renderer}.</source>
         <translation>Zuletzt kalibriert am {date}. Die Zeiten von „{simulator}“ stimmen bis auf den Faktor {factor}. Gemessen mit FreeCAD {freecad} auf {processor}, Anzeige {renderer}.</translation>
-    </message>
-    <message>
-        <source>Machine</source>
-        <translation>Maschine</translation>
-    </message>
-    <message>
-        <source>Travel in X</source>
-        <translation>Verfahrweg in X</translation>
-    </message>
-    <message>
-        <source>Travel of the machine along X. The analysis warns of jobs and programs that need more. 0: unknown.</source>
-        <translation>Verfahrweg der Maschine in X. Die Analyse warnt vor Aufträgen und Programmen, die mehr brauchen. 0: unbekannt.</translation>
-    </message>
-    <message>
-        <source>Travel in Y</source>
-        <translation>Verfahrweg in Y</translation>
-    </message>
-    <message>
-        <source>Travel of the machine along Y. The analysis warns of jobs and programs that need more. 0: unknown.</source>
-        <translation>Verfahrweg der Maschine in Y. Die Analyse warnt vor Aufträgen und Programmen, die mehr brauchen. 0: unbekannt.</translation>
-    </message>
-    <message>
-        <source>Travel in Z</source>
-        <translation>Verfahrweg in Z</translation>
-    </message>
-    <message>
-        <source>Travel of the machine along Z. The analysis warns of jobs and programs that need more. 0: unknown.</source>
-        <translation>Verfahrweg der Maschine in Z. Die Analyse warnt vor Aufträgen und Programmen, die mehr brauchen. 0: unbekannt.</translation>
-    </message>
-    <message>
-        <source>Holder diameter</source>
-        <translation>Halterdurchmesser</translation>
-    </message>
-    <message>
-        <source>Diameter of the tool holder. The simulation warns of collisions. A property HolderDiameter of a tool bit takes precedence. 0: unknown.</source>
-        <translation>Durchmesser des Werkzeughalters. Die Simulation warnt vor Kollisionen. Eine Eigenschaft HolderDiameter des Werkzeugs hat Vorrang. 0: unbekannt.</translation>
-    </message>
-    <message>
-        <source>Holder length</source>
-        <translation>Halterlänge</translation>
-    </message>
-    <message>
-        <source>Length of the tool holder. A property HolderLength of a tool bit takes precedence. 0: the holder has no upper end.</source>
-        <translation>Länge des Werkzeughalters. Eine Eigenschaft HolderLength des Werkzeugs hat Vorrang. 0: Der Halter hat kein oberes Ende.</translation>
     </message>
 </context>
 <context>

@@ -1197,6 +1197,10 @@
         <source>Shank checked; no holder and no clamps given.</source>
         <translation>Vástago comprobado; sin portaherramientas ni bridas indicados.</translation>
     </message>
+    <message>
+        <source>FreeCAD is still reading {document}. Try again when the document is open.</source>
+        <translation>FreeCAD todavía está leyendo {document}. Inténtelo de nuevo cuando el documento esté abierto.</translation>
+    </message>
 </context>
 <context>
     <name>Strategy</name>
@@ -1376,6 +1380,50 @@
         <source>Paste grbl Settings…</source>
         <translation>Pegar ajustes de grbl…</translation>
     </message>
+    <message>
+        <source>Travel and Tool Holder</source>
+        <translation>Recorrido y portaherramientas</translation>
+    </message>
+    <message>
+        <source>Travel in X</source>
+        <translation>Recorrido en X</translation>
+    </message>
+    <message>
+        <source>Travel of the machine along X. The analysis warns of jobs and programs that need more. 0: unknown.</source>
+        <translation>Recorrido de la máquina en X. El análisis advierte de los trabajos y programas que necesitan más. 0: desconocido.</translation>
+    </message>
+    <message>
+        <source>Travel in Y</source>
+        <translation>Recorrido en Y</translation>
+    </message>
+    <message>
+        <source>Travel of the machine along Y. The analysis warns of jobs and programs that need more. 0: unknown.</source>
+        <translation>Recorrido de la máquina en Y. El análisis advierte de los trabajos y programas que necesitan más. 0: desconocido.</translation>
+    </message>
+    <message>
+        <source>Travel in Z</source>
+        <translation>Recorrido en Z</translation>
+    </message>
+    <message>
+        <source>Travel of the machine along Z. The analysis warns of jobs and programs that need more. 0: unknown.</source>
+        <translation>Recorrido de la máquina en Z. El análisis advierte de los trabajos y programas que necesitan más. 0: desconocido.</translation>
+    </message>
+    <message>
+        <source>Holder diameter</source>
+        <translation>Diámetro del portaherramientas</translation>
+    </message>
+    <message>
+        <source>Diameter of the tool holder. The simulation warns of collisions. A property HolderDiameter of a tool bit takes precedence. 0: unknown.</source>
+        <translation>Diámetro del portaherramientas. La simulación advierte de colisiones. Una propiedad HolderDiameter de la herramienta tiene prioridad. 0: desconocido.</translation>
+    </message>
+    <message>
+        <source>Holder length</source>
+        <translation>Longitud del portaherramientas</translation>
+    </message>
+    <message>
+        <source>Length of the tool holder. A property HolderLength of a tool bit takes precedence. 0: the holder has no upper end.</source>
+        <translation>Longitud del portaherramientas. Una propiedad HolderLength de la herramienta tiene prioridad. 0: el portaherramientas no tiene extremo superior.</translation>
+    </message>
 </context>
 <context>
     <name>VkPreferences</name>
@@ -1542,50 +1590,6 @@
     <message>
         <source>Last calibrated on {date}. The times of the {simulator} are right to within a factor of {factor}. Measured with FreeCAD {freecad} on {processor}, display {renderer}.</source>
         <translation>Última calibración el {date}. Los tiempos del {simulator} aciertan dentro de un factor {factor}. Medido con FreeCAD {freecad} en {processor}, pantalla {renderer}.</translation>
-    </message>
-    <message>
-        <source>Machine</source>
-        <translation>Máquina</translation>
-    </message>
-    <message>
-        <source>Travel in X</source>
-        <translation>Recorrido en X</translation>
-    </message>
-    <message>
-        <source>Travel of the machine along X. The analysis warns of jobs and programs that need more. 0: unknown.</source>
-        <translation>Recorrido de la máquina en X. El análisis advierte de los trabajos y programas que necesitan más. 0: desconocido.</translation>
-    </message>
-    <message>
-        <source>Travel in Y</source>
-        <translation>Recorrido en Y</translation>
-    </message>
-    <message>
-        <source>Travel of the machine along Y. The analysis warns of jobs and programs that need more. 0: unknown.</source>
-        <translation>Recorrido de la máquina en Y. El análisis advierte de los trabajos y programas que necesitan más. 0: desconocido.</translation>
-    </message>
-    <message>
-        <source>Travel in Z</source>
-        <translation>Recorrido en Z</translation>
-    </message>
-    <message>
-        <source>Travel of the machine along Z. The analysis warns of jobs and programs that need more. 0: unknown.</source>
-        <translation>Recorrido de la máquina en Z. El análisis advierte de los trabajos y programas que necesitan más. 0: desconocido.</translation>
-    </message>
-    <message>
-        <source>Holder diameter</source>
-        <translation>Diámetro del portaherramientas</translation>
-    </message>
-    <message>
-        <source>Diameter of the tool holder. The simulation warns of collisions. A property HolderDiameter of a tool bit takes precedence. 0: unknown.</source>
-        <translation>Diámetro del portaherramientas. La simulación advierte de colisiones. Una propiedad HolderDiameter de la herramienta tiene prioridad. 0: desconocido.</translation>
-    </message>
-    <message>
-        <source>Holder length</source>
-        <translation>Longitud del portaherramientas</translation>
-    </message>
-    <message>
-        <source>Length of the tool holder. A property HolderLength of a tool bit takes precedence. 0: the holder has no upper end.</source>
-        <translation>Longitud del portaherramientas. Una propiedad HolderLength de la herramienta tiene prioridad. 0: el portaherramientas no tiene extremo superior.</translation>
     </message>
 </context>
 <context>

@@ -1197,6 +1197,10 @@
         <source>Shank checked; no holder and no clamps given.</source>
         <translation>Queue vérifiée ; ni porte-outil ni brides indiqués.</translation>
     </message>
+    <message>
+        <source>FreeCAD is still reading {document}. Try again when the document is open.</source>
+        <translation>FreeCAD lit encore {document}. Réessayez quand le document est ouvert.</translation>
+    </message>
 </context>
 <context>
     <name>Strategy</name>
@@ -1376,6 +1380,50 @@
         <source>Paste grbl Settings…</source>
         <translation>Coller les réglages de grbl…</translation>
     </message>
+    <message>
+        <source>Travel and Tool Holder</source>
+        <translation>Course et porte-outil</translation>
+    </message>
+    <message>
+        <source>Travel in X</source>
+        <translation>Course en X</translation>
+    </message>
+    <message>
+        <source>Travel of the machine along X. The analysis warns of jobs and programs that need more. 0: unknown.</source>
+        <translation>Course de la machine selon X. L&apos;analyse signale les travaux et programmes qui demandent plus. 0 : inconnue.</translation>
+    </message>
+    <message>
+        <source>Travel in Y</source>
+        <translation>Course en Y</translation>
+    </message>
+    <message>
+        <source>Travel of the machine along Y. The analysis warns of jobs and programs that need more. 0: unknown.</source>
+        <translation>Course de la machine selon Y. L&apos;analyse signale les travaux et programmes qui demandent plus. 0 : inconnue.</translation>
+    </message>
+    <message>
+        <source>Travel in Z</source>
+        <translation>Course en Z</translation>
+    </message>
+    <message>
+        <source>Travel of the machine along Z. The analysis warns of jobs and programs that need more. 0: unknown.</source>
+        <translation>Course de la machine selon Z. L&apos;analyse signale les travaux et programmes qui demandent plus. 0 : inconnue.</translation>
+    </message>
+    <message>
+        <source>Holder diameter</source>
+        <translation>Diamètre du porte-outil</translation>
+    </message>
+    <message>
+        <source>Diameter of the tool holder. The simulation warns of collisions. A property HolderDiameter of a tool bit takes precedence. 0: unknown.</source>
+        <translation>Diamètre du porte-outil. La simulation signale les collisions. Une propriété HolderDiameter de l&apos;outil est prioritaire. 0 : inconnu.</translation>
+    </message>
+    <message>
+        <source>Holder length</source>
+        <translation>Longueur du porte-outil</translation>
+    </message>
+    <message>
+        <source>Length of the tool holder. A property HolderLength of a tool bit takes precedence. 0: the holder has no upper end.</source>
+        <translation>Longueur du porte-outil. Une propriété HolderLength de l&apos;outil est prioritaire. 0 : le porte-outil n&apos;a pas d&apos;extrémité supérieure.</translation>
+    </message>
 </context>
 <context>
     <name>VkPreferences</name>
@@ -1542,50 +1590,6 @@
     <message>
         <source>Last calibrated on {date}. The times of the {simulator} are right to within a factor of {factor}. Measured with FreeCAD {freecad} on {processor}, display {renderer}.</source>
         <translation>Dernier étalonnage le {date}. Les temps de « {simulator} » sont justes à un facteur {factor} près. Mesuré avec FreeCAD {freecad} sur {processor}, affichage {renderer}.</translation>
-    </message>
-    <message>
-        <source>Machine</source>
-        <translation>Machine</translation>
-    </message>
-    <message>
-        <source>Travel in X</source>
-        <translation>Course en X</translation>
-    </message>
-    <message>
-        <source>Travel of the machine along X. The analysis warns of jobs and programs that need more. 0: unknown.</source>
-        <translation>Course de la machine selon X. L&apos;analyse signale les travaux et programmes qui demandent plus. 0 : inconnue.</translation>
-    </message>
-    <message>
-        <source>Travel in Y</source>
-        <translation>Course en Y</translation>
-    </message>
-    <message>
-        <source>Travel of the machine along Y. The analysis warns of jobs and programs that need more. 0: unknown.</source>
-        <translation>Course de la machine selon Y. L&apos;analyse signale les travaux et programmes qui demandent plus. 0 : inconnue.</translation>
-    </message>
-    <message>
-        <source>Travel in Z</source>
-        <translation>Course en Z</translation>
-    </message>
-    <message>
-        <source>Travel of the machine along Z. The analysis warns of jobs and programs that need more. 0: unknown.</source>
-        <translation>Course de la machine selon Z. L&apos;analyse signale les travaux et programmes qui demandent plus. 0 : inconnue.</translation>
-    </message>
-    <message>
-        <source>Holder diameter</source>
-        <translation>Diamètre du porte-outil</translation>
-    </message>
-    <message>
-        <source>Diameter of the tool holder. The simulation warns of collisions. A property HolderDiameter of a tool bit takes precedence. 0: unknown.</source>
-        <translation>Diamètre du porte-outil. La simulation signale les collisions. Une propriété HolderDiameter de l&apos;outil est prioritaire. 0 : inconnu.</translation>
-    </message>
-    <message>
-        <source>Holder length</source>
-        <translation>Longueur du porte-outil</translation>
-    </message>
-    <message>
-        <source>Length of the tool holder. A property HolderLength of a tool bit takes precedence. 0: the holder has no upper end.</source>
-        <translation>Longueur du porte-outil. Une propriété HolderLength de l&apos;outil est prioritaire. 0 : le porte-outil n&apos;a pas d&apos;extrémité supérieure.</translation>
     </message>
 </context>
 <context>

@@ -1197,6 +1197,10 @@
         <source>Shank checked; no holder and no clamps given.</source>
         <translation>已检查刀柄；未给出刀夹和夹具。</translation>
     </message>
+    <message>
+        <source>FreeCAD is still reading {document}. Try again when the document is open.</source>
+        <translation>FreeCAD 仍在读取 {document}。请在文档打开后重试。</translation>
+    </message>
 </context>
 <context>
     <name>Strategy</name>
@@ -1376,6 +1380,50 @@
         <source>Paste grbl Settings…</source>
         <translation>粘贴 grbl 设置…</translation>
     </message>
+    <message>
+        <source>Travel and Tool Holder</source>
+        <translation>行程与刀柄</translation>
+    </message>
+    <message>
+        <source>Travel in X</source>
+        <translation>X 轴行程</translation>
+    </message>
+    <message>
+        <source>Travel of the machine along X. The analysis warns of jobs and programs that need more. 0: unknown.</source>
+        <translation>机床沿 X 轴的行程。分析会警告需要更大行程的作业和程序。0：未知。</translation>
+    </message>
+    <message>
+        <source>Travel in Y</source>
+        <translation>Y 轴行程</translation>
+    </message>
+    <message>
+        <source>Travel of the machine along Y. The analysis warns of jobs and programs that need more. 0: unknown.</source>
+        <translation>机床沿 Y 轴的行程。分析会警告需要更大行程的作业和程序。0：未知。</translation>
+    </message>
+    <message>
+        <source>Travel in Z</source>
+        <translation>Z 轴行程</translation>
+    </message>
+    <message>
+        <source>Travel of the machine along Z. The analysis warns of jobs and programs that need more. 0: unknown.</source>
+        <translation>机床沿 Z 轴的行程。分析会警告需要更大行程的作业和程序。0：未知。</translation>
+    </message>
+    <message>
+        <source>Holder diameter</source>
+        <translation>刀夹直径</translation>
+    </message>
+    <message>
+        <source>Diameter of the tool holder. The simulation warns of collisions. A property HolderDiameter of a tool bit takes precedence. 0: unknown.</source>
+        <translation>刀夹直径。仿真会警告碰撞。刀具的 HolderDiameter 属性优先。0：未知。</translation>
+    </message>
+    <message>
+        <source>Holder length</source>
+        <translation>刀夹长度</translation>
+    </message>
+    <message>
+        <source>Length of the tool holder. A property HolderLength of a tool bit takes precedence. 0: the holder has no upper end.</source>
+        <translation>刀夹长度。刀具的 HolderLength 属性优先。0：刀夹没有上端。</translation>
+    </message>
 </context>
 <context>
     <name>VkPreferences</name>
@@ -1542,50 +1590,6 @@
     <message>
         <source>Last calibrated on {date}. The times of the {simulator} are right to within a factor of {factor}. Measured with FreeCAD {freecad} on {processor}, display {renderer}.</source>
         <translation>上次校准于 {date}。{simulator}的时间误差在 {factor} 倍以内。测量环境：FreeCAD {freecad}，{processor}，显示 {renderer}。</translation>
-    </message>
-    <message>
-        <source>Machine</source>
-        <translation>机床</translation>
-    </message>
-    <message>
-        <source>Travel in X</source>
-        <translation>X 轴行程</translation>
-    </message>
-    <message>
-        <source>Travel of the machine along X. The analysis warns of jobs and programs that need more. 0: unknown.</source>
-        <translation>机床沿 X 轴的行程。分析会警告需要更大行程的作业和程序。0：未知。</translation>
-    </message>
-    <message>
-        <source>Travel in Y</source>
-        <translation>Y 轴行程</translation>
-    </message>
-    <message>
-        <source>Travel of the machine along Y. The analysis warns of jobs and programs that need more. 0: unknown.</source>
-        <translation>机床沿 Y 轴的行程。分析会警告需要更大行程的作业和程序。0：未知。</translation>
-    </message>
-    <message>
-        <source>Travel in Z</source>
-        <translation>Z 轴行程</translation>
-    </message>
-    <message>
-        <source>Travel of the machine along Z. The analysis warns of jobs and programs that need more. 0: unknown.</source>
-        <translation>机床沿 Z 轴的行程。分析会警告需要更大行程的作业和程序。0：未知。</translation>
-    </message>
-    <message>
-        <source>Holder diameter</source>
-        <translation>刀夹直径</translation>
-    </message>
-    <message>
-        <source>Diameter of the tool holder. The simulation warns of collisions. A property HolderDiameter of a tool bit takes precedence. 0: unknown.</source>
-        <translation>刀夹直径。仿真会警告碰撞。刀具的 HolderDiameter 属性优先。0：未知。</translation>
-    </message>
-    <message>
-        <source>Holder length</source>
-        <translation>刀夹长度</translation>
-    </message>
-    <message>
-        <source>Length of the tool holder. A property HolderLength of a tool bit takes precedence. 0: the holder has no upper end.</source>
-        <translation>刀夹长度。刀具的 HolderLength 属性优先。0：刀夹没有上端。</translation>
     </message>
 </context>
 <context>

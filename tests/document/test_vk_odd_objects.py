@@ -200,3 +200,33 @@ def test_a_rotary_axis_that_cuts_is_no_drilling(small):
     (row,) = vkworkbench.analyze(small.document).operations
     assert row.strategy == "unknown" and "A rotary axis (A) turns while the tool cuts" in row.error
     assert "rotary axis" in row.reason
+
+
+class AnalyzesWhileReading:
+    """Analyses a document each time that FreeCAD creates an object while it reads the document."""
+
+    def __init__(self):
+        self.answers = []
+
+    def slotCreatedObject(self, obj):
+        if obj.Document.Restoring:
+            for work in (vkworkbench.analyze, vkworkbench.simulate, vkworkbench.clear):
+                with pytest.raises(ValueError) as refused:
+                    work(obj.Document)
+                self.answers.append(str(refused.value))
+
+
+def test_document_is_refused_while_it_is_read(small, zigzag_commands, tmp_path):
+    small.add("Zigzag", zigzag_commands)
+    vkworkbench.mark(vkworkbench.analyze(small.document))
+    small.document.saveCopy(str(tmp_path / "read.FCStd"))
+    observer = AnalyzesWhileReading()
+    FreeCAD.addDocumentObserver(observer)
+    try:
+        document = FreeCAD.openDocument(str(tmp_path / "read.FCStd"))
+    finally:
+        FreeCAD.removeDocumentObserver(observer)
+    assert observer.answers and all("still reading" in answer for answer in observer.answers)
+    (row,) = vkworkbench.analyze(document).operations
+    assert row.strategy == "zigzag"
+    FreeCAD.closeDocument(document.Name)

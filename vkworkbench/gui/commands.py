@@ -15,10 +15,11 @@ from vkworkbench.document.simulation.faults import read_with_faults
 from vkworkbench.gui.qt import progress
 from vkworkbench.gui.qt.document_command import DocumentCommand, selected_operations
 from vkworkbench.gui.qt.plain_text import inform
-from vkworkbench.gui.qt.sentences import plural
+from vkworkbench.gui.qt.sentences import plural, sentence
 from vkworkbench.gui.qt.text import QT_TRANSLATE_NOOP, translate
 from vkworkbench.gui.results import command as results
 from vkworkbench.gui.tree import column, pills
+from vkworkbench.language import Unusable
 from vkworkbench.preferences import GROUP
 
 
@@ -44,6 +45,9 @@ class AnalyzeCommand(DocumentCommand):
             report = progress.analyze(selected_operations() or document)
         except vkworkbench.Cancelled:
             _status(translate("Vk_Analyze", "The analysis was cancelled. Nothing has changed."))
+            return
+        except Unusable as error:
+            _status(sentence(error.what))
             return
         if is_gone(document):  # closed during the analysis
             return

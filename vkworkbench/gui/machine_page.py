@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The page *Machine* in FreeCAD's preferences: the machine for which machining times are planned."""
+"""The page *Machine* in FreeCAD's preferences: machining times, travel and tool holder."""
 
 from __future__ import annotations
 
@@ -11,6 +11,11 @@ from vkworkbench.gui.qt.plain_text import warn
 from vkworkbench.gui.qt.text import translate
 from vkworkbench.preferences import OWN, Preferences, choices
 
+# The values of a machine, apart from its time factor.
+_VALUES = (
+    "rate_x", "rate_y", "rate_z", "acceleration_x", "acceleration_y", "acceleration_z", "corner_deviation", "lookahead",
+)  # fmt: skip
+
 
 class MachinePage(FormPage):
     """The page *Machine*. A typical machine fills the form; a changed value makes it the user's own machine."""
@@ -20,9 +25,8 @@ class MachinePage(FormPage):
         self._filling = False
         self.form.machine.currentIndexChanged.connect(self._fill_typical)
         self.form.grbl.clicked.connect(self._paste_grbl)
-        for name, widget in self.widgets():
-            if name not in ("machine", "time_factor"):
-                widget.valueChanged.connect(lambda value: self._choose_own())
+        for name in _VALUES:
+            getattr(self.form, name).valueChanged.connect(lambda value: self._choose_own())
 
     def fill(self, values: Preferences) -> None:
         self._filling = True

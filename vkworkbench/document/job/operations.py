@@ -12,6 +12,7 @@ from dataclasses import dataclass, field
 import FreeCAD
 
 from vkworkbench import freecad
+from vkworkbench.language import Message, Unusable
 
 
 @dataclass(frozen=True)
@@ -145,11 +146,16 @@ def or_active_document(what):
     ------
     ValueError
         If no document is open.
+    Unusable
+        If FreeCAD is still reading a document: its objects have no toolpaths yet.
     """
     if what is None:
         what = FreeCAD.ActiveDocument
     if what is None:
         raise ValueError("no document is open: open one with a job or a toolpath")
+    for document in FreeCAD.listDocuments().values():
+        if document.Restoring:
+            raise Unusable(Message("document-is-read", document=document.Label))
     return what
 
 

@@ -32,7 +32,8 @@ class DocumentCommand:
         return {**texts, "Pixmap": self.name, **({"Accel": self.keys} if self.keys else {})}
 
     def IsActive(self) -> bool:
-        return FreeCAD.ActiveDocument is not None
+        document = FreeCAD.ActiveDocument
+        return document is not None and not document.Restoring
 
     @classmethod
     def add(cls) -> None:

@@ -53,6 +53,9 @@ OPERATIONS: dict[str, str | tuple[str, str]] = {
     "as-ball-end": QT_TRANSLATE_NOOP("Sentences", "as a ball end mill with the diameter of its tip"),
     "as-drill": QT_TRANSLATE_NOOP("Sentences", "as a drill"),
     "cost-unknown": QT_TRANSLATE_NOOP("Sentences", "The simulation cost of {labels} is unknown."),
+    "document-is-read": QT_TRANSLATE_NOOP(
+        "Sentences", "FreeCAD is still reading {document}. Try again when the document is open."
+    ),
     "nothing-to-simulate": QT_TRANSLATE_NOOP(
         "Sentences", "There is nothing to simulate. Choose a job, or operations with a toolpath."
     ),
