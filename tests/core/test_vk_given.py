@@ -2,6 +2,7 @@
 """Wrong arguments: the error names the argument, the accepted values, and the given one."""
 
 import re
+from math import inf, nan
 
 import numpy as np
 import pytest
@@ -31,6 +32,7 @@ from vkworkbench.core import (
     trajectory_seconds,
 )
 from vkworkbench.core.zbuffer import CrashCheck, estimate_job, facts, memory_needed
+from vkworkbench.given import not_negative, positive
 from vkworkbench.report import Report
 
 PATH = linearize([("G0", {"X": 0, "Y": 0, "Z": 5}), ("G1", {"Z": -1, "F": 5}), ("G1", {"X": 50})])
@@ -157,6 +159,17 @@ def test_number_like_values_are_accepted():
     assert best_resolution([FOUND], memory_bytes=Quantity(1e8)).memory_bytes <= 1e8
     assert simulate(PATH, **WITH, memory_budget=float("inf"), processes=np.int64(1)).at(np.int64(1)).step == 1
     assert facts(DONE, CrashCheck(), tolerance=Quantity(0.0)).job.removed_volume > 0
+
+
+@pytest.mark.parametrize(
+    ("value", "is_positive", "is_not_negative"),
+    [
+        (-inf, False, False), (-5e-324, False, False), (-0.0, False, True), (0, False, True),
+        (5e-324, True, True), (0.5, True, True), (1, True, True), (1.7e308, True, True), (inf, False, False), (nan, False, False),
+    ],
+)  # fmt: skip
+def test_positive_and_not_negative_numbers_are_finite(value, is_positive, is_not_negative):
+    assert (positive(value), not_negative(value)) == (is_positive, is_not_negative)
 
 
 def test_a_long_argument_is_shortened():

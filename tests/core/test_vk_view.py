@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 
 from vkworkbench.core import Stock, View
+from vkworkbench.core.zbuffer.memory.growth import size_of
 
 BOX = Stock((1, 2, 3), (5, 10, 6))
 
@@ -69,3 +70,37 @@ def test_the_size_of_an_image_is_whole_pixels():
     for size in (160 / 0.5, "8", None):
         with pytest.raises(TypeError, match="height must be a whole number of pixels"):
             View(height=size)
+
+
+@pytest.mark.parametrize(
+    ("name", "given"),
+    [
+        ("width", {"width": 10**9}),
+        ("height", {"width": 1, "height": 10**9}),
+        ("width", {"width": 10**300}),
+        (r"width \* height", {"width": 100_000, "height": 100_000}),
+        ("pixel", {"pixel": 5e-324}),
+        ("pixel", {"pixel": 1e308}),
+        ("offset", {"offset": (0, -1e308)}),
+    ],
+)
+def test_view_of_impossible_size_is_refused(name, given):
+    with pytest.raises(ValueError, match=f"^{name} must be .*, not "):
+        View(**given)
+
+
+@pytest.mark.filterwarnings("error")
+@pytest.mark.parametrize("given", [{}, {"pixel": 1e-12}, {"pixel": 1e10}, {"offset": (1e10, -1e10)}])
+@pytest.mark.parametrize("length", [5e-324, 1e-300, 1.0, 1e308])
+def test_direction_of_any_length_has_finite_axes(length, given):
+    frame = View((length, 0.0, -length), 65_536, 65_536, **given).frame(BOX)
+    assert frame.direction == pytest.approx([sqrt(0.5), 0.0, -sqrt(0.5)], rel=1e-15)
+    assert np.isfinite([frame.centre, frame.right, frame.up]).all() and 0 < frame.pixel <= 1e10
+
+
+@pytest.mark.parametrize("side", [(1, 1), (1000, 1), (1, 999_999), (65_536, 65_536), (1_000_000, 4000)])
+def test_enlarged_image_is_no_larger_than_a_view_may_be(side):
+    image = View(width=side[0], height=side[1])
+    width, height = size_of(image, 2.0**60)
+    assert image.of_size(width, height).width == width
+    assert max(width, height) > 0.99e6 or width * height > 0.99 * 2**32

@@ -11,6 +11,7 @@ from typing import Union
 import numpy as np
 
 from vkworkbench.core.solids import Convex, Gaps, Spans, Stock, point
+from vkworkbench.core.toolpath import COORDINATE_LIMIT
 from vkworkbench.core.view import Frame, View
 from vkworkbench.given import number, numbers, of_kind
 from vkworkbench.language import Message, Unusable
@@ -105,7 +106,7 @@ class Mesh:
     Raises
     ------
     Unusable
-        If a coordinate is not finite, the triangles do not close, or all of them are lines and points.
+        If a coordinate is beyond a kilometre, the triangles do not close, or all of them are lines and points.
     ValueError, TypeError
         If `triangles` is not an array of triples of points.
     """
@@ -113,7 +114,7 @@ class Mesh:
     def __init__(self, triangles: np.ndarray) -> None:
         takes = "an array of (t, 3, 3) numbers, the coordinates of corners in mm"
         points = np.array(numbers("triangles", triangles, takes, lambda array: array.size % 9 == 0)).reshape(-1, 3)
-        if not np.isfinite(points).all():
+        if not (np.abs(points) <= COORDINATE_LIMIT).all():  # false for NaN, too
             raise Unusable(Message("stock-not-finite"))
         first, corner = _distinct(np.rint(points / _SAME).astype(np.int64))
         self.corners, corner = points[first], corner.reshape(-1, 3)

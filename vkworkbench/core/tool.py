@@ -81,11 +81,11 @@ class Tool:
             given = getattr(self, name)
             if given is not None:
                 object.__setattr__(self, name, number(name, given, "a positive number of mm", positive))
-        if not 0 < self.diameter <= COORDINATE_LIMIT:
+        if not (self.radius > 0 and self.diameter <= COORDINATE_LIMIT):
             raise Unusable(Message("tool-diameter", diameter=self.diameter))
         if self.shape == "bullnose" and not 0 <= self.corner_radius <= self.radius:
             raise Unusable(Message("corner-radius", radius=self.radius, corner=self.corner_radius))
-        if self.tip_angle is not None and not 0 < self.tip_angle <= pi:
+        if self.tip_angle is not None and not 0 < self.tip_angle / 2 <= pi / 2:
             raise Unusable(Message("tip-angle", angle=self.tip_angle))
         if not 0 <= self.tip_diameter <= self.diameter:
             raise Unusable(Message("tip-diameter", diameter=self.diameter, tip=self.tip_diameter))

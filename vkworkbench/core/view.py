@@ -9,11 +9,15 @@ from typing import Protocol
 
 import numpy as np
 
-from vkworkbench.given import number, numbers, positive, whole
+from vkworkbench.given import number, numbers, whole
 
 # Largest tilt of a vertical view, rad. With a smaller tilt the image does not differ visibly, a camera's rounding would
 # decide which side of the image is up, and rounding would decide where rays pass the walls of tools.
 VERTICAL = 1e-5
+# Largest side of an image, pixels, and largest number of pixels in all, because records count pixels in 32 bits.
+LONGEST_SIDE, MOST_PIXELS = 1_000_000, 2**32
+# Smallest and largest pixel, mm: the smallest stock in the largest image, and far wider than the largest stock.
+_SMALLEST_PIXEL, _LARGEST_PIXEL = 1e-12, 1e10
 
 
 class Bounded(Protocol):
@@ -32,16 +36,16 @@ class View:
     direction : (3,) tuple of float
         Direction in which the eye looks, of any length but zero; the default is straight down.
     width, height : int
-        Size of the image, pixels. The default is the paper's image (section 1).
+        Size of the image, pixels, up to a million each and 2**32 in all. The default is the paper's image (section 1).
     pixel : float, optional
-        Side of a pixel, mm; by default the smallest one with which the image shows the whole stock.
+        Side of a pixel, 1e-12 to 1e10 mm; by default the smallest one with which the image shows the whole stock.
     offset : (2,) tuple of float
-        Position of the image's centre relative to the stock's centre, mm to the right and up.
+        Position of the image's centre relative to the stock's centre, mm to the right and up, up to 1e10 each.
 
     Raises
     ------
     ValueError
-        If the direction has no length, a size is not positive, or a text is not a number.
+        If the direction has no length, a size is outside of its limits, or a text is not a number.
     TypeError
         If `width` or `height` is not an integer (``160 / 0.5`` is a float), or another value is not a number.
     """
@@ -56,11 +60,14 @@ class View:
         set_to = partial(object.__setattr__, self)
         direction = numbers("direction", self.direction, "three finite numbers that are not all zero", _is_direction)
         set_to("direction", tuple(direction.tolist()))
+        takes = f"a whole number of pixels, 1 to {LONGEST_SIDE:,}"
         for name in ("width", "height"):
-            set_to(name, whole(name, getattr(self, name), "a whole number of pixels, at least 1", lambda n: n >= 1))
+            set_to(name, whole(name, getattr(self, name), takes, lambda n: 1 <= n <= LONGEST_SIDE))
+        whole("width * height", self.width * self.height, f"at most {MOST_PIXELS:,} pixels", lambda n: n <= MOST_PIXELS)
         if self.pixel is not None:
-            set_to("pixel", number("pixel", self.pixel, "a positive number of mm", positive))
-        offset = numbers("offset", self.offset, "two finite numbers of mm", lambda xy: _are_finite(xy, 2))
+            takes = f"a number of mm from {_SMALLEST_PIXEL:g} to {_LARGEST_PIXEL:g}"
+            set_to("pixel", number("pixel", self.pixel, takes, lambda mm: _SMALLEST_PIXEL <= mm <= _LARGEST_PIXEL))
+        offset = numbers("offset", self.offset, f"two numbers of mm, at most {_LARGEST_PIXEL:g} each", _is_offset)
         set_to("offset", tuple(offset.tolist()))
 
     def of_size(self, width: int, height: int) -> View:
@@ -70,7 +77,9 @@ class View:
 
     def frame(self, stock: Bounded) -> Frame:
         """Return the view fitted to a stock: the image's axes, centre and pixel."""
-        direction = np.array(self.direction) / np.linalg.norm(self.direction)
+        direction = np.array(self.direction)
+        direction = np.ldexp(direction, -np.frexp(np.abs(direction).max())[1])  # the squares of any length are finite
+        direction /= np.linalg.norm(direction)
         sine = np.hypot(direction[0], direction[1])
         if sine < VERTICAL:
             direction = np.array([0.0, 0.0, np.sign(direction[2])])
@@ -95,6 +104,10 @@ def wider_pixel(image: View | Frame, width: int, height: int) -> float:
 
 def _are_finite(numbers: np.ndarray, size: int) -> bool:
     return numbers.shape == (size,) and bool(np.isfinite(numbers).all())
+
+
+def _is_offset(numbers: np.ndarray) -> bool:
+    return _are_finite(numbers, 2) and bool((np.abs(numbers) <= _LARGEST_PIXEL).all())
 
 
 def _is_direction(numbers: np.ndarray) -> bool:

@@ -8,7 +8,7 @@ import programs
 import pytest
 from counting import memory
 
-from vkworkbench.core import Stock, Tool, linearize, recognize, stock_around
+from vkworkbench.core import Mesh, Stock, Tool, linearize, recognize, stock_around
 from vkworkbench.core.simulators import Conditions, Task, predict, preflight
 from vkworkbench.language import Unusable
 
@@ -36,10 +36,24 @@ def test_prediction_of_any_size_takes_little_memory(tool, stock, program):
     assert all(np.isfinite((cost.seconds, cost.memory_bytes)).all() for cost in costs.values())
 
 
-@pytest.mark.parametrize("diameter", [1.0000001e6, 1e9, 1e300, float("inf"), float("nan"), 0, -1.0])
+@pytest.mark.parametrize("diameter", [1.0000001e6, 1e9, 1e300, float("inf"), float("nan"), 0, -1.0, 5e-324])
 def test_tool_of_impossible_size_is_refused(diameter):
     with pytest.raises(Unusable, match="at most a kilometer"):
         Tool("endmill", diameter)
+
+
+@pytest.mark.parametrize("angle", [5e-324, 0, -1.0, 3.2, float("nan")])
+def test_tool_with_an_impossible_tip_is_refused(angle):
+    with pytest.raises(Unusable, match="tip angle must be between 0 and pi"):
+        Tool("vbit", 6, tip_angle=angle)
+
+
+@pytest.mark.filterwarnings("error")
+@pytest.mark.parametrize("size", [1e308, 1e13, 1.1e6])
+def test_mesh_of_impossible_size_is_refused(size):
+    corners = size * np.vstack((np.zeros(3), np.eye(3)))
+    with pytest.raises(Unusable, match="within a kilometer"):
+        Mesh(corners[[[0, 1, 2], [0, 1, 3], [0, 2, 3], [1, 2, 3]]])
 
 
 @pytest.mark.parametrize("corner, words", [

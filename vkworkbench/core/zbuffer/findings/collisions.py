@@ -18,7 +18,7 @@ import numpy as np
 from vkworkbench.core.stocks import Solid
 from vkworkbench.core.tool import Tool
 from vkworkbench.core.toolpath import Toolpath
-from vkworkbench.core.view import View
+from vkworkbench.core.view import LONGEST_SIDE, View
 from vkworkbench.core.zbuffer.memory.memory import BUDGET, OverBudget
 from vkworkbench.core.zbuffer.simulator.moments import ZBuffer
 from vkworkbench.core.zbuffer.simulator.simulate import simulate_job
@@ -303,7 +303,7 @@ def _view_of(cuts: Cuts, bodies: Sequence[Body | None], low: np.ndarray, stock: 
     lower = np.maximum((np.minimum(*ends) - radius).min(axis=0), stock.lower[:2])
     upper = np.minimum((np.maximum(*ends) + radius).max(axis=0), stock.upper[:2])
     size = upper - lower
-    pixel = max(float(np.sqrt(size.prod() / _PIXELS)), _TOUCHES)
+    pixel = max(float(np.sqrt(size.prod() / _PIXELS)), float(size.max()) / LONGEST_SIDE, _TOUCHES)
     width, height = np.maximum(np.ceil(size / pixel), 1).astype(int).tolist()
     offset = (lower + upper) / 2 - ((stock.lower + stock.upper) / 2)[:2]
     return View(width=width, height=height, pixel=pixel, offset=tuple(offset.tolist()))

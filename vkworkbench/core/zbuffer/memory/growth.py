@@ -6,7 +6,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from math import log2, sqrt
 
-from vkworkbench.core.view import Frame, View
+from vkworkbench.core.view import LONGEST_SIDE, MOST_PIXELS, Frame, View
 
 # Largest growth, as a power of two.
 _LARGEST_GROWTH = 40
@@ -29,7 +29,12 @@ def growth_within(taken: Callable[[float], float], allowed: float, least: float)
 
 
 def size_of(image: View | Frame, growth: float) -> tuple[int, int]:
-    """Return width and height of an image with at most `growth` times as many pixels, at least one, and about the same shape."""
+    """Return width and height of an image with at most `growth` times as many pixels, at least one, and about the same shape.
+
+    The image is no larger than a `View` may be.
+    """
+    largest = MOST_PIXELS / (image.width * image.height), (LONGEST_SIDE / max(image.width, image.height)) ** 2
+    growth = min(growth, *largest)
     pixels = growth * image.width * image.height
     # The shorter side is at least one pixel, which limits the longer side of a strip.
     width = max(1, int(image.width * sqrt(growth)))
