@@ -106,7 +106,7 @@ class Mesh:
     Raises
     ------
     Unusable
-        If a coordinate is beyond a kilometre, the triangles do not close, or all of them are lines and points.
+        If a coordinate is beyond a kilometre, the triangles do not close, or every triangle is a line or a point.
     ValueError, TypeError
         If `triangles` is not an array of triples of points.
     """

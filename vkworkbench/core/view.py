@@ -60,14 +60,16 @@ class View:
         set_to = partial(object.__setattr__, self)
         direction = numbers("direction", self.direction, "three finite numbers that are not all zero", _is_direction)
         set_to("direction", tuple(direction.tolist()))
-        takes = f"a whole number of pixels, 1 to {LONGEST_SIDE:,}"
+        takes = f"a whole number of pixels, at least 1 and at most {LONGEST_SIDE:,}"
         for name in ("width", "height"):
             set_to(name, whole(name, getattr(self, name), takes, lambda n: 1 <= n <= LONGEST_SIDE))
         whole("width * height", self.width * self.height, f"at most {MOST_PIXELS:,} pixels", lambda n: n <= MOST_PIXELS)
         if self.pixel is not None:
-            takes = f"a number of mm from {_SMALLEST_PIXEL:g} to {_LARGEST_PIXEL:g}"
+            takes = f"a positive number of mm, from {_SMALLEST_PIXEL:g} to {_LARGEST_PIXEL:g}"
             set_to("pixel", number("pixel", self.pixel, takes, lambda mm: _SMALLEST_PIXEL <= mm <= _LARGEST_PIXEL))
-        offset = numbers("offset", self.offset, f"two numbers of mm, at most {_LARGEST_PIXEL:g} each", _is_offset)
+        offset = numbers(
+            "offset", self.offset, f"two finite numbers of mm, at most {_LARGEST_PIXEL:g} each", _is_offset
+        )
         set_to("offset", tuple(offset.tolist()))
 
     def of_size(self, width: int, height: int) -> View:

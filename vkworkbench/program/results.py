@@ -4,16 +4,20 @@
 from __future__ import annotations
 
 import csv
+import errno
 import io
 import json
+import os
 import re
 import sys
 from collections.abc import Iterable
-from pathlib import Path
 from typing import BinaryIO
 
 from vkworkbench.report import OperationReport, cells_of
 
+_LOCKED = (
+    2**60
+)  # position of the byte that Windows locks, beyond the end of every file, so that anybody can read the file
 _CONTROL = re.compile(r"[\x00-\x1f\x7f-\x9f\u2028\u2029]")
 
 
@@ -24,6 +28,35 @@ def _bytes(text: str) -> bytes:
 
 def _text(data: bytes) -> str:
     return data.decode("utf-8", "surrogateescape")
+
+
+def _open_untruncated(path: str, flags: int) -> int:
+    """Open a file for `open`, which would delete the results of a command that writes the file."""
+    return os.open(path, flags & ~os.O_TRUNC, 0o666)
+
+
+def _lock(file: io.FileIO | BinaryIO) -> None:
+    """Lock a file until it is closed or this process ends.
+
+    Raises
+    ------
+    BlockingIOError
+        If another process has locked the file.
+    """
+    try:
+        if sys.platform == "win32":
+            import msvcrt
+
+            file.seek(_LOCKED)
+            msvcrt.locking(file.fileno(), msvcrt.LK_NBLCK, 1)
+        else:
+            import fcntl
+
+            fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)
+    except (BlockingIOError, PermissionError):
+        raise BlockingIOError(errno.EAGAIN, "another command is writing it") from None
+    except OSError:  # a file system without locks
+        pass
 
 
 class JsonLines:
@@ -93,7 +126,7 @@ class Results:
     ValueError
         If the existing file has other lines.
     OSError
-        If the file cannot be written.
+        If the file cannot be written, or another command writes it.
     """
 
     def __init__(self, path: str, form: JsonLines | Csv, *, resume: bool) -> None:
@@ -103,16 +136,26 @@ class Results:
         self._file: BinaryIO | io.FileIO  # without a buffer: data that a full disk refused is not written again
         if path == "-":
             self._file = sys.stdout.buffer
-        elif resume and Path(path).exists():
-            with open(path, "rb") as file:
-                kept = self._keep(file)
-            self._file = open(path, "r+b", buffering=0)
-            self._file.truncate(kept)
-            self._file.seek(kept)
         else:
-            self._file = open(path, "wb", buffering=0)
+            self._file = open(path, "wb", buffering=0, opener=_open_untruncated)
+            if os.path.isfile(path):  # not a pipe or a device
+                self._begin(path, resume=resume)
         if not self.done:
             self._write(form.header)
+
+    def _begin(self, path: str, *, resume: bool) -> None:
+        """Lock the file, and remove what is not kept."""
+        try:
+            _lock(self._file)
+            kept = 0
+            if resume:
+                with open(path, "rb") as file:
+                    kept = self._keep(file)
+        except BaseException:
+            self._file.close()
+            raise
+        self._file.truncate(kept)
+        self._file.seek(kept)
 
     def add(self, rows: Iterable[OperationReport]) -> None:
         """Write the rows of one program, all at once."""

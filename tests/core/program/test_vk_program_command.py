@@ -387,6 +387,44 @@ def test_ctrl_c_ends_it_with_all_its_processes(folder, tmp_path, endless):
     assert len(rows_of(out)) == len(NAMES)
 
 
+@pytest.mark.parametrize("kind", ["--csv", "--json-lines"])
+@pytest.mark.parametrize("resumed", [(), ("--resume",)])
+def test_second_command_on_a_results_file_is_refused(folder, tmp_path, kind, resumed, inside):
+    out = tmp_path / "out"
+    assert inside(folder / "a.nc", folder / "c.nc", kind, out).returncode == 0
+    code = (
+        "import os, sys; from vkworkbench.program.results import _lock, _open_untruncated; "
+        "file = os.fdopen(_open_untruncated(sys.argv[1], os.O_WRONLY), 'wb'); _lock(file); "
+        "print(flush=True); sys.stdin.read()"
+    )
+    with subprocess.Popen(
+        [sys.executable, "-c", code, out], cwd=ROOT, stdin=subprocess.PIPE, stdout=subprocess.PIPE
+    ) as first:
+        first.stdout.readline()
+        written = out.read_bytes()
+        done = inside(folder, kind, out, *resumed)
+        assert (done.returncode, done.stderr) == (
+            2,
+            f"vkworkbench: cannot write {out}: another command is writing it\n",
+        )
+        assert out.read_bytes() == written
+        first.kill()  # a killed command leaves no lock behind
+    assert inside(folder, kind, out, *resumed).returncode == 1
+    assert len({line[:9] for line in out.read_bytes().splitlines()}) <= 2 and out.read_bytes().count(b"\n") >= len(
+        NAMES
+    )
+
+
+@pytest.mark.parametrize("kind", ["--csv", "--json-lines"])
+def test_results_go_to_a_pipe_or_a_device(folder, tmp_path, kind, inside):
+    assert inside(folder / "a.nc", kind, os.devnull).returncode == 0
+    os.mkfifo(tmp_path / "pipe")
+    with ThreadPoolExecutor(1) as executor:
+        read = executor.submit((tmp_path / "pipe").read_bytes)
+        assert inside(folder / "a.nc", kind, tmp_path / "pipe").returncode == 0
+        assert b"zigzag" in read.result(timeout=60)
+
+
 def test_who_stops_it_is_told_how_it_goes_on(folder, tmp_path, inside, monkeypatch):
     def stopped(path, _chosen, _patience):
         raise KeyboardInterrupt

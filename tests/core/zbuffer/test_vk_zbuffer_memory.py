@@ -17,6 +17,7 @@ from vkworkbench.core import View
 from vkworkbench.core.zbuffer import OverBudget, best_resolution, estimate, memory_needed
 from vkworkbench.core.zbuffer.memory import memory
 from vkworkbench.core.zbuffer.memory.counts import Counts
+from vkworkbench.core.zbuffer.memory.growth import size_of
 from vkworkbench.core.zbuffer.memory.memory import helpers_within, peak_bytes
 from vkworkbench.core.zbuffer.rays.removal import Removal
 from vkworkbench.core.zbuffer.simulator.simulate import simulate, simulate_job
@@ -231,3 +232,11 @@ def test_the_records_hold_eight_bytes_each():
 def test_two_gigabytes_may_be_taken_where_nobody_says_otherwise(function):
     """As docs/cost.md states."""
     assert inspect.signature(function).parameters["memory_budget"].default == 2e9
+
+
+@pytest.mark.parametrize("side", [(1, 1), (1000, 1), (1, 999_999), (65_536, 65_536), (1_000_000, 4000)])
+def test_enlarged_image_is_no_larger_than_a_view_may_be(side):
+    image = View(width=side[0], height=side[1])
+    width, height = size_of(image, 2.0**60)
+    assert image.of_size(width, height).width == width
+    assert max(width, height) > 0.99e6 or width * height > 0.99 * 2**32
