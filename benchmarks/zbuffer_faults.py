@@ -111,7 +111,9 @@ class Job:
             if fault == "deep layer" and last:
                 self.made_by = 0, moves.commands
             moves.feed(*low, z, FEED if fault == "fast plunge" and last else None)
-            for k, y in enumerate(np.linspace(low[1], high[1], max(2, 1 + int((high[1] - low[1]) / (0.9 * self.radius))))):
+            for k, y in enumerate(
+                np.linspace(low[1], high[1], max(2, 1 + int((high[1] - low[1]) / (0.9 * self.radius))))
+            ):
                 ends = (low[0], high[0]) if k % 2 == 0 else (high[0], low[0])
                 for x in ends:
                     moves.feed(x, y, z)
@@ -127,7 +129,9 @@ class Job:
                 moves.feed(*low, z)
             if fault == "no retract" and last:
                 self.made_by = 0, moves.commands
-                moves.rapid(low[0] - self.radius - rng.uniform(2, 5) * self.radius, rng.uniform(*self.size[1:2] * (0.3, 0.6)), z)
+                moves.rapid(
+                    low[0] - self.radius - rng.uniform(2, 5) * self.radius, rng.uniform(*self.size[1:2] * (0.3, 0.6)), z
+                )
             moves.rapid(*moves.points[-1][:2], self.safe)
             moves.rapid(*low, self.safe)
         return moves
@@ -232,7 +236,19 @@ def main(jobs: int = JOBS) -> None:
             also = {("gouges", job.made_by)} if fault in GOUGING else set()
             row += [1, fault == "sound" or right <= found, bool(found - right - also)]
             if os.environ.get("VERBOSE") and (found - right - also or (fault != "sound" and not right <= found)):
-                print(fault, "tool", job.radius * 2, "block", job.size, "error", job.error, right, found, file=OUT, flush=True)
+                print(
+                    fault,
+                    "tool",
+                    job.radius * 2,
+                    "block",
+                    job.size,
+                    "error",
+                    job.error,
+                    right,
+                    found,
+                    file=OUT,
+                    flush=True,
+                )
         print(f"{fault:14}" + "".join(f"{n:6}" for n in row), file=OUT, flush=True)
 
 

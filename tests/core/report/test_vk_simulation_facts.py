@@ -22,7 +22,7 @@ def fault(command=None, **numbers):
 
 
 CLEAN = CutFacts(
-    removed_volume=12_340.0, cutting_length=400.0, cutting_seconds=40.0, air_length=100.0, air_seconds=10.0,
+    removed_volume=12_340.0, removed_volume_error=10.0, pixel=0.1, cutting_length=400.0, cutting_seconds=40.0, air_length=100.0, air_seconds=10.0,
     mean_rate=18_510.0, peak_rate=30_000.0, depth_of_cut=2.0, width_of_cut=3.0, tool_diameter=6.0,
     crashes=(), fast_plunges=(), gouges=(), left=(),
 )  # fmt: skip

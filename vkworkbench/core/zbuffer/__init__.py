@@ -34,6 +34,7 @@ from vkworkbench.core.zbuffer.findings.job_facts import FACT_COLUMNS, CutFacts, 
 from vkworkbench.core.zbuffer.findings.seen_model import Deviations, SeenModel, deviations
 from vkworkbench.core.zbuffer.findings.solid import part_triangles, write_stl
 from vkworkbench.core.zbuffer.findings.verdict import PENDING, Verdict
+from vkworkbench.core.zbuffer.findings.volumes import Volumes, measure_volumes
 from vkworkbench.core.zbuffer.memory.memory import OverBudget, Peak, memory_needed
 from vkworkbench.core.zbuffer.rays.records import DEXEL, RECORD_BYTES, TRACE
 from vkworkbench.core.zbuffer.simulator.moments import ZBuffer
@@ -45,9 +46,10 @@ __all__ = [
     "DEXEL", "FACT_COLUMNS", "PENDING", "RECORD_BYTES", "TOLERANCE", "TRACE", "WORK_UNITS", "Collision", "Collisions",
     "Crash", "CrashCheck", "Cut", "CutFacts", "Cuts", "Deviation",
     "Deviations", "Estimate", "JobFacts", "OverBudget", "Peak", "Plunge", "Resolution", "SeenModel",
-    "Source", "Speed", "Verdict", "ZBuffer", "axis_view", "best_resolution", "cauchy_crofton", "check_crashes",
+    "Source", "Speed", "Verdict", "Volumes", "ZBuffer", "axis_view", "best_resolution", "cauchy_crofton", "check_crashes",
     "crashes", "cuts_air", "cuts_surely", "deviations", "engagement", "estimate", "estimate_job",
-    "facts", "fast_plunges", "fit_speed", "gouges", "heaviest", "holder_collisions", "material_left", "may_cut", "measure_speed",
-    "memory_needed", "most_bytes", "part_triangles", "passes_apart", "removal_rates", "removed_volumes",
-    "shared_seconds", "simulate", "simulate_job", "trajectory_table", "unshared_seconds", "worst_places", "write_stl",
+    "facts", "fast_plunges", "fit_speed", "gouges", "heaviest", "holder_collisions", "material_left", "may_cut",
+    "measure_speed", "measure_volumes", "memory_needed", "most_bytes", "part_triangles", "passes_apart",
+    "removal_rates", "removed_volumes", "shared_seconds", "simulate", "simulate_job", "trajectory_table",
+    "unshared_seconds", "worst_places", "write_stl",
 ]  # fmt: skip

@@ -6,6 +6,7 @@ from __future__ import annotations
 import time
 from collections.abc import Callable
 from dataclasses import dataclass
+from typing import Any
 
 from vkworkbench import preferences
 from vkworkbench.core import ZBuffer, simulate_job
@@ -14,10 +15,12 @@ from vkworkbench.core.zbuffer import (
     CrashCheck,
     JobFacts,
     OverBudget,
+    Volumes,
     axis_view,
     check_crashes,
     facts,
     holder_collisions,
+    measure_volumes,
 )
 from vkworkbench.document.computer.calibration import known_speed
 from vkworkbench.document.simulation.job import SimulatedJob
@@ -34,16 +37,26 @@ class AlongAxis:
         At its last moment.
     checked : CrashCheck
     collisions : Collisions
+    measured : Volumes or None
+        None if the time did not suffice to measure the volumes.
     """
 
     job: SimulatedJob
     zbuffer: ZBuffer
     checked: CrashCheck
     collisions: Collisions
+    measured: Volumes | None
 
     def facts(self, tolerance: float) -> JobFacts:
         """Return the facts on the operations and the job, and the verdict; see `core.zbuffer.facts`."""
-        return facts(self.zbuffer, self.checked, model=self.job.model, tolerance=tolerance, collisions=self.collisions)
+        return facts(
+            self.zbuffer,
+            self.checked,
+            self.measured,
+            model=self.job.model,
+            tolerance=tolerance,
+            collisions=self.collisions,
+        )
 
 
 def simulate_along_axis(
@@ -75,12 +88,15 @@ def simulate_along_axis(
             if refused.size is None:
                 raise
             view = view.of_size(*refused.size)
-    left = max(end - time.monotonic(), 0.0)
-    checked = check_crashes(job.cuts, job.stock, seconds=left, going_on=lambda: going_on(1.0))
+
+    def left() -> dict[str, Any]:
+        return {"seconds": max(end - time.monotonic(), 0.0), "going_on": lambda: going_on(1.0)}
+
+    checked = check_crashes(job.cuts, job.stock, **left())
     collisions = holder_collisions(
         zbuffer.cuts, job.stock, clamps=job.clamps, memory_budget=memory_budget, going_on=lambda _: going_on(1.0)
     )
-    return AlongAxis(job, zbuffer, checked, collisions)
+    return AlongAxis(job, zbuffer, checked, collisions, measure_volumes(job.cuts, job.stock, **left()))
 
 
 class OnceAlongAxis:

@@ -200,7 +200,7 @@ class Simulation:
         axis = self.along_axis()
         found = axis.facts(tolerance)
         fingerprints = tuple(operation.fingerprint for operation in self.job.operations)
-        operations, table = tuple(zip(labels, found.cuts)), trajectory_table(axis.zbuffer)
+        operations, table = tuple(zip(labels, found.cuts)), trajectory_table(axis.zbuffer, axis.measured)
         return SimulationFacts(operations, found.job, names, fingerprints, table, self.job.remarks, found.verdict)
 
     def source(self, trajectory: int) -> tuple[SimulatedOperation, int]:

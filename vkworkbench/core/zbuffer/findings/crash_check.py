@@ -11,7 +11,6 @@ import numpy as np
 
 from vkworkbench.core.solids import SMALLEST
 from vkworkbench.core.stocks import Solid
-from vkworkbench.core.tool import Tool
 from vkworkbench.core.zbuffer.findings.faults import (
     Crash,
     Plunge,
@@ -20,7 +19,7 @@ from vkworkbench.core.zbuffer.findings.faults import (
     too_fast,
     touching,
 )
-from vkworkbench.core.zbuffer.findings.fine_rays import FineRays
+from vkworkbench.core.zbuffer.findings.fine_rays import FineRays, half_widths
 from vkworkbench.core.zbuffer.findings.removed_pieces import joined
 from vkworkbench.core.zbuffer.sweeps.cuts import Cut, Cuts, Source
 
@@ -211,17 +210,3 @@ def _parts(lengths: np.ndarray) -> Iterator[slice]:
         end = min(max(end, first + 1), first + _MOVES)
         yield slice(first, end)
         first = end
-
-
-def half_widths(tool: Tool, height: np.ndarray) -> np.ndarray:
-    """Return half the width of a tool at heights (k,) above its tip, mm."""
-    corner = tool.rounding
-    if corner:
-        below = np.maximum(corner - height, 0.0)
-        wide = tool.radius - corner + np.sqrt(corner**2 - np.minimum(below, corner) ** 2)
-    elif tool.steepness:
-        wide = tool.tip + np.maximum(height, 0.0) / tool.steepness
-    else:
-        wide = np.full(len(height), tool.radius)
-    result: np.ndarray = np.minimum(wide, tool.radius)
-    return result

@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import numpy as np
 
+from vkworkbench.core.zbuffer.findings.volumes import Volumes
 from vkworkbench.core.zbuffer.simulator.moments import ZBuffer
 
 # Smallest cosine of the view's tilt from the vertical. In flatter views the depth and width of cut are unknown.
@@ -27,12 +28,14 @@ def removed_volumes(zbuffer: ZBuffer) -> np.ndarray:
     return zbuffer.records.lengths * zbuffer.frame.pixel**2
 
 
-def removal_rates(zbuffer: ZBuffer) -> np.ndarray:
+def removal_rates(zbuffer: ZBuffer, measured: Volumes | None = None) -> np.ndarray:
     """Return the material removal rate of each trajectory.
 
     Parameters
     ----------
     zbuffer : ZBuffer
+    measured : Volumes, optional
+        Measured volumes. Without them, the volumes are those in the image.
 
     Returns
     -------
@@ -40,26 +43,32 @@ def removal_rates(zbuffer: ZBuffer) -> np.ndarray:
         mm^3/min; NaN for trajectories without a feed rate.
     """
     seconds = zbuffer.cuts.seconds
-    return 60 * removed_volumes(zbuffer) / np.where(seconds > 0, seconds, np.nan)
+    volumes = removed_volumes(zbuffer) if measured is None else measured.each
+    return 60 * volumes / np.where(seconds > 0, seconds, np.nan)
 
 
-def cuts_air(zbuffer: ZBuffer) -> np.ndarray:
+def cuts_air(zbuffer: ZBuffer, measured: Volumes | None = None) -> np.ndarray:
     """Return which feed moves remove nothing.
 
     A move shorter than two pixels may pass between the rays. Therefore consecutive moves are joined into stretches of two
     pixels, and all moves of a stretch get the same answer. Passes closer than a pixel cannot be distinguished; they need
-    a finer image.
+    a finer image, or measured volumes.
 
     Parameters
     ----------
     zbuffer : ZBuffer
+    measured : Volumes, optional
+        A move with a measured volume cuts, even if its tool passes between the rays of the image.
 
     Returns
     -------
     (n,) bool
     """
     cuts = zbuffer.cuts
-    length, volumes = np.where(cuts.rapid, 0.0, (cuts.lengths, removed_volumes(zbuffer)))
+    volumes = removed_volumes(zbuffer)
+    if measured is not None:
+        volumes = np.maximum(volumes, measured.each)
+    length, volumes = np.where(cuts.rapid, 0.0, (cuts.lengths, volumes))
     stretch = np.floor((np.cumsum(length) - length / 2) / (2 * zbuffer.frame.pixel)).astype(np.int64)
     # A rapid or the next cut begins a new stretch.
     begins = cuts.rapid.copy()
@@ -69,7 +78,7 @@ def cuts_air(zbuffer: ZBuffer) -> np.ndarray:
     return result
 
 
-def engagement(zbuffer: ZBuffer) -> tuple[np.ndarray, np.ndarray]:
+def engagement(zbuffer: ZBuffer, measured: Volumes | None = None) -> tuple[np.ndarray, np.ndarray]:
     """Return the depth and width of cut of each trajectory.
 
     The depth is the height of the highest piece that the trajectory removes. The width is the removed volume divided by depth and
@@ -78,34 +87,48 @@ def engagement(zbuffer: ZBuffer) -> tuple[np.ndarray, np.ndarray]:
     Parameters
     ----------
     zbuffer : ZBuffer
+    measured : Volumes, optional
+        Measured volumes and depths. Without them, both are those in the image.
 
     Returns
     -------
     depth, width : (n,) float64
         mm; 0 for trajectories that remove nothing, and for all trajectories in a view from the side.
     """
-    n, cuts = zbuffer.trajectories, zbuffer.cuts
-    depth, width = np.zeros((2, n))
-    steep = abs(float(zbuffer.frame.direction[2]))
-    if steep < _FROM_THE_SIDE:
-        return depth, width
-    for _, _, block in zbuffer.records.blocks():
-        pieces = np.flatnonzero(block.cut)
-        np.maximum.at(depth, block.owner[pieces], (block.far[pieces].astype(float) - block.near()[pieces]) * steep)
+    cuts = zbuffer.cuts
+    if measured is None:
+        depth, volumes = _depths_in(zbuffer), removed_volumes(zbuffer)
+    else:
+        depth, volumes = measured.depths, measured.each
+    width = np.zeros(len(cuts))
     start, end = cuts.ends
     run = np.hypot(*(end - start)[:, :2].T)
     cut = np.flatnonzero((depth > 0) & (run > 0))
     diameter = np.array([own.tool.diameter for own in cuts.cuts])[cuts.cut[cut]]
-    width[cut] = np.minimum(removed_volumes(zbuffer)[cut] / (depth[cut] * run[cut]), diameter)
+    width[cut] = np.minimum(volumes[cut] / (depth[cut] * run[cut]), diameter)
     return depth, width
 
 
-def trajectory_table(zbuffer: ZBuffer) -> dict[str, np.ndarray]:
+def _depths_in(zbuffer: ZBuffer) -> np.ndarray:
+    """Return the height of the highest piece that each trajectory removes, (n,) mm; 0 for all trajectories in a view from the side."""
+    depth = np.zeros(zbuffer.trajectories)
+    steep = abs(float(zbuffer.frame.direction[2]))
+    if steep < _FROM_THE_SIDE:
+        return depth
+    for _, _, block in zbuffer.records.blocks():
+        pieces = np.flatnonzero(block.cut)
+        np.maximum.at(depth, block.owner[pieces], (block.far[pieces].astype(float) - block.near()[pieces]) * steep)
+    return depth
+
+
+def trajectory_table(zbuffer: ZBuffer, measured: Volumes | None = None) -> dict[str, np.ndarray]:
     """Return the facts on each trajectory as columns (n,) of a table.
 
     Parameters
     ----------
     zbuffer : ZBuffer
+    measured : Volumes, optional
+        Measured volumes and depths. Without them, both are those in the image.
 
     Returns
     -------
@@ -115,7 +138,7 @@ def trajectory_table(zbuffer: ZBuffer) -> dict[str, np.ndarray]:
         nothing; ``depth`` and ``width`` of cut, mm; ``tool_diameter`` mm.
     """
     cuts = zbuffer.cuts
-    depth, width = engagement(zbuffer)
+    depth, width = engagement(zbuffer, measured)
     diameters = np.array([cut.tool.diameter for cut in cuts.cuts])
     return {
         "cut": cuts.cut,
@@ -123,9 +146,9 @@ def trajectory_table(zbuffer: ZBuffer) -> dict[str, np.ndarray]:
         "rapid": cuts.rapid,
         "length": cuts.lengths,
         "seconds": cuts.seconds,
-        "removed_volume": removed_volumes(zbuffer),
-        "rate": removal_rates(zbuffer),
-        "air": cuts_air(zbuffer),
+        "removed_volume": removed_volumes(zbuffer) if measured is None else measured.each,
+        "rate": removal_rates(zbuffer, measured),
+        "air": cuts_air(zbuffer, measured),
         "depth": depth,
         "width": width,
         "tool_diameter": diameters[cuts.cut],

@@ -8,11 +8,12 @@ trajectories are cut, by all trajectories up to the last chosen one.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
-from math import ceil, log2
+from math import ceil, cos, log2, sin
 
 import numpy as np
 
 from vkworkbench.core.stocks import Solid
+from vkworkbench.core.tool import Tool
 from vkworkbench.core.view import Frame, View
 from vkworkbench.core.zbuffer.culling.tiles import TILE, Tiles, divided
 from vkworkbench.core.zbuffer.culling.upright import Upright
@@ -34,12 +35,16 @@ class FineRays:
     stock : Solid
     pixel : float
         Distance between neighbouring rays, mm.
+    turn : float
+        Angle between the rows of rays and the X axis, rad.
     """
 
-    def __init__(self, cuts: Cuts, stock: Solid, pixel: float) -> None:
+    def __init__(self, cuts: Cuts, stock: Solid, pixel: float, turn: float = 0.0) -> None:
         above = View((0.0, 0.0, -1.0), 1, 1, pixel).frame(stock)
-        width, height = (ceil(extent / pixel) for extent in (stock.upper - stock.lower)[:2].tolist())
-        frame = Frame(above.centre, above.right, above.up, above.direction, pixel, width, height)
+        right, up = np.array([cos(turn), sin(turn), 0.0]), np.array([-sin(turn), cos(turn), 0.0])
+        extent = stock.upper - stock.lower
+        width, height = (ceil(float(np.abs(axis) @ extent) / pixel) for axis in (right, up))
+        frame = Frame(above.centre, right, up, above.direction, pixel, width, height)
         self.trajectories = Trajectories(cuts, stock, frame)
         self._bounds = Upright(self.trajectories)
         self._wanted = np.zeros(len(self.trajectories.index), bool)
@@ -149,3 +154,17 @@ class FineRays:
         return RemovedPieces(
             frame, trajectories.index[pieces.owner[cut]], x[own], y[own], pieces.near[cut], pieces.far[cut]
         )
+
+
+def half_widths(tool: Tool, height: np.ndarray) -> np.ndarray:
+    """Return half the width of a tool at heights (k,) above its tip, mm."""
+    corner = tool.rounding
+    if corner:
+        below = np.maximum(corner - height, 0.0)
+        wide = tool.radius - corner + np.sqrt(corner**2 - np.minimum(below, corner) ** 2)
+    elif tool.steepness:
+        wide = tool.tip + np.maximum(height, 0.0) / tool.steepness
+    else:
+        wide = np.full(len(height), tool.radius)
+    result: np.ndarray = np.minimum(wide, tool.radius)
+    return result

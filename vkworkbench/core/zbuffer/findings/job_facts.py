@@ -17,6 +17,7 @@ from vkworkbench.core.zbuffer.findings.facts import cuts_air, engagement, remove
 from vkworkbench.core.zbuffer.findings.faults import Crash, Plunge, crashes, fast_plunges
 from vkworkbench.core.zbuffer.findings.seen_model import deviations
 from vkworkbench.core.zbuffer.findings.verdict import Verdict
+from vkworkbench.core.zbuffer.findings.volumes import Volumes
 from vkworkbench.core.zbuffer.simulator.moments import ZBuffer
 from vkworkbench.given import number
 from vkworkbench.language import render
@@ -24,8 +25,8 @@ from vkworkbench.language import render
 # Time over which the peak removal rate is averaged, s. Shorter: the rate depends on single pixels.
 _WINDOW = 1.0
 _NUMBERS = (
-    "removed_volume", "cutting_length", "cutting_seconds", "air_length", "air_seconds", "air_length_share",
-    "air_time_share", "mean_rate", "peak_rate", "depth_of_cut", "width_of_cut", "tool_diameter",
+    "removed_volume", "removed_volume_error", "cutting_length", "cutting_seconds", "air_length", "air_seconds", "air_length_share",
+    "air_time_share", "mean_rate", "peak_rate", "depth_of_cut", "width_of_cut", "tool_diameter", "pixel",
 )  # fmt: skip
 _Fault = TypeVar("_Fault", Crash, Plunge)
 _FAULTS = ("crashes", "first_crash_command", "fast_plunges", "deepest_gouge", "most_left", "collisions")
@@ -39,6 +40,8 @@ class CutFacts:
     ----------
     removed_volume : float
         Removed volume, mm^3.
+    removed_volume_error : float or None
+        Error of the removed volume, mm^3: 95 of 100 errors are smaller. None if the volume is that in one image.
     cutting_length, cutting_seconds : float
         Length and time of the feed moves, mm and s. Moves without a feed rate are not in the time.
     air_length, air_seconds : float
@@ -49,6 +52,8 @@ class CutFacts:
         Largest depth, and mean width over the length of the moves that cut, mm; 0 in a view from the side.
     tool_diameter : float
         Largest diameter of the tools, mm.
+    pixel : float
+        Side of the pixels of the simulation, mm.
     crashes : tuple of Crash
         Rapids that remove material.
     fast_plunges : tuple of Plunge
@@ -60,6 +65,7 @@ class CutFacts:
     """
 
     removed_volume: float
+    removed_volume_error: float | None
     cutting_length: float
     cutting_seconds: float
     air_length: float
@@ -69,6 +75,7 @@ class CutFacts:
     depth_of_cut: float
     width_of_cut: float
     tool_diameter: float
+    pixel: float
     crashes: tuple[Crash, ...]
     fast_plunges: tuple[Plunge, ...]
     gouges: tuple[Deviation, ...]
@@ -141,7 +148,7 @@ class CutFacts:
         )
         return {**self._numbers(), **dict(zip(_FAULTS, faults))}
 
-    def _numbers(self) -> dict[str, float]:
+    def _numbers(self) -> dict[str, float | None]:
         return {name: getattr(self, name) for name in _NUMBERS}
 
 
@@ -171,6 +178,7 @@ class JobFacts:
 def facts(
     zbuffer: ZBuffer,
     checked: CrashCheck,
+    measured: Volumes | None = None,
     *,
     model: Solid | None = None,
     tolerance: float = TOLERANCE,
@@ -184,6 +192,8 @@ def facts(
         Seen along the tool axis, at its last moment.
     checked : CrashCheck
         The check of the rapids and plunges of the same job.
+    measured : Volumes, optional
+        Measured volumes of the same job. Without them, the volumes are those in the image.
     model : Solid, optional
         The finished part. Without a model, gouges and leftover material are empty.
     tolerance : float
@@ -204,7 +214,8 @@ def facts(
     """
     tolerance = number("tolerance", tolerance, "a length of at least 0 mm", lambda length: length >= 0)
     cuts = zbuffer.cuts
-    volumes, air, (depth, width) = removed_volumes(zbuffer), cuts_air(zbuffer), engagement(zbuffer)
+    volumes = removed_volumes(zbuffer) if measured is None else measured.each
+    air, (depth, width) = cuts_air(zbuffer, measured), engagement(zbuffer, measured)
     crashed, plunged = (
         with_known(checked.crashes, crashes(zbuffer)),
         with_known(checked.fast_plunges, fast_plunges(zbuffer)),
@@ -227,6 +238,7 @@ def facts(
 
         return CutFacts(
             removed_volume=float(removed.sum()),
+            removed_volume_error=None if measured is None else measured.error(numbers),
             cutting_length=float(length.sum()),
             cutting_seconds=total,
             air_length=float(length[air[moves]].sum()),
@@ -236,6 +248,7 @@ def facts(
             depth_of_cut=float(depth[moves].max(initial=0.0)),
             width_of_cut=float((width[moves] * engaged).sum() / engaged.sum()) if engaged.any() else 0.0,
             tool_diameter=max((cuts.cuts[cut].tool.diameter for cut in numbers), default=0.0),
+            pixel=zbuffer.frame.pixel,
             crashes=own(crashed),
             fast_plunges=own(plunged),
             gouges=own(gouged),

@@ -1,0 +1,85 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Measured volumes lie within their stated error, whatever the size of the tool and of the sheet."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from math import pi
+
+import numpy as np
+import pytest
+from zbuffer_inputs import toolpath
+
+from vkworkbench.core import Cut, Cylinder, Stock, Tool, View
+from vkworkbench.core.zbuffer import CrashCheck, cuts_air, facts, measure_volumes, simulate_job
+
+SHEET = Stock((0, 0, 0), (600, 400, 2))
+
+
+def path(*points, rapid=()):
+    moves = toolpath(np.array(points, float))
+    return replace(moves, rapid=np.isin(np.arange(len(moves)), rapid))
+
+
+def slots(diameter, depth, slope):
+    """Return a cut of five slots 300 mm long, and its exact volume."""
+    points = [
+        point
+        for y in 40.3 + 71.7 * np.arange(5)
+        for point in ((100, y, 9), (100, y, 2 - depth), (400, y + 300 * slope, 2 - depth), (400, y + 300 * slope, 9))
+    ]
+    cut = Cut(path(*points, rapid=range(3, 19, 4)), Tool("endmill", diameter))
+    return cut, 5 * depth * (300 * np.hypot(1, slope) * diameter + pi / 4 * diameter**2)
+
+
+@pytest.mark.parametrize("diameter", [0.1, 3.0, 20.0])
+@pytest.mark.parametrize("slope", [0.0, 0.01, 0.06])
+def test_volume_of_slots_in_a_sheet_is_within_its_error(diameter, slope):
+    cut, exact = slots(diameter, 1.5, slope)
+    measured = measure_volumes([cut], SHEET)
+    error = measured.error(range(1))
+    assert abs(measured.each.sum() - exact) <= error <= 0.01 * exact
+    assert measured.depths[[1, 5]] == pytest.approx(1.5) and measured.depths[3] == 0
+
+
+def test_errors_hold_in_95_of_100_jobs():
+    """Random slots of all directions, of flat tools, with exact volumes: the union of slots that lie apart."""
+    rng, inside = np.random.default_rng(2), 0
+    for _ in range(100):
+        diameter, depth = np.exp(rng.uniform(np.log(0.2), np.log(10))), rng.uniform(0.2, 2)
+        angle, length = rng.uniform(0, pi), rng.uniform(1, 150)
+        end = (300 + length * np.cos(angle), 200 + length * np.sin(angle), 2 - depth)
+        cut = Cut(path((300, 200, 9), (300, 200, 2 - depth), end), Tool("endmill", diameter))
+        measured = measure_volumes([cut], SHEET)
+        inside += abs(measured.each.sum() - depth * (length * diameter + pi / 4 * diameter**2)) <= measured.error(
+            range(1)
+        )
+    assert inside >= 95
+
+
+def test_volume_of_a_cylinder_and_of_two_cuts_together():
+    stock = Cylinder((0, 0, 0), 30, 10)
+    face = [(x, y, 7) for k, y in enumerate(range(-35, 40, 5)) for x in ((-40, 40) if k % 2 == 0 else (40, -40))]
+    cuts = [Cut(path(*face), Tool("endmill", 8)), Cut(path((0, 0, 12), (0, 0, 2)), Tool("endmill", 12))]
+    measured = measure_volumes(cuts, stock)
+    exact = np.array([900 * pi * 3, 36 * pi * 5])
+    assert measured.images.mean(axis=0) == pytest.approx(exact, rel=2e-3)
+    assert abs(measured.each.sum() - exact.sum()) <= measured.error(range(2)) <= 0.01 * exact.sum()
+
+
+def test_measured_moves_of_thin_tools_cut_no_air():
+    cut, exact = slots(0.1, 1.5, 0.0)
+    zbuffer = simulate_job([cut], stock=SHEET, view=View(width=60, height=40))
+    measured = measure_volumes([cut], SHEET)
+    assert cuts_air(zbuffer).any() and not cuts_air(zbuffer, measured)[1::4].any()
+    job = facts(zbuffer, CrashCheck(), measured).job
+    assert job.removed_volume == pytest.approx(exact, rel=0.01) and job.depth_of_cut == pytest.approx(1.5)
+    assert job.removed_volume_error == measured.error(range(1)) and job.width_of_cut == pytest.approx(0.1, rel=0.01)
+    assert facts(zbuffer, CrashCheck()).job.removed_volume_error is None and job.pixel == 10
+
+
+def test_measurement_without_time_or_moves():
+    cut, _ = slots(3.0, 1.5, 0.0)
+    assert measure_volumes([cut], SHEET, seconds=0) is None
+    assert measure_volumes([Cut(path((0, 0, 9), (600, 400, 9)), Tool("endmill", 3))], SHEET).each.tolist() == [0]
+    assert measure_volumes([], SHEET).error(range(0)) == 0
