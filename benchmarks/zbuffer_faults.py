@@ -195,7 +195,7 @@ class Job:
         return Mesh(np.array(triangles))
 
     def _walls(self, across, along):
-        """Yield position, extent and lower end of the walls: the outer ones in the pieces of the faces, and those of the pocket."""
+        """Yield position, extent and lower end of the outer walls, in the pieces of the faces, and of the walls of the pocket."""
         for at in (across[0], across[3]):
             for k in range(3):
                 yield at, along[k], along[k + 1], 0.0
