@@ -330,10 +330,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>A drilling cycle outside the XY plane is read as one in the XY plane.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>An arc with an unknown start is ignored.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -379,10 +375,6 @@
     </message>
     <message>
         <source>The repeats of a cycle ({letter}) are ignored.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The additional turns of an arc (P) are ignored.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1199,6 +1191,50 @@
     </message>
     <message>
         <source>FreeCAD is still reading {document}. Try again when the document is open.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A drilling cycle outside the XY plane drills along {letter}. Such holes are not recognized.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A cycle with more than {most:n} repeats is read with {most:n} repeats.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A number of turns of an arc (P) that is not usable is ignored.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A probing move is read as a rapid to its end. Where the probe touches is not in the program.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The feed rate of a thread ({name}) is its pitch times the spindle speed.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Feed rates are read as mm/s, because the text is a path from FreeCAD without a post processor.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Commas in numbers are read as decimal points.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Text that does not consist of words like G1 X10 is ignored. The words beside it are read.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A spline ({name}) is read as short lines.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>An F word in the line of {name} is read in the new unit. LinuxCNC reads it in the unit before.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The tool length offset changes before a cut without a Z word. The height of the cut is unknown.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

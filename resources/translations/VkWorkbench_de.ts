@@ -250,10 +250,6 @@
         <translation>Ein Bohrzyklus ohne R beginnt auf der aktuellen Höhe.</translation>
     </message>
     <message>
-        <source>A drilling cycle outside the XY plane is read as one in the XY plane.</source>
-        <translation>Ein Bohrzyklus außerhalb der XY-Ebene wird wie einer in der XY-Ebene gelesen.</translation>
-    </message>
-    <message>
         <source>An arc with an unknown start is ignored.</source>
         <translation>Ein Bogen mit unbekanntem Anfang wird übergangen.</translation>
     </message>
@@ -720,10 +716,6 @@
     <message>
         <source>The repeats of a cycle ({letter}) are ignored.</source>
         <translation>Die Wiederholungen eines Zyklus ({letter}) werden übergangen.</translation>
-    </message>
-    <message>
-        <source>The additional turns of an arc (P) are ignored.</source>
-        <translation>Die zusätzlichen Umdrehungen eines Bogens (P) werden übergangen.</translation>
     </message>
     <message>
         <source>Inches (G20) are ignored. Lengths are read in mm.</source>
@@ -1200,6 +1192,50 @@
     <message>
         <source>FreeCAD is still reading {document}. Try again when the document is open.</source>
         <translation>FreeCAD liest {document} noch. Versuchen Sie es wieder, wenn das Dokument geöffnet ist.</translation>
+    </message>
+    <message>
+        <source>A drilling cycle outside the XY plane drills along {letter}. Such holes are not recognized.</source>
+        <translation>Ein Bohrzyklus außerhalb der XY-Ebene bohrt entlang {letter}. Solche Löcher werden nicht erkannt.</translation>
+    </message>
+    <message>
+        <source>A cycle with more than {most:n} repeats is read with {most:n} repeats.</source>
+        <translation>Ein Zyklus mit mehr als {most:n} Wiederholungen wird mit {most:n} Wiederholungen gelesen.</translation>
+    </message>
+    <message>
+        <source>A number of turns of an arc (P) that is not usable is ignored.</source>
+        <translation>Eine nicht brauchbare Zahl von Umläufen eines Bogens (P) wird übergangen.</translation>
+    </message>
+    <message>
+        <source>A probing move is read as a rapid to its end. Where the probe touches is not in the program.</source>
+        <translation>Eine Messbewegung wird als Eilgang zu ihrem Ende gelesen. Wo der Taster berührt, steht nicht im Programm.</translation>
+    </message>
+    <message>
+        <source>The feed rate of a thread ({name}) is its pitch times the spindle speed.</source>
+        <translation>Der Vorschub eines Gewindes ({name}) ist seine Steigung mal die Drehzahl der Spindel.</translation>
+    </message>
+    <message>
+        <source>Feed rates are read as mm/s, because the text is a path from FreeCAD without a post processor.</source>
+        <translation>Vorschübe werden als mm/s gelesen, weil der Text ein Pfad aus FreeCAD ohne Postprozessor ist.</translation>
+    </message>
+    <message>
+        <source>Commas in numbers are read as decimal points.</source>
+        <translation>Kommas in Zahlen werden als Dezimalpunkte gelesen.</translation>
+    </message>
+    <message>
+        <source>Text that does not consist of words like G1 X10 is ignored. The words beside it are read.</source>
+        <translation>Text, der nicht aus Wörtern wie G1 X10 besteht, wird übergangen. Die Wörter daneben werden gelesen.</translation>
+    </message>
+    <message>
+        <source>A spline ({name}) is read as short lines.</source>
+        <translation>Ein Spline ({name}) wird als kurze Geraden gelesen.</translation>
+    </message>
+    <message>
+        <source>An F word in the line of {name} is read in the new unit. LinuxCNC reads it in the unit before.</source>
+        <translation>Ein F-Wort in der Zeile von {name} wird in der neuen Einheit gelesen. LinuxCNC liest es in der Einheit davor.</translation>
+    </message>
+    <message>
+        <source>The tool length offset changes before a cut without a Z word. The height of the cut is unknown.</source>
+        <translation>Die Werkzeuglängenkorrektur ändert sich vor einem Schnitt ohne Z-Wort. Die Höhe des Schnitts ist unbekannt.</translation>
     </message>
 </context>
 <context>

@@ -250,10 +250,6 @@
         <translation>Un ciclo de taladrado sin R empieza a la altura actual.</translation>
     </message>
     <message>
-        <source>A drilling cycle outside the XY plane is read as one in the XY plane.</source>
-        <translation>Un ciclo de taladrado fuera del plano XY se lee como si estuviera en él.</translation>
-    </message>
-    <message>
         <source>An arc with an unknown start is ignored.</source>
         <translation>Un arco cuyo comienzo se desconoce se ignora.</translation>
     </message>
@@ -720,10 +716,6 @@
     <message>
         <source>The repeats of a cycle ({letter}) are ignored.</source>
         <translation>Las repeticiones de un ciclo ({letter}) se ignoran.</translation>
-    </message>
-    <message>
-        <source>The additional turns of an arc (P) are ignored.</source>
-        <translation>Las vueltas adicionales de un arco (P) se ignoran.</translation>
     </message>
     <message>
         <source>Inches (G20) are ignored. Lengths are read in mm.</source>
@@ -1200,6 +1192,50 @@
     <message>
         <source>FreeCAD is still reading {document}. Try again when the document is open.</source>
         <translation>FreeCAD todavía está leyendo {document}. Inténtelo de nuevo cuando el documento esté abierto.</translation>
+    </message>
+    <message>
+        <source>A drilling cycle outside the XY plane drills along {letter}. Such holes are not recognized.</source>
+        <translation>Un ciclo de taladrado fuera del plano XY taladra a lo largo de {letter}. Esos agujeros no se reconocen.</translation>
+    </message>
+    <message>
+        <source>A cycle with more than {most:n} repeats is read with {most:n} repeats.</source>
+        <translation>Un ciclo con más de {most:n} repeticiones se lee con {most:n} repeticiones.</translation>
+    </message>
+    <message>
+        <source>A number of turns of an arc (P) that is not usable is ignored.</source>
+        <translation>Un número de vueltas de un arco (P) que no es utilizable se ignora.</translation>
+    </message>
+    <message>
+        <source>A probing move is read as a rapid to its end. Where the probe touches is not in the program.</source>
+        <translation>Un movimiento de palpado se lee como un rápido hasta su final. El programa no contiene dónde toca el palpador.</translation>
+    </message>
+    <message>
+        <source>The feed rate of a thread ({name}) is its pitch times the spindle speed.</source>
+        <translation>El avance de una rosca ({name}) es su paso por la velocidad del husillo.</translation>
+    </message>
+    <message>
+        <source>Feed rates are read as mm/s, because the text is a path from FreeCAD without a post processor.</source>
+        <translation>Los avances se leen en mm/s, porque el texto es una trayectoria de FreeCAD sin posprocesador.</translation>
+    </message>
+    <message>
+        <source>Commas in numbers are read as decimal points.</source>
+        <translation>Las comas en los números se leen como puntos decimales.</translation>
+    </message>
+    <message>
+        <source>Text that does not consist of words like G1 X10 is ignored. The words beside it are read.</source>
+        <translation>El texto que no consta de palabras como G1 X10 se ignora. Las palabras a su lado se leen.</translation>
+    </message>
+    <message>
+        <source>A spline ({name}) is read as short lines.</source>
+        <translation>Un spline ({name}) se lee como rectas cortas.</translation>
+    </message>
+    <message>
+        <source>An F word in the line of {name} is read in the new unit. LinuxCNC reads it in the unit before.</source>
+        <translation>Una palabra F en la línea de {name} se lee en la unidad nueva. LinuxCNC la lee en la unidad anterior.</translation>
+    </message>
+    <message>
+        <source>The tool length offset changes before a cut without a Z word. The height of the cut is unknown.</source>
+        <translation>La compensación de longitud de herramienta cambia antes de un corte sin palabra Z. La altura del corte se desconoce.</translation>
     </message>
 </context>
 <context>

@@ -250,10 +250,6 @@
         <translation>Un cycle de perçage sans R commence à la hauteur actuelle.</translation>
     </message>
     <message>
-        <source>A drilling cycle outside the XY plane is read as one in the XY plane.</source>
-        <translation>Un cycle de perçage hors du plan XY est lu comme s&apos;il était dans le plan XY.</translation>
-    </message>
-    <message>
         <source>An arc with an unknown start is ignored.</source>
         <translation>Un arc dont le début est inconnu est ignoré.</translation>
     </message>
@@ -720,10 +716,6 @@
     <message>
         <source>The repeats of a cycle ({letter}) are ignored.</source>
         <translation>Les répétitions d&apos;un cycle ({letter}) sont ignorées.</translation>
-    </message>
-    <message>
-        <source>The additional turns of an arc (P) are ignored.</source>
-        <translation>Les tours supplémentaires d&apos;un arc (P) sont ignorés.</translation>
     </message>
     <message>
         <source>Inches (G20) are ignored. Lengths are read in mm.</source>
@@ -1200,6 +1192,50 @@
     <message>
         <source>FreeCAD is still reading {document}. Try again when the document is open.</source>
         <translation>FreeCAD lit encore {document}. Réessayez quand le document est ouvert.</translation>
+    </message>
+    <message>
+        <source>A drilling cycle outside the XY plane drills along {letter}. Such holes are not recognized.</source>
+        <translation>Un cycle de perçage hors du plan XY perce le long de {letter}. De tels trous ne sont pas reconnus.</translation>
+    </message>
+    <message>
+        <source>A cycle with more than {most:n} repeats is read with {most:n} repeats.</source>
+        <translation>Un cycle de plus de {most:n} répétitions est lu avec {most:n} répétitions.</translation>
+    </message>
+    <message>
+        <source>A number of turns of an arc (P) that is not usable is ignored.</source>
+        <translation>Un nombre de tours d&apos;arc (P) inutilisable est ignoré.</translation>
+    </message>
+    <message>
+        <source>A probing move is read as a rapid to its end. Where the probe touches is not in the program.</source>
+        <translation>Un déplacement de palpage est lu comme un déplacement rapide jusqu&apos;à sa fin. Le point de contact du palpeur n&apos;est pas dans le programme.</translation>
+    </message>
+    <message>
+        <source>The feed rate of a thread ({name}) is its pitch times the spindle speed.</source>
+        <translation>L&apos;avance d&apos;un filetage ({name}) est son pas multiplié par la vitesse de broche.</translation>
+    </message>
+    <message>
+        <source>Feed rates are read as mm/s, because the text is a path from FreeCAD without a post processor.</source>
+        <translation>Les avances sont lues en mm/s, car le texte est une trajectoire de FreeCAD sans post-processeur.</translation>
+    </message>
+    <message>
+        <source>Commas in numbers are read as decimal points.</source>
+        <translation>Les virgules dans les nombres sont lues comme des points décimaux.</translation>
+    </message>
+    <message>
+        <source>Text that does not consist of words like G1 X10 is ignored. The words beside it are read.</source>
+        <translation>Le texte qui n&apos;est pas fait de mots comme G1 X10 est ignoré. Les mots à côté sont lus.</translation>
+    </message>
+    <message>
+        <source>A spline ({name}) is read as short lines.</source>
+        <translation>Une spline ({name}) est lue comme de courtes droites.</translation>
+    </message>
+    <message>
+        <source>An F word in the line of {name} is read in the new unit. LinuxCNC reads it in the unit before.</source>
+        <translation>Un mot F dans la ligne de {name} est lu dans la nouvelle unité. LinuxCNC le lit dans l&apos;unité précédente.</translation>
+    </message>
+    <message>
+        <source>The tool length offset changes before a cut without a Z word. The height of the cut is unknown.</source>
+        <translation>La correction de longueur d&apos;outil change avant une coupe sans mot Z. La hauteur de la coupe est inconnue.</translation>
     </message>
 </context>
 <context>

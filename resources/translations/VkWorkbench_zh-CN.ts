@@ -250,10 +250,6 @@
         <translation>没有 R 的钻孔循环从当前高度开始。</translation>
     </message>
     <message>
-        <source>A drilling cycle outside the XY plane is read as one in the XY plane.</source>
-        <translation>XY 平面之外的钻孔循环按 XY 平面处理。</translation>
-    </message>
-    <message>
         <source>An arc with an unknown start is ignored.</source>
         <translation>起点未知的圆弧被忽略。</translation>
     </message>
@@ -720,10 +716,6 @@
     <message>
         <source>The repeats of a cycle ({letter}) are ignored.</source>
         <translation>循环的重复（{letter}）被忽略。</translation>
-    </message>
-    <message>
-        <source>The additional turns of an arc (P) are ignored.</source>
-        <translation>圆弧的附加圈数（P）被忽略。</translation>
     </message>
     <message>
         <source>Inches (G20) are ignored. Lengths are read in mm.</source>
@@ -1200,6 +1192,50 @@
     <message>
         <source>FreeCAD is still reading {document}. Try again when the document is open.</source>
         <translation>FreeCAD 仍在读取 {document}。请在文档打开后重试。</translation>
+    </message>
+    <message>
+        <source>A drilling cycle outside the XY plane drills along {letter}. Such holes are not recognized.</source>
+        <translation>XY 平面之外的钻孔循环沿 {letter} 钻孔。这样的孔不被识别。</translation>
+    </message>
+    <message>
+        <source>A cycle with more than {most:n} repeats is read with {most:n} repeats.</source>
+        <translation>重复超过 {most:n} 次的循环按 {most:n} 次读取。</translation>
+    </message>
+    <message>
+        <source>A number of turns of an arc (P) that is not usable is ignored.</source>
+        <translation>圆弧的不可用的圈数（P）被忽略。</translation>
+    </message>
+    <message>
+        <source>A probing move is read as a rapid to its end. Where the probe touches is not in the program.</source>
+        <translation>探测移动按快速移动到其终点读取。测头接触的位置不在程序中。</translation>
+    </message>
+    <message>
+        <source>The feed rate of a thread ({name}) is its pitch times the spindle speed.</source>
+        <translation>螺纹（{name}）的进给速度是螺距乘以主轴转速。</translation>
+    </message>
+    <message>
+        <source>Feed rates are read as mm/s, because the text is a path from FreeCAD without a post processor.</source>
+        <translation>进给速度按 mm/s 读取，因为文本是未经后处理的 FreeCAD 路径。</translation>
+    </message>
+    <message>
+        <source>Commas in numbers are read as decimal points.</source>
+        <translation>数字中的逗号按小数点读取。</translation>
+    </message>
+    <message>
+        <source>Text that does not consist of words like G1 X10 is ignored. The words beside it are read.</source>
+        <translation>不由 G1 X10 这样的字组成的文本被忽略。旁边的字照常读取。</translation>
+    </message>
+    <message>
+        <source>A spline ({name}) is read as short lines.</source>
+        <translation>样条（{name}）按短直线读取。</translation>
+    </message>
+    <message>
+        <source>An F word in the line of {name} is read in the new unit. LinuxCNC reads it in the unit before.</source>
+        <translation>{name} 所在行的 F 字按新单位读取。LinuxCNC 按之前的单位读取。</translation>
+    </message>
+    <message>
+        <source>The tool length offset changes before a cut without a Z word. The height of the cut is unknown.</source>
+        <translation>刀具长度补偿在没有 Z 字的切削之前改变。该切削的高度未知。</translation>
     </message>
 </context>
 <context>

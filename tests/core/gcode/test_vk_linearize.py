@@ -218,7 +218,7 @@ def test_pecks(name, deepest):
     feeds = toolpath.points[1:][~toolpath.rapid]
     assert feeds[:, 2].tolist() == deepest
     outs = toolpath.points[1:][toolpath.rapid][:, 2]
-    assert outs[0] == (0 if name == "G83" else -1.75)
+    assert outs[0] == (0 if name == "G83" else -1.746)
 
 
 @pytest.mark.parametrize(("depth", "pecks"), [(4.0, 2), (4.1, 3), (2.0, 1), (0.5, 1), (0.9, 1)])

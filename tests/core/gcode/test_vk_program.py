@@ -143,14 +143,6 @@ def test_repeats_are_a_number_in_any_unit(inches):
     assert len(np.unique(drilled.points[1:][~drilled.rapid, 0])) == 3 and drilled.problems == ()
 
 
-@pytest.mark.parametrize("letter", "KL")
-@pytest.mark.parametrize("times", [2, 3])
-def test_repeats_that_are_not_made_are_told(letter, times):
-    assert said(f"G0 X0 Y0 Z5\nG81 X10 Z-4 R1 {letter}{times} F100\nG80") == [
-        f"Line 2: The repeats of a cycle ({letter}) are ignored."
-    ]
-
-
 @pytest.mark.parametrize("code", ["G73", "G83"])
 def test_the_pecks_of_haas_are_no_repeats(code):
     text = f"G20\nG0 X0 Y0 Z1.\nG99 {code} X1. Z-1. R.1 {{}} F8.\nX2.\nG80"
@@ -177,9 +169,11 @@ def test_a_cycle_without_repeats_drills_once():
     assert {x for x, _, z in once if z < 0} == {10}
 
 
-def test_absolute_cycle_repeats_in_place():
-    text = "G0 X0 Y0 Z5\nG91\nG90\nG81 X10 Y0 Z-4 R1 L{} F100\nG80"
-    assert points(text.format(3)) == points(text.format(1))
+@pytest.mark.parametrize("letter", "KL")
+def test_absolute_cycle_repeats_in_place(letter):
+    text = f"G0 X0 Y0 Z5\nG91\nG90\nG81 X10 Y0 Z-4 R1 {letter}3 F100\nG80"
+    assert [point for point in points(text) if point[2] < 0] == 3 * [[10, 0, -4]]
+    assert said(text) == []
 
 
 def test_fine_boring_goes_to_its_depth_and_up():
@@ -265,8 +259,8 @@ def test_commands_keep_their_lines():
         ("O100 call [1]", "Line 5: Jumps, loops and calls are ignored."),
         ("WHILE [#1 LT 5] DO1", "Line 5: Jumps, loops and calls are ignored."),
         ("G68 X0 Y0 R45", "Line 5: G68 is ignored. The coordinates after it are read as if it were not there."),
-        ("G92 X0", "Line 5: G92 is ignored. The coordinates after it are read as if it were not there."),
-        ("G5 X10 Y2 I1 J1 P1 Q1", "Line 5: A spline (G5) is read as a line."),
+        ("M0\nG92 X0", "Line 6: G92 is ignored. The coordinates after it are read as if it were not there."),
+        ("G5 X10 Y2 P1 Q1", "Line 5: A spline (G5) is read as a line."),
         ("G999", "Line 5: The unknown code 'G999' is ignored."),
         ("WHAT IS THIS?", "Line 5: Lines that do not consist of words like G1 X10 are ignored."),
         ("M30\nG1 X10", "Line 6: Lines after M2 or M30 are read as part of the same program."),
@@ -312,7 +306,7 @@ def test_work_offsets_are_told_where_they_change_after_a_move():
     assert said("G0 G17 G40 G80\nG55\n" + PLAIN + "G55\nX5") == []
     assert said("G54.1 P1\n" + PLAIN + "G54.1 P1\nX5\nG54.1 P2\nX5") == [changed.format("G54.1", "Line 8")]
     assert said("G55 P1\n" + PLAIN + "G55\nG54\nX5\nG55\nX4\nG54") == [
-        changed.format("G54", "Line 7 (first of 2)"), changed.format("G55", "Line 9")
+        changed.format("G54", "Line 7 (first of 2)")
     ]  # fmt: skip
     assert said("G0 G17 G40 G80\nG92 X0 Y0\n" + PLAIN) == []
 
@@ -333,7 +327,7 @@ def test_a_percent_sign_behind_a_move_ends_the_program():
     assert points("G0 X0 Y0 Z5\n%1\nG1 X9 F60") == [[0, 0, 5], [9, 0, 5]]  # a name
 
 
-@pytest.mark.parametrize("line", ["G28 G91 Z0\nG90", "G91 G28 Z0.\nG90", "G53 G0 Z0", "G0 G53 Z-3.", "G30 Z0", "G28"])
+@pytest.mark.parametrize("line", ["G28 G91 Z0\nG90", "G91 G28 Z0.\nG90", "G53 G0 Z0", "G0 G53 Z-3.", "G30 Z0"])
 def test_tool_rises_to_machine_height_over_the_part(line):
     """The machine's height is unknown, so the program's highest Z is used. Without a rise, the next rapid would cut."""
     path = read_program(f"{PLAIN}{line}\nG0 X40 Y0\nG1 Z-1\nX50\n").toolpath()
@@ -343,7 +337,16 @@ def test_tool_rises_to_machine_height_over_the_part(line):
 
 
 def test_machine_positions_at_ends_do_not_matter():
-    assert said("G91 G28 Z0\nG90\n" + PLAIN + "G28\nX5\nG53 G0 Z0\nM30") == []
+    assert said("G91 G28 Z0\nG90\n" + PLAIN + "G28 Z0\nX5\nG53 G0 Z0\nG28\nM30") == []
+
+
+@pytest.mark.parametrize("code", ["G28", "G30"])
+def test_home_along_all_axes_is_told_like_home_in_x(code):
+    text = f"{PLAIN}{code}\nG0 X40 Y0\nG1 Z-1\nX50\n"
+    assert said(text) == [
+        f"Line 5: Moves to machine positions ({code}) are ignored, because the program does not contain these positions."
+    ]
+    assert [10, 2, 5] in points(text)
 
 
 def test_lines_with_a_block_delete_behind_their_number():

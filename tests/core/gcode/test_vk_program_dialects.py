@@ -150,5 +150,5 @@ def test_line_numbers_that_nobody_has_filled_in():
 
 
 def test_full_width_digits_are_not_numbers():
-    assert last("G1 X\uff17") == (10, 2, -1)
-    assert said(PLAIN + "G1 X\uff17") == ["Line 5: Lines that do not consist of words like G1 X10 are ignored."]
+    assert last("X\uff17") == (10, 2, -1)
+    assert said(PLAIN + "X\uff17") == ["Line 5: Lines that do not consist of words like G1 X10 are ignored."]

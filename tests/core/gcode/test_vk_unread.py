@@ -30,8 +30,8 @@ def told(commands):
     ([("G81", {**HOLE, "L": 3.0}), ("G81", {**HOLE, "L": 1.0})], [("repeats-not-read", "L", 2, 1)]),
     ([("G81", {**HOLE, "K": 2.0})], [("repeats-not-read", "K", 2, 1)]),
     ([("G2", {"X": 4.0, "Y": 0.0, "I": 2.0, "J": 0.0, "K": 3.0, "P": 1.0})], []),
-    ([("G2", {"X": 4.0, "Y": 0.0, "I": 2.0, "J": 0.0, "P": 2.0})], [("turns-not-read", 2, 1)]),
-    ([("G3", {"X": 4.0, "Y": 0.0, "I": 2.0, "J": 0.0, "P": 2.0})], [("turns-not-read", 2, 1)]),
+    ([("G2", {"X": 4.0, "Y": 0.0, "I": 2.0, "J": 0.0, "P": 2.0})], []),
+    ([("G3", {"X": 4.0, "Y": 0.0, "I": 2.0, "J": 0.0, "P": 2.5})], [("turns-not-read", 2, 1)]),
     ([("G82", {**HOLE, "P": 0.5})], [("dwell-untimed", 2, 1)]),
     ([("G4", {"P": 2.0})], [("dwell-untimed", 2, 1)]),
     ([("G20", {}), ("G1", {"X": 1.0})], [("inches-not-read", 2, 1)]),
@@ -63,11 +63,11 @@ def test_a_time_with_a_dwell_is_the_least():
 
 @pytest.mark.parametrize("line, problem", [
     ("G0 A90", ("rotary-not-read", "A")), ("G1 X1 U2", ("word-not-read", "U")), ("G1 E5", ("word-not-read", "E")),
-    ("G2 X4 Y0 I2 P2", ("turns-not-read",)), ("G4 P2", ("dwell-untimed",)), ("G82 X1 Z-2 R1 P0.5", ("dwell-untimed",)),
-    ("G38.2 Z-9 F50", ("probing-untimed",)), ("G31 Z-9 F50", ("probing-untimed",)),
+    ("G43 H1\nG1 X4", ("length-before-height",)), ("G4 P2", ("dwell-untimed",)), ("G82 X1 Z-2 R1 P0.5", ("dwell-untimed",)),
+    ("G38.2 Z-9 F50", ("probing-as-rapid",)), ("G31 Z-9 F50", ("probing-as-rapid",)),
     ("G41 D1", ("compensation-not-read", "G41")), ("M98 P100", ("subprogram-not-read",)), ("M97 P5", ("subprogram-not-read",)),
     ("G1 X1 Y2 X3", ("word-twice", "X")), ("G1 X1 F100 F200", ("word-twice", "F")), ("G0 G1 X3", ("two-motions",)),
-    ("G10 L2 P1 X5", ("coordinates-not-changed", "G10")), ("G10 L20 P1 X0", ("coordinates-not-changed", "G10")),
+    ("G10 L2 P1 X5", ("coordinates-not-changed", "G10")), ("G10 L20 P0 X0", ("coordinates-not-changed", "G10")),
     ("G7.1 C20", ("coordinates-not-changed", "G7.1")), ("G7", ("unknown-code", "'G7'")),
     ("G76 P1 Z-2 Q1", ("unknown-code-with-words", "Z", "'G76'")),
     ("$H", ("words-not-read",)), ("G81 R2 Z-2 I-20\nG80", ("word-not-read", "I")), ("G15 H1", ("coordinates-not-changed", "G15")),
@@ -75,14 +75,14 @@ def test_a_time_with_a_dwell_is_the_least():
 def test_programs(line, problem):
     program = read_program(f"G21 G90\nG0 X0 Y0 Z5\nG1 Z-1 F100\n{line}\nX10 Y3")
     assert [(p.what.code, *p.what.arguments.values()) for p in program.problems] == [problem]
-    assert program.problems[0].command == 4
+    assert program.problems[0].command == 4 + (line.startswith("G43"))
 
 
 @pytest.mark.parametrize(
     "line",
     [
         "G1 X1 A0",
-        "G43 H1",
+        "G43 H1 Z-1",
         "G40",
         "M3 S500",
         "G2 X4 Y0 I2 P1",
@@ -93,7 +93,7 @@ def test_programs(line, problem):
         "$X",
         "POPEN\nDPRNT[TIME*(HHMMSS):*#3021[60]]\nPCLOS",
         "N10 POPEN\nN20 DPRNT[X#100[33]]\nN30 PCLOS",
-        "G15 G43 H2",
+        "G15 G43 H2 Z-1",
         "$$\n$G\n?",
         "M68 E0 Q100",
         "M203 X200 Y200 Z5 E25",

@@ -5,9 +5,9 @@ from __future__ import annotations
 
 import re
 
-# A word, a letter with a number: G1, X-.5, Z +2, X1.5E-05. Spaces between them are allowed (RS274/NGC, Kramer et al.
+# A word, a letter with a number (LinuxCNC's polar coordinates have @ and ^ as letters): G1, X-.5, Z +2, X1.5E-05. Spaces between them are allowed (RS274/NGC, Kramer et al.
 # 2000).
-_WORD = re.compile(r"([A-Z])[ \t]*([-+]?(?:\d+(?:\.\d*)?|\.\d+)(?:E[-+]?\d+(?![.\d]))?)", re.ASCII)
+_WORD = re.compile(r"([A-Z@^])[ \t]*([-+]?(?:\d+(?:\.\d*)?|\.\d+)(?:E[-+]?\d+(?![.\d]))?)", re.ASCII)
 _NO_COMMENT = frozenset("(;")
 LARGEST_NUMBER = 99_999_999  # largest number of a tool, a block or a program
 

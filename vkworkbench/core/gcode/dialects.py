@@ -4,6 +4,8 @@
 from __future__ import annotations
 
 import re
+from dataclasses import dataclass
+from itertools import chain
 
 from vkworkbench.core.gcode.moves.codes import CYCLES
 from vkworkbench.core.toolpath import Problem
@@ -25,11 +27,54 @@ _SIEMENS_WORD = re.compile(
 _SIEMENS_CYCLE = re.compile(r"^(?:/\d?\s*)?(?:N\s*\d+\s*)?(?:CYCLE\d+|POCKET\d|SLOT\d|HOLES\d|LONGHOLE)\s*\(")
 _LINE_NUMBER = re.compile(r"^N\s*\d+\s*")
 _VARIABLES = re.compile(r"#|IF|GOTO")  # lines for a Fanuc control or for LinuxCNC, which may contain any name
-_TURNING = frozenset([7, 8, 32, 96])
+_TURNING = frozenset([32])
+_TURNING_MODES = frozenset([7, 8, 96])
 _TURNING_CYCLES = frozenset([70, 71, 72, 76])
 _PRINTER = frozenset([104, 109, 140, 190])
 _SLOWEST_MILLING = 2.0  # mm/min
 _EXTRUSIONS = 10  # moves with an E word; up to this number, the E words may be typing errors
+
+
+# Signs of a program for a Siemens control, in lines that are read as plain G-code.
+_OF_SIEMENS = re.compile(
+    r"^%_N_|\bG(?:5\d\d|45[01]|60[123]|64[1-5]|7[01]0)\b|\bMSG\s*\(|(?<![A-Z])(?:CR|[XYZIJK])\s*=\s*-?[.\d]",
+    re.MULTILINE | re.IGNORECASE,
+)
+_INCHES_OF_SIEMENS = re.compile(r"\bG70(?!\d)", re.IGNORECASE)
+# A move with a feed rate in the text of a path from FreeCAD, which no post processor wrote: words in the order of the
+# alphabet, with six decimals. Feed rates are in mm/s.
+_FEEDS = re.compile(r"^\s*(?:N\d+\s*)?G0*[1-3]\b[^(;\n]*F.*$", re.MULTILINE | re.IGNORECASE)
+_FEED_OF_PATH = re.compile(r"G[123] F\d+\.\d{6}(?: [I-KX-Z]-?\d+\.\d{6})+ *\r?")
+
+
+@dataclass(frozen=True)
+class Dialect:
+    """How a program differs from others that are written with the same words.
+
+    Attributes
+    ----------
+    siemens : bool
+        Whether the control is a Siemens, on which G70 does not change the unit of feed rates.
+    raw_path : bool
+        Whether the text is a path from FreeCAD without a post processor, with feed rates in mm/s.
+    """
+
+    siemens: bool = False
+    raw_path: bool = False
+
+    @property
+    def feed_time(self) -> float:
+        """float : The time in the unit of feed rates, s."""
+        return 1.0 if self.raw_path else 60.0
+
+
+def dialect_of(text: str) -> Dialect:
+    """Return how the text of a program differs from other programs."""
+    siemens = _INCHES_OF_SIEMENS.search(text) is not None and _OF_SIEMENS.search(text) is not None
+    feeds = _FEEDS.finditer(text)
+    first = next(feeds, None)
+    raw = first is not None and all(_FEED_OF_PATH.fullmatch(feed[0]) for feed in chain([first], feeds))
+    return Dialect(siemens, raw)
 
 
 def at_line(problem: Problem) -> Message:
@@ -96,6 +141,7 @@ class Clues:
         self.rotary: list[int] = []
         self._turns: dict[str, float] = {}
         self._turning: tuple[str, int] | None = None
+        self._mode: tuple[str, int] | None = None
         self._incremental: tuple[str, int] | None = None
         self._plane: tuple[str, int] | None = None
         self._turret: tuple[str, int] | None = None
@@ -111,12 +157,15 @@ class Clues:
     def g_code(self, number: int, letters: set[str], line: int) -> bool:
         """Note a G-code that indicates the machine; return whether the code is for a lathe."""
         cycle = number in _TURNING_CYCLES and not letters.isdisjoint("PQUW") and "Y" not in letters
+        mode = number in _TURNING_MODES and "P" not in letters  # Fanuc: G08 P1 looks ahead
         if self._turning is None and (number in _TURNING or cycle):
             self._turning = f"G{number}", line
+        if self._mode is None and mode:
+            self._mode = f"G{number}", line
         if number == 18 and self._plane is None:
             self._plane = "G18", line
         self._mills |= number == 43 and "H" in letters
-        return number in _TURNING or cycle
+        return number in _TURNING or cycle or mode
 
     def m_code(self, value: float, letters: set[str], line: int) -> None:
         """Note an M-code that indicates the machine.
@@ -201,7 +250,8 @@ class Clues:
         if self._wire:
             return Message("wire", name="U, V", line=self._wire[0])
         plane = None if self._names_y else self._plane
-        weak = None if self._mills else plane or self._slow or (None if self._changer else self._turret)
+        turret = None if self._changer else self._turret
+        weak = None if self._mills else self._mode or plane or self._slow or turret
         turned = self._turning or weak or self._incremental
         if not self._along_y and turned:
             name, line = turned

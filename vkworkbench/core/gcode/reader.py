@@ -29,14 +29,19 @@ _DWELL = ("G", 4.0)
 _MODES = frozenset([*(("G", float(code)) for code in (20, 21, 40, 90, 91, 92)), ("M", 3.0), ("M", 4.0), ("M", 5.0)])
 _HEIDENHAIN_NAME = re.compile(r"(?:N\s*\d+\s*)?%\s*\S+\s+G(7[01])$")  # first and last line of a program
 _PERCENT = re.compile(r"(?:N\s*\d+\s*)?%")  # a block number may precede the sign
+_CHECKSUM = re.compile(r"^(N[^#=\[]*?)\s*\*\s*\d{1,3}$|\s*\*$")
 _BLOCK_DELETE = re.compile(r"^(N\s*\d+\s*)?(?:/\d?\s*)+")
 # Lines that do not move the tool: queries and unlock commands for grbl, and print commands for Fanuc and Haas.
 _SAYS = re.compile(r"\?|\$[$#GINXC]?|(?:N\s*\d+\s*)?(?:POPEN|PCLOS|[BD]PRNT\s*\[.*)")
 _RETURN = re.compile(r"M\s*99(?!\d)")
 # Fanuc's words for rounding (,R) or chamfering (,C) the corner after a move, and for the angle of a move (,A).
 _CORNER = re.compile(r",\s*([RCA])\s*[-+]?(?:\d+\.?\d*|\.\d+)")
+_DECIMAL_COMMA = re.compile(r"(?<=\d),(?=\d)")  # X10,5
 # Siemens' radius of an arc, CR=10, and Siemens' spelling of a word with an equals sign, X=10.
 _EQUALS = re.compile(r"(?<![A-Z])(?:CR|([A-Z]))\s*=\s*(?=[-+]?\.?\d)")
+# One foreign word in a line, and a line that begins with a motion.
+_FOREIGN = re.compile(r"[^\sA-Z\[\]#=<>]{1,20}|[A-Z]{3,20}", re.ASCII)
+_MOVE = re.compile(r"(?:N\s*\d+\s*)?G\s*0*[0-3](?![\d.])")
 _SUB = re.compile(r"^\s*(?:N\s*\d+\s*)?O\s*(?:\d+|<[^>]*>|\[[^]]*\])\s*(SUB|ENDSUB)\b")
 # A word whose number is a variable or an expression: X#1, Z#<depth>, Y[1 + 2].
 _MACRO_WORD = re.compile(r"[A-Z]\s*[-+]?\s*(?:#+(?:\d+|<[^>]*>)|\[[^\[\]]*(?:\[[^\[\]]*\][^\[\]]*)*\])")
@@ -67,7 +72,7 @@ def read_program(text: str) -> Program:
         If the text is not an NC program, contains no moves, or is written in the language of another control.
     """
     lines = text.replace("\r\n", "\n").replace("\r", "\n").split("\n")
-    reader = _Reader(lines)
+    reader = _Reader(lines, dialects.dialect_of(text))
     for index in range(len(lines)):
         reader.number = index + 1
         if reader.line(index):
@@ -86,11 +91,13 @@ class _Reader:
         decrease.
     """
 
-    def __init__(self, lines: list[str]) -> None:
+    def __init__(self, lines: list[str], dialect: dialects.Dialect) -> None:
         self.lines = lines
         self.subprograms = Subprograms(lines)
         self.variables = Variables(lines)
-        self.machine = Interpreter()
+        self.machine = Interpreter(dialect)
+        if dialect.raw_path:
+            self.machine.problem(Message("feeds-per-second"), 1)
         self.comments: list[tuple[int, int, str]] = []
         self.in_calls: set[int] = set()
         self.in_subprogram = 0
@@ -109,8 +116,8 @@ class _Reader:
         line = self.lines[index]
         code, comments = split_comments(line)
         code = code.strip().upper()
-        if code[-1:] == "*":  # the end of a block
-            code = code[:-1].rstrip()
+        if "*" in code:  # the end of a block, and its checksum
+            code = _CHECKSUM.sub(r"\1", code)
         if "%" in code:
             ends = self._percent(code)
             if ends is not None:
@@ -191,8 +198,10 @@ class _Reader:
             return
         first, times = found
         self.calls.append(first)
+        self.machine.enter_call()
         if not all(self._run(first) for _ in range(times)):
             self._problem(Message("subprogram-not-read"))
+        self.machine.leave_call()
         self.calls.pop()
 
     def _run(self, first: int) -> bool:
@@ -238,8 +247,12 @@ class _Reader:
             return None if rest else words
         if rest in ("", "N") or (rest != ":" and PROGRAM_NUMBER.fullmatch(rest)):  # N without a number; :1000
             return words
-        if rest != ":":  # some programs have a colon before a comment without parentheses
-            self._no_words()
+        if rest == ":":  # some programs have a colon before a comment without parentheses
+            return None
+        if _FOREIGN.fullmatch(rest) and _MOVE.match(code):
+            self._problem(Message("foreign-text"))
+            return words
+        self._no_words()
         return None
 
     def _of_subprogram(self, code: str) -> bool:
@@ -254,8 +267,15 @@ class _Reader:
         return subprogram is not None or self.in_subprogram > 0
 
     def _common_spelling(self, code: str) -> str:
-        """Return the code in the common spelling: ``,R`` is left out and reported, ``HA`` and ``X=`` are respelled."""
+        """Return the code in the common spelling of words.
+
+        ``,R`` is left out and reported, decimal commas become points, ``HA`` and ``X=`` are respelled.
+        """
         _, rest = split_words(code)
+        if "," in rest and _DECIMAL_COMMA.search(code):
+            self._problem(Message("decimal-commas"))
+            code = _DECIMAL_COMMA.sub(".", code)
+            _, rest = split_words(code)
         if "," in rest:
             for letter in _CORNER.findall(code):
                 self._problem(Message("word-not-read", letter=f",{letter}"))

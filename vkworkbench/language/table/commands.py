@@ -22,7 +22,7 @@ COMMANDS: dict[str, str | tuple[str, str]] = {
     "cycle-without-depth": QT_TRANSLATE_NOOP("Sentences", "A drilling cycle without a depth (Z) drills no hole."),
     "cycle-without-retract": QT_TRANSLATE_NOOP("Sentences", "A drilling cycle without R starts at the current height."),
     "cycle-outside-xy": QT_TRANSLATE_NOOP(
-        "Sentences", "A drilling cycle outside the XY plane is read as one in the XY plane."
+        "Sentences", "A drilling cycle outside the XY plane drills along {letter}. Such holes are not recognized."
     ),
     "tiny-pecks": QT_TRANSLATE_NOOP(
         "Sentences", "A peck depth (Q) that needs more than {most:n} pecks is ignored. The hole is drilled at once."
@@ -54,8 +54,11 @@ COMMANDS: dict[str, str | tuple[str, str]] = {
     ),
     "rotary-not-read": QT_TRANSLATE_NOOP("Sentences", "Moves of a rotary axis ({letter}) are ignored."),
     "word-not-read": QT_TRANSLATE_NOOP("Sentences", "{letter} words are ignored."),
+    "repeats-limited": QT_TRANSLATE_NOOP(
+        "Sentences", "A cycle with more than {most:n} repeats is read with {most:n} repeats."
+    ),
     "repeats-not-read": QT_TRANSLATE_NOOP("Sentences", "The repeats of a cycle ({letter}) are ignored."),
-    "turns-not-read": QT_TRANSLATE_NOOP("Sentences", "The additional turns of an arc (P) are ignored."),
+    "turns-not-read": QT_TRANSLATE_NOOP("Sentences", "A number of turns of an arc (P) that is not usable is ignored."),
     "inches-not-read": QT_TRANSLATE_NOOP("Sentences", "Inches (G20) are ignored. Lengths are read in mm."),
     "compensation-not-read": QT_TRANSLATE_NOOP(
         "Sentences", "Cutter compensation ({name}) is ignored. The programmed path is used."

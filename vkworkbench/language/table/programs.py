@@ -27,6 +27,29 @@ PROGRAMS: dict[str, str | tuple[str, str]] = {
         "Moves to machine positions ({name}) are ignored, because the program does not contain these positions.",
     ),
     "hole-pattern-not-read": QT_TRANSLATE_NOOP("Sentences", "The holes of a pattern ({name}) are ignored."),
+    "probing-as-rapid": QT_TRANSLATE_NOOP(
+        "Sentences",
+        "A probing move is read as a rapid to its end. Where the probe touches is not in the program.",
+    ),
+    "thread-at-pitch": QT_TRANSLATE_NOOP(
+        "Sentences", "The feed rate of a thread ({name}) is its pitch times the spindle speed."
+    ),
+    "feeds-per-second": QT_TRANSLATE_NOOP(
+        "Sentences", "Feed rates are read as mm/s, because the text is a path from FreeCAD without a post processor."
+    ),
+    "decimal-commas": QT_TRANSLATE_NOOP("Sentences", "Commas in numbers are read as decimal points."),
+    "foreign-text": QT_TRANSLATE_NOOP(
+        "Sentences", "Text that does not consist of words like G1 X10 is ignored. The words beside it are read."
+    ),
+    "spline-as-chords": QT_TRANSLATE_NOOP("Sentences", "A spline ({name}) is read as short lines."),
+    "feed-in-new-unit": QT_TRANSLATE_NOOP(
+        "Sentences",
+        "An F word in the line of {name} is read in the new unit. LinuxCNC reads it in the unit before.",
+    ),
+    "length-before-height": QT_TRANSLATE_NOOP(
+        "Sentences",
+        "The tool length offset changes before a cut without a Z word. The height of the cut is unknown.",
+    ),
     "spline-as-line": QT_TRANSLATE_NOOP("Sentences", "A spline ({name}) is read as a line."),
     "goes-on": QT_TRANSLATE_NOOP("Sentences", "Lines after M2 or M30 are read as part of the same program."),
     "after-end": QT_TRANSLATE_NOOP("Sentences", "Lines after the end of the program are ignored."),

@@ -46,10 +46,9 @@ STATES = (
 KEPT = frozenset([*PLANES, CANCEL, ABSOLUTE, ABSOLUTE_CENTRES, RELATIVE, RELATIVE_CENTRES, TO_START, TO_RETRACT_PLANE])
 CENTRES = frozenset([ABSOLUTE_CENTRES, RELATIVE_CENTRES])
 PROBES_OF_PROGRAMS = frozenset([310, *PROBES])
-# Codes whose axis words are not a target in the program's coordinates: data (G10), stored positions for G28 and G30
-# (G28.1, G30.1), end of mirroring (G50.1; its start, G51.1, is reported), suspension and restoration of the G92 offset
-# (G92.2, G92.3), probes, and moves to machine positions.
-APART = frozenset([100, 281, 301, 501, 922, 923]) | PROBES_OF_PROGRAMS | set(MACHINE)
+# Codes whose axis words are not a target in the program's coordinates: stored positions for G28 and G30
+# (G28.1, G30.1), and end of mirroring (G50.1; its start, G51.1, is reported).
+APART = frozenset([281, 301, 501])
 NUMBERED_OFFSETS = frozenset([541, 1540])  # G54.1 and G154: the P word is the number of the work offset
 OFFSETS = NUMBERED_OFFSETS | frozenset([
     540, 550, 560, 570, 580, 590, 591, 592, 593,
@@ -60,15 +59,19 @@ OFFSETS = NUMBERED_OFFSETS | frozenset([
 # length offset.
 OKUMA_OFFSET = 150
 LOCAL = 520  # G52, shifts the coordinates by its axis words
-CHANGES_COORDINATES = frozenset([71, 160, 510, 511, LOCAL, 680, 682, 920])
+POSITION, END_SHIFT, SUSPEND_SHIFT, RESUME_SHIFT = 920, 921, 922, 923  # G92 shifts the coordinates to its axis words
+CHANGES_COORDINATES = frozenset([71, 160, 510, 511, LOCAL, 680, 682])
 DATA = 100
+TOOL_LENGTH = (430, 431, 432, 490)
+THREAD, RIGID_TAP = 330, 331
 INCHES = frozenset([200, 700, 7000])
+GEOMETRY_UNITS = frozenset([700, 710])  # on a Siemens control, the unit of lengths without feed rates
 UNITS = INCHES | frozenset([210, 710, 7100])
 PATTERNS = frozenset([700, 710, 720])
 MACRO_CALLS = frozenset([650, 660])
 HARMLESS = OFFSETS | frozenset([
     80, 90, 110, 150, 200, 210, 400, 401, 410, 411, 412, 420, 421, 422, 430, 431, 432, 434, 435, 440, 490, 500, 600,
-    610, 611, 620, 630, 640, 670, 690, 700, 710, 921, 930, 940, 950, 960, 970, 1030, 1870,
+    610, 611, 620, 630, 640, 670, 690, 700, 710, 930, 940, 950, 960, 970, 1030, 1870,
     4500, 4510, 6010, 6020, 6030, 6410, 6420, 6430, 6440, 6450,  # Siemens: modes for motion around corners
 ])  # fmt: skip
 # Heidenhain's DIN/ISO: codes with the usual meaning, and codes that define the blank and the tools without a move.

@@ -9,8 +9,48 @@ import numpy as np
 
 from vkworkbench.core.gcode.moves.codes import FEED_OUT, PECK, PECKING
 
-CLEARANCE = 0.25  # mm above the last peck: G73 retracts to this height, G83 returns at rapid to it; as in LinuxCNC
+CLEARANCE = 0.254  # mm above the last peck: G73 retracts to this height, G83 returns at rapid to it; as in LinuxCNC
 MOST_PECKS = 10_000  # pecks in a hole; a Q word that needs more is ignored, because the moves would fill the memory
+
+
+class Heights:
+    """The modal words of canned cycles, R and Z, and the heights that follow from them, cycle by cycle."""
+
+    def __init__(self) -> None:
+        self._begin: float | None = None  # height at the start of the series; None between two series
+        self._level = self._depth = 0.0
+        self._r = self._z = nan
+
+    def part(self) -> None:
+        """End a series of cycles, because of another motion or G80."""
+        self._begin = None
+
+    def drill(
+        self, height: float | None, r: float, z: float, *, relative: bool, to_retract_plane: bool
+    ) -> tuple[float, float, float, float]:
+        """Return the height before a cycle, of its R plane, of the hole's bottom, and after the cycle, mm.
+
+        Parameters
+        ----------
+        height : float or None
+            Height before the cycle, mm; None if the tool has no height yet: the cycle then starts at its R plane.
+        r, z : float
+            R and Z word, mm; NaN where absent.
+        relative, to_retract_plane : bool
+            Whether G91 and G99 are in force; see :func:`heights`.
+        """
+        own_r, own_z = not isnan(r), not isnan(z)
+        self._r, self._z = r if own_r else self._r, z if own_z else self._z
+        if height is None:
+            height = 0.0 if isnan(self._r) else self._r
+        begins = self._begin is None
+        begin = self._begin = height if self._begin is None else self._begin
+        if begins or own_r:
+            self._level = begin if isnan(self._r) else self._r + (begin if relative else 0.0)
+        if begins or own_z or (own_r and relative):
+            self._depth = self._level if isnan(self._z) else self._z + (self._level if relative else 0.0)
+        clear = min if self._depth > self._level else max
+        return height, self._level, self._depth, self._level if to_retract_plane else clear(begin, self._level)
 
 
 def heights(
@@ -41,7 +81,7 @@ def heights(
         The cycles' own R and Z words, mm; NaN where absent.
     to_retract_plane : (m,) bool
         True under G99: the cycle ends at R. False under G98: the cycle ends at the height at the start of its series,
-        or at R if R is higher.
+        or at R if R is higher. In a hole that is drilled upwards, it is the lower one.
 
     Returns
     -------
@@ -53,28 +93,19 @@ def heights(
     absolute = z.copy()
     resolved = np.empty((len(rows), 4))
     height: float | None = None
-    begin, level, depth, number = 0.0, 0.0, 0.0, -1
-    last_r = last_z = nan
+    number, state = -1, Heights()
     cycle_at = dict(zip(rows.tolist(), range(len(rows))))
     for row in np.flatnonzero(~np.isnan(z) | np.isin(np.arange(len(z)), rows)).tolist():
         i = cycle_at.get(row)
         if i is None:
             height = float(z[row]) + (height if relative[row] and height is not None else 0.0)
         else:
-            own_r, own_z = not isnan(retract[i]), not isnan(bottom[i])
-            last_r, last_z = float(retract[i]) if own_r else last_r, float(bottom[i]) if own_z else last_z
-            if height is None:  # without a Z word before the cycle, the cycle starts at its R plane
-                height = 0.0 if isnan(last_r) else last_r
-            begins = series[i] != number
-            if begins:
-                begin, number = height, int(series[i])
-            if begins or own_r:
-                level = begin if isnan(last_r) else last_r + (begin if relative[row] else 0.0)
-            if begins or own_z or (own_r and relative[row]):
-                depth = level if isnan(last_z) else last_z + (level if relative[row] else 0.0)
-            after = level if to_retract_plane[i] else max(begin, level)
-            resolved[i] = height, level, depth, after
-            height = after
+            if series[i] != number:
+                state.part()
+                number = int(series[i])
+            resolved[i] = state.drill(height, float(retract[i]), float(bottom[i]), relative=bool(relative[row]),
+                                      to_retract_plane=bool(to_retract_plane[i]))  # fmt: skip
+            height = float(resolved[i, 3])
         absolute[row] = height
     return absolute, resolved
 
@@ -134,7 +165,7 @@ def moves(
     points[:, :2] = hole[cycle]
     points[:, 2] = np.choose(step % 3, [level, out, back])
     rapid = step % 3 != 0
-    clear = np.maximum(start[:, 2], retract)
+    clear = np.where(bottom > retract, np.minimum(start[:, 2], retract), np.maximum(start[:, 2], retract))
     points[first] = np.column_stack([start[:, :2], clear])
     points[first + 1, 2] = clear
     points[first + 2, 2] = retract

@@ -56,6 +56,7 @@ _COARSEST_PITCH = 10.0  # mm; a larger F word of a tap is a feed rate, not a pit
 
 _MOST_NAMED = 10  # unknown codes with a message each; further codes are only counted
 _ZERO_LENGTH = 1e-9  # mm; shorter trajectories are left out
+_MOST_TURNS = 10_000  # turns of an arc (P)
 _OFF_CIRCLE = 0.05  # mm; if an arc ends farther from its circle, its centre words were probably misread
 
 
@@ -163,7 +164,9 @@ class _Program:
         self.infer_centres = infer_centres and not np.isin(codes, (ABSOLUTE_CENTRES, RELATIVE_CENTRES)).any()
         self.to_retract_plane = _mode(codes, {TO_START: 0, TO_RETRACT_PLANE: 1}, 0) == 1
         self.feed = self._feed()
-        self.cycle_heights, self.cycle_peck = np.empty((0, 4)), np.empty(0)  # rows: canned cycles
+        count = np.count_nonzero(self.is_cycle)
+        self.cycle_heights, self.cycle_peck = np.empty((count, 4)), np.empty(count)
+        self.drilled = np.array([PLANE_AXES[p][2] for p in range(17, 20)])[self.plane - 17]  # axis of canned cycles
         self.position, self.known = self._positions()
 
     def _report_codes(self) -> None:
@@ -194,11 +197,14 @@ class _Program:
         behind = np.minimum(alone[codes[alone] == MACHINE_COORDINATES] + 1, len(codes) - 1)
         behind = behind[np.isin(self.motion[behind], (RAPID, FEED))]
         moving = np.union1d(rows, behind)
-        aside = moving[across[moving] & (moving < np.flatnonzero(self.motion >= 0).max(initial=0))]
+        home = alone[codes[alone] != MACHINE_COORDINATES]
+        after = np.minimum(home + 1, len(codes) - 1)  # the G91 of G28 G91 Z0, with the axes
+        in_z = np.isin(codes[after], (ABSOLUTE, RELATIVE)) & along_z[after] & ~across[after]
+        aside = np.union1d(moving[across[moving]], home[~in_z])
+        aside = aside[aside < np.flatnonzero(self.motion >= 0).max(initial=0)]
         told_by = np.where(np.isin(aside, behind), MACHINE_COORDINATES, codes[aside])
         for code in MACHINE:
             self.problems.add(aside[told_by == code], Message("machine-position", name=name_of(code)))
-        home = alone[codes[alone] != MACHINE_COORDINATES]
         return moving, np.union1d(moving[along_z[moving]], home)
 
     def before(self, rows: np.ndarray) -> np.ndarray:
@@ -227,10 +233,13 @@ class _Program:
             self.problems.add(np.flatnonzero(unusable & moves), Message("unusable-word", letter=letter))
             values[~moves] = np.nan
             values[self.to_machine] = np.nan
+            drills = self.is_cycle & (self.drilled == axis)
             if letter == "Z":
-                values[self.rises] = self._highest(values)
-            if letter == "Z" and self.is_cycle.any():
-                values, relative = self._resolve_cycles(values)
+                values[self.rises] = self._highest(values, drills)
+            if drills.any():
+                if letter != "Z":
+                    self.problems.add(np.flatnonzero(drills), Message("cycle-outside-xy", letter=letter))
+                values, relative = self._resolve_cycles(values, drills), np.zeros(len(moves), bool)
             else:
                 relative = self.relative
             position[:, axis], known[:, axis] = _coordinate(values, relative)
@@ -240,43 +249,44 @@ class _Program:
             position = np.clip(position, -COORDINATE_LIMIT, COORDINATE_LIMIT)
         return position, known
 
-    def _highest(self, z: np.ndarray) -> float:
+    def _highest(self, z: np.ndarray, drills: np.ndarray) -> float:
         """Return the highest Z word, mm; NaN without Z words, or if any Z word is relative.
 
-        In a canned cycle, the R word counts, because the Z word is the bottom of the hole.
+        In a canned cycle along Z (`drills`), the R word counts, because the Z word is the bottom of the hole.
         """
-        if self.is_cycle.any():
-            z = np.where(self.is_cycle, self.words.column("R")[0], z)
+        if drills.any():
+            z = np.where(drills, self.words.column("R")[0], z)
         given = ~np.isnan(z)
         return float(z[given].max()) if given.any() and not self.relative[given].any() else np.nan
 
-    def _resolve_cycles(self, z: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        """Resolve the modal words of the canned cycles.
+    def _resolve_cycles(self, along: np.ndarray, drills: np.ndarray) -> np.ndarray:
+        """Return the absolute coordinates along the axis of canned cycles, (n,) mm; NaN where a command sets none.
 
-        Returns
-        -------
-        z : (n,) float64
-            Absolute Z, mm; NaN where a command does not set Z.
-        relative : (n,) bool
-            False everywhere, because all values are absolute.
+        Parameters
+        ----------
+        along : (n,) float64
+            The words of the axis, mm; NaN where absent.
+        drills : (n,) bool
+            Whether each command is a cycle along this axis.
         """
-        rows = np.flatnonzero(self.is_cycle)
-        own = {"Z": z[rows]}
+        rows = np.flatnonzero(drills)
+        own = {"Z": along[rows]}
         for letter in "RQ":
             own[letter], unusable = self.words.column(letter, rows)
             self.problems.add(rows[unusable], Message("unusable-word", letter=letter))
         self.problems.add(rows[np.isnan(_held(own["Z"]))], Message("cycle-without-depth"))
         self.problems.add(rows[np.isnan(_held(own["R"]))], Message("cycle-without-retract"))
-        self.problems.add(rows[self.plane[rows] != 17], Message("cycle-outside-xy"))
-        parted = ((self.motion >= 0) & ~self.is_cycle) | (self.words.codes == CANCEL)
-        z[rows] = np.nan
-        z, self.cycle_heights = cycles.heights(
-            z, self.relative, rows, np.cumsum(parted)[rows], own["R"], own["Z"], self.to_retract_plane[rows]
+        parted = ((self.motion >= 0) & ~drills) | (self.words.codes == CANCEL)
+        along[rows] = np.nan
+        along, heights = cycles.heights(
+            along, self.relative, rows, np.cumsum(parted)[rows], own["R"], own["Z"], self.to_retract_plane[rows]
         )
-        self.cycle_peck = _held(own["Q"])
-        tiny = np.isin(self.motion[rows], PECKING) & cycles.has_tiny_pecks(self.cycle_heights, self.cycle_peck)
+        peck = _held(own["Q"])
+        tiny = np.isin(self.motion[rows], PECKING) & cycles.has_tiny_pecks(heights, peck)
         self.problems.add(rows[tiny], Message("tiny-pecks", most=cycles.MOST_PECKS))
-        return z, np.zeros(len(z), bool)
+        among = np.searchsorted(np.flatnonzero(self.is_cycle), rows)
+        self.cycle_heights[among], self.cycle_peck[among] = heights, peck
+        return along
 
 
 def _moves(program: _Program, tolerance: float) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
@@ -353,6 +363,10 @@ def _resolve_arcs(
     problems.add(rows[bad], Message("arc-as-line"))
     uneven = (resolved.gap > np.maximum(0.1, 0.01 * resolved.radius[:, 0])) & (resolved.sweep != 0) & ~unknown_start
     problems.add(rows[uneven], Message("arc-of-changing-radius"))
+    turns = np.nan_to_num(words.column("P", rows)[0], nan=1.0)
+    usable = (turns <= _MOST_TURNS) & (turns % 1 == 0)
+    problems.add(rows[~usable & (turns > 1)], Message("turns-not-read"))
+    resolved.sweep[:] += np.sign(resolved.sweep) * np.where(usable & (turns > 1), turns - 1, 0) * 2 * np.pi
     resolved.sweep[unknown_start] = 0.0  # an unknown start equals the end, so the arc becomes a line with zero length
     return resolved
 
@@ -366,11 +380,18 @@ def _repeats(offset: np.ndarray) -> bool:
 
 
 def _expand_cycles(program: _Program, rows: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Return the end points of the moves of all canned cycles, (k, 3) mm, and whether each move is a rapid, (k,) bool."""
     start = program.before(rows).copy()
     start[rows == 0] = program.position[0]
+    axes = np.array([PLANE_AXES[p] for p in program.plane[rows].tolist()])
+    start = np.take_along_axis(start, axes, 1)
     start[:, 2] = program.cycle_heights[:, 0]
-    hole = program.position[rows, :2]
-    return cycles.moves(program.motion[rows], start, hole, program.cycle_heights, program.cycle_peck)
+    hole = np.take_along_axis(program.position[rows], axes[:, :2], 1)
+    code, heights, peck = program.motion[rows], program.cycle_heights, program.cycle_peck
+    flat, rapid = cycles.moves(code, start, hole, heights, peck)
+    points = np.empty_like(flat)
+    np.put_along_axis(points, np.repeat(axes, cycles.move_counts(code, heights, peck), axis=0), flat, 1)
+    return points, rapid
 
 
 def _last(mask: np.ndarray) -> np.ndarray:

@@ -9,7 +9,6 @@ from collections.abc import Iterator
 import numpy as np
 
 from vkworkbench.core.gcode.moves.codes import (
-    ARCS,
     COMPENSATION,
     CYCLES,
     DWELL,
@@ -64,7 +63,6 @@ def unread(words: Words, motion: np.ndarray) -> Iterator[tuple[np.ndarray, Messa
         yield np.flatnonzero(in_cycle & (words.column(letter)[0] > 1)), Message("repeats-not-read", letter=letter)
     if "P" in words.letters:
         p = words.column("P")[0]
-        yield np.flatnonzero(np.isin(motion, ARCS) & (p > 1)), Message("turns-not-read")
         yield np.flatnonzero(in_cycle & (p > 0)), Message("dwell-untimed")
     yield np.flatnonzero(codes == DWELL), Message("dwell-untimed")
     yield np.flatnonzero(np.isin(codes, PROBES)), Message("probing-untimed")

@@ -1,0 +1,127 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The origins of a program's coordinates: shifts (G52, G92) and work offsets (G54 to G59.3, set by G10).
+
+All values are in the coordinates of the toolpath. Its origin is the work offset in force at the first move.
+"""
+
+from __future__ import annotations
+
+from typing import Dict, Tuple
+
+System = Tuple[int, float]  # the G-code of a work offset, in tenths, and its P or H word
+Values = Dict[str, float]  # mm, by axis
+FIRST: System = (540, 0.0)
+# Numbers of work offsets in G10 P. The number 0 is left out: it is the work offset in force for LinuxCNC, and an
+# additional offset for Fanuc.
+NUMBERED: dict[float, System] = dict(
+    zip(map(float, range(1, 10)), [(code, 0.0) for code in (540, 550, 560, 570, 580, 590, 591, 592, 593)])
+)
+
+
+class Origins:
+    """The work offsets and the shift of a program, as far as the program contains them.
+
+    Attributes
+    ----------
+    shift : dict
+        The shift of G52 and G92 along each axis, mm. LinuxCNC has one shift for both codes.
+    system : (int, float)
+        The work offset in force.
+    """
+
+    def __init__(self) -> None:
+        self.shift: Values = {}
+        self.system = FIRST
+        self._suspended: Values = {}
+        self._origins: dict[System, Values] = {}
+        self._machine: dict[System, Values] = {}  # origins in machine coordinates, from G10 L2
+        self._assumed: set[System] = set()  # work offsets whose origin is not in the program
+        self._zero: Values = {}  # origin of the toolpath in machine coordinates
+
+    def of(self, letter: str) -> float:
+        """Return the origin in force along an axis, mm."""
+        return self._origins.get(self.system, {}).get(letter, 0.0) + self.shift.get(letter, 0.0)
+
+    def begin(self) -> None:
+        """Make the work offset in force the origin of the toolpath; call this at the first move."""
+        self._origins[self.system] = dict.fromkeys("XYZ", 0.0)
+        self._zero = dict(self._machine.get(self.system, {}))
+
+    def select(self, system: System) -> bool:
+        """Select a work offset after the first move; return whether the program contains its origin.
+
+        Along the axes whose origin is not in the program, the coordinates stay as they are.
+        """
+        before, self.system = self.system, system
+        origin = self._origins.setdefault(system, {})
+        machine = self._machine.get(system, {})
+        for letter in "XYZ":
+            if letter in origin:
+                continue
+            if letter in machine and letter in self._zero:
+                origin[letter] = machine[letter] - self._zero[letter]
+                continue
+            self._assumed.add(system)
+            origin[letter] = self._origins[before].get(letter, 0.0)
+            if letter in machine:
+                self._zero[letter] = machine[letter] - origin[letter]
+        return system not in self._assumed
+
+    def set_machine(self, system: System, values: Values, *, moved: bool) -> bool:
+        """Set the origin of a work offset in machine coordinates (G10 L2).
+
+        Parameters
+        ----------
+        system : (int, float)
+            The work offset.
+        values : dict
+            The origin along each axis, mm.
+        moved : bool
+            Whether the program has already moved the tool.
+
+        Returns
+        -------
+        bool
+            Whether the coordinates that follow are known.
+        """
+        machine = self._machine.setdefault(system, {})
+        machine.update(values)
+        if not moved:
+            return True
+        origin, known = self._origins.setdefault(system, {}), True
+        for letter, value in values.items():
+            if letter in self._zero:
+                origin[letter] = value - self._zero[letter]
+            elif system == self.system:
+                known = False
+                self._zero[letter] = value - origin.get(letter, 0.0)
+            else:
+                origin.pop(letter, None)
+        return known
+
+    def set_here(self, system: System, place: Values, values: Values) -> None:
+        """Give the tool's place the coordinates `values` in a work offset (G10 L20).
+
+        Parameters
+        ----------
+        system : (int, float)
+            The work offset.
+        place, values : dict
+            The tool's place, and its new coordinates, mm, by axis.
+        """
+        origin = self._origins.setdefault(system, {})
+        for letter, value in values.items():
+            origin[letter] = place[letter] - value - self.shift.get(letter, 0.0)
+
+    def shift_here(self, letter: str, place: float, value: float) -> None:
+        """Give the tool's place the coordinate `value` along an axis (G92), mm."""
+        self.shift[letter] = place - value - (self.of(letter) - self.shift.get(letter, 0.0))
+
+    def end_shift(self, *, keep: bool) -> None:
+        """End the shift of G52 and G92; `keep` it for `resume_shift` (G92.2, not G92.1)."""
+        self._suspended = self.shift if keep else {}
+        self.shift = {}
+
+    def resume_shift(self) -> None:
+        """Restore the shift that G92.2 suspended."""
+        self.shift = dict(self._suspended or self.shift)
