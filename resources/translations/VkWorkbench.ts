@@ -1237,6 +1237,18 @@
         <source>The tool length offset changes before a cut without a Z word. The height of the cut is unknown.</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source> A closed contour finishes the walls.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>climbing at a constant radius</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>only {share:%} of their length nested</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>Strategy</name>

@@ -1237,6 +1237,18 @@
         <source>The tool length offset changes before a cut without a Z word. The height of the cut is unknown.</source>
         <translation>Die Werkzeuglängenkorrektur ändert sich vor einem Schnitt ohne Z-Wort. Die Höhe des Schnitts ist unbekannt.</translation>
     </message>
+    <message>
+        <source> A closed contour finishes the walls.</source>
+        <translation> Eine geschlossene Kontur schlichtet die Wände.</translation>
+    </message>
+    <message>
+        <source>climbing at a constant radius</source>
+        <translation>mit gleichbleibendem Radius aufsteigend</translation>
+    </message>
+    <message>
+        <source>only {share:%} of their length nested</source>
+        <translation>nur {share:%} ihrer Länge ineinander liegend</translation>
+    </message>
 </context>
 <context>
     <name>Strategy</name>

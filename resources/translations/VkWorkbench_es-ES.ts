@@ -1237,6 +1237,18 @@
         <source>The tool length offset changes before a cut without a Z word. The height of the cut is unknown.</source>
         <translation>La compensación de longitud de herramienta cambia antes de un corte sin palabra Z. La altura del corte se desconoce.</translation>
     </message>
+    <message>
+        <source> A closed contour finishes the walls.</source>
+        <translation> Un contorno cerrado acaba las paredes.</translation>
+    </message>
+    <message>
+        <source>climbing at a constant radius</source>
+        <translation>que ascienden con radio constante</translation>
+    </message>
+    <message>
+        <source>only {share:%} of their length nested</source>
+        <translation>solo {share:%} de su longitud anidado</translation>
+    </message>
 </context>
 <context>
     <name>Strategy</name>

@@ -1237,6 +1237,18 @@
         <source>The tool length offset changes before a cut without a Z word. The height of the cut is unknown.</source>
         <translation>La correction de longueur d&apos;outil change avant une coupe sans mot Z. La hauteur de la coupe est inconnue.</translation>
     </message>
+    <message>
+        <source> A closed contour finishes the walls.</source>
+        <translation> Un contour fermé finit les parois.</translation>
+    </message>
+    <message>
+        <source>climbing at a constant radius</source>
+        <translation>montant à rayon constant</translation>
+    </message>
+    <message>
+        <source>only {share:%} of their length nested</source>
+        <translation>seulement {share:%} de leur longueur imbriqués</translation>
+    </message>
 </context>
 <context>
     <name>Strategy</name>

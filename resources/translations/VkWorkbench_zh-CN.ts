@@ -1237,6 +1237,18 @@
         <source>The tool length offset changes before a cut without a Z word. The height of the cut is unknown.</source>
         <translation>刀具长度补偿在没有 Z 字的切削之前改变。该切削的高度未知。</translation>
     </message>
+    <message>
+        <source> A closed contour finishes the walls.</source>
+        <translation>最后用一圈封闭轮廓精加工侧壁。</translation>
+    </message>
+    <message>
+        <source>climbing at a constant radius</source>
+        <translation>以固定半径上升</translation>
+    </message>
+    <message>
+        <source>only {share:%} of their length nested</source>
+        <translation>只有 {share:%} 的长度是嵌套的</translation>
+    </message>
 </context>
 <context>
     <name>Strategy</name>

@@ -3,10 +3,12 @@
 
 from __future__ import annotations
 
+import numpy as np
 import programs
 import pytest
 from drawings import polygon
 
+from toolpaths import synthetic
 from vkworkbench.core import Strategy, linearize, recognize
 from vkworkbench.core.paper import monotonous_areas
 from vkworkbench.core.recognition.patterns.section import Section
@@ -203,3 +205,61 @@ def test_rows_ramped_at_several_depths_in_one_stroke(heights, depths):
         stroke += around if up else around[::-1]
         up = not up
     assert found_in(programs.program([stroke])).depths == depths
+
+
+def thread(first, pitch, lead=True):
+    """Commands of a thread of five turns between two level leads."""
+    commands = [("G0", {"X": 0.0, "Y": 0.0, "Z": 5.0}), ("G0", {"Z": first})]
+    commands += [("G1", {"X": 4.0, "F": 5.0})]
+    commands += [("G3", {"X": 4.0, "Y": 0.0, "Z": first + pitch * (k + 1), "I": -4.0, "J": 0.0}) for k in range(5)]
+    return [*commands, ("G1", {"X": 0.0}), ("G0", {"Z": 5.0})]
+
+
+@pytest.mark.parametrize("first, pitch, seen", [(0.0, -1.25, "descending"), (-10.0, 1.25, "climbing")])
+def test_thread_has_a_sense_and_its_leads_are_no_depths(first, pitch, seen):
+    found = recognize(linearize(thread(first, pitch)), tool_diameter=6.0)
+    assert (found.strategy, found.depths) == ("helix", 0)
+    assert f"over 5 loops, {seen} at a constant radius" in found.reason
+
+
+def loops(*boxes):
+    """Commands of rectangles (x, y, width, height), each after a plunge."""
+    commands = [("G0", {"X": 0.0, "Y": 0.0, "Z": 5.0})]
+    for x, y, w, h in boxes:
+        commands += [("G0", {"Z": 5.0}), ("G0", {"X": x, "Y": y}), ("G1", {"Z": -1.0, "F": 5.0})]
+        commands += [("G1", {"X": a, "Y": b}) for a, b in ((x + w, y), (x + w, y + h), (x, y + h), (x, y))]
+    return commands
+
+
+def test_share_of_nested_loops_is_told():
+    """Two loops are nested; three others lie apart and are longer."""
+    found = recognize(
+        linearize(loops((0, 0, 40, 40), (3, 3, 34, 34), *((100 * k, 0, 60, 50) for k in (1, 2, 3)))), tool_diameter=6.0
+    )
+    assert found.strategy == "profile"
+    assert found.why.arguments["seen"].code == "partly-nested"
+    apart = recognize(linearize(loops((0, 0, 40, 40), (100, 0, 60, 50))), tool_diameter=6.0)
+    assert apart.why.arguments["seen"].code == "not-nested"
+
+
+def test_tool_that_never_goes_down_has_no_entry():
+    level = [(name, {key: value for key, value in p.items() if key != "Z"}) for name, p in loops((0, 0, 40, 40))]
+    assert recognize(linearize(level)).entry is None
+    assert recognize(linearize(loops((0, 0, 40, 40)))).entry == "plunge"
+
+
+def test_contour_after_adaptive_clearing_is_its_finishing_pass():
+    """The contour goes around the cleared area, at its depth; a small loop in its middle finishes nothing."""
+    commands = synthetic.adaptive(np.random.default_rng(2))
+    low, high = (side(linearize(commands).points, axis=0) for side in (np.min, np.max))
+
+    def ending_with(width, height):
+        x, y = (low[:2] + high[:2] - (width, height)) / 2
+        loop = [("G0", {"Z": 5.0}), ("G0", {"X": x, "Y": y}), ("G1", {"Z": low[2]})]
+        loop += [("G1", {"X": x + a, "Y": y + b}) for a, b in ((width, 0), (width, height), (0, height), (0, 0))]
+        return recognize(linearize(commands + loop), tool_diameter=TOOL)
+
+    around, small = ending_with(*(high - low)[:2]), ending_with(*(high - low)[:2] / 3)
+    assert around.strategy == small.strategy == "adaptive"
+    assert around.finishing and "A closed contour finishes the walls." in around.reason
+    assert not small.finishing

@@ -85,6 +85,7 @@ RECOGNITION: dict[str, str | tuple[str, str]] = {
     "entered-by-zigzag-ramp": QT_TRANSLATE_NOOP("Sentences", " The tool enters on a ramp that goes back and forth."),
     "entered-by-helix": QT_TRANSLATE_NOOP("Sentences", " The tool enters on a helix."),
     "finished-by-contour": QT_TRANSLATE_NOOP("Sentences", " A contour around the rows finishes the area."),
+    "finished-by-loop": QT_TRANSLATE_NOOP("Sentences", " A closed contour finishes the walls."),
     "like-a-lathe": QT_TRANSLATE_NOOP(
         "Sentences",
         "All moves are in X and Z, with passes along Z at many X, as on a lathe: {strategy:strategy}.",
@@ -95,6 +96,7 @@ RECOGNITION: dict[str, str | tuple[str, str]] = {
         "Sentences", "rows ({rows:%} of the length) and loops ({loops:%}) fill the same area"
     ),
     "constant-radius": QT_TRANSLATE_NOOP("Sentences", "descending at a constant radius"),
+    "constant-radius-up": QT_TRANSLATE_NOOP("Sentences", "climbing at a constant radius"),
     "sense-alternates": QT_TRANSLATE_NOOP("Sentences", "the direction of nested loops alternates"),
     "even-in-plane": QT_TRANSLATE_NOOP("Sentences", "evenly spaced in the plane, not in depth"),
     "shape-changes": QT_TRANSLATE_NOOP("Sentences", "with a shape that changes with the depth"),
@@ -104,6 +106,7 @@ RECOGNITION: dict[str, str | tuple[str, str]] = {
     "endless-winding": QT_TRANSLATE_NOOP("Sentences", "one winding that never closes"),
     "nested": QT_TRANSLATE_NOOP("Sentences", "nested"),
     "not-nested": QT_TRANSLATE_NOOP("Sentences", "no nested offsets"),
+    "partly-nested": QT_TRANSLATE_NOOP("Sentences", "only {share:%} of their length nested"),
     "in-strokes": QT_TRANSLATE_NOOP("Sentences", "cut in strokes, as between holding tags"),
     "loops-move": QT_TRANSLATE_NOOP("Sentences", "small loops that advance along the path"),
     "pass-inside": QT_TRANSLATE_NOOP("Sentences", "an open pass lies inside a contour"),

@@ -166,6 +166,23 @@ class Section:
         shallow = self.rings.depths <= LETTERS.DEPTHS
         return bool(small and shallow and shapes >= LETTERS.COUNT and shapes > STROKES.DISTINCT * self.rings.distinct)
 
+    def ends_with_contour(self) -> bool:
+        """Return whether the cutting ends with a large closed contour at the depths of most of the length: a finishing pass.
+
+        A contour around the part and a contour inside a pocket are both larger than half of the ground that is cut.
+        """
+        p = self.pieces
+        k = np.flatnonzero(p.flat & (p.length > NEGLIGIBLE.PASS * p.length.max()))
+        if not len(k):
+            return False
+        depth = number_depths(p.z[k])
+        around, last = np.full((int(depth.max()) + 1, 4), np.inf), np.zeros(int(depth.max()) + 1, np.int64)
+        np.minimum.at(around, depth, p.box[k] * _LOW)
+        last[depth] = k  # of several pieces of one depth, numpy keeps the last
+        large = p.box[last, 2:] - p.box[last, :2] > -MAJORITY.SHARE * (around[:, :2] + around[:, 2:])
+        ends = (p.kind[last] == LOOP) & large.all(axis=1) & (np.bincount(depth) > 2)
+        return bool(p.length[k][ends[depth]].sum() > MAJORITY.SHARE * p.length[k].sum())
+
     def bordered(self) -> tuple[float, float]:
         """Return how much rows and rings of one depth belong together.
 

@@ -63,20 +63,22 @@ def gather_evidence(section: Section, verdict: Verdict) -> Evidence:
         sense=sense,
         stepover=stepover,
         passes=passes,
-        depths=count_depths(_heights(section)),
+        depths=count_depths(_heights(section, verdict.strategy)),
         direction=main.axis if main and not around else None,
         closed_loops=int((section.pieces.kind == LOOP).sum()),
         milling=milling,
     )
 
 
-def _heights(section: Section) -> np.ndarray:
-    """Return the heights of pieces that are nearly all level, (k,) mm, ignoring ramps.
+def _heights(section: Section, strategy: Strategy) -> np.ndarray:
+    """Return the heights of pieces that are nearly all level, (k,) mm, ignoring ramps, and the leads of a helix.
 
     A zigzag with ramps to several depths without a lift is one piece with several heights.
     """
     pieces, moves = section.pieces, section.moves
     counts = pieces.length > NEGLIGIBLE.PIECE * pieces.length.max()
+    if strategy is Strategy.HELIX:
+        counts &= section.ring_pieces
     flat: np.ndarray = pieces.z[counts & pieces.flat]
     if pieces.flat.all():
         return flat

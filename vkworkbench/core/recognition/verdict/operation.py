@@ -22,6 +22,7 @@ ENTERED = {
     "zigzag ramp": Message("entered-by-zigzag-ramp"),
     "helix": Message("entered-by-helix"),
 }
+FINISHED = {Family.ROWS: Message("finished-by-contour"), Family.AROUND: Message("finished-by-loop")}
 
 
 def recognize_one(toolpath: Toolpath, moves: Areas, first: int, last: int, tool: float) -> Recognition:
@@ -45,18 +46,18 @@ def recognize_one(toolpath: Toolpath, moves: Areas, first: int, last: int, tool:
     spans = spans_of(toolpath, runs)
     strategy = verdict.strategy
     entered = strategy.is_answer and strategy not in (Strategy.MIXED, Strategy.HELIX)
-    entry = find_entry(moves) if entered else None
+    entry = find_entry(moves) if entered and (np.diff(toolpath.points[: last + 2, 2]) < 0).any() else None
     finishing = verdict.finished and strategy.family is Family.ROWS
+    finishing |= strategy is Strategy.ADAPTIVE and section.ends_with_contour()
     numbers = {**vars(evidence), "entry": entry, "finishing": finishing}
-    why = _with_layers(why, entry, finishing)
+    why = _with_layers(why, entry, FINISHED[strategy.family] if finishing else None)
     return Recognition(strategy, confidence, why, spans, **numbers, paper=paper)
 
 
-def _with_layers(why: Message, entry: str | None, finishing: bool) -> Message:
+def _with_layers(why: Message, entry: str | None, finishing: Message | None) -> Message:
     """Add the entry (unless it is a plunge) and the finishing pass to a reason."""
     way = ENTERED.get(entry or "")
-    around = Message("finished-by-contour") if finishing else None
-    return Message("with-layers", told=why, entry=way, finishing=around) if way or around else why
+    return Message("with-layers", told=why, entry=way, finishing=finishing) if way or finishing else why
 
 
 def _runs(section: Section, verdict: Verdict, first: int, last: int) -> list[tuple[int, int, Strategy]]:

@@ -71,7 +71,7 @@ class Recognition:
         Entry to most of the depth before the pattern: "plunge", "ramp", "zigzag ramp" or "helix". None if the descent is the
         operation itself, and for mixed operations.
     finishing : bool
-        Whether a contour around the rows finishes the walls.
+        Whether a contour around the rows, or after adaptive clearing, finishes the walls.
     paper : PaperVerdict or None
         Verdict of the paper's literal rule, with V_k and its Gauss image; None if no move has a direction.
     """

@@ -135,8 +135,15 @@ def _judge_rings(section: Section, rings: float) -> Verdict:
     if section.letters():
         return Verdict(Strategy.ENGRAVING, count, Message("many-shapes"))
     # A loop repeated at other depths is a contour, and so are separate loops.
-    seen = Message("in-strokes") if section.in_strokes > MAJORITY.SHARE else Message("not-nested")
-    return Verdict(Strategy.PROFILE, count, seen)
+    return Verdict(Strategy.PROFILE, count, _seen_of_contours(section, rings))
+
+
+def _seen_of_contours(section: Section, rings: float) -> Message:
+    """Return what shows contours: strokes over tags, hardly any nested loops, or none."""
+    if section.in_strokes > MAJORITY.SHARE:
+        return Message("in-strokes")
+    nested = section.share(section.rings.nested) / rings
+    return Message("partly-nested", share=nested) if nested else Message("not-nested")
 
 
 def _share_of_helix(section: Section) -> float:
@@ -154,7 +161,8 @@ def _judge_helix(section: Section, rings: float) -> Verdict | None:
     # Flat turns that wind outward clear a pocket, however long the helix is that enters it.
     clears = found.nested & found.winding & ~found.sloped & ~found.stacked
     if (clears[1:] & clears[:-1]).sum() < 2:
-        return Verdict(Strategy.HELIX, count, Message("constant-radius"))
+        climbs = section.pieces.drop[found.index].sum() > 0
+        return Verdict(Strategy.HELIX, count, Message("constant-radius-up") if climbs else Message("constant-radius"))
     if _is_even_spiral(section, rings):
         return Verdict(Strategy.SPIRAL, count, Message("endless-winding"))
     return Verdict(Strategy.ADAPTIVE, count, ENTERED)
