@@ -119,7 +119,7 @@ def stub(document, folder):
     part.Shape, part.Plane, part.Cylinder = (type(name, (), {}) for name in ("Shape", "Plane", "Cylinder"))
     part.makeBox = MagicMock()
     sys.modules.update(FreeCAD=freecad, Part=part)
-    sys.modules.update(dict.fromkeys(("MeshPart", "Path", "PathSimulator"), MagicMock()))
+    sys.modules.update(dict.fromkeys(("Mesh", "MeshPart", "Path", "PathSimulator"), MagicMock()))
 
 
 def a_job(document):

@@ -1249,6 +1249,10 @@
         <source>only {share:%} of their length nested</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>The stock is where the other job leaves it, because the jobs have different models.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>Strategy</name>

@@ -1249,6 +1249,10 @@
         <source>only {share:%} of their length nested</source>
         <translation>nur {share:%} ihrer Länge ineinander liegend</translation>
     </message>
+    <message>
+        <source>The stock is where the other job leaves it, because the jobs have different models.</source>
+        <translation>Das Rohteil liegt dort, wo der andere Auftrag es zurücklässt, weil die Aufträge verschiedene Modelle haben.</translation>
+    </message>
 </context>
 <context>
     <name>Strategy</name>

@@ -1249,6 +1249,10 @@
         <source>only {share:%} of their length nested</source>
         <translation>solo {share:%} de su longitud anidado</translation>
     </message>
+    <message>
+        <source>The stock is where the other job leaves it, because the jobs have different models.</source>
+        <translation>El material bruto está donde lo deja el otro trabajo, porque los trabajos tienen modelos diferentes.</translation>
+    </message>
 </context>
 <context>
     <name>Strategy</name>

@@ -1249,6 +1249,10 @@
         <source>only {share:%} of their length nested</source>
         <translation>seulement {share:%} de leur longueur imbriqués</translation>
     </message>
+    <message>
+        <source>The stock is where the other job leaves it, because the jobs have different models.</source>
+        <translation>Le brut reste où l&apos;autre travail le laisse, car les travaux ont des modèles différents.</translation>
+    </message>
 </context>
 <context>
     <name>Strategy</name>

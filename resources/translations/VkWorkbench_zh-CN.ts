@@ -1249,6 +1249,10 @@
         <source>only {share:%} of their length nested</source>
         <translation>只有 {share:%} 的长度是嵌套的</translation>
     </message>
+    <message>
+        <source>The stock is where the other job leaves it, because the jobs have different models.</source>
+        <translation>毛坯位于另一个作业留下的位置，因为两个作业的模型不同。</translation>
+    </message>
 </context>
 <context>
     <name>Strategy</name>

@@ -65,10 +65,11 @@ OUTSIDE = {
     "worker": {"numpy"},
     "given": {"numpy"},
     "report.simulation_facts": {"numpy"},
+    "report.simulated_part": {"numpy"},
     "freecad": {"FreeCAD"},
     "preferences": {"FreeCAD"},
     "program": {"numpy", "distributed"},
-    "document": {"numpy", "FreeCAD", "MeshPart", "Part", "Path", "PathSimulator"},
+    "document": {"numpy", "FreeCAD", "Mesh", "MeshPart", "Part", "Path", "PathSimulator"},
     "gui": {"numpy", "FreeCAD", "FreeCADGui", "pivy"},
     "gui.qt.names": {"PySide"},
 }

@@ -2,7 +2,8 @@
 """Results as plain data, which can be printed as a table and saved as CSV or JSON.
 
 In: the `Recognition`, costs, cautions and remarks (Messages) of each operation; the facts of a simulation.
-Out: `Report`, with an `OperationReport` for each operation and a `Total` for each job; `SimulationFacts`.
+Out: `Report`, with an `OperationReport` for each operation and a `Total` for each job; `SimulationFacts`;
+`SimulatedPart`, the pictures and the solid of a simulated part.
 """
 
 from vkworkbench.report.operation import (
@@ -15,12 +16,13 @@ from vkworkbench.report.operation import (
     without_results,
 )
 from vkworkbench.report.report import Cancelled, Report
+from vkworkbench.report.simulated_part import SimulatedPart
 from vkworkbench.report.simulation_facts import SimulationFacts
 from vkworkbench.report.spreadsheet import as_cell
 from vkworkbench.report.text_table import how_many, printable
 from vkworkbench.report.total import Total, has_unknown_cost, total_of
 
 __all__ = [
-    "HANGS", "SERIOUS", "Cancelled", "OperationReport", "Report", "SimulationFacts", "Total", "as_cell", "cells_of",
+    "HANGS", "SERIOUS", "Cancelled", "OperationReport", "Report", "SimulatedPart", "SimulationFacts", "Total", "as_cell", "cells_of",
     "contradiction", "has_unknown_cost", "how_many", "is_switched_off", "printable", "total_of", "without_results",
 ]  # fmt: skip

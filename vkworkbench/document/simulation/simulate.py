@@ -3,32 +3,35 @@
 
 from __future__ import annotations
 
-import os
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass, replace
-from pathlib import Path
 
+import FreeCAD
+import Mesh
 import numpy as np
 
-from vkworkbench import preferences
+from vkworkbench import core, preferences
 from vkworkbench.core import Solid, View, ZBuffer, simulate_job
-from vkworkbench.core.rendering import CUT, colors_of, palette, png, shade
 from vkworkbench.core.zbuffer import TOLERANCE, OverBudget, trajectory_table
 from vkworkbench.document.simulation.along_axis import OnceAlongAxis
 from vkworkbench.document.simulation.copy import read_job
 from vkworkbench.document.simulation.job import SimulatedJob, SimulatedOperation
-from vkworkbench.given import check_file_name, of_kind
+from vkworkbench.document.simulation.solid import add_mesh, mesh_of, stock_after
+from vkworkbench.given import of_kind
 from vkworkbench.language import Message
-from vkworkbench.report import SimulationFacts, how_many
+from vkworkbench.report import SimulatedPart, SimulationFacts, how_many
 
 # Minimum size of an image, as a share of the requested size. A smaller image shows too little.
 MIN_SIZE = 1 / 3
+# Share by which an image may be smaller than the stock because of rounding.
+_ROUNDING = 1e-9
 
 
 def simulate(
     what=None,
     *,
     view: View | str | None = None,
+    stock: Simulation | Solid | None = None,
     clamps: Iterable | None = None,
     memory_budget: float | None = None,
     going_on: Callable[[float], None] = lambda _: None,
@@ -42,6 +45,9 @@ def simulate(
     view : View or str, optional
         The image, or the name of a direction, e.g. ``"Isometric"``. None stands for the direction in the preferences. Without a
         View, the image is made coarser if it would need too much memory, and a remark of the job says so.
+    stock : Simulation or Solid, optional
+        Stock instead of the job's stock: a solid, or what another simulation leaves at its moment. If both jobs have the same model
+        and the second places it elsewhere, as for the other side of a part, the stock is moved with the model.
     clamps : iterable of DocumentObject, optional
         Objects that no tool may touch, such as clamps and vices. None stands for the clamps of the job, see `set_clamps`.
     memory_budget : float, optional
@@ -70,6 +76,7 @@ def simulate(
     job, chosen = read_job(what, clamps), preferences.read()
     budget = chosen.memory_budget_bytes if memory_budget is None else memory_budget
     of_kind("view", view, (View, str, type(None)), "a View or the name of a direction")
+    job = _with_stock(job, stock)
     if isinstance(view, View):
         return simulate_read(job, view, budget, going_on)
     wanted = chosen.view
@@ -84,6 +91,21 @@ def simulate(
         except OverBudget as refused:
             image = coarser(wanted, refused)
             remarks = (*job.remarks, _coarser_image(image, job.stock))
+
+
+def _with_stock(job: SimulatedJob, stock: Simulation | Solid | None) -> SimulatedJob:
+    if stock is None:
+        return job
+    of_kind(
+        "stock",
+        stock,
+        (Simulation, core.Stock, core.Cylinder, core.Mesh),
+        "a simulation, or a solid such as a Stock(lower, upper)",
+    )
+    if not isinstance(stock, Simulation):
+        return replace(job, stock=stock)
+    left, remark = stock_after(stock.triangles(), stock.job.model_shapes, job)
+    return replace(job, stock=left, remarks=(*job.remarks, *([remark] if remark else [])))
 
 
 def _coarser_image(image: View, stock: Solid) -> Message:
@@ -113,7 +135,7 @@ def simulate_read(
 
 
 @dataclass(frozen=True, eq=False)
-class Simulation:
+class Simulation(SimulatedPart):
     """A simulated job at one moment.
 
     Attributes
@@ -132,50 +154,13 @@ class Simulation:
     def __repr__(self) -> str:
         return f"<Simulation of {how_many(len(self.job.operations), 'operation')}, {self.step} of {self.trajectories} trajectories>"
 
-    @property
-    def step(self) -> int:
-        """Number of trajectories that have been simulated at this moment."""
-        return self.zbuffer.step
+    def mesh(self) -> Mesh.Mesh:
+        """Return the part at this moment as a closed mesh of FreeCAD; see `triangles`."""
+        return mesh_of(self.triangles())
 
-    @property
-    def trajectories(self) -> int:
-        """Number of all trajectories."""
-        return self.zbuffer.trajectories
-
-    def at(self, step: int) -> Simulation:
-        """Return the simulation at another moment, after `step` trajectories.
-
-        Raises
-        ------
-        ValueError
-            If `step` is negative or larger than the number of trajectories.
-        TypeError
-            If `step` is not an integer.
-        """
-        return replace(self, zbuffer=self.zbuffer.at(step))
-
-    def image(self) -> np.ndarray:
-        """Return the shaded image of the part, (height, width, 3) uint8, row 0 at the top."""
-        frame, picture = self.zbuffer.frame, self.zbuffer.picture
-        size = frame.height, frame.width
-        return shade(picture.depth.reshape(size), frame.pixel, colors_of(picture.owner.reshape(size), palette(CUT)))
-
-    def save_png(self, path: str | os.PathLike[str]) -> None:
-        """Write the picture to a PNG file.
-
-        Raises
-        ------
-        ValueError
-            If the file's name does not end with ``.png``.
-        TypeError
-            If `path` is not a file name.
-        OSError
-            If the file cannot be written.
-        """
-        check_file_name(path)
-        if Path(path).suffix.lower() != ".png":
-            raise ValueError(f"the picture is a PNG file, so its name must end with .png, unlike {str(path)!r}")
-        Path(path).write_bytes(png(self.image()))
+    def add_mesh(self) -> FreeCAD.DocumentObject:
+        """Add the part at this moment to its document as a mesh, in one undo step, and return the new object."""
+        return add_mesh(self.job.operations[0].document, self.mesh())
 
     def facts(self, *, tolerance: float = TOLERANCE) -> SimulationFacts:
         """Return what each operation and the job remove, and where they cut air, crash, plunge too fast, gouge or leave material.
@@ -215,3 +200,12 @@ class Simulation:
         """
         source = self.zbuffer.cuts.source(trajectory)
         return self.job.operations[source.cut], source.command
+
+    def _of_solid(self) -> ZBuffer:
+        """Return the z-buffer if it is seen along the tool axis and contains the whole stock, else the one of the facts."""
+        frame, stock = self.zbuffer.frame, self.job.stock
+        beside = np.abs((stock.lower + stock.upper)[:2] / 2 - frame.centre[:2]) + (stock.upper - stock.lower)[:2] / 2
+        shown = (beside <= np.array([frame.width, frame.height]) / 2 * frame.pixel * (1 + _ROUNDING)).all()
+        if shown and not frame.direction[:2].any():
+            return self.zbuffer
+        return self.along_axis().zbuffer.at(self.step)

@@ -47,6 +47,9 @@ SIMULATION: dict[str, str | tuple[str, str]] = {
         QT_TRANSLATE_NOOP("Sentences", "{count:n} clamps were checked."),
     ),
     "no-clamps": QT_TRANSLATE_NOOP("Sentences", "No clamps are given."),
+    "stock-not-moved": QT_TRANSLATE_NOOP(
+        "Sentences", "The stock is where the other job leaves it, because the jobs have different models."
+    ),
     "leaves-material": QT_TRANSLATE_NOOP("Sentences", "{depth:mm2} of stock is left on the model."),
     "picture-in-time": QT_TRANSLATE_NOOP(
         "Sentences", "A finer picture would take longer than the {allowed:s} limit in the preferences."

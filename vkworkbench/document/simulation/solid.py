@@ -1,0 +1,68 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The simulated part as a mesh of FreeCAD, and as the stock of the next job."""
+
+from __future__ import annotations
+
+import tempfile
+from pathlib import Path
+
+import FreeCAD
+import Mesh
+import numpy as np
+
+from vkworkbench import core
+from vkworkbench.core.zbuffer import write_stl
+from vkworkbench.document.job.solids import are_equal
+from vkworkbench.document.simulation.job import SimulatedJob
+from vkworkbench.language import Message
+
+
+def mesh_of(triangles: np.ndarray) -> Mesh.Mesh:
+    """Return triangles (t, 3, 3), mm, as a mesh of FreeCAD."""
+    if not len(triangles):
+        return Mesh.Mesh()
+    with tempfile.TemporaryDirectory() as folder:
+        path = Path(folder) / "part.stl"  # FreeCAD reads a file many times faster than a list
+        write_stl(path, triangles)
+        return Mesh.Mesh(str(path))
+
+
+def add_mesh(name: str, mesh: Mesh.Mesh) -> FreeCAD.DocumentObject:
+    """Add a mesh to the document with an internal name, in one undo step, and return the new object."""
+    document = FreeCAD.getDocument(name)
+    document.openTransaction("Add what is left")
+    try:
+        added = document.addObject("Mesh::Feature", "WhatIsLeft")
+        added.Mesh = mesh
+    except BaseException:
+        document.abortTransaction()
+        raise
+    document.commitTransaction()
+    return added
+
+
+def stock_after(triangles: np.ndarray, before: tuple, job: SimulatedJob) -> tuple[core.Mesh, Message | None]:
+    """Return what one job leaves as the stock of another job, and a remark if it is not moved with the model.
+
+    If both jobs have one model and the second only places it elsewhere, as for the other side of a part, the stock is moved in
+    the same way.
+
+    Parameters
+    ----------
+    triangles : (t, 3, 3) ndarray
+        Surface of what the first job leaves, mm.
+    before : tuple of Shape
+        Shapes of the first job's model.
+    job : SimulatedJob
+        The second job.
+    """
+    after = job.model_shapes
+    if len(before) != 1 or len(after) != 1:
+        return core.Mesh(triangles), Message("stock-not-moved")
+    move = after[0].Placement.multiply(before[0].Placement.inverse())
+    moved = before[0].copy()
+    moved.Placement = move.multiply(moved.Placement)
+    if not are_equal(moved, after[0]):
+        return core.Mesh(triangles), Message("stock-not-moved")
+    matrix = np.array(move.toMatrix().A).reshape(4, 4)
+    return core.Mesh(np.einsum("tki,ji->tkj", triangles, matrix[:3, :3]) + matrix[:3, 3]), None
