@@ -1154,14 +1154,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>1 rapid or fast plunge was not checked for lack of time: command {command:#} of {label}.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>{count:n} rapids and fast plunges were not checked for lack of time, the first is command {command:#} of {label}.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Gouges not checked, because the job has no model with a volume.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -1251,6 +1243,14 @@
     </message>
     <message>
         <source>The stock is where the other job leaves it, because the jobs have different models.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>1 move was not checked for lack of time: command {command:#} of {label}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{count:n} moves were not checked for lack of time, the first is command {command:#} of {label}.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

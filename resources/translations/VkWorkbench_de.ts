@@ -1154,14 +1154,6 @@
         <translation>{count:n}-mal wird zu schnell eingetaucht.</translation>
     </message>
     <message>
-        <source>1 rapid or fast plunge was not checked for lack of time: command {command:#} of {label}.</source>
-        <translation>Für 1 Eilgang oder schnelles Eintauchen reichte die Zeit nicht: Befehl {command:#} von {label}.</translation>
-    </message>
-    <message>
-        <source>{count:n} rapids and fast plunges were not checked for lack of time, the first is command {command:#} of {label}.</source>
-        <translation>Für {count:n} Eilgänge und schnelles Eintauchen reichte die Zeit nicht, zuerst Befehl {command:#} von {label}.</translation>
-    </message>
-    <message>
         <source>Gouges not checked, because the job has no model with a volume.</source>
         <translation>Schnitte ins Modell nicht geprüft, weil der Auftrag kein Modell mit Volumen hat.</translation>
     </message>
@@ -1252,6 +1244,14 @@
     <message>
         <source>The stock is where the other job leaves it, because the jobs have different models.</source>
         <translation>Das Rohteil liegt dort, wo der andere Auftrag es zurücklässt, weil die Aufträge verschiedene Modelle haben.</translation>
+    </message>
+    <message>
+        <source>1 move was not checked for lack of time: command {command:#} of {label}.</source>
+        <translation>Für 1 Bewegung reichte die Zeit nicht: Befehl {command:#} von {label}.</translation>
+    </message>
+    <message>
+        <source>{count:n} moves were not checked for lack of time, the first is command {command:#} of {label}.</source>
+        <translation>Für {count:n} Bewegungen reichte die Zeit nicht, zuerst Befehl {command:#} von {label}.</translation>
     </message>
 </context>
 <context>

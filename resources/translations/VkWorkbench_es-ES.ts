@@ -1154,14 +1154,6 @@
         <translation>{count:n} entradas son demasiado rápidas.</translation>
     </message>
     <message>
-        <source>1 rapid or fast plunge was not checked for lack of time: command {command:#} of {label}.</source>
-        <translation>Por falta de tiempo no se ha comprobado 1 movimiento rápido o entrada: comando {command:#} de {label}.</translation>
-    </message>
-    <message>
-        <source>{count:n} rapids and fast plunges were not checked for lack of time, the first is command {command:#} of {label}.</source>
-        <translation>Por falta de tiempo no se han comprobado {count:n} movimientos rápidos y entradas; el primero es el comando {command:#} de {label}.</translation>
-    </message>
-    <message>
         <source>Gouges not checked, because the job has no model with a volume.</source>
         <translation>No se han comprobado cortes en el modelo, porque el trabajo no tiene un modelo con volumen.</translation>
     </message>
@@ -1252,6 +1244,14 @@
     <message>
         <source>The stock is where the other job leaves it, because the jobs have different models.</source>
         <translation>El material bruto está donde lo deja el otro trabajo, porque los trabajos tienen modelos diferentes.</translation>
+    </message>
+    <message>
+        <source>1 move was not checked for lack of time: command {command:#} of {label}.</source>
+        <translation>Por falta de tiempo no se ha comprobado 1 movimiento: comando {command:#} de {label}.</translation>
+    </message>
+    <message>
+        <source>{count:n} moves were not checked for lack of time, the first is command {command:#} of {label}.</source>
+        <translation>Por falta de tiempo no se han comprobado {count:n} movimientos; el primero es el comando {command:#} de {label}.</translation>
     </message>
 </context>
 <context>

@@ -1154,14 +1154,6 @@
         <translation>{count:n} plongées sont trop rapides.</translation>
     </message>
     <message>
-        <source>1 rapid or fast plunge was not checked for lack of time: command {command:#} of {label}.</source>
-        <translation>Faute de temps, 1 déplacement rapide ou plongée n&apos;a pas été vérifié : commande {command:#} de {label}.</translation>
-    </message>
-    <message>
-        <source>{count:n} rapids and fast plunges were not checked for lack of time, the first is command {command:#} of {label}.</source>
-        <translation>Faute de temps, {count:n} déplacements rapides et plongées n&apos;ont pas été vérifiés, le premier est la commande {command:#} de {label}.</translation>
-    </message>
-    <message>
         <source>Gouges not checked, because the job has no model with a volume.</source>
         <translation>Coupes dans le modèle non vérifiées, car la tâche n&apos;a pas de modèle avec un volume.</translation>
     </message>
@@ -1252,6 +1244,14 @@
     <message>
         <source>The stock is where the other job leaves it, because the jobs have different models.</source>
         <translation>Le brut reste où l&apos;autre travail le laisse, car les travaux ont des modèles différents.</translation>
+    </message>
+    <message>
+        <source>1 move was not checked for lack of time: command {command:#} of {label}.</source>
+        <translation>Faute de temps, 1 déplacement n&apos;a pas été vérifié : commande {command:#} de {label}.</translation>
+    </message>
+    <message>
+        <source>{count:n} moves were not checked for lack of time, the first is command {command:#} of {label}.</source>
+        <translation>Faute de temps, {count:n} déplacements n&apos;ont pas été vérifiés, le premier est la commande {command:#} de {label}.</translation>
     </message>
 </context>
 <context>

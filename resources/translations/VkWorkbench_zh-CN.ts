@@ -1154,14 +1154,6 @@
         <translation>{count:n} 次下刀过快。</translation>
     </message>
     <message>
-        <source>1 rapid or fast plunge was not checked for lack of time: command {command:#} of {label}.</source>
-        <translation>时间不足，1 个快速移动或快速下刀未检查：{label} 的第 {command:#} 条命令。</translation>
-    </message>
-    <message>
-        <source>{count:n} rapids and fast plunges were not checked for lack of time, the first is command {command:#} of {label}.</source>
-        <translation>时间不足，{count:n} 个快速移动和快速下刀未检查，第一个是 {label} 的第 {command:#} 条命令。</translation>
-    </message>
-    <message>
         <source>Gouges not checked, because the job has no model with a volume.</source>
         <translation>未检查过切，因为任务没有实体模型。</translation>
     </message>
@@ -1252,6 +1244,14 @@
     <message>
         <source>The stock is where the other job leaves it, because the jobs have different models.</source>
         <translation>毛坯位于另一个作业留下的位置，因为两个作业的模型不同。</translation>
+    </message>
+    <message>
+        <source>1 move was not checked for lack of time: command {command:#} of {label}.</source>
+        <translation>时间不足，1 个移动未检查：{label} 的第 {command:#} 条命令。</translation>
+    </message>
+    <message>
+        <source>{count:n} moves were not checked for lack of time, the first is command {command:#} of {label}.</source>
+        <translation>时间不足，{count:n} 个移动未检查，第一个是 {label} 的第 {command:#} 条命令。</translation>
     </message>
 </context>
 <context>

@@ -72,7 +72,7 @@ def test_verdict_stands_below_table_and_in_file(tmp_path):
     unchecked = (Source(1, 4, 4), Source(1, 9, 9))
     found = replace(FOUND, verdict=Verdict(pixel=0.125, met=True, crashes=2, unchecked=unchecked))
     text = (
-        "2 rapids cut into material. Checked to 0.12 mm. 2 rapids and fast plunges were not checked for lack of time, the first is "
+        "2 rapids cut into material. Checked to 0.12 mm. 2 moves were not checked for lack of time, the first is "
         "command 5 of =Pocket. Shank, holder and clamps not checked."
     )
     assert str(found).splitlines()[-1] == text

@@ -73,7 +73,7 @@ def test_collisions_of_shanks_are_faults():
 def test_everything_without_a_check_is_named():
     partly = replace(SOUND, compared=False, unjudged=(1,), unchecked=(Source(1, 7, 6),))
     assert text(partly) == (
-        "No collision or fast plunge, checked to 0.12 mm. 1 rapid or fast plunge was not checked for lack of time: command 7 of Engrave. "
+        "No collision or fast plunge, checked to 0.12 mm. 1 move was not checked for lack of time: command 7 of Engrave. "
         "Gouges not checked, because the job has no model with a volume. "
         "Gouges of Engrave not checked, because the tool is simulated by a simpler shape. Shank, holder and clamps not checked."
     )

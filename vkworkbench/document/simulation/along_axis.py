@@ -21,6 +21,7 @@ from vkworkbench.core.zbuffer import (
     facts,
     holder_collisions,
     measure_volumes,
+    thin_gouges,
 )
 from vkworkbench.document.computer.calibration import known_speed
 from vkworkbench.document.simulation.job import SimulatedJob
@@ -49,11 +50,16 @@ class AlongAxis:
 
     def facts(self, tolerance: float) -> JobFacts:
         """Return the facts on the operations and the job, and the verdict; see `core.zbuffer.facts`."""
+        thin, model = None, self.job.model
+        if model is not None:
+            pixel, seconds = self.zbuffer.frame.pixel, preferences.read().time_budget
+            thin = thin_gouges(self.job.cuts, self.job.stock, model, pixel=pixel, tolerance=tolerance, seconds=seconds)
         return facts(
             self.zbuffer,
             self.checked,
             self.measured,
-            model=self.job.model,
+            thin,
+            model=model,
             tolerance=tolerance,
             collisions=self.collisions,
         )

@@ -75,12 +75,10 @@ SIMULATION: dict[str, str | tuple[str, str]] = {
         QT_TRANSLATE_NOOP("Sentences", "{count:n} plunges are too fast."),
     ),
     "verdict-unchecked": (
-        QT_TRANSLATE_NOOP(
-            "Sentences", "1 rapid or fast plunge was not checked for lack of time: command {command:#} of {label}."
-        ),
+        QT_TRANSLATE_NOOP("Sentences", "1 move was not checked for lack of time: command {command:#} of {label}."),
         QT_TRANSLATE_NOOP(
             "Sentences",
-            "{count:n} rapids and fast plunges were not checked for lack of time, the first is command {command:#} of {label}.",
+            "{count:n} moves were not checked for lack of time, the first is command {command:#} of {label}.",
         ),
     ),
     "verdict-no-model": QT_TRANSLATE_NOOP(

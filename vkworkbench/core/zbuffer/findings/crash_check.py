@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 import time
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 
 import numpy as np
@@ -19,20 +19,15 @@ from vkworkbench.core.zbuffer.findings.faults import (
     too_fast,
     touching,
 )
-from vkworkbench.core.zbuffer.findings.fine_rays import FineRays, half_widths
+from vkworkbench.core.zbuffer.findings.fine_rays import RAYS_ACROSS, FineRays, half_widths, parts_of
 from vkworkbench.core.zbuffer.findings.removed_pieces import joined
 from vkworkbench.core.zbuffer.sweeps.cuts import Cut, Cuts, Source
 
-# Number of rays across the part of a tool that is below the top of the stock.
-_RAYS_ACROSS = 8
 # Distance between rays, mm: rapids that remove nothing on the first rays are checked again on rays this close. A larger
 # distance misses rapids that shave a wall. A smaller distance takes longer.
 _CLOSE = 2.0**-5
 # Smallest distance between rays, mm, for pointed tools that are hardly below the top.
 _CLOSEST = 2.0**-8
-# Length of the moves that are checked together, in tools' half widths, and largest number of the moves. Larger parts exceed
-# the time limit by more. Smaller parts take longer together.
-_TOGETHER, _MOVES = 4000.0, 256
 
 
 @dataclass(frozen=True)
@@ -105,7 +100,7 @@ class _Check:
 
     def run(self) -> CrashCheck:
         moves, half_width = self._doubtful()
-        pixel = 2.0 ** np.floor(np.log2(np.maximum(2 * half_width / _RAYS_ACROSS, _CLOSEST)))
+        pixel = 2.0 ** np.floor(np.log2(np.maximum(2 * half_width / RAYS_ACROSS, _CLOSEST)))
         unchecked, largest = [], 0.0
         for size in np.unique(pixel)[::-1].tolist():
             own = np.flatnonzero(pixel == size)
@@ -161,7 +156,7 @@ class _Check:
         if len(moves) == 0:
             return []
         rays = FineRays(self.cuts, self.stock, pixel)
-        for part in _parts(self.cuts.lengths[moves] / half_width):
+        for part in parts_of(self.cuts.lengths[moves] / half_width):
             try:
                 self._continue()
                 find(rays, moves[part], half_width[part])
@@ -198,15 +193,3 @@ class _Check:
             for crash in found:
                 self.crashes.setdefault(crash.trajectory, crash)
             rays.forget(np.array([crash.trajectory for crash in found], np.int64))
-
-
-def _parts(lengths: np.ndarray) -> Iterator[slice]:
-    """Yield parts of the moves that are about equally long together."""
-    first = 0
-    ends = np.cumsum(lengths + 1)
-    while first < len(lengths):
-        before = ends[first - 1] if first else 0.0
-        end = int(np.searchsorted(ends, before + _TOGETHER, side="right"))
-        end = min(max(end, first + 1), first + _MOVES)
-        yield slice(first, end)
-        first = end

@@ -23,6 +23,11 @@ from vkworkbench.core.zbuffer.rays.dexels import THINNEST, beginnings
 from vkworkbench.core.zbuffer.sweeps.cuts import Cuts
 from vkworkbench.core.zbuffer.sweeps.trajectories import Trajectories
 
+# Number of rays across the part of a tool that is below the top of the stock.
+RAYS_ACROSS = 8
+# Length of the moves that are checked together, in tools' half widths, and largest number of the moves. Larger parts exceed
+# the time limit by more. Smaller parts take longer together.
+_TOGETHER, _MOVES = 4000.0, 256
 _BLOCKS = 16  # number of blocks of small tiles whose pieces are joined
 
 
@@ -168,3 +173,15 @@ def half_widths(tool: Tool, height: np.ndarray) -> np.ndarray:
         wide = np.full(len(height), tool.radius)
     result: np.ndarray = np.minimum(wide, tool.radius)
     return result
+
+
+def parts_of(lengths: np.ndarray) -> Iterator[slice]:
+    """Yield parts of the moves that are about equally long together."""
+    first = 0
+    ends = np.cumsum(lengths + 1)
+    while first < len(lengths):
+        before = ends[first - 1] if first else 0.0
+        end = int(np.searchsorted(ends, before + _TOGETHER, side="right"))
+        end = min(max(end, first + 1), first + _MOVES)
+        yield slice(first, end)
+        first = end

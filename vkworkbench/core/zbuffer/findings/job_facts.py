@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any, TypeVar
 
 import numpy as np
@@ -16,6 +16,7 @@ from vkworkbench.core.zbuffer.findings.deviations import TOLERANCE, Deviation, g
 from vkworkbench.core.zbuffer.findings.facts import cuts_air, engagement, removed_volumes
 from vkworkbench.core.zbuffer.findings.faults import Crash, Plunge, crashes, fast_plunges
 from vkworkbench.core.zbuffer.findings.seen_model import deviations
+from vkworkbench.core.zbuffer.findings.thin_gouges import ThinGouges
 from vkworkbench.core.zbuffer.findings.verdict import Verdict
 from vkworkbench.core.zbuffer.findings.volumes import Volumes
 from vkworkbench.core.zbuffer.simulator.moments import ZBuffer
@@ -179,6 +180,7 @@ def facts(
     zbuffer: ZBuffer,
     checked: CrashCheck,
     measured: Volumes | None = None,
+    thin: ThinGouges | None = None,
     *,
     model: Solid | None = None,
     tolerance: float = TOLERANCE,
@@ -194,6 +196,8 @@ def facts(
         The check of the rapids and plunges of the same job.
     measured : Volumes, optional
         Measured volumes of the same job. Without them, the volumes are those in the image.
+    thin : ThinGouges, optional
+        The gouges of the tools that are too thin for the image, at the same tolerance.
     model : Solid, optional
         The finished part. Without a model, gouges and leftover material are empty.
     tolerance : float
@@ -224,6 +228,9 @@ def facts(
     if model is not None:
         found = deviations(zbuffer, model)
         gouged, left = gouges(zbuffer, found, tolerance), material_left(zbuffer, found, tolerance)
+    if thin is not None:
+        checked = replace(checked, unchecked=(*checked.unchecked, *thin.unchecked))
+        gouged = with_thin(gouged, thin)
 
     def facts_of(numbers: range, whole: bool = False) -> CutFacts:
         moves = slice(cuts.first[numbers.start], cuts.first[numbers.stop])
@@ -259,6 +266,12 @@ def facts(
     job = facts_of(range(len(cuts.cuts)), whole=True)
     verdict = verdict_on(zbuffer, job, checked, compared=model is not None, collisions=collisions)
     return JobFacts(tuple(facts_of(range(cut, cut + 1)) for cut in range(len(cuts.cuts))), job, verdict)
+
+
+def with_thin(gouged: Sequence[Deviation], thin: ThinGouges) -> list[Deviation]:
+    """Return all gouges, the deepest first. The gouges of thin tools replace the gouges of their cuts in the image."""
+    shown = [one for one in gouged if one.source is None or one.source.cut not in thin.cuts or thin.unchecked]
+    return sorted([*shown, *thin.found], key=lambda gouge: -gouge.depth)
 
 
 def with_known(known: Sequence[_Fault], found: Sequence[_Fault]) -> list[_Fault]:

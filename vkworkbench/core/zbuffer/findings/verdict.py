@@ -31,7 +31,7 @@ class Verdict:
     deepest_gouge, lacking : float
         Depth of the deepest gouge, and thickness that the stock lacks of the model, mm.
     unchecked : tuple of Source
-        Rapids and plunges for which the time did not suffice.
+        Moves for which the time did not suffice.
     unjudged : tuple of int
         Cuts whose gouges are unknown, because their tools only stand for other shapes.
     collisions : Collisions or None

@@ -1,0 +1,81 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Gouges of tools thinner than a pixel are found, with their commands and depths."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from zbuffer_inputs import ConvexStock, toolpath
+
+from vkworkbench.core import Cut, Stock, Tool, View
+from vkworkbench.core.zbuffer import check_crashes, facts, simulate_job, thin_gouges
+
+PLATE = Stock((0, 0, 0), (600, 400, 20))
+MODEL = Stock((0, 0, 0), (600, 400, 18))  # 2 mm below the top of the plate
+TOOL = Tool("endmill", 0.2)
+
+
+def cut(*points, tool=TOOL, allowed=0.0):
+    return Cut(toolpath(np.array(points, float)), tool, 0.0, allowed)
+
+
+def slot(y, z, end=130.0):
+    return [(100, y, 25), (100, y, z), (end, y, z), (end, y, 25)]
+
+
+def found(*cuts, model=MODEL, pixel=0.5, **given):
+    return [
+        (gouge.source.cut, gouge.source.command, gouge.last.command, round(gouge.depth, 2))
+        for gouge in thin_gouges(cuts, PLATE, model, pixel=pixel, **given).found
+    ]
+
+
+def test_every_slot_too_deep_is_a_gouge_from_first_to_last_command():
+    path = [*slot(50.1, 18.0), *slot(80.1, 17.5), *slot(90.1, 17.95), *slot(110.1, 16.0)]
+    assert found(cut(*path)) == [(0, 4, 5, 0.5), (0, 12, 13, 2.0)]
+    assert found(cut(*path), tolerance=0.01) == [(0, 4, 5, 0.5), (0, 8, 9, 0.05), (0, 12, 13, 2.0)]
+    assert found(cut(*path, allowed=0.5)) == [(0, 12, 13, 2.0)] and found(cut(*path, allowed=np.inf)) == []
+
+
+@pytest.mark.parametrize("aside, depth", [(0.0, None), (0.05, None), (0.3, 0.3)])
+def test_cut_into_a_wall_is_as_deep_as_it_lies_aside(aside, depth):
+    """The tool moves along the wall of a model that ends at Y = 100, 5 mm below its top."""
+    wall = Stock((0, 0, 0), (600, 100, 18))
+    gouges = found(cut(*slot(100.1 - aside, 13.0)), model=wall)
+    assert gouges == ([] if depth is None else [(0, 0, 1, pytest.approx(depth, abs=0.05))])
+
+
+def test_depth_below_a_slope_is_measured_across_it():
+    """A slope of 45 degrees: 1 mm down is 0.71 mm across."""
+    slope = ConvexStock(np.vstack((np.eye(3), -np.eye(3), [1, 0, 1])), np.array([600, 400, 20, 0, 0, 0, 130.0]))
+    ((_, first, last, depth),) = found(cut((115, 50, 25), (115, 50, 14)), model=slope)
+    assert (first, last) == (0, 0) and depth == pytest.approx(1 / np.sqrt(2), rel=0.15)
+
+
+def test_wide_tools_and_moves_above_the_model_are_not_searched():
+    deep, level = slot(50.1, 17.0), slot(50.1, 18.0)
+    assert thin_gouges([cut(*deep, tool=Tool("endmill", 6))], PLATE, MODEL, pixel=0.5).cuts == ()
+    assert thin_gouges([cut(*level)], PLATE, MODEL, pixel=0.5).cuts == (0,)
+    assert found(cut(*level)) == []
+
+
+def test_moves_without_time_are_named_and_image_gouges_stay():
+    cuts = [cut(*slot(50.1, 17.0))]
+    thin = thin_gouges(cuts, PLATE, MODEL, pixel=0.5, seconds=0)
+    assert thin.found == () and [source.command for source in thin.unchecked] == [0, 1, 2]
+    zbuffer = simulate_job(cuts, stock=PLATE, view=View(width=1200, height=800))
+    assert facts(zbuffer, check_crashes(cuts, PLATE), thin=thin, model=MODEL).verdict.unchecked == thin.unchecked
+
+
+def test_gouges_of_thin_tools_replace_those_of_the_image():
+    wide = cut(*slot(200, 17.0), tool=Tool("endmill", 6))
+    cuts = [cut(*slot(50.1, 17.5), *slot(80.1, 17.5)), wide]
+    zbuffer = simulate_job(cuts, stock=PLATE, view=View(width=1200, height=800))
+    thin = thin_gouges(cuts, PLATE, MODEL, pixel=zbuffer.frame.pixel)
+    job = facts(zbuffer, check_crashes(cuts, PLATE), thin=thin, model=MODEL)
+    assert [(one.source.cut, one.source.command) for one in job.job.gouges] == [(1, 0), (0, 0), (0, 4)]
+    assert job.verdict.gouges == 3 and [len(one.gouges) for one in job.cuts] == [2, 1]
+    replaced = facts(zbuffer, check_crashes(cuts, PLATE), thin=replace(thin, found=()), model=MODEL)
+    assert [one.source.cut for one in replaced.job.gouges] == [1]

@@ -1,0 +1,175 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Find the gouges of tools that are thinner than a few pixels of an image, on rays in strips along their moves."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Callable, Iterable
+from dataclasses import dataclass
+
+import numpy as np
+
+from vkworkbench.core.stocks import Solid, spans_in
+from vkworkbench.core.zbuffer.findings.deviations import TOLERANCE, Deviation
+from vkworkbench.core.zbuffer.findings.fine_rays import RAYS_ACROSS, FineRays, half_widths, parts_of
+from vkworkbench.core.zbuffer.findings.removed_pieces import RemovedPieces, joined
+from vkworkbench.core.zbuffer.sweeps.cuts import Cut, Cuts, Source
+
+# Width of a tool, in pixels, from which an image shows all its gouges.
+_SHOWN = 4.0
+# Smallest distance between rays, mm.
+_CLOSEST = 2.0**-8
+# Directions and shares of a radius in which the model's surface is searched around a point.
+_ANGLES = np.arange(24) * np.pi / 12
+_SHARES = (0.34, 0.67, 1.0)
+# Ratio of consecutive radii of the search for the depth of a gouge.
+_WIDER = 1.1
+# Largest number of points of a part of the moves that are compared with the model, and of a gouge whose depth is measured.
+_POINTS, _MEASURED = 20_000, 200
+
+
+@dataclass(frozen=True)
+class ThinGouges:
+    """The gouges of thin tools.
+
+    Attributes
+    ----------
+    found : tuple of Deviation
+        Every gouge, in the order of its first command.
+    cuts : tuple of int
+        The cuts with thin tools. Their gouges in an image are not needed.
+    unchecked : tuple of Source
+        Moves for which the time did not suffice.
+    """
+
+    found: tuple[Deviation, ...] = ()
+    cuts: tuple[int, ...] = ()
+    unchecked: tuple[Source, ...] = ()
+
+
+def thin_gouges(
+    cuts: Iterable[Cut],
+    stock: Solid,
+    model: Solid,
+    *,
+    pixel: float,
+    tolerance: float = TOLERANCE,
+    seconds: float = np.inf,
+    going_on: Callable[[], None] = lambda: None,
+) -> ThinGouges:
+    """Find the gouges of the tools that are thinner than a few pixels.
+
+    Parameters
+    ----------
+    cuts : iterable of Cut
+        The operations in their order.
+    stock, model : Solid
+    pixel : float
+        Side of the pixels of the image that shows the gouges of the other tools, mm.
+    tolerance : float
+        Largest depth that is not a gouge, mm; `Cut.allowed_depth` is added.
+    seconds : float
+        Longest time, s.
+    going_on : callable, optional
+        Called many times a second. An exception from it ends the search.
+
+    Returns
+    -------
+    ThinGouges
+    """
+    numbered, end = Cuts(cuts), time.monotonic() + seconds
+    thin = tuple(
+        number
+        for number, cut in enumerate(numbered.cuts)
+        if cut.tool.diameter < _SHOWN * pixel and np.isfinite(cut.allowed_depth)
+    )
+    found: list[Deviation] = []
+    unchecked: list[Source] = []
+    for number in thin:
+        least = tolerance + numbered.cuts[number].allowed_depth
+        moves, half_width = _deep_moves(numbered, number, model, least)
+        sizes = 2.0 ** np.floor(np.log2(np.maximum(2 * half_width / RAYS_ACROSS, _CLOSEST)))
+        for size in np.unique(sizes).tolist():
+            own = np.flatnonzero(sizes == size)
+            search = _Search(FineRays(numbered, stock, size), model, least, going_on)
+            for part in parts_of(numbered.lengths[moves[own]] / half_width[own]):
+                if time.monotonic() > end:
+                    unchecked += [numbered.source(int(move)) for move in moves[own[part]]]
+                else:
+                    search.add(moves[own[part]], half_width[own[part]])
+            found += search.gouges(numbered)
+    found.sort(key=lambda gouge: gouge.trajectory or 0)
+    return ThinGouges(tuple(found), thin, tuple(unchecked))
+
+
+def _deep_moves(cuts: Cuts, number: int, model: Solid, least: float) -> tuple[np.ndarray, np.ndarray]:
+    """Return the moves of a cut that may be more than `least` below the top of the model, and half the widths of their strips, mm."""
+    own = slice(int(cuts.first[number]), int(cuts.first[number + 1]))
+    start, end = (ends[own] for ends in cuts.ends)
+    tool = cuts.cuts[number].tool
+    low, high = np.minimum(start, end), np.maximum(start, end)
+    depth = model.upper[2] - low[:, 2]
+    deep = (depth > least) & (low[:, :2] < model.upper[:2] + tool.radius).all(axis=1)
+    deep &= (high[:, :2] > model.lower[:2] - tool.radius).all(axis=1)
+    return np.flatnonzero(deep) + own.start, half_widths(tool, depth[deep])
+
+
+class _Search:
+    """Points of a cut that are deeper in the model than allowed."""
+
+    def __init__(self, rays: FineRays, model: Solid, least: float, going_on: Callable[[], None]) -> None:
+        self._rays, self._least, self._going_on = rays, least, going_on
+        self._model = spans_in(model, rays.trajectories.frame)
+        self._found: list[tuple[RemovedPieces, np.ndarray]] = []
+
+    def add(self, moves: np.ndarray, half_width: np.ndarray) -> None:
+        """Search the pieces that moves (k,) remove."""
+        parts = list(self._rays.removed_by(moves, half_width, self._going_on))
+        if not parts:
+            return
+        pieces = joined(parts)
+        spans = self._model(pieces.x, pieces.y)
+        inside = (spans.far > spans.near) & (pieces.near < spans.far) & (pieces.far > spans.near)
+        along = np.minimum(pieces.far, spans.far) - spans.near
+        deep = np.flatnonzero(inside & (along > self._least))
+        deep = deep[:: 1 + len(deep) // _POINTS]
+        deep = deep[self._distances(pieces, deep, along[deep], self._least * np.array(_SHARES)) > self._least]
+        if len(deep):
+            chosen = np.zeros(len(along), bool)
+            chosen[deep] = True
+            self._found.append((pieces.selected(chosen), along[chosen]))
+
+    def gouges(self, cuts: Cuts) -> list[Deviation]:
+        """Return the gouges: flagged points of consecutive trajectories."""
+        if not self._found:
+            return []
+        pieces, along = joined([pieces for pieces, _ in self._found]), np.concatenate([a for _, a in self._found])
+        order = np.argsort(pieces.owner, kind="stable")
+        owner = pieces.owner[order]
+        return [
+            self._gouge(cuts, pieces, group, along) for group in np.split(order, np.flatnonzero(np.diff(owner) > 1) + 1)
+        ]
+
+    def _gouge(self, cuts: Cuts, pieces: RemovedPieces, group: np.ndarray, along: np.ndarray) -> Deviation:
+        some = group[:: 1 + len(group) // _MEASURED]
+        steps = int(np.ceil(np.log(along[some].max() / self._least) / np.log(_WIDER))) + 1
+        depth = self._distances(pieces, some, along[some], self._least * _WIDER ** np.arange(steps))
+        worst = int(depth.argmax())
+        first, last = int(pieces.owner[group].min()), int(pieces.owner[group].max())
+        (place,) = pieces.points(some[[worst]], pieces.far[some[[worst]]]).tolist()
+        area = len(group) * pieces.frame.pixel**2
+        return Deviation(first, cuts.source(first), tuple(place), float(depth[worst]), area, cuts.source(last))
+
+    def _distances(self, pieces: RemovedPieces, some: np.ndarray, along: np.ndarray, radii: np.ndarray) -> np.ndarray:
+        """Return the distances (k,) of the lower ends of pieces from the space before the model's surface, mm.
+
+        The surface is searched on circles with these radii, mm.
+        """
+        least, depth = along.copy(), pieces.far[some]
+        for radius in radii.tolist():
+            for angle in _ANGLES.tolist():
+                x, y = pieces.x[some] + radius * np.cos(angle), pieces.y[some] + radius * np.sin(angle)
+                spans = self._model(x, y)
+                surface = np.where(spans.far > spans.near, spans.near, np.inf)
+                np.minimum(least, np.hypot(radius, np.maximum(depth - surface, 0.0)), out=least)
+        return least
