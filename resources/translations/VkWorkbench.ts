@@ -1253,6 +1253,74 @@
         <source>{count:n} moves were not checked for lack of time, the first is command {command:#} of {label}.</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>The program is read up to this line. {why}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The value of {name} comes from the machine.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The value of {name} is assigned in a line that cannot be read.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A control stops here, because {name} has no value.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A control stops here, because it has no variable {name}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A control stops here, because an expression has no result, such as a division by zero.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The program stops here with an alarm (#3000).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This jump, loop or call cannot be read.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The end of this loop, condition or subprogram is missing.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The program jumps to the block N{number}, which does not exist.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Loops, jumps and calls would run more than {count:n} lines, which is the limit.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Loops, jumps and calls would make more than {count:n} moves, which is the limit.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A loop runs more than {count:n} lines without a move, which is the limit.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The program jumps back from here without end.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The expressions take more than {count:n} steps to calculate, which is the limit.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Calls are nested deeper than {count:n} levels, which is the limit.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A variable is read that the program has not set. It is read as 0, on a Fanuc control as empty.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>Strategy</name>

@@ -1253,6 +1253,74 @@
         <source>{count:n} moves were not checked for lack of time, the first is command {command:#} of {label}.</source>
         <translation>Für {count:n} Bewegungen reichte die Zeit nicht, zuerst Befehl {command:#} von {label}.</translation>
     </message>
+    <message>
+        <source>The program is read up to this line. {why}</source>
+        <translation>Das Programm wird bis zu dieser Zeile gelesen. {why}</translation>
+    </message>
+    <message>
+        <source>The value of {name} comes from the machine.</source>
+        <translation>Der Wert von {name} kommt von der Maschine.</translation>
+    </message>
+    <message>
+        <source>The value of {name} is assigned in a line that cannot be read.</source>
+        <translation>Der Wert von {name} wird in einer Zeile zugewiesen, die nicht lesbar ist.</translation>
+    </message>
+    <message>
+        <source>A control stops here, because {name} has no value.</source>
+        <translation>Eine Steuerung hält hier an, weil {name} keinen Wert hat.</translation>
+    </message>
+    <message>
+        <source>A control stops here, because it has no variable {name}.</source>
+        <translation>Eine Steuerung hält hier an, weil sie keine Variable {name} hat.</translation>
+    </message>
+    <message>
+        <source>A control stops here, because an expression has no result, such as a division by zero.</source>
+        <translation>Eine Steuerung hält hier an, weil ein Ausdruck kein Ergebnis hat, etwa eine Division durch null.</translation>
+    </message>
+    <message>
+        <source>The program stops here with an alarm (#3000).</source>
+        <translation>Das Programm hält hier mit einem Alarm an (#3000).</translation>
+    </message>
+    <message>
+        <source>This jump, loop or call cannot be read.</source>
+        <translation>Dieser Sprung, diese Schleife oder dieser Aufruf ist nicht lesbar.</translation>
+    </message>
+    <message>
+        <source>The end of this loop, condition or subprogram is missing.</source>
+        <translation>Das Ende dieser Schleife, dieser Bedingung oder dieses Unterprogramms fehlt.</translation>
+    </message>
+    <message>
+        <source>The program jumps to the block N{number}, which does not exist.</source>
+        <translation>Das Programm springt zum Satz N{number}, den es nicht gibt.</translation>
+    </message>
+    <message>
+        <source>Loops, jumps and calls would run more than {count:n} lines, which is the limit.</source>
+        <translation>Schleifen, Sprünge und Aufrufe würden mehr als {count:n} Zeilen ausführen; das ist die Grenze.</translation>
+    </message>
+    <message>
+        <source>Loops, jumps and calls would make more than {count:n} moves, which is the limit.</source>
+        <translation>Schleifen, Sprünge und Aufrufe würden mehr als {count:n} Bewegungen ergeben; das ist die Grenze.</translation>
+    </message>
+    <message>
+        <source>A loop runs more than {count:n} lines without a move, which is the limit.</source>
+        <translation>Eine Schleife führt mehr als {count:n} Zeilen ohne Bewegung aus; das ist die Grenze.</translation>
+    </message>
+    <message>
+        <source>The program jumps back from here without end.</source>
+        <translation>Das Programm springt von hier ohne Ende zurück.</translation>
+    </message>
+    <message>
+        <source>The expressions take more than {count:n} steps to calculate, which is the limit.</source>
+        <translation>Die Ausdrücke erfordern mehr als {count:n} Rechenschritte; das ist die Grenze.</translation>
+    </message>
+    <message>
+        <source>Calls are nested deeper than {count:n} levels, which is the limit.</source>
+        <translation>Aufrufe sind tiefer als {count:n} Ebenen verschachtelt; das ist die Grenze.</translation>
+    </message>
+    <message>
+        <source>A variable is read that the program has not set. It is read as 0, on a Fanuc control as empty.</source>
+        <translation>Eine Variable wird gelesen, die das Programm nicht gesetzt hat. Sie gilt als 0, auf einer Fanuc-Steuerung als leer.</translation>
+    </message>
 </context>
 <context>
     <name>Strategy</name>

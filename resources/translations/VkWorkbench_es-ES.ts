@@ -1253,6 +1253,74 @@
         <source>{count:n} moves were not checked for lack of time, the first is command {command:#} of {label}.</source>
         <translation>Por falta de tiempo no se han comprobado {count:n} movimientos; el primero es el comando {command:#} de {label}.</translation>
     </message>
+    <message>
+        <source>The program is read up to this line. {why}</source>
+        <translation>El programa se lee hasta esta línea. {why}</translation>
+    </message>
+    <message>
+        <source>The value of {name} comes from the machine.</source>
+        <translation>El valor de {name} proviene de la máquina.</translation>
+    </message>
+    <message>
+        <source>The value of {name} is assigned in a line that cannot be read.</source>
+        <translation>El valor de {name} se asigna en una línea que no se puede leer.</translation>
+    </message>
+    <message>
+        <source>A control stops here, because {name} has no value.</source>
+        <translation>Un control se detiene aquí, porque {name} no tiene valor.</translation>
+    </message>
+    <message>
+        <source>A control stops here, because it has no variable {name}.</source>
+        <translation>Un control se detiene aquí, porque no tiene la variable {name}.</translation>
+    </message>
+    <message>
+        <source>A control stops here, because an expression has no result, such as a division by zero.</source>
+        <translation>Un control se detiene aquí, porque una expresión no tiene resultado, por ejemplo una división por cero.</translation>
+    </message>
+    <message>
+        <source>The program stops here with an alarm (#3000).</source>
+        <translation>El programa se detiene aquí con una alarma (#3000).</translation>
+    </message>
+    <message>
+        <source>This jump, loop or call cannot be read.</source>
+        <translation>Este salto, bucle o llamada no se puede leer.</translation>
+    </message>
+    <message>
+        <source>The end of this loop, condition or subprogram is missing.</source>
+        <translation>Falta el final de este bucle, condición o subprograma.</translation>
+    </message>
+    <message>
+        <source>The program jumps to the block N{number}, which does not exist.</source>
+        <translation>El programa salta al bloque N{number}, que no existe.</translation>
+    </message>
+    <message>
+        <source>Loops, jumps and calls would run more than {count:n} lines, which is the limit.</source>
+        <translation>Los bucles, saltos y llamadas ejecutarían más de {count:n} líneas, que es el límite.</translation>
+    </message>
+    <message>
+        <source>Loops, jumps and calls would make more than {count:n} moves, which is the limit.</source>
+        <translation>Los bucles, saltos y llamadas producirían más de {count:n} movimientos, que es el límite.</translation>
+    </message>
+    <message>
+        <source>A loop runs more than {count:n} lines without a move, which is the limit.</source>
+        <translation>Un bucle ejecuta más de {count:n} líneas sin movimiento, que es el límite.</translation>
+    </message>
+    <message>
+        <source>The program jumps back from here without end.</source>
+        <translation>El programa salta hacia atrás desde aquí sin fin.</translation>
+    </message>
+    <message>
+        <source>The expressions take more than {count:n} steps to calculate, which is the limit.</source>
+        <translation>Las expresiones requieren más de {count:n} pasos de cálculo, que es el límite.</translation>
+    </message>
+    <message>
+        <source>Calls are nested deeper than {count:n} levels, which is the limit.</source>
+        <translation>Las llamadas están anidadas a más de {count:n} niveles, que es el límite.</translation>
+    </message>
+    <message>
+        <source>A variable is read that the program has not set. It is read as 0, on a Fanuc control as empty.</source>
+        <translation>Se lee una variable que el programa no ha definido. Vale 0, o está vacía en un control Fanuc.</translation>
+    </message>
 </context>
 <context>
     <name>Strategy</name>

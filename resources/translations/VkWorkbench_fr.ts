@@ -1253,6 +1253,74 @@
         <source>{count:n} moves were not checked for lack of time, the first is command {command:#} of {label}.</source>
         <translation>Faute de temps, {count:n} déplacements n&apos;ont pas été vérifiés, le premier est la commande {command:#} de {label}.</translation>
     </message>
+    <message>
+        <source>The program is read up to this line. {why}</source>
+        <translation>Le programme est lu jusqu’à cette ligne. {why}</translation>
+    </message>
+    <message>
+        <source>The value of {name} comes from the machine.</source>
+        <translation>La valeur de {name} vient de la machine.</translation>
+    </message>
+    <message>
+        <source>The value of {name} is assigned in a line that cannot be read.</source>
+        <translation>La valeur de {name} est affectée dans une ligne illisible.</translation>
+    </message>
+    <message>
+        <source>A control stops here, because {name} has no value.</source>
+        <translation>Une commande s’arrête ici, car {name} n’a pas de valeur.</translation>
+    </message>
+    <message>
+        <source>A control stops here, because it has no variable {name}.</source>
+        <translation>Une commande s’arrête ici, car elle n’a pas de variable {name}.</translation>
+    </message>
+    <message>
+        <source>A control stops here, because an expression has no result, such as a division by zero.</source>
+        <translation>Une commande s’arrête ici, car une expression n’a pas de résultat, par exemple une division par zéro.</translation>
+    </message>
+    <message>
+        <source>The program stops here with an alarm (#3000).</source>
+        <translation>Le programme s’arrête ici avec une alarme (#3000).</translation>
+    </message>
+    <message>
+        <source>This jump, loop or call cannot be read.</source>
+        <translation>Ce saut, cette boucle ou cet appel est illisible.</translation>
+    </message>
+    <message>
+        <source>The end of this loop, condition or subprogram is missing.</source>
+        <translation>La fin de cette boucle, de cette condition ou de ce sous-programme manque.</translation>
+    </message>
+    <message>
+        <source>The program jumps to the block N{number}, which does not exist.</source>
+        <translation>Le programme saute au bloc N{number}, qui n’existe pas.</translation>
+    </message>
+    <message>
+        <source>Loops, jumps and calls would run more than {count:n} lines, which is the limit.</source>
+        <translation>Les boucles, les sauts et les appels exécuteraient plus de {count:n} lignes, ce qui est la limite.</translation>
+    </message>
+    <message>
+        <source>Loops, jumps and calls would make more than {count:n} moves, which is the limit.</source>
+        <translation>Les boucles, les sauts et les appels produiraient plus de {count:n} mouvements, ce qui est la limite.</translation>
+    </message>
+    <message>
+        <source>A loop runs more than {count:n} lines without a move, which is the limit.</source>
+        <translation>Une boucle exécute plus de {count:n} lignes sans mouvement, ce qui est la limite.</translation>
+    </message>
+    <message>
+        <source>The program jumps back from here without end.</source>
+        <translation>Le programme revient d’ici en arrière sans fin.</translation>
+    </message>
+    <message>
+        <source>The expressions take more than {count:n} steps to calculate, which is the limit.</source>
+        <translation>Les expressions demandent plus de {count:n} étapes de calcul, ce qui est la limite.</translation>
+    </message>
+    <message>
+        <source>Calls are nested deeper than {count:n} levels, which is the limit.</source>
+        <translation>Les appels sont imbriqués sur plus de {count:n} niveaux, ce qui est la limite.</translation>
+    </message>
+    <message>
+        <source>A variable is read that the program has not set. It is read as 0, on a Fanuc control as empty.</source>
+        <translation>Une variable que le programme n’a pas définie est lue. Elle vaut 0, ou est vide sur une commande Fanuc.</translation>
+    </message>
 </context>
 <context>
     <name>Strategy</name>

@@ -1253,6 +1253,74 @@
         <source>{count:n} moves were not checked for lack of time, the first is command {command:#} of {label}.</source>
         <translation>时间不足，{count:n} 个移动未检查，第一个是 {label} 的第 {command:#} 条命令。</translation>
     </message>
+    <message>
+        <source>The program is read up to this line. {why}</source>
+        <translation>程序只读到这一行。{why}</translation>
+    </message>
+    <message>
+        <source>The value of {name} comes from the machine.</source>
+        <translation>{name} 的值来自机床。</translation>
+    </message>
+    <message>
+        <source>The value of {name} is assigned in a line that cannot be read.</source>
+        <translation>{name} 的值在无法读取的一行中赋予。</translation>
+    </message>
+    <message>
+        <source>A control stops here, because {name} has no value.</source>
+        <translation>数控系统在此停止，因为 {name} 没有值。</translation>
+    </message>
+    <message>
+        <source>A control stops here, because it has no variable {name}.</source>
+        <translation>数控系统在此停止，因为它没有变量 {name}。</translation>
+    </message>
+    <message>
+        <source>A control stops here, because an expression has no result, such as a division by zero.</source>
+        <translation>数控系统在此停止，因为某个表达式没有结果，例如除以零。</translation>
+    </message>
+    <message>
+        <source>The program stops here with an alarm (#3000).</source>
+        <translation>程序在此因报警而停止 (#3000)。</translation>
+    </message>
+    <message>
+        <source>This jump, loop or call cannot be read.</source>
+        <translation>无法读取此跳转、循环或调用。</translation>
+    </message>
+    <message>
+        <source>The end of this loop, condition or subprogram is missing.</source>
+        <translation>此循环、条件或子程序缺少结尾。</translation>
+    </message>
+    <message>
+        <source>The program jumps to the block N{number}, which does not exist.</source>
+        <translation>程序跳转到不存在的程序段 N{number}。</translation>
+    </message>
+    <message>
+        <source>Loops, jumps and calls would run more than {count:n} lines, which is the limit.</source>
+        <translation>循环、跳转和调用将执行超过 {count:n} 行，这是上限。</translation>
+    </message>
+    <message>
+        <source>Loops, jumps and calls would make more than {count:n} moves, which is the limit.</source>
+        <translation>循环、跳转和调用将产生超过 {count:n} 个移动，这是上限。</translation>
+    </message>
+    <message>
+        <source>A loop runs more than {count:n} lines without a move, which is the limit.</source>
+        <translation>循环执行了超过 {count:n} 行而没有移动，这是上限。</translation>
+    </message>
+    <message>
+        <source>The program jumps back from here without end.</source>
+        <translation>程序从此处无休止地跳回。</translation>
+    </message>
+    <message>
+        <source>The expressions take more than {count:n} steps to calculate, which is the limit.</source>
+        <translation>表达式的计算超过 {count:n} 步，这是上限。</translation>
+    </message>
+    <message>
+        <source>Calls are nested deeper than {count:n} levels, which is the limit.</source>
+        <translation>调用嵌套超过 {count:n} 层，这是上限。</translation>
+    </message>
+    <message>
+        <source>A variable is read that the program has not set. It is read as 0, on a Fanuc control as empty.</source>
+        <translation>读取了程序未赋值的变量。其值按 0 处理，在 Fanuc 系统上按空值处理。</translation>
+    </message>
 </context>
 <context>
     <name>Strategy</name>

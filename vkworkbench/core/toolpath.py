@@ -20,7 +20,7 @@ PLANE_AXES = {17: (0, 1, 2), 18: (2, 0, 1), 19: (1, 2, 0)}
 _OF_TIME = "dwell-untimed", "probing-untimed"
 _TAKES_TIME = "rotary-cuts", "rotary-not-read"
 _HIDES_CUTS = (
-    "rotary-cuts", "jumps-not-followed", "line-with-variables", "variables-not-read", "subprogram-not-read",
+    "rotary-cuts", "read-up-to", "jumps-not-followed", "line-with-variables", "variables-not-read", "subprogram-not-read",
 )  # fmt: skip
 
 

@@ -78,7 +78,7 @@ def test_axes_of_a_mirror_are_no_targets():
 
 def test_a_program_is_not_its_own_subprogram():
     called = "Line 6: A subprogram or macro call is ignored."
-    for call in ("M98 P10500", "M98 P500", "G65 P500 A1"):
+    for call in ("M98 P10500", "M98 P500"):
         text = "O00500\n" + PLAIN + call + "\nX5\nM30"
         assert said(text) == [called] and read_program(text).toolpath().points[-1, 0] == 5
 
@@ -102,8 +102,8 @@ def test_a_call_of_a_program_on_the_data_server():
     "line",
     [
         "#500=25.4 (WORKPIECE LENGTH)", "N10 #3000=1 (WORKPIECE NOT CLAMPED)", "#1=5 (POCKET1 (DEEP))", "#1=5 (MCALL)",
-        "#<workpiece>=5", "G1 X#<workpiece>", "N5 IF[#<supa> EQ 1] GOTO 9", 'X#1 (X=AC(5), T="MILL")', "#1=5 ;STOPRE",
-        "X[1] (SLOT1 (LEFT))",
+        "#<workpiece>=5", "G1 X#<workpiece>", "N5 IF[#<supa> EQ 1] GOTO 9", '#1=5 (X=AC(5), T="MILL")', "#1=5 ;STOPRE",
+        "X[10] (SLOT1 (LEFT))",
     ],
 )  # fmt: skip
 def test_names_and_comments_are_no_words_of_siemens(line):

@@ -328,14 +328,14 @@ def test_unreadable_file_does_not_affect_other_files(tmp_path):
     (tmp_path / "b.nc").write_text(PROGRAM)
     (tmp_path / "c.nc").write_text("1 L X+10 Y+5 R0 FMAX M3\n")
     (tmp_path / "d.nc").write_text("G0 X0\nG0 X1\n")
-    (tmp_path / "e.nc").write_text("G0 X0 Y0 Z5\n#1=#9\nG1 X#1 F200\n")
+    (tmp_path / "e.nc").write_text("G0 X0 Y0 Z5\n#1=#5061\nG1 X#1 F200\n")
     report = vkworkbench.analyze([tmp_path, tmp_path / "missing.nc"])
     errors = {Path(row.document).name: row.error for row in report.operations if not row.counted}
     assert errors == {
         "a.nc": "This is not an NC program, because it is not text.",
         "c.nc": "Line 1: The program is written for Heidenhain controls. Post it as G-code (ISO) to analyze it.",
-        "e.nc": "The toolpath has no cutting move. Line 2: Lines with variables or expressions are ignored. "
-        "Line 3: Words with variables or expressions are ignored.",
+        "e.nc": "The toolpath has no cutting move. Line 3: The program is read up to this line. "
+        "The value of #5061 comes from the machine.",
         "missing.nc": "The file cannot be read: No such file or directory.",
     }
     # An unreadable file has the strategy "unknown". A file without a cut is empty, and has an error only if a line was

@@ -14,13 +14,13 @@ from typing import Callable, ClassVar, Dict
 
 from vkworkbench.core.gcode import dialects, splines
 from vkworkbench.core.gcode.blocks import LARGEST_NUMBER, whole
+from vkworkbench.core.gcode.flow import calls_block
 from vkworkbench.core.gcode.modes import GROUPS, Modes
 from vkworkbench.core.gcode.moves import codes
 from vkworkbench.core.gcode.moves.commands import Commands
 from vkworkbench.core.gcode.moves.unread import ROTARY
 from vkworkbench.core.gcode.origins import NUMBERED, Origins
 from vkworkbench.core.gcode.place import Place
-from vkworkbench.core.gcode.subprograms import calls_block
 from vkworkbench.language import Message
 
 _OUTPUTS = frozenset([67, 68])  # LinuxCNC's M-codes for analog outputs, for example to a laser, with E and Q words

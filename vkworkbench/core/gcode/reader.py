@@ -13,13 +13,12 @@ import re
 import numpy as np
 
 from vkworkbench.core.gcode import dialects
-from vkworkbench.core.gcode.blocks import split_comments, split_words
+from vkworkbench.core.gcode.blocks import LARGEST_NUMBER, split_comments, split_words, whole
 from vkworkbench.core.gcode.comments.tool_table import tool_told
+from vkworkbench.core.gcode.flow import PROGRAM_NUMBER, Call, Ended, Flow, Step, Subprograms
 from vkworkbench.core.gcode.interpreter import Interpreter
 from vkworkbench.core.gcode.moves.program import Program
 from vkworkbench.core.gcode.moves.units import INCH
-from vkworkbench.core.gcode.subprograms import PROGRAM_NUMBER, Subprograms
-from vkworkbench.core.gcode.variables import FLOW, Variables
 from vkworkbench.core.toolpath import Problem
 from vkworkbench.language import Message
 
@@ -42,24 +41,24 @@ _EQUALS = re.compile(r"(?<![A-Z])(?:CR|([A-Z]))\s*=\s*(?=[-+]?\.?\d)")
 # One foreign word in a line, and a line that begins with a motion.
 _FOREIGN = re.compile(r"[^\sA-Z\[\]#=<>]{1,20}|[A-Z]{3,20}", re.ASCII)
 _MOVE = re.compile(r"(?:N\s*\d+\s*)?G\s*0*[0-3](?![\d.])")
-_SUB = re.compile(r"^\s*(?:N\s*\d+\s*)?O\s*(?:\d+|<[^>]*>|\[[^]]*\])\s*(SUB|ENDSUB)\b")
+# Words for jumps, loops and calls in lines that cannot be read.
+_FLOW = re.compile(r"\b(IF|THEN|ELSE|WHILE|GOTO|DO\s*\d|END\s*\d|ENDIF|ENDWHILE|REPEAT)|^O\s*[\d<].*\b(SUB|CALL|DO)\b")
+_MACRO_CALL = ("G", 65.0)
 # A word whose number is a variable or an expression: X#1, Z#<depth>, Y[1 + 2].
 _MACRO_WORD = re.compile(r"[A-Z]\s*[-+]?\s*(?:#+(?:\d+|<[^>]*>)|\[[^\[\]]*(?:\[[^\[\]]*\][^\[\]]*)*\])")
-# Largest depth of calls within calls; largest number of lines read in calls, counted once for each call.
-_DEEPEST, _MOST_CALLED = 10, 1_000_000
 
 
 def read_program(text: str) -> Program:
     """Read the text of an NC program.
 
     Lines with a block delete (``/``) are read like other lines, and reported. Lines after M2 or M30 are read as part of
-    the program, up to the number of another program. If the program calls its own blocks (M97, or M98 with Q), the
-    lines after the end are subprograms, and are read only at their calls. A subprogram in the same text, called with
-    M98 or M97, is read at each call, as if all its words were in the line of the call. A variable is replaced by the
-    number that the program assigns to it.
+    the program, up to the number of another program. If the program calls its own blocks (M97, or M98 with Q), or has
+    loops, conditions or calls of macros, M2 and M30 end it. A subprogram in the same text is read at each call, as if
+    all its words were in the line of the call. Variables and expressions are replaced by numbers; loops, conditions and
+    jumps are followed (`flow`).
 
-    Not read, but reported as a problem with the line: other variables, all variables in programs with jumps,
-    expressions, subprograms outside of this text, and subprograms that are called in other ways.
+    Not read, but reported as a problem with the line: subprograms outside of this text, subprograms that are called in
+    other ways, and the rest of a program that cannot be followed.
 
     Parameters
     ----------
@@ -73,11 +72,7 @@ def read_program(text: str) -> Program:
     """
     lines = text.replace("\r\n", "\n").replace("\r", "\n").split("\n")
     reader = _Reader(lines, dialects.dialect_of(text))
-    for index in range(len(lines)):
-        reader.number = index + 1
-        if reader.line(index):
-            reader.after_end(index + 1)
-            break
+    reader.read()
     return reader.program()
 
 
@@ -87,29 +82,59 @@ class _Reader:
     Attributes
     ----------
     number : int
-        The current line, counted from 1. In a subprogram, the line of the call, so that the lines of the commands never
-        decrease.
+        The current line, counted from 1. The lines of the commands never decrease: in a subprogram, the line of the
+        call; in a line that is read again, the last line before the jump.
     """
 
     def __init__(self, lines: list[str], dialect: dialects.Dialect) -> None:
         self.lines = lines
         self.subprograms = Subprograms(lines)
-        self.variables = Variables(lines)
+        self.flow = Flow(lines, self.subprograms)
         self.machine = Interpreter(dialect)
         if dialect.raw_path:
             self.machine.problem(Message("feeds-per-second"), 1)
         self.comments: list[tuple[int, int, str]] = []
         self.in_calls: set[int] = set()
-        self.in_subprogram = 0
         self.in_called = False  # whether this line belongs to a subprogram that is read only at its calls
         self.passed: list[int] = []  # indices of lines with the number of a subprogram that is read only at its calls
         self.ran: set[int] = set()  # indices of the lines that were read in calls
         self.calls: list[int] = []  # first lines of the current subprograms, from the outermost call to the innermost
-        self.lent = 0  # number of lines read in calls; a line is counted at each call
+        self.jump: int | None = None  # index of the line that follows this line; None for the next line
+        self.again = False  # whether this line was read before, outside of calls
         self.deleted = False  # whether this line has a block delete
         self.number = 0
         self.blocks = 0
         self.strange: list[int] = []
+
+    def read(self) -> None:
+        """Read all lines, or the lines up to the end of the program."""
+        try:
+            last = self._run(0, len(self.lines))
+        except Ended as ended:
+            self._remark()
+            self._problem(Message("read-up-to", why=ended.why))
+        else:
+            self._after_end(last + 1)
+
+    def _run(self, index: int, end: int) -> int:
+        """Read the lines from an index to an end, and follow jumps.
+
+        Returns
+        -------
+        int
+            Index of the last line read, or `end` if no line ends the program or subprogram.
+        """
+        while index < end:
+            self.again = index < self.number and not self.calls
+            if self.again or self.calls:
+                self.flow.count_line(len(self.machine.commands))
+                self.ran.add(index)
+            else:
+                self.number = index + 1
+            if self.line(index):
+                return index
+            index, self.jump = (index + 1 if self.jump is None else self.jump), None
+        return end
 
     def line(self, index: int) -> bool:
         """Read one line; return whether the line ends the program, or the current subprogram."""
@@ -132,7 +157,7 @@ class _Reader:
             return False
         if code[0] in "$?NPBD" and _SAYS.fullmatch(code):
             return False
-        if self.machine.ended and (code[0] in "O:" or self.machine.calls_blocks):
+        if self.machine.ended and code[0] in "O:":
             return True
         if (self.in_called or code[0] in "O:") and self._skips(index, code):
             return False
@@ -170,52 +195,84 @@ class _Reader:
             Whether the line ends the program, or the current subprogram.
         """
         self.blocks += 1
-        plain, rest = split_words(code)
-        words = self._strange(self.lines[index], code, rest) if rest or self.in_subprogram else plain
-        if words is None:
-            self._keep(comments)
-            return False
+        words, rest = split_words(code)
+        if rest:
+            step = self.flow.step(index, code)
+            self._remark()
+            if step is not None:
+                code = step.code
+                if not code:
+                    self._keep(comments)
+                    return self._follow(step)
+            found = self._rest(self.lines[index], code)
+            if found is None:
+                self._keep(comments)
+                return False
+            words = found
         letters = {letter for letter, _ in words}
         if "L" in letters and letters <= {"N", "L", "P"}:  # a subprogram call: L10 P3 (Siemens) or L0103 (Fadal)
             self._problem(Message("subprogram-not-read"))
         if letters.isdisjoint("XYZ") or not letters.isdisjoint("TMO"):
             self._keep(comments if not letters.isdisjoint("TO") else _no_explanations(words, comments))
+        if "P" in letters and _MACRO_CALL in words and self._call_macro(words):
+            return self._ended
         ended = self.machine.block(self.number, words, letters, deleted=self.deleted)
         if self.calls and not self.deleted:  # M99 with a P word also returns to the caller
             ended |= _RETURN.search(code) is not None
         if self.machine.call is not None:
             self._call(self.machine.call, dict(words), index)
-        return ended
+        return ended or self._ended
+
+    @property
+    def _ended(self) -> bool:
+        """Whether M2 or M30 ended the program, so that the lines after it are subprograms or error messages."""
+        return self.machine.ended and (self.machine.calls_blocks or self.flow.followed)
+
+    def _follow(self, step: Step) -> bool:
+        """Follow a jump or a call; return whether the program or the current subprogram ends."""
+        self.jump = step.to
+        if step.call is not None:
+            self._run_call(step.call)
+        return step.returns or self._ended
 
     def _call(self, m_code: float, words: dict[str, float], caller: int) -> None:
-        """Run a subprogram in the same text; report a problem if it is not found or calls itself.
-
-        Also report a call that is nested deeper than `_DEEPEST`, or exceeds the `_MOST_CALLED` lines.
-        """
+        """Run a subprogram in the same text; report a problem if it is not found or calls itself."""
         found = self.subprograms.find(m_code, words, caller)
-        if found is None or found[0] in self.calls or len(self.calls) == _DEEPEST:
+        if found is None or found[0] in self.calls:
             self._problem(Message("subprogram-not-read"))
             return
         first, times = found
-        self.calls.append(first)
-        self.machine.enter_call()
-        if not all(self._run(first) for _ in range(times)):
-            self._problem(Message("subprogram-not-read"))
-        self.machine.leave_call()
-        self.calls.pop()
+        self._run_call(Call(first, self.subprograms.end(first), times))
 
-    def _run(self, first: int) -> bool:
-        """Run the subprogram that begins at a line; return whether its end was reached within `_MOST_CALLED` lines."""
-        for index in range(first, self.subprograms.end(first)):
-            if self.lent == _MOST_CALLED:
-                return False
-            self.lent += 1
-            self.ran.add(index)
-            if self.line(index):
-                break
+    def _call_macro(self, words: list[tuple[str, float]]) -> bool:
+        """Run a macro in the same text with the arguments in a line with G65; return whether the macro is in the text."""
+        values = dict(words)
+        first = self.subprograms.program(values["P"])
+        if first is None:
+            return False
+        before = words[: words.index(_MACRO_CALL)]
+        self.machine.block(self.number, before, {letter for letter, _ in before}, deleted=self.deleted)
+        times = whole(values.get("L", 1.0), LARGEST_NUMBER)
+        self._run_call(Call(first, self.subprograms.end(first), times, self.flow.arguments(words)))
         return True
 
+    def _run_call(self, call: Call) -> None:
+        """Run a subprogram as many times as its call says."""
+        self.flow.begin_call(call)
+        self.calls.append(call.first)
+        for _ in range(call.times):
+            self.flow.enter(call.frame)
+            self.machine.enter_call()
+            self._run(call.first, call.end)
+            self.machine.leave_call()
+            self.flow.leave(call.frame)
+        self.calls.pop()
+        self.flow.end_call()
+        self.jump = None
+
     def _keep(self, comments: list[str]) -> None:
+        if self.again:  # the comments of a loop are kept once
+            return
         kept = [(len(self.machine.commands), self.number, text) for text in comments if text]
         if self.calls:
             self.in_calls.update(range(len(self.comments), len(self.comments) + len(kept)))
@@ -224,19 +281,22 @@ class _Reader:
     def _problem(self, what: Message, line: int | None = None) -> None:
         self.machine.problem(what, self.number if line is None else line)
 
-    def _strange(self, line: str, code: str, rest: str) -> list[tuple[str, float]] | None:
-        """Return the words of a line that also contains other text; None if the line cannot be read."""
-        if self._of_subprogram(code):
-            return None
-        if "#" in rest:
-            code = self.variables.put_in(code)
-            if not code:
-                return None
+    def _remark(self) -> None:
+        """Report what the flow remarks on this line."""
+        for what in self.flow.remarks:
+            self._problem(what)
+        self.flow.remarks.clear()
+
+    def _rest(self, line: str, code: str) -> list[tuple[str, float]] | None:
+        """Return the words of a line that may also contain other text; None if the line cannot be read."""
+        words, rest = split_words(code)
+        if not rest:
+            return words
         if code[0] == "<":  # XML or HTML: an equals sign does not assign a variable
             self._no_words()
             return None
         dialects.refuse(line.strip().upper(), code, self.number)
-        if FLOW.search(code):
+        if _FLOW.search(code):
             self._problem(Message("jumps-not-followed"))
             return None
         code = self._common_spelling(code)
@@ -254,17 +314,6 @@ class _Reader:
             return words
         self._no_words()
         return None
-
-    def _of_subprogram(self, code: str) -> bool:
-        """Return whether a line belongs to a LinuxCNC subprogram, from O word with SUB to O word with ENDSUB.
-
-        Subprograms of this kind are not read.
-        """
-        subprogram = _SUB.match(code)
-        if subprogram:
-            self._problem(Message("subprogram-not-read"))
-            self.in_subprogram = max(self.in_subprogram + (1 if subprogram[1] == "SUB" else -1), 0)
-        return subprogram is not None or self.in_subprogram > 0
 
     def _common_spelling(self, code: str) -> str:
         """Return the code in the common spelling of words.
@@ -292,10 +341,12 @@ class _Reader:
         self.strange.append(self.number)
         self._problem(Message("words-not-read"))
 
-    def after_end(self, first: int) -> None:
+    def _after_end(self, first: int) -> None:
         """Report the first move at or after this line (an index) that was not read in a call."""
+        # A called subprogram may skip lines of its own.
+        ran = {self.subprograms.head(index) for index in self.ran} if self.flow.followed else set()
         for index in range(first, len(self.lines)):
-            if index in self.ran:
+            if index in self.ran or self.subprograms.head(index) in ran:
                 continue
             self.number, line = index + 1, self.lines[index]
             words, _ = split_words(split_comments(line)[0].upper())
@@ -304,7 +355,9 @@ class _Reader:
                 return
 
     def program(self) -> Program:
-        for index in self.passed:
+        # Behind a condition, a call may never be made.
+        passed = self.passed if not self.flow.followed else [] if self.machine.moves else sorted(self.flow.passed)
+        for index in passed:
             if index not in self.ran:
                 self._problem(Message("subprogram-not-read"), index + 1)
         machine = self.machine

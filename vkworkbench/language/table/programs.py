@@ -53,6 +53,38 @@ PROGRAMS: dict[str, str | tuple[str, str]] = {
     "spline-as-line": QT_TRANSLATE_NOOP("Sentences", "A spline ({name}) is read as a line."),
     "goes-on": QT_TRANSLATE_NOOP("Sentences", "Lines after M2 or M30 are read as part of the same program."),
     "after-end": QT_TRANSLATE_NOOP("Sentences", "Lines after the end of the program are ignored."),
+    # Why the rest of a program is not followed.
+    "read-up-to": QT_TRANSLATE_NOOP("Sentences", "The program is read up to this line. {why}"),
+    "value-of-machine": QT_TRANSLATE_NOOP("Sentences", "The value of {name} comes from the machine."),
+    "value-unread": QT_TRANSLATE_NOOP("Sentences", "The value of {name} is assigned in a line that cannot be read."),
+    "name-unset": QT_TRANSLATE_NOOP("Sentences", "A control stops here, because {name} has no value."),
+    "no-variable": QT_TRANSLATE_NOOP("Sentences", "A control stops here, because it has no variable {name}."),
+    "no-result": QT_TRANSLATE_NOOP(
+        "Sentences", "A control stops here, because an expression has no result, such as a division by zero."
+    ),
+    "alarm": QT_TRANSLATE_NOOP("Sentences", "The program stops here with an alarm (#3000)."),
+    "jump-unread": QT_TRANSLATE_NOOP("Sentences", "This jump, loop or call cannot be read."),
+    "unclosed": QT_TRANSLATE_NOOP("Sentences", "The end of this loop, condition or subprogram is missing."),
+    "no-block": QT_TRANSLATE_NOOP("Sentences", "The program jumps to the block N{number}, which does not exist."),
+    "too-many-lines-run": QT_TRANSLATE_NOOP(
+        "Sentences", "Loops, jumps and calls would run more than {count:n} lines, which is the limit."
+    ),
+    "too-many-moves-run": QT_TRANSLATE_NOOP(
+        "Sentences", "Loops, jumps and calls would make more than {count:n} moves, which is the limit."
+    ),
+    "too-many-lines-idle": QT_TRANSLATE_NOOP(
+        "Sentences", "A loop runs more than {count:n} lines without a move, which is the limit."
+    ),
+    "endless": QT_TRANSLATE_NOOP("Sentences", "The program jumps back from here without end."),
+    "too-many-steps": QT_TRANSLATE_NOOP(
+        "Sentences", "The expressions take more than {count:n} steps to calculate, which is the limit."
+    ),
+    "too-many-calls": QT_TRANSLATE_NOOP(
+        "Sentences", "Calls are nested deeper than {count:n} levels, which is the limit."
+    ),
+    "variable-unset": QT_TRANSLATE_NOOP(
+        "Sentences", "A variable is read that the program has not set. It is read as 0, on a Fanuc control as empty."
+    ),
     # Reasons why a program, or one of its operations, is not analysed.
     "other-control": QT_TRANSLATE_NOOP(
         "Sentences",

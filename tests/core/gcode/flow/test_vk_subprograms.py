@@ -6,9 +6,9 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from vkworkbench.core.gcode import reader
 from vkworkbench.core.gcode.comments.sections import split_sections
 from vkworkbench.core.gcode.dialects import at_line
+from vkworkbench.core.gcode.flow import flow
 from vkworkbench.core.gcode.reader import read_program
 from vkworkbench.language import render
 
@@ -59,7 +59,7 @@ def test_it_may_be_called_not_once():
 
 
 def test_what_it_does_stands_in_the_line_of_its_call():
-    text = f"O1\n{BEFORE}M98 P2000\nG1 X5\nM98 P2000\nM30\nO2000 (STEP)\n{STEP}#1=#2\nM99"
+    text = f"O1\n{BEFORE}M98 P2000\nG1 X5\nM98 P2000\nM30\nO2000 (STEP)\n{STEP}#1=[#2\nM99"
     assert sorted(set(path_of(text).command.tolist())) == [5, 6, 7]
     assert said(text) == ["Line 5 (first of 2): Lines with variables or expressions are ignored."]
 
@@ -84,7 +84,7 @@ def test_operations_are_divided_within_subprograms_too():
         "M98",
         "M97 P2000",
         "M198 P2000",
-        "G65 P2000 A1",
+        "G65 P3000 A1",
         "M98 P1",
         "M97 P12345678901",
     ],
@@ -116,11 +116,17 @@ def test_what_calls_itself_ends():
     assert said(within) == ["Line 4: A subprogram or macro call is ignored."]
 
 
-def test_what_would_run_for_hours_is_given_up(monkeypatch):
-    monkeypatch.setattr(reader, "_MOST_CALLED", 1000)
-    chain = "".join(f"O{k}\nG1 X{k}\nM98 P{k + 1} L99999999\nM99\n" for k in range(100, 130))
-    text = f"O1\n{BEFORE}M98 P100 L99999999\nX7\nM30\n{chain}"
-    assert points(text)[-1] == (7, 0, 0) and max(x for x, _, _ in points(text)) == 109
-    assert all(one.endswith(": A subprogram or macro call is ignored.") for one in said(text)[:1])
-    empty = f"O1\n{BEFORE}M98 P100 L99999999\nG1 X7\nM30\nO100\nM99"
-    assert points(empty)[-1] == (7, 0, 0)
+LIMIT = "Line {}: The program is read up to this line. Loops, jumps and calls would run more than {} lines, which is the limit."
+
+
+def test_calls_end_at_the_limit_of_lines(monkeypatch):
+    monkeypatch.setattr(flow, "MOST_LINES", 1000)
+    chain = "".join(f"O{k}\nG1 X{k}\nM98 P{k + 1} L10\nM99\n" for k in range(100, 109)) + "O109\nG1 Y9\nM99"
+    text = f"O1\n{BEFORE}M98 P100 L10\nX7\nM30\n{chain}"
+    assert points(text)[-1][1] == 9 and said(text) == [LIMIT.format(5, "1,000")]
+
+
+@pytest.mark.parametrize("call", ["M98 P100 L99999999", "G65 P100 L1000001", "M97 P5 L99999999"])
+def test_call_beyond_the_limit_is_not_begun(call):
+    text = f"O1\n{BEFORE}{call}\nG1 X7\nM30\nN5 M99\nO100\nM99"
+    assert points(text) == [(0, 0, 0)] and said(text)[0] == LIMIT.format(5, "1,000,000")

@@ -40,23 +40,29 @@ def test_it_stands_for_the_number_that_was_set_last():
     assert points("G21\n#1=-1\n#2=5\n#3=60\n" + MOVES + "#7=#1\nG1 Z#7 X9\n")[-1] == [9, 0, -1]
 
 
-@pytest.mark.parametrize("change", ["#1=[#2+3]", "#1=ROUND[#2]", "#1=#9"])
-def test_what_is_calculated_is_not_read(change):
+@pytest.mark.parametrize(("change", "z"), [("#1=[#2-7]", -2), ("#1=ROUND[-#2/2]", -3), ("#1=-#2", -5)])
+def test_expression_is_calculated(change, z):
     text = f"G21\n#1=-1\n#2=5\n#3=60\n{MOVES}{change}\nG1 Z#1 X20\n"
-    assert "Line 9: Words with variables or expressions are ignored." in said(text)
-    assert points(text)[-1] == [20, 0, -1]
+    assert said(text) == [] and points(text)[-1] == [20, 0, z]
 
 
-@pytest.mark.parametrize("flow", ["WHILE [#1 LT 9] DO1\nEND1", "IF [#1 EQ 0] GOTO 10", "o100 call [1]"])
-def test_in_programs_with_jumps_no_number_is_sure(flow):
-    text = f"G21\n#1=-1\n#2=5\n#3=60\nG0 X0 Y0 Z5\nG1 X1 Z#1\n{flow}\nX5\n"
-    assert any("Words with variables or expressions" in message for message in said(text))
-    assert min(point[2] for point in points(text)) == 5
+UNSET = "A variable is read that the program has not set. It is read as 0, on a Fanuc control as empty."
 
 
-def test_a_variable_that_nothing_sets_and_one_behind_another():
-    assert (
-        "Line 4: Words with variables or expressions are ignored."
-        in said("G21\n#1=4\nG0 X0 Y0 Z5\nG1 X1 Z##1\nX5\n")[0]
+def test_unset_variable_is_read_as_the_control_reads_it():
+    before = "G21\n#1=4\nG0 X0 Y0 Z5\n"
+    for line, end in (
+        ("G1 X1 Z##1", [1, 0, 0]),
+        ("G1 X2 Z#5", [2, 0, 0]),
+        ("N7 G1 X2 Z#5 (#0=#0)\nGOTO 9\nN9", [2, 0, 5]),
+    ):
+        assert points(f"{before}{line}\n")[-1] == end
+        assert said(f"{before}{line}\n") == [f"Line 4: {UNSET}"]
+
+
+def test_unreadable_assignment_makes_the_variable_unknown():
+    text = "G21\n#1=4\nG0 X0 Y0 Z5\n#1=[3\nG1 X2\nX#1\nX9\n"
+    assert points(text)[-1] == [2, 0, 5]
+    assert said(text)[1].startswith(
+        "Line 6: The program is read up to this line. The value of #1 is assigned in a line"
     )
-    assert "Line 3: Words with variables or expressions are ignored." in said("G21\nG0 X0 Y0 Z5\nG1 X1 Z#5\nX5\n")[0]

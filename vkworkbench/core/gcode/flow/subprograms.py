@@ -79,17 +79,30 @@ class Subprograms:
             return None
         number, times, first = whole(words.get("P", 0.0), LARGEST_NUMBER), 1, None
         if m_code == 98 and "Q" in words:  # Fanuc: run from block Q of program P, or of this program without P
-            head = self._first.get(number) if "P" in words else self._head(caller)
-            first = None if head is None else self._blocks.get((head, whole(words["Q"], LARGEST_NUMBER)))
+            head = self._first.get(number) if "P" in words else self.head(caller)
+            first = None if head is None else self._first_block(head, words["Q"])
         elif m_code == 97:
-            first = self._blocks.get((self._head(caller), number))
+            first = self._first_block(self.head(caller), number)
         elif m_code == 98:  # M198 calls a program outside of this text
             if number not in self._first:
                 times, number = divmod(number, _TIMES)
             first = self._first.get(number)
-        if first is None or (m_code == 98 and first == self._head(caller)):  # the program would call itself for ever
+        if first is None or (m_code == 98 and first == self.head(caller)):  # the program would call itself for ever
             return None
         return first, whole(words.get("L", times), LARGEST_NUMBER)
+
+    def program(self, number: float) -> int | None:
+        """Return the index of the first line of a program; None if it is not in this text."""
+        return self._first.get(whole(number, LARGEST_NUMBER))
+
+    def block(self, number: int, index: int) -> int | None:
+        """Return the index of the block to which a line jumps; None if there is none with this number.
+
+        The control searches the current program from the line to the end, and then from the beginning.
+        """
+        found = self._blocks.get((self.head(index), number), [])
+        after = bisect_right(found, index)
+        return found[after % len(found)] if found else None
 
     def end(self, first: int) -> int:
         """Return the index of the line with the next program's number, or the number of lines if there is none.
@@ -99,17 +112,21 @@ class Subprograms:
         after = bisect_right(self.heads, first)
         return self.heads[after] if after < len(self.heads) else len(self._lines)
 
-    def _head(self, index: int) -> int:
+    def head(self, index: int) -> int:
         """Return the index of the line with the number of the program that contains a line; -1 if there is none."""
         before = bisect_right(self.heads, index)
         return self.heads[before - 1] if before else -1
 
+    def _first_block(self, head: int, number: float) -> int | None:
+        found = self._blocks.get((head, whole(number, LARGEST_NUMBER)))
+        return found[0] if found else None
+
     @cached_property
-    def _blocks(self) -> dict[tuple[int, int], int]:
-        """Index of the first line with a block number (N), for each pair of a program's head and a block number."""
-        blocks: dict[tuple[int, int], int] = {}
+    def _blocks(self) -> dict[tuple[int, int], list[int]]:
+        """Indices of the lines with a block number (N), for each pair of a program's head and a block number."""
+        blocks: dict[tuple[int, int], list[int]] = {}
         for index, line in enumerate(self._lines):
             number = _BLOCK.match(line)
             if number:
-                blocks.setdefault((self._head(index), int(number[1])), index)
+                blocks.setdefault((self.head(index), int(number[1])), []).append(index)
         return blocks

@@ -1,0 +1,427 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Perform the macro statements of a program, line by line."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable
+from functools import cached_property
+from typing import NamedTuple
+
+from vkworkbench.core.gcode.flow.ended import Ended, Unknown, Unreadable
+from vkworkbench.core.gcode.flow.expressions import Postfix, evaluate
+from vkworkbench.core.gcode.flow.lines import Control, Words, bare, parse_line
+from vkworkbench.core.gcode.flow.structure import Block, Structure
+from vkworkbench.core.gcode.flow.subprograms import Subprograms
+from vkworkbench.core.gcode.flow.variables import ALARM, Frame, Value, Variables
+from vkworkbench.language import Message
+
+MOST_LINES = 1_000_000  # largest number of lines that loops, jumps and calls read; a line counts at each run
+MOST_IDLE_LINES = 100_000  # largest number of such lines in a row without a command
+MOST_STEPS = 20_000_000  # largest number of steps in all calculations: it bounds their time
+DEEPEST = 10  # largest depth of calls within calls
+MOST_COMMANDS = 5_000_000  # largest number of commands that loops, jumps and calls add: a toolpath has no more moves
+
+# Signs of a dialect. A program number (O1000) without a sign of LinuxCNC is a sign of a Fanuc control, too.
+_LINUXCNC = re.compile(r"#<|\*\*|EXISTS\[|O(?:\d+|<[^<>]*>)(?:SUB|CALL|IF|WHILE|DO|REPEAT)", re.IGNORECASE)
+_FANUC = re.compile(r"GOTO[\d#\[]|\]THEN|DO\d|END\d|G0*65(?!\d)|#0(?!\d)", re.IGNORECASE)
+_SIGNS = re.compile(r"[#\[*]|SUB|CALL|DO|GO|END|G\s*0*65|REPEAT", re.IGNORECASE)
+_UNREAD = re.compile(r"#(?:(\d+)|<([^<>]+)>)=")  # a variable that gets a value in a line that cannot be read
+# A statement that decides which line follows, also if it has an error.
+_JUMP = re.compile(
+    r"(?:N\d+)?(?:(?:IF|WHILE)\[|GOTO[\d#\[]|O(?:\d+|<[^<>]*>)(?:(?:END)?(?:SUB|IF|WHILE|REPEAT)|CALL|ELSE|DO|RETURN|BREAK|CONTINUE))"
+)
+# Words that do not change the tool's path, and codes whose words are data: dwells and offsets.
+_HARMLESS = frozenset("DEFHST")
+_NUMBER_ALONE = re.compile(r"(?:N[\d.]+)?")
+_DATA = re.compile(r"G0*(?:4|10)(?!\d)")
+_MACRO_LETTERS = {letter: number for number, letter in enumerate("ABC", 1)}
+_MACRO_LETTERS.update({"D": 7, "E": 8, "F": 9, "H": 11, "M": 13})
+_MACRO_LETTERS.update({letter: number for number, letter in enumerate("QRSTUVWXYZ", 17)})
+_MOST_SETS = 10  # largest number of I, J and K words in the line of a macro call
+# The methods of Flow that perform the control statements. A table of bound methods would be a circle of references, which
+# keeps the whole text in memory.
+_METHODS = {
+    "IF": "_if", "ELSEIF": "_skip", "ELSE": "_skip", "ENDIF": "_go_on",
+    "WHILE": "_while", "ENDWHILE": "_repeat_loop", "DO": "_go_on",
+    "REPEAT": "_repeat", "ENDREPEAT": "_end_repeat", "BREAK": "_skip", "CONTINUE": "_continue",
+    "SUB": "_skip", "ENDSUB": "_return", "RETURN": "_return", "CALL": "_call",
+    "GOTO": "_go_to", "IF-GOTO": "_if_go_to", "IF-THEN": "_if_then",
+    "DO-N": "_while", "END-N": "_repeat_loop",
+}  # fmt: skip
+
+
+class Call(NamedTuple):
+    """A call of a subprogram in the same text.
+
+    Attributes
+    ----------
+    first, end : int
+        Indices of its first line, and of the line after its last line.
+    times : int
+        Number of runs.
+    frame : Frame or None
+        Its local variables; None if it uses the variables of its caller.
+    """
+
+    first: int
+    end: int
+    times: int = 1
+    frame: Frame | None = None
+
+
+class Step(NamedTuple):
+    """The effect of a macro statement.
+
+    Attributes
+    ----------
+    code : str
+        The line with numbers in place of its variables and expressions; empty if no words are left.
+    to : int or None
+        Index of the line that follows; None for the next line.
+    call : Call or None
+        The subprogram that the line calls.
+    returns : bool
+        Whether the line ends the current subprogram.
+    """
+
+    code: str = ""
+    to: int | None = None
+    call: Call | None = None
+    returns: bool = False
+
+
+class Flow:
+    """The variables, loops and jumps of a program.
+
+    Parameters
+    ----------
+    lines : list of str
+        The whole text.
+    subprograms : Subprograms
+
+    Attributes
+    ----------
+    remarks : list of Message
+        Remarks on the current line. The caller of `step` reports and removes them.
+    followed : bool
+        Whether a condition, loop, jump or call was followed.
+    depth : int
+        Number of current calls.
+    passed : set of int
+        Indices of the lines that define subprograms.
+    """
+
+    def __init__(self, lines: list[str], subprograms: Subprograms) -> None:
+        self._lines = lines
+        self._subprograms = subprograms
+        self.remarks: list[Message] = []
+        self.followed = False
+        self.depth = 0
+        self.passed: set[int] = set()
+        self._read = 0
+        self._idle = 0
+        self._commands = 0
+        self._jumps: dict[int, int] = {}  # number of the changes of variables at the last jump back from each line
+        self._steps = 0
+
+    @cached_property
+    def _fanuc(self) -> bool:
+        """Whether the program is written for a Fanuc control."""
+        for line in self._lines:
+            if _SIGNS.search(line):
+                code = bare(line)
+                if _LINUXCNC.search(code):
+                    return False
+                if _FANUC.search(code):
+                    return True
+        return bool(self._subprograms.heads)
+
+    @cached_property
+    def _variables(self) -> Variables:
+        return Variables(fanuc=self._fanuc, report=self.remarks.append)
+
+    @cached_property
+    def _structure(self) -> Structure:
+        return Structure(self._lines, self._subprograms.heads)
+
+    def step(self, index: int, code: str) -> Step | None:
+        """Perform the macro statement of a line.
+
+        Parameters
+        ----------
+        index : int
+            Index of the line.
+        code : str
+            The line in capitals, without comments and block delete.
+
+        Returns
+        -------
+        Step or None
+            None if the line contains no macro statement that can be read.
+
+        Raises
+        ------
+        Ended
+            If the program cannot be followed further.
+        """
+        code = "".join(code.split())
+        try:
+            line = parse_line(code, fanuc=self._fanuc)
+        except Unreadable:
+            if _JUMP.match(code):
+                raise Ended(Message("jump-unread")) from None
+            self._forget(code)
+            return None
+        if isinstance(line, Words):
+            return Step(self._filled(line))
+        self.followed = True
+        step: Step = getattr(self, _METHODS[line.keyword])(index, line)
+        if step.to is not None and step.to <= index:
+            self._jump_back(index)
+        return step
+
+    def _jump_back(self, index: int) -> None:
+        """Raise Ended if no variable has changed since the last jump back from a line, which then has no end."""
+        changes = self._variables.changes
+        if self._jumps.get(index) == changes:
+            raise Ended(Message("endless"))
+        self._jumps[index] = changes
+
+    def count_line(self, commands: int) -> None:
+        """Count a line that a loop, jump or call reads; raise Ended if there are too many.
+
+        Parameters
+        ----------
+        commands : int
+            Number of the program's commands up to the line.
+        """
+        self._read += 1
+        self._idle = self._idle + 1 if commands == self._commands else 0
+        self._commands = commands
+        if self._read > MOST_LINES:
+            raise Ended(Message("too-many-lines-run", count=MOST_LINES))
+        if self._idle > MOST_IDLE_LINES:
+            raise Ended(Message("too-many-lines-idle", count=MOST_IDLE_LINES))
+        if commands > MOST_COMMANDS:
+            raise Ended(Message("too-many-moves-run", count=MOST_COMMANDS))
+
+    def begin_call(self, call: Call) -> None:
+        """Begin a call; raise Ended if its runs or the depth of calls exceed the bounds."""
+        if self.depth == DEEPEST:
+            raise Ended(Message("too-many-calls", count=DEEPEST))
+        if call.times > MOST_LINES - self._read:
+            raise Ended(Message("too-many-lines-run", count=MOST_LINES))
+        self.depth += 1
+
+    def end_call(self) -> None:
+        """End a call."""
+        self.depth -= 1
+
+    def enter(self, frame: Frame | None) -> None:
+        """Begin a run of a subprogram; without a frame, the subprogram uses the variables of its caller."""
+        self._variables.changes += 1
+        if frame is not None:
+            self._variables.frames.append(Frame(dict(frame.numbers)))
+
+    def leave(self, frame: Frame | None) -> None:
+        """End a run of a subprogram."""
+        if frame is not None:
+            self._variables.frames.pop()
+
+    def arguments(self, words: Iterable[tuple[str, float]]) -> Frame:
+        """Return the local variables that the words of Fanuc's macro call G65 set.
+
+        I, J and K words may be repeated: the next set begins where their order in the alphabet is broken.
+        """
+        numbers: dict[int, Value] = {}
+        sets, last = 0, ""
+        for letter, value in words:
+            if letter in _MACRO_LETTERS:
+                numbers[_MACRO_LETTERS[letter]] = value
+            elif letter in "IJK":
+                sets += letter <= last
+                last = letter
+                if sets < _MOST_SETS:
+                    numbers[4 + 3 * sets + "IJK".index(letter)] = value
+        return Frame(numbers)
+
+    def _forget(self, code: str) -> None:
+        """Mark the variables as unknown that a line assigns and that cannot be read."""
+        for number, name in _UNREAD.findall(code):
+            unknown = Message("value-unread", name=f"#{number}" if number else f"#<{name.lower()}>")
+            if name:
+                self._variables.set_name(name, unknown)
+            elif len(number) < 6:  # a longer number is not the number of a variable
+                self._variables.set_number(float(number), unknown)
+
+    def _value(self, code: Postfix) -> float | None:
+        self._steps += len(code)
+        if self._steps > MOST_STEPS:
+            raise Ended(Message("too-many-steps", count=MOST_STEPS))
+        return evaluate(code, self._variables)
+
+    def _number(self, code: Postfix) -> int:
+        """Return a value as the nearest whole number; 0 for an empty variable."""
+        return round(self._value(code) or 0.0)
+
+    def _filled(self, line: Words) -> str:
+        """Return the words of a line with numbers in place of expressions, and perform its assignments.
+
+        A line reads the values from before the line. The word of an empty variable is left out.
+        """
+        parts: list[str] = []
+        for before, letter, value in line.pieces:
+            parts.append(before)
+            if not value:
+                continue
+            try:
+                number = self._value(value)
+            except Unknown:
+                text = "".join(before for before, _, _ in line.pieces) + line.rest
+                if _DATA.search(text):
+                    self.remarks.append(Message("line-with-variables"))
+                    return ""
+                if letter not in _HARMLESS:
+                    raise
+                self.remarks.append(Message("word-not-read", letter=letter))
+                continue
+            if number is not None:
+                parts.append(f"{letter}{number!r} ".upper())
+        self._set(self._new_values(line))
+        code = "".join(parts) + line.rest
+        return "" if _NUMBER_ALONE.fullmatch(code) else code
+
+    def _new_values(self, line: Words) -> list[tuple[str | float | None, Value]]:
+        """Return the variables that a line assigns, by their numbers or names, and their new values.
+
+        All values are calculated before the first is assigned.
+        """
+        new: list[tuple[str | float | None, Value]] = []
+        for variable, right_side in line.assigned:
+            *number, (_, name) = variable
+            target = name or self._value(tuple(number))
+            try:
+                new.append((target, self._value(right_side)))
+            except Unknown as unknown:
+                new.append((target, unknown.why))
+        return new
+
+    def _set(self, new: Iterable[tuple[str | float | None, Value]]) -> None:
+        for target, value in new:
+            if isinstance(target, str):
+                self._variables.set_name(target, value)
+            else:
+                self._variables.set_number(target, value)
+
+    def _block(self, index: int) -> Block:
+        """Return the block of a line."""
+        block = self._structure.blocks.get(index)
+        if block is None or not block.closed:
+            raise Ended(Message("unclosed"))
+        return block
+
+    def _if(self, index: int, control: Control) -> Step:
+        """Go to the first branch whose condition is true."""
+        for mark in self._block(index).marks:
+            if mark != index:
+                self.count_line(self._commands)
+                control = self._control(mark)
+            if control.keyword in ("ELSE", "ENDIF") or self._value(control.values[0]):
+                return Step(to=mark + 1)
+        raise Ended(Message("unclosed"))
+
+    def _control(self, index: int) -> Control:
+        """Return the control statement of another line."""
+        try:
+            line = parse_line(bare(self._lines[index]), fanuc=self._fanuc)
+        except Unreadable:
+            line = None
+        if not isinstance(line, Control):
+            raise Ended(Message("unclosed"))
+        return line
+
+    def _skip(self, index: int, _control: Control) -> Step:
+        """Go behind the block: from a branch that was read, a loop that is left, or the definition of a subprogram."""
+        block = self._block(index)
+        if block.kind == "SUB":
+            self.passed.add(index)
+        return Step(to=block.last + 1)
+
+    def _while(self, index: int, control: Control) -> Step:
+        block = self._block(index)
+        holds = not control.values or self._value(control.values[0])
+        if block.kind == "DO":
+            return Step(to=block.first + 1 if holds else None)
+        return Step(to=None if holds else block.last + 1)
+
+    def _repeat_loop(self, index: int, _control: Control) -> Step:
+        return Step(to=self._block(index).first)
+
+    def _go_on(self, _index: int, _control: Control) -> Step:
+        return Step()
+
+    def _repeat(self, index: int, control: Control) -> Step:
+        block, times = self._block(index), self._number(control.values[0])
+        if times <= 0:
+            return Step(to=block.last + 1)
+        self._variables.frames[-1].left[block.first] = times - 1
+        self._variables.changes += 1
+        return Step()
+
+    def _end_repeat(self, index: int, _control: Control) -> Step:
+        block, left = self._block(index), self._variables.frames[-1].left
+        times = left.get(block.first, 0)
+        left[block.first] = times - 1
+        self._variables.changes += 1
+        return Step(to=block.first + 1 if times > 0 else None)
+
+    def _continue(self, index: int, _control: Control) -> Step:
+        block = self._block(index)
+        return Step(to=block.first if block.kind == "WHILE" else block.last)
+
+    def _return(self, _index: int, control: Control) -> Step:
+        value = self._value(control.values[0]) if control.values else 0.0
+        self._variables.set_name("_VALUE", value)
+        self._variables.set_name("_VALUE_RETURNED", float(bool(control.values)))
+        return Step(returns=True)
+
+    def _call(self, _index: int, control: Control) -> Step:
+        label = control.label
+        name = label if isinstance(label, str) else str(self._number(label))
+        block = self._structure.subprograms.get(name)
+        if block is None:
+            self.remarks.append(Message("subprogram-not-read"))
+            self._variables.set_name("_VALUE", Message("value-of-machine", name="#<_value>"))
+            return Step()
+        if not block.closed:
+            raise Ended(Message("unclosed"))
+        numbers: dict[int, Value] = {number: self._value(value) for number, value in enumerate(control.values, 1)}
+        return Step(call=Call(block.first + 1, block.last + 1, 1, Frame(numbers)))
+
+    def _go_to(self, index: int, control: Control) -> Step:
+        number = self._number(control.values[-1])
+        block = self._subprograms.block(number, index)
+        if block is None:
+            raise Ended(Message("no-block", number=number))
+        return Step(to=block)
+
+    def _if_go_to(self, index: int, control: Control) -> Step:
+        return self._go_to(index, control) if self._value(control.values[0]) else Step()
+
+    def _if_then(self, _index: int, control: Control) -> Step:
+        """Perform an assignment with a condition.
+
+        A condition that depends on the machine does not end the program: it makes the assigned variables unknown. An
+        alarm (#3000) is then not raised, because no line follows an alarm.
+        """
+        then = control.then
+        if then is None:
+            return Step()
+        try:
+            return Step(self._filled(then)) if self._value(control.values[0]) else Step()
+        except Unknown as unknown:
+            if any(before for before, _, _ in then.pieces) or then.rest:
+                raise
+            self._set([(target, unknown.why) for target, _ in self._new_values(then) if target != ALARM])
+            return Step()

@@ -1,0 +1,127 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Find where the loops, conditions and subprograms of a program begin and end."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Collection
+from dataclasses import dataclass, field
+
+from vkworkbench.core.gcode.flow.lines import bare, label_of
+
+_CONTROLS = re.compile("SUB|IF|ELSE|WHILE|DO|REPEAT|END|BREAK|CONTINUE", re.IGNORECASE)
+_O_WORD = re.compile(
+    r"(?:N[\d.]+)?O(?:(\d+)|<([^<>]*)>)"
+    "(ENDSUB|SUB|ELSEIF|ELSE|ENDIF|IF|ENDWHILE|WHILE|DO|ENDREPEAT|REPEAT|BREAK|CONTINUE)"
+)
+_DO = re.compile(r"(?:N\d+)?(?:WHILE\[.*\])?DO(\d+)")
+_END = re.compile(r"(?:N\d+)?END(\d+)")
+_BEGINS = frozenset(["IF", "WHILE", "DO", "REPEAT"])
+_ENDS = {"ENDIF": "IF", "ENDWHILE": "WHILE", "ENDREPEAT": "REPEAT"}
+_LOOPS = ("WHILE", "DO", "REPEAT")
+
+
+@dataclass
+class Block:
+    """A loop, a condition or a subprogram.
+
+    Attributes
+    ----------
+    kind : str
+        The keyword with which the block begins; ``DO-N`` for a loop of a Fanuc control.
+    marks : list of int
+        Indices of its first line, of its ELSEIF and ELSE lines, and of its last line.
+    closed : bool
+        Whether the last mark is the end of the block.
+    """
+
+    kind: str
+    marks: list[int] = field(default_factory=list)
+    closed: bool = False
+
+    @property
+    def first(self) -> int:
+        """Index of the first line."""
+        return self.marks[0]
+
+    @property
+    def last(self) -> int:
+        """Index of the last line."""
+        return self.marks[-1]
+
+
+class Structure:
+    """The blocks of a program.
+
+    Parameters
+    ----------
+    lines : list of str
+        The whole text.
+    heads : collection of int
+        Indices of the lines with the number of a program. A loop of a Fanuc control ends in its own program.
+
+    Attributes
+    ----------
+    blocks : dict of int to Block
+        The innermost block of each line that begins, divides, ends, leaves or continues a block, by the line's index.
+    subprograms : dict of str to Block
+        Subprograms by the names or numbers of their O-words.
+    """
+
+    def __init__(self, lines: list[str], heads: Collection[int]) -> None:
+        self.blocks: dict[int, Block] = {}
+        self.subprograms: dict[str, Block] = {}
+        heads = frozenset(heads)
+        # Open blocks by name; O-words with the same number in different subprograms are different blocks.
+        self._open: dict[tuple[str, str], list[Block]] = {}
+        self._within = ""
+        for index, line in enumerate(lines):
+            if index in heads:
+                self._open.clear()
+            elif _CONTROLS.search(line):
+                self._line(index, bare(line))
+
+    def _line(self, index: int, code: str) -> None:
+        if found := _O_WORD.match(code):
+            self._o_word(index, label_of(found[1] or found[2] or ""), found[3])
+        elif found := _DO.fullmatch(code):
+            self._begin(index, ("DO-N", label_of(found[1])), Block("DO-N"))
+        elif found := _END.fullmatch(code):
+            self._add(index, ("DO-N", label_of(found[1])), ends=True)
+
+    def _o_word(self, index: int, name: str, keyword: str) -> None:
+        key = (self._within, name)
+        opened = self._open.get(key)
+        if keyword == "SUB":
+            self._within = name
+            block = Block("SUB")
+            self._begin(index, ("SUB", name), block)
+            self.subprograms.setdefault(name, block)
+        elif keyword == "ENDSUB":
+            self._within = ""
+            self._add(index, ("SUB", name), ends=True)
+        elif keyword == "WHILE" and opened and opened[-1].kind == "DO":
+            self._add(index, key, ends=True)
+        elif keyword in _BEGINS:
+            self._begin(index, key, Block(keyword))
+        elif keyword in ("BREAK", "CONTINUE"):
+            if opened and opened[-1].kind in _LOOPS:
+                self.blocks[index] = opened[-1]
+        elif opened and opened[-1].kind == _ENDS.get(keyword, "IF"):
+            self._add(index, key, ends=keyword in _ENDS)
+
+    def _begin(self, index: int, key: tuple[str, str], block: Block) -> None:
+        self._open.setdefault(key, []).append(block)
+        self._add(index, key, ends=False)
+
+    def _add(self, index: int, key: tuple[str, str], *, ends: bool) -> None:
+        """Add a line to the innermost open block of a name."""
+        opened = self._open.get(key)
+        if not opened:
+            return
+        block = opened[-1]
+        block.marks.append(index)
+        self.blocks[index] = block
+        if ends:
+            block.closed = True
+            opened.pop()
