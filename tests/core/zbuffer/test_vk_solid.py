@@ -49,7 +49,7 @@ def test_surface_is_closed_and_has_the_volume_of_the_records(case):
     for moment in (done, done.at(len(path) // 2), done.at(0)):
         triangles = part_triangles(moment)
         assert unpaired_edges(triangles) == 0
-        assert volume(triangles) == pytest.approx(moment.part_volume, rel=1e-9)
+        assert volume(triangles) == pytest.approx(moment.part_volume, rel=1e-5)
 
 
 def test_uncut_block_has_twelve_triangles():
@@ -88,6 +88,15 @@ def test_next_job_begins_with_what_is_left():
     assert after.part_volume == pytest.approx(
         simulate_job([first, second], stock=BLOCK, view=view).part_volume, rel=1e-6
     )
+
+
+def test_equal_heights_make_no_slivers():
+    """Rounding errors of single numbers are no steps: a bore in a turned part has the same floor as the stock."""
+    left = simulate(moves(1), tool=Tool("endmill", 6), stock=BLOCK, view=View(DOWN, 80, 60))
+    stock = Mesh(part_triangles(left) * [1, -1, -1] + [0, 30.01, 10.003])
+    triangles = part_triangles(simulate(moves(2), tool=Tool("endmill", 6), stock=stock, view=View(DOWN, 80, 60)))
+    heights = np.unique(triangles[:, :, 2].round(12))
+    assert np.diff(heights).min() > 2e-5
 
 
 def test_part_that_is_turned_over_keeps_its_volume():

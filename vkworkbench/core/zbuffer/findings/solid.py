@@ -14,8 +14,11 @@ from pathlib import Path
 
 import numpy as np
 
+from vkworkbench.core.zbuffer.rays.dexels import THINNEST
 from vkworkbench.core.zbuffer.simulator.moments import ZBuffer
 
+# Grid to which depths are rounded, mm: no piece of a ray is thinner. Between finer depths there would be triangles without an area.
+_SAME = THINNEST
 # Bytes before the triangles of an STL file, and one triangle: its normal, its corners and an unused number.
 _HEADER = 80
 _TRIANGLE = np.dtype([("normal", "<f4", 3), ("corners", "<f4", (3, 3)), ("unused", "<u2")])
@@ -84,10 +87,11 @@ def part_triangles(zbuffer: ZBuffer) -> np.ndarray:
     -------
     (t, 3, 3) float64
         Corners of the triangles, mm, counter-clockwise seen from outside. Each edge belongs to an even number of triangles. The
-        enclosed volume is `zbuffer.part_volume`.
+        enclosed volume is `zbuffer.part_volume`, but depths are rounded to 1e-4 mm.
     """
     frame, dexels = zbuffer.frame, zbuffer.dexel_records
-    depths, rank = np.unique(np.concatenate((dexels["near"], dexels["far"])), return_inverse=True)
+    ends = np.concatenate((dexels["near"], dexels["far"])).astype(float)
+    depths, rank = np.unique(np.rint(ends / _SAME) * _SAME, return_inverse=True)
     near, far = rank.reshape(2, -1).astype(np.int64)
     row, column = np.divmod(dexels["pixel"].astype(np.int64), frame.width)
     size = (frame.width + 1, frame.height + 1, len(depths))
@@ -100,7 +104,7 @@ def part_triangles(zbuffer: ZBuffer) -> np.ndarray:
         x, y = (at[..., 0] - frame.width / 2) * frame.pixel, (at[..., 1] - frame.height / 2) * frame.pixel
         low = np.minimum(at[..., 2].astype(np.int64), len(depths) - 1)
         high, share = np.minimum(low + 1, len(depths) - 1), at[..., 2] - low
-        depth = depths[low].astype(float) * (1 - share) + depths[high].astype(float) * share
+        depth = depths[low] * (1 - share) + depths[high].astype(float) * share
         result: np.ndarray = (
             frame.centre + x[..., None] * frame.right + y[..., None] * frame.up + depth[..., None] * frame.direction
         )
