@@ -146,6 +146,7 @@ ACTIVE = Property("Active", fingerprint="setting")
 CONTROLLER = Property("ToolController", fingerprint="setting")
 POCKET_PATTERN = Property("ClearingPattern", since=(1, 1), before=("OffsetPattern",))
 SURFACE_PATTERN = Property("CutPattern")
+ALGORITHM = Property("Algorithm")  # of a waterline
 # A job and its stock.
 OPERATIONS = Property("Operations")
 TOOLS = Property("Tools")

@@ -56,6 +56,7 @@ ROWS, ROWS_ONE_WAY, AROUND, MIXED = Strategy.ZIGZAG, Strategy.ONE_WAY, Strategy.
         ("Offset", told(ROWS), True),
         ("Offset", told(ROWS, confidence=0.79), False),
         ("Offset", told(ROWS, passes=2), False),
+        ("Drilling", told(AROUND, passes=1), True),
         ("Offset", told(ROWS, passes=None), True),
         ("Offset", told(Strategy.UNKNOWN), False),
         ("Offset", told(Strategy.EMPTY, 1.0), False),
@@ -78,6 +79,34 @@ def test_the_pattern_of_a_slot_is_how_its_one_line_is_cut(small):
     slot.Proxy = type("ObjectSlot", (), {"__module__": "Path.Op.Slot"})()
     (row,) = vkworkbench.analyze(slot).operations
     assert row.strategy is Strategy.PROFILE and row.called is None
+
+
+@pytest.mark.parametrize(
+    "algorithm, pattern, called",
+    [
+        ("Experimental", "ZigZag", None),
+        ("Experimental", "None", "Waterline"),
+        ("Experimental", "Offset", "Waterline"),
+        ("OCL Dropcutter", "ZigZag", "Waterline"),
+    ],
+)
+def test_waterline_clears_its_layers_with_a_pattern(small, zigzag_commands, algorithm, pattern, called):
+    """Only the experimental algorithm has a pattern. A waterline of rows then is as it is named."""
+    waterline = small.add("Waterline", zigzag_commands)
+    for name, value in (("Algorithm", algorithm), ("CutPattern", pattern)):
+        waterline.addProperty("App::PropertyString", name, "Path")
+        setattr(waterline, name, value)
+    waterline.Proxy = type("ObjectWaterline", (), {"__module__": "Path.Op.Waterline"})()
+    (row,) = vkworkbench.analyze(waterline).operations
+    assert (row.strategy, row.called) == ("zigzag", called)
+
+
+@pytest.mark.parametrize("count", [1, 2, 3])
+def test_contours_contradict_drilling_at_any_number(small, count):
+    drilling = small.add("Drilling", programs.profile(depths=tuple(-2.0 * k for k in range(count))))
+    drilling.Proxy = type("ObjectDrilling", (), {"__module__": "Path.Op.Drilling"})()
+    (row,) = vkworkbench.analyze(drilling).operations
+    assert (row.strategy, row.called) == ("profile", "Drilling")
 
 
 def test_a_dress_up_is_judged_by_itself(small, zigzag_commands):

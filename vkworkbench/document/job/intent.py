@@ -22,8 +22,8 @@ _PATTERNS = {
     "Circular": _ALONG, "CircularZigZag": {Family.ROWS}, "Grid": {Family.ROWS}, "Line": {Family.ROWS}, "Offset": _ALONG,
     "Spiral": _ALONG, "Triangle": {Family.ROWS}, "ZigZag": {Family.ROWS}, "ZigZagOffset": {Family.ROWS, Family.AROUND},
 }  # fmt: skip
-# Minimum number of rows or loops for a contradiction. Fewer: in a pocket about as wide as the tool, every pattern becomes one
-# line or one loop, and correct operations would be flagged.
+# Minimum number of rows or loops for a contradiction, except for holes. Fewer: in a pocket about as wide as the tool, every
+# pattern becomes one line or one loop, and correct operations would be flagged.
 MIN_PASSES = 3
 # Strategies that never contradict a pattern: in places about as wide as the tool, any pattern becomes a loop, a line or short
 # strokes in each place.
@@ -37,7 +37,7 @@ def contradicts(name: str | None, found: Recognition) -> bool:
     `benchmarks/intent.py` prints how often the answer is right.
     """
     meant = _KINDS.get(name) or _PATTERNS.get(name)
-    few = found.passes is not None and found.passes < MIN_PASSES
+    few = meant != {Family.HOLES} and found.passes is not None and found.passes < MIN_PASSES
     if not meant or not found.strategy.is_answer or found.confidence < MIN_CONFIDENCE or few:
         return False
     if name in _PATTERNS and found.strategy in _IN_NARROW_PLACES:
@@ -47,10 +47,15 @@ def contradicts(name: str | None, found: Recognition) -> bool:
 
 
 def name_of_intent(obj) -> str | None:
-    """Return FreeCAD's name for an operation's kind or, if the kind implies no strategy, its pattern; None without either."""
+    """Return FreeCAD's name for an operation's kind or, if the kind implies no strategy, its pattern; None without either.
+
+    FreeCAD's experimental waterline clears its layers with a pattern: both contours and rows are as named.
+    """
     if kind(obj) in ("dressup", "array"):  # without a pattern of their own
         return None
     name = freecad.operation_name(obj)
+    if name == "Waterline" and freecad.ALGORITHM.of(obj) == "Experimental":
+        return name if _PATTERNS.get(freecad.SURFACE_PATTERN.of(obj), _ALONG) == _ALONG else None
     if name not in _KINDS:
         name = freecad.POCKET_PATTERN.of(obj) or freecad.SURFACE_PATTERN.of(obj)
     return name
