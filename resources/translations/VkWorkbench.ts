@@ -1321,6 +1321,10 @@
         <source>A variable is read that the program has not set. It is read as 0, on a Fanuc control as empty.</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>A command with two codes, such as G90 and G1, is read with both. Some post processors write only the first.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>Strategy</name>

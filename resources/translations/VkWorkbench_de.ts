@@ -1321,6 +1321,10 @@
         <source>A variable is read that the program has not set. It is read as 0, on a Fanuc control as empty.</source>
         <translation>Eine Variable wird gelesen, die das Programm nicht gesetzt hat. Sie gilt als 0, auf einer Fanuc-Steuerung als leer.</translation>
     </message>
+    <message>
+        <source>A command with two codes, such as G90 and G1, is read with both. Some post processors write only the first.</source>
+        <translation>Ein Befehl mit zwei Codes, wie G90 und G1, wird mit beiden gelesen. Manche Postprozessoren schreiben nur den ersten.</translation>
+    </message>
 </context>
 <context>
     <name>Strategy</name>

@@ -1321,6 +1321,10 @@
         <source>A variable is read that the program has not set. It is read as 0, on a Fanuc control as empty.</source>
         <translation>Se lee una variable que el programa no ha definido. Vale 0, o está vacía en un control Fanuc.</translation>
     </message>
+    <message>
+        <source>A command with two codes, such as G90 and G1, is read with both. Some post processors write only the first.</source>
+        <translation>Un comando con dos códigos, como G90 y G1, se lee con los dos. Algunos posprocesadores escriben solo el primero.</translation>
+    </message>
 </context>
 <context>
     <name>Strategy</name>

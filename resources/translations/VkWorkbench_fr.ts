@@ -1321,6 +1321,10 @@
         <source>A variable is read that the program has not set. It is read as 0, on a Fanuc control as empty.</source>
         <translation>Une variable que le programme n’a pas définie est lue. Elle vaut 0, ou est vide sur une commande Fanuc.</translation>
     </message>
+    <message>
+        <source>A command with two codes, such as G90 and G1, is read with both. Some post processors write only the first.</source>
+        <translation>Une commande à deux codes, comme G90 et G1, est lue avec les deux. Certains post-processeurs n&apos;écrivent que le premier.</translation>
+    </message>
 </context>
 <context>
     <name>Strategy</name>

@@ -1321,6 +1321,10 @@
         <source>A variable is read that the program has not set. It is read as 0, on a Fanuc control as empty.</source>
         <translation>读取了程序未赋值的变量。其值按 0 处理，在 Fanuc 系统上按空值处理。</translation>
     </message>
+    <message>
+        <source>A command with two codes, such as G90 and G1, is read with both. Some post processors write only the first.</source>
+        <translation>含有两个代码（如 G90 和 G1）的命令按两个代码读取。有些后处理器只写第一个。</translation>
+    </message>
 </context>
 <context>
     <name>Strategy</name>

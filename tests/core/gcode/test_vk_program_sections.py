@@ -544,3 +544,23 @@ def test_a_section_begins_with_its_first_line():
 
 def test_a_program_without_comments_is_one_operation():
     assert sections(CUT) == [("", None, None)]
+
+
+def test_the_only_required_tool_is_the_tool():
+    program = "G90\n(Required tools:)\n({})\n\nG00 Z5\n(No. 1: Pocket: One)\nG00 X4 Y8\nG01 Z-1 F500\nG01 Y1\n"
+    for entries, diameter in (("China 6mm", 6), ("China 6mm)\n(China 3mm", None), ("Whatever", None)):
+        (section,) = split_sections(read_program(program.format(entries)))
+        assert (section.tool and section.tool.diameter) == diameter
+
+
+def test_sizes_of_drills_are_not_a_title():
+    program = "( Bit sizes: [0.8mm] [1mm] )\nG21 G90\nT1\n(MSG, Change tool bit to drill size 0.8mm)\nM6\nG0 X0 Y0 Z5\nG1 Z-1 F60"
+    (section,) = split_sections(read_program(program))
+    assert section.title == "Change tool bit to drill size 0.8mm" and section.tool.diameter == 0.8
+
+
+def test_comment_of_a_tool_is_not_a_title():
+    listed = "(T1 D=1.5 CR=0. - ZMIN=-1. - flat end mill)\n"
+    text = "G90 G21\n(Trace1)\nT1 M6\n(wood cutter, blue)\nS5000 M3\nG0 X0 Y0 Z5\nG1 Z-1 F100\nG1 X9\n"
+    assert [section.title for section in split_sections(read_program(listed + text))] == ["Trace1"]
+    assert [section.title for section in split_sections(read_program(text))] == ["wood cutter, blue"]

@@ -10,7 +10,7 @@ import programs
 import pytest
 from counting import memory
 
-from vkworkbench.core.gcode import Words, used_up
+from vkworkbench.core.gcode import Words, linearize, used_up
 from vkworkbench.core.gcode.moves import words
 
 
@@ -80,3 +80,35 @@ def test_pieces_read_what_the_whole_reads(piece, monkeypatch):
     for letter in whole.letters:
         for one, other in zip(pieces.column(letter), whole.column(letter)):
             assert np.array_equal(one, other, equal_nan=one.dtype == float)
+
+
+BEFORE_CODES = [("G0", {"Z": 25}), ("G0", {"X": 15, "Y": 20}), ("G1", {"Z": 18, "F": 2})]
+
+
+@pytest.mark.parametrize(("commands", "length"), [
+    ([("G17", {"G": 2, "X": 15, "Y": 20, "I": 10, "J": 0, "F": 10})], 62.832), ([("G90", {"G": 1, "X": 45})], 30),
+    ([("G91", {"G": 1, "X": 20}), ("G90", {})], 20), ([("G18", {"G": 3, "X": 5, "Z": 8, "I": -10, "K": 0})], 15.708),
+    ([("M3", {"S": 1000, "G": 1, "X": 45})], 30), ([("G1", {"G": 90, "X": 45})], 30),
+    ([("G98", {"G": 81, "X": 40, "Y": 10, "Z": 5, "R": 22}), ("G80", {})], 17),
+    ([("G1", {"X": 45}), ("G54", {"G": 1, "X": 15})], 60), ([("G17", {"G": 90, "X": 45})], 30),
+])  # fmt: skip
+def test_commands_with_two_codes_are_read_with_both(commands, length):
+    path = linearize([*BEFORE_CODES, *commands, ("G0", {"Z": 25})], tolerance=1e-5)
+    cut = np.linalg.norm(np.diff(path.points, axis=0), axis=1)[~path.rapid].sum() - 7
+    assert cut == pytest.approx(length, abs=1e-3)
+    assert [problem.what.code for problem in path.problems] == ["two-codes"]
+
+
+def test_words_beside_a_state_continue_the_motion():
+    path = linearize([*BEFORE_CODES, ("G90", {"X": 45})])
+    assert path.points[-1].tolist() == [45, 20, 18] and not path.rapid[-1] and not path.problems
+
+
+def test_state_beside_home_stays_in_force():
+    path = linearize([*BEFORE_CODES, ("G28", {"G": 91, "Z": 0}), ("G1", {"X": 1})])
+    assert path.points[-1].tolist() == [16, 20, 25]
+
+
+def test_an_unknown_second_code_is_told():
+    path = linearize([*BEFORE_CODES, ("G90", {"G": 777, "X": 45})])
+    assert [problem.what.code for problem in path.problems] == ["two-codes", "unknown-code"]

@@ -40,6 +40,10 @@ COMMANDS: dict[str, str | tuple[str, str]] = {
         "The program does not show whether the centers of its circles are offsets (G91.1) or positions (G90.1). "
         "They are read as offsets.",
     ),
+    "two-codes": QT_TRANSLATE_NOOP(
+        "Sentences",
+        "A command with two codes, such as G90 and G1, is read with both. Some post processors write only the first.",
+    ),
     "unknown-code": QT_TRANSLATE_NOOP("Sentences", "The unknown code {name} is ignored."),
     "unknown-code-with-words": QT_TRANSLATE_NOOP(
         "Sentences", "The unknown code {name} is ignored, and the {letters} words of its line with it."

@@ -33,6 +33,10 @@ _NO_NAME = re.compile(r"\s*(?:TOOL/|tool_radius\b|tool size\b)", re.IGNORECASE)
 # The name of a FreeCAD tool controller. Unlike other tool descriptions, the name is also a title: it begins an
 # operation without another title, even for a control without M6.
 _CONTROLLER = re.compile(r"\s*TC: \S")
+# Estlcam lists the tools in the comments below this one.
+_REQUIRED_TOOLS = re.compile(r"\s*required tools:\s*", re.IGNORECASE)
+# Fusion lists the tools at the top, and writes a tool's own comment in the line below the tool change.
+_TOOL_OF_FUSION = re.compile(r"\s*T\d+\s+D=\S+\s+CR=", re.IGNORECASE)
 _MESSAGE = re.compile(r"\s*MSG\b\s*,?\s*", re.IGNORECASE)  # the control shows the rest to the operator
 
 # Comments with which py2gcode, FreeCAD, and FreeCAD for UCCNC begin and end an operation. The comments between them
@@ -172,7 +176,9 @@ class _Groups:
         self._changes = {mark.line: mark.number for mark in marks if not isinstance(mark.what, str)}
         self._ended = {ended for _, _, text in program.comments if (ended := _named(_TO, text))}
         self._begun = ""  # name of the current operation, between its begin and end comments
-        self._known: dict[int, Tool] = {}  # the tools described so far
+        # The tools described so far.
+        self._known: dict[int, Tool] = _only_required_tool(program)
+        self._is_fusion = any(_TOOL_OF_FUSION.match(text) for _, _, text in program.comments)
         self.groups = [_Group(min([int(program.lines[0]), *(mark.line for mark in marks[:1])]), known=self._known)]
         listed, before = _listed(marks, cuts), 0
         for mark in marks:
@@ -201,6 +207,8 @@ class _Groups:
             number = number_named(text)
             group.tool = (None if number is None else self._known.get(number)) or group.tool
         title = self._operation(text)
+        if self._is_fusion and group.title and group.change == mark.line - 1:
+            return
         if title and mark.called:
             group.called = group.called or title
         elif title and not _beside_a_move(self._program, mark.at, mark.line):
@@ -230,6 +238,18 @@ class _Groups:
             # Keep a tool that was described in the line of the tool change, unless the comment is from CutViewer
             # (`from_here`) or a later tool change follows.
             group.tool, group.tool_name, group.told = told.tool, name, line
+
+
+def _only_required_tool(program: Program) -> dict[int, Tool]:
+    """Return the tool in a list of required tools (Estlcam) that has one entry, with a number that no T word has."""
+    tools: list[Tool | None] = []
+    next_line = -1
+    for _, line, text in program.comments:
+        if line == next_line:
+            told = tool_told(f"{text} cutter", inches=program.inches)
+            tools.append(told.tool if told else None)
+        next_line = line + 1 if line == next_line or _REQUIRED_TOOLS.fullmatch(text) else -1
+    return {-1: tools[0]} if len(tools) == 1 and tools[0] else {}
 
 
 def _named(pattern: re.Pattern[str], comment: str) -> str:

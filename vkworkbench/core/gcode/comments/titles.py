@@ -25,7 +25,7 @@ _REMARK = re.compile(
     | .*\bdepth:\s*[-+]?[\d.]+$ | helix\ cut\ operation$ | (?:turn|wait)\b | (?:header|footer)\b | origin: | pycam[-_] | (?-i:[a-z_]\w*_\w+)(?:\(\S+\))?\s*[:=] | pen\ (?:up|down)$ | (?:(?:ensure|turns)\ )?laser\ o(?:n|ff)\b
     | (?:begin|start|stop|end)\ cut(?:ting)?$ | cutting\ (?:begins|starts|ends)$ | finished\b\W*$ | \$\w+\(
     | .*(?:主轴|冷却|切削液|程序|延时|暂停|补偿|坐标|回零|返回|原点|抬刀|换刀|退刀|快速|安全|进给|转速|取消|设置|设定|单位|公制|英制)
-    | pcb2gcode\b | high\s+up\s+down\b | (?:generator|shape)\s*= | generator: | [\w-]+\s*:\s*(?:true|false)$ | end\ cutting\ path\b | it\ is\b
+    | pcb2gcode\b | software-independent\ gerber\b | (?:drill\ )?bit\ sizes\s*: | high\s+up\s+down\b | (?:generator|shape)\s*= | generator: | [\w-]+\s*:\s*(?:true|false)$ | end\ cutting\ path\b | it\ is\b
     | [XYZ]{2}\ plane\b | exact\ path\b | default\ cutting$ | feed\ per\b | work\ coordinate\b | select\b.*\b(?:plane|coordinate\ system|work\ offset)\b
     | toolpath(?:\ wp\b|$) | strategy\ used\b | unconverted\ code\b | pass\ \#?\d+\ at\b | moving\ to\b | ending\ .*\ op\b
     | block-\w+\s*: | (?=.*\d)[0-9a-f]{6}$ | [\w\ ]*(?:height\ offset|comp|css|compressor)\ o(?:n|ff)$

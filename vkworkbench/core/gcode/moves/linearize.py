@@ -155,14 +155,14 @@ class _Program:
         for rows, what in unread(words, self.motion):
             self.problems.add(rows, what)
 
-        self.plane = _mode(codes, PLANES, 17)
-        self.relative = _mode(codes, {ABSOLUTE: 0, RELATIVE: 1}, 0) == 1
+        self.plane = _mode(words, PLANES, 17)
+        self.relative = _mode(words, {ABSOLUTE: 0, RELATIVE: 1}, 0) == 1
         self.to_machine, self.rises = self._moves_to_machine()
         self.relative[self.to_machine] = False
         self.motion[self.to_machine] = RAPID
-        self.absolute_centre = _mode(codes, {ABSOLUTE_CENTRES: 1, RELATIVE_CENTRES: 0}, 0) == 1
+        self.absolute_centre = _mode(words, {ABSOLUTE_CENTRES: 1, RELATIVE_CENTRES: 0}, 0) == 1
         self.infer_centres = infer_centres and not np.isin(codes, (ABSOLUTE_CENTRES, RELATIVE_CENTRES)).any()
-        self.to_retract_plane = _mode(codes, {TO_START: 0, TO_RETRACT_PLANE: 1}, 0) == 1
+        self.to_retract_plane = _mode(words, {TO_START: 0, TO_RETRACT_PLANE: 1}, 0) == 1
         self.feed = self._feed()
         count = np.count_nonzero(self.is_cycle)
         self.cycle_heights, self.cycle_peck = np.empty((count, 4)), np.empty(count)
@@ -172,7 +172,11 @@ class _Program:
     def _report_codes(self) -> None:
         codes, names = self.words.codes, self.words.names
         known = np.concatenate([MOTIONS, STATES, PROBES, MACHINE])
+        self.problems.add(self.words.two_codes, Message("two-codes"))
         by_name: dict[str, list[int]] = {}
+        for row, code in zip(self.words.second_rows.tolist(), self.words.second_codes.tolist()):
+            if code == UNKNOWN or (code >= 0 and code not in known):
+                by_name.setdefault(name_of(code), []).append(row)
         for row in np.flatnonzero((codes == UNKNOWN) | ((codes >= 0) & ~np.isin(codes, known))).tolist():
             by_name.setdefault(names[row], []).append(row)
         unknown = list(by_name.items())
@@ -221,7 +225,7 @@ class _Program:
             speed = self.words.column("S", tapping)[0]  # turns/min
             values[tapping] *= np.where(speed > 0, speed / 60, 1)
         setter = _last(values >= SLOWEST_FEED)
-        per_minute = _mode(self.words.codes, {INVERSE_TIME: 0, PER_MINUTE: 1, PER_TURN: 0}, 1) == 1
+        per_minute = _mode(self.words, {INVERSE_TIME: 0, PER_MINUTE: 1, PER_TURN: 0}, 1) == 1
         return np.where((setter >= 0) & per_minute, values[setter], 0.0)
 
     def _positions(self) -> tuple[np.ndarray, np.ndarray]:
@@ -405,13 +409,13 @@ def _held(values: np.ndarray) -> np.ndarray:
     return np.where(last >= 0, values[last], np.nan) if len(values) else values
 
 
-def _mode(codes: np.ndarray, states: dict[int, int], default: int) -> np.ndarray:
+def _mode(words: Words, states: dict[int, int], default: int) -> np.ndarray:
     """Return the state of a modal group at every command: the value for the group's last code, (n,) int."""
+    codes = words.codes
     value, sets = np.full(len(codes), default, np.int64), np.zeros(len(codes), bool)
     for code, code_value in states.items():
-        own = codes == code
-        value[own] = code_value
-        sets |= own
+        for own in (np.flatnonzero(codes == code), words.second_rows[words.second_codes == code]):
+            value[own], sets[own] = code_value, True
     if not sets.any():
         return value
     setter = _last(sets)

@@ -10,9 +10,22 @@ from typing import Any
 
 import numpy as np
 
-from vkworkbench.core.gcode.moves.codes import code_of
+from vkworkbench.core.gcode.moves.codes import (
+    CANCEL,
+    DWELL,
+    MACHINE,
+    MODAL,
+    MOTIONS,
+    PROBES,
+    STATES,
+    TOOL_CHANGE,
+    UNKNOWN,
+    code_of,
+)
 from vkworkbench.core.toolpath import COORDINATE_LIMIT
 
+_MOVES = (*MOTIONS, *PROBES, *MACHINE)
+_CARRIERS = frozenset(STATES) - {DWELL, 431, CANCEL}  # states beside which axis words are the target of a move
 _ABSENT = 1e300
 _PIECE = 50_000  # commands read at once; the parameters of a command need half a kB of memory
 # A line that begins with a coordinate or a line number: FreeCAD's import makes this word the command's name.
@@ -31,6 +44,15 @@ class Words:
     ------
     TypeError
         If `commands` has another type.
+
+    Attributes
+    ----------
+    names : list of str
+        Name of each command.
+    codes : (n,) int64
+        Code of each command, see `codes.code_of`; in a command with two codes, the code that moves the tool.
+    second_rows, second_codes : (m,) int64
+        Commands with a second code, and this code.
     """
 
     def __init__(self, commands: Iterable[Any]) -> None:
@@ -52,6 +74,37 @@ class Words:
         # Lower-case letters are valid, too; FreeCAD's own letters are upper-case.
         self._letters = np.frombuffer("".join(letters).encode("ascii", "replace").upper(), np.uint8)
         self._rows = np.repeat(np.arange(len(count), dtype=np.int32), count)
+        self.second_rows, self.second_codes = self._second_codes(_CARRIERS.intersection(table.values()))
+
+    def _second_codes(self, states: frozenset[int]) -> tuple[np.ndarray, np.ndarray]:
+        """Make the motion of each command its code; return the rows and the codes of the other codes, (m,) int.
+
+        FreeCAD keeps ``G90 G1 X45`` as G90 with the parameters G and X, and ``G90 X45`` as G90 with the parameter X. A
+        post processor writes the words back, and a machine moves. After a bare G28, the words belong to the G28.
+
+        Parameters
+        ----------
+        states : frozenset of int
+            Codes of the commands beside which axis words are the target of a move.
+        """
+        rows = self.two_codes
+        if not (len(rows) or states):
+            return rows, rows
+        first, second = self.codes[rows], _codes_of(self._values[self._letters == ord("G")])
+        moves = np.isin(second, _MOVES) & ~np.isin(first, (*MACHINE, TOOL_CHANGE))
+        self.codes[rows[moves]] = second[moves]
+        rest = np.where(moves, first, second)
+        carries = np.zeros(len(self), bool)
+        for state in states:
+            carries |= self.codes == state
+        if not carries.any():
+            return rows, rest
+        carries[1:] &= ~np.isin(self.codes[:-1], MACHINE)
+        axes = (self._letters >= ord("X")) & (self._letters <= ord("Z"))
+        modal = np.unique(self._rows[axes & carries[self._rows]]).astype(np.int64)
+        rows, rest = np.concatenate([rows, modal]), np.concatenate([rest, self.codes[modal]])
+        self.codes[modal] = MODAL
+        return rows, rest
 
     def __len__(self) -> int:
         return len(self.names)
@@ -60,6 +113,12 @@ class Words:
     def letters(self) -> set[str]:
         """set of str : The letters of all parameters."""
         return {chr(letter) for letter in np.flatnonzero(np.bincount(self._letters)).tolist()}
+
+    @property
+    def two_codes(self) -> np.ndarray:
+        """(m,) int : Rows of the commands with a second code in the parameter G, which some post processors leave out."""
+        rows: np.ndarray = self._rows[self._letters == ord("G")].astype(np.int64)
+        return rows
 
     def column(self, letter: str, rows: np.ndarray | None = None) -> tuple[np.ndarray, np.ndarray]:
         """Return the values of one parameter, and whether each value is unusable.
@@ -85,6 +144,14 @@ class Words:
         values[row] = np.where(usable, value, np.nan)
         unusable[row] = ~usable
         return (values, unusable) if rows is None else (values[rows], unusable[rows])
+
+
+def _codes_of(numbers: np.ndarray) -> np.ndarray:
+    """Return G-codes in tenths, (m,) int; UNKNOWN for numbers that are not G-codes."""
+    usable = (numbers >= 0) & (numbers < 1000)
+    tenths = np.rint(10 * np.where(usable, numbers, 0.0))
+    codes: np.ndarray = np.where(usable, tenths, UNKNOWN).astype(np.int64)
+    return codes
 
 
 def _columns(piece: list[Any]) -> tuple[list[str], list[Any]]:
