@@ -9,7 +9,7 @@ import vkworkbench
 
 
 def rgb(color):
-    """The shares of red, green and blue of a colour such as "#1173d4"."""
+    """The shares of red, green and blue of a colour such as "#0072d8"."""
     return tuple(int(color[at : at + 2], 16) / 255 for at in (1, 3, 5))
 
 

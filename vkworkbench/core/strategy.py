@@ -34,8 +34,9 @@ class Strategy(str, enum.Enum):
         Explanation in one sentence.
     family : Family
     color : str
-        Colour, ``"#rrggbb"``. All colours have the relative luminance 0.17 (WCAG 2.1): white text on them has a
-        contrast above 4.5, and they are visible on light and dark windows. A colour never appears without the name.
+        Colour, ``"#rrggbb"``. All colours have a relative luminance of 0.14 to 0.18 (WCAG 2.1): white text on them has a
+        contrast above 4.5, and they are visible on light and dark windows. People who see no difference between red and
+        green can distinguish them, too. A colour never appears without the name.
     """
 
     label: str
@@ -51,55 +52,55 @@ class Strategy(str, enum.Enum):
         return entry
 
     ZIGZAG = (
-        "zigzag", QT_TRANSLATE_NOOP("Strategy", "zigzag"), Family.ROWS, "#1173d4",
+        "zigzag", QT_TRANSLATE_NOOP("Strategy", "zigzag"), Family.ROWS, "#0072d8",
         "Long moves alternate between two opposite directions, short moves link them.",
     )  # fmt: skip
     ONE_WAY = (
-        "one-way", QT_TRANSLATE_NOOP("Strategy", "one-way"), Family.ROWS, "#037e96",
+        "one-way", QT_TRANSLATE_NOOP("Strategy", "one-way"), Family.ROWS, "#007890",
         "The same rows all cut in one direction, with rapid or lifted returns.",
     )  # fmt: skip
     CONTOUR_PARALLEL = (
-        "contour-parallel", QT_TRANSLATE_NOOP("Strategy", "contour-parallel"), Family.AROUND, "#13851c",
+        "contour-parallel", QT_TRANSLATE_NOOP("Strategy", "contour-parallel"), Family.AROUND, "#067e00",
         "Two or more nested offset loops, one sense of rotation.",
     )  # fmt: skip
     PROFILE = (
-        "profile", QT_TRANSLATE_NOOP("Strategy", "profile"), Family.AROUND, "#b75804",
+        "profile", QT_TRANSLATE_NOOP("Strategy", "profile"), Family.AROUND, "#ba5a06",
         "One closed or open contour per depth, repeated at other depths at most.",
     )  # fmt: skip
     WATERLINE = (
-        "waterline", QT_TRANSLATE_NOOP("Strategy", "waterline"), Family.AROUND, "#038269",
+        "waterline", QT_TRANSLATE_NOOP("Strategy", "waterline"), Family.AROUND, "#127854",
         "Contours at many depths whose shape changes with the depth.",
     )  # fmt: skip
     SPIRAL = (
-        "spiral", QT_TRANSLATE_NOOP("Strategy", "spiral"), Family.AROUND, "#8b7003",
+        "spiral", QT_TRANSLATE_NOOP("Strategy", "spiral"), Family.AROUND, "#727248",
         "One continuous winding with a changing radius.",
     )  # fmt: skip
     HELIX = (
-        "helix", QT_TRANSLATE_NOOP("Strategy", "helix"), Family.AROUND, "#507f0e",
+        "helix", QT_TRANSLATE_NOOP("Strategy", "helix"), Family.AROUND, "#4e7e30",
         "Winding that descends at a constant radius (bore, thread, ramp).",
     )  # fmt: skip
     ADAPTIVE = (
-        "adaptive", QT_TRANSLATE_NOOP("Strategy", "adaptive"), Family.AROUND, "#df2424",
+        "adaptive", QT_TRANSLATE_NOOP("Strategy", "adaptive"), Family.AROUND, "#e4243c",
         "Many small engagement loops (adaptive, trochoidal).",
     )  # fmt: skip
     DRILLING = (
-        "drilling", QT_TRANSLATE_NOOP("Strategy", "drilling"), Family.HOLES, "#9b4ed2",
+        "drilling", QT_TRANSLATE_NOOP("Strategy", "drilling"), Family.HOLES, "#9c4ed2",
         "Vertical moves at points.",
     )  # fmt: skip
     ENGRAVING = (
-        "engraving", QT_TRANSLATE_NOOP("Strategy", "engraving"), Family.STROKES, "#d3258b",
+        "engraving", QT_TRANSLATE_NOOP("Strategy", "engraving"), Family.STROKES, "#d22aa2",
         "Many short open or closed strokes, no filling pattern.",
     )  # fmt: skip
     MIXED = (
-        "mixed", QT_TRANSLATE_NOOP("Strategy", "mixed"), Family.NONE, "#976851",
+        "mixed", QT_TRANSLATE_NOOP("Strategy", "mixed"), Family.NONE, "#7e607e",
         "Several of these, each in its own span.",
     )  # fmt: skip
     UNKNOWN = (
-        "unknown", QT_TRANSLATE_NOOP("Strategy", "unknown"), Family.NONE, "#737373",
+        "unknown", QT_TRANSLATE_NOOP("Strategy", "unknown"), Family.NONE, "#727272",
         "None can be defended.",
     )  # fmt: skip
     EMPTY = (
-        "empty", QT_TRANSLATE_NOOP("Strategy", "empty"), Family.NONE, "#737373",
+        "empty", QT_TRANSLATE_NOOP("Strategy", "empty"), Family.NONE, "#727272",
         "There is no cutting move.",
     )  # fmt: skip
 
