@@ -2160,6 +2160,14 @@ Memory</source>
         <source>Time on the machine of the preferences. Without a machine: at constant feeds, and with rapids if the tool controller has rapid speeds.</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>In Plain Words</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The toolpath in one sentence: the reason for the strategy.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>Vk_Simulate</name>

@@ -2166,6 +2166,14 @@ höchstens</translation>
         <source>Time on the machine of the preferences. Without a machine: at constant feeds, and with rapids if the tool controller has rapid speeds.</source>
         <translation>Zeit auf der Maschine der Einstellungen. Ohne Maschine: mit konstantem Vorschub, und mit Eilgängen, wenn der Werkzeugcontroller Eilganggeschwindigkeiten hat.</translation>
     </message>
+    <message>
+        <source>In Plain Words</source>
+        <translation>In einfachen Worten</translation>
+    </message>
+    <message>
+        <source>The toolpath in one sentence: the reason for the strategy.</source>
+        <translation>Der Werkzeugweg in einem Satz: der Grund für die Strategie.</translation>
+    </message>
 </context>
 <context>
     <name>Vk_Simulate</name>

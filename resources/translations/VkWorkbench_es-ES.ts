@@ -2166,6 +2166,14 @@ como mucho</translation>
         <source>Time on the machine of the preferences. Without a machine: at constant feeds, and with rapids if the tool controller has rapid speeds.</source>
         <translation>Tiempo en la máquina de las preferencias. Sin máquina: con avance constante, y con movimientos rápidos si el controlador de herramienta tiene velocidades rápidas.</translation>
     </message>
+    <message>
+        <source>In Plain Words</source>
+        <translation>En palabras sencillas</translation>
+    </message>
+    <message>
+        <source>The toolpath in one sentence: the reason for the strategy.</source>
+        <translation>La trayectoria en una frase: la razón de la estrategia.</translation>
+    </message>
 </context>
 <context>
     <name>Vk_Simulate</name>

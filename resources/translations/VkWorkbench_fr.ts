@@ -2166,6 +2166,14 @@ au plus</translation>
         <source>Time on the machine of the preferences. Without a machine: at constant feeds, and with rapids if the tool controller has rapid speeds.</source>
         <translation>Temps sur la machine des préférences. Sans machine : à avance constante, avec les déplacements rapides si le contrôleur d&apos;outil a des vitesses rapides.</translation>
     </message>
+    <message>
+        <source>In Plain Words</source>
+        <translation>En clair</translation>
+    </message>
+    <message>
+        <source>The toolpath in one sentence: the reason for the strategy.</source>
+        <translation>Le parcours d&apos;outil en une phrase : la raison de la stratégie.</translation>
+    </message>
 </context>
 <context>
     <name>Vk_Simulate</name>

@@ -2166,6 +2166,14 @@ at Most</source>
         <source>Time on the machine of the preferences. Without a machine: at constant feeds, and with rapids if the tool controller has rapid speeds.</source>
         <translation>首选项中所选机床上的时间。未选机床时：按恒定进给计算，若刀具控制器设有快速速度则包括快速移动。</translation>
     </message>
+    <message>
+        <source>In Plain Words</source>
+        <translation>简单说明</translation>
+    </message>
+    <message>
+        <source>The toolpath in one sentence: the reason for the strategy.</source>
+        <translation>用一句话描述刀具路径：判定该策略的理由。</translation>
+    </message>
 </context>
 <context>
     <name>Vk_Simulate</name>

@@ -133,7 +133,7 @@ def test_columns_are_chosen_in_a_menu(panel, opened, window):
     named = ["Simulate Toolpaths", *(user().simulator(name) for name in ("legacy", *(["OpenGL"] if OPENGL else [])))]
     assert titles(panel)[:6] == [*FIRST[:4], "State", "Warnings"]
     assert titles(panel)[6:] == [
-        "Simulation Time at Most", "Confidence", "Moves", "Length",
+        "In Plain Words", "Simulation Time at Most", "Confidence", "Moves", "Length",
         *(f"{name} {what}" for name in named for what in ("Time", "Memory")),
         "Recommended Image",
     ]  # fmt: skip
@@ -379,7 +379,7 @@ def test_page_keeps_numbers_and_units_together(panel, window):
         told.append(block.text())
         block = block.next()
     assert not [text for text in told if re.search(r"\d (?:ms|s|min|h|mm)\b", text)], told
-    assert any(re.search("\\d\u00a0min", text) for text in told)
+    assert any(re.search("\\d\u00a0mm", text) for text in told)
 
 
 def test_several_selected_rows_show_their_total(panel, opened, window):

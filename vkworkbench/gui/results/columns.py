@@ -10,12 +10,13 @@ from functools import partial
 import FreeCAD
 
 from vkworkbench.core.simulators import ZBUFFER, Simulator, available
-from vkworkbench.gui.qt.sentences import is_chinese, user
+from vkworkbench.gui.qt.sentences import is_chinese, plain_sentence, user
 from vkworkbench.gui.qt.text import translate
 from vkworkbench.gui.results.rows import Row
 from vkworkbench.language import ROUGH
 
 OPERATION, STRATEGY, WARNINGS, STATE, LENGTH = "operation", "strategy", "warnings", "state", "length"
+REASON = "reason"
 
 
 @dataclass(frozen=True)
@@ -107,6 +108,8 @@ def columns(version: tuple[int, ...], marked: str) -> tuple[list[Column], list[C
         "multiplied by the factor to within which estimates are right.",
     )
     others = [
+        Column(REASON, translate("Vk_Results", "In Plain Words"),
+               translate("Vk_Results", "The toolpath in one sentence: the reason for the strategy."), _reason),
         Column("longest", translate("Vk_Results", "Simulation Time\nat Most"), longest.format(simulator=user().simulator(marked)),
                partial(_longest, marked), _as("time")),
         Column("sure", translate("Vk_Results", "Confidence"), translate("Vk_Results", "The confidence of the recognition."),
@@ -174,6 +177,10 @@ def _of_advice(simulator: Simulator) -> Column:
 
     return Column(f"{simulator.name} advice", text(advice.title), text(advice.tooltip), numbers,
                   lambda found: advice.form.format(*map(user().count, found)) if all(found) else text(advice.none))  # fmt: skip
+
+
+def _reason(row: Row) -> str | None:
+    return None if row.is_total else " ".join(map(plain_sentence, row.mark.reason)) or None
 
 
 def _confidence(row: Row) -> float | None:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The tooltip of a mark: the reason, the time on the machine, the time in each simulator, and warnings."""
+"""The tooltip of a mark: the reason, the strategy, the time on the machine, the time in each simulator, and warnings."""
 
 from __future__ import annotations
 
@@ -16,9 +16,9 @@ from vkworkbench.report import is_switched_off
 
 def explanation(record: Record, chosen: Preferences) -> str:
     """Return the explanation of a mark, as HTML without a paragraph."""
-    texts = [f"<b>{lines(_title(record))}</b>"]
-    if not is_switched_off(record):
-        texts += [lines(plain_sentence(reason)) for reason in record.reason]
+    reasons = () if is_switched_off(record) else record.reason
+    first, *rest = [*(plain_sentence(reason) for reason in reasons), _title(record)]
+    texts = [f"<b>{lines(first)}</b>", *map(lines, rest)]
     if record.trajectories:
         texts.append(lines(_machining(record)))
     names = sorted(record.costs, key=lambda name: name != chosen.simulator)
