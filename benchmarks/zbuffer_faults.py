@@ -26,7 +26,7 @@ sys.path[:0] = [str(ROOT), str(ROOT / "benchmarks"), str(ROOT / "examples")]
 
 from vkworkbench.core import Cut, Stock, Tool, Toolpath
 from vkworkbench.core.stocks import Mesh
-from vkworkbench.core.zbuffer import axis_view, check_crashes, facts, simulate_job, thin_gouges
+from vkworkbench.core.zbuffer import SeenModel, axis_view, check_crashes, facts, simulate_job, thin_gouges
 
 JOBS = 100
 # The memory that a simulation may take, bytes. The default of the preferences is four times as large.
@@ -216,9 +216,9 @@ def found_in(job: Job):
     """Return the faults that a simulation of a job finds: the attribute, cut and command of each."""
     cuts, stock = job.cuts(), Stock((0, 0, 0), job.size)
     view = axis_view(cuts, stock, memory_bytes=MEMORY, seconds=60)
-    zbuffer, model = simulate_job(cuts, stock=stock, view=view), job.model
-    thin = thin_gouges(cuts, stock, model, pixel=zbuffer.frame.pixel)
-    found = facts(zbuffer, check_crashes(cuts, stock), thin=thin, model=model).job
+    zbuffer = simulate_job(cuts, stock=stock, view=view)
+    seen = SeenModel(job.model, zbuffer.frame)
+    found = facts(zbuffer, check_crashes(cuts, stock), thin=thin_gouges(cuts, stock, seen), model=seen).job
     return {
         (name, one.source and (one.source.cut, one.source.command))
         for name in ("crashes", "fast_plunges", "gouges")

@@ -10,7 +10,7 @@ import pytest
 from zbuffer_inputs import ConvexStock, toolpath
 
 from vkworkbench.core import Cut, Stock, Tool, View
-from vkworkbench.core.zbuffer import check_crashes, facts, simulate_job, thin_gouges
+from vkworkbench.core.zbuffer import SeenModel, check_crashes, facts, simulate_job, thin_gouges
 
 PLATE = Stock((0, 0, 0), (600, 400, 20))
 MODEL = Stock((0, 0, 0), (600, 400, 18))  # 2 mm below the top of the plate
@@ -25,10 +25,14 @@ def slot(y, z, end=130.0):
     return [(100, y, 25), (100, y, z), (end, y, z), (end, y, 25)]
 
 
+def seen(model=MODEL, pixel=0.5):
+    return SeenModel(model, View(width=int(600 / pixel), height=int(400 / pixel)).frame(PLATE))
+
+
 def found(*cuts, model=MODEL, pixel=0.5, **given):
     return [
         (gouge.source.cut, gouge.source.command, gouge.last.command, round(gouge.depth, 2))
-        for gouge in thin_gouges(cuts, PLATE, model, pixel=pixel, **given).found
+        for gouge in thin_gouges(cuts, PLATE, seen(model, pixel), **given).found
     ]
 
 
@@ -56,14 +60,14 @@ def test_depth_below_a_slope_is_measured_across_it():
 
 def test_wide_tools_and_moves_above_the_model_are_not_searched():
     deep, level = slot(50.1, 17.0), slot(50.1, 18.0)
-    assert thin_gouges([cut(*deep, tool=Tool("endmill", 6))], PLATE, MODEL, pixel=0.5).cuts == ()
-    assert thin_gouges([cut(*level)], PLATE, MODEL, pixel=0.5).cuts == (0,)
+    assert thin_gouges([cut(*deep, tool=Tool("endmill", 6))], PLATE, seen()).cuts == ()
+    assert thin_gouges([cut(*level)], PLATE, seen()).cuts == (0,)
     assert found(cut(*level)) == []
 
 
 def test_moves_without_time_are_named_and_image_gouges_stay():
     cuts = [cut(*slot(50.1, 17.0))]
-    thin = thin_gouges(cuts, PLATE, MODEL, pixel=0.5, seconds=0)
+    thin = thin_gouges(cuts, PLATE, seen(), seconds=0)
     assert thin.found == () and [source.command for source in thin.unchecked] == [0, 1, 2]
     zbuffer = simulate_job(cuts, stock=PLATE, view=View(width=1200, height=800))
     assert facts(zbuffer, check_crashes(cuts, PLATE), thin=thin, model=MODEL).verdict.unchecked == thin.unchecked
@@ -73,9 +77,21 @@ def test_gouges_of_thin_tools_replace_those_of_the_image():
     wide = cut(*slot(200, 17.0), tool=Tool("endmill", 6))
     cuts = [cut(*slot(50.1, 17.5), *slot(80.1, 17.5)), wide]
     zbuffer = simulate_job(cuts, stock=PLATE, view=View(width=1200, height=800))
-    thin = thin_gouges(cuts, PLATE, MODEL, pixel=zbuffer.frame.pixel)
+    thin = thin_gouges(cuts, PLATE, SeenModel(MODEL, zbuffer.frame))
     job = facts(zbuffer, check_crashes(cuts, PLATE), thin=thin, model=MODEL)
     assert [(one.source.cut, one.source.command) for one in job.job.gouges] == [(1, 0), (0, 0), (0, 4)]
     assert job.verdict.gouges == 3 and [len(one.gouges) for one in job.cuts] == [2, 1]
     replaced = facts(zbuffer, check_crashes(cuts, PLATE), thin=replace(thin, found=()), model=MODEL)
     assert [one.source.cut for one in replaced.job.gouges] == [1]
+
+
+@pytest.mark.parametrize("aside, depth", [(0.0, None), (0.06, None), (0.3, 0.3), (0.7, 0.7)])
+def test_wall_shaved_by_a_wide_tool_is_a_gouge(aside, depth):
+    """Pixels of 0.5 mm; the wall of a model that ends at Y = 100 is cut, and then cut again aside."""
+    wall = Stock((0, 0, 0), (600, 100, 18))
+    cuts = [cut(*slot(103, 13.0), *slot(103 - aside, 13.0), tool=Tool("endmill", 6))]
+    zbuffer = simulate_job(cuts, stock=PLATE, view=View(width=1200, height=800))
+    model = SeenModel(wall, zbuffer.frame)
+    gouges = facts(zbuffer, check_crashes(cuts, PLATE), thin=thin_gouges(cuts, PLATE, model), model=model).job.gouges
+    told = [(gouge.source.command, gouge.last.command, gouge.depth) for gouge in gouges]
+    assert told == ([] if depth is None else [(4, 5, pytest.approx(depth, abs=0.07))])

@@ -6,6 +6,7 @@ from __future__ import annotations
 import time
 from collections.abc import Callable
 from dataclasses import dataclass
+from functools import cached_property
 from typing import Any
 
 from vkworkbench import preferences
@@ -15,6 +16,7 @@ from vkworkbench.core.zbuffer import (
     CrashCheck,
     JobFacts,
     OverBudget,
+    SeenModel,
     Volumes,
     axis_view,
     check_crashes,
@@ -48,18 +50,23 @@ class AlongAxis:
     collisions: Collisions
     measured: Volumes | None
 
+    @cached_property
+    def seen(self) -> SeenModel | None:
+        """The model in the image; None without a model."""
+        return None if self.job.model is None else SeenModel(self.job.model, self.zbuffer.frame)
+
     def facts(self, tolerance: float) -> JobFacts:
         """Return the facts on the operations and the job, and the verdict; see `core.zbuffer.facts`."""
-        thin, model = None, self.job.model
-        if model is not None:
-            pixel, seconds = self.zbuffer.frame.pixel, preferences.read().time_budget
-            thin = thin_gouges(self.job.cuts, self.job.stock, model, pixel=pixel, tolerance=tolerance, seconds=seconds)
+        thin, seen = None, self.seen
+        if seen is not None:
+            seconds = preferences.read().time_budget / 4
+            thin = thin_gouges(self.job.cuts, self.job.stock, seen, tolerance=tolerance, seconds=seconds)
         return facts(
             self.zbuffer,
             self.checked,
             self.measured,
             thin,
-            model=model,
+            model=seen,
             tolerance=tolerance,
             collisions=self.collisions,
         )

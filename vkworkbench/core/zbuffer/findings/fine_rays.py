@@ -76,9 +76,41 @@ class FineRays:
             return
         self._wanted[:] = False
         self._wanted[item[met]] = True
-        tiles = self._tiles_along(item[met], half_width[met])
+        yield from self._removed_in(self._tiles_along(item[met], half_width[met]), self._needed, going_on)
+
+    def removed_near(
+        self, marked: np.ndarray, frame: Frame, chosen: np.ndarray, going_on: Callable[[], None]
+    ) -> Iterator[RemovedPieces]:
+        """Yield the pieces that the chosen trajectories remove at marked pixels of a coarser image along the tool axis.
+
+        Parameters
+        ----------
+        marked : (height, width) bool
+        frame : Frame
+            The coarser image.
+        chosen : (n,) bool
+            Whether each trajectory is chosen.
+        going_on : callable
+            Called many times a second. An exception from it ends the work.
+        """
+        self._wanted[:] = chosen[self.trajectories.index]
+        own = self.trajectories.frame
+        is_marked = _Marked(marked, frame, own)
+        columns, rows = (np.arange(0, size, TILE) for size in (own.width, own.height))
+        column, row = np.tile(columns, len(rows)), np.repeat(rows, len(columns))
+        used = is_marked(column, row, TILE)
+        tiles = self._listed(TILE, column[used], row[used])
+
+        def needed(tiles: Tiles) -> Tiles:
+            return self._needed(tiles.selected(is_marked(tiles.column, tiles.row, tiles.side)))
+
+        yield from self._removed_in(tiles, needed, going_on)
+
+    def _removed_in(
+        self, tiles: Tiles, needed: Callable[[Tiles], Tiles], going_on: Callable[[], None]
+    ) -> Iterator[RemovedPieces]:
         found = []
-        for small, _ in divided(trajectories, self._bounds, tiles, self._needed):
+        for small, _ in divided(self.trajectories, self._bounds, tiles, needed):
             going_on()
             found.append(self._cut(small))
             if len(found) == _BLOCKS:
@@ -116,7 +148,11 @@ class FineRays:
         inside = (column >= 0) & (column < columns) & (row >= 0) & (row < rows)
         number = np.unique(row[inside].astype(np.int64) * columns + column[inside].astype(np.int64))
         row, column = np.divmod(number, columns)
-        column, row = column * side, row * side
+        return self._listed(side, column * side, row * side)
+
+    def _listed(self, side: int, column: np.ndarray, row: np.ndarray) -> Tiles:
+        """Return tiles with first pixels at `column`, `row` (t,), and with the trajectories that pass through each."""
+        frame = self.trajectories.frame
         x0, y0 = frame.pixel_centres(column, row)
         x1, y1 = frame.pixel_centres(column + side - 1, row + side - 1)
         tile, met = self.trajectories.meeting(x0, x1, y0, y1)
@@ -173,6 +209,31 @@ def half_widths(tool: Tool, height: np.ndarray) -> np.ndarray:
         wide = np.full(len(height), tool.radius)
     result: np.ndarray = np.minimum(wide, tool.radius)
     return result
+
+
+class _Marked:
+    """Marked pixels (height, width) bool of a coarse image, for tiles of a fine image of the same direction."""
+
+    def __init__(self, marked: np.ndarray, coarse: Frame, fine: Frame) -> None:
+        self._coarse, self._fine = coarse, fine
+        self._before = np.zeros((coarse.height + 1, coarse.width + 1), np.int64)
+        self._before[1:, 1:] = marked.cumsum(axis=0).cumsum(axis=1)
+        self._shift = (fine.centre - coarse.centre) @ np.array([coarse.right, coarse.up]).T
+
+    def __call__(self, column: np.ndarray, row: np.ndarray, side: int) -> np.ndarray:
+        """Return which tiles (t,) contain a part of a marked pixel."""
+        fine, coarse = self._fine, self._coarse
+        left, right = (self._pixel(column + end, fine.width, coarse.width, self._shift[0]) for end in (0, side))
+        bottom, top = (self._pixel(row + end, fine.height, coarse.height, self._shift[1]) for end in (0, side))
+        before, right, top = self._before, right + 1, top + 1
+        result: np.ndarray = before[top, right] - before[bottom, right] - before[top, left] + before[bottom, left] > 0
+        return result
+
+    def _pixel(self, position: np.ndarray, fine: int, coarse: int, shift: float) -> np.ndarray:
+        """Return the column or row of the coarse image at positions in the fine image, pixels."""
+        away = (position - fine / 2) * self._fine.pixel + shift
+        result: np.ndarray = np.clip(np.floor(away / self._coarse.pixel + coarse / 2), 0, coarse - 1).astype(np.int64)
+        return result
 
 
 def parts_of(lengths: np.ndarray) -> Iterator[slice]:

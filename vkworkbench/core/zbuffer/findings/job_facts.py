@@ -15,7 +15,7 @@ from vkworkbench.core.zbuffer.findings.crash_check import CrashCheck
 from vkworkbench.core.zbuffer.findings.deviations import TOLERANCE, Deviation, gouges, material_left
 from vkworkbench.core.zbuffer.findings.facts import cuts_air, engagement, removed_volumes
 from vkworkbench.core.zbuffer.findings.faults import Crash, Plunge, crashes, fast_plunges
-from vkworkbench.core.zbuffer.findings.seen_model import deviations
+from vkworkbench.core.zbuffer.findings.seen_model import SeenModel
 from vkworkbench.core.zbuffer.findings.thin_gouges import ThinGouges
 from vkworkbench.core.zbuffer.findings.verdict import Verdict
 from vkworkbench.core.zbuffer.findings.volumes import Volumes
@@ -182,7 +182,7 @@ def facts(
     measured: Volumes | None = None,
     thin: ThinGouges | None = None,
     *,
-    model: Solid | None = None,
+    model: Solid | SeenModel | None = None,
     tolerance: float = TOLERANCE,
     collisions: Collisions | None = None,
 ) -> JobFacts:
@@ -197,9 +197,9 @@ def facts(
     measured : Volumes, optional
         Measured volumes of the same job. Without them, the volumes are those in the image.
     thin : ThinGouges, optional
-        The gouges of the tools that are too thin for the image, at the same tolerance.
-    model : Solid, optional
-        The finished part. Without a model, gouges and leftover material are empty.
+        The gouges that are too thin for the image, at the same tolerance.
+    model : Solid or SeenModel, optional
+        The finished part, which may be prepared for the image. Without a model, gouges and leftover material are empty.
     tolerance : float
         Largest deviation from the model that is ignored, mm.
     collisions : Collisions, optional
@@ -226,7 +226,8 @@ def facts(
     )
     gouged, left = [], []
     if model is not None:
-        found = deviations(zbuffer, model)
+        seen = model if isinstance(model, SeenModel) else SeenModel(model, zbuffer.frame)
+        found = seen.against(zbuffer)
         gouged, left = gouges(zbuffer, found, tolerance), material_left(zbuffer, found, tolerance)
     if thin is not None:
         checked = replace(checked, unchecked=(*checked.unchecked, *thin.unchecked))
@@ -270,8 +271,32 @@ def facts(
 
 def with_thin(gouged: Sequence[Deviation], thin: ThinGouges) -> list[Deviation]:
     """Return all gouges, the deepest first. The gouges of thin tools replace the gouges of their cuts in the image."""
-    shown = [one for one in gouged if one.source is None or one.source.cut not in thin.cuts or thin.unchecked]
-    return sorted([*shown, *thin.found], key=lambda gouge: -gouge.depth)
+    found = [one for one in gouged if one.source is None or one.source.cut not in thin.cuts or thin.unchecked]
+    found += thin.found
+    for new in thin.in_walls:
+        same = [one for one in found if _overlap(one, new)]
+        found = [one for one in found if one not in same] + [_united([new, *same])]
+    return sorted(found, key=lambda gouge: -gouge.depth)
+
+
+def _overlap(one: Deviation, other: Deviation) -> bool:
+    """Return whether two gouges share a command of a cut."""
+    if one.source is None or other.source is None or one.last is None or other.last is None:
+        return False
+    first, last = max(one.source.trajectory, other.source.trajectory), min(one.last.trajectory, other.last.trajectory)
+    return one.source.cut == other.source.cut and first <= last
+
+
+def _united(gouged: Sequence[Deviation]) -> Deviation:
+    """Return one gouge with the commands and the area of some gouges, and the depth and place of the deepest one."""
+    first, last = min(gouged, key=lambda one: one.trajectory or 0), max(gouged, key=_last_trajectory)
+    deepest = max(gouged, key=lambda one: one.depth)
+    area = max(one.area for one in gouged)
+    return replace(deepest, trajectory=first.trajectory, source=first.source, last=last.last, area=area)
+
+
+def _last_trajectory(gouge: Deviation) -> int:
+    return gouge.last.trajectory if gouge.last else -1
 
 
 def with_known(known: Sequence[_Fault], found: Sequence[_Fault]) -> list[_Fault]:

@@ -52,6 +52,7 @@ class SeenModel:
 
     Attributes
     ----------
+    model : Solid
     frame : Frame
     seen : (height, width) bool
         Whether each ray meets the model.
@@ -68,7 +69,7 @@ class SeenModel:
     """
 
     def __init__(self, model: Solid, frame: Frame, going_on: Callable[[], None] = lambda: None) -> None:
-        self.frame = frame
+        self.model, self.frame = model, frame
         size = frame.height, frame.width
         near, far, behind = np.full((3, *size), np.nan, np.float32)
         spans_of = spans_in(model, frame)
@@ -107,6 +108,12 @@ class SeenModel:
             np.where(np.isnan(part), np.float32(np.inf), part),
             self,
         )
+
+    def walls(self, height: float) -> np.ndarray:
+        """Return the pixels near places where the model's surface falls by more than `height`, mm, between neighbouring pixels."""
+        with np.errstate(invalid="ignore"):
+            steep: np.ndarray = self.seen & (self._lowest - self._highest > height)
+        return around(steep, np.maximum)
 
     def _loose(self, part: np.ndarray) -> np.ndarray:
         """Return where the piece in a hole is cut free from the wall, also by a slot narrower than `_BESIDE` pixels."""

@@ -1,5 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Find the gouges of tools that are thinner than a few pixels of an image, on rays in strips along their moves."""
+"""Find gouges that are thinner than a few pixels of an image: of thin tools, and in the walls of the model.
+
+The rays lie close together in strips along the moves of thin tools, and along the walls of the model.
+"""
 
 from __future__ import annotations
 
@@ -10,32 +13,38 @@ from dataclasses import dataclass
 import numpy as np
 
 from vkworkbench.core.stocks import Solid, spans_in
+from vkworkbench.core.view import Frame
 from vkworkbench.core.zbuffer.findings.deviations import TOLERANCE, Deviation
 from vkworkbench.core.zbuffer.findings.fine_rays import RAYS_ACROSS, FineRays, half_widths, parts_of
 from vkworkbench.core.zbuffer.findings.removed_pieces import RemovedPieces, joined
+from vkworkbench.core.zbuffer.findings.seen_model import SeenModel
 from vkworkbench.core.zbuffer.sweeps.cuts import Cut, Cuts, Source
 
 # Width of a tool, in pixels, from which an image shows all its gouges.
 _SHOWN = 4.0
 # Smallest distance between rays, mm.
 _CLOSEST = 2.0**-8
+# Distance between rays along walls, mm.
+_AT_WALLS = 2.0**-4
 # Directions and shares of a radius in which the model's surface is searched around a point.
 _ANGLES = np.arange(24) * np.pi / 12
 _SHARES = (0.34, 0.67, 1.0)
 # Ratio of consecutive radii of the search for the depth of a gouge.
 _WIDER = 1.1
-# Largest number of points of a part of the moves that are compared with the model, and of a gouge whose depth is measured.
+# Largest number of points of some pieces that are compared with the model, and of a gouge whose depth is measured.
 _POINTS, _MEASURED = 20_000, 200
 
 
 @dataclass(frozen=True)
 class ThinGouges:
-    """The gouges of thin tools.
+    """The gouges of thin tools and in walls.
 
     Attributes
     ----------
     found : tuple of Deviation
-        Every gouge, in the order of its first command.
+        Every gouge of the thin tools, in the order of its first command.
+    in_walls : tuple of Deviation
+        The gouges of the other tools near the walls of the model. An image may show them, too.
     cuts : tuple of int
         The cuts with thin tools. Their gouges in an image are not needed.
     unchecked : tuple of Source
@@ -43,6 +52,7 @@ class ThinGouges:
     """
 
     found: tuple[Deviation, ...] = ()
+    in_walls: tuple[Deviation, ...] = ()
     cuts: tuple[int, ...] = ()
     unchecked: tuple[Source, ...] = ()
 
@@ -50,22 +60,21 @@ class ThinGouges:
 def thin_gouges(
     cuts: Iterable[Cut],
     stock: Solid,
-    model: Solid,
+    seen: SeenModel,
     *,
-    pixel: float,
     tolerance: float = TOLERANCE,
     seconds: float = np.inf,
     going_on: Callable[[], None] = lambda: None,
 ) -> ThinGouges:
-    """Find the gouges of the tools that are thinner than a few pixels.
+    """Find the gouges of tools that are thinner than a few pixels, and the gouges of other tools along the walls of the model.
 
     Parameters
     ----------
     cuts : iterable of Cut
         The operations in their order.
-    stock, model : Solid
-    pixel : float
-        Side of the pixels of the image that shows the gouges of the other tools, mm.
+    stock : Solid
+    seen : SeenModel
+        The model in the image that shows the other gouges, along the tool axis.
     tolerance : float
         Largest depth that is not a gouge, mm; `Cut.allowed_depth` is added.
     seconds : float
@@ -77,7 +86,7 @@ def thin_gouges(
     -------
     ThinGouges
     """
-    numbered, end = Cuts(cuts), time.monotonic() + seconds
+    numbered, end, pixel = Cuts(cuts), time.monotonic() + seconds, seen.frame.pixel
     thin = tuple(
         number
         for number, cut in enumerate(numbered.cuts)
@@ -87,19 +96,53 @@ def thin_gouges(
     unchecked: list[Source] = []
     for number in thin:
         least = tolerance + numbered.cuts[number].allowed_depth
-        moves, half_width = _deep_moves(numbered, number, model, least)
+        moves, half_width = _deep_moves(numbered, number, seen.model, least)
         sizes = 2.0 ** np.floor(np.log2(np.maximum(2 * half_width / RAYS_ACROSS, _CLOSEST)))
         for size in np.unique(sizes).tolist():
             own = np.flatnonzero(sizes == size)
-            search = _Search(FineRays(numbered, stock, size), model, least, going_on)
+            rays = FineRays(numbered, stock, size)
+            search = _Search(seen.model, rays.trajectories.frame, least)
             for part in parts_of(numbered.lengths[moves[own]] / half_width[own]):
                 if time.monotonic() > end:
                     unchecked += [numbered.source(int(move)) for move in moves[own[part]]]
                 else:
-                    search.add(moves[own[part]], half_width[own[part]])
+                    for pieces in rays.removed_by(moves[own[part]], half_width[own[part]], going_on):
+                        search.add(pieces)
             found += search.gouges(numbered)
-    found.sort(key=lambda gouge: gouge.trajectory or 0)
-    return ThinGouges(tuple(found), thin, tuple(unchecked))
+    in_walls = _gouges_in_walls(numbered, stock, seen, tolerance, thin, end, going_on)
+    return ThinGouges(tuple(sorted(found, key=_first)), tuple(in_walls), thin, tuple(unchecked))
+
+
+def _first(gouge: Deviation) -> int:
+    return gouge.trajectory or 0
+
+
+def _gouges_in_walls(
+    cuts: Cuts,
+    stock: Solid,
+    seen: SeenModel,
+    tolerance: float,
+    thin: tuple[int, ...],
+    end: float,
+    going_on: Callable[[], None],
+) -> list[Deviation]:
+    """Return the gouges near walls, as far as the time until `end` suffices. The image shows gouges wider than its pixels anyway."""
+    others = [number for number, cut in enumerate(cuts.cuts) if number not in thin and np.isfinite(cut.allowed_depth)]
+    if seen.frame.pixel < 1.5 * _AT_WALLS or not others:
+        return []
+    rays = FineRays(cuts, stock, _AT_WALLS)
+    searches = {
+        number: _Search(seen.model, rays.trajectories.frame, tolerance + cuts.cuts[number].allowed_depth)
+        for number in others
+    }
+    chosen = np.isin(cuts.cut, others)
+    for pieces in rays.removed_near(seen.walls(tolerance), seen.frame, chosen, going_on):
+        of_cut = cuts.cut[pieces.owner]
+        for number in np.unique(of_cut).tolist():
+            searches[number].add(pieces.selected(of_cut == number))
+        if time.monotonic() > end:
+            break
+    return [gouge for search in searches.values() for gouge in search.gouges(cuts)]
 
 
 def _deep_moves(cuts: Cuts, number: int, model: Solid, least: float) -> tuple[np.ndarray, np.ndarray]:
@@ -117,17 +160,12 @@ def _deep_moves(cuts: Cuts, number: int, model: Solid, least: float) -> tuple[np
 class _Search:
     """Points of a cut that are deeper in the model than allowed."""
 
-    def __init__(self, rays: FineRays, model: Solid, least: float, going_on: Callable[[], None]) -> None:
-        self._rays, self._least, self._going_on = rays, least, going_on
-        self._model = spans_in(model, rays.trajectories.frame)
+    def __init__(self, model: Solid, frame: Frame, least: float) -> None:
+        self._least, self._model = least, spans_in(model, frame)
         self._found: list[tuple[RemovedPieces, np.ndarray]] = []
 
-    def add(self, moves: np.ndarray, half_width: np.ndarray) -> None:
-        """Search the pieces that moves (k,) remove."""
-        parts = list(self._rays.removed_by(moves, half_width, self._going_on))
-        if not parts:
-            return
-        pieces = joined(parts)
+    def add(self, pieces: RemovedPieces) -> None:
+        """Search removed pieces."""
         spans = self._model(pieces.x, pieces.y)
         inside = (spans.far > spans.near) & (pieces.near < spans.far) & (pieces.far > spans.near)
         along = np.minimum(pieces.far, spans.far) - spans.near
