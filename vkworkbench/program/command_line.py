@@ -25,6 +25,7 @@ from vkworkbench.worker import processes
 
 _WRONG, _UNREAD, _STOPPED = 2, 1, 130  # exit statuses
 _CONNECT = 30  # s
+_MOST_NAMED = 20  # texts that are left out, by name
 _AHEAD = 4  # files in the queue for each process
 _STANDARD_OUTPUT = "-"
 # Only this process could read these files, but other processes read the programs. The shell's <(...) is such a file.

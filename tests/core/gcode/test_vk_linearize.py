@@ -485,8 +485,8 @@ def test_machine_place_is_not_followed_with_a_remark():
         assert [problem.what.code for problem in path.problems] == ["machine-position"]
 
 
-def test_machine_height_is_unknown_with_relative_heights():
+def test_machine_height_follows_relative_heights():
     path = linearize(
         [("G0", {"X": 0, "Y": 0, "Z": 5}), ("G91", {}), ("G1", {"Z": -6, "F": 1}), ("G28", {"Z": 0}), ("G1", {"X": 9})]
     )
-    assert path.points.tolist() == [[0, 0, 5], [0, 0, -1], [9, 0, -1]]
+    assert path.points.tolist() == [[0, 0, 5], [0, 0, -1], [0, 0, 5], [9, 0, 5]]

@@ -68,6 +68,7 @@ def test_a_place_that_is_named_as_it_is_changes_nothing():
 
 def test_a_shift_ends_and_is_resumed():
     assert points("G1 X20\nG92 X0\nG92.2\nX1\nG92.3\nX1")[-2:] == [(1, 0, 5), (21, 0, 5)]
+    assert points("G1 X20\nG92 X0\nG92.2\nG92 Y0\nG92.3\nX1")[-1] == (1, 0, 5)
     assert points("G52 X50\nG1 X1\nG92.1\nX1")[-1] == (1, 0, 5)  # LinuxCNC has one shift for G52 and G92
 
 

@@ -152,3 +152,29 @@ def test_line_numbers_that_nobody_has_filled_in():
 def test_full_width_digits_are_not_numbers():
     assert last("X\uff17") == (10, 2, -1)
     assert said(PLAIN + "X\uff17") == ["Line 5: Lines that do not consist of words like G1 X10 are ignored."]
+
+
+def test_look_ahead_is_not_a_lathe():
+    slot = "G21 G90\n{}\nG0 X0 Y0 Z5\nG1 Z-1 F60\nG1 X10\n"
+    assert read_program(slot.format("G08 P1")).other is None
+    assert read_program(slot.format("G8\nG43 H1")).other is None
+    assert read_program(slot.format("G8")).other.code == "lathe"
+
+
+def test_checksums_are_left_out():
+    path = read_program("N1 G21 G90*35\nN2 G0 X0 Y0 Z5*99\nN3 G1 Z-1 F60 *4\nN4 G1 X10*7").toolpath()
+    assert path.points[-1].tolist() == [10, 0, -1] and not path.problems
+
+
+def test_decimal_commas_are_read_and_told():
+    assert last("G1 X10,25 Y-1,5") == (10.25, -1.5, -1) and last("Z-,5") == (10, 2, -1)
+    assert said(PLAIN + "G1 X10,25") == ["Line 5: Commas in numbers are read as decimal points."]
+    assert said(PLAIN + "G1 X10.,R2.\nX5") == ["Line 5: ,R words are ignored."]
+
+
+def test_a_foreign_word_does_not_cost_its_line():
+    assert last("G1 X5 Y6 RAPIDO") == (5, 6, -1) and last("G1 X5 Y6 !") == (5, 6, -1)
+    assert said(PLAIN + "G1 X5 !") == [
+        "Line 5: Text that does not consist of words like G1 X10 is ignored. The words beside it are read."
+    ]
+    assert last("G1 X1.2.3 Y6") == (10, 2, -1)  # the number is not known

@@ -116,6 +116,7 @@ class Origins:
     def shift_here(self, letter: str, place: float, value: float) -> None:
         """Give the tool's place the coordinate `value` along an axis (G92), mm."""
         self.shift[letter] = place - value - (self.of(letter) - self.shift.get(letter, 0.0))
+        self._suspended = {}
 
     def end_shift(self, *, keep: bool) -> None:
         """End the shift of G52 and G92; `keep` it for `resume_shift` (G92.2, not G92.1)."""

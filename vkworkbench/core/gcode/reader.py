@@ -39,7 +39,7 @@ _DECIMAL_COMMA = re.compile(r"(?<=\d),(?=\d)")  # X10,5
 # Siemens' radius of an arc, CR=10, and Siemens' spelling of a word with an equals sign, X=10.
 _EQUALS = re.compile(r"(?<![A-Z])(?:CR|([A-Z]))\s*=\s*(?=[-+]?\.?\d)")
 # One foreign word in a line, and a line that begins with a motion.
-_FOREIGN = re.compile(r"[^\sA-Z\[\]#=<>]{1,20}|[A-Z]{3,20}", re.ASCII)
+_FOREIGN = re.compile(r"[^\s\d.+\-A-Z\[\]#=<>]{1,20}|[A-Z]{3,20}", re.ASCII)
 _MOVE = re.compile(r"(?:N\s*\d+\s*)?G\s*0*[0-3](?![\d.])")
 # Words for jumps, loops and calls in lines that cannot be read.
 _FLOW = re.compile(r"\b(IF|THEN|ELSE|WHILE|GOTO|DO\s*\d|END\s*\d|ENDIF|ENDWHILE|REPEAT)|^O\s*[\d<].*\b(SUB|CALL|DO)\b")

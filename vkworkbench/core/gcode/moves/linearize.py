@@ -85,8 +85,7 @@ def linearize(commands: Iterable[Any] | Words, *, tolerance: float = 0.01, infer
     Toolpath
         The trajectories; `problems` lists the parts of the commands that could not be used. The first word of an axis
         gives its start position, so the path does not begin with a move from the origin. In a move to a machine
-        position (G28, G30, G53), the tool does not move in X and Y. In Z, the tool moves to the highest Z word if all Z
-        words are absolute.
+        position (G28, G30, G53), the tool does not move in X and Y. In Z, the tool moves to its greatest height.
 
     Raises
     ------
@@ -254,14 +253,15 @@ class _Program:
         return position, known
 
     def _highest(self, z: np.ndarray, drills: np.ndarray) -> float:
-        """Return the highest Z word, mm; NaN without Z words, or if any Z word is relative.
+        """Return the greatest height to which Z words lead, mm; NaN without Z words.
 
-        In a canned cycle along Z (`drills`), the R word counts, because the Z word is the bottom of the hole.
+        In a canned cycle along Z (`drills`), the R word counts, because the Z word is the bottom of the hole. A cycle
+        under G91 does not count.
         """
         if drills.any():
-            z = np.where(drills, self.words.column("R")[0], z)
+            z = np.where(drills, np.where(self.relative, np.nan, self.words.column("R")[0]), z)
         given = ~np.isnan(z)
-        return float(z[given].max()) if given.any() and not self.relative[given].any() else np.nan
+        return float(_coordinate(z, self.relative)[0][given].max()) if given.any() else np.nan
 
     def _resolve_cycles(self, along: np.ndarray, drills: np.ndarray) -> np.ndarray:
         """Return the absolute coordinates along the axis of canned cycles, (n,) mm; NaN where a command sets none.
