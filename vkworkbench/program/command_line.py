@@ -26,6 +26,7 @@ from vkworkbench.worker import processes
 _WRONG, _UNREAD, _STOPPED = 2, 1, 130  # exit statuses
 _CONNECT = 30  # s
 _MOST_NAMED = 20  # texts that are left out, by name
+_MOST_NAMED = 20  # texts that are left out, by name
 _AHEAD = 4  # files in the queue for each process
 _STANDARD_OUTPUT = "-"
 # Only this process could read these files, but other processes read the programs. The shell's <(...) is such a file.
@@ -107,9 +108,14 @@ def _run(asked: argparse.Namespace) -> int:
     if any(map(_STANDARD_INPUT.fullmatch, asked.what)):
         raise _Wrong("standard input is not read: give a file")
     try:
-        paths = [Path(os.path.abspath(path)) for path in find_programs(asked.what)]
+        left_out: list[Path] = []
+        paths = [Path(os.path.abspath(path)) for path in find_programs(asked.what, left_out)]
     except ValueError as error:
         raise _Wrong(str(error)) from None
+    if left_out:
+        names = ", ".join(printable(str(path), sys.maxsize) for path in left_out[:_MOST_NAMED])
+        more = f", and {len(left_out) - _MOST_NAMED} more" if len(left_out) > _MOST_NAMED else ""
+        print(f"Left out, because they do not look like NC programs: {names}{more}.", file=sys.stderr)
     if not paths:
         raise _Wrong(f"no NC programs in {', '.join(asked.what)}")
     # The executor comes before the results: if it fails, an existing file of results is not lost.

@@ -179,6 +179,12 @@ def test_folders_and_files(tmp_path):
         str(path.relative_to(tmp_path)) for path in find_programs([tmp_path, tmp_path / "c.txt", tmp_path / "b.nc"])
     ]
     assert found == ["a.NGC", "b.nc", "d.tap.xz", "sub/e.gcode", "c.txt"]
+    text = tmp_path / "h.txt"
+    text.write_text("%\n(part)\nG21 G90\nG0 X0 Y0\nG1 Z-1 F60\n")
+    gzip.open(tmp_path / "i.nc.gz.gz", "wb").close()
+    left_out = []
+    assert text in list(find_programs([tmp_path], left_out))
+    assert [path.name for path in left_out] == ["c.txt", "g.nc.txt", "i.nc.gz.gz"]
     lines = tmp_path / "two\nlines.nc"
     lines.write_text("G1 X1")
     assert list(find_programs([lines])) == [lines]

@@ -10,6 +10,7 @@ and `title_of` separates titles of operations from other comments.
 `in_seconds` corrects feeds in mm/min that were read as mm/s.
 """
 
+from vkworkbench.core.gcode.blocks import split_comments, split_words
 from vkworkbench.core.gcode.comments.sections import Section, split_sections
 from vkworkbench.core.gcode.comments.titles import title_of
 from vkworkbench.core.gcode.comments.tool_table import tells_inches
@@ -23,5 +24,5 @@ from vkworkbench.core.gcode.reader import read_program
 
 __all__ = [
     "ARCS", "INCH", "Program", "Section", "Words", "at_line", "in_seconds", "linearize",
-    "looks_like_inches", "looks_like_increments", "read_program", "split_sections", "tells_inches", "title_of", "used_up",
+    "looks_like_inches", "looks_like_increments", "read_program", "split_comments", "split_sections", "split_words", "tells_inches", "title_of", "used_up",
 ]  # fmt: skip

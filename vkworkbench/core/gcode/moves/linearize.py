@@ -77,8 +77,8 @@ def linearize(commands: Iterable[Any] | Words, *, tolerance: float = 0.01, infer
     infer_centres : bool
         Whether the centre words of arcs may be read as coordinates if the commands contain neither G90.1 nor G91.1,
         because this is the default of some controls. Only the arcs count whose two readings differ: full circles fit
-        both, and so do arcs with an R word. The words are read as coordinates if more than half of these arcs end off
-        their circles when read as offsets, and if less than half as many do when read as coordinates.
+        both, and so do arcs with an R word. Coordinates are chosen if more than half of these arcs end off their circles
+        with offsets, and if less than half as many do with coordinates.
 
     Returns
     -------
