@@ -9,6 +9,7 @@
     vkworkbench.clear()
     vkworkbench.set_clamps(job, [vice])     # what no tool may touch, for the simulation
     vkworkbench.simulate(job, view="Isometric").at(100)     # the part after 100 trajectories
+    vkworkbench.simulate("program.nc").facts()      # crashes and collisions of an NC program; works without FreeCAD
 
 Importing this package is cheap, because the functions load their modules when they are first called.
 """
@@ -28,7 +29,6 @@ _HOMES = {
     "clear": "vkworkbench.document.marks.marking",
     "Report": "vkworkbench.report",
     "set_clamps": "vkworkbench.document.job.clamps",
-    "simulate": "vkworkbench.document.simulation.simulate",
 }
 
 
@@ -81,6 +81,38 @@ def analyze(what=None, *, progress=None, cancelled=None):
                     "without FreeCAD only NC programs are analyzed: a file, a folder, or a list of them"
                 ) from None
     return home.analyze(what, progress=progress, cancelled=cancelled)
+
+
+def simulate(what=None, **options):
+    """Simulate operations or an NC program in the extended z-buffer, one operation after the other. Writes nothing.
+
+    Parameters
+    ----------
+    what : Document, DocumentObject, iterable of these objects, or path, optional
+        A document with one job, a job, or some of its operations; the active document if None. Or the file of an NC program.
+    **options
+        For FreeCAD's operations: ``view``, ``stock``, ``clamps``, ``memory_budget``, ``going_on``; see
+        `vkworkbench.document.simulation.simulate.simulate`. For a program also ``tool``; see `vkworkbench.program.simulate`.
+
+    Returns
+    -------
+    Simulation or ProgramSimulation
+        The simulation at its last moment.
+
+    Raises
+    ------
+    Unusable
+        If there is nothing to simulate. The message says what to do.
+    OverBudget
+        If the simulation would need more memory. Nothing was simulated; the message names an image that fits.
+    ValueError, TypeError, ReferenceError
+        If an argument is impossible, has another type, or was deleted.
+    """
+    from vkworkbench import program
+
+    if program.is_path(what):
+        return program.simulate(what, **options)
+    return import_module("vkworkbench.document.simulation.simulate").simulate(what, **options)
 
 
 def __dir__() -> list[str]:

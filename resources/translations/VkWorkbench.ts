@@ -1325,6 +1325,18 @@
         <source>A command with two codes, such as G90 and G1, is read with both. Some post processors write only the first.</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>The program has no unit and looks like inches. It is simulated in inches.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{label} from line {line:#} on is not simulated, because its tool is unknown. Give the tool.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No stock is given. The simulation uses a box around the cuts.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>Strategy</name>

@@ -1325,6 +1325,18 @@
         <source>A command with two codes, such as G90 and G1, is read with both. Some post processors write only the first.</source>
         <translation>Ein Befehl mit zwei Codes, wie G90 und G1, wird mit beiden gelesen. Manche Postprozessoren schreiben nur den ersten.</translation>
     </message>
+    <message>
+        <source>The program has no unit and looks like inches. It is simulated in inches.</source>
+        <translation>Das Programm nennt keine Einheit und sieht nach Zoll aus. Es wird in Zoll simuliert.</translation>
+    </message>
+    <message>
+        <source>{label} from line {line:#} on is not simulated, because its tool is unknown. Give the tool.</source>
+        <translation>{label} ab Zeile {line:#} wird nicht simuliert, weil das Werkzeug unbekannt ist. Geben Sie das Werkzeug an.</translation>
+    </message>
+    <message>
+        <source>No stock is given. The simulation uses a box around the cuts.</source>
+        <translation>Es ist kein Rohteil angegeben. Die Simulation verwendet einen Quader um die Schnitte.</translation>
+    </message>
 </context>
 <context>
     <name>Strategy</name>

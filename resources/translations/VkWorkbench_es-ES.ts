@@ -1325,6 +1325,18 @@
         <source>A command with two codes, such as G90 and G1, is read with both. Some post processors write only the first.</source>
         <translation>Un comando con dos códigos, como G90 y G1, se lee con los dos. Algunos posprocesadores escriben solo el primero.</translation>
     </message>
+    <message>
+        <source>The program has no unit and looks like inches. It is simulated in inches.</source>
+        <translation>El programa no indica unidad y parece estar en pulgadas. Se simula en pulgadas.</translation>
+    </message>
+    <message>
+        <source>{label} from line {line:#} on is not simulated, because its tool is unknown. Give the tool.</source>
+        <translation>{label} desde la línea {line:#} no se simula, porque su herramienta es desconocida. Indique la herramienta.</translation>
+    </message>
+    <message>
+        <source>No stock is given. The simulation uses a box around the cuts.</source>
+        <translation>No se ha indicado material bruto. La simulación usa una caja alrededor de los cortes.</translation>
+    </message>
 </context>
 <context>
     <name>Strategy</name>

@@ -1325,6 +1325,18 @@
         <source>A command with two codes, such as G90 and G1, is read with both. Some post processors write only the first.</source>
         <translation>Une commande à deux codes, comme G90 et G1, est lue avec les deux. Certains post-processeurs n&apos;écrivent que le premier.</translation>
     </message>
+    <message>
+        <source>The program has no unit and looks like inches. It is simulated in inches.</source>
+        <translation>Le programme n&apos;indique pas d&apos;unité et semble être en pouces. Il est simulé en pouces.</translation>
+    </message>
+    <message>
+        <source>{label} from line {line:#} on is not simulated, because its tool is unknown. Give the tool.</source>
+        <translation>{label} à partir de la ligne {line:#} n&apos;est pas simulé, car son outil est inconnu. Indiquez l&apos;outil.</translation>
+    </message>
+    <message>
+        <source>No stock is given. The simulation uses a box around the cuts.</source>
+        <translation>Aucun brut n&apos;est indiqué. La simulation utilise un parallélépipède autour des coupes.</translation>
+    </message>
 </context>
 <context>
     <name>Strategy</name>

@@ -1325,6 +1325,18 @@
         <source>A command with two codes, such as G90 and G1, is read with both. Some post processors write only the first.</source>
         <translation>含有两个代码（如 G90 和 G1）的命令按两个代码读取。有些后处理器只写第一个。</translation>
     </message>
+    <message>
+        <source>The program has no unit and looks like inches. It is simulated in inches.</source>
+        <translation>程序没有单位，看起来是英寸。按英寸仿真。</translation>
+    </message>
+    <message>
+        <source>{label} from line {line:#} on is not simulated, because its tool is unknown. Give the tool.</source>
+        <translation>{label}（从第 {line:#} 行起）未仿真，因为刀具未知。请给出刀具。</translation>
+    </message>
+    <message>
+        <source>No stock is given. The simulation uses a box around the cuts.</source>
+        <translation>未给出毛坯。仿真使用包围切削的长方体。</translation>
+    </message>
 </context>
 <context>
     <name>Strategy</name>

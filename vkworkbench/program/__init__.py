@@ -1,11 +1,13 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Analysis of NC programs in files. Uses numpy and the standard library, but not FreeCAD.
+"""Analysis and simulation of NC programs in files. Uses numpy and the standard library, but not FreeCAD.
 
 In: paths of files and folders, from a macro or the command line.
-Out: `Report`, with one row for each operation of each program; `main`, the command ``python3 -m vkworkbench``.
+Out: `Report`, with one row for each operation of each program; `ProgramSimulation`, a program that `simulate` has
+simulated; `main`, the command ``python3 -m vkworkbench``.
 """
 
 from vkworkbench.program.analysis import analyze, is_path
 from vkworkbench.program.command_line import main
+from vkworkbench.program.simulation import ProgramSimulation, simulate
 
-__all__ = ["analyze", "is_path", "main"]
+__all__ = ["ProgramSimulation", "analyze", "is_path", "main", "simulate"]

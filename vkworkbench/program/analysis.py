@@ -152,8 +152,28 @@ class _Whole:
     undivided: bool
 
 
-def _rows(path: Path, program: Program, chosen: Preferences) -> list[OperationReport]:
-    toolpath, sections = program.toolpath(tolerance=chosen.tolerance), split_sections(program)
+@dataclass(frozen=True)
+class Divided:
+    """A program, divided into its operations.
+
+    Attributes
+    ----------
+    toolpath : Toolpath
+        The moves of the whole program; commands are lines, counted from 1.
+    parts : tuple of (Toolpath, Section)
+        The moves of each operation.
+    inches : bool
+        Whether the program is in inches that are read as millimetres. The sizes of its tools are smaller in the same way.
+    """
+
+    toolpath: Toolpath
+    parts: tuple[tuple[Toolpath, Section], ...]
+    inches: bool
+
+
+def divide_program(program: Program, tolerance: float) -> Divided:
+    """Divide a program at its titles and tool changes; `tolerance` is the largest distance of an arc from its chords, mm."""
+    toolpath, sections = program.toolpath(tolerance=tolerance), split_sections(program)
     inches = not program.unit_told and (
         looks_like_inches(toolpath) or any(tells_inches(text) for _, _, text in program.comments)
     )
@@ -161,7 +181,13 @@ def _rows(path: Path, program: Program, chosen: Preferences) -> list[OperationRe
         sections = tuple(map(_scaled_to_millimetres, split_sections(replace(program, inches=True))))
     bounds = np.searchsorted(toolpath.command, [section.first for section in sections[1:]])
     parts = [toolpath.part(int(a), int(b)) for a, b in zip([0, *bounds], [*bounds, len(toolpath)])]
-    cutting = [(part, section) for part, section in zip(parts, sections) if not part.rapid.all()]
+    return Divided(toolpath, tuple(zip(parts, sections)), inches)
+
+
+def _rows(path: Path, program: Program, chosen: Preferences) -> list[OperationReport]:
+    divided = divide_program(program, chosen.tolerance)
+    toolpath, inches = divided.toolpath, divided.inches
+    cutting = [(part, section) for part, section in divided.parts if not part.rapid.all()]
     if not cutting:
         return [_without_cuts(path, program, toolpath)]
     remarks = [Message("inches-as-millimetres")] if inches else []
@@ -197,7 +223,7 @@ def _row(whole: _Whole, part: Toolpath, section: Section, problems: list[Problem
     row = replace(
         unread(whole.path, unlike_milling or Message("no-cutting-move")),
         name=f"lines {section.first}-{section.last}",
-        label=section.title or (whole.path.stem if section.number is None else f"T{section.number}"),
+        label=label_of(section, whole.path),
         counted=True,
         trajectories=len(part),
     )
@@ -221,6 +247,11 @@ def _row(whole: _Whole, part: Toolpath, section: Section, problems: list[Problem
     return replace(
         row, recognition=found, machining=_machining(part, problems), costs=costs, advice=advice, remarks=tuple(remarks)
     )
+
+
+def label_of(section: Section, path: Path) -> str:
+    """Return the label of an operation: its title, the number of its tool, or the name of the file."""
+    return section.title or (path.stem if section.number is None else f"T{section.number}")
 
 
 def _scaled_to_millimetres(section: Section) -> Section:

@@ -20,6 +20,7 @@ from vkworkbench.program.apart import analyze_apart, end_workers
 from vkworkbench.program.files import find_programs, is_called_a_program
 from vkworkbench.program.progress import Progress
 from vkworkbench.program.results import Csv, JsonLines, Results
+from vkworkbench.program.simulate_command import add_options, check_options, simulate_programs, with_joined_stock
 from vkworkbench.report import OperationReport, cells_of, how_many, printable
 from vkworkbench.worker import processes
 
@@ -43,7 +44,7 @@ def main(arguments: list[str] | None = None) -> int:
     0: all programs were read. 1: some programs could not be read. 2: nothing could be done, or the results could not be
     written. 130: stopped with Ctrl-C.
     """
-    asked = _parser().parse_args(arguments)
+    asked = _parser().parse_args(with_joined_stock(sys.argv[1:] if arguments is None else arguments))
     for name in ("stdout", "stderr"):
         if getattr(sys, name) is None:  # closed, as by ">&-" or without a console
             setattr(sys, name, open(os.devnull, "w", encoding="utf-8"))
@@ -71,7 +72,7 @@ def _parser() -> argparse.ArgumentParser:
     parser = argparse.ArgumentParser(
         "vkworkbench",
         description="Recognize the machining strategy of each operation in NC programs (G-code), and estimate the cost of "
-        "its simulation.",
+        "its simulation, or simulate them.",
         epilog="Exit status: 0: all programs were read. 1: some programs could not be read. 2: nothing could be done, or the "
         "results could not be written. 130: stopped.",
     )
@@ -89,6 +90,7 @@ def _parser() -> argparse.ArgumentParser:
         help="time limit for each program (default: 600)",
     )
     parser.add_argument("--scheduler", metavar="ADDRESS", help="use a Dask cluster, e.g. tcp://host:8786")
+    add_options(parser)
     return parser
 
 
@@ -118,6 +120,12 @@ def _run(asked: argparse.Namespace) -> int:
         print(f"Left out, because they do not look like NC programs: {names}{more}.", file=sys.stderr)
     if not paths:
         raise _Wrong(f"no NC programs in {', '.join(asked.what)}")
+    wrong = check_options(asked, len(paths))
+    if wrong:
+        raise _Wrong(wrong)
+    if asked.simulate:
+        with _writing(asked.stl or asked.png or _STANDARD_OUTPUT):
+            return _UNREAD if simulate_programs(paths, asked) else 0
     # The executor comes before the results: if it fails, an existing file of results is not lost.
     with _executor(asked, len(paths)) as (executor, ahead):
         return _work(asked, paths, executor, ahead)

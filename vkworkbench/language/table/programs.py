@@ -123,6 +123,15 @@ PROGRAMS: dict[str, str | tuple[str, str]] = {
     "tool-not-told": QT_TRANSLATE_NOOP(
         "Sentences", "The program does not contain the tool's diameter, so the cost is unknown."
     ),
+    "inches-simulated": QT_TRANSLATE_NOOP(
+        "Sentences", "The program has no unit and looks like inches. It is simulated in inches."
+    ),
+    "section-without-tool": QT_TRANSLATE_NOOP(
+        "Sentences", "{label} from line {line:#} on is not simulated, because its tool is unknown. Give the tool."
+    ),
+    "stock-around-cuts": QT_TRANSLATE_NOOP(
+        "Sentences", "No stock is given. The simulation uses a box around the cuts."
+    ),
     "inches-as-millimetres": QT_TRANSLATE_NOOP(
         "Sentences", "The toolpath looks 25.4 times too small. Inches are probably read as millimeters."
     ),

@@ -36,6 +36,8 @@ class Verdict:
         Cuts whose gouges are unknown, because their tools only stand for other shapes.
     collisions : Collisions or None
         Collisions of shanks, holders and clamps; None if they were not checked.
+    lines : bool
+        Whether commands are lines of a program, counted from 1.
     """
 
     pixel: float | None = None
@@ -49,6 +51,7 @@ class Verdict:
     unchecked: tuple[Source, ...] = ()
     unjudged: tuple[int, ...] = ()
     collisions: Collisions | None = None
+    lines: bool = False
 
     @property
     def is_checked(self) -> bool:
@@ -74,7 +77,8 @@ class Verdict:
             return Message("verdict-nothing")
         faults = self._faults()
         what = Message("verdict-kinds") if self.compared else Message("verdict-kinds-without-model")
-        result = Message("verdict-checked" if faults else "verdict-sound", what=what, pixel=self.pixel)
+        sound = Message("verdict-sound", what=what, pixel=self.pixel)
+        result = Message("verdict-checked", pixel=self.pixel) if faults else sound
         attachments = self.collisions.attachments(labels) if self.collisions else UNATTACHED
         return Message("verdict", sentences=(*faults, result, *self._left_out(labels), attachments))
 
@@ -94,7 +98,9 @@ class Verdict:
         if self.unchecked:
             first = self.unchecked[0]
             count, label = len(self.unchecked), labels[first.cut]
-            sentences.append(Message("verdict-unchecked", count=count, command=first.command + 1, label=label))
+            sentences.append(
+                Message("verdict-unchecked", count=count, command=first.command + (not self.lines), label=label)
+            )
         if not self.compared:
             sentences.append(Message("verdict-no-model"))
         if self.unjudged:
