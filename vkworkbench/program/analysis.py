@@ -140,7 +140,7 @@ class _Whole:
     remarks : tuple of Message
         Remarks on every operation.
     undivided : bool
-        Whether the program has no titles and no tool changes, so that it may contain several operations.
+        Whether the program has no title and no tool change between cuts, so that it may contain several operations.
     """
 
     path: Path
@@ -194,7 +194,9 @@ def _rows(path: Path, program: Program, chosen: Preferences) -> list[OperationRe
     if looks_like_increments(toolpath, inches=program.inches):
         remarks.append(Message("increments-as-units"))
     stock = _stock(toolpath, [section.tool for _, section in cutting])
-    whole = _Whole(path, program, chosen, stock, inches, tuple(remarks), undivided=len(cutting) == 1)
+    whole = _Whole(
+        path, program, chosen, stock, inches, tuple(remarks), undivided=len(cutting) == 1 and not cutting[0][1].title
+    )
     ends = [*(section.first for _, section in cutting[1:]), math.inf]
     rows, first = [], 0.0
     for (part, section), end in zip(cutting, ends):

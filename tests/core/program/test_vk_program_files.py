@@ -468,6 +468,9 @@ def test_only_undivided_program_has_several_operations(tmp_path):
     path.write_text(f"(T1 D=6 - end mill)\nG21\nT1 M6\n{both}")
     (row,) = vkworkbench.analyze(path).operations
     assert str(row.strategy) == "mixed"
+    path.write_text(f"(T1 D=6 - end mill)\nG21\nT1 M6\n(Adaptive1)\n{both}")
+    (row,) = vkworkbench.analyze(path).operations
+    assert row.recognition.why.code != "sections"
     path.write_text(f"(T1 D=6 - end mill)\nG21\nT1 M6\n(One)\n{both}(Two)\n{both}")
     assert "mixed" not in [str(row.strategy) for row in vkworkbench.analyze(path).operations]
 

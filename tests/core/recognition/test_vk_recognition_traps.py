@@ -444,3 +444,37 @@ def test_path_with_hidden_cuts_is_unknown_with_the_reason(name, words, code):
 def test_rotary_axis_that_turns_above_the_part_hides_no_cut():
     commands = [*rows(), ("G0", {"Z": 5.0}), ("G0", {"A": 90.0})]
     assert recognize(linearize(commands)).strategy == "zigzag"
+
+
+@pytest.mark.parametrize("plunge", ["first", "last"])
+def test_lone_plunge_is_not_an_operation(plunge):
+    """The tool is parked after the work, or touches the stock before it."""
+    down = [("G0", {"X": -30.0, "Y": -30.0}), ("G1", {"Z": 0.0, "F": 5.0})]
+    commands = (
+        [*START, *down, ("G0", {"Z": 5.0}), *rows()] if plunge == "first" else [*rows(), ("G0", {"Z": 5.0}), *down]
+    )
+    found = recognize(linearize(commands), program=True)
+    assert [span.strategy for span in found.spans] == ["zigzag"] == [found.strategy]
+    holes = [
+        *rows(),
+        ("G0", {"Z": 5.0}),
+        *down,
+        ("G0", {"Z": 5.0}),
+        ("G0", {"X": -40.0}),
+        ("G1", {"Z": 0.0}),
+        ("G0", {"Z": 5.0}),
+    ]
+    assert [span.strategy for span in recognize(linearize(holes), program=True).spans] == ["zigzag", "drilling"]
+
+
+def test_program_with_one_title_is_one_operation():
+    """Without the title, a retract between a zigzag and nested loops divides the program."""
+    loops = [
+        ("G1", {"X": 100 + s * a, "Y": 100 + s * b})
+        for s in range(20, 2, -2)
+        for a, b in ((-1, -1), (1, -1), (1, 1), (-1, 1), (-1, -1))
+    ]
+    both = [*rows(), ("G0", {"Z": 5.0}), ("G0", {"X": 80.0, "Y": 80.0}), ("G1", {"Z": -1.0}), *loops]
+    assert recognize(linearize(both), tool_diameter=4.0, program=True).why.code == "sections"
+    titled = recognize(linearize([("(Pocket 1)", {}), *both]), tool_diameter=4.0, program=True)
+    assert titled.why.code != "sections"

@@ -477,6 +477,9 @@ class PARTS:
     BORDERS = 200
     #: share of the areas. Fewer holes beside the milling are passes clipped to a point. 1: boards become profiles.
     DRILLED = 0.25
+    #: count. Fewer plunges beside milling, without a canned cycle, park the tool or touch the stock. 1: a profile after
+    #: which the tool is parked is mixed.
+    HOLES = 2
     #: depths. More heights are heights of a surface. Lower: boards engraved at a few depths are surfaces.
     DEPTHS = 10
     #: depths. Plunges to at least this number of depths, all of them milled, are what is left of contours. 1: holes

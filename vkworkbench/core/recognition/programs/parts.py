@@ -44,6 +44,19 @@ def find_borders(toolpath: Toolpath, moves: Areas) -> dict[int, bool]:
     return {at: certain for at, certain in borders.items() if 0 < at < len(toolpath)}
 
 
+def is_titled(toolpath: Toolpath, first: int) -> bool:
+    """Return whether the only title and tool change come before the first cut: the program then is one operation."""
+    titles = [at for at, text in toolpath.comments if title_of(text)]
+    return len(titles) == 1 and titles[0] <= first and bool((toolpath.tool_changes <= first).all())
+
+
+def without_lone_plunge(toolpath: Toolpath, moves: Areas) -> Areas:
+    """Return the areas without a lone plunge beside milling, which parks the tool or touches the stock."""
+    if not len(moves) or len(moves.holes) >= PARTS.HOLES:
+        return moves
+    return replace(moves, holes=moves.holes[toolpath.cycle[moves.holes]])
+
+
 def _sculptured(moves: Areas) -> bool:
     """Return whether there are too many heights for depths. Plunges are then passes of a raster, clipped to a point."""
     return count_depths(moves.z[:: len(moves) // ROWS.SAMPLE + 1]) > PARTS.DEPTHS

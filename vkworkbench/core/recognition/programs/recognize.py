@@ -7,7 +7,14 @@ import numpy as np
 
 from vkworkbench.core.paper import monotonous_areas
 from vkworkbench.core.recognition.patterns.turned import is_turned
-from vkworkbench.core.recognition.programs.parts import Sections, dividing_retracts, find_borders, recognize_parts
+from vkworkbench.core.recognition.programs.parts import (
+    Sections,
+    dividing_retracts,
+    find_borders,
+    is_titled,
+    recognize_parts,
+    without_lone_plunge,
+)
 from vkworkbench.core.recognition.programs.visits import find_retracts
 from vkworkbench.core.recognition.thresholds import PARTS
 from vkworkbench.core.recognition.verdict.operation import recognize_one, unknown
@@ -53,11 +60,11 @@ def recognize(toolpath: Toolpath, *, tool_diameter: float | None = None, program
         return unknown(toolpath, Message("like-a-lathe", strategy=Strategy.UNKNOWN))
     tool = number("tool_diameter", tool_diameter or 0.0, "a number of mm, or None")
     tool = tool if 0 < tool < np.inf else 0.0
-    moves = monotonous_areas(toolpath)
+    moves = without_lone_plunge(toolpath, monotonous_areas(toolpath))
     first, last = int(np.argmin(rapid)), len(rapid) - 1 - int(np.argmin(rapid[::-1]))
     whole = recognize_one(toolpath, moves, first, last, tool)
     borders, sections = find_borders(toolpath, moves), Sections(toolpath, tool)
-    if program and len(borders) <= PARTS.BORDERS:
+    if program and len(borders) <= PARTS.BORDERS and not is_titled(toolpath, first):
         retracts = dividing_retracts(sections, borders, find_retracts(toolpath, moves))
         borders.update(dict.fromkeys(retracts, True))
     if not 0 < len(borders) <= PARTS.BORDERS:
