@@ -100,7 +100,7 @@ class _Reader:
         self.ran: set[int] = set()  # indices of the lines that were read in calls
         self.calls: list[int] = []  # first lines of the current subprograms, from the outermost call to the innermost
         self.jump: int | None = None  # index of the line that follows this line; None for the next line
-        self.again = False  # whether this line was read before, outside of calls
+        self.again = False  # whether this line is not after the last line before a jump or call
         self.deleted = False  # whether this line has a block delete
         self.number = 0
         self.blocks = 0
@@ -125,7 +125,7 @@ class _Reader:
             Index of the last line read, or `end` if no line ends the program or subprogram.
         """
         while index < end:
-            self.again = index < self.number and not self.calls
+            self.again = self.number > index
             if self.again or self.calls:
                 self.flow.count_line(len(self.machine.commands))
                 self.ran.add(index)
@@ -133,7 +133,9 @@ class _Reader:
                 self.number = index + 1
             if self.line(index):
                 return index
-            index, self.jump = (index + 1 if self.jump is None else self.jump), None
+            index += 1
+            if self.jump is not None:
+                index, self.jump = self.jump, None
         return end
 
     def line(self, index: int) -> bool:
@@ -221,7 +223,7 @@ class _Reader:
             ended |= _RETURN.search(code) is not None
         if self.machine.call is not None:
             self._call(self.machine.call, dict(words), index)
-        return ended or self._ended
+        return ended or (self.machine.ended and self._ended)
 
     @property
     def _ended(self) -> bool:
@@ -271,7 +273,7 @@ class _Reader:
         self.jump = None
 
     def _keep(self, comments: list[str]) -> None:
-        if self.again:  # the comments of a loop are kept once
+        if self.again and not self.calls:  # the comments of a loop are kept once
             return
         kept = [(len(self.machine.commands), self.number, text) for text in comments if text]
         if self.calls:

@@ -148,6 +148,15 @@ def test_value_from_the_machine_matters_only_where_it_is_used():
     assert said(text) == ["Line 8: S words are ignored.", f"Line 10: {END}The value of #4003 comes from the machine."]
 
 
+def test_unknown_result_of_a_subprogram_matters_where_it_is_used():
+    text = f"o1 sub\nX[#2]\no1 endsub [#5063]\n{HEAD}o1 call [#5061] [3]\n#<top>=[#<_value>+2]\nX4\nX#<top>\nX5"
+    assert xs(text) == [3, 4] and said(text) == [f"Line 10: {END}The value of #5063 comes from the machine."]
+
+
+def test_word_after_a_variable_is_no_exponent():
+    assert xs(f"#1=7\n{HEAD}X#1 E5\nX[1E1]") == [7, 10]
+
+
 BOUNDED = [
     ("MOST_LINES", "G91\no1 while [#1 LT 9999]\n#1=[#1+1]\nX1\no1 endwhile", "Loops, jumps and calls would run more than 100 lines"),
     ("MOST_LINES", "G91\no1 repeat [1000]\nX1\no1 endrepeat", "Loops, jumps and calls would run more than 100 lines"),

@@ -20,6 +20,7 @@ Postfix = Tuple[Tuple[int, Any], ...]
 _NUMBER, _UNARY, _BINARY, _ON_VACANT, _NUMBERED, _NAMED, _EXISTS, _EXISTS_NUMBERED = range(8)
 
 _DIGITS = re.compile(r"(?:\d+\.?\d*|\.\d+)(?:E[-+]?\d+)?")
+_INDEX = re.compile(r"\d+\.?\d*")  # without an exponent: in X#1 E5, the E is a word
 _NAME = re.compile(r"<([^<>]+)>")
 _FUNCTION = re.compile(r"([A-Z]+)\[")
 _OPERATOR = re.compile(r"\*\*|[-+*/]|MOD|AND|XOR|OR|EQ|NE|GT|GE|LT|LE")
@@ -107,6 +108,9 @@ class Parser:
         name = self.match(_NAME)
         if name:
             return ((_NAMED, name[1]),)
+        index = self.match(_INDEX)
+        if index:
+            return ((_NUMBER, _finite(index[0])), (_NUMBERED, None))
         return (*self.value(), (_NUMBERED, None))
 
     def expression(self) -> Postfix:
@@ -119,10 +123,9 @@ class Parser:
 
     def _number(self) -> float:
         digits = self.match(_DIGITS)
-        number = float(digits[0]) if digits else _LARGEST
-        if number >= _LARGEST:
+        if digits is None:
             raise Unreadable
-        return number
+        return _finite(digits[0])
 
     def _bracket(self) -> Postfix:
         """Read the rest of a bracket, after its opening bracket."""
@@ -187,6 +190,14 @@ class Parser:
         else:
             raise Unreadable
         return (*first, *second, (_BINARY, function))
+
+
+def _finite(digits: str) -> float:
+    """Return the number that digits spell."""
+    number = float(digits)
+    if number >= _LARGEST:
+        raise Unreadable
+    return number
 
 
 def evaluate(code: Postfix, variables: Variables) -> float | None:

@@ -261,6 +261,13 @@ class Flow:
             raise Ended(Message("too-many-steps", count=MOST_STEPS))
         return evaluate(code, self._variables)
 
+    def _value_or_reason(self, code: Postfix) -> Value:
+        """Return a value, or the reason why it is not known."""
+        try:
+            return self._value(code)
+        except Unknown as unknown:
+            return unknown.why
+
     def _number(self, code: Postfix) -> int:
         """Return a value as the nearest whole number; 0 for an empty variable."""
         return round(self._value(code) or 0.0)
@@ -301,10 +308,7 @@ class Flow:
         for variable, right_side in line.assigned:
             *number, (_, name) = variable
             target = name or self._value(tuple(number))
-            try:
-                new.append((target, self._value(right_side)))
-            except Unknown as unknown:
-                new.append((target, unknown.why))
+            new.append((target, self._value_or_reason(right_side)))
         return new
 
     def _set(self, new: Iterable[tuple[str | float | None, Value]]) -> None:
@@ -381,7 +385,7 @@ class Flow:
         return Step(to=block.first if block.kind == "WHILE" else block.last)
 
     def _return(self, _index: int, control: Control) -> Step:
-        value = self._value(control.values[0]) if control.values else 0.0
+        value = self._value_or_reason(control.values[0]) if control.values else 0.0
         self._variables.set_name("_VALUE", value)
         self._variables.set_name("_VALUE_RETURNED", float(bool(control.values)))
         return Step(returns=True)
@@ -396,7 +400,7 @@ class Flow:
             return Step()
         if not block.closed:
             raise Ended(Message("unclosed"))
-        numbers: dict[int, Value] = {number: self._value(value) for number, value in enumerate(control.values, 1)}
+        numbers = {number: self._value_or_reason(value) for number, value in enumerate(control.values, 1)}
         return Step(call=Call(block.first + 1, block.last + 1, 1, Frame(numbers)))
 
     def _go_to(self, index: int, control: Control) -> Step:
