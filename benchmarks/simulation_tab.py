@@ -7,20 +7,22 @@ which gives FreeCAD a home of its own, without the user's settings. The example 
 operations and in one, that are made here. Printed are, from the click: when the first picture is there, when the finest; the
 processor time until both, in parentheses; pictures a second while the time line is dragged; the longest time for which an
 event had to wait, in parentheses the longest that FreeCAD worked meanwhile: the rest a busy computer took; and the memory
-that came on top. Below stand how long FreeCAD alone holds the window for the longest path, and what is said of the finest
-picture before it is begun.
-FreeCAD's simulators show a finished part only at the end of their fast-forward, or of a play at their fastest; they have
-no time line to drag. `VKWORKBENCH_PATIENCE` is how long each may take, s.
+that came on top. Below stand how long FreeCAD alone holds the window for the longest path, the expected cost of the finest
+picture, the time until the job is checked, the verdict, and the pictures a second while the part is turned.
+FreeCAD's simulators show a finished part only at the end of their fast-forward, or of a play at their fastest. The slider of
+the OpenGL simulator is not dragged here. `VKWORKBENCH_PATIENCE` is how long each may take, s.
 """
 
 from __future__ import annotations
 
 import importlib
 import os
+import statistics
 import sys
 import tempfile
 import time
 import traceback
+from dataclasses import replace
 from pathlib import Path
 
 import FreeCAD
@@ -35,10 +37,9 @@ from inside_freecad import run_and_leave
 from make_example import make_example
 
 from vkworkbench import freecad
-from vkworkbench.core.zbuffer import Estimate
+from vkworkbench.core.rendering import turned
 from vkworkbench.document.simulation.copy import read_job
 from vkworkbench.gui.simulation.command import open_tab
-from vkworkbench.gui.simulation.widgets import StateLine
 
 OUT = sys.__stdout__
 PATIENCE = float(os.environ.get("VKWORKBENCH_PATIENCE", "600"))
@@ -172,9 +173,6 @@ class Waiting:
 
 def tab(document):
     """Simulate Toolpaths."""
-    told: list[Estimate] = []
-    show = StateLine.show_expected
-    StateLine.show_expected = lambda line, cost: (told.append(cost), show(line, cost))
     alone = held(document)
     waiting, memory, watch = Waiting(), resident(), Watch()
     opened = open_tab(document)
@@ -182,17 +180,19 @@ def tab(document):
     first = watch()
     waiting.until(lambda: opened.player is not None)
     player = opened.player
-    done = waiting.until(
-        lambda: seen(opened) and not player.is_busy and player.pictures.is_current and not player.view._rest.isActive()
-    )
-    finest, longest, memory = watch(), waiting.end(), resident() - memory
-    drawn = drag(player)
+    done = waiting.until(lambda: seen(opened) and player.drawing.simulated.is_finest and player.pictures.is_current)
+    finest = watch()
+    waiting.until(lambda: not player.is_busy)
+    checked, longest, memory = watch(), waiting.end(), resident() - memory
+    drawn, processor = drag(player), turn(player)
     print(f"    FreeCAD alone hands out the longest path, {alone}", file=OUT)
+    expected = player._simulating.expected
+    print(f"    expected: {expected.seconds:.1f} s, {expected.memory_bytes / 1e6:.0f} MB", file=OUT)
     print(
-        f"    before: {told[0].seconds:.1f} s, {told[0].memory_bytes / 1e6:.0f} MB;  after: {player.state.text()}",
+        f"    checked: {said(checked)}  {player.state.text()}  ({player.drawing.simulation.zbuffer.frame.pixel:.2g} mm)",
         file=OUT,
     )
-    StateLine.show_expected = show
+    print(f"    turning: {processor}", file=OUT)
     opened.window_of().close()
     return (
         tab.__doc__[:-1],
@@ -219,6 +219,31 @@ def held(document) -> str:
 def seen(opened) -> bool:
     """Whether there is a picture of the whole job."""
     return opened.player is not None and opened.player.simulation is not None
+
+
+def turn(player) -> str:
+    """Turn the part for some seconds; tell pictures a second, and the processor time of a picture drawn alone."""
+    view = player.view
+    shown, show = [], view.show_scene
+    view.show_scene = lambda *scene: (shown.append(1), show(*scene))
+    begin = time.perf_counter()
+    while (spent := time.perf_counter() - begin) < DRAGGED:
+        view._direction = turned((-1, 1, -1), 6 * spent / DRAGGED, 0.3 * spent / DRAGGED)
+        view.changed.emit()
+        QtGui.QApplication.processEvents()
+        time.sleep(MOUSE)
+    view.show_scene = show
+    frame = replace(view.view, width=1000, height=650, pixel=None)
+    times = []
+    for number in range(20):
+        direction = turned((-1, 1, -1), 0.3 * number, 0.05 * number - 0.5)
+        picture = player.drawing.picture(
+            player.moment, replace(frame, direction=direction).frame(view.stock), (0, 0, 0)
+        )
+        watch = Watch()
+        picture.draw()
+        times.append(watch()[1])
+    return f"{len(shown) / DRAGGED:.0f} pictures/s; {1e3 * statistics.median(times):.0f} ms of processor time a picture of 1000 x 650"
 
 
 def drag(player) -> float:

@@ -23,7 +23,7 @@ COMMAND = "Simulate Toolpaths"
 SMALL = 860, 560  # px, size of the window
 # px, size of the window for the whole job: larger only for pictures of the documents
 WHOLE = (1024, 700) if os.environ.get("VKWORKBENCH_SCREENSHOTS") else SMALL
-PLAYER = 360, 320  # px, size of the player of smaller jobs, whose finest picture takes a third of a second
+PLAYER = 360, 320  # px, size of the player of smaller jobs, whose finest simulation takes a third of a second
 
 
 def tabs(window):
@@ -41,7 +41,7 @@ def finest(player, window):
     """Wait for the finest picture of the current moment and view."""
 
     def rests():
-        return not player.view._rest.isActive() and not player.is_busy and player.pictures.is_current
+        return player.simulation is not None and not player.is_busy and player.pictures.is_current
 
     while True:
         for _ in range(4):  # a picture may change the legend, the legend the layout, and the layout the view

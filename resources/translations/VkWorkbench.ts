@@ -2292,10 +2292,6 @@ Memory</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>… and {} more</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>{} of {} pictures are saved in {}.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -2388,7 +2384,7 @@ Memory</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Crashes, gouges and fast plunges in the simulation. Choose one to see it.</source>
+        <source>Collisions, gouges and fast plunges in the simulation. Choose one to see it.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2489,6 +2485,10 @@ Memory</source>
     </message>
     <message>
         <source>Nothing removed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Checking… {}</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

@@ -2438,16 +2438,12 @@ höchstens</translation>
         <translation>Stellen, an denen das Teil am meisten vom Modell abweicht. Wählen Sie eine Stelle, um sie zu sehen.</translation>
     </message>
     <message>
-        <source>Crashes, gouges and fast plunges in the simulation. Choose one to see it.</source>
+        <source>Collisions, gouges and fast plunges in the simulation. Choose one to see it.</source>
         <translation>Kollisionen, zu tiefe Schnitte und zu schnelles Eintauchen in der Simulation. Wählen Sie eine Zeile, um sie zu sehen.</translation>
     </message>
     <message>
         <source>⚠ Warnings: {}</source>
         <translation>⚠ Warnungen: {}</translation>
-    </message>
-    <message>
-        <source>… and {} more</source>
-        <translation>… und {} weitere</translation>
     </message>
     <message>
         <source>Stock: {}</source>
@@ -2496,6 +2492,10 @@ höchstens</translation>
     <message>
         <source>Choose the job to simulate:</source>
         <translation>Wählen Sie den Auftrag, der simuliert werden soll:</translation>
+    </message>
+    <message>
+        <source>Checking… {}</source>
+        <translation>Prüfung… {}</translation>
     </message>
 </context>
 <context>

@@ -2438,16 +2438,12 @@ como mucho</translation>
         <translation>Lugares donde la pieza difiere más del modelo. Elija un lugar para verlo.</translation>
     </message>
     <message>
-        <source>Crashes, gouges and fast plunges in the simulation. Choose one to see it.</source>
+        <source>Collisions, gouges and fast plunges in the simulation. Choose one to see it.</source>
         <translation>Choques, cortes demasiado hondos y entradas demasiado rápidas de la simulación. Elija una para verla.</translation>
     </message>
     <message>
         <source>⚠ Warnings: {}</source>
         <translation>⚠ Avisos: {}</translation>
-    </message>
-    <message>
-        <source>… and {} more</source>
-        <translation>… y {} más</translation>
     </message>
     <message>
         <source>Stock: {}</source>
@@ -2496,6 +2492,10 @@ como mucho</translation>
     <message>
         <source>Choose the job to simulate:</source>
         <translation>Elija el trabajo que desea simular:</translation>
+    </message>
+    <message>
+        <source>Checking… {}</source>
+        <translation>Comprobando… {}</translation>
     </message>
 </context>
 <context>

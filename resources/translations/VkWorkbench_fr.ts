@@ -2438,16 +2438,12 @@ au plus</translation>
         <translation>Endroits où la pièce s&apos;écarte le plus du modèle. Choisissez un endroit pour le voir.</translation>
     </message>
     <message>
-        <source>Crashes, gouges and fast plunges in the simulation. Choose one to see it.</source>
+        <source>Collisions, gouges and fast plunges in the simulation. Choose one to see it.</source>
         <translation>Collisions, coupes trop profondes et plongées trop rapides de la simulation. Choisissez-en une pour la voir.</translation>
     </message>
     <message>
         <source>⚠ Warnings: {}</source>
         <translation>⚠ Avertissements : {}</translation>
-    </message>
-    <message>
-        <source>… and {} more</source>
-        <translation>… et {} de plus</translation>
     </message>
     <message>
         <source>Stock: {}</source>
@@ -2496,6 +2492,10 @@ au plus</translation>
     <message>
         <source>Choose the job to simulate:</source>
         <translation>Choisissez la tâche à simuler :</translation>
+    </message>
+    <message>
+        <source>Checking… {}</source>
+        <translation>Vérification… {}</translation>
     </message>
 </context>
 <context>

@@ -2438,16 +2438,12 @@ at Most</source>
         <translation>零件与模型差异最大的地方。选择一处即可查看。</translation>
     </message>
     <message>
-        <source>Crashes, gouges and fast plunges in the simulation. Choose one to see it.</source>
+        <source>Collisions, gouges and fast plunges in the simulation. Choose one to see it.</source>
         <translation>模拟中的碰撞、过切和过快的下刀。选择一项即可查看。</translation>
     </message>
     <message>
         <source>⚠ Warnings: {}</source>
         <translation>⚠ 警告：{}</translation>
-    </message>
-    <message>
-        <source>… and {} more</source>
-        <translation>…… 另有 {} 项</translation>
     </message>
     <message>
         <source>Stock: {}</source>
@@ -2496,6 +2492,10 @@ at Most</source>
     <message>
         <source>Choose the job to simulate:</source>
         <translation>请选择要模拟的作业：</translation>
+    </message>
+    <message>
+        <source>Checking… {}</source>
+        <translation>正在检查… {}</translation>
     </message>
 </context>
 <context>

@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import threading
+from dataclasses import replace
 from itertools import product
 from pathlib import Path
 
@@ -16,10 +17,9 @@ from simulation_window import COMMAND, close, drag, finest, shown, tabs, working
 
 import vkworkbench
 from vkworkbench.core import linearize
-from vkworkbench.core.zbuffer import Peak
 from vkworkbench.document.simulation.simulate import simulate_read
 from vkworkbench.gui.qt.plain_text import OneLine
-from vkworkbench.gui.simulation import controls, exports, refining
+from vkworkbench.gui.simulation import controls, exports, simulating
 from vkworkbench.gui.simulation import player as playing
 from vkworkbench.gui.simulation.faults import differences
 from vkworkbench.gui.simulation.pictures import Drawing, Picture
@@ -34,7 +34,7 @@ def whole(desk, window):
 
 @pytest.fixture
 def whole_from_above(desk, window):
-    """A player of the whole example, seen from above, which is quicker to simulate."""
+    """A player of the whole example, seen from above."""
     return desk.shared(desk.example, "Top").player
 
 
@@ -110,10 +110,8 @@ def test_turning_moving_and_zooming_with_the_mouse(whole, window):
     before = view.view
     middle = view.rect().center()
     drag(window, view, middle, middle + QtCore.QPoint(90, 30))
-    assert view.is_turned
-    window.screenshot("simulation-turning")
+    assert not np.allclose(view.view.direction, before.direction)
     finest(whole, window)
-    assert not view.is_turned and not np.allclose(view.view.direction, before.direction)
     window.screenshot("simulation-turned")
     drag(window, view, middle, middle + QtCore.QPoint(50, 0), QtCore.Qt.MiddleButton)
     assert view.view.offset[0] == pytest.approx(-50 * view.view.pixel * view.devicePixelRatioF(), rel=0.1)
@@ -241,6 +239,7 @@ def test_crash_is_found_in_three_clicks(desk, window):
     assert f"command {number + 1}: {code}" in player.play_bar.text.text()
     window.screenshot("simulation-crash-3")
     assert [chosen.Name for chosen in Gui.Selection.getSelection()] == [op.Name]
+    window.wait(lambda: player.known._holds)  # the document has been compared
     (row,) = vkworkbench.analyze(op).operations
     assert [remark.code for remark in row.remarks if remark.code == "simulated"]
     close(window)
@@ -290,7 +289,7 @@ def test_colourings_and_chips_change_the_picture(simulated, window):
     pictures = set()
     for index in range(simulated.scene_bar.colorings.count()):
         simulated.scene_bar.colorings.setCurrentIndex(index)
-        finest(simulated, window)  # a legend of another height starts a new simulation
+        finest(simulated, window)
         pictures.add(bytes(simulated.view._scene.image.tobytes()))
         assert simulated.scene_bar.legend.entries
         window.screenshot(f"simulation-color-{index}")
@@ -308,12 +307,12 @@ def test_colourings_and_chips_change_the_picture(simulated, window):
 def test_model_before_the_finest_picture_is_not_called_missing(simulated):
     drawing = simulated.drawing
     simulated.scene_bar.colorings.setCurrentIndex(simulated.scene_bar.colorings.count() - 1)
-    said, seen = [], drawing.seen
-    for told in (None, drawing.findings):
-        drawing.findings, drawing.seen = told, None
+    said, simulated_ = [], drawing.simulated
+    for is_finest in (False, True):
+        drawing.simulated = replace(simulated_, seen=None, is_finest=is_finest)
         drawing.color()
         said.append(drawing._coloring().legend()[0][1])
-    drawing.seen = seen
+    drawing.simulated = simulated_
     assert said == ["The model is shown with the finest picture.", "There is no closed model."]
 
 
@@ -353,7 +352,7 @@ def test_events_do_not_wait_for_pictures_or_faults(simulated, window, monkeypatc
     going_on.set()
     window.wait(lambda: simulated.pictures.is_current and not simulated.is_busy)
     monkeypatch.undo()
-    expected = simulated.drawing.picture(simulated.moment, simulated.view.background).draw().scene
+    expected = simulated.drawing.picture(simulated.moment, simulated.view.frame, simulated.view.background).draw().scene
     assert (simulated.view._scene.image == expected.image).all() and simulated.moment.seconds == 0.3 * total
 
 
@@ -434,7 +433,7 @@ def test_closing_ends_the_work(desk, window, monkeypatch):
             begun.append(arguments)
             simulate_read(*arguments)
 
-    monkeypatch.setattr(refining, "simulate_read", endless)
+    monkeypatch.setattr(simulating, "simulate_read", endless)
     desk.kept(desk.small)
     tab = desk.simulate()
     window.wait(lambda: tab.player._work.works and "endless" in working())
@@ -479,30 +478,30 @@ def test_what_has_been_read_is_seen_before_all_is_read(desk, window, monkeypatch
 def test_cost_is_shown_before_and_after_the_simulation(desk, window, monkeypatch):
     told = []
 
-    def expected(line, cost, original=StateLine.show_expected):
-        original(line, cost)
-        told.append((cost, line.text(), tabs(window)[0].player.simulation))
+    def progress(line, simulating, original=StateLine.show_progress):
+        original(line, simulating)
+        told.append((simulating.expected, line.text()))
 
-    monkeypatch.setattr(StateLine, "show_expected", expected)
+    monkeypatch.setattr(StateLine, "show_progress", progress)
     desk.kept(desk.small)
     player = shown(desk.simulate(), window)
-    (cost, text, simulation), *_ = told
-    assert simulation is None and text.startswith("The finest picture takes about") and "MB" in text
+    cost, text = next((cost, text) for cost, text in told if cost is not None)
+    assert "The finest picture takes about" in text and "MB" in text and "Simulating… " in text
     zbuffer = player.simulation.zbuffer
     assert cost.memory_bytes == pytest.approx(zbuffer.peak.bytes(), rel=0.3)
-    assert f"{zbuffer.traces:,} traces" in player.state.text() and "simulated in" in player.state.text()
-    assert "about" not in player.state.text()
-    told.clear()
-    player.look("Top")
-    finest(player, window)
-    assert not told  # the coarse picture already predicts this time
+    assert f"{zbuffer.traces:,} traces" in player.state.toolTip() and "simulated in" in player.state.toolTip()
+    assert "about" not in player.state.text() and "…" not in player.state.text()
+    checked = f"checked to {player.drawing.findings.facts.verdict.pixel:.2g} mm"
+    assert told[0][1].startswith("Nothing is checked yet.") and checked in player.state.text()
+    assert player.state.text() in player.state.toolTip().replace("\xa0", " ")
 
 
 def test_surface_is_prepared_before_the_picture(desk, window, monkeypatch):
     made = []
 
     def show(drawing, done, original=Drawing.take):
-        made.append("_by_owner" in vars(done.simulation.zbuffer.surface))
+        if isinstance(done, simulating.Simulated):
+            made.append("_by_owner" in vars(done.simulation.zbuffer.surface))
         original(drawing, done)
 
     monkeypatch.setattr(Drawing, "take", show)
@@ -544,43 +543,22 @@ def make_crash(document):
     return op
 
 
-def test_gouge_is_kept_in_views_that_do_not_show_it(desk, document, window):
+def test_faults_are_the_same_from_every_side(desk, document, window):
     op = make_crash(document)
-
-    def faults():
-        (row,) = vkworkbench.analyze(op).operations
-        return [remark.arguments["count"] for remark in row.remarks if remark.code == "simulated"]
-
     player = shown(desk.simulate(), window)
-    assert {fault.what.code for fault in player.faults} == {"rapid-cuts", "cuts-model"} and faults() == [2]
-    judged = player.drawing.findings
-    player.look("Bottom")
-    window.wait(lambda: player.drawing.findings is not judged)
-    assert faults() == [2]  # a coarse picture does not look for gouges
-    finest(player, window)
-    assert player.drawing.findings.judged and player.drawing.findings.deviations.gouged.max() < 0.1
-    assert {fault.what.code for fault in player.faults} == {"rapid-cuts", "cuts-model"}  # it is there all the same
-    assert faults() == [2]
+    found = player.faults
+    assert {fault.what.code for fault in found} == {"rapid-cuts", "cuts-model"}
+    for side in ("Bottom", "Front", "Isometric"):
+        player.look(side)
+        finest(player, window)
+        assert player.faults is found
+    window.wait(lambda: player.known._holds)  # the document has been compared
+    (row,) = vkworkbench.analyze(op).operations
+    (told,) = [remark for remark in row.remarks if remark.code == "simulated"]
+    assert told.arguments["count"] == len({fault.command for fault in found})
 
 
 # Widgets, and no job
-
-
-def test_costs_have_a_part_per_pixel_and_a_fixed_part():
-    course, peak = None, Peak(1e6, 5e5, 1e5, 2e4, 120_000, 1000, 1e6)
-    for share in (1 / 8, 1 / 3):  # of pictures that take 2 s, and 27 s for all of the pixels
-        course = refining._CostTrend(share, 2 + 27 * share**2, peak, course, 1)
-    assert course.expected(1.0) == pytest.approx((29, peak.bytes(9)))
-    assert course.largest(29) == pytest.approx(1) == course.largest(100)
-    assert course.largest(8.75) == pytest.approx(0.5)
-    assert course.largest(1) == 0
-    assert refining._CostTrend(0.5, 3.0, peak, None, 1).expected(1.0) == (12.0, peak.bytes(4))
-    busy = refining._CostTrend(0.25, 2.0, peak, None, 1)  # the computer was
-    quicker = refining._CostTrend(0.5, 1.0, peak, busy, 1)
-    assert quicker.expected(1.0) == (1.0, peak.bytes(4)) and quicker.largest(1) == 1 and quicker.largest(0.5) == 0
-    several = refining._CostTrend(0.5, 3.0, peak, None, 4).expected(1.0)[0]  # what takes one longer than 12 s
-    assert 12 > several > 12 / 2
-    assert refining._CostTrend(0.5, 3.0, peak, None, 4).largest(several) == pytest.approx(1)
 
 
 @pytest.mark.parametrize("wide", [True, False])

@@ -11,16 +11,16 @@ import numpy as np
 import pytest
 
 from vkworkbench.core import Cut, Stock, Strategy, Tool, View, linearize, simulate_job
-from vkworkbench.core.zbuffer import OverBudget, SeenModel, Speed, memory_needed
+from vkworkbench.core.zbuffer import TOLERANCE, Collisions, CrashCheck, OverBudget, Speed, estimate_job, memory_needed
+from vkworkbench.document.simulation.along_axis import AlongAxis
 from vkworkbench.document.simulation.job import SimulatedJob, SimulatedOperation
 from vkworkbench.document.simulation.simulate import simulate_read
 from vkworkbench.gui.simulation import coloring, exports
 from vkworkbench.gui.simulation.faults import Fault, KnownFaults, differences, judge
 from vkworkbench.gui.simulation.moment import Clock
-from vkworkbench.gui.simulation.pictures import Drawing
-from vkworkbench.gui.simulation.refining import Budgets, Facts, Findings, Refined, Refining, holds
+from vkworkbench.gui.simulation.simulating import Budgets, Findings, Simulating
 from vkworkbench.gui.simulation.time_line import TimeLine
-from vkworkbench.language import Message
+from vkworkbench.language import Message, Unusable
 
 STOCK = Stock((0, 0, 0), (60, 40, 20))
 # Two slots: one with a feed of 10 mm/s, one cut by a rapid move, whose speed is not given.
@@ -36,118 +36,88 @@ def job_of(*paths):
     return SimulatedJob(tuple(operations), tuple(cuts), tuple(toolpaths), tuple(listings), STOCK, (), ())
 
 
-def refined(job, view, known=None, memory=1e9):
-    """Return all results of refining a view."""
-    work = Refining(job, view, Budgets(memory, 1e3), Speed(), glance=False, compare=False, known=known)
-    return list(work(lambda: None))
+def simulated(job, rays=240 * 160, memory=1e9, seconds=1e3):
+    """Return all results of simulating a job, and the error at the end."""
+    found = []
+    try:
+        found.extend(Simulating(job, rays, Budgets(memory, seconds), Speed())(lambda: None))
+    except Unusable as error:
+        return found, error
+    return found, None
 
 
 WHOLE = View((0, 0, -1), 240, 160)
-PART = View((0, 0, -1), 240, 160, pixel=0.02, offset=(0.0, -10.0))
 
 
-def test_picture_over_the_memory_budget_is_coarser():
+def test_simulations_are_coarse_first_and_of_the_whole_stock():
+    job = job_of(SLOT, CRASH)
+    (coarse, fine, findings), error = simulated(job)
+    assert error is None and not coarse.is_finest and fine.is_finest
+    frames = [done.simulation.zbuffer.frame for done in (coarse, fine)]
+    assert [(f.width, f.height) for f in frames] == [(55, 37), (240, 160)]
+    assert all((f.direction == (0, 0, -1)).all() and f.width * f.pixel >= 60 - 1e-9 for f in frames)
+    for done in (fine, findings):
+        assert done.volumes.sum() == pytest.approx(2 * 5 * (6 * 50 + np.pi * 9), rel=0.03) and not done.air.any()
+    assert coarse.volumes.sum() == pytest.approx(fine.volumes.sum(), rel=0.2)
+    assert [crash.source.cut for crash in findings.facts.job.crashes] == [1, 1]
+    assert findings.facts.verdict.crashes == 2
+
+
+def test_simulation_over_the_memory_budget_is_coarser():
     job, view = job_of(SLOT), View((0, 0, -1), 600, 400)
     allowed = memory_needed(job.cuts, stock=STOCK, view=view) / 1.5
     with pytest.raises(OverBudget) as refused:
         simulate_read(job, view, allowed)
-    (*_, last) = (done for done in refined(job, view, memory=allowed) if isinstance(done, Refined))
-    frame = last.simulation.zbuffer.frame
+    found, _ = simulated(job, 600 * 400, memory=allowed)
+    frame = found[1].simulation.zbuffer.frame
     assert (frame.width, frame.height) == refused.value.size and 300 < frame.width < 600
 
 
-def test_removed_volumes_come_from_images_of_the_whole_stock():
-    job = job_of(SLOT, CRASH)
-    (*_, whole) = (done for done in refined(job, WHOLE) if isinstance(done, Findings))
-    assert whole.facts.volumes.sum() == pytest.approx(2 * 5 * (6 * 50 + np.pi * 9), rel=0.03)
-    assert [crash.source.cut for crash in whole.facts.crashes] == [1, 1] and not whole.facts.air.any()
-    done = refined(job, PART, whole.facts)
-    assert not any(one.facts for one in done if isinstance(one, Findings))
-    (*_, last) = (one for one in done if isinstance(one, Refined))
-    assert last.simulation.zbuffer.frame.pixel == 0.02  # the picture shows a part of the stock
-    # If the whole stock was never simulated so finely, its facts come last, without a picture.
-    for known in (None, whole.facts):
-        coarse = known and Facts(
-            8 * known.pixel, *[getattr(known, own) for own in ("volumes", "air", "crashes", "plunges")]
-        )
-        *before, own = refined(job, PART, coarse)
-        assert (own.facts.volumes == whole.facts.volumes).all() and own.facts.pixel == whole.facts.pixel
-        assert all(one.simulation.zbuffer.frame.pixel < 0.2 for one in before if isinstance(one, Refined))
-
-
-@pytest.mark.parametrize("direction", [(0, 0, -1), (-1, 1, -1), (0, 1, 0), (0.3, -0.2, 0.9)])
-def test_image_holds_the_stock_only_if_all_is_within(direction):
-    whole = View(direction, 300, 200)
-    pixel = whole.frame(STOCK).pixel
-    assert holds(whole.frame(STOCK), STOCK)
-    assert not holds(View(direction, 300, 200, pixel=0.99 * pixel).frame(STOCK), STOCK)
-    assert holds(View(direction, 300, 200, pixel=2 * pixel, offset=(40 * pixel, 0)).frame(STOCK), STOCK)
-    for offset in ((310 * pixel, 0), (0, 210 * pixel)):
-        assert not holds(View(direction, 300, 200, pixel=2 * pixel, offset=offset).frame(STOCK), STOCK)
-
-
-def test_facts_of_a_fine_picture_outlive_coarser_pictures():
-    job = job_of(SLOT)
-    drawing = Drawing(job, Clock(job), None)
-    fine, coarse, part, other = (
-        SimpleNamespace(
-            simulation=None, seen=None, facts=pixel and Facts(pixel, np.zeros(3), np.zeros(3, bool), [], [])
-        )
-        for pixel in (0.1, 0.8, None, 0.15)
-    )
-    for told, expected in ((coarse, coarse), (fine, fine), (coarse, fine), (part, fine), (other, other)):
-        drawing.take(told)
-        assert drawing.facts is expected.facts
+def test_simulation_over_the_time_budget_is_coarser_and_says_so():
+    job = job_of(*[SLOT] * 20)
+    whole = estimate_job(job.cuts, stock=STOCK, view=View((0, 0, -1), 1200, 800)).seconds
+    found, error = simulated(job, 1200 * 800, seconds=0.7 * whole)
+    assert error.what.code == "picture-in-time" and error.what.arguments["allowed"] == 0.7 * whole
+    assert 300 < found[1].simulation.zbuffer.frame.width < 1200 and found[1].is_finest
 
 
 def gouge(cut, depth, command=0):
     return Fault(cut, command, 0, (0.0, 0.0, 0.0), Message("cuts-model", depth=depth), True)
 
 
-def test_gouges_outside_the_picture_are_kept(monkeypatch):
-    """A picture beside the gouge keeps its depth; a picture of the whole stock may lower the depth."""
-    facts = Facts(1.0, np.zeros(3), np.zeros(3, bool), [], [])
-    seen = [gouge(0, 0.4), gouge(2, 0.2)]
-    monkeypatch.setattr("vkworkbench.gui.simulation.faults._gouged", lambda told, tolerance: list(seen))
-    before = [gouge(0, 0.3), gouge(1, 0.5), gouge(2, 0.6), gouge(3, 0.1)]
-    depths = {}
-    for name, of_image in (("part", None), ("whole", facts)):
-        told = Findings(None, of_image, None, judged=True)
-        depths[name] = [(f.cut, f.gouged) for f in judge(told, facts, 0.15, before, False).faults]
-    assert depths == {"part": [(2, 0.6), (1, 0.5), (0, 0.4)], "whole": [(1, 0.5), (0, 0.3), (2, 0.2)]}
-
-
 def test_missing_stock_is_not_a_gouge():
     """The stock is 3 mm too low, and a slot is 8 mm too deep."""
     job, model = job_of(SLOT), Stock((0, 0, 0), (60, 40, 23))
-    zbuffer = simulate_job(job.cuts, stock=STOCK, view=WHOLE)
-    uncut, finished = (
-        Findings(SimpleNamespace(zbuffer=at), None, SeenModel(model, zbuffer.frame), judged=True)
-        for at in (zbuffer.at(0), zbuffer)
-    )
-    judged, known = judge(finished, None, 0.1, [], compares=False), KnownFaults(job, Clock(job))
+    vars(job)["model"] = model
+    known, zbuffer = KnownFaults(job, Clock(job)), simulate_job(job.cuts, stock=STOCK, view=WHOLE)
+    along_axis = [
+        AlongAxis(job, at, CrashCheck(), Collisions((), 0.0, (), (), 0), None) for at in (zbuffer.at(0), zbuffer)
+    ]
+    uncut, finished = (Findings(axis, axis.facts(TOLERANCE), None, None) for axis in along_axis)
+    judged = judge(finished, TOLERANCE, compares=False)
     lacks = "Stock: The stock is 3 mm too small for the model. Choose a larger stock, or move the model within it."
     assert [known.text(fault) for fault in differences(uncut, 0.1)] == [lacks]
-    for found in (judged.faults, judged.proved):
+    for found in (judged.faults, judged.proved, judge(finished, 0.2, compares=False).faults):
         slot, stock = (known.text(fault) for fault in found)
         assert slot.startswith("Op 0, command ") and "The tool cuts 8 mm into the model." in slot and stock == lacks
-    known.keep(judged.proved)
-    assert [fault.gouged for fault in known.gouges] == [8.0, 3.0]  # for judging other views
+    assert judge(finished, 9.0, compares=False).faults == []
 
 
-def test_newest_crash_and_shallowest_gouge_are_kept():
+def test_marks_have_the_latest_faults():
     job = job_of(SLOT)
     known = KnownFaults(job, Clock(job))
-    crashes = [Fault(0, 7, 0, (0.0, 0.0, 0.0), Message("rapid-cuts", volume=volume), True) for volume in (51.35, 50.69)]
-    known.keep([crashes[0], gouge(0, 20.0), gouge(0, 0.3, command=2)])
-    known.keep([crashes[1], gouge(0, 0.2), gouge(0, 0.6, command=2)])
-    assert [(found.command, found.gouged) for found in known.gouges] == [(0, 0.2), (2, 0.3)]
+    crash = Fault(0, 7, 0, (0.0, 0.0, 0.0), Message("rapid-cuts", volume=50.69), True)
     told = []
     with pytest.MonkeyPatch.context() as patched:
         patched.setattr("vkworkbench.gui.simulation.faults.keep_faults", told.append)
         known.follow(True)
-    ((_, wrong),) = told[0].items()
-    assert wrong[0] == (7, crashes[1].what) and len(wrong) == 3
+        assert not told  # nothing was compared with the model yet
+        known.keep([gouge(0, 20.0, command=2)])
+        known.keep([crash, gouge(0, 0.3)])
+        known.follow(False)
+    *_, last = told
+    ((_, wrong),) = last.items()
+    assert wrong == [(7, crash.what), (0, gouge(0, 0.3).what)] and len(told) == 2
 
 
 def test_equal_differences_have_different_places():

@@ -333,7 +333,7 @@ def test_odd_jobs_are_shown(bare, window, odd):
     drag(window, player.time_line, QtCore.QPoint(10, 45), QtCore.QPoint(200, 45))
     window.click_at(player.time_line, QtCore.QPoint(100, 45))
     window.wait(lambda: player.pictures.is_current)  # of the turned view
-    player.look("Top")  # quicker to simulate
+    player.look("Bottom")
     finest(player, window)
     window.screenshot(f"simulation-odd-{odd.__name__}")
     window.click_at(player.view, middle)

@@ -9,10 +9,9 @@ import FreeCAD
 import numpy as np
 import pytest
 from PySide import QtCore, QtGui
-from simulation_window import COMMAND, close, finest, make_small, shown, tabs
+from simulation_window import COMMAND, close, drag, finest, make_small, shown, tabs
 
 import vkworkbench
-from vkworkbench.core.zbuffer import removed_volumes
 from vkworkbench.gui.qt import widgets
 from vkworkbench.gui.simulation import exports
 from vkworkbench.gui.simulation.faults import KnownFaults
@@ -24,42 +23,34 @@ def tab(desk, window):
     return desk.shared(desk.small)
 
 
-# Facts from pictures
+# Looking
 
 
-def test_zooming_in_keeps_the_facts_of_the_whole_stock(tab, window, tmp_path):
+def test_looking_and_playing_never_simulate_again(tab, window, monkeypatch, tmp_path):
     player = tab.player
-    before, air = player.volumes.copy(), player.time_line._air.copy()
-    moves = np.flatnonzero(before > 0)
-    player.moment.after(int(moves[0]))
-    window.wait(lambda: player.pictures.is_current)
-    said = player.play_bar.text.text()
-    window.wheel(player.view, player.view.rect().center(), 12)
-    finest(player, window)
-    pixel = player.simulation.zbuffer.frame.pixel
-    assert pixel < player.drawing.facts.pixel / 7  # the picture shows a part of the stock
-    assert (removed_volumes(player.simulation.zbuffer)[moves] == 0).mean() > 0.5
-    assert (player.volumes == before).all() and (player.time_line._air == air).all()
-    player.moment.after(int(moves[0]))
-    window.wait(lambda: player.pictures.is_current)
-    assert player.play_bar.text.text() == said and "Nothing removed" not in said
-    exports.write_rates(player, tmp_path / "rates.csv")
-    volumes = [float(line.split(",")[5]) for line in (tmp_path / "rates.csv").read_text().splitlines()[1:]]
-    assert volumes == pytest.approx(before.tolist(), rel=1e-4)
-
-
-def test_zooming_in_early_still_simulates_the_whole_stock(desk, window):
-    desk.kept(desk.small)
-    tab = desk.simulate()
-    window.wait(lambda: tab.player.simulation is not None)
-    player = tab.player
-    window.wheel(player.view, player.view.rect().center(), 12)
-    assert not player.scene_bar.rates.isEnabled()  # rates of a coarse picture are not exact
-    finest(player, window)
-    assert player.scene_bar.rates.isEnabled()
-    assert player.simulation.zbuffer.frame.pixel < player.drawing.facts.pixel / 5
-    whole = player.view.view.pixel * 12  # zoomed in by 1.2 to the 12th, about 9
-    assert player.drawing.facts.pixel < whole
+    findings, faults, simulation = player.drawing.findings, player.faults, player.simulation
+    monkeypatch.setattr(player, "simulate", lambda: pytest.fail("simulated again"))
+    middle = player.view.rect().center()
+    shown = []
+    for change in (
+        lambda: drag(window, player.view, middle, middle + QtCore.QPoint(90, 30)),
+        lambda: window.wheel(player.view, middle, 12),
+        lambda: drag(window, player.view, middle, middle + QtCore.QPoint(30, 0), QtCore.Qt.MiddleButton),
+        lambda: player.look("Bottom"),
+        lambda: player.look("Front"),
+        lambda: player.look("Isometric"),
+        lambda: player.moment.go_to(0.3 * player.clock.total),
+        lambda: player.setFixedSize(420, 400),
+        lambda: player.scene_bar.colorings.setCurrentIndex(5),
+    ):
+        change()
+        finest(player, window)
+        shown.append(player.view._scene.image.tobytes())
+        assert player.simulation is simulation and player.drawing.findings is findings
+        assert [(f.trajectory, f.what) for f in player.faults] == [(f.trajectory, f.what) for f in faults]
+        size = player.view.view
+        assert player.view._scene.depth.shape == (size.height, size.width)  # at full fineness, each time
+    assert len(set(shown)) == len(shown)
 
 
 def test_command_of_several_moves_shows_its_whole_volume(tab, window):
@@ -186,6 +177,7 @@ def test_outdated_tab_reports_no_faults(desk, document, window):
     op = crash(document)
     tab = desk.simulate()
     player = shown(tab, window)
+    window.wait(lambda: player.known._holds)  # the document has been compared
     assert told(op) == ["simulated"]
     document.openTransaction("change")
     cut_off(document)
@@ -358,7 +350,6 @@ def test_saved_pictures_get_their_own_folder(tab, desk, window, folder):
 
 def test_saving_waits_for_the_finest_and_esc_cancels_it(tab, desk, window, folder, monkeypatch):
     player = tab.player
-    player.look("Top")
     player.simulate()
     assert player.refines
     write, busy = exports.write_frames, []

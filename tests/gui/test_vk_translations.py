@@ -35,6 +35,7 @@ LANGUAGES = {
     "zh-CN": ("分析刀具路径", "刀具路径分析"),
 }
 DOCKS = ("VkResults", "VkGaussMap")
+ACCELERATOR = re.compile(r"""["']Accel["']: *["']([^"']+)["']""")
 
 
 def close_docks(window):
@@ -110,16 +111,21 @@ def dock(window, name):
 
 
 def test_shortcuts_are_not_used_twice(window):
-    window.activate("VkWorkbench")
-    ours = {"Vk_Analyze", "Vk_Clear", "Vk_GaussMap", "Vk_Results", "Vk_Strategies"}
-    taken = {}
+    """The loaded commands, and the Python sources of all workbenches."""
+    cam_workbench = "PathWorkbench" if freecad.version() < (1, 0) else "CAMWorkbench"
+    for workbench in ("SketcherWorkbench", "PartDesignWorkbench", "DraftWorkbench", cam_workbench, "VkWorkbench"):
+        window.activate(workbench)
+    ours, taken = {}, {}
     for name in Gui.listCommands():
         command = Gui.Command.get(name)
         shortcut = command.getShortcut() if command else ""
         if shortcut:
-            taken.setdefault(shortcut, []).append(name)
-    for names in taken.values():
-        assert len(names) == 1 or not ours & set(names), names
+            (ours if name.startswith("Vk_") else taken).setdefault(shortcut.replace(" ", ""), []).append(name)
+    for path in Path(FreeCAD.getHomePath(), "Mod").rglob("*.py"):
+        for keys in ACCELERATOR.findall(path.read_text("utf-8", "replace")):
+            taken.setdefault(keys.replace(" ", ""), []).append(path.name)
+    assert len(ours) == sum(map(len, ours.values())) == 5 and len(taken) > 50
+    assert {keys: taken[keys] for keys in ours if keys in taken} == {}
 
 
 def test_every_command_has_help_texts(window):

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The direction of the view, the positions of points in the image, and pictures of points."""
+"""The direction of the view, the positions of points in the image, the outlines of tools, and colours."""
 
 from __future__ import annotations
 
@@ -10,13 +10,10 @@ from math import pi, radians, sqrt
 
 import numpy as np
 import pytest
-from counting import memory
 
-from vkworkbench.core import Cut, Stock, Tool, View, linearize, simulate_job
+from vkworkbench.core import Stock, Tool, View
 from vkworkbench.core.rendering import (
-    BACKGROUND,
     RAW,
-    Points,
     colors_of,
     direction_of,
     distinct_colors,
@@ -24,7 +21,6 @@ from vkworkbench.core.rendering import (
     png,
     project,
     scale_colors,
-    shade,
     tool_outline,
     turned,
 )  # fmt: skip
@@ -73,73 +69,6 @@ def test_points_lie_where_their_pixels_are():
     columns, rows = np.array([0, 17, 199]), np.array([0, 149, 60])
     places = frame.origins(*frame.pixel_centres(columns, rows)) + np.array([3, 4, 5])[:, None] * frame.direction
     assert project(places, frame) == pytest.approx(np.column_stack((columns + 0.5, 149.5 - rows, [3, 4, 5])))
-
-
-def simulated(direction):
-    toolpath = linearize([("G0", {"X": -9, "Y": 30, "Z": 12}), ("G1", {"X": 90, "F": 5})])
-    return simulate_job([Cut(toolpath, Tool("ballend", 16))], stock=STOCK, view=View(direction, 160, 120))
-
-
-def test_reprojected_picture_resembles_new_one():
-    zbuffer, frame = simulated((-1, 1, -1)), View(turned((-1, 1, -1), 0.15, 0.1), 160, 120).frame(STOCK)
-
-    def picture(zbuffer):
-        depth, owner = (part.reshape(120, 160) for part in (zbuffer.picture.depth, zbuffer.picture.owner))
-        colors = colors_of(owner, palette((20, 200, 20)))
-        return depth, shade(depth, zbuffer.frame.pixel, colors)
-
-    depth, image = picture(zbuffer)
-    drawn = Points(depth, image, zbuffer.frame).draw(frame, BACKGROUND).astype(int)
-    _, true = picture(simulated(frame.direction))
-    green = lambda image: image[..., 1] > 1.3 * image[..., 0]  # noqa: E731
-    assert np.mean(green(drawn) != green(true.astype(int))) < 0.03
-    assert np.mean((drawn == BACKGROUND).all(-1) != (true == BACKGROUND).all(-1)) < 0.03
-
-
-def drawn_by_hand(columns, rows, depths, colors, size):
-    """Draw points as squares of 2 x 2 pixels, extended down and to the left; the nearest point is on top."""
-    image = np.zeros((*size, 3), np.uint8)
-    for far in np.argsort(-depths):
-        for row in (rows[far] - 1, rows[far]):
-            for column in (columns[far] - 1, columns[far]):
-                if 0 <= row < size[0] and 0 <= column < size[1]:
-                    image[row, column] = colors[far]
-    return image
-
-
-@pytest.mark.parametrize("offset", [(0, 0), (3, 0), (-3, 0), (0, 2), (0, -2)])
-def test_nearest_points_are_drawn_on_top(offset):
-    rng = np.random.default_rng(3)
-    frame = View((0, 0, -1), 8, 6, pixel=0.5).frame(STOCK)
-    depth = rng.permutation(48).reshape(6, 8).astype(np.float32)
-    depth[2, 3:6] = np.nan
-    image = rng.integers(1, 256, (6, 8, 3)).astype(np.uint8)
-    seen = ~np.isnan(depth)
-    row, column = np.nonzero(seen)
-    expected = drawn_by_hand(column - offset[0], 5 - row + offset[1], depth[seen], image[::-1][seen], (6, 8))
-    shifted = View((0, 0, -1), 8, 6, pixel=0.5, offset=np.array(offset) / 2).frame(STOCK)
-    assert (Points(depth, image, frame).draw(shifted, (0, 0, 0)) == expected).all()
-
-
-def test_large_picture_draws_some_points_at_their_spacing():
-    frame = View((0, 0, -1), 90, 60, pixel=1.0).frame(STOCK)
-    colors = np.zeros((60, 90, 3), np.uint8)
-    colors[...] = np.array([np.arange(90), np.zeros(90), np.zeros(90)]).T[None] + 1
-    drawn = Points(np.zeros((60, 90), np.float32), colors, frame, most=600).draw(frame, (0, 0, 0))
-    assert len(np.unique(drawn[..., 0])) - 1 == 90 / 3
-    assert (drawn[:-2, :-2] > 0).any(axis=-1).all()
-    nothing = Points(np.full((60, 90), np.nan, np.float32), colors, frame).draw(frame, (1, 2, 3))
-    assert (nothing == (1, 2, 3)).all()
-
-
-@pytest.mark.parametrize("offset", [(0, 0), (-40, 0), (0, 28)])
-def test_zoomed_in_the_points_beside_the_image_take_no_memory(offset):
-    """Each is a square of 41 pixels, which the 5,400 points of the picture would fill 9 million times."""
-    colors, depth = np.ones((60, 90, 3), np.uint8), np.zeros((60, 90), np.float32)
-    points = Points(depth, colors, View((0, 0, -1), 90, 60, pixel=1.0).frame(STOCK))
-    zoomed = View((0, 0, -1), 90, 60, pixel=1 / 40, offset=offset).frame(STOCK)
-    drawn, _, peak = memory(lambda: points.draw(zoomed, (0, 0, 0)))
-    assert drawn.all() and peak < 5e6
 
 
 def polygon_area(corners):

@@ -4,29 +4,33 @@
 from __future__ import annotations
 
 import numpy as np
+import pytest
 
 from vkworkbench.core import Cut, Stock, Tool, View, linearize, simulate_job
 from vkworkbench.core.rendering import (
-    CUT,
     DEEPEST,
     GOUGED,
     LEFT,
-    LIT,
     MET,
     NO_MODEL,
+    Field,
     difference_colors,
     palette,
     scene,
 )
 
+STOCK = Stock((0, 0, -10), (40, 20, 0))
 RED, GREEN = (255, 0, 0), (0, 255, 0)
 
 
-def slot(direction=(0, 0, -1)):
-    """A slot along the middle of a block, seen from above: trajectory 0 enters, 1 cuts."""
+def slot():
+    """A slot along the middle of a block: trajectory 0 enters, 1 cuts."""
     toolpath = linearize([("G0", {"X": 5.0, "Y": 10.0, "Z": 5.0}), ("G1", {"Z": -2.0}), ("G1", {"X": 35.0})])
-    stock = Stock((0, 0, -10), (40, 20, 0))
-    return simulate_job([Cut(toolpath, Tool("endmill", 6))], stock=stock, view=View(direction, 80, 40))
+    return simulate_job([Cut(toolpath, Tool("endmill", 6))], stock=STOCK, view=View(width=80, height=40))
+
+
+def drawn(colors, direction=(0, 0, -1), chips=None, part=True, **choices):
+    return scene(Field(slot(), chips, part), View(direction, 80, 40).frame(STOCK), colors, **choices)
 
 
 def is_like(image, color):
@@ -35,43 +39,53 @@ def is_like(image, color):
     return (np.abs(image - image.max(axis=-1, keepdims=True) * color / color.max()) < 8).all(axis=-1)
 
 
-def test_pixels_have_the_colours_that_are_given_row_0_below():
-    zbuffer = slot()
+def test_cells_have_the_colours_that_are_given_row_0_below():
     colors = np.empty((40, 80, 3), np.uint8)
     colors[:20], colors[20:] = RED, GREEN
-    image = scene(zbuffer, colors).image
+    image = drawn(colors).image
     assert is_like(image[22:38, 4:-4], RED).all() and is_like(image[2:18, 4:-4], GREEN).all()
     assert (colors[:20] == RED).all()  # it is the caller's still
+    oblique = drawn(colors, (0, 1, -1)).image
+    assert is_like(oblique[-3:, 20:60], RED).all() and is_like(oblique[:3, 20:60], GREEN).all()
 
 
 def test_chips_lie_before_the_part_in_their_own_colour():
-    zbuffer = slot()
     colors = np.broadcast_to(np.uint8(RED), (40, 80, 3))
-    before, chips = scene(zbuffer, colors), scene(zbuffer, colors, chips=(0, 2))
+    before, chips = drawn(colors), drawn(colors, chips=(0, 2))
     higher = chips.depth < before.depth - 1
     assert 0.2 < higher.mean() < 0.4
     assert not is_like(chips.image[::-1][higher], RED).any() and is_like(before.image[::-1][higher], RED).mean() > 0.9
-    alone = scene(zbuffer, colors, chips=(0, 2), part=False)
+    alone = drawn(colors, chips=(0, 2), part=False)
     assert (np.isnan(alone.depth) == ~higher).all()
-    assert (
-        alone.image[::-1][higher] == scene(zbuffer, palette(CUT), chips=(0, 2), part=False).image[::-1][higher]
-    ).all()
     assert not is_like(alone.image[::-1][higher], RED).any()
 
 
+def test_chips_alone_are_as_thick_as_the_cut():
+    front = drawn(palette(RED), (0, 1, 0), chips=(0, 2), part=False)
+    rows = np.flatnonzero(~np.isnan(front.depth).all(axis=1))
+    assert len(rows) * View((0, 1, 0), 80, 40).frame(STOCK).pixel == pytest.approx(2, abs=0.5)
+
+
 def test_chips_behind_the_part_are_not_seen():
-    zbuffer = slot((0, 0, 1))
-    before, chips = (scene(zbuffer, palette(RED), chips=removed) for removed in (None, (0, 2)))
+    before, chips = (drawn(palette(RED), (0, 0, 1), chips=removed) for removed in (None, (0, 2)))
     assert (before.image == chips.image).all() and (before.depth == chips.depth).all()
-    assert not np.isnan(scene(zbuffer, palette(RED), chips=(0, 2), part=False).depth).all()
+    assert not np.isnan(drawn(palette(RED), (0, 0, 1), chips=(0, 2), part=False).depth).all()
 
 
-def test_what_is_to_be_noticed_is_lit_on_either_kind_of_colours():
-    zbuffer = slot()
+@pytest.mark.parametrize("direction", [(0, 0, -1), (0, 1, -1)])
+def test_highlighted_surfaces_have_the_colour_of_highlights(direction):
     for colors in (palette(RED), np.broadcast_to(np.uint8(RED), (40, 80, 3))):
-        shown = scene(zbuffer, colors, lit=(1, 2))
-        lit = is_like(shown.image[::-1], LIT)
-        assert lit[shown.owner == 1].mean() > 0.9 and not lit[shown.owner != 1].any()
+        shown, before = drawn(colors, direction, lit=(1, 2)), drawn(colors, direction)
+        marked = shown.owner[::-1] == 1
+        differs = (shown.image != before.image).any(axis=-1)
+        assert differs[marked].all() and not differs[~marked].any()
+        image = shown.image.astype(int)
+        assert (image[marked][:, 1] > 0.6 * image[marked][:, 0]).all()  # as in LIT, unlike in red
+
+
+def test_floor_of_a_pocket_is_in_shadow_beside_its_walls():
+    image = drawn(palette(RED)).image[..., 0].astype(int)
+    assert image[25, 40] < image[20, 40] == image[19, 40]
 
 
 def test_differences_are_coloured_up_to_ten_tolerances():

@@ -9,7 +9,7 @@ from math import pi, sqrt
 
 import numpy as np
 import pytest
-from zbuffer_inputs import BOX, DIRECTIONS, PATHS, TOOLS, ConvexStock, close, toolpath
+from zbuffer_inputs import BOX, DIRECTIONS, HOLLOW, PATHS, TOOLS, ConvexStock, ball, box, close, toolpath
 
 from vkworkbench.core import Cylinder, Mesh, Stock, Tool, View, estimate, stocks
 from vkworkbench.core.zbuffer import OverBudget, deviations, memory_needed
@@ -24,25 +24,6 @@ from vkworkbench.core.zbuffer.sweeps.cuts import Cut, Cuts
 from vkworkbench.language import Unusable
 
 NOISE = 1e-5  # mm
-
-
-def box(lower, upper):
-    """The twelve triangles of a box."""
-    corner = np.array([[(lower, upper)[bits >> axis & 1][axis] for axis in range(3)] for bits in range(8)], float)
-    faces = [(0, 1, 3, 2), (4, 6, 7, 5), (0, 4, 5, 1), (2, 3, 7, 6), (0, 2, 6, 4), (1, 5, 7, 3)]
-    return np.array([corner[[a, b, c]] for a, b, c, d in faces for a, b, c in ((a, b, c), (a, c, d))])
-
-
-def ball(middle, radius, parts=12):
-    """Triangles of a ball's inscribed polyhedron."""
-    phi, theta = np.meshgrid(0.1 + np.linspace(0, 2 * pi, 2 * parts + 1), np.linspace(0, pi, parts + 1))
-    at = np.stack((np.sin(theta) * np.cos(phi), np.sin(theta) * np.sin(phi), np.cos(theta)), axis=-1) * radius + middle
-    a, b, c, d = at[:-1, :-1], at[:-1, 1:], at[1:, :-1], at[1:, 1:]
-    return np.concatenate((np.stack((a, b, c), 2).reshape(-1, 3, 3), np.stack((b, d, c), 2).reshape(-1, 3, 3)))
-
-
-# A block of 25 x 30 x 10 mm with a cavity of 15 x 10 x 4 mm, and a second block beyond a slot of 5 mm.
-HOLLOW = np.concatenate((box((0, 0, 0), (25, 30, 10)), box((5, 10, 3), (20, 20, 7)), box((30, 0, 0), (40, 30, 10))))
 
 
 @pytest.mark.long

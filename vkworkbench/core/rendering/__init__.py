@@ -1,11 +1,12 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Images of the simulated part, from its depths and owners.
 
-Input: `Picture` and `Frame` of the z-buffer. Output: images (height, width, 3) of uint8 with row 0 at the top, positions
+Input: a `ZBuffer` along the tool axis, and the `Frame` of a picture from any direction. Output: images (height, width, 3) of uint8 with row 0 at the top, positions
 of points in the image, and the image as a PNG file.
 """
 
 from vkworkbench.core.rendering.camera import direction_of, project, turned
+from vkworkbench.core.rendering.field import Field
 from vkworkbench.core.rendering.palettes import (
     CUT,
     DEEPEST,
@@ -22,12 +23,11 @@ from vkworkbench.core.rendering.palettes import (
     scale_colors,
 )  # fmt: skip
 from vkworkbench.core.rendering.png import png
-from vkworkbench.core.rendering.points import Points
 from vkworkbench.core.rendering.scene import LIT, Scene, scene
 from vkworkbench.core.rendering.shading import BACKGROUND, shade
 from vkworkbench.core.rendering.tool_outline import tool_outline
 
 __all__ = [
-    "BACKGROUND", "CUT", "DEEPEST", "GOUGED", "LEFT", "LIT", "MET", "NO_MODEL", "RAW", "SCALE", "Points", "Scene",
+    "BACKGROUND", "CUT", "DEEPEST", "GOUGED", "LEFT", "LIT", "MET", "NO_MODEL", "RAW", "SCALE", "Field", "Scene",
     "colors_of", "difference_colors", "direction_of", "distinct_colors", "palette", "png", "project", "scale_colors", "scene", "shade", "tool_outline", "turned",
 ]  # fmt: skip

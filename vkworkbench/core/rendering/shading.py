@@ -7,12 +7,19 @@ import numpy as np
 
 BACKGROUND = (232, 235, 240)
 # Direction to the light (right, up, towards the eye): over the left shoulder of the viewer.
-_LIGHT = np.array([-0.35, 0.5, 0.79], np.float32)
+LIGHT = np.array([-0.35, 0.5, 0.79], np.float32)
 _AMBIENT = np.float32(0.38)
+# Slope above which a surface is a wall, which is lit as if it were vertical.
+STEEPEST = np.float32(3.0)
+# Soft shadow in pockets: the part of the light that the deepest pockets lose, the distance to the surroundings as a share of
+# the shorter side of the field, and the cells that share one mean height.
+_SHADOW, _SHADOW_REACH, _SHADOW_CELLS = np.float32(0.45), 0.02, 2
 # Change of slope from one pixel to the next at which a dark line begins; at twice the change it is darkest. Scallops of a
 # finished surface are below the limit, the steps of roughing above it.
 _CREASE = np.float32(1.2)
 _DARKEST = np.float32(0.45)
+# Part of the light that the edges of near surfaces lose in front of far ones.
+EDGE = np.float32(0.35)
 
 
 def shade(
@@ -40,8 +47,8 @@ def shade(
     # The slope at the outline is that of the one neighbour inside the part.
     right, up = _slopes(depth, pixel, 1), _slopes(depth, pixel, 0)
     bend = np.maximum(_bends(depth, pixel, 1), _bends(depth, pixel, 0))
-    light = (_LIGHT[2] - _LIGHT[0] * right - _LIGHT[1] * up) / np.sqrt(1 + right * right + up * up)
-    light = _AMBIENT + (1 - _AMBIENT) * np.maximum(light, 0) / _LIGHT[2]
+    light = (LIGHT[2] - LIGHT[0] * right - LIGHT[1] * up) / np.sqrt(1 + right * right + up * up)
+    light = _AMBIENT + (1 - _AMBIENT) * np.maximum(light, 0) / LIGHT[2]
     light *= 1 - _DARKEST * np.clip(bend / _CREASE - 1, 0, 1)
     light[~seen] = 0
     image = np.empty((*depth.shape, 3), np.uint8)
@@ -71,3 +78,74 @@ def _steps(depth: np.ndarray, unit: float, axis: int) -> tuple[np.ndarray, np.nd
     step = np.diff(np.pad(depth, around, constant_values=np.nan), axis=axis) / np.float32(unit)
     before, after = (step[:-1], step[1:]) if axis == 0 else (step[:, :-1], step[:, 1:])
     return np.where(np.isnan(before), after, before), np.where(np.isnan(after), before, after)
+
+
+def slope(height: np.ndarray, cell: float, axis: int) -> np.ndarray:
+    """Return the slope of a height field along an axis, (n, m) float32; at a step, the smaller slope of the two sides.
+
+    Parameters
+    ----------
+    height : (n, m) float32
+        mm.
+    cell : float
+        Side of a cell, mm.
+    axis : int
+    """
+    height = height.T if axis == 0 else height
+    step = (height[:, 1:] - height[:, :-1]) * np.float32(1 / cell)
+    size = np.abs(step)
+    result = np.zeros_like(height)
+    result[:, 1:-1] = np.where(size[:, :-1] < size[:, 1:], step[:, :-1], step[:, 1:])
+    np.clip(result, -STEEPEST, STEEPEST, out=result)
+    return result.T if axis == 0 else result
+
+
+def shadow(height: np.ndarray, cell: float) -> np.ndarray:
+    """Return the share of light that reaches each cell of a height field past the mean height around it, (n, m) float32.
+
+    Parameters
+    ----------
+    height : (n, m) float32
+        mm.
+    cell : float
+        Side of a cell, mm.
+    """
+    coarse = height[::_SHADOW_CELLS, ::_SHADOW_CELLS]
+    around = coarse
+    reach = max(1, round(_SHADOW_REACH * min(coarse.shape)))
+    for _ in range(2):
+        around = _mean_of_rows(around, reach).T
+    around = around.repeat(_SHADOW_CELLS, axis=0).repeat(_SHADOW_CELLS, axis=1)[: height.shape[0], : height.shape[1]]
+    deep = (around - height) * np.float32(1 / (_SHADOW_CELLS * cell * (2 * reach + 1)))
+    result: np.ndarray = 1 - _SHADOW * np.clip(deep, 0, 1)
+    return result
+
+
+def _mean_of_rows(values: np.ndarray, reach: int) -> np.ndarray:
+    """Return the mean of each value and `reach` values on both sides in its row; beyond the ends, the end value counts."""
+    padded = np.pad(values, [(0, 0), (reach + 1, reach)], mode="edge")
+    sums = np.cumsum(padded, axis=1, dtype=np.float64)
+    length = 2 * reach + 1
+    result: np.ndarray = ((sums[:, length:] - sums[:, :-length]) / length).astype(np.float32)
+    return result
+
+
+def light(normal: tuple[np.ndarray, ...], towards: np.ndarray) -> np.ndarray:
+    """Return the brightness of surfaces: ambient light and Lambert's law; 1 for a surface that faces the eye.
+
+    Parameters
+    ----------
+    normal : tuple of 3 ndarray
+        Components of unit vectors.
+    towards : (3,) ndarray
+        Direction to the light, see `LIGHT`, in the coordinates of the normals.
+    """
+    x, y, z = normal
+    toward_x, toward_y, toward_z = (np.float32(part) for part in towards)
+    share = x * toward_x
+    share += y * toward_y
+    share += z * toward_z
+    np.maximum(share, 0, out=share)
+    share *= (1 - _AMBIENT) / LIGHT[2]
+    share += _AMBIENT
+    return share

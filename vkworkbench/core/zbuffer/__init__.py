@@ -38,6 +38,7 @@ from vkworkbench.core.zbuffer.findings.verdict import PENDING, Verdict
 from vkworkbench.core.zbuffer.findings.volumes import Volumes, measure_volumes
 from vkworkbench.core.zbuffer.memory.memory import OverBudget, Peak, memory_needed
 from vkworkbench.core.zbuffer.rays.records import DEXEL, RECORD_BYTES, TRACE
+from vkworkbench.core.zbuffer.rays.surface import STOCK
 from vkworkbench.core.zbuffer.simulator.moments import ZBuffer
 from vkworkbench.core.zbuffer.simulator.sharing import shared_seconds, unshared_seconds
 from vkworkbench.core.zbuffer.simulator.simulate import simulate, simulate_job
@@ -48,6 +49,7 @@ __all__ = [
     "FACT_COLUMNS",
     "PENDING",
     "RECORD_BYTES",
+    "STOCK",
     "TOLERANCE",
     "TRACE",
     "WORK_UNITS",

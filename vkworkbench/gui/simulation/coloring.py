@@ -44,8 +44,8 @@ class Job:
         Labels of the operations.
     strategies : tuple of Strategy
     clock : Clock
-    volumes : (n,) float64 or None
-        Removed volume of each trajectory, mm^3; None until it is known.
+    volumes : (n,) float64
+        Removed volume of each trajectory, mm^3.
     seen : SeenModel or None
         The model in the coloured image.
     awaited : bool
@@ -57,7 +57,7 @@ class Job:
     labels: tuple[str, ...]
     strategies: tuple[Strategy, ...]
     clock: Clock
-    volumes: np.ndarray | None
+    volumes: np.ndarray
     seen: SeenModel | None
     awaited: bool
     tolerance: float
@@ -104,7 +104,7 @@ def by_time(zbuffer: ZBuffer, job: Job) -> Coloring:
 
 def by_removal_rate(zbuffer: ZBuffer, job: Job) -> Coloring:
     """Colour from 0 to the rate that is exceeded for 1 % of the volume only."""
-    volumes = np.zeros(len(job.clock.cuts)) if job.volumes is None else job.volumes
+    volumes = job.volumes
     rates = job.clock.rates(volumes)
     order = np.argsort(rates)
     volume = np.cumsum(volumes[order])

@@ -28,7 +28,7 @@ class SimulateCommand(DocumentCommand):
         "Shows the part at any moment, the operation that made each surface, and rapid "
         "moves that cut.",
     )
-    keys = "V, S"
+    keys = "V, M"
 
     def Activated(self) -> None:
         document, selected = FreeCAD.ActiveDocument, selected_operations()

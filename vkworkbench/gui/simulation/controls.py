@@ -46,7 +46,6 @@ _VIEWS = (
 PART, CHIPS, BOTH = range(3)
 GAP = 4  # px between rows, and within them
 _MIN_LETTERS = 4  # minimum width of a box, in letters
-_MAX_ENTRIES = 30  # of a list
 _BORDERS = 60  # px beside an entry of a list
 
 
@@ -107,7 +106,8 @@ class SceneBar(QWidget):
             translate("Vk_Simulate", "Places where the part differs most from the model. Choose a place to see it."),
         )
         self.warnings = _menu(
-            "", translate("Vk_Simulate", "Crashes, gouges and fast plunges in the simulation. Choose one to see it.")
+            translate("Vk_Simulate", "⚠ Warnings: {}").format(0),
+            translate("Vk_Simulate", "Collisions, gouges and fast plunges in the simulation. Choose one to see it."),
         )
         bold = self.warnings.font()
         bold.setBold(True)
@@ -158,15 +158,12 @@ class SceneBar(QWidget):
 
     def _list(self, button: QToolButton, found: Sequence[Fault], text: Callable[[Fault], str]) -> None:
         button.menu().clear()
-        for fault in found[:_MAX_ENTRIES]:
+        for fault in found:
             words = text(fault)
             short = self.fontMetrics().elidedText(words, Qt.ElideRight, self.window().width() - _BORDERS)
             action = button.menu().addAction(short.replace("&", "&&"))
             action.setToolTip(as_html(words))
             action.triggered.connect(lambda *_, fault=fault: self.pointed.emit(fault))
-        if len(found) > _MAX_ENTRIES:
-            more = translate("Vk_Simulate", "… and {} more").format(user().count(len(found) - _MAX_ENTRIES))
-            button.menu().addAction(more).setEnabled(False)
 
 
 class PlayBar(QWidget):

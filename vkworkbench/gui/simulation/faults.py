@@ -1,22 +1,21 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The faults that a simulation shows: crashes, gouges, fast plunges, and the worst differences from the model.
+"""The faults of a checked job: collisions, crashes, gouges, fast plunges, and the worst differences from the model.
 
 Faults are listed, marked on the time line, and passed to marks and results.
 """
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from dataclasses import dataclass
 
-from vkworkbench.core.zbuffer import TOLERANCE, Deviation, gouges, worst_places
+from vkworkbench.core.zbuffer import TOLERANCE, Deviation, worst_places
 from vkworkbench.document.simulation.faults import keep_faults
 from vkworkbench.document.simulation.job import SimulatedJob
 from vkworkbench.gui.qt import docks
 from vkworkbench.gui.qt.sentences import sentence, user
 from vkworkbench.gui.qt.text import translate
 from vkworkbench.gui.simulation.moment import Clock
-from vkworkbench.gui.simulation.refining import Facts, Findings
+from vkworkbench.gui.simulation.simulating import Findings
 from vkworkbench.gui.simulation.time_line import Warned
 from vkworkbench.gui.tree import pills
 from vkworkbench.language import Message
@@ -61,73 +60,51 @@ class Fault:
 
 @dataclass(frozen=True, eq=False)
 class Judgement:
-    """The faults that a simulation shows.
+    """The faults of a job.
 
     Attributes
     ----------
-    facts : Facts or None
-        Facts on the trajectories.
     faults : list of Fault
-        Faults; gouges if deeper than the tolerance.
+        Collisions, crashes, gouges deeper than the tolerance, fast plunges.
     differences : list of Fault or None
         The worst differences from the model; None if not requested.
-    proved : list of Fault or None
-        Faults at the default tolerance; None if the picture was too coarse to compare with the model.
+    proved : list of Fault
+        Serious faults at the default tolerance.
     """
 
-    facts: Facts | None
     faults: list[Fault]
     differences: list[Fault] | None
-    proved: list[Fault] | None
+    proved: list[Fault]
 
 
-def judge(
-    findings: Findings, facts: Facts | None, tolerance: float, before: Sequence[Fault], compares: bool
-) -> Judgement:
-    """Find the faults that a simulation shows. Runs in any thread, because many operations or pixels take long.
+def judge(findings: Findings, tolerance: float, compares: bool) -> Judgement:
+    """Find the faults of a job. Runs in any thread, because many operations or pixels take long.
 
     Parameters
     ----------
     findings : Findings
-    facts : Facts or None
-        Facts on the trajectories, from this or an earlier image.
     tolerance : float
         Allowed difference from the model, mm.
-    before : sequence of Fault
-        Faults from other images. A gouge that is hidden or outside in this image is still a fault.
     compares : bool
         Whether to find the worst differences, too.
     """
-    crashed = [] if facts is None else [_fault(c, Message("rapid-cuts", volume=c.volume), True) for c in facts.crashes]
-    plunged = [] if facts is None else [
-        _fault(p, Message("plunges-fast", feed=60 * p.feed, allowed=60 * p.allowed), False) for p in facts.plunges
-    ]  # fmt: skip
-    # An image of a part is finer and measures gouges deeper. An image from another direction may measure a gouge too deep.
-    rank = -1 if findings.facts is None else 1
-    gouged = _gouged(findings, tolerance) + [fault for fault in before if fault.gouged > tolerance]
-    of_commands: dict[tuple, Fault] = {}
-    for fault in sorted(gouged, key=lambda fault: rank * fault.gouged):
-        of_commands.setdefault((fault.cut, fault.command), fault)
-    deepest = {fault.cut: fault for fault in sorted(of_commands.values(), key=lambda fault: fault.gouged)}
-    gouged = sorted(deepest.values(), key=lambda fault: -fault.gouged)
-    proved = crashed + _gouged(findings, TOLERANCE) if findings.judged else None
+    job = findings.facts.job
+    collided = [_fault(c, c.what, True) for c in job.collisions]
+    collided += [_fault(c, Message("rapid-cuts", volume=c.volume), True) for c in job.crashes]
+    plunged = [
+        _fault(p, Message("plunges-fast", feed=60 * p.feed, allowed=60 * p.allowed), False) for p in job.fast_plunges
+    ]
+    beyond = job if tolerance == TOLERANCE else findings.along_axis.facts(tolerance).job
+    gouged = [_gouge(one) for one in beyond.gouges]
     worst = differences(findings, tolerance) if compares else None
-    return Judgement(facts, crashed + gouged + plunged, worst, proved)
-
-
-def _gouged(findings: Findings, tolerance: float) -> list[Fault]:
-    """Return the worst gouge of each operation, and the place where most stock is missing."""
-    if findings.deviations is None:
-        return []
-    found = gouges(findings.simulation.zbuffer, findings.deviations, tolerance)
-    return [_gouge(one) for one in found]
+    return Judgement(collided + gouged + plunged, worst, collided + [_gouge(one) for one in job.gouges])
 
 
 def differences(findings: Findings, tolerance: float) -> list[Fault]:
     """Return the places where the finished part differs most from the model: gouges, then leftover material."""
     if findings.deviations is None:
         return []
-    gouged, left = worst_places(findings.simulation.zbuffer, findings.deviations, tolerance)
+    gouged, left = worst_places(findings.along_axis.zbuffer, findings.deviations, tolerance)
     return [
         *map(_gouge, gouged),
         *(_fault(one, Message("leaves-material", depth=one.depth), serious=False) for one in left),
@@ -149,7 +126,7 @@ _SERIOUS, _FAST = "#d32f2f", "#e08000"  # crashes and gouges, fast plunges
 
 
 class KnownFaults:
-    """The faults of a job that its pictures have shown until now.
+    """The faults of a job for its marks and results.
 
     Parameters
     ----------
@@ -159,9 +136,7 @@ class KnownFaults:
 
     def __init__(self, job: SimulatedJob, clock: Clock) -> None:
         self.job, self.clock = job, clock
-        # Of all views, because a hidden gouge is still a fault.
-        self._proved: dict[tuple, Fault] = {}
-        self._judged = False  # whether a picture was fine enough to compare with the model
+        self._proved: list[Fault] | None = None  # None until the job was checked
         self._holds = False  # whether the document is unchanged since it was read
 
     def text(self, fault: Fault) -> str:
@@ -190,19 +165,9 @@ class KnownFaults:
             if fault.trajectory is not None
         )
 
-    @property
-    def gouges(self) -> list[Fault]:
-        """The known gouges."""
-        return [fault for fault in self._proved.values() if fault.gouged]
-
     def keep(self, proved: list[Fault]) -> None:
-        """Add the faults of a picture, and show them in marks and results."""
-        for fault in proved:
-            key = fault.cut, fault.what.code, fault.command
-            # Keep the smallest depth, because a view along the gouge measures too much.
-            if key not in self._proved or fault.gouged <= self._proved[key].gouged:
-                self._proved[key] = fault
-        self._judged = True
+        """Use the faults of a check, and show them in marks and results."""
+        self._proved = proved
         self._publish()
 
     def follow(self, holds: bool) -> None:
@@ -211,11 +176,10 @@ class KnownFaults:
         self._publish()
 
     def _publish(self) -> None:
-        if not (self._holds and self._judged):
+        if self._proved is None or not self._holds:
             return
-        wrong = sorted(self._proved.values(), key=lambda fault: fault.what.code != "rapid-cuts")
         changed = keep_faults({
-            operation: [(fault.command, fault.what) for fault in wrong if fault.cut == number]
+            operation: [(fault.command, fault.what) for fault in self._proved if fault.cut == number]
             for number, operation in enumerate(self.job.operations)
         })  # fmt: skip
         if changed:

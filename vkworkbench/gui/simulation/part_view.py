@@ -3,13 +3,11 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
-
 import FreeCAD
 import numpy as np
 
 from vkworkbench.core import Frame, Stock, Tool, View
-from vkworkbench.core.rendering import Points, Scene, project, tool_outline, turned
+from vkworkbench.core.rendering import Scene, project, tool_outline, turned
 from vkworkbench.gui.qt.colors import paper
 from vkworkbench.gui.qt.names import (
     QApplication,
@@ -27,7 +25,6 @@ from vkworkbench.gui.qt.names import (
     Qt,
     QWidget,
     Signal,
-    single_shot,
 )  # fmt: skip
 from vkworkbench.gui.qt.text import translate
 
@@ -61,7 +58,6 @@ def action(buttons, modifiers) -> str | None:
     return next((what for b, m, what in style if buttons == b and modifiers == m), None)
 
 
-_REST = 200  # ms after a change of the view until a simulation of it is requested
 _TURN_SPEED = 0.008  # rad for each pixel of the mouse
 _ZOOM = 1.2  # factor for each notch of the wheel
 _RING = 14  # radius, px
@@ -73,15 +69,15 @@ class PartView(QWidget):
 
     Attributes
     ----------
-    view_rested : Signal
-        The view has changed and is now steady, so that a simulation of it is needed.
+    changed, resized : Signal
+        The view has changed, also by another size of the widget.
     asked : Signal of int
         The user clicked on a surface; the argument is the trajectory that made it, or -1 for the raw stock.
     restyled : Signal
         The theme and the background have changed.
     """
 
-    view_rested = Signal()
+    changed, resized = Signal(), Signal()
     asked = Signal(int)
     restyled = Signal()
 
@@ -93,11 +89,9 @@ class PartView(QWidget):
         self._scene: Scene | None = None
         self._image = QImage()
         self._frame: Frame | None = None
-        self._points: Points | None = None
         self._tool: tuple[Tool, np.ndarray] | None = None
         self._place_shown: tuple[float, float, float] | None = None
         self._pressed = self._last = None
-        self._rest = single_shot(self.view_rested, self, _REST)
         self.setMinimumSize(160, 50)
         self.setSizePolicy(QSizePolicy.Expanding, QSizePolicy.Expanding)
         self.setFocusPolicy(Qt.StrongFocus)
@@ -116,17 +110,22 @@ class PartView(QWidget):
         whole = View(self._direction, **size).frame(self.stock)
         return View(self._direction, **size, pixel=whole.pixel * _MARGIN / self._zoom, offset=self._offset)
 
+    @property
+    def frame(self) -> Frame:
+        """The frame of the view to show."""
+        return self.view.frame(self.stock)
+
     def look(self, direction: tuple[float, float, float]) -> None:
         """Show the whole stock from a direction."""
         self._direction, self._offset, self._zoom = direction, (0.0, 0.0), 1.0
-        self._changed()
+        self.changed.emit()
 
     def sizeHint(self) -> QSize:
         return QSize(400, 80)
 
     def show_scene(self, scene: Scene, frame: Frame) -> None:
-        """Show a scene that was simulated with this frame."""
-        self._scene, self._frame, self._points = scene, frame, None
+        """Show a scene that was drawn with this frame."""
+        self._scene, self._frame = scene, frame
         height, width = scene.image.shape[:2]
         pixels = np.full((height, width, 4), 255, np.uint8)
         pixels[..., :3] = scene.image[..., ::-1]
@@ -157,12 +156,9 @@ class PartView(QWidget):
             return
         ratio = self.devicePixelRatioF()
         painter.scale(1 / ratio, 1 / ratio)
-        wanted = self.view.frame(self.stock)
-        if self.is_turned:
-            self._paint_points(painter, wanted)
-        else:
-            painter.setRenderHint(QPainter.SmoothPixmapTransform)
-            painter.drawImage(self._place(wanted), self._image)
+        # The scene of the latest change is still being drawn; its place shows where the part is going.
+        wanted = self.frame
+        painter.drawImage(self._place(wanted), self._image)
         if self._tool is not None:
             outline = QPolygonF([QPointF(x, y) for x, y in tool_outline(*self._tool, wanted).tolist()])
             painter.setRenderHint(QPainter.Antialiasing)
@@ -179,11 +175,6 @@ class PartView(QWidget):
                 painter.setPen(QPen(QColor(color), width * ratio))
                 painter.drawEllipse(QPointF(column, row), _RING * ratio, _RING * ratio)
 
-    @property
-    def is_turned(self) -> bool:
-        """Whether the shown scene was simulated from another direction."""
-        return not np.allclose(self._frame.direction, self.view.frame(self.stock).direction, atol=1e-9)
-
     def _place(self, wanted: Frame) -> QRectF:
         """Return the rectangle of the shown scene in the image of the present view."""
         frame = self._frame
@@ -192,19 +183,6 @@ class PartView(QWidget):
         width, height = frame.width * scale, frame.height * scale
         return QRectF(column - width / 2, row - height / 2, width, height)
 
-    def _paint_points(self, painter: QPainter, wanted: Frame) -> None:
-        if self._points is None:
-            self._points = Points(self._scene.depth, self._scene.image, self._frame)
-        half = replace(wanted, width=wanted.width // 2, height=wanted.height // 2, pixel=2 * wanted.pixel)
-        image = self._points.draw(half, self.background)
-        height, width = image.shape[:2]
-        drawn = QImage(np.ascontiguousarray(image).tobytes(), width, height, 3 * width, QImage.Format_RGB888)
-        painter.drawImage(QRectF(0, 0, 2 * width, 2 * height), drawn)
-
-    def _changed(self) -> None:
-        self._rest.start()
-        self.update()
-
     def changeEvent(self, event) -> None:
         super().changeEvent(event)
         if event.type() in (QEvent.StyleChange, QEvent.PaletteChange):
@@ -212,7 +190,8 @@ class PartView(QWidget):
 
     def resizeEvent(self, event) -> None:
         super().resizeEvent(event)
-        self._rest.start(0 if self._scene is None else _REST)
+        self.resized.emit()
+        self.changed.emit()
 
     def mousePressEvent(self, event) -> None:
         self._pressed = self._last = event.pos()
@@ -228,14 +207,14 @@ class PartView(QWidget):
         doing = action(event.buttons(), event.modifiers())
         if doing == TURN:
             self._direction = turned(self._direction, by.x() * _TURN_SPEED, -by.y() * _TURN_SPEED)
-            self._changed()
+            self.changed.emit()
         elif doing == PAN:
             self._shift(-by.x(), by.y())
 
     def mouseReleaseEvent(self, event) -> None:
         clicked = self._pressed is not None and self._last == self._pressed and event.button() == Qt.LeftButton
         self._pressed = self._last = None
-        if clicked and self._scene is not None and not self.is_turned:
+        if clicked and self._scene is not None:
             owner = self.owner_at(event.pos())
             if owner is not None:
                 self.asked.emit(owner)
@@ -243,7 +222,7 @@ class PartView(QWidget):
     def owner_at(self, where) -> int | None:
         """Return the trajectory that made the surface at a pixel; -1 for raw stock, None for the background."""
         ratio = self.devicePixelRatioF()
-        place = self._place(self.view.frame(self.stock))
+        place = self._place(self.frame)
         height, width = self._scene.depth.shape
         column = int((where.x() * ratio - place.left()) / place.width() * width)
         row = height - 1 - int((where.y() * ratio - place.top()) / place.height() * height)
@@ -264,4 +243,4 @@ class PartView(QWidget):
         """Pan by a number of pixels of the widget."""
         pixel = self.view.pixel * self.devicePixelRatioF()
         self._offset = self._offset[0] + right * pixel, self._offset[1] + up * pixel
-        self._changed()
+        self.changed.emit()

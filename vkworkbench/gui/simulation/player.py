@@ -11,12 +11,11 @@ import numpy as np
 from vkworkbench import preferences
 from vkworkbench.core import Frame, Strategy
 from vkworkbench.core.rendering import Scene, direction_of
-from vkworkbench.core.zbuffer import Estimate
 from vkworkbench.document.computer.calibration import known_speed
 from vkworkbench.document.simulation.job import SimulatedJob
 from vkworkbench.document.simulation.simulate import Simulation
 from vkworkbench.gui.qt.background import Background
-from vkworkbench.gui.qt.names import QEvent, QTimer, QVBoxLayout, QWidget, Signal
+from vkworkbench.gui.qt.names import QEvent, QTimer, QVBoxLayout, QWidget, Signal, single_shot
 from vkworkbench.gui.qt.sentences import strategy_name, user
 from vkworkbench.gui.qt.text import translate
 from vkworkbench.gui.simulation.controls import GAP, PlayBar, SceneBar
@@ -24,7 +23,7 @@ from vkworkbench.gui.simulation.faults import Fault, Judgement, KnownFaults, jud
 from vkworkbench.gui.simulation.moment import Clock, Moment
 from vkworkbench.gui.simulation.part_view import PartView
 from vkworkbench.gui.simulation.pictures import Drawing, Pictures
-from vkworkbench.gui.simulation.refining import Budgets, Findings, Refined, Refining
+from vkworkbench.gui.simulation.simulating import Budgets, Findings, Simulated, Simulating
 from vkworkbench.gui.simulation.time_line import Block, TimeLine
 from vkworkbench.gui.simulation.widgets import StateLine
 
@@ -69,7 +68,8 @@ class Player(QWidget):
         self.scene_bar, self.play_bar, self.state = SceneBar(), PlayBar(), StateLine()
         self.drawing = Drawing(job, self.clock, self.scene_bar)
         self.known = KnownFaults(job, self.clock)
-        self._refining: Refining | None = None
+        self._simulating: Simulating | None = None
+        self._begin = single_shot(self.simulate, self)
         self._work, self._recognizing, self._judging = Background(self), Background(self), Background(self)
         self.pictures = Pictures(self.drawing, self.moment, self.view, self)
         self._lay_out()
@@ -88,8 +88,8 @@ class Player(QWidget):
     @property
     def volumes(self) -> np.ndarray:
         """Removed volume of each trajectory, (n,) float64 mm^3; zeros until it is known."""
-        facts = self.drawing.facts
-        return np.zeros(len(self.clock.cuts)) if facts is None else facts.volumes
+        removal = self.drawing.removal
+        return np.zeros(len(self.clock.cuts)) if removal is None else removal.volumes
 
     def _lay_out(self) -> None:
         layout = QVBoxLayout(self)
@@ -116,7 +116,8 @@ class Player(QWidget):
             left -= needed if wanted and needed <= left else 0
 
     def _connect(self) -> None:
-        self.view.view_rested.connect(self.simulate)
+        self.view.changed.connect(self.pictures.draw)
+        self.view.resized.connect(self._sized)
         self.view.asked.connect(self.ask)
         self.view.restyled.connect(self.pictures.draw)
         self.pictures.begun.connect(self._show_text)
@@ -152,22 +153,25 @@ class Player(QWidget):
 
     @property
     def is_busy(self) -> bool:
-        """Whether a finer picture, the strategies or the faults are still being computed."""
+        """Whether a finer simulation, the strategies or the faults are still being computed."""
         return self.refines or self._recognizing.works or self._judging.works
 
     @property
     def refines(self) -> bool:
-        """Whether a finer picture is still being computed."""
-        return self._work.works
+        """Whether a finer simulation is still being computed, or about to be."""
+        return self._work.works or self._begin.isActive()
+
+    def _sized(self) -> None:
+        """Simulate when the first sizes of the part are settled. Another size needs no other simulation."""
+        if self._simulating is None:
+            self._begin.start()
 
     def simulate(self) -> None:
-        """Simulate the present view, coarsely first."""
-        chosen = preferences.read()
-        self._refining = Refining(
-            self.job, self.view.view, Budgets(chosen.memory_budget_bytes, chosen.time_budget), known_speed(),
-            glance=self.simulation is None, compare=self.scene_bar.compares, known=self.drawing.facts,
-        )  # fmt: skip
-        self._work.start("", self._refining, self._take, self._ended)
+        """Simulate the job, coarsely first, with as many rays as the picture has pixels."""
+        chosen, view = preferences.read(), self.view.view
+        budgets = Budgets(chosen.memory_budget_bytes, chosen.time_budget)
+        self._simulating = Simulating(self.job, view.width * view.height, budgets, known_speed())
+        self._work.start("", self._simulating, self._take, self._ended)
 
     def end(self) -> None:
         """Stop all work and release large data, because Qt and Python may keep a closed tab until FreeCAD ends."""
@@ -176,30 +180,30 @@ class Player(QWidget):
         self._recognizing.give_up()
         self._judging.give_up()
         self.pictures.end()
-        self._refining = None
+        self._begin.stop()
+        self._simulating = None
         self.drawing.clear()
 
     def _tick(self) -> None:
-        if self.refines:
-            self.state.show_progress(self._refining.now)
+        if self._work.works:
+            self.state.show_progress(self._simulating)
         self.moment.go_on(self.play_bar.speed(self.clock.total))
         self.pictures.begin()
 
     def _ended(self, error: Exception | None) -> None:
-        self.scene_bar.rates.setEnabled(self.drawing.facts is not None)
+        self.scene_bar.rates.setEnabled(self.drawing.findings is not None)
         self.state.show_end(self.job.remarks, error)
 
-    def _take(self, done: Estimate | Refined | Findings) -> None:
-        if isinstance(done, Estimate):
-            self.state.show_expected(done)
-            return
+    def _take(self, done: Simulated | Findings) -> None:
         if self.simulation is None:  # after the first picture
             self._recognize()
         self.drawing.take(done)
-        if isinstance(done, Refined):
-            self.state.show_refined(done)
+        if isinstance(done, Simulated):
+            self.state.show_simulated(done)
+            self._show_removal()
         else:
-            self._judge(done)
+            self.state.show_verdict(done.facts.verdict.message([operation.label for operation in self.job.operations]))
+            self._judge()
         self._color()
 
     def _recognize(self) -> None:
@@ -216,25 +220,24 @@ class Player(QWidget):
         else:
             self.state.show_error(error)
 
-    def _judge(self, findings: Findings | None) -> None:
+    def _judge(self) -> None:
         """List the faults, and the worst differences from the model; both depend on the tolerance."""
-        if findings is None:
-            return
-        compares = self.scene_bar.compares and findings is self.drawing.findings
-        before = self.faults if findings.facts is None else self.known.gouges
-        work = partial(judge, findings, self.drawing.facts, self.scene_bar.tolerance_mm, before, compares)
-        self._judging.start("", lambda _: [work()], self._list, self._show_error)
+        findings = self.drawing.findings
+        if findings is not None:
+            work = partial(judge, findings, self.scene_bar.tolerance_mm, self.scene_bar.compares)
+            self._judging.start("", lambda _: [work()], self._list, self._show_error)
 
     def _list(self, judged: Judgement) -> None:
         self.faults = judged.faults
         self.scene_bar.list_warnings(self.faults, self.known.text)
         if judged.differences is not None:
             self.scene_bar.list_worst(judged.differences, self.known.text_with_place)
-        marks = self.known.marks(self.faults)
-        air = np.zeros(len(self.volumes), bool) if judged.facts is None else judged.facts.air
-        self.time_line.show_facts(self.clock.ends, self.volumes, air, marks)
-        if judged.proved is not None:
-            self.known.keep(judged.proved)
+        self._show_removal()
+        self.known.keep(judged.proved)
+
+    def _show_removal(self) -> None:
+        removal = self.drawing.removal
+        self.time_line.show_facts(self.clock.ends, removal.volumes, removal.air, self.known.marks(self.faults))
 
     def _show_error(self, error: Exception | None) -> None:
         if error is not None:
@@ -249,11 +252,9 @@ class Player(QWidget):
         self.pictures.draw()
 
     def _recolor(self) -> None:
-        """Use another colouring or tolerance. If the model is needed for the first time, simulate again."""
-        if self.scene_bar.compares and self.drawing.seen is None and self.job.model_shapes:
-            self.simulate()
+        """Use another colouring or tolerance."""
         self._make_room()
-        self._judge(self.drawing.findings)
+        self._judge()
         self._color()
 
     def _color(self) -> None:
@@ -270,7 +271,7 @@ class Player(QWidget):
             self._about(_clock(moment.seconds)), _clock(self.clock.total), self.job.operations[source.cut].label,
             source.command + 1, self.job.listings[source.cut][source.command],
         )  # fmt: skip
-        if self.drawing.facts is None or moment.noticed is None:
+        if self.drawing.removal is None or moment.noticed is None:
             return text
         first, end = moment.of_command(moment.noticed)
         volume = float(self.volumes[first:end].sum())

@@ -9,7 +9,7 @@ from contextlib import suppress
 
 from vkworkbench import preferences
 from vkworkbench.core import Frame, View
-from vkworkbench.core.rendering import CUT, Scene, palette, scene
+from vkworkbench.core.rendering import CUT, Field, Scene, palette, scene
 from vkworkbench.document.simulation.copy import JobCopy, ReadCut
 from vkworkbench.document.simulation.job import SimulatedJob
 from vkworkbench.document.simulation.simulate import Simulation, simulate_read
@@ -17,16 +17,16 @@ from vkworkbench.gui.qt.background import Background, Busy
 from vkworkbench.gui.qt.names import QTimer, QVBoxLayout, QWidget, Signal
 from vkworkbench.gui.qt.text import translate
 from vkworkbench.gui.simulation.part_view import PartView
+from vkworkbench.gui.simulation.simulating import ABOVE
 from vkworkbench.language import Unusable
 
-_ABOVE = (0.0, 0.0, -1.0)
 _PREVIEW = 120  # longer side of the preview, pixels
 _FIRST = 0.3  # s until the first preview
 _PAUSE = 3.0  # time between previews, as a multiple of the time for a preview
 
 
 class Reading(QWidget):
-    """Reads a job, and shows the part from above as machined by the operations read so far.
+    """Reads a job, and shows the part as machined by the operations read so far.
 
     Parameters
     ----------
@@ -103,10 +103,10 @@ class Reading(QWidget):
                 self._busy.label.setText(self._text())
             return
         if self.view is None:
-            self.view = PartView(found.job.stock, _ABOVE)
+            self.view = PartView(found.job.stock, preferences.DIRECTIONS["Isometric"])
             self._layout.addWidget(self.view, 1)
-        zbuffer = found.zbuffer
-        self.seen = scene(zbuffer, palette(CUT), background=self.view.background), zbuffer.frame
+        frame = self.view.frame
+        self.seen = scene(Field(found.zbuffer), frame, palette(CUT), background=self.view.background), frame
         self.view.show_scene(*self.seen)
 
     def _ended(self, error: Exception | None) -> None:
@@ -123,6 +123,6 @@ class Reading(QWidget):
 
 def _preview(job: SimulatedJob, memory_budget: float, going_on: Callable[[], None]) -> Simulation:
     """Return a coarse simulation of a job from above."""
-    done = simulate_read(job, View(_ABOVE, _PREVIEW, _PREVIEW), memory_budget, lambda _: going_on())
+    done = simulate_read(job, View(ABOVE, _PREVIEW, _PREVIEW), memory_budget, lambda _: going_on())
     done.zbuffer.picture  # noqa: B018 - computed here and not in the window's thread
     return done

@@ -8,7 +8,7 @@ from collections.abc import Callable
 
 import FreeCAD
 
-from vkworkbench.core.zbuffer import Estimate
+from vkworkbench.core.zbuffer import PENDING
 from vkworkbench.gui.qt.names import (
     QColor,
     QEvent,
@@ -26,7 +26,7 @@ from vkworkbench.gui.qt.names import (
 from vkworkbench.gui.qt.plain_text import OneLine, as_html
 from vkworkbench.gui.qt.sentences import sentence, user
 from vkworkbench.gui.qt.text import translate
-from vkworkbench.gui.simulation.refining import Refined, Refining
+from vkworkbench.gui.simulation.simulating import Simulated, Simulating
 from vkworkbench.language import Message, Unusable
 
 
@@ -194,48 +194,48 @@ class Legend(QWidget):
 
 
 class StateLine(OneLine):
-    """A line with the state and the cost of the simulation."""
+    """A line with the verdict on the job and the state of the simulation. The tooltip has the cost of the simulation, too."""
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self._shown = self._expected = ""
+        self._verdict, self._cost = sentence(PENDING.message(())), ""
 
-    def show_expected(self, cost: Estimate) -> None:
-        """Show the expected cost of the finest picture."""
-        self._expected = translate("Vk_Simulate", "The finest picture takes about {} and {}.").format(
-            user().time(cost.seconds), user().memory(cost.memory_bytes)
-        )
-        self._say(self._shown, self._expected)
+    def show_progress(self, simulating: Simulating) -> None:
+        """Show the progress, and the expected cost of the finest simulation."""
+        working, cost = translate("Vk_Simulate", "Simulating… {}"), ""
+        if simulating.checks:
+            working = translate("Vk_Simulate", "Checking… {}")
+        elif simulating.expected is not None:
+            cost = translate("Vk_Simulate", "The finest picture takes about {} and {}.").format(
+                user().time(simulating.expected.seconds), user().memory(simulating.expected.memory_bytes)
+            )
+        self._say(working.format(user().share(simulating.share)), cost)
 
-    def show_progress(self, refining: Refining) -> None:
-        """Show the progress, and the remaining time until the finest picture."""
-        left, memory = refining.left()
-        if left is not None:
-            text = translate("Vk_Simulate", "The finest picture takes about {} and {}.")
-            self._expected = text.format(user().time(left), user().memory(memory))
-        working = translate("Vk_Simulate", "Simulating… {}").format(user().share(refining.share))
-        self._say(self._shown, working, self._expected)
-
-    def show_refined(self, done: Refined) -> None:
-        """Show size and cost of the picture."""
+    def show_simulated(self, done: Simulated) -> None:
+        """Add size and cost of a simulation to the tooltip."""
         zbuffer = done.simulation.zbuffer
-        self._shown = translate("Vk_Simulate", "{} × {} pixels of {}, {} traces, {}, simulated in {}").format(
+        self._cost = translate("Vk_Simulate", "{} × {} pixels of {}, {} traces, {}, simulated in {}").format(
             user().count(zbuffer.frame.width), user().count(zbuffer.frame.height),
-            user().measure(zbuffer.frame.pixel, 2), user().count(done.traces), user().memory(zbuffer.peak.bytes()),
+            user().measure(zbuffer.frame.pixel, 2), user().count(zbuffer.traces), user().memory(zbuffer.peak.bytes()),
             user().time(done.seconds),
         )  # fmt: skip
 
+    def show_verdict(self, verdict: Message) -> None:
+        """Show the verdict on the job."""
+        self._verdict = sentence(verdict)
+
     def show_end(self, remarks: tuple[Message, ...], error: Exception | None) -> None:
         """Show the remarks on the simulation, and the error that ended it, if any."""
-        self._expected = ""
-        self._say(self._shown, *map(sentence, remarks), *([error_text(error)] if error else []))
+        self._say(*map(sentence, remarks), *([error_text(error)] if error else []))
 
     def show_error(self, error: Exception) -> None:
         """Show an error."""
-        self._say(self._shown, error_text(error))
+        self._say(error_text(error))
 
     def _say(self, *texts: str) -> None:
-        self.show_text("   ".join(filter(None, texts)))
+        text = "   ".join(filter(None, (self._verdict, *texts)))
+        self.show_text(text)
+        self.setToolTip(as_html("\n".join(filter(None, (text, self._cost)))))
 
 
 def error_text(error: Exception) -> str:

@@ -62,6 +62,19 @@ class Records:
         result: np.ndarray = (self.owner != GAP) & (self.owner < self.trajectories)
         return result
 
+    @cached_property
+    def has_gaps(self) -> bool:
+        """Whether a ray leaves the stock and enters it again."""
+        return bool((self.owner == GAP).any())
+
+    @cached_property
+    def ends(self) -> np.ndarray:
+        """Depth at which the ray of each pixel finally leaves the stock, (pixels,) float32 mm; NaN for a ray that misses."""
+        ends = np.full(len(self.entry), np.nan, np.float32)
+        met = np.flatnonzero(self.index[1:] > self.index[:-1])
+        ends[met] = self.far[self.index[met + 1].astype(np.int64) - 1]
+        return ends
+
     def blocks(self) -> Iterator[tuple[int, int, Records]]:
         """Yield parts of the image small enough for one step: first pixel, first piece, and the records as views."""
         pieces = np.arange(0, len(self.far), max(_BLOCK, self.trajectories // 4))

@@ -9,15 +9,32 @@ from __future__ import annotations
 
 from dataclasses import dataclass, replace
 from functools import cached_property
+from typing import NamedTuple
 
 import numpy as np
 
 from vkworkbench.core.view import Frame
 from vkworkbench.core.zbuffer.memory.memory import Peak
-from vkworkbench.core.zbuffer.rays.records import Records
+from vkworkbench.core.zbuffer.rays.records import Records, first_not_below
 from vkworkbench.core.zbuffer.rays.surface import STOCK, Picture, Surface
 from vkworkbench.core.zbuffer.sweeps.cuts import Cuts
 from vkworkbench.given import whole
+
+
+class Chips(NamedTuple):
+    """Removed material in an image.
+
+    Attributes
+    ----------
+    depth, far : (pixels,) float32
+        Depths of its nearest and its farthest end, mm; NaN for a ray without removed material.
+    owner : (pixels,) int32
+        Trajectory that removes the nearest piece; `STOCK` for a ray without removed material.
+    """
+
+    depth: np.ndarray
+    far: np.ndarray
+    owner: np.ndarray
 
 
 @dataclass(frozen=True, eq=False)
@@ -100,8 +117,8 @@ class ZBuffer:
         """Volume removed before this moment, mm^3."""
         return _length(self.trace_records[self.trace_records["trajectory"] < self.step]) * self.frame.pixel**2
 
-    def chips(self, first: int, end: int) -> Picture:
-        """Return the visible surface of the material that some trajectories remove, seen alone.
+    def chips(self, first: int, end: int) -> Chips:
+        """Return the material that some trajectories remove, seen alone.
 
         Parameters
         ----------
@@ -117,14 +134,40 @@ class ZBuffer:
         records, pixels = self.records, self.frame.width * self.frame.height
         pieces = np.flatnonzero((records.owner >= first) & (records.owner < end))
         pixel = np.searchsorted(records.index, pieces, side="right") - 1
-        nearest = np.ones(len(pieces), bool)
-        nearest[1:] = pixel[1:] != pixel[:-1]
-        pieces, pixel = pieces[nearest], pixel[nearest]
-        depth, owner = np.full(pixels, np.nan, np.float32), np.full(pixels, STOCK, np.int32)
+        nearest = np.ones(len(pieces) + 1, bool)
+        nearest[1:-1] = pixel[1:] != pixel[:-1]
+        farthest = nearest[1:]
+        depth, far = np.full((2, pixels), np.nan, np.float32)
+        owner = np.full(pixels, STOCK, np.int32)
+        far[pixel[farthest]] = records.far[pieces[farthest]]
+        pieces, pixel = pieces[nearest[:-1]], pixel[nearest[:-1]]
         inner = pieces > records.index[pixel]
         depth[pixel] = np.where(inner, records.far[pieces - 1], records.entry[pixel])
         owner[pixel] = records.owner[pieces]
-        return Picture(self.step, depth, owner)
+        return Chips(depth, far, owner)
+
+    def removers(self, pixels: np.ndarray, depth: np.ndarray) -> np.ndarray:
+        """Return the trajectory that removed the stock at a depth of each ray.
+
+        Parameters
+        ----------
+        pixels : (k,) int64
+        depth : (k,) float32
+            mm along the view.
+
+        Returns
+        -------
+        (k,) int32
+            `STOCK` where no trajectory before this moment removed material.
+        """
+        records = self.records
+        first, end = (records.index[pixels + at].astype(np.int64) for at in (0, 1))
+        piece = first_not_below(records.far, first, end, depth)
+        removed = np.flatnonzero((piece < end) & (depth > records.entry[pixels]))
+        owner = records.owner[piece[removed]]
+        found = np.full(len(pixels), STOCK, np.int32)
+        found[removed] = np.where(owner < self.step, owner, STOCK)
+        return found
 
     def at(self, step: int) -> ZBuffer:
         """Return the simulation at another moment.

@@ -1,0 +1,151 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The part at one moment as columns of material along the tool axis: the field that is drawn from any direction.
+
+Tools open the rays of a view from above from the top, so a ray holds one column of material, from the surface that was cut down
+to the end of the stock. Only a stock with undercuts has several columns on a ray; each further column belongs to another layer.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+
+from vkworkbench.core.rendering.shading import shadow, slope
+from vkworkbench.core.zbuffer import STOCK, ZBuffer
+
+# Height of the top of an empty cell, and with the other sign of its bottom, mm. Finite, because vertical views multiply it by 0.
+EMPTY = -1e9
+
+
+@dataclass(frozen=True, eq=False)
+class Layer:
+    """One column of material in each cell of the field, with a border of empty cells around the field.
+
+    Attributes
+    ----------
+    top, bottom : (rows + 2, columns + 2) float32
+        Heights above the centre of the stock, mm; `EMPTY` and ``-EMPTY`` in an empty cell.
+    owner : (rows + 2, columns + 2) int32
+        Trajectory that made the top, `STOCK` for the raw stock.
+    cell : float
+        Side of a cell, mm.
+    is_part : bool
+        Whether the material belongs to the part, not to chips.
+    """
+
+    top: np.ndarray
+    bottom: np.ndarray
+    owner: np.ndarray
+    cell: float
+    is_part: bool
+
+    @cached_property
+    def upside_down(self) -> Layer:
+        """The layer for views from below. The lower ends of the part's columns are surfaces of the raw stock."""
+        owner = np.full_like(self.owner, STOCK) if self.is_part else self.owner
+        turned = Layer(-self.bottom, -self.top, owner, self.cell, self.is_part)
+        vars(turned)["upside_down"] = self
+        return turned
+
+    @cached_property
+    def is_even(self) -> bool:
+        """Whether all columns end at one height."""
+        ends = self.bottom[self.bottom < -EMPTY]
+        return not len(ends) or float(np.ptp(ends)) < 1e-3 * self.cell
+
+    @cached_property
+    def extent(self) -> tuple[float, float]:
+        """Lowest bottom and highest top, mm; (0, 0) if all cells are empty."""
+        low, high = float(self.bottom.min()), float(self.top.max())
+        return (low, high) if low <= high else (0.0, 0.0)
+
+    @cached_property
+    def slopes(self) -> tuple[np.ndarray, np.ndarray]:
+        """Slopes of the tops along x and y; at a step the smaller slope of the two sides."""
+        return slope(self.top, self.cell, 1), slope(self.top, self.cell, 0)
+
+    @cached_property
+    def shadow(self) -> np.ndarray:
+        """Share of the light that reaches each top past higher material around it, 0 to 1; 1 in empty cells."""
+        result = shadow(np.maximum(self.top, self.extent[0]), self.cell)
+        result[self.top <= EMPTY] = 1
+        return result
+
+
+class Field:
+    """The columns of a simulated part, or of chips, at one moment.
+
+    Parameters
+    ----------
+    zbuffer : ZBuffer
+        Simulated from above, at the moment to show.
+    chips : tuple of int, optional
+        Also show the material that the trajectories chips[0] .. chips[1] - 1 remove.
+    part : bool
+        Whether the part is shown.
+
+    Attributes
+    ----------
+    frame : Frame
+        Frame of the z-buffer.
+    layers : list of Layer
+        Layers of the part, then of the chips.
+    """
+
+    def __init__(self, zbuffer: ZBuffer, chips: tuple[int, int] | None = None, part: bool = True) -> None:
+        self.frame, self._zbuffer = zbuffer.frame, zbuffer
+        self.layers: list[Layer] = []
+        if part:
+            self.layers += [self._layer(*columns, is_part=True) for columns in _columns_of_part(zbuffer)]
+        if chips is not None:
+            self.layers.append(self._layer(*zbuffer.chips(*chips), is_part=False))
+
+    def owner_of_wall(self, cell: np.ndarray, height: np.ndarray) -> np.ndarray:
+        """Return the trajectories that removed the material beside walls, (k,) int32.
+
+        Parameters
+        ----------
+        cell : (k,) int
+            Cell in front of the wall, counted in a layer.
+        height : (k,) float32
+            Height of the place on the wall, mm.
+        """
+        columns, found = self.frame.width, np.full(len(cell), STOCK, np.int32)
+        row, column = np.divmod(cell, columns + 2)
+        inside = np.flatnonzero((row > 0) & (row <= self.frame.height) & (column > 0) & (column <= columns))
+        pixel = (row[inside] - 1) * columns + column[inside] - 1
+        found[inside] = self._zbuffer.removers(pixel.astype(np.int64), -height[inside])
+        return found
+
+    def _layer(self, near: np.ndarray, far: np.ndarray, owner: np.ndarray, is_part: bool) -> Layer:
+        """Return the layer of the columns between depths (pixels,), NaN for a ray without one."""
+        return Layer(self._in_border(-near, EMPTY), self._in_border(-far, -EMPTY), self._in_border(owner, STOCK),
+                     self.frame.pixel, is_part)  # fmt: skip
+
+    def _in_border(self, values: np.ndarray, outside: float) -> np.ndarray:
+        bordered = np.full((self.frame.height + 2, self.frame.width + 2), outside, values.dtype)
+        inner = bordered[1:-1, 1:-1]
+        inner[...] = values.reshape(inner.shape)
+        inner[np.isnan(inner)] = outside
+        return bordered
+
+
+def _columns_of_part(zbuffer: ZBuffer) -> Iterator[tuple[np.ndarray, np.ndarray, np.ndarray]]:
+    """Yield near ends, far ends and owners of the first column on each ray, then of the second columns, until none is left."""
+    picture, records = zbuffer.picture, zbuffer.records
+    if not records.has_gaps:
+        yield picture.depth, np.where(np.isnan(picture.depth), np.float32(np.nan), records.ends), picture.owner
+        return
+    dexels = zbuffer.dexel_records
+    pixel = dexels["pixel"].astype(np.int64)
+    order = np.arange(len(pixel)) - np.searchsorted(pixel, pixel)  # of each dexel on its ray
+    for number in range(int(order.max(initial=0)) + 1):
+        own = order == number
+        near, far = np.full((2, len(picture.depth)), np.nan, np.float32)
+        near[pixel[own]], far[pixel[own]] = dexels["near"][own], dexels["far"][own]
+        # Only the first column on a ray can have been cut, because tools open rays from the top.
+        cut = near == picture.depth
+        yield near, far, np.where(cut, picture.owner, np.int32(STOCK))

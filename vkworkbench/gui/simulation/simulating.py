@@ -1,0 +1,185 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Simulate a job along the tool axis: coarsely at once, then with a ray for each pixel, and check it."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass
+from functools import cached_property
+from typing import NamedTuple
+
+import numpy as np
+
+from vkworkbench.core import View
+from vkworkbench.core.zbuffer import (
+    TOLERANCE,
+    Deviations,
+    Estimate,
+    JobFacts,
+    OverBudget,
+    SeenModel,
+    Speed,
+    best_resolution,
+    cuts_air,
+    deviations,
+    estimate_job,
+    removed_volumes,
+)  # fmt: skip
+from vkworkbench.document.simulation.along_axis import AlongAxis, simulate_along_axis
+from vkworkbench.document.simulation.job import SimulatedJob
+from vkworkbench.document.simulation.simulate import Simulation, coarser, simulate_read
+from vkworkbench.language import Message, Unusable
+
+# Direction along the tool axis. All other directions are drawn from this simulation.
+ABOVE = (0.0, 0.0, -1.0)
+# Rays of the coarse image, as a share of the rays of the finest, and smallest number of rays: fewer show nothing.
+_COARSE, _FEWEST = 1 / 25, 2000
+
+
+@dataclass(frozen=True, eq=False)
+class Simulated:
+    """A simulation along the tool axis, from which pictures are drawn.
+
+    Attributes
+    ----------
+    simulation : Simulation
+    volumes : (n,) float64
+        Removed volume of each trajectory, mm^3.
+    air : (n,) bool
+        Feed moves that remove nothing.
+    seen : SeenModel or None
+        The model from above; None if unknown, or for the coarse simulation.
+    is_finest : bool
+        Whether no finer simulation follows.
+    seconds : float
+        Time since the simulation was requested, s.
+    """
+
+    simulation: Simulation
+    volumes: np.ndarray
+    air: np.ndarray
+    seen: SeenModel | None
+    is_finest: bool
+    seconds: float
+
+
+@dataclass(frozen=True, eq=False)
+class Findings:
+    """The check of a job, from its own simulation along the tool axis. It does not depend on pictures.
+
+    Attributes
+    ----------
+    along_axis : AlongAxis
+    facts : JobFacts
+        Facts and verdict at the default tolerance.
+    volumes, air : ndarray
+        As in `Simulated`.
+    """
+
+    along_axis: AlongAxis
+    facts: JobFacts
+    volumes: np.ndarray
+    air: np.ndarray
+
+    @cached_property
+    def deviations(self) -> Deviations | None:
+        """Deviations of the finished part from the model; None without a model."""
+        model = self.along_axis.job.model
+        return None if model is None else deviations(self.along_axis.zbuffer, model)
+
+
+class Budgets(NamedTuple):
+    """The largest memory, bytes, and the longest time, s, of a simulation."""
+
+    memory: float
+    time: float
+
+
+class Simulating:
+    """Simulates a job coarsely, then finely, and checks it; the work of a `Background`.
+
+    Parameters
+    ----------
+    job : SimulatedJob
+    rays : int
+        Number of rays of the finest image.
+    budgets : Budgets
+        Limits of the finest simulation.
+    speed : Speed
+        Speed of this computer.
+
+    Attributes
+    ----------
+    share : float
+        Completed share of the present simulation.
+    checks : bool
+        Whether the present simulation is the check.
+    expected : Estimate or None
+        The expected cost of the finest simulation; None until it is known.
+    """
+
+    def __init__(self, job: SimulatedJob, rays: int, budgets: Budgets, speed: Speed) -> None:
+        self.job, self.budgets, self.speed = job, budgets, speed
+        self._rays = rays
+        self.share, self.checks = 0.0, False
+        self.expected: Estimate | None = None
+        self._began = time.perf_counter()
+
+    def __call__(self, going_on: Callable[[], None]) -> Iterator[Simulated | Findings]:
+        """Yield the coarse simulation, the finest simulation, and the findings.
+
+        Raises
+        ------
+        Unusable
+            At the end, if the time budget only allows a coarser image than requested. The message says so.
+        """
+        yield self._simulate(self._view(_COARSE * self._rays), False, going_on)
+        view = finest = self._view(self._rays)
+        found = estimate_job(self.job.cuts, stock=self.job.stock, view=view, speed=self.speed)
+        going_on()
+        in_time = found.seconds <= self.budgets.time
+        if not in_time:
+            view = best_resolution([found], seconds=self.budgets.time).view
+        self.expected = found
+        done = None
+        while done is None and view is not None:
+            try:
+                done = self._simulate(view, True, going_on)
+            except OverBudget as refused:
+                view = coarser(finest, refused)
+        if done is not None:
+            yield done
+            self.checks = True
+            yield self._check(self.budgets.memory - done.simulation.zbuffer.peak.bytes(), going_on)
+        if not in_time:
+            raise Unusable(Message("picture-in-time", allowed=self.budgets.time))
+
+    def _view(self, rays: float) -> View:
+        """Return an image of the whole stock with about this number of rays."""
+        width, depth = (self.job.stock.upper - self.job.stock.lower)[:2]
+        pixel = np.sqrt(width * depth / max(rays, _FEWEST))
+        return View(ABOVE, *(max(1, round(float(side / pixel))) for side in (width, depth)))
+
+    def _simulate(self, view: View, is_finest: bool, going_on: Callable[[], None]) -> Simulated:
+        done = simulate_read(self.job, view, self.budgets.memory, self._reported(going_on))
+        zbuffer = done.zbuffer
+        zbuffer.surface.prepare()  # computed here and not in the window's thread
+        model = self.job.model if is_finest else None
+        seen = None if model is None else SeenModel(model, zbuffer.frame, going_on)
+        seconds = time.perf_counter() - self._began
+        return Simulated(done, removed_volumes(zbuffer), cuts_air(zbuffer), seen, is_finest, seconds)
+
+    def _check(self, memory: float, going_on: Callable[[], None]) -> Findings:
+        found = simulate_along_axis(self.job, memory, self._reported(going_on))
+        zbuffer = found.zbuffer
+        return Findings(found, found.facts(TOLERANCE), removed_volumes(zbuffer), cuts_air(zbuffer))
+
+    def _reported(self, going_on: Callable[[], None]) -> Callable[[float], None]:
+        self.share = 0.0
+
+        def report(done: float) -> None:
+            self.share = done
+            going_on()
+
+        return report
