@@ -15,12 +15,13 @@ from traps import environment_of_traps, lay_traps
 
 import vkworkbench
 from vkworkbench import preferences, worker
-from vkworkbench.core import View
+from vkworkbench.core import Tool, View
 from vkworkbench.core.zbuffer import OverBudget, memory_needed
 from vkworkbench.document.job.listing import Listing
+from vkworkbench.document.simulation import allowed_depth
 from vkworkbench.document.simulation.copy import copy_job, read_job
 from vkworkbench.document.simulation.simulate import simulate_read
-from vkworkbench.language import Unusable, render
+from vkworkbench.language import Message, Unusable, render
 from vkworkbench.report import Cancelled
 from vkworkbench.worker import Worker, WorkerDied
 
@@ -594,3 +595,38 @@ def test_a_listing_has_feeds_as_programs_do(small):
     job = read_job(small.job)
     assert [listing[1] for listing in job.listings] == ["G1 F1200 X55"] * 2
     assert [cut.toolpath.feed[-1] for cut in job.cuts] == pytest.approx([20.0, 20.0])
+
+
+def test_facts_are_the_same_from_every_view(small):
+    """A rapid plunge, 3 mm deep, with a tool thinner than the pixels of the view."""
+    small.controller.Tool.Diameter = 0.5
+    small.add("Thin", [("G0", {"X": 10.3, "Y": 10.3, "Z": 30.0}), ("G0", {"Z": 17.0}), ("G0", {"Z": 30.0})])
+    found = [
+        vkworkbench.simulate(small.job, view=View(way, 30, 20)).facts() for way in ((0, 0, -1), (-1, 1, -1), (0, 1, 0))
+    ]
+    assert [[crash.source.command for crash in one.job.crashes] for one in found] == [[1]] * 3
+    assert [[gouge.depth for gouge in one.job.gouges] for one in found] == [[pytest.approx(3)]] * 3
+    assert len({str(one) for one in found}) == 1 and "1 rapid cuts into material. " in str(found[0])
+    volume = np.pi / 16 * 4  # the stock is 1 mm higher than the model
+    assert abs(found[0].job.removed_volume - volume) <= found[0].job.removed_volume_error <= 0.01 * volume
+    assert found[0].job.pixel == found[0].verdict.pixel == 0.5 / 16
+
+
+@pytest.mark.parametrize(
+    "name, given, depth",
+    [
+        ("Engrave", {"StartDepth": 12.0, "FinalDepth": 11.5}, 0.5),
+        ("Vcarve", {"StartDepth": 12.0, "FinalDepth": 10.0}, 2.0),
+        ("Deburr", {"Width": 1.0, "ExtraDepth": 0.25}, 1.25),
+        ("Profile", {"StartDepth": 12.0, "FinalDepth": 10.0}, 0.0),
+    ],
+)
+def test_engraving_and_deburring_may_cut_the_model(small, monkeypatch, name, given, depth):
+    operation = small.add("Lines", slot(10.0))
+    for key, value in given.items():
+        setattr(operation.addProperty("App::PropertyFloat", key), key, value)
+    monkeypatch.setattr(allowed_depth.freecad, "operation_name", lambda obj: name)
+    cone = Tool("vbit", 6, tip_angle=np.pi / 2)
+    assert allowed_depth.allowed_depth(operation, cone, None) == pytest.approx(depth)
+    simplified = Message("tool-simplified", label="Saw", instead=Message("as-end-mill"))
+    assert allowed_depth.allowed_depth(operation, cone, simplified) == np.inf
