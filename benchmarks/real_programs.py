@@ -5,8 +5,8 @@
     python3 benchmarks/real_programs.py FOLDER [--table benchmarks/real_programs_unseen.csv] [--from https://raw.githubusercontent.com]
 
 real_programs.csv names public repositories, the lines of their programs that are one operation, and the strategies that
-count as right, labelled from titles and plots by people who saw no verdict. The recognition learned from them
-(learn_verdicts.py), but from none of real_programs_unseen.csv. The programs are theirs and stay in FOLDER, with
+count as right, labelled from titles and plots by people who saw no verdict. The rules were written for them, and for none
+of real_programs_unseen.csv; the model learns from both (make_table.py). The programs are theirs and stay in FOLDER, with
 operations.jsonl.gz and programs.jsonl.gz; told.jsonl.gz has the operations whose tool the program tells, with its
 diameter. What cannot be fetched, or is another text, is left out and named.
 """
@@ -18,8 +18,9 @@ import gzip
 import itertools
 import json
 import sys
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from contextlib import ExitStack
+from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
@@ -47,6 +48,55 @@ def told_diameter(titled: Sequence[Section], path: Toolpath, first: int, end: in
     return next((s.tool.diameter for s in titled if s.tool and s.first <= middle <= s.last), None)
 
 
+@dataclass(frozen=True)
+class Labelled:
+    """One labelled operation of a program.
+
+    Attributes
+    ----------
+    row : dict of str
+        Its row of the table.
+    first, end : int
+        Its trajectories are first .. end - 1 of the program.
+    tool : float or None
+        Diameter that the program tells, mm.
+    """
+
+    row: dict[str, str]
+    first: int
+    end: int
+    tool: float | None
+
+
+def programs_of(table: Path) -> Iterator[list[dict[str, str]]]:
+    """Yield the rows of every program of a table."""
+    for _, rows in itertools.groupby(rows_of(table), key=lambda row: (row["repository"], row["path"], row["commit"])):
+        yield list(rows)
+
+
+def label_program(
+    rows: list[dict[str, str]], folder: Path, host: str = HOST
+) -> tuple[str, Toolpath, list[Labelled]] | None:
+    """Return the name, the toolpath and the labelled operations of a program that is in FOLDER or at HOST.
+
+    Says on the standard error output if it cannot be had, which gives None, and where nothing moves.
+    """
+    name = f"{rows[0]['repository'].replace('/', '_')}__{rows[0]['commit'][:7]}/{rows[0]['path']}"
+    try:
+        program = read_program(fetch(rows[0], folder, host).read_text("utf-8", "replace"))
+    except (OSError, Unusable) as error:
+        print(f"{name}: {error}", file=sys.stderr)
+        return None
+    path, titled, found = program.toolpath(), split_sections(program), []
+    for row in rows:
+        first, end = np.searchsorted(path.command, (int(row["first_line"]), int(row["last_line"]) + 1)).tolist()
+        if first == end:
+            print(f"{name}: nothing moves in lines {row['first_line']} to {row['last_line']}", file=sys.stderr)
+        else:
+            found.append(Labelled(row, first, end, told_diameter(titled, path, first, end)))
+    return name, path, found
+
+
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
     parser.add_argument("folder", type=Path)
@@ -54,38 +104,32 @@ def main() -> None:
     parser.add_argument("--from", dest="host", default=HOST)
     options = parser.parse_args()
     options.folder.mkdir(parents=True, exist_ok=True)
-    rows = rows_of(options.table)
     count = 0
     into = [options.folder / f"{name}.jsonl.gz" for name in ("operations", "programs", "told")]
     with ExitStack() as files:
         operations, programs, told = (files.enter_context(gzip.open(file, "wt")) for file in into)
-        for _, of_program in itertools.groupby(rows, key=lambda row: (row["repository"], row["path"], row["commit"])):
-            these = list(of_program)
-            name = f"{these[0]['repository'].replace('/', '_')}__{these[0]['commit'][:7]}/{these[0]['path']}"
-            try:
-                text = fetch(these[0], options.folder, options.host).read_text("utf-8", "replace")
-                program = read_program(text)
-            except (OSError, Unusable) as error:
-                print(f"{name}: {error}", file=sys.stderr)
+        for rows in programs_of(options.table):
+            if not (labelled := label_program(rows, options.folder, options.host)):
                 continue
-            path, titled, sections = program.toolpath(), split_sections(program), []
-            for row in these:
-                first, end = np.searchsorted(path.command, (int(row["first_line"]), int(row["last_line"]) + 1)).tolist()
-                if first == end:
-                    print(f"{name}: nothing moves in lines {row['first_line']} to {row['last_line']}", file=sys.stderr)
-                    continue
-                accept = row["strategies"].split()
+            (name, path, found), sections = labelled, []
+            for one in found:
+                accept = one.row["strategies"].split()
                 record = {
-                    "id": f"{name}:{row['first_line']}", "source": row["system"], "label": accept[0], "strategy": accept[0],
-                    "accept": accept, "tool_diameter": None, "commands": commands(path, first, end - 1),
+                    "id": f"{name}:{one.row['first_line']}", "group": one.row["repository"], "source": one.row["system"],
+                    "label": accept[0], "strategy": accept[0], "accept": accept, "tool_diameter": None,
+                    "commands": commands(path, one.first, one.end - 1),
                 }  # fmt: skip
                 operations.write(json.dumps(record) + "\n")
-                if diameter := told_diameter(titled, path, first, end):
-                    told.write(json.dumps({**record, "tool_diameter": diameter}) + "\n")
-                sections.append([first + 1, end, accept[0], accept])
+                if one.tool:
+                    told.write(json.dumps({**record, "tool_diameter": one.tool}) + "\n")
+                sections.append([one.first + 1, one.end, accept[0], accept])
             count += len(sections)
-            whole = {"id": name, "commands": commands(path, 0, len(path) - 1), "sections": sections}
+            whole = {
+                "id": name, "group": found[0].row["repository"] if found else name,
+                "commands": commands(path, 0, len(path) - 1), "sections": sections,
+            }  # fmt: skip
             programs.write(json.dumps(whole) + "\n")
+    rows = rows_of(options.table)
     named = len({(row["repository"], row["path"], row["commit"]) for row in rows})
     print(
         f"{len(rows)} sections of {named} programs in {len({row['repository'] for row in rows})} repositories are named"

@@ -6,9 +6,9 @@
 
 FILE holds operations, PROGRAMS whole programs with their sections; records.py tells their forms. Toolpaths that are the
 same to a micrometre count once. Operations of FILE are also joined to pairs, and toolpaths/nonsense.py makes paths that
-machine nothing. The shipped trees may have been learned from FILE; --sources prints instead the accuracy on sources that were left
-out of the learning, which takes some minutes; --speed prints the cost alone. Without files the toolpaths of toolpaths/synthetic.py and strokes.py are
-taken. Needs numpy only.
+machine nothing. The shipped trees may have been learned from FILE; --sources prints instead the accuracy on sources that
+were left out of the learning, with scikit-learn (see learn_model.py), which takes some minutes; --speed prints the cost
+alone. Without files the toolpaths of toolpaths/synthetic.py and strokes.py are taken. Needs numpy only.
 """
 
 from __future__ import annotations
@@ -24,7 +24,6 @@ import numpy as np
 HERE = Path(__file__).resolve().parent
 sys.path[:0] = [str(HERE.parent), str(HERE)]
 
-import sources
 import whole_programs
 from records import made, operations
 from reliability import how_sure, two_class
@@ -190,6 +189,8 @@ if __name__ == "__main__":
         speed()
         sys.exit()
     if options.sources:
+        import sources  # which needs scikit-learn
+
         sources.report_sources(options.files, options.programs)
         sys.exit()
     accuracy(options.files)

@@ -179,6 +179,6 @@ def main(names: list[str], files: list[str]) -> None:
 
 if __name__ == "__main__":
     if "--rules" in sys.argv:
-        sys.modules["vkworkbench.core.recognition.verdict.decide"].elect = lambda votes, proposed: proposed.rules
+        sys.modules["vkworkbench.core.recognition.verdict.decide"].elect = lambda nonsense, votes, rules: (rules, 1.0)
     chosen = [a for a in sys.argv[1:] if "jsonl" not in a and a != "--rules"]
     main(chosen, [a for a in sys.argv[1:] if "jsonl" in a])

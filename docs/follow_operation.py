@@ -22,8 +22,9 @@ from vkworkbench.core.gcode import read_program
 from vkworkbench.core.paper import monotonous_areas, paper_verdict
 from vkworkbench.core.recognition.patterns.pieces import LOOP, STROKE, WINDING, ZIGZAG
 from vkworkbench.core.recognition.patterns.section import Section
-from vkworkbench.core.recognition.verdict import decide, learned
+from vkworkbench.core.recognition.verdict.decide import STRATEGIES, features
 from vkworkbench.core.recognition.verdict.measures import measure_section
+from vkworkbench.core.recognition.verdict.model import shipped_model
 from vkworkbench.core.recognition.verdict.rules import judge_section
 from vkworkbench.language import render
 
@@ -110,12 +111,13 @@ def print_measures() -> None:
 
 def print_votes() -> None:
     """The shares of the trees' votes, the largest first."""
-    measures = measure_section(_section())
-    case = [measures[name] for name in learned.MEASURES]
-    votes = decide.LEARNED.strategies.vote(case)
-    for number in np.argsort(-votes)[:4]:
-        print(f"{decide.STRATEGIES[number].value:18} {votes[number]:.2f}")
-    print(f"machines nothing   {decide.LEARNED.nonsense.vote(case)[1]:.2f}")
+    section = _section()
+    paper = paper_verdict(section.moves)
+    known = features(measure_section(section), judge_section(section).strategy, paper.strategy, tool=section.tool > 0)
+    nonsense, votes = shipped_model().vote(known)
+    for number in np.argsort(-votes, kind="stable")[:4]:
+        print(f"{STRATEGIES[number].value:18} {votes[number]:.2f}")
+    print(f"machines nothing   {nonsense:.2f}")
 
 
 def print_verdict() -> None:

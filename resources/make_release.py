@@ -20,7 +20,7 @@ from xml.etree import ElementTree
 ROOT = Path(__file__).resolve().parent.parent
 FOLDER = "ToolpathAnalysis"
 SHIPPED = (
-    "*.py", "package.xml", "*.md", "LICENSE", "docs/*.md", "vkworkbench/**/*.py",
+    "*.py", "package.xml", "*.md", "LICENSE", "docs/*.md", "vkworkbench/**/*.py", "vkworkbench/**/*.npz",
     "examples/macros/*.py", "resources/icons/*", "resources/ui/*", "resources/translations/*.qm",
 )  # fmt: skip
 

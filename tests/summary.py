@@ -65,16 +65,16 @@ def duration(folder, layer):
 
 
 def judge_tools(results):
-    """Return the result of ruff and mypy as one line, and True or False for success, or None if they did not run."""
+    """Return the result of ruff, mypy and the check of the model as one line, and True or False for success, or None if they did not run."""
     if (results / "tools.not-run").exists():
-        return f"NOT RUN: ruff and mypy: {(results / 'tools.not-run').read_text().strip()}", None
+        return f"NOT RUN: ruff, mypy and the model: {(results / 'tools.not-run').read_text().strip()}", None
     if not (results / "tools.status").exists():
-        return "ruff and mypy: not run", None
+        return "ruff, mypy and the model: not run", None
     if (results / "tools.status").read_text().strip() == "0":
-        return "ruff and mypy: nothing found", True
+        return "ruff, mypy and the model: nothing found", True
     log = results / "tools.log"
-    print(f"\nruff and mypy found something; {log}:", log.read_text(errors="replace"), sep="\n")
-    return "ruff and mypy: found something", False
+    print(f"\nruff, mypy or the model: something was found; {log}:", log.read_text(errors="replace"), sep="\n")
+    return "ruff, mypy and the model: found something", False
 
 
 def main(results, suites):

@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: LGPL-2.1-or-later
-# tools.sh RESULTS CACHE: run ruff and mypy as pyproject.toml says, from a venv in the folder CACHE that is made once.
+# tools.sh RESULTS CACHE: run ruff and mypy as pyproject.toml says, and look whether the model of the recognition is what its
+# table gives, from a venv in the folder CACHE that is made once.
 # Leaves in RESULTS, a folder, tools.log and tools.status, or in tools.not-run why they could not be installed.
 set -euo pipefail
 
@@ -29,5 +30,6 @@ status=0
     "$venv/bin/python" -m ruff check --no-cache . || status=1
     "$venv/bin/python" -m ruff format --no-cache --check . || status=1
     "$venv/bin/python" -m mypy --cache-dir=/dev/null || status=1
+    "$venv/bin/python" -B benchmarks/learn_model.py --check || status=1
 } > "$results/tools.log" 2>&1
 echo "$status" > "$results/tools.status"

@@ -44,6 +44,7 @@ def test_it_has_what_users_need_and_nothing_else(archive):
     with zipfile.ZipFile(archive) as file:
         names = {name.split("/", 1)[1] for name in file.namelist()}
     assert {"InitGui.py", "Init.py", "package.xml", "LICENSE", "README.md", "vkworkbench/__init__.py"} <= names
+    assert "vkworkbench/core/recognition/verdict/model.npz" in names
     assert any(name.endswith(".qm") for name in names) and any(name.endswith(".ui") for name in names)
     assert not any(name.startswith(("tests/", "benchmarks/", "toolpaths/", ".")) for name in names)
     # The guide describes the macros; the example job needs a checkout.

@@ -7,12 +7,10 @@ import numpy as np
 import programs
 import pytest
 
-from vkworkbench.core import Family, Strategy, linearize
+from vkworkbench.core import linearize
 from vkworkbench.core.paper import monotonous_areas
 from vkworkbench.core.recognition.patterns.concentric import find_arcs
 from vkworkbench.core.recognition.patterns.pieces import cut_pieces
-from vkworkbench.core.recognition.thresholds import VOTES
-from vkworkbench.core.recognition.verdict.decide import NO_LETTER, STRATEGIES, Proposal, grounds, standing
 
 QUARTER, CHORDS = np.pi / 2, 60
 
@@ -121,18 +119,3 @@ def test_what_bends_by_less_than_twenty_degrees_is_straight(degrees, bent):
     arcs = found([60, 62, 64, 66], sector=np.radians(degrees))
     assert (arcs is not None) == bent
     assert arcs is None or arcs.step == pytest.approx(2, rel=1e-2)
-
-
-def test_what_makes_an_elected_strategy_sure():
-    votes = np.zeros(len(STRATEGIES))
-    zigzag, profile = STRATEGIES.index(Strategy.ZIGZAG), STRATEGIES.index(Strategy.PROFILE)
-    votes[zigzag], votes[profile] = 0.6, 0.4
-    of = Proposal(zigzag, list(Family).index(Family.ROWS), True)
-    first, second = np.sort(standing(votes, of))[:-3:-1]
-    odds = np.log((0.6 + VOTES.MIN_SHARE) / (0.4 + VOTES.MIN_SHARE))
-    assert grounds(votes, of) == pytest.approx([1, odds, 1, 1, first - second, 1]) and first > second > 0.4
-    against = Proposal(profile, NO_LETTER, False)
-    votes[zigzag], votes[profile] = 1.0, 0.0
-    first, second = np.sort(standing(votes, against))[:-3:-1]
-    odds = np.log((1 + VOTES.MIN_SHARE) / VOTES.MIN_SHARE)
-    assert grounds(votes, against) == pytest.approx([1, odds, 0, 0, first - second, 0])

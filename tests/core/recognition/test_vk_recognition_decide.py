@@ -3,6 +3,8 @@
 
 from __future__ import annotations
 
+import subprocess
+import sys
 from dataclasses import replace
 
 import numpy as np
@@ -10,27 +12,13 @@ import programs
 import pytest
 
 from toolpaths import nonsense, synthetic
-from vkworkbench.core import Family, Strategy, linearize, recognize
+from vkworkbench.core import Strategy, linearize, recognize
 from vkworkbench.core.paper import monotonous_areas
 from vkworkbench.core.recognition.patterns.section import Section
-from vkworkbench.core.recognition.thresholds import VOTES
-from vkworkbench.core.recognition.verdict import learned
-from vkworkbench.core.recognition.verdict.decide import (
-    CLASS,
-    LEARNED,
-    NO_LETTER,
-    OF_THE_RULES,
-    STRATEGIES,
-    Proposal,
-    elect,
-    grounds,
-    proposal,
-    standing,
-    sureness,
-)
+from vkworkbench.core.recognition.verdict.decide import OF_THE_RULES, STRATEGIES, elect, features
 from vkworkbench.core.recognition.verdict.measures import measure_section
+from vkworkbench.core.recognition.verdict.model import FILE, Trees, shipped_model
 from vkworkbench.core.recognition.verdict.operation import unknown
-from vkworkbench.core.recognition.verdict.rules import Verdict
 from vkworkbench.language import Message
 
 # Seeds of nonsense toolpaths, which have 182 to 801 points in most kinds; some retract. Longer paths show no more.
@@ -40,10 +28,6 @@ SOME = synthetic.SAMPLES[::3]
 
 def path_of(make, seed=2):
     return linearize(make(np.random.default_rng(seed)))
-
-
-def proposed_by(rules, letter=None, tool=False):
-    return Proposal(STRATEGIES.index(rules), list(Family).index(letter) if letter else NO_LETTER, tool)
 
 
 def measured(path):
@@ -58,7 +42,7 @@ def test_measures_are_finite_and_invariant(label, accepted, make):
     turned = replace(path, points=path.points @ np.array([(c, s, 0), (-s, c, 0), (0, 0, 1)]) + (31.0, -7.0, 2.0))
     one, other = measured(path), measured(turned)
     if one:
-        assert tuple(one) == learned.MEASURES
+        assert set(features(one, Strategy.ZIGZAG, None, tool=True)) == set(shipped_model().names)
         assert np.isfinite(list(one.values())).all()
         changed = {name: (one[name], other[name]) for name in one if abs(one[name] - other[name]) > 0.05}
         assert len(changed) <= 0.2 * len(one), changed  # what boxes and corners of cells tell changes a little
@@ -155,109 +139,68 @@ def test_closed_plane_filling_curve_is_not_a_contour(make):
     assert recognize(drawn(curve)).strategy is Strategy.UNKNOWN
 
 
+def votes_for(**shares):
+    """Return votes for strategies by name, with _ for -."""
+    votes = np.zeros(len(STRATEGIES))
+    for name, share in shares.items():
+        votes[STRATEGIES.index(Strategy(name.replace("_", "-")))] = share
+    return votes
+
+
+def elected(votes, rules, nonsense=0.0):
+    said, share = elect(nonsense, votes, STRATEGIES.index(rules))
+    return STRATEGIES[said], share
+
+
 def test_only_the_rules_say_mixed_and_drilling():
     for said in np.flatnonzero(OF_THE_RULES):
-        votes = np.eye(len(STRATEGIES))[said]
-        proposed = proposed_by(Strategy.ZIGZAG)
-        assert elect(votes, proposed) == proposed.rules
+        votes = votes_for(zigzag=0.2) + 0.8 * np.eye(len(STRATEGIES))[said]
+        assert elected(votes, Strategy.ZIGZAG) == (Strategy.ZIGZAG, 1.0)
+        assert elected(votes, STRATEGIES[said]) == (STRATEGIES[said], pytest.approx(0.8))
 
 
-def test_what_the_papers_rule_leaves_open_speaks_for_no_class():
-    """Without a tool and votes, only the strategy that the rules propose and its class have a score."""
-    assert not np.isin(NO_LETTER, CLASS)
-    votes, rules = np.zeros(len(STRATEGIES)), STRATEGIES.index(Strategy.PROFILE)
-    has = standing(votes, Proposal(rules, NO_LETTER, False))
-    assert np.flatnonzero(has).tolist() == np.flatnonzero((CLASS[rules] == CLASS) & ~OF_THE_RULES).tolist()
-
-
-@pytest.mark.parametrize(("tool", "rules"), [(True, 0.5), (False, 0.1)])
-def test_the_rules_lose_against_more_votes_than_theirs(tool, rules):
-    """With a tool, the rules lose against a share of more than 0.425 of the votes.
-
-    A strategy's votes count 1.6 times, once for itself and 0.6 times for its class. The rules and their class have
-    0.5 + 0.6 * 0.3 with a tool.
-    """
-    profile = STRATEGIES.index(Strategy.PROFILE)
-    theirs = (rules + 0.6 * 0.3) / 1.6
-    for share, said in ((theirs - 0.01, Strategy.ZIGZAG), (theirs + 0.01, Strategy.PROFILE)):
-        votes = np.zeros(len(STRATEGIES))
-        votes[profile] = share
-        assert STRATEGIES[elect(votes, proposed_by(Strategy.ZIGZAG, tool=tool))] is said
-
-
-@pytest.mark.parametrize(
-    ("seen", "rules"),
-    [(Strategy.HELIX, 0.25), (Strategy.ADAPTIVE, 0.25), (Strategy.SPIRAL, 0.5)],
-)
-def test_what_the_rules_see_without_a_tool_counts_more(seen, rules):
-    """Without a tool, strategies that the rules recognise without a tool count 0.25 or 0.5 instead of 0.1."""
-    votes = np.zeros(len(STRATEGIES))
-    for more, said in ((-0.01, seen), (0.01, Strategy.ENGRAVING)):
-        votes[STRATEGIES.index(Strategy.ENGRAVING)] = (rules + 0.6 * 0.3) / 1.6 + more
-        assert STRATEGIES[elect(votes, proposed_by(seen))] is said
-    votes[STRATEGIES.index(Strategy.ENGRAVING)] -= 0.02
-    assert STRATEGIES[elect(votes, proposed_by(Strategy.WATERLINE))] is Strategy.ENGRAVING
+def test_without_votes_the_verdict_is_sure_of_nothing():
+    assert elected(votes_for(mixed=1.0), Strategy.ZIGZAG)[1] == 0
 
 
 @pytest.mark.parametrize("other", ["adaptive", "zigzag", "engraving"])
 def test_votes_that_are_split_within_one_class_are_not_lost(other):
-    votes = np.zeros(len(STRATEGIES))
-    for name, share in (("contour-parallel", 0.3), ("spiral", 0.2), ("profile", 0.17), (other, 0.33)):
-        votes[STRATEGIES.index(Strategy(name))] = share
-    assert STRATEGIES[elect(votes, proposed_by(Strategy.UNKNOWN))] is Strategy.CONTOUR_PARALLEL
+    votes = votes_for(contour_parallel=0.3, spiral=0.2, profile=0.17, **{other: 0.33})
+    assert elected(votes, Strategy.UNKNOWN) == (Strategy.CONTOUR_PARALLEL, pytest.approx(0.3))
 
 
-def test_paper_verdict_decides_between_classes_only():
-    votes = np.zeros(len(STRATEGIES))
-    for name, share in (("zigzag", 0.3), ("profile", 0.3), ("spiral", 0.2), ("adaptive", 0.2)):
-        votes[STRATEGIES.index(Strategy(name))] = share
-    for letter, said in ((Family.ROWS, Strategy.ZIGZAG), (Family.AROUND, Strategy.PROFILE)):
-        assert STRATEGIES[elect(votes, proposed_by(Strategy.UNKNOWN, letter))] is said
-
-
-@pytest.mark.parametrize(("ahead", "said"), [(0.24, Strategy.ZIGZAG), (0.26, Strategy.PROFILE)])
-def test_paper_verdict_counts_a_quarter_of_votes(ahead, said):
-    votes = np.zeros(len(STRATEGIES))
-    votes[STRATEGIES.index(Strategy.ZIGZAG)], votes[STRATEGIES.index(Strategy.PROFILE)] = 0.3, 0.3 + ahead
-    assert STRATEGIES[elect(votes, proposed_by(Strategy.UNKNOWN, Family.ROWS))] is said
+@pytest.mark.parametrize(("nonsense", "said"), [(0.49, Strategy.SPIRAL), (0.51, Strategy.UNKNOWN)])
+def test_most_votes_for_nonsense_make_it_unknown(nonsense, said):
+    assert elected(votes_for(spiral=0.9, helix=0.1), Strategy.SPIRAL, nonsense)[0] is said
 
 
 def test_more_votes_make_a_verdict_surer():
-    of = proposed_by(Strategy.SPIRAL)
-    sure = [
-        sureness(grounds(np.eye(len(STRATEGIES))[of.rules] * share, of), LEARNED.sureness) for share in (0.2, 0.6, 1.0)
-    ]
-    assert sure == sorted(sure) and sure[0] < sure[-1] <= VOTES.SUREST < 1
+    sure = [shipped_model().sureness(share) for share in (0.2, 0.6, 1.0)]
+    assert sure == sorted(sure) and 0 < sure[0] < sure[-1] < 1
 
 
-def test_one_case_has_the_votes_of_many():
-    x = np.random.default_rng(0).uniform(-1, 3, (20, len(learned.MEASURES)))
-    for forest in (LEARNED.strategies, LEARNED.nonsense):
-        assert np.array([forest.vote(case.tolist()) for case in x]) == pytest.approx(forest.shares(x))
+def test_a_tree_asks_until_it_comes_to_a_leaf():
+    """x[1] <= 2: class 0. Otherwise x[0] <= 0.5: half and half, or class 1. Another tree always votes for class 1."""
+    trees = Trees(
+        feature=np.array([1, -1, 0, -1, -1, -1]),
+        most=np.array([2.0, np.inf, 0.5, np.inf, np.inf, np.inf]),
+        ahead=np.array([1, 0, 1, 0, 0, 0]),
+        votes=np.array([[0, 0], [4, 0], [0, 0], [2, 2], [0, 4], [0, 4]]),
+        roots=np.array([0, 5]),
+    )
+    cases = np.array([(9.0, 2.0), (0.5, 2.1), (0.6, 2.1)])
+    assert trees.shares(cases).tolist() == [[0.5, 0.5], [0.25, 0.75], [0.0, 1.0]]
 
 
-def test_grounds_are_six_numbers():
-    votes = np.zeros(len(STRATEGIES))
-    votes[STRATEGIES.index(Strategy.ZIGZAG)], votes[STRATEGIES.index(Strategy.ENGRAVING)] = 0.7, 0.3
-    odds = np.log((0.7 + VOTES.MIN_SHARE) / (0.3 + VOTES.MIN_SHARE))
-    # The rules propose zigzag with a tool, so the shares of the rules and of their class are added to zigzag's votes.
-    ahead = 0.7 + VOTES.RULES + VOTES.CLASS * (0.7 + VOTES.RULES_OF_CLASS)
-    second = max(VOTES.CLASS * (0.7 + VOTES.RULES_OF_CLASS), (1 + VOTES.CLASS) * 0.3)
-    proposed = proposed_by(Strategy.ZIGZAG, Family.ROWS, tool=True)
-    assert grounds(votes, proposed) == pytest.approx([1, odds, 1, 1, ahead - second, 1])
-    told = grounds(votes, proposed_by(Strategy.WATERLINE, Family.AROUND))
-    assert told[[0, 2, 3, 5]].tolist() == [1, 0, 0, 0] and told[1] == pytest.approx(odds)
+@pytest.mark.parametrize(("paper", "letter"), [(Strategy.ZIGZAG, -1), (Strategy.CONTOUR_PARALLEL, 1), (None, 0)])
+def test_features_tell_what_is_proposed_and_known(paper, letter):
+    told = features({"climbs": 0.25}, Strategy.SPIRAL, paper, tool=paper is None)
+    assert (told["climbs"], told["letter"], told["tool"]) == (0.25, letter, paper is None)
+    assert [name for name, value in told.items() if name.startswith("rules: ") and value] == ["rules: spiral"]
 
 
-def test_sureness_is_a_logistic_function():
-    assert sureness(np.zeros(6), np.ones(6)) == VOTES.SUREST / 2
-    evidence = np.array([[1.0, 2.0, 0.0, 0.0, 0.5, 1.0], [1.0, 0.0, 1.0, 0.0, 0.0, 0.0]])
-    weights = np.array([-1.0, 0.5, 3.0, 7.0, 2.0, 0.25])
-    assert sureness(evidence, weights) == pytest.approx(VOTES.SUREST / (1 + np.exp([-1.25, -2.0])))
-
-
-@pytest.mark.parametrize("diameter", [0.0, 6.0])
-def test_what_is_proposed_tells_whether_a_tool_is_known(diameter):
-    section = Section(monotonous_areas(path_of(synthetic.SAMPLES[0][2])), diameter)
-    rules, paper = Verdict(Strategy.SPIRAL, 1, Message("rest")), None
-    assert proposal(section, rules, paper) == proposed_by(Strategy.SPIRAL, tool=diameter > 0)
+def test_the_model_is_read_when_something_is_recognised():
+    script = "import sys, vkworkbench.core; from vkworkbench.core.recognition.verdict import model; print(model.shipped_model.cache_info().currsize)"
+    done = subprocess.run([sys.executable, "-c", script], capture_output=True, text=True, check=True)
+    assert done.stdout.strip() == "0"
+    assert FILE.stat().st_size <= 200_000

@@ -49,8 +49,8 @@ UNITS = [
 ]
 # Numbers of geometry or bookkeeping: halves, sides of a square, thirds of a cell, columns of a box, ends of a stretch.
 FACTS = {0, 0.5, 1, 2, 3, 4}
-# Learned tables, and hashes.
-NUMBERS = {"borders.py", "learned.py"}
+# A learned table.
+NUMBERS = {"borders.py"}
 FILES = sorted(set((CORE / "recognition").rglob("*.py")) - set(HOMES))
 
 

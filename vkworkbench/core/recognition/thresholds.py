@@ -599,36 +599,12 @@ class SCAN:
 
 
 class VOTES:
-    """How the votes of trees and rules make a verdict, and its confidence."""
+    """How the votes of the learned trees make a verdict, and its confidence."""
 
-    #: share of the votes. Weight of the rules. 0: trees alone decide, and operations of FreeCAD that the rules
-    #: recognise are lost. 1: rules alone decide, and programs that the rules do not cover are lost.
-    RULES = 0.5
-    #: share of the votes. RULES without a tool, when many rules have nothing to measure by. With the weight of RULES,
-    #: programs without a tool are judged by rules that guess.
-    RULES_WITHOUT_TOOL = 0.1
-    #: share of the votes. RULES without a tool for a helix, which has one pitch, and for adaptive clearing, which has
-    #: bites; a spiral keeps RULES. 0.1: bores of few turns become profiles. 1: everything that descends evenly becomes
-    #: a bore.
-    RULES_THAT_NEED_NO_TOOL = 0.25
-    #: ratio. Weight of the share of the class (rows or around) beside the share of the strategy. 0: a class whose votes
-    #: are split among strategies can lose. Higher: the class decides alone.
-    CLASS = 0.6
-    #: share of the votes. Weight of the rules for the class. 0: only trees vote for the class.
-    RULES_OF_CLASS = 0.3
-    #: share of the votes. Weight of the paper's literal rule for its class, without a tool. 0: the literal rule is
-    #: right more often than the verdict. 1: adaptive clearing becomes offsets.
-    LETTER = 0.4
     #: share of the votes. With a larger share for nonsense, a section is unknown. 1: random walks are machining. 0:
     #: engravings are nonsense.
     NONSENSE = 0.5
-    #: share of the length. A section with a larger share of loops with an area inside is not nonsense. Lower: scribbles
-    #: become contours. 1: gears and snowflakes cut at one depth become nonsense.
-    LOOPS = 0.95
-    #: isoperimetric quotient, 4 pi area / length^2. Loops with a larger quotient have an area inside. 0: closed plane-
-    #: filling curves become contours. 1: gears and snowflakes cut at one depth become nonsense.
-    ROUNDNESS = 0.06
-    #: share of the votes. Smallest share of a strategy, so that its odds are finite.
-    MIN_SHARE = 0.02
+    #: share of the votes. Smallest share in the odds of a verdict. 0: the odds of all votes, and of none, are infinite.
+    MIN_SHARE = 0.01
     #: confidence. Upper limit: one in a hundred of the surest verdicts on unseen programs is wrong.
     SUREST = 0.99

@@ -1,0 +1,109 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The learned model: decision trees that vote on what machines nothing, and on the strategy of what machines something.
+
+benchmarks/learn_model.py learns it from benchmarks/labelled_operations.csv and writes model.npz, which is read where
+something is recognised for the first time.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, fields
+from functools import lru_cache
+from pathlib import Path
+
+import numpy as np
+
+from vkworkbench.core.recognition.thresholds import VOTES
+
+FILE = Path(__file__).with_name("model.npz")
+
+
+@dataclass(frozen=True)
+class Trees:
+    """Decision trees as columns of their n nodes.
+
+    Attributes
+    ----------
+    feature : (n,) int
+        Feature that a node asks for; -1 in a leaf.
+    most : (n,) float
+        Largest value of the feature that leads to the first of the next nodes; infinite in a leaf.
+    ahead : (n,) int
+        Distance from a node to the first of its two next nodes; the other one comes behind it. 0 in a leaf.
+    votes : (n, c) int
+        Votes of a leaf for each class.
+    roots : (t,) int
+        First node of every tree.
+    """
+
+    feature: np.ndarray
+    most: np.ndarray
+    ahead: np.ndarray
+    votes: np.ndarray
+    roots: np.ndarray
+
+    def shares(self, cases: np.ndarray) -> np.ndarray:
+        """Return the shares of the votes, (k, c), for k cases, (k, m)."""
+        case = np.arange(len(cases))[:, None]
+        node = np.broadcast_to(self.roots, (len(cases), len(self.roots)))
+        while (asked := self.feature[node]).max() >= 0:
+            node = node + self.ahead[node] + (cases[case, asked] > self.most[node])
+        votes = self.votes[node].sum(axis=1, dtype=float)
+        result: np.ndarray = votes / votes.sum(axis=1, keepdims=True)
+        return result
+
+
+@dataclass(frozen=True)
+class Model:
+    """The trees that were learned from labelled operations.
+
+    Attributes
+    ----------
+    names : (m,) str
+        Names of the features.
+    nonsense : Trees
+        Vote for what machines something (0) and what machines nothing (1).
+    strategies : Trees
+        Vote for decide.STRATEGIES.
+    calibration : (2,) float
+        Offset and slope of a line: from the log odds of the share of the votes to those of a right verdict.
+    """
+
+    names: np.ndarray
+    nonsense: Trees
+    strategies: Trees
+    calibration: np.ndarray
+
+    def vote(self, features: Mapping[str, float]) -> tuple[float, np.ndarray]:
+        """Return the share of the votes for nonsense, and the shares for the strategies, (c,)."""
+        case = np.array([[features[name] for name in self.names]], np.float32)
+        return float(self.nonsense.shares(case)[0, 1]), self.strategies.shares(case)[0]
+
+    def sureness(self, share: float) -> float:
+        """Return the probability that a verdict with a share of the votes is right."""
+        offset, slope = self.calibration
+        return float(1 / (1 + np.exp(-offset - slope * log_odds(share))))
+
+
+def log_odds(share: np.ndarray | float) -> np.ndarray:
+    """Return the logarithm of the odds of a share of the votes."""
+    share = np.clip(share, VOTES.MIN_SHARE, 1 - VOTES.MIN_SHARE)
+    result: np.ndarray = np.log(share / (1 - share))
+    return result
+
+
+def read_model(file: Path) -> Model:
+    """Return the model that a file holds."""
+    with np.load(file, allow_pickle=False) as arrays:
+
+        def trees(of: str) -> Trees:
+            return Trees(*(arrays[f"{of}_{field.name}"] for field in fields(Trees)))
+
+        return Model(arrays["names"], trees("nonsense"), trees("strategies"), arrays["calibration"])
+
+
+@lru_cache(maxsize=1)
+def shipped_model() -> Model:
+    """Return the model that ships."""
+    return read_model(FILE)
