@@ -435,7 +435,7 @@ class Interpreter:
         values = line.lengths(self.modes.unit)
         line.apart = True
         if line.code == codes.LOCAL:
-            self.origins.shift.update(values)
+            self.origins.shift_by(values)
             if not values:
                 self._coordinates(line)
         elif line.code == codes.POSITION:
@@ -573,9 +573,11 @@ class Interpreter:
         feed = self._feed(parameters.get("F") if line.feeds else None)
         if not apart and not parameters.keys().isdisjoint(_POLAR):
             parameters = self._cartesian(parameters)
-        move = {letter: self.modes.unit * value for letter, value in parameters.items() if letter in _LENGTHS}
+        unit = self.modes.unit
+        move = {letter: unit * value for letter, value in parameters.items() if letter in _LENGTHS}
         if not apart:
-            move = self._shifted(mode, move)
+            if self.origins.used:
+                move = self._shifted(mode, move)
             if self.pole is not None:
                 move = self._centred(mode, move)
             if not _KNOWN.issuperset(parameters):
@@ -590,7 +592,9 @@ class Interpreter:
                 self._add("G94" if motion is None else codes.name_of(motion), {} if feed is None else {"F": feed})
                 self.written = self.written if motion is None else motion
             return
-        self._begin_move()
+        if self.away or self.ended or not self.moved:
+            self._begin_move()
+        self.unnamed = None
         if line.once is None:
             self._move_along(parameters, move)
         else:
@@ -599,7 +603,7 @@ class Interpreter:
     def _begin_move(self) -> None:
         if not self.moved:
             self.origins.begin()
-        self.moved, self.unnamed = True, None
+        self.moved = True
         for line, what in self.away:
             self.problem(what, line)
         self.away.clear()
@@ -678,7 +682,8 @@ class Interpreter:
                 self.written = -1
         elif mode in codes.ARCS and parameters.get("P", 1.0) != 1:
             move["P"] = parameters["P"]
-        self._stand(stands=self.modes.per_turn is not None and not self.spindle and mode > 0)
+        if self.stands or self.modes.per_turn is not None:
+            self._stand(stands=self.modes.per_turn is not None and not self.spindle and mode > 0)
         if self.seconds and mode > 0 and mode not in codes.CYCLES:
             self.inverse_time[len(self.commands)] = 1 / self.seconds
         for _ in range(repeats):

@@ -27,9 +27,12 @@ class Origins:
         The shift of G52 and G92 along each axis, mm. LinuxCNC has one shift for both codes.
     system : (int, float)
         The work offset in force.
+    used : bool
+        Whether an origin may differ from the toolpath's; False in most programs.
     """
 
     def __init__(self) -> None:
+        self.used = False
         self.shift: Values = {}
         self.system = FIRST
         self._suspended: Values = {}
@@ -52,6 +55,7 @@ class Origins:
 
         Along the axes whose origin is not in the program, the coordinates stay as they are.
         """
+        self.used = True
         before, self.system = self.system, system
         origin = self._origins.setdefault(system, {})
         machine = self._machine.get(system, {})
@@ -88,6 +92,7 @@ class Origins:
         machine.update(values)
         if not moved:
             return True
+        self.used = True
         origin, known = self._origins.setdefault(system, {}), True
         for letter, value in values.items():
             if letter in self._zero:
@@ -109,12 +114,19 @@ class Origins:
         place, values : dict
             The tool's place, and its new coordinates, mm, by axis.
         """
+        self.used = True
         origin = self._origins.setdefault(system, {})
         for letter, value in values.items():
             origin[letter] = place[letter] - value - self.shift.get(letter, 0.0)
 
+    def shift_by(self, values: Values) -> None:
+        """Set the shift along some axes (G52), mm."""
+        self.used = True
+        self.shift.update(values)
+
     def shift_here(self, letter: str, place: float, value: float) -> None:
         """Give the tool's place the coordinate `value` along an axis (G92), mm."""
+        self.used = True
         self.shift[letter] = place - value - (self.of(letter) - self.shift.get(letter, 0.0))
         self._suspended = {}
 
