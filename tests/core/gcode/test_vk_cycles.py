@@ -56,3 +56,8 @@ def test_a_retract_at_feed_is_not_a_hole():
 
 def test_relative_plunges_in_steps_are_one_plunge():
     assert titles("G21 G90\nG0 X0 Y0 Z1\nG91\nG1 Z-3 F100\n(slot)\nG1 Z-2\nG1 X9\nG90\nG0 Z5\n") == ["slot"]
+
+
+def test_a_higher_r_plane_is_reached_on_the_way_to_its_hole():
+    text = "G21 G90 G99\nG0 X0 Y0 Z5\nG81 X1 Y0 Z-1 R1 F100\nX2 R3\nG80"
+    assert points(text)[3:] == [[1, 0, -1], [1, 0, 1], [2, 0, 3], [2, 0, -1], [2, 0, 3]]

@@ -571,19 +571,7 @@ class Interpreter:
             self.motion, self.later, self.written = motion, None, -1
         mode = self.motion
         feed = self._feed(parameters.get("F") if line.feeds else None)
-        if not apart and not parameters.keys().isdisjoint(_POLAR):
-            parameters = self._cartesian(parameters)
-        unit = self.modes.unit
-        move = {letter: unit * value for letter, value in parameters.items() if letter in _LENGTHS}
-        if not apart:
-            if self.origins.used:
-                move = self._shifted(mode, move)
-            if self.pole is not None:
-                move = self._centred(mode, move)
-            if not _KNOWN.issuperset(parameters):
-                self.clues.axes(parameters, mode > 0, self.number)
-                for letter in sorted(set(parameters) - _KNOWN):
-                    self._unread(letter, parameters[letter])
+        move = {} if apart else self._target(mode, parameters)
         if feed is not None:
             move["F"] = feed
         if apart or _AXES.isdisjoint(move):
@@ -599,6 +587,22 @@ class Interpreter:
             self._move_along(parameters, move)
         else:
             self._SHAPES[line.once](self, line, move)
+
+    def _target(self, mode: int, parameters: dict[str, float]) -> dict[str, float]:
+        """Return the lengths of a move in the coordinates of the toolpath, mm; report words that are not read."""
+        if not parameters.keys().isdisjoint(_POLAR):
+            parameters = self._cartesian(parameters)
+        unit = self.modes.unit
+        move = {letter: unit * value for letter, value in parameters.items() if letter in _LENGTHS}
+        if self.origins.used:
+            move = self._shifted(mode, move)
+        if self.pole is not None:
+            move = self._centred(mode, move)
+        if not _KNOWN.issuperset(parameters):
+            self.clues.axes(parameters, mode > 0, self.number)
+            for letter in sorted(set(parameters) - _KNOWN):
+                self._unread(letter, parameters[letter])
+        return move
 
     def _begin_move(self) -> None:
         if not self.moved:

@@ -164,7 +164,11 @@ class _Program:
         self.to_retract_plane = _mode(words, {TO_START: 0, TO_RETRACT_PLANE: 1}, 0) == 1
         self.feed = self._feed()
         count = np.count_nonzero(self.is_cycle)
-        self.cycle_heights, self.cycle_peck = np.empty((count, 4)), np.empty(count)
+        self.cycle_heights, self.cycle_peck, self.cycle_begins = (
+            np.empty((count, 4)),
+            np.empty(count),
+            np.ones(count, bool),
+        )
         self.drilled = np.array([PLANE_AXES[p][2] for p in range(17, 20)])[self.plane - 17]  # axis of canned cycles
         self.position, self.known = self._positions()
 
@@ -282,14 +286,16 @@ class _Program:
         self.problems.add(rows[np.isnan(_held(own["R"]))], Message("cycle-without-retract"))
         parted = ((self.motion >= 0) & ~drills) | (self.words.codes == CANCEL)
         along[rows] = np.nan
+        series = np.cumsum(parted)[rows]
         along, heights = cycles.heights(
-            along, self.relative, rows, np.cumsum(parted)[rows], own["R"], own["Z"], self.to_retract_plane[rows]
+            along, self.relative, rows, series, own["R"], own["Z"], self.to_retract_plane[rows]
         )
         peck = _held(own["Q"])
         tiny = np.isin(self.motion[rows], PECKING) & cycles.has_tiny_pecks(heights, peck)
         self.problems.add(rows[tiny], Message("tiny-pecks", most=cycles.MOST_PECKS))
         among = np.searchsorted(np.flatnonzero(self.is_cycle), rows)
         self.cycle_heights[among], self.cycle_peck[among] = heights, peck
+        self.cycle_begins[among] = np.diff(series, prepend=-1) != 0
         return along
 
 
@@ -392,7 +398,7 @@ def _expand_cycles(program: _Program, rows: np.ndarray) -> tuple[np.ndarray, np.
     start[:, 2] = program.cycle_heights[:, 0]
     hole = np.take_along_axis(program.position[rows], axes[:, :2], 1)
     code, heights, peck = program.motion[rows], program.cycle_heights, program.cycle_peck
-    flat, rapid = cycles.moves(code, start, hole, heights, peck)
+    flat, rapid = cycles.moves(code, start, hole, heights, peck, program.cycle_begins)
     points = np.empty_like(flat)
     np.put_along_axis(points, np.repeat(axes, cycles.move_counts(code, heights, peck), axis=0), flat, 1)
     return points, rapid
