@@ -53,7 +53,7 @@ VALUES = {
     "App::PropertyMap": {"a": "b"}, "App::PropertyLength": 5, "App::PropertyPercent": 50,
 }  # fmt: skip
 ON_OPERATION = ["Active", "Base", "Copies", "Gcode", "Group", "Strategy", "Confidence", "Reason", "Remarks", "CuttingLength",
-                "MachiningTime", "SimulationTime", "ToolpathMark", "ToolpathFingerprint", "ToolpathStrategy"]  # fmt: skip
+                "MachiningTime", "SimulationTime", "VkWorkbenchMark", "ToolpathMark", "ToolpathFingerprint", "ToolpathStrategy"]  # fmt: skip
 # Without them the origin of a tool's body is an error, of which FreeCAD 1.1 tells when it has deleted the body; see
 # benchmarks/freecad_recompute.py.
 OF_ORIGIN = {"App::Plane", "App::Line", "App::Point", "App::Origin"}
@@ -264,7 +264,7 @@ class Session:
         if not marked:
             return
         obj = self.rng.choice(marked)
-        text = getattr(obj, "ToolpathMark", "")
+        text = getattr(obj, "VkWorkbenchMark", "")
         if isinstance(text, str) and text:
             try:
                 data = json.loads(text)
@@ -276,7 +276,7 @@ class Session:
                 text = json.dumps(data)
             else:
                 text = text[: self.rng.randrange(len(text))]
-            obj.ToolpathMark = text
+            obj.VkWorkbenchMark = text
 
     def do_description(self):
         obj = self.an_object()

@@ -336,12 +336,12 @@ def test_marks_with_another_text(small, zigzag_commands, damage, of):
     whole = op.Label2
     obj = op if of == "operation" else small.job
     with suppress(ValueError):
-        obj.ToolpathMark = damage
+        obj.VkWorkbenchMark = damage
     watcher.check(small.document)
     vkworkbench.mark(vkworkbench.analyze(small.document))
     assert op.Label2 == whole
     with suppress(ValueError):
-        obj.ToolpathMark = damage
+        obj.VkWorkbenchMark = damage
     vkworkbench.clear(small.document)
     assert op.Label2 == "own ⟦words⟧" and small.job.Label2 == ""
     assert not any(marks.is_marked(one) for one in small.document.Objects)
@@ -360,9 +360,9 @@ def test_marks_with_another_entry(small, zigzag_commands, name, value):
     vkworkbench.mark(vkworkbench.analyze(small.document))
     whole = op.Label2, small.job.Label2
     for obj in (op, small.job):
-        data = json.loads(obj.ToolpathMark)
+        data = json.loads(obj.VkWorkbenchMark)
         data[name] = value
-        obj.ToolpathMark = json.dumps(data)
+        obj.VkWorkbenchMark = json.dumps(data)
     watcher.check(small.document)
     op.Path = CAM.Path(op.Path.Commands[:-1])
     small.document.recompute()
@@ -382,7 +382,7 @@ RETYPED = ["App::PropertyLinkSub", "App::PropertyEnumeration", "App::PropertyCol
 def test_marks_of_other_types(small, zigzag_commands, type_id):
     op = small.add("Zigzag", zigzag_commands)
     vkworkbench.mark(vkworkbench.analyze(small.document))
-    for name in ("ToolpathMark", "Strategy", "Confidence", "MachiningTime", "SimulationTime", "Remarks"):
+    for name in ("VkWorkbenchMark", "Strategy", "Confidence", "MachiningTime", "SimulationTime", "Remarks"):
         for obj in (op, small.job):
             if hasattr(obj, name):
                 obj.removeProperty(name)

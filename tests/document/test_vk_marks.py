@@ -46,7 +46,7 @@ def test_mark_text_and_data(small, zigzag_commands):
         assert (op.SimulationTime, op.MachiningTime) == (ENGLISH.time(cost.seconds), ENGLISH.time(o.machining.seconds))
     assert {op.getGroupOfProperty(name) for name in mark_properties.ours(op)} == {"Toolpath analysis"}
     assert set(op.getEditorMode("Strategy")) == {"ReadOnly"}
-    assert set(op.getEditorMode("ToolpathMark")) == {"ReadOnly", "Hidden"} and "Touched" not in op.State
+    assert set(op.getEditorMode("VkWorkbenchMark")) == {"ReadOnly", "Hidden"} and "Touched" not in op.State
     assert (own.strategy, own.trajectories, own.fingerprint) == (o.strategy, o.trajectories, o.fingerprint)
     assert own.costs["legacy"].seconds == o.costs["legacy"].seconds
     assert small.job.Label2.startswith(f"⟦1 operation · ≥ {ENGLISH.clock(o.machining_seconds)} · sim ") and not hasattr(
@@ -116,14 +116,14 @@ def test_damaged_data_is_no_mark_and_is_replaced(small, zigzag_commands, written
     op = small.add("Zigzag", zigzag_commands)
     vkworkbench.mark(vkworkbench.analyze(small.document))
     text = op.Label2
-    op.ToolpathMark = (
-        written if isinstance(written, str) else json.dumps({**json.loads(op.ToolpathMark), written[0]: written[1]})
+    op.VkWorkbenchMark = (
+        written if isinstance(written, str) else json.dumps({**json.loads(op.VkWorkbenchMark), written[0]: written[1]})
     )
     assert marks.read(op) is None and marks.is_marked(op) and not marks.is_outdated(op)
     watcher.check(small.document)
     vkworkbench.mark(vkworkbench.analyze(small.document))
     assert op.Label2 == text and marks.read(op).reason[0].code == "rows"
-    op.ToolpathMark = written if isinstance(written, str) else "{}"
+    op.VkWorkbenchMark = written if isinstance(written, str) else "{}"
     vkworkbench.clear(small.document)
     assert op.Label2 == "" and marked(small.document) == []
 
@@ -172,10 +172,10 @@ def test_locked_properties_are_unlocked(small, zigzag_commands):
     op.setPropertyStatus("Strategy", "LockDynamic")
     op.setPropertyStatus("Reason", "Immutable")
     op.setExpression("Remarks", "<<driven>>")
-    op.setPropertyStatus("ToolpathMark", "-Output")
+    op.setPropertyStatus("VkWorkbenchMark", "-Output")
     vkworkbench.mark(vkworkbench.analyze(small.document))
     small.document.recompute()
-    assert op.Remarks == "" and "Output" in op.getTypeOfProperty("ToolpathMark")
+    assert op.Remarks == "" and "Output" in op.getTypeOfProperty("VkWorkbenchMark")
     vkworkbench.clear(small.document)
     assert marked(small.document) == []
 
@@ -223,6 +223,57 @@ def test_the_text_of_a_newer_version_is_known_by_its_property(small, zigzag_comm
     assert op.Label2.startswith("mine ⟦zigzag · ") and op.Label2.count("⟦") == 1 and isinstance(op.Reason, str)
     vkworkbench.clear(op)
     assert op.Label2 == "mine" and marked(small.document) == []
+
+
+@pytest.mark.parametrize("type_id, value", [
+    ("App::PropertyString", "my own words"), ("App::PropertyString", '{"text": 5}'), ("App::PropertyString", "[" * 2000),
+    ("App::PropertyFloat", 1.5), ("App::PropertyStringList", ["a"]), ("App::PropertyBool", True),
+])  # fmt: skip
+def test_property_of_the_user_is_kept(small, zigzag_commands, type_id, value):
+    """It has the earlier name of the mark."""
+    op = small.add("Zigzag", zigzag_commands)
+    for obj in (op, small.job):
+        obj.addProperty(type_id, "ToolpathMark", "Mine").ToolpathMark = value
+    assert marked(small.document) == [] and not marks.mark_properties.may_have_mark(op)
+    vkworkbench.mark(vkworkbench.analyze(small.document))
+    assert marks.read(op).strategy.value == "zigzag" and op.ToolpathMark == small.job.ToolpathMark == value
+    watcher.check(small.document)
+    vkworkbench.clear(small.document)
+    assert op.ToolpathMark == small.job.ToolpathMark == value and "VkWorkbenchMark" not in op.PropertiesList
+    assert op.getTypeIdOfProperty("ToolpathMark") == type_id and op.Label2 == ""
+
+
+@pytest.fixture
+def earlier(small, zigzag_commands):
+    """An operation with a mark as an earlier version wrote it, and the mark of this version."""
+    op = small.add("Zigzag", zigzag_commands)
+    vkworkbench.mark(vkworkbench.analyze(small.document))
+    made = marks.read(op)
+    for obj in (op, small.job):
+        data = obj.VkWorkbenchMark
+        obj.removeProperty("VkWorkbenchMark")
+        obj.addProperty("App::PropertyString", "ToolpathMark", "Toolpath analysis", "", 13).ToolpathMark = data
+    return op, made
+
+
+def test_mark_under_the_earlier_name_is_read_and_cleared(small, earlier):
+    op, made = earlier
+    assert marks.read(op) == made and marks.is_shown(op) and marks.words_of(op) == ""
+    vkworkbench.clear(small.document)
+    assert op.Label2 == "" and marked(small.document) == []
+    assert not {"ToolpathMark", "Strategy"} & set(op.PropertiesList + small.job.PropertiesList)
+
+
+def test_mark_under_the_earlier_name_becomes_outdated(small, earlier, zigzag_commands):
+    op, made = earlier
+    watcher.check(small.document)
+    assert marks.read(op) == made and "ToolpathMark" in op.PropertiesList  # nothing was written
+    op.Path = Path.Path([Path.Command(name, words) for name, words in zigzag_commands[:-4]])
+    watcher.check(small.document)
+    assert marks.is_outdated(op) and marks.is_outdated(small.job) and op.Label2.count("⟦") == 1
+    assert "ToolpathMark" not in op.PropertiesList
+    vkworkbench.mark(vkworkbench.analyze(small.document))
+    assert marks.read(op).strategy is made.strategy and not marks.is_outdated(small.job)
 
 
 def test_one_undo_step_and_clear_leave_no_trace(example):

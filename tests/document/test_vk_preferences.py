@@ -201,9 +201,9 @@ def test_a_total_of_different_simulators_is_not_told(arc, small):
     preferences.write(mark_simulator=ZBUFFER.name)
     vkworkbench.mark(vkworkbench.analyze(small.document))
     assert marks.read(small.job).cost(LEGACY.name)
-    data = json.loads(other.ToolpathMark)
+    data = json.loads(other.VkWorkbenchMark)
     del data["costs"][LEGACY.name]
-    other.ToolpathMark = json.dumps(data)
+    other.VkWorkbenchMark = json.dumps(data)
     preferences.write(mark_simulator=LEGACY.name)
     vkworkbench.mark(vkworkbench.analyze(arc))
     assert not marks.read(small.job).cost(LEGACY.name) and "sim" not in small.job.Label2

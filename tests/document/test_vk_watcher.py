@@ -287,7 +287,7 @@ def test_reopened_marks_are_fresh_or_say_so(watched, tmp_path):
         watcher.check(document)
         assert outdated(document) == [] and sum(marks.is_marked(obj) for obj in document.Objects) == 3
         stale = document.getObjectsByLabel("First")[0]
-        stale.ToolpathMark = stale.ToolpathMark.replace(marks.read(stale).fingerprint, "of:another")
+        stale.VkWorkbenchMark = stale.VkWorkbenchMark.replace(marks.read(stale).fingerprint, "of:another")
         watcher.check(document)
         assert "First" in outdated(document)
     finally:

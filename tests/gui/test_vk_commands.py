@@ -210,7 +210,7 @@ def test_an_edit_shows_outdated_in_the_tree(opened, window):
 def test_marks_of_a_reopened_file_are_checked(opened, window, tmp_path):
     vkworkbench.mark(vkworkbench.analyze(opened))
     stale = opened.getObjectsByLabel("Face")[0]
-    stale.ToolpathMark = stale.ToolpathMark.replace(marks.read(stale).fingerprint, "of:another")
+    stale.VkWorkbenchMark = stale.VkWorkbenchMark.replace(marks.read(stale).fingerprint, "of:another")
     opened.saveCopy(str(tmp_path / "copy.FCStd"))
     copy = FreeCAD.openDocument(str(tmp_path / "copy.FCStd"))
     window.wait(lambda: marks.is_outdated(copy.getObjectsByLabel("Face")[0]))

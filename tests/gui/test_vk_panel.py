@@ -671,7 +671,7 @@ def test_rows_follow_the_document(panel, opened, window):
     labelled(opened, "Face").Label = "Top"
     window.wait(lambda: "Top" in labels(panel))
     top = labelled(opened, "Top")
-    top.ToolpathMark = top.ToolpathMark.replace(marks.read(top).fingerprint, "of:another")
+    top.VkWorkbenchMark = top.VkWorkbenchMark.replace(marks.read(top).fingerprint, "of:another")
     from vkworkbench.document.marks import watcher
 
     watcher.check(opened)

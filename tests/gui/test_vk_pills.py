@@ -209,7 +209,7 @@ def test_tooltip_has_reason_and_times(marked, window):
         assert f"Simulation time of this operation alone in the {freecad.simulator_title(name)}: " in text
     window.see_all()
     window.screenshot("pill-tooltip")
-    obj.ToolpathMark = as_json(replace(known, remarks=(Message("not-analysed", error="a <b>&c remark"),)))
+    obj.VkWorkbenchMark = as_json(replace(known, remarks=(Message("not-analysed", error="a <b>&c remark"),)))
     assert "a &lt;b&gt;&amp;c remark" in tooltip(window, "Face")
 
 
@@ -225,7 +225,7 @@ def test_words_equal_to_the_mark_are_shown_once(marked, window):
 def test_pills_have_their_strategys_colour(marked, window, theme):
     labelled(marked, "Face").Label2 = "rough first " + labelled(marked, "Face").Label2
     drill = labelled(marked, "Drill holes")
-    drill.ToolpathMark = drill.ToolpathMark.replace(marks.read(drill).fingerprint, "of:another")
+    drill.VkWorkbenchMark = drill.VkWorkbenchMark.replace(marks.read(drill).fingerprint, "of:another")
     from vkworkbench.document.marks import watcher
 
     watcher.check(marked)
@@ -247,7 +247,7 @@ def test_tooltip_is_not_taken_from_another_document(marked, window):
     other.Label = marked.Label
     twin = other.addObject("App::FeaturePython", "Face")
     twin.Label = "Face"
-    twin.addProperty("App::PropertyString", "ToolpathMark")
+    twin.addProperty("App::PropertyString", "VkWorkbenchMark")
     twin.Label2 = labelled(marked, "Face").Label2
     FreeCAD.setActiveDocument(marked.Name)
     window.settle()

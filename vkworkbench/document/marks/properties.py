@@ -17,8 +17,8 @@ from vkworkbench.language import ENGLISH
 QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP
 
 GROUP = "Toolpath analysis"
-# The hidden property with all data of the mark.
-MARK = "ToolpathMark"
+# The hidden property with all data of the mark, and its earlier name, which a property of the user may have, too.
+MARK, _EARLIER = "VkWorkbenchMark", "ToolpathMark"
 # Attributes: with Output (8) a change does not touch the object, with ReadOnly (1) the user cannot change it, Hidden is 4.
 _SHOWN, _HIDDEN = 9, 13
 # Not "Length": FreeCAD's lead-in dress-up has a property of that name.
@@ -40,12 +40,27 @@ _TYPES = {
 
 def may_have_mark(obj) -> bool:
     """Return whether an object itself has the property of a mark. A link shows the property of its linked object."""
-    return hasattr(obj, MARK) and not obj.isDerivedFrom(freecad.LINK)
+    return (hasattr(obj, MARK) or _has_earlier_mark(obj)) and not obj.isDerivedFrom(freecad.LINK)
+
+
+def is_mark(obj, name: str) -> bool:
+    """Return whether a property holds the data of a mark."""
+    return name == MARK or (name == _EARLIER and _has_earlier_mark(obj))
+
+
+def _has_earlier_mark(obj) -> bool:
+    """Return whether an object has a mark under the earlier name: in the mark's group, or with the data of a mark."""
+    if not hasattr(obj, _EARLIER):
+        return False
+    if _group(obj, _EARLIER) == GROUP:
+        return True
+    data = _parsed(getattr(obj, _EARLIER))
+    return isinstance(data, dict) and {"format", "text"} <= set(data)
 
 
 def mark_data(obj) -> str:
     """Return the text of the property with the mark; empty without one, or if it has another type."""
-    text = getattr(obj, MARK, "")
+    text = getattr(obj, _EARLIER if not hasattr(obj, MARK) and _has_earlier_mark(obj) else MARK, "")
     return text if isinstance(text, str) else ""
 
 
@@ -55,7 +70,7 @@ def ours(obj) -> list[str]:
     return [
         name
         for name in obj.PropertiesList
-        if name == MARK or name in written or (name in _TYPES and _group(obj, name) == GROUP)
+        if is_mark(obj, name) or name in written or (name in _TYPES and _group(obj, name) == GROUP)
     ]
 
 
@@ -76,9 +91,15 @@ def _written(obj) -> set[str]:
 
 
 def _part(obj, name: str):
+    data = _parsed(mark_data(obj))
+    return data.get(name) if isinstance(data, dict) else None
+
+
+def _parsed(text: object) -> object:
+    """Return the data of a JSON text; None for anything else."""
     try:
-        return json.loads(mark_data(obj))[name]
-    except (LookupError, TypeError, ValueError, RecursionError):
+        return json.loads(text) if isinstance(text, str) else None
+    except (ValueError, RecursionError):
         return None
 
 

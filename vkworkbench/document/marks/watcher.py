@@ -17,7 +17,7 @@ from vkworkbench.document.computer import idle
 from vkworkbench.document.job.fingerprint import Settings, finding_path_fingerprint
 from vkworkbench.document.job.operations import find, has_toolpath, job_of, kind
 from vkworkbench.document.marks import marks
-from vkworkbench.document.marks.properties import MARK, may_have_mark
+from vkworkbench.document.marks.properties import is_mark, may_have_mark
 
 _ON_OPERATION = freecad.names_in_fingerprint("path")
 # Changes of a tool, stock or group concern operations and jobs that use it.
@@ -41,7 +41,7 @@ class Watcher:
 
     def slotChangedObject(self, obj, name: str) -> None:
         # An undo, or an aborted step, may restore the mark of an earlier path and setting.
-        brought_back = name == MARK and obj.Document.Transacting
+        brought_back = obj.Document.Transacting and is_mark(obj, name)
         if name in _ON_OPERATION or brought_back:
             if may_have_mark(obj) and not obj.Document.Restoring:
                 self._paths.setdefault(obj.Document.Name, set()).add(obj.Name)
