@@ -168,6 +168,9 @@ def feed_program(commands, tolerance=0.01, diameter=5.0, view="Top"):
     try:
         with warnings.catch_warnings():
             warnings.simplefilter("error")
+            warnings.filterwarnings(
+                "ignore", "invalid value encountered in (less|greater)"
+            )  # numpy 1.17 says so of NaN
             try:
                 words = Words(commands)
                 path = linearize(words, tolerance=tolerance)

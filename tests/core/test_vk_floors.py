@@ -298,3 +298,22 @@ def test_benchmarks_have_no_import_circle():
     graph = {name: {f"benchmarks.{target}" for _, target in House({}).imports(code)} for name, code in files.items()}
     assert list(circles(graph)) == []
     assert list(circles(graph | {"benchmarks.measuring": {"benchmarks.simulators"}})) != []
+
+
+def without_assertion(code: str) -> list[str]:
+    """Return the tests that assert nothing. `window.wait`, `assert_...` and `pytest.raises` assert."""
+    found = []
+    for test in ast.walk(ast.parse(code)):
+        if isinstance(test, ast.FunctionDef) and test.name.startswith("test_"):
+            names = {node.attr for node in ast.walk(test) if isinstance(node, ast.Attribute)}
+            names |= {node.id for node in ast.walk(test) if isinstance(node, ast.Name)}
+            asserts = names & {"wait", "raises", "fail"} or any(name.startswith("assert_") for name in names)
+            if not asserts and not any(isinstance(node, ast.Assert) for node in ast.walk(test)):
+                found.append(test.name)
+    return found
+
+
+def test_every_test_of_the_window_asserts():
+    found = {name: without_assertion(code) for name, code in read("tests/gui").items()}
+    assert len(found) > 20 and not any(found.values()), found
+    assert without_assertion("def test_a():\n    f()\ndef test_b():\n    window.wait(f)") == ["test_a"]

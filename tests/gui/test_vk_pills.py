@@ -74,6 +74,26 @@ def contrast(one, other):
     return (lighter + 0.05) / (darker + 0.05)
 
 
+@pytest.mark.parametrize("one, other, expected", [
+    ("white", "black", 21.0), ("#777777", "white", 4.478), ("#ff0000", "white", 3.998), ("#008000", "white", 5.137),
+    ("#0000ff", "white", 8.592), ("#0a0a0a", "black", 1.0607),
+])  # fmt: skip
+def test_contrast_of_two_colours(one, other, expected):
+    for pair in ((one, other), (other, one)):
+        assert colors.contrast(*map(QtGui.QColor, pair)) == pytest.approx(expected, rel=2e-4)
+
+
+@pytest.mark.parametrize("ink, back, least, expected", [
+    ("#2f7fd6", "white", 4.6, "#2a70bd"), ("#2f7fd6", "black", 4.6, "#2f7fd6"), ("#2f7fd6", "#1e1e1e", 4.6, "#478edb"),
+    ("#8c8c8c", "#8c8c8c", 4.6, "#1b1b1b"), ("#8c8c8c", "#777777", 3.1, "#282828"), ("#ffff00", "white", 4.6, "#656500"),
+    ("#000080", "black", 3.1, "#5959ac"), ("#000000", "white", 21.0, "#000000"), ("#777777", "white", 30.0, "#000000"),
+])  # fmt: skip
+def test_colour_is_changed_until_it_is_readable(ink, back, least, expected):
+    """It stays as it is if it is readable already, and becomes white or black if nothing is readable enough."""
+    found = QtGui.QColor(colors.readable(QtGui.QColor(ink), QtGui.QColor(back), least))
+    assert found.getRgb()[:3] == pytest.approx(QtGui.QColor(expected).getRgb()[:3], abs=1)
+
+
 def test_every_strategy_has_a_readable_colour():
     for color in [*(strategy.color for strategy in Strategy), colors.TOTAL]:
         assert contrast(color, colors.TEXT) >= 4.5

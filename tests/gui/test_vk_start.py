@@ -5,6 +5,7 @@ import sys
 
 import FreeCAD
 import FreeCADGui
+import pytest
 
 import vkworkbench
 from vkworkbench.document.marks import watcher
@@ -51,3 +52,9 @@ def test_switching_documents_compares_no_marks_again(opened, window, monkeypatch
     assert compared == [opened.Name]
     FreeCAD.closeDocument(other.Name)
     FreeCAD.setActiveDocument(opened.Name)
+
+
+def test_waiting_in_vain_fails(window):
+    """Several tests assert what they wait for in no other way."""
+    with pytest.raises(AssertionError, match="in vain"):
+        window.wait(lambda: False, seconds=0.05)
