@@ -1337,6 +1337,10 @@
         <source>No stock is given. The simulation uses a box around the cuts.</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>The job moves {needed:mm4} along {axis}, but the travel of the machine is {travel:mm4}.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>Strategy</name>

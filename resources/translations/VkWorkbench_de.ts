@@ -1337,6 +1337,10 @@
         <source>No stock is given. The simulation uses a box around the cuts.</source>
         <translation>Es ist kein Rohteil angegeben. Die Simulation verwendet einen Quader um die Schnitte.</translation>
     </message>
+    <message>
+        <source>The job moves {needed:mm4} along {axis}, but the travel of the machine is {travel:mm4}.</source>
+        <translation>Der Auftrag verfährt {needed:mm4} in {axis}, aber der Verfahrweg der Maschine ist {travel:mm4}.</translation>
+    </message>
 </context>
 <context>
     <name>Strategy</name>

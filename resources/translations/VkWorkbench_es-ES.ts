@@ -1337,6 +1337,10 @@
         <source>No stock is given. The simulation uses a box around the cuts.</source>
         <translation>No se ha indicado material bruto. La simulación usa una caja alrededor de los cortes.</translation>
     </message>
+    <message>
+        <source>The job moves {needed:mm4} along {axis}, but the travel of the machine is {travel:mm4}.</source>
+        <translation>El trabajo se mueve {needed:mm4} en {axis}, pero el recorrido de la máquina es {travel:mm4}.</translation>
+    </message>
 </context>
 <context>
     <name>Strategy</name>

@@ -1337,6 +1337,10 @@
         <source>No stock is given. The simulation uses a box around the cuts.</source>
         <translation>Aucun brut n&apos;est indiqué. La simulation utilise un parallélépipède autour des coupes.</translation>
     </message>
+    <message>
+        <source>The job moves {needed:mm4} along {axis}, but the travel of the machine is {travel:mm4}.</source>
+        <translation>Le travail se déplace de {needed:mm4} selon {axis}, mais la course de la machine est de {travel:mm4}.</translation>
+    </message>
 </context>
 <context>
     <name>Strategy</name>

@@ -1337,6 +1337,10 @@
         <source>No stock is given. The simulation uses a box around the cuts.</source>
         <translation>未给出毛坯。仿真使用包围切削的长方体。</translation>
     </message>
+    <message>
+        <source>The job moves {needed:mm4} along {axis}, but the travel of the machine is {travel:mm4}.</source>
+        <translation>作业沿 {axis} 移动 {needed:mm4}，但机床行程为 {travel:mm4}。</translation>
+    </message>
 </context>
 <context>
     <name>Strategy</name>

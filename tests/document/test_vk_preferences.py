@@ -225,3 +225,20 @@ def test_analysis_after_a_recompute(example, wanted):
     assert (marks.read(drill).fingerprint != before) == wanted
     assert not marks.is_marked(unmarked)
     assert "Touched" not in drill.State and example.UndoCount == steps  # the user's own transactions come last
+
+
+def test_travel_of_the_machine_is_compared_with_the_whole_job(small):
+    """Two operations that are far from each other; the first of the job has the remark."""
+    small.add("Left", [("G0", {"X": 0, "Y": 0, "Z": 25}), ("G1", {"X": 20, "Z": 18, "F": 5})])
+    small.add("Right", [("G0", {"X": 50, "Y": 5, "Z": 25}), ("G1", {"X": 60, "Z": 18, "F": 5})])
+
+    def told(what):
+        return [[remark.arguments for remark in row.remarks if remark.code == "beyond-travel"]
+                for row in vkworkbench.analyze(what).operations]  # fmt: skip
+
+    assert told(small.document) == [[], []]
+    preferences.write(travel_x=59.0, travel_z=7.0)
+    expected = {"axis": "X", "needed": 60.0, "travel": 59.0}
+    assert told(small.document) == [[expected], []]
+    preferences.write(travel_x=60.0)
+    assert told(small.document) == [[], []]

@@ -43,7 +43,7 @@ from vkworkbench.document.job.setting import placed
 from vkworkbench.document.simulation.faults import with_faults
 from vkworkbench.language import Message, Unusable
 from vkworkbench.preferences import Preferences
-from vkworkbench.report import Cancelled, OperationReport, Report, without_results
+from vkworkbench.report import Cancelled, OperationReport, Report, extent_of, with_travel, without_results
 
 _WAIT = 0.02  # s between two calls of `cancelled`
 
@@ -125,6 +125,8 @@ def analyze(
     known = results.latest_rows(reports)
     wholes = [[known[key] for key in of_job if key in known] for of_job in posted]
     _in_thread(lambda going_on: _estimate_shown(reports, wholes, chosen.simulators, going_on), cancelled)
+    for whole in wholes:
+        reports = with_travel(reports, whole, chosen.travel)
     return Report(tuple(reports), job_labels, chosen.budget, fixtures, simulator=chosen.simulator)
 
 
@@ -249,6 +251,7 @@ def _analysed(
         remarks=tuple(remarks),
         fingerprint=fingerprint_of("", reading.setting_fingerprint),
         called=reading.intent if contradicts(reading.intent, found) else None,
+        extent=extent_of(toolpath),
     )  # fmt: skip
 
 

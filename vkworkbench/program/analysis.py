@@ -38,7 +38,7 @@ from vkworkbench.core.simulators import Conditions, Task, predict
 from vkworkbench.language import Message, Unusable
 from vkworkbench.preferences import Preferences
 from vkworkbench.program.files import find_programs, read_bytes, text_of
-from vkworkbench.report import Cancelled, OperationReport, Report, without_results
+from vkworkbench.report import Cancelled, OperationReport, Report, extent_of, with_travel, without_results
 
 
 def is_path(what) -> bool:
@@ -108,7 +108,8 @@ def analyze_file(path: Path, chosen: Preferences) -> tuple[OperationReport, ...]
         file that cannot be read has one row with the reason in its remarks, which is not counted.
     """
     try:
-        return tuple(_rows(path, read_program(text_of(read_bytes(path))), chosen))
+        rows = _rows(path, read_program(text_of(read_bytes(path))), chosen)
+        return tuple(with_travel(rows, rows, chosen.travel))
     except Unusable as error:
         return (unread(path, error.what),)
     except MemoryError:
@@ -247,7 +248,13 @@ def _row(whole: _Whole, part: Toolpath, section: Section, problems: list[Problem
     else:
         remarks.append(Message("tool-not-told"))
     return replace(
-        row, recognition=found, machining=_machining(part, problems), costs=costs, advice=advice, remarks=tuple(remarks)
+        row,
+        extent=extent_of(part),
+        recognition=found,
+        machining=_machining(part, problems),
+        costs=costs,
+        advice=advice,
+        remarks=tuple(remarks),
     )
 
 

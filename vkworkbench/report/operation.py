@@ -52,6 +52,8 @@ class OperationReport(Costs):
         FreeCAD's name of the operation's type or pattern, if its toolpath contradicts it, e.g. ``"Offset"`` for a zigzag.
     simulated : CutFacts or None
         Facts of a simulation, see `Report.with_facts`; None without a simulation.
+    extent : tuple of (3,) tuples of float, or None
+        Lowest and highest coordinates of the tool's tip, mm; None without a position.
     """
 
     document: str
@@ -70,6 +72,7 @@ class OperationReport(Costs):
     document_id: str = ""
     called: str | None = None
     simulated: CutFacts | None = None
+    extent: tuple[tuple[float, float, float], tuple[float, float, float]] | None = None
 
     def __repr__(self) -> str:
         """Return one line, because all attributes would fill pages of a console."""

@@ -33,6 +33,9 @@ OPERATIONS: dict[str, str | tuple[str, str]] = {
     "tip-diameter": QT_TRANSLATE_NOOP(
         "Sentences", "The diameter of the tip must be between 0 and {diameter:mm}, not {tip:mm}."
     ),
+    "beyond-travel": QT_TRANSLATE_NOOP(
+        "Sentences", "The job moves {needed:mm4} along {axis}, but the travel of the machine is {travel:mm4}."
+    ),
     "no-job": QT_TRANSLATE_NOOP("Sentences", "The toolpath has no stock. Put it into a job."),
     "no-stock": QT_TRANSLATE_NOOP("Sentences", "{label} has no stock. Give it one in the job's settings."),
     "stock-not-finite": QT_TRANSLATE_NOOP(

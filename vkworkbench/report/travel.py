@@ -1,0 +1,52 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Compare the space that a job needs with the travel of the machine."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from dataclasses import replace
+
+from vkworkbench.core import Toolpath
+from vkworkbench.language import Message
+from vkworkbench.report.operation import OperationReport
+
+# Share by which a job may exceed the travel because of rounding.
+_ROUNDING = 1e-9
+
+
+def extent_of(toolpath: Toolpath) -> tuple[tuple[float, float, float], tuple[float, float, float]] | None:
+    """Return the lowest and the highest coordinates of the tool's tip, mm; None without a position."""
+    if not len(toolpath.points):
+        return None
+    return tuple(toolpath.points.min(axis=0).tolist()), tuple(toolpath.points.max(axis=0).tolist())
+
+
+def with_travel(
+    rows: Sequence[OperationReport], job: Iterable[OperationReport], travel: tuple[float, float, float]
+) -> list[OperationReport]:
+    """Return the rows of a report. The first one of a job has a remark for each axis along which the job needs more travel.
+
+    Parameters
+    ----------
+    rows : sequence of OperationReport
+        Rows of the report.
+    job : iterable of OperationReport
+        Rows of one job; not all need be in the report.
+    travel : tuple of float
+        Travel of the machine along X, Y and Z, mm; 0 if unknown.
+    """
+    job = list(job)
+    extents = [row.extent for row in job if row.extent]
+    remarks = []
+    for axis, name in enumerate("XYZ"):
+        needed = max((high[axis] for _, high in extents), default=0.0) - min(
+            (low[axis] for low, _ in extents), default=0.0
+        )
+        if 0 < travel[axis] * (1 + _ROUNDING) < needed:
+            remarks.append(Message("beyond-travel", axis=name, needed=needed, travel=travel[axis]))
+    rows = list(rows)
+    names = [(row.document, row.name) for row in rows]
+    own = [names.index((row.document, row.name)) for row in job if (row.document, row.name) in names]
+    if remarks and own:
+        rows[own[0]] = replace(rows[own[0]], remarks=(*rows[own[0]].remarks, *remarks))
+    return rows
