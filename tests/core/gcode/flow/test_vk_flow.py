@@ -98,7 +98,7 @@ FANUC = {
     "repeated": ("G91 G65 P9000 L3 A2\nX9\nM30", "O9000\nX#1\n#1=5\nM99", [2, 4, 6, 15]),
     "own variables": ("#1=7\n#100=1\nG65 P9000 A3\nX#1\nX#100\nM30", "O9000\nX#1\n#1=4\n#100=8\nM99", [3, 7, 8]),
     "variables of M98": ("#1=7\nM98 P9000\nX#1\nM30", "O9000\nX#1\n#1=4\nM99", [7, 4]),
-    "empty": ("#1=0\nG65 P9000 B5\nM30", "O9000\nX1\nX#1 Y#2\nIF[#1EQ#0]GOTO5\nX2\nN5 X3\nIF[#3NE#0]THEN #2=8\nX#2\nM99", [1, 1, 3, 5]),
+    "empty": ("#1=0\nG65 P9000 B5\nM30", "O9000\nX1\nX#1 Z-#1 Y#2\nIF[#1EQ#0]GOTO5\nX2\nN5 X3\nIF[#3NE#0]THEN #2=8\nX#2\nM99", [1, 1, 3, 5]),
     "empty is 0 in sums": ("G65 P9000\nM30", "O9000\nX[#1+2]\n#5=#0\nX#5\nX[#5*3+1]\nM99", [2, 1]),
     "rounded": ("X1\nX[FIX[-1.5]]\nX[FUP[-1.5]]\nX[FIX[1.5]+FUP[1.2]]\nX[ROUND[3.5]]\n(GOTO)N1 IF[0]GOTO1\nM30", "", [1, -1, -2, 3, 4]),
     "bits": ("IF[0]GOTO1\nN1 X[12 AND 10]\nX[12 OR 3]\nX[12 XOR 10]\nX[1+6 AND 2]\nM30", "", [8, 15, 6, 3]),

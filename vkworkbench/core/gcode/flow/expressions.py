@@ -17,7 +17,7 @@ from vkworkbench.language import Message
 
 # One step of a calculation: its kind, and its number, name or function.
 Postfix = Tuple[Tuple[int, Any], ...]
-_NUMBER, _UNARY, _BINARY, _ON_VACANT, _NUMBERED, _NAMED, _EXISTS, _EXISTS_NUMBERED = range(8)
+_NUMBER, _NEGATE, _UNARY, _BINARY, _ON_VACANT, _NUMBERED, _NAMED, _EXISTS, _EXISTS_NUMBERED = range(9)
 
 _DIGITS = re.compile(r"(?:\d+\.?\d*|\.\d+)(?:E[-+]?\d+)?")
 _INDEX = re.compile(r"\d+\.?\d*")  # without an exponent: in X#1 E5, the E is a word
@@ -101,7 +101,7 @@ class Parser:
         else:
             code = ((_NUMBER, self._number()),)
         self._depth -= 1
-        return (*code, (_UNARY, float.__neg__)) if negative else code
+        return (*code, (_NEGATE, None)) if negative else code
 
     def variable(self) -> Postfix:
         """Read the number or the name of a variable, after its ``#``; return the code that reads the variable."""
@@ -218,6 +218,8 @@ def evaluate(code: Postfix, variables: Variables) -> float | None:
             stack[-1] = variables.numbered(stack[-1])
         elif kind == _NAMED:
             stack.append(variables.named(what))
+        elif kind == _NEGATE:
+            stack[-1] = None if stack[-1] is None else -stack[-1]  # X-#1 leaves out its word as X#1 does
         elif kind == _UNARY:
             stack[-1] = _result(what, stack[-1] or 0.0)
         elif kind == _BINARY:
