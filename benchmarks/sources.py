@@ -25,15 +25,15 @@ def report_sources(files: list[str], programs: str | None) -> None:
     borders = learn_borders.left_out(*learn_borders.retracts(list(records.programs(programs)), single)[:4])[0]
     found = leave_out(e, "group")
     fold = dict(zip(e.group.tolist(), found.fold.tolist()))
-    in_use = decide.shipped_model, visits.FOREST
+    in_use = decide.shipped_model, visits.shipped_forest
 
     def learn(group: str) -> None:
         # Nothing was learned from a group in which nothing is milled.
         decide.shipped_model = lambda: found.models[fold.get(group, 0)]
-        visits.FOREST = borders.get(group, in_use[1])
+        visits.shipped_forest = lambda: borders.get(group) or in_use[1]()
 
     try:
         whole_programs.report_programs(programs, learn)
         whole_programs.report_joined(single, learn)
     finally:
-        decide.shipped_model, visits.FOREST = in_use
+        decide.shipped_model, visits.shipped_forest = in_use

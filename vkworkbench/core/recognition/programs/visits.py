@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import lru_cache
 from typing import NamedTuple
 
 import numpy as np
@@ -14,7 +15,11 @@ from vkworkbench.core.recognition.thresholds import ROUNDING, VISITS
 from vkworkbench.core.recognition.verdict.forest import Forest
 from vkworkbench.core.toolpath import Toolpath
 
-FOREST = Forest(TREES, 2)
+
+@lru_cache(maxsize=1)
+def shipped_forest() -> Forest:
+    """Return the trees that tell the borders; read once, where a program is divided for the first time."""
+    return Forest(TREES, 2)
 
 
 @dataclass(frozen=True)
@@ -302,7 +307,7 @@ def _retracts_to_top(toolpath: Toolpath, moves: Areas, least: float) -> tuple[di
     visits = find_visits(toolpath, moves)
     if visits is None:
         return {}, []
-    share = FOREST.shares(compare_visits(visits))[:, 1]
+    share = shipped_forest().shares(compare_visits(visits))[:, 1]
     at = np.flatnonzero(share > least)
     # At the highest point between two visits, before the descent to the next one.
     z = toolpath.points[:, 2]
