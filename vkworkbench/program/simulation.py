@@ -22,6 +22,7 @@ from vkworkbench.core.zbuffer import (
     check_crashes,
     facts,
     holder_collisions,
+    measure_volumes,
     trajectory_table,
 )
 from vkworkbench.given import check_file_name, of_kind
@@ -225,9 +226,10 @@ class ProgramSimulation(SimulatedPart):
         seconds = preferences.read().time_budget
         collisions = holder_collisions(zbuffer.cuts, self.stock, clamps=self.clamps, memory_budget=self.memory_budget)
         checked = check_crashes(program.cuts, self.stock, seconds=seconds)
-        found = facts(zbuffer, checked, tolerance=tolerance, collisions=collisions)
+        measured = measure_volumes(program.cuts, self.stock, seconds=seconds)
+        found = facts(zbuffer, checked, measured, tolerance=tolerance, collisions=collisions)
         names = tuple((str(program.path), lines) for lines in program.lines)
-        operations, table = tuple(zip(program.labels, found.cuts)), trajectory_table(zbuffer)
+        operations, table = tuple(zip(program.labels, found.cuts)), trajectory_table(zbuffer, measured)
         prints = ("",) * len(operations)
         verdict = replace(found.verdict, lines=True)
         return SimulationFacts(operations, found.job, names, prints, table, program.remarks, verdict)

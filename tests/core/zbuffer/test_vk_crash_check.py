@@ -10,7 +10,7 @@ import pytest
 from zbuffer_inputs import toolpath
 
 from vkworkbench.core import Cut, Cylinder, Stock, Tool, View
-from vkworkbench.core.zbuffer import check_crashes, crashes, simulate_job
+from vkworkbench.core.zbuffer import axis_view, check_crashes, crashes, simulate_job
 
 BLOCK, PLATE = Stock((0, 0, 0), (100, 80, 20)), Stock((0, 0, 0), (600, 400, 20))
 FLAT = Tool("endmill", 6)
@@ -104,6 +104,17 @@ def test_moves_without_time_are_named():
     cut = Cut(plunges(TWELVE), Tool("endmill", 0.5))
     found = check_crashes([cut], PLATE, seconds=0)
     assert found.crashes == () and [source.command for source in found.unchecked] == list(range(0, 36, 3))
+
+
+@pytest.mark.parametrize("memory, pixel", [(-1.0, None), (30e6, None), (1e9, 0.05)])
+def test_axis_view_is_useful_and_within_its_budget(memory, pixel):
+    """A block of 100 x 80 mm and a tool of 6 mm. Half the tolerance is fine enough."""
+    view = axis_view([Cut(plunges([(50, 40)]), FLAT)], BLOCK, memory_bytes=memory, seconds=60)
+    assert view.direction == (0, 0, -1)
+    if pixel is not None:
+        assert (view.pixel, view.width, view.height) == (pixel, 2000, 1600)
+    else:
+        assert view.frame(BLOCK).pixel > 0.1 and (memory > 0 or view.width == 1)
 
 
 def test_check_can_be_ended():

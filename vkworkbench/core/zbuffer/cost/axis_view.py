@@ -48,7 +48,7 @@ def axis_view(cuts: Iterable[Cut], stock: Solid, *, memory_bytes: float, seconds
     extent = (stock.upper - stock.lower)[:2]
     first = _image(extent, max(extent.max() / _FIRST, useful))
     estimate = estimate_job(cuts, stock=stock, view=first, speed=speed)
-    best = best_resolution([estimate], memory_bytes=memory_bytes / _COMPARING, seconds=seconds).view
+    best = best_resolution([estimate], memory_bytes=max(memory_bytes / _COMPARING, 1.0), seconds=seconds).view
     if best is None:
         return replace(first, width=1, height=1, pixel=None)
     return _image(extent, max(best.frame(stock).pixel, useful))
