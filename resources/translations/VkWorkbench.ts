@@ -2495,6 +2495,10 @@ Memory</source>
         <source>Checking… {}</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Gray: removal rate. Orange: cuts air. Triangles: warnings.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>Vk_Strategies</name>

@@ -2501,6 +2501,10 @@ höchstens</translation>
         <source>Checking… {}</source>
         <translation>Prüfung… {}</translation>
     </message>
+    <message>
+        <source>Gray: removal rate. Orange: cuts air. Triangles: warnings.</source>
+        <translation>Grau: Zeitspanvolumen. Orange: Luftschnitte. Dreiecke: Warnungen.</translation>
+    </message>
 </context>
 <context>
     <name>Vk_Strategies</name>

@@ -2501,6 +2501,10 @@ como mucho</translation>
         <source>Checking… {}</source>
         <translation>Comprobando… {}</translation>
     </message>
+    <message>
+        <source>Gray: removal rate. Orange: cuts air. Triangles: warnings.</source>
+        <translation>Gris: caudal de viruta. Naranja: corte en el aire. Triángulos: avisos.</translation>
+    </message>
 </context>
 <context>
     <name>Vk_Strategies</name>

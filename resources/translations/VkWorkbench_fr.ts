@@ -2501,6 +2501,10 @@ au plus</translation>
         <source>Checking… {}</source>
         <translation>Vérification… {}</translation>
     </message>
+    <message>
+        <source>Gray: removal rate. Orange: cuts air. Triangles: warnings.</source>
+        <translation>Gris : débit de matière. Orange : coupe dans l&apos;air. Triangles : avertissements.</translation>
+    </message>
 </context>
 <context>
     <name>Vk_Strategies</name>

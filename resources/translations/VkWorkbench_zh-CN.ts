@@ -2501,6 +2501,10 @@ at Most</source>
         <source>Checking… {}</source>
         <translation>正在检查… {}</translation>
     </message>
+    <message>
+        <source>Gray: removal rate. Orange: cuts air. Triangles: warnings.</source>
+        <translation>灰色：材料去除率。橙色：空切。三角：警告。</translation>
+    </message>
 </context>
 <context>
     <name>Vk_Strategies</name>

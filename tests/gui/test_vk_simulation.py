@@ -304,6 +304,16 @@ def test_colourings_and_chips_change_the_picture(simulated, window):
     assert len(pictures) == simulated.scene_bar.colorings.count() + 2
 
 
+def test_time_line_explains_its_colours(simulated, window):
+    line = simulated.time_line
+    for y, expected in ((6, True), (line.height() - 14, False)):  # over the curve, and over the operations
+        QtGui.QToolTip.hideText()
+        window.mouse_move(line, QtCore.QPoint(line.width() // 2, y), QtCore.Qt.NoButton)
+        window.wait(QtGui.QToolTip.isVisible)
+        assert ("Orange: cuts air." in QtGui.QToolTip.text()) == expected
+    QtGui.QToolTip.hideText()
+
+
 def test_model_before_the_finest_picture_is_not_called_missing(simulated):
     drawing = simulated.drawing
     simulated.scene_bar.colorings.setCurrentIndex(simulated.scene_bar.colorings.count() - 1)

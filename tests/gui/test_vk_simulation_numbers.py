@@ -18,6 +18,7 @@ from vkworkbench.document.simulation.simulate import simulate_read
 from vkworkbench.gui.simulation import coloring, exports
 from vkworkbench.gui.simulation.faults import Fault, KnownFaults, differences, judge
 from vkworkbench.gui.simulation.moment import Clock
+from vkworkbench.gui.simulation.part_view import round_length
 from vkworkbench.gui.simulation.simulating import Budgets, Findings, Simulating
 from vkworkbench.gui.simulation.time_line import TimeLine
 from vkworkbench.language import Message, Unusable
@@ -183,3 +184,10 @@ def test_time_line_shows_air_cuts():
     assert removed.tolist() == pytest.approx([3.0, 0.0, 2.5, 2.5])
     assert air.tolist() == pytest.approx([0.0, 1.0, 0.0, 0.0])
     line.deleteLater()
+
+
+@pytest.mark.parametrize(
+    ("most", "expected"), [(34.9, 20), (1.0, 1), (0.99, 0.5), (5.0, 5), (0.0023, 0.002), (7e4, 5e4)]
+)
+def test_scale_bar_has_a_round_length(most, expected):
+    assert round_length(most) == pytest.approx(expected)

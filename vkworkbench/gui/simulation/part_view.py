@@ -3,6 +3,8 @@
 
 from __future__ import annotations
 
+from math import floor, log10
+
 import FreeCAD
 import numpy as np
 
@@ -26,6 +28,7 @@ from vkworkbench.gui.qt.names import (
     QWidget,
     Signal,
 )  # fmt: skip
+from vkworkbench.gui.qt.sentences import user
 from vkworkbench.gui.qt.text import translate
 
 TURN, PAN = "turn", "pan"
@@ -62,6 +65,13 @@ _TURN_SPEED = 0.008  # rad for each pixel of the mouse
 _ZOOM = 1.2  # factor for each notch of the wheel
 _RING = 14  # radius, px
 _MARGIN = 1.06  # size of the image relative to the stock
+_SCALE, _SCALE_GAP = 120, 8  # longest scale bar, and its distance from the corner, px
+
+
+def round_length(most: float) -> float:
+    """Return the largest of the numbers 1, 2 and 5, multiplied by powers of ten, that is at most `most`."""
+    power = 10.0 ** floor(log10(most))
+    return next(digit * power for digit in (5, 2, 1) if digit * power <= most * (1 + 1e-9))
 
 
 class PartView(QWidget):
@@ -155,6 +165,7 @@ class PartView(QWidget):
         if self._scene is None:
             return
         ratio = self.devicePixelRatioF()
+        painter.save()
         painter.scale(1 / ratio, 1 / ratio)
         # The scene of the latest change is still being drawn; its place shows where the part is going.
         wanted = self.frame
@@ -174,6 +185,20 @@ class PartView(QWidget):
             for color, width in (("#ffffff", 5), ("#d32f2f", 2.5)):  # visible on any surface
                 painter.setPen(QPen(QColor(color), width * ratio))
                 painter.drawEllipse(QPointF(column, row), _RING * ratio, _RING * ratio)
+        painter.restore()
+        self._paint_scale(painter, wanted.pixel * ratio)
+
+    def _paint_scale(self, painter: QPainter, pixel: float) -> None:
+        """Paint a bar of a round length; `pixel` is the size of the widget's pixels, mm."""
+        factor, _ = user().length_unit(_SCALE * pixel)
+        length = factor * round_length(_SCALE * pixel / factor)
+        left, bottom = _SCALE_GAP, self.height() - _SCALE_GAP
+        right = left + length / pixel
+        painter.setPen(QPen(self.palette().text().color(), 1))
+        painter.drawPolyline(QPolygonF([QPointF(x, y) for x, y in (
+            (left, bottom - _SCALE_GAP / 2), (left, bottom), (right, bottom), (right, bottom - _SCALE_GAP / 2)
+        )]))  # fmt: skip
+        painter.drawText(QPointF(left + _SCALE_GAP / 2, bottom - _SCALE_GAP / 2), user().measure(length, 1))
 
     def _place(self, wanted: Frame) -> QRectF:
         """Return the rectangle of the shown scene in the image of the present view."""

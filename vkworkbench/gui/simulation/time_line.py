@@ -270,6 +270,8 @@ class TimeLine(KeyedWidget):
         near = [w for w in self._warned if abs(x - self.x_of(w.seconds)) <= _MARK][:_MAX_WARNINGS]
         near = [w.text() for w in near]
         near += [b.tooltip for b in self._blocks if b.begin <= seconds <= b.end][:1]
+        if event.pos().y() < self._curve_height + _AIR:
+            near.append(translate("Vk_Simulate", "Gray: removal rate. Orange: cuts air. Triangles: warnings."))
         show_tooltip(self.mapToGlobal(event.pos()), lines("\n".join(near)), self)
 
     def mouseReleaseEvent(self, event) -> None:
