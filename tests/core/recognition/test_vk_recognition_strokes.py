@@ -13,7 +13,9 @@ import pytest
 from toolpaths.strokes import SAMPLES, dogbones, entered, open_adaptive, open_offsets, ramps
 from vkworkbench.core import Strategy, linearize, recognize
 from vkworkbench.core.paper import TURN, monotonous_areas
+from vkworkbench.core.recognition.patterns.section import Section
 from vkworkbench.core.recognition.patterns.spurs import without_spurs
+from vkworkbench.core.recognition.verdict.rules import judge_section
 
 SEEDS = 8
 
@@ -98,3 +100,16 @@ def test_an_open_contour_to_and_fro_on_a_ramp_is_a_profile(share, tool):
     stroke = [(x, y, -5 * k / (len(points) - 1)) for k, (x, y) in enumerate(points)]
     found = recognize(linearize(programs.program([stroke])), tool_diameter=tool)
     assert found.strategy == Strategy.PROFILE and found.confidence > 0.7
+
+
+@pytest.mark.parametrize("seed", range(4))
+def test_curls_of_a_drawing_are_not_bites(seed):
+    """Curls of one sense overlap by chance; the bites of adaptive clearing lie beside one another."""
+    rng, commands = np.random.default_rng(seed), [("G0", {"X": 0.0, "Y": 0.0, "Z": 5.0})]
+    for k in range(60):
+        angles = rng.uniform(0, TURN) - np.linspace(0, rng.uniform(3, 6), 20)
+        x, y = (rng.uniform(0, 4) + rng.uniform(0.5, 1) * of(angles) for of in (np.cos, np.sin))
+        x += 0.1 * k
+        commands += [("G0", {"Z": 5.0}), ("G0", {"X": x[0], "Y": y[0]}), ("G1", {"Z": -0.2, "F": 5.0})]
+        commands += [("G1", {"X": a, "Y": b}) for a, b in zip(x[1:], y[1:])]
+    assert judge_section(Section(monotonous_areas(linearize(commands)), 0.0)).strategy == "engraving"

@@ -433,6 +433,9 @@ class BITES:
     #: turns. A stroke that bends more may be a bite. Higher: there are no bites, and adaptive clearing becomes a spiral
     #: or engraving.
     BENT = 0.25
+    #: share of the smaller size. Largest distance between the middles of one bite and the next. 0: there are no bites.
+    #: Higher: curls of a drawing, which overlap by chance, become adaptive.
+    MOVED = 0.5
     #: share of the length. Minimum share of bites in adaptive clearing. 0: spirals and profiles in real programs become
     #: adaptive. 1: nothing is adaptive.
     SHARE = 0.1

@@ -11,7 +11,7 @@ from vkworkbench.core.paper import TURN
 from vkworkbench.core.recognition.patterns.footprints import count_depths, footprints
 from vkworkbench.core.recognition.patterns.pieces import Pieces
 from vkworkbench.core.recognition.patterns.rows import weighted_median
-from vkworkbench.core.recognition.thresholds import BITES, ROUNDING, WINDINGS
+from vkworkbench.core.recognition.thresholds import BITES, MAJORITY, ROUNDING, WINDINGS
 
 
 @dataclass(frozen=True)
@@ -25,8 +25,8 @@ class Strokes:
     length : (k,) float
         mm.
     bite : (k,) bool
-        Bends by more than a quarter turn in the sense of most strokes, and overlaps the stroke before or after it at the same
-        depth: the arcs that adaptive clearing cuts one after the other.
+        Bends by more than a quarter turn in the sense of most strokes, and lies close to the stroke before or after it at the
+        same depth: the arcs that adaptive clearing cuts one after the other.
     against : (k,) bool
         Bends by more than a quarter turn in the other sense.
     sloped : (k,) bool
@@ -69,13 +69,18 @@ def relate_strokes(pieces: Pieces, index: np.ndarray) -> Strokes:
     sense = np.sign(pieces.net[index[bent]])
     common = np.sign((length[bent] * sense).sum())
     box, z = pieces.box[index[bent]], pieces.z[index]
-    meets = (box[:-1, :2] < box[1:, 2:]) & (box[1:, :2] < box[:-1, 2:])
-    meets = meets.all(axis=1) & (np.abs(np.diff(z[bent])) < ROUNDING.HEIGHT)
+    centre, size = (box[:, :2] + box[:, 2:]) / 2, np.hypot(*(box[:, 2:] - box[:, :2]).T)
+    moved = np.hypot(*np.diff(centre, axis=0).T)
+    meets = moved < BITES.MOVED * np.minimum(size[1:], size[:-1])
+    meets &= np.abs(np.diff(z[bent])) < ROUNDING.HEIGHT
     beside = np.zeros(len(bent), bool)
     beside[:-1] |= meets
     beside[1:] |= meets
     bite, against = np.zeros(len(index), bool), np.zeros(len(index), bool)
-    bite[bent[(sense == common) & beside]] = True
+    with_most = sense == common
+    # If most strokes of this sense lie elsewhere, the others lie beside one another by chance.
+    if np.count_nonzero(with_most & beside) >= MAJORITY.SHARE * np.count_nonzero(with_most):
+        bite[bent[with_most & beside]] = True
     against[bent[sense == -common]] = True
     _, distinct = footprints(pieces, index)
     return Strokes(
