@@ -157,7 +157,7 @@ def test_corners_that_are_nearly_the_same_are_one():
 def test_triangles_without_area_do_not_count(same):
     """Two of whose corners are one."""
     block = box((0, 0, 0), (2, 3, 4)).reshape(-1, 3)
-    flat = block[[same]]
+    flat = block[np.array([same])]
     assert len(Mesh(np.concatenate((block.reshape(-1, 3, 3), flat))).triangles) == 12
     with pytest.raises(Unusable) as refused:
         Mesh(flat)

@@ -60,9 +60,9 @@ class View:
         set_to = partial(object.__setattr__, self)
         direction = numbers("direction", self.direction, "three finite numbers that are not all zero", _is_direction)
         set_to("direction", tuple(direction.tolist()))
-        takes = f"a whole number of pixels, at least 1 and at most {LONGEST_SIDE:,}"
         for name in ("width", "height"):
-            set_to(name, whole(name, getattr(self, name), takes, lambda n: 1 <= n <= LONGEST_SIDE))
+            set_to(name, whole(name, getattr(self, name), "a whole number of pixels, at least 1", lambda n: n >= 1))
+            whole(name, getattr(self, name), f"at most {LONGEST_SIDE:,} pixels", lambda n: n <= LONGEST_SIDE)
         whole("width * height", self.width * self.height, f"at most {MOST_PIXELS:,} pixels", lambda n: n <= MOST_PIXELS)
         if self.pixel is not None:
             takes = f"a positive number of mm, from {_SMALLEST_PIXEL:g} to {_LARGEST_PIXEL:g}"

@@ -53,7 +53,7 @@ def test_tool_with_an_impossible_tip_is_refused(angle):
 def test_mesh_of_impossible_size_is_refused(size):
     corners = size * np.vstack((np.zeros(3), np.eye(3)))
     with pytest.raises(Unusable, match="within a kilometer"):
-        Mesh(corners[[[0, 1, 2], [0, 1, 3], [0, 2, 3], [1, 2, 3]]])
+        Mesh(corners[np.array([[0, 1, 2], [0, 1, 3], [0, 2, 3], [1, 2, 3]])])
 
 
 @pytest.mark.parametrize("corner, words", [

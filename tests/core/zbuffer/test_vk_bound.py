@@ -53,7 +53,7 @@ def test_a_round_stock_is_bounded_as_well(direction):
 def test_a_mesh_has_no_bound_and_nothing_is_sure_of_it():
     path = linearize([("G0", {"X": 0.0, "Y": 0.0, "Z": 5.0}), ("G1", {"Z": -2.0})])
     corners = np.array([(-9, -9, -5), (9, -9, -5), (0, 9, -5), (0, 0, 0)], float)
-    mesh = Mesh(corners[[(0, 1, 2), (0, 1, 3), (1, 2, 3), (2, 0, 3)]])
+    mesh = Mesh(corners[np.array([(0, 1, 2), (0, 1, 3), (1, 2, 3), (2, 0, 3)])])
     assert most_bytes(path, tool=TOOLS[0], stock=mesh, view=View()) == np.inf and not cuts_surely(path, mesh)
     assert cuts_surely(path, Stock((-9, -9, -5), (9, 9, 0))) and not cuts_surely(path, Stock((1, 1, -5), (9, 9, 0)))
 

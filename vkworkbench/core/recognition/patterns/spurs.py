@@ -37,7 +37,7 @@ def without_spurs(moves: Areas) -> Areas:
     after = out + 2
     turn = closing_turns(moves.alpha, after, out)
     more = np.zeros(len(moves))
-    more[after] = turn - moves.turning[[out, out + 1, after]].sum(axis=0)  # in place of three turns
+    more[after] = turn - moves.turning[np.array([out, out + 1, after])].sum(axis=0)  # in place of three turns
     turning = moves.turning.copy()
     turning[after] = turn
     more = np.cumsum(more)
