@@ -22,6 +22,10 @@ LATER = {"pairwise", "batched", "bit_count", "hardlink_to", "TaskGroup", "StrEnu
          "root_dir", "EncodingWarning", "walk_up"}  # fmt: skip
 
 
+# Types that have no type parameters at run time.
+GENERIC = {"dict", "frozenset", "list", "set", "tuple", "type"}
+
+
 def newer(source: str) -> list[str]:
     """Return the uses of newer Python features in a source text, by line.
 
@@ -37,9 +41,20 @@ def newer(source: str) -> list[str]:
         isinstance(node, ast.BinOp) for annotation in _annotations(tree) for node in ast.walk(annotation)
     ):
         found.append("1: annotations are evaluated")
+    generic = GENERIC | {
+        alias.name
+        for node in ast.walk(tree)
+        if isinstance(node, ast.ImportFrom) and node.module == "collections.abc"
+        for alias in node.names
+    }
+    annotated = {id(node) for annotation in _annotations(tree) for node in ast.walk(annotation)}
     for node in ast.walk(tree):
         if isinstance(node, ast.Match):
             found.append(f"{node.lineno}: match")
+        elif (
+            isinstance(node, ast.Subscript) and id(node) not in annotated and getattr(node.value, "id", None) in generic
+        ):
+            found.append(f"{node.lineno}: {node.value.id}[]")
         elif isinstance(node, ast.Attribute) and node.attr in LATER:
             found.append(f"{node.lineno}: {node.attr}")
         elif isinstance(node, ast.keyword) and node.arg in LATER | {"strict"}:
@@ -60,6 +75,7 @@ def test_code_uses_no_newer_python():
 
 @pytest.mark.sources
 @pytest.mark.parametrize("source, what", [
+    ("from collections.abc import Callable\nA = Callable[[int], int]", "2: Callable[]"), ("A = list[int]", "1: list[]"),
     ("match 1:\n    case 1: pass", "2: "), ("x.bit_count()", "1: bit_count"), ("zip(a, b, strict=True)", "1: strict="),
     ("x: int | None = None", "1: annotations"), ("try:\n    pass\nexcept* ValueError:\n    pass", ""),
     ("@dataclass(slots=True)\nclass A: pass", "1: slots="),

@@ -10,6 +10,7 @@ from __future__ import annotations
 import time
 import traceback
 from collections.abc import Callable, Iterator
+from typing import Tuple
 
 import FreeCAD
 import FreeCADGui as Gui
@@ -27,7 +28,7 @@ from vkworkbench.report import Cancelled
 
 _SLICE = 0.03  # s for copying paths of a document between other events
 
-Key = tuple[str, str]  # the names of document and object
+Key = Tuple[str, str]  # the names of document and object
 
 
 def _groups(obj) -> list[coin.SoGroup]:

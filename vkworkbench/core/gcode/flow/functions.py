@@ -7,8 +7,7 @@ Angles are in degrees. The functions raise ArithmeticError or ValueError where a
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
-from typing import Any
+from typing import Any, Callable  # Python 3.8 evaluates these types, and collections.abc has none there
 
 Unary = Callable[[float], float]
 Binary = Callable[[Any, Any], float]
