@@ -131,7 +131,7 @@ def test_what_cuts_nothing_is_no_unknown_cost(twice):
     (total,) = report.totals
     assert report.operations[-1].trajectories and not total.incomplete
     vkworkbench.mark(report)
-    assert "≥" not in twice.job.Label2 and "Away" not in twice.job.Label2
+    assert "sim ≥" not in twice.job.Label2 and "Away" not in twice.job.Label2
 
 
 def test_a_closed_document_is_forgotten(twice):

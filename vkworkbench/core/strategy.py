@@ -77,7 +77,7 @@ class Strategy(str, enum.Enum):
     )  # fmt: skip
     HELIX = (
         "helix", QT_TRANSLATE_NOOP("Strategy", "helix"), Family.AROUND, "#4e7e30",
-        "Winding that descends at a constant radius (bore, thread, ramp).",
+        "Winding that descends or climbs at a constant radius (bore, thread, ramp).",
     )  # fmt: skip
     ADAPTIVE = (
         "adaptive", QT_TRANSLATE_NOOP("Strategy", "adaptive"), Family.AROUND, "#e4243c",

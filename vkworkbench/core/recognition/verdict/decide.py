@@ -68,8 +68,8 @@ def decide(s: Section, rules: Verdict, paper: PaperVerdict | None) -> tuple[Verd
     nonsense, votes = model.vote(known)
     said, share = elect(nonsense, votes, STRATEGIES.index(rules.strategy))
     if STRATEGIES[said] is not rules.strategy:
-        how = "like-nothing" if STRATEGIES[said] is Strategy.UNKNOWN else "like-others"
-        seen = Message(how, share=share)
+        nothing = STRATEGIES[said] is Strategy.UNKNOWN
+        seen = Message("like-nothing", share=share) if nothing else Message("like-others", share=share)
         rules = replace(rules, strategy=STRATEGIES[said], seen=seen, parts=(), step=None)
     return rules, min(VOTES.SUREST, model.sureness(share))
 
