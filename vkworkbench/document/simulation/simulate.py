@@ -10,8 +10,9 @@ import FreeCAD
 import Mesh
 import numpy as np
 
-from vkworkbench import core, preferences
-from vkworkbench.core import Solid, View, ZBuffer, simulate_job
+from vkworkbench import preferences
+from vkworkbench.core import Cylinder, Solid, Stock, View, ZBuffer, simulate_job
+from vkworkbench.core import Mesh as MeshStock
 from vkworkbench.core.zbuffer import TOLERANCE, OverBudget, trajectory_table
 from vkworkbench.document.simulation.along_axis import OnceAlongAxis
 from vkworkbench.document.simulation.copy import read_job
@@ -99,7 +100,7 @@ def _with_stock(job: SimulatedJob, stock: Simulation | Solid | None) -> Simulate
     of_kind(
         "stock",
         stock,
-        (Simulation, core.Stock, core.Cylinder, core.Mesh),
+        (Simulation, Stock, Cylinder, MeshStock),
         "a simulation, or a solid such as a Stock(lower, upper)",
     )
     if not isinstance(stock, Simulation):
