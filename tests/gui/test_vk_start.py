@@ -18,7 +18,7 @@ def test_window_is_there():
 # The only modules of the add-on that FreeCAD's start may load. The modules do not import numpy.
 AT_START = {
     "vkworkbench", "vkworkbench.freecad", "vkworkbench.preferences", "vkworkbench.document",
-    "vkworkbench.document.computer", "vkworkbench.document.computer.idle", "vkworkbench.document.marks", "vkworkbench.document.job", "vkworkbench.document.marks.properties", "vkworkbench.document.job.operations", "vkworkbench.gui", "vkworkbench.gui.qt.plain_text", "vkworkbench.gui.preferences_page",
+    "vkworkbench.document.computer", "vkworkbench.document.computer.idle", "vkworkbench.document.marks", "vkworkbench.document.job", "vkworkbench.document.marks.properties", "vkworkbench.document.job.operations", "vkworkbench.gui", "vkworkbench.gui.qt.plain_text", "vkworkbench.gui.preferences_page", "vkworkbench.gui.form_page", "vkworkbench.gui.machine_page",
     "vkworkbench.gui.qt", "vkworkbench.gui.simulators", "vkworkbench.gui.qt.names", "vkworkbench.gui.qt.document_command", "vkworkbench.gui.qt.sentences", "vkworkbench.gui.simulators.panels", "vkworkbench.gui.simulators.watch", "vkworkbench.gui.qt.text", "vkworkbench.gui.qt.widgets", "vkworkbench.gui.workbench",
 }  # fmt: skip
 

@@ -239,13 +239,15 @@ class PartView(QWidget):
     def mouseReleaseEvent(self, event) -> None:
         clicked = self._pressed is not None and self._last == self._pressed and event.button() == Qt.LeftButton
         self._pressed = self._last = None
-        if clicked and self._scene is not None:
+        if clicked:
             owner = self.owner_at(event.pos())
             if owner is not None:
                 self.asked.emit(owner)
 
     def owner_at(self, where) -> int | None:
-        """Return the trajectory that made the surface at a pixel; -1 for raw stock, None for the background."""
+        """Return the trajectory that made the surface at a pixel; -1 for raw stock, None for the background or before a scene."""
+        if self._scene is None:
+            return None
         ratio = self.devicePixelRatioF()
         place = self._place(self.frame)
         height, width = self._scene.depth.shape
