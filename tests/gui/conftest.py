@@ -178,6 +178,8 @@ class Window:
             if dock.objectName() in shown:
                 dock.setVisible(shown[dock.objectName()])
                 dock.raise_()  # in FreeCAD 1.x the task panel may cover the tree
+        for tabs in self.find(QtGui.QTabWidget, "combiTab"):  # FreeCAD 0.20; some workbenches turn to the tasks
+            tabs.setCurrentIndex(0)
         for bar in self.find(QtGui.QToolBar):
             if bar.objectName() == "Toolpath Analysis":  # a row of its own, where it has room for all its buttons
                 self.main.insertToolBarBreak(bar)
