@@ -48,6 +48,8 @@ def analyze_apart(path: Path, chosen: Preferences, patience: float) -> tuple[Ope
     except WorkerDied:
         late = time.monotonic() - begin >= patience
         return (unread(path, Message("too-long", time=patience) if late else Message("worker-died")),)
+    if any(remark.code == "memory-short" for row in rows for remark in row.remarks):
+        worker.end()  # the memory that a large program leaves may not suffice for the next program
     return rows
 
 

@@ -141,7 +141,11 @@ class Results:
             if os.path.isfile(path):  # not a pipe or a device
                 self._begin(path, resume=resume)
         if not self.done:
-            self._write(form.header)
+            try:
+                self._write(form.header)
+            except BaseException:
+                self.close()  # otherwise the file stays locked
+                raise
 
     def _begin(self, path: str, *, resume: bool) -> None:
         """Lock the file, and remove what is not kept."""

@@ -289,7 +289,7 @@ def test_after_a_program_that_is_given_up_the_next_is_read(folder, endless):
 
 @pytest.mark.skipif(sys.platform != "linux", reason="other systems do not limit the memory of a process")
 def test_a_bomb_costs_only_its_row(folder, tmp_path, monkeypatch):
-    """It is small until it is decompressed and read. Other programs are read, also by the same process."""
+    """It is small until it is decompressed and read. The programs before and after it are read."""
     monkeypatch.setattr(apart, "_MOST_MEMORY", 1.5e8)
     bomb = tmp_path / "bomb.nc.xz"
     bomb.write_bytes(lzma.compress(b"G1 X1\nX2\n" * 400_000, preset=0))

@@ -28,7 +28,7 @@ class FrozenTree(QTreeView):
         self._above.setFocusPolicy(Qt.NoFocus)
         self._above.setFrameShape(QFrame.NoFrame)
         self._above.setStyleSheet(
-            "#frozen { border: none; margin: 0; padding: 0 }"
+            "#frozen { border: none; border-radius: 0; margin: 0; padding: 0 }"
         )  # many themes set these for every tree
         self._above.setHorizontalScrollBarPolicy(Qt.ScrollBarAlwaysOff)
         self._above.setVerticalScrollBarPolicy(Qt.ScrollBarAlwaysOff)

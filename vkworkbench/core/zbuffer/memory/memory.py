@@ -31,7 +31,7 @@ _BAND_RECORD = 13.0
 # temporary arrays (the largest value of all numpy versions).
 _SHOWN, _SHOWN_PIXEL, _SHOWN_TRAJECTORY, _SHOWING = 14.0, PIXEL_BYTES + 92.0, 100.0, 12e6
 # Memory for each further process, bytes: Python and numpy; each trajectory sent to it; each record of a band, in both processes.
-_PROCESS = 50e6
+_PROCESS = 45e6
 _SENT_TRAJECTORY = 500.0
 _SENT_RECORD = 26.0
 # Share by which the arrays of records grow when they are full.
