@@ -1341,6 +1341,10 @@
         <source>The job moves {needed:mm4} along {axis}, but the travel of the machine is {travel:mm4}.</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>The time did not suffice to check all walls for gouges narrower than {pixel:mm2}.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>Strategy</name>

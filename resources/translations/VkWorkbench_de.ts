@@ -1341,6 +1341,10 @@
         <source>The job moves {needed:mm4} along {axis}, but the travel of the machine is {travel:mm4}.</source>
         <translation>Der Auftrag verfährt {needed:mm4} in {axis}, aber der Verfahrweg der Maschine ist {travel:mm4}.</translation>
     </message>
+    <message>
+        <source>The time did not suffice to check all walls for gouges narrower than {pixel:mm2}.</source>
+        <translation>Die Zeit reichte nicht, um alle Wände auf Schnitte ins Modell zu prüfen, die schmaler als {pixel:mm2} sind.</translation>
+    </message>
 </context>
 <context>
     <name>Strategy</name>

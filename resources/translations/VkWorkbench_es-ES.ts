@@ -1341,6 +1341,10 @@
         <source>The job moves {needed:mm4} along {axis}, but the travel of the machine is {travel:mm4}.</source>
         <translation>El trabajo se mueve {needed:mm4} en {axis}, pero el recorrido de la máquina es {travel:mm4}.</translation>
     </message>
+    <message>
+        <source>The time did not suffice to check all walls for gouges narrower than {pixel:mm2}.</source>
+        <translation>El tiempo no alcanzó para buscar en todas las paredes cortes en el modelo más estrechos que {pixel:mm2}.</translation>
+    </message>
 </context>
 <context>
     <name>Strategy</name>

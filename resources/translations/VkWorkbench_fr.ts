@@ -1341,6 +1341,10 @@
         <source>The job moves {needed:mm4} along {axis}, but the travel of the machine is {travel:mm4}.</source>
         <translation>Le travail se déplace de {needed:mm4} selon {axis}, mais la course de la machine est de {travel:mm4}.</translation>
     </message>
+    <message>
+        <source>The time did not suffice to check all walls for gouges narrower than {pixel:mm2}.</source>
+        <translation>Le temps n&apos;a pas suffi pour chercher sur toutes les parois des coupes dans le modèle plus étroites que {pixel:mm2}.</translation>
+    </message>
 </context>
 <context>
     <name>Strategy</name>

@@ -1341,6 +1341,10 @@
         <source>The job moves {needed:mm4} along {axis}, but the travel of the machine is {travel:mm4}.</source>
         <translation>作业沿 {axis} 移动 {needed:mm4}，但机床行程为 {travel:mm4}。</translation>
     </message>
+    <message>
+        <source>The time did not suffice to check all walls for gouges narrower than {pixel:mm2}.</source>
+        <translation>时间不足，未能在所有壁面上检查窄于 {pixel:mm2} 的切入模型之处。</translation>
+    </message>
 </context>
 <context>
     <name>Strategy</name>

@@ -11,6 +11,7 @@ from zbuffer_inputs import ConvexStock, toolpath
 
 from vkworkbench.core import Cut, Stock, Tool, View
 from vkworkbench.core.zbuffer import SeenModel, check_crashes, facts, simulate_job, thin_gouges
+from vkworkbench.language import render
 
 PLATE = Stock((0, 0, 0), (600, 400, 20))
 MODEL = Stock((0, 0, 0), (600, 400, 18))  # 2 mm below the top of the plate
@@ -95,3 +96,16 @@ def test_wall_shaved_by_a_wide_tool_is_a_gouge(aside, depth):
     gouges = facts(zbuffer, check_crashes(cuts, PLATE), thin=thin_gouges(cuts, PLATE, model), model=model).job.gouges
     told = [(gouge.source.command, gouge.last.command, gouge.depth) for gouge in gouges]
     assert told == ([] if depth is None else [(4, 5, pytest.approx(depth, abs=0.07))])
+
+
+def test_walls_without_time_are_in_the_verdict():
+    cuts, wall = [cut(*slot(103.1, 13.0), tool=Tool("endmill", 6))], Stock((0, 0, 0), (600, 100, 18))
+    zbuffer = simulate_job(cuts, stock=PLATE, view=View(width=600, height=400))
+    model, checked = SeenModel(wall, zbuffer.frame), check_crashes(cuts, PLATE)
+    told = [
+        facts(zbuffer, checked, thin=thin_gouges(cuts, PLATE, model, seconds=seconds), model=model).verdict
+        for seconds in (np.inf, 0)
+    ]
+    assert [verdict.walls_checked for verdict in told] == [True, False]
+    texts = [render(verdict.message(["Slot"])) for verdict in told]
+    assert ["check all walls" in text for text in texts] == [False, True]

@@ -74,6 +74,9 @@ SIMULATION: dict[str, str | tuple[str, str]] = {
         QT_TRANSLATE_NOOP("Sentences", "1 plunge is too fast."),
         QT_TRANSLATE_NOOP("Sentences", "{count:n} plunges are too fast."),
     ),
+    "verdict-walls": QT_TRANSLATE_NOOP(
+        "Sentences", "The time did not suffice to check all walls for gouges narrower than {pixel:mm2}."
+    ),
     "verdict-unchecked": (
         QT_TRANSLATE_NOOP("Sentences", "1 move was not checked for lack of time: command {command:#} of {label}."),
         QT_TRANSLATE_NOOP(

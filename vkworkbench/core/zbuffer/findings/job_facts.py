@@ -266,6 +266,7 @@ def facts(
 
     job = facts_of(range(len(cuts.cuts)), whole=True)
     verdict = verdict_on(zbuffer, job, checked, compared=model is not None, collisions=collisions)
+    verdict = replace(verdict, walls_checked=thin is None or thin.walls_checked)
     return JobFacts(tuple(facts_of(range(cut, cut + 1)) for cut in range(len(cuts.cuts))), job, verdict)
 
 

@@ -49,12 +49,15 @@ class ThinGouges:
         The cuts with thin tools. Their gouges in an image are not needed.
     unchecked : tuple of Source
         Moves for which the time did not suffice.
+    walls_checked : bool
+        Whether the time sufficed for all walls of the model.
     """
 
     found: tuple[Deviation, ...] = ()
     in_walls: tuple[Deviation, ...] = ()
     cuts: tuple[int, ...] = ()
     unchecked: tuple[Source, ...] = ()
+    walls_checked: bool = True
 
 
 def thin_gouges(
@@ -109,8 +112,8 @@ def thin_gouges(
                     for pieces in rays.removed_by(moves[own[part]], half_width[own[part]], going_on):
                         search.add(pieces)
             found += search.gouges(numbered)
-    in_walls = _gouges_in_walls(numbered, stock, seen, tolerance, thin, end, going_on)
-    return ThinGouges(tuple(sorted(found, key=_first)), tuple(in_walls), thin, tuple(unchecked))
+    in_walls, complete = _gouges_in_walls(numbered, stock, seen, tolerance, thin, end, going_on)
+    return ThinGouges(tuple(sorted(found, key=_first)), tuple(in_walls), thin, tuple(unchecked), complete)
 
 
 def _first(gouge: Deviation) -> int:
@@ -125,12 +128,15 @@ def _gouges_in_walls(
     thin: tuple[int, ...],
     end: float,
     going_on: Callable[[], None],
-) -> list[Deviation]:
-    """Return the gouges near walls, as far as the time until `end` suffices. The image shows gouges wider than its pixels anyway."""
+) -> tuple[list[Deviation], bool]:
+    """Return the gouges near walls, and whether the time until `end` sufficed for all walls.
+
+    The image shows gouges that are wider than its pixels anyway.
+    """
     others = [number for number, cut in enumerate(cuts.cuts) if number not in thin and np.isfinite(cut.allowed_depth)]
     if seen.frame.pixel < 1.5 * _AT_WALLS or not others:
-        return []
-    rays = FineRays(cuts, stock, _AT_WALLS)
+        return [], True
+    rays, complete = FineRays(cuts, stock, _AT_WALLS), True
     searches = {
         number: _Search(seen.model, rays.trajectories.frame, tolerance + cuts.cuts[number].allowed_depth)
         for number in others
@@ -141,8 +147,9 @@ def _gouges_in_walls(
         for number in np.unique(of_cut).tolist():
             searches[number].add(pieces.selected(of_cut == number))
         if time.monotonic() > end:
+            complete = False
             break
-    return [gouge for search in searches.values() for gouge in search.gouges(cuts)]
+    return [gouge for search in searches.values() for gouge in search.gouges(cuts)], complete
 
 
 def _deep_moves(cuts: Cuts, number: int, model: Solid, least: float) -> tuple[np.ndarray, np.ndarray]:

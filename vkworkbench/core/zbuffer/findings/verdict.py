@@ -32,6 +32,8 @@ class Verdict:
         Depth of the deepest gouge, and thickness that the stock lacks of the model, mm.
     unchecked : tuple of Source
         Moves for which the time did not suffice.
+    walls_checked : bool
+        Whether the time sufficed to compare all walls with the model on rays closer than a pixel.
     unjudged : tuple of int
         Cuts whose gouges are unknown, because their tools only stand for other shapes.
     collisions : Collisions or None
@@ -49,6 +51,7 @@ class Verdict:
     deepest_gouge: float = 0.0
     lacking: float = 0.0
     unchecked: tuple[Source, ...] = ()
+    walls_checked: bool = True
     unjudged: tuple[int, ...] = ()
     collisions: Collisions | None = None
     lines: bool = False
@@ -101,6 +104,8 @@ class Verdict:
             sentences.append(
                 Message("verdict-unchecked", count=count, command=first.command + (not self.lines), label=label)
             )
+        if not self.walls_checked:
+            sentences.append(Message("verdict-walls", pixel=self.pixel))
         if not self.compared:
             sentences.append(Message("verdict-no-model"))
         if self.unjudged:
