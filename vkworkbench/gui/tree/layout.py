@@ -164,7 +164,7 @@ def _add_pill(layout: Layout, record: Record, name: str) -> None:
 
 def _add_times(layout: Layout, record: Record, chosen: Preferences, machine: str, time: str) -> None:
     if machine:
-        layout.say(machine)
+        layout.say(machine + _SPACE)
     heavy = burden(record, chosen)
     if time and heavy is Burden.FINE:
         layout.say(time)
