@@ -7,9 +7,9 @@
 Writes benchmarks/labelled_operations.csv, one row for each operation; docs/learning.md explains its columns and how to
 add a program. The operations are
 
-* those of the programs that real_programs.csv and real_programs_unseen.csv name: a program that is not in FOLDER/texts is
-  fetched there,
-* those of FreeCAD, from all FOLDER/freecad-*.jsonl.gz, which make_operations.py makes in each FreeCAD,
+* operations of the programs in real_programs.csv and real_programs_unseen.csv; the command fetches programs that are not in
+  FOLDER/texts,
+* FreeCAD's operations, from all FOLDER/freecad-*.jsonl.gz, which make_operations.py makes in each FreeCAD,
 * toolpaths made by the modules synthetic, strokes, outlines, fine_rows and nonsense of toolpaths/.
 
 An operation with a tool has one row with the tool and one row without. Toolpaths that are the same to a micrometre have

@@ -8,7 +8,7 @@ real_programs.csv names public repositories, the lines of their programs that ar
 count as right, labelled from titles and plots by people who saw no verdict. The rules were written for them, and for none
 of real_programs_unseen.csv; the model learns from both (make_table.py). The programs are theirs and stay in FOLDER, with
 operations.jsonl.gz and programs.jsonl.gz; told.jsonl.gz has the operations whose tool the program tells, with its
-diameter. What cannot be fetched, or is another text, is left out and named.
+diameter. Programs that cannot be fetched, or that have another text, are left out and named.
 """
 
 from __future__ import annotations

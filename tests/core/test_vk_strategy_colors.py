@@ -14,8 +14,8 @@ COLORS = {strategy.value: strategy.color for strategy in Strategy if strategy is
 # Linear sRGB to CIE XYZ, with the white of sRGB.
 XYZ = np.array([[0.4124, 0.3576, 0.1805], [0.2126, 0.7152, 0.0722], [0.0193, 0.1192, 0.9505]])
 WHITE = XYZ.sum(axis=1)
-# What a person without the cones for green, or for red, sees of linear sRGB (Vienot, Brettel and Mollon 1999; Machado, Oliveira
-# and Fernandes 2009).
+# Linear sRGB as a person without the cones for green sees it (Vienot, Brettel and Mollon 1999; Machado, Oliveira and
+# Fernandes 2009).
 SIGHTS = {
     "everybody": np.eye(3),
     "deuteranope, Vienot": np.array([[0.29275, 0.70725, 0.0], [0.29275, 0.70725, 0.0], [-0.02234, 0.02234, 1.0]]),

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What a simulation leaves: a closed mesh, an STL file, and the stock of the next job."""
+"""The simulated part as a closed mesh, as an STL file, and as the stock of the next job."""
 
 import FreeCAD
 import Mesh
@@ -23,7 +23,7 @@ def pocket(small):
 
 @pytest.mark.parametrize("view", ["Top", "Isometric", View(width=100, height=80, offset=(20, 0))])
 def test_stl_file_is_closed_and_has_the_volume(small, tmp_path, view):
-    """Whatever the view shows, the solid is the whole part."""
+    """The solid is the whole part, even if the view shows a part of it."""
     small.add("Pocket", POCKET)
     done = vkworkbench.simulate(small.job, view=view)
     done.save_stl(tmp_path / "part.stl")

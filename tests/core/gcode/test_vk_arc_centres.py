@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Offsets or positions: how the centre words of arcs are read."""
+"""The centre words of arcs are read as offsets or as positions."""
 
 from vkworkbench.core.gcode import read_program
 
@@ -17,7 +17,7 @@ def test_circles_do_not_outvote_an_arc_with_a_position():
     assert abs(path.points[-1] - (20, 30, -1)).max() < 1e-9
 
 
-def test_arcs_with_a_radius_do_not_outvote_an_arc_with_a_position():
+def test_arcs_with_a_radius_do_not_decide_about_centres():
     _, said = told("G2 X20 Y20 R9\nG2 X30 Y20 R9\nG2 X20 Y20 R9\nG2 X30 Y20 R9\nG3 X20 Y30 I20 J20\n")
     assert said == ["absolute-centres"]
 

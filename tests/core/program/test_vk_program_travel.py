@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""A program that needs more travel than the machine has is told."""
+"""A program that needs more travel than the machine has gets a remark."""
 
 from dataclasses import replace
 

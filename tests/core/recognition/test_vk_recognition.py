@@ -247,7 +247,7 @@ def rectangle(x, y, width, height):
 
 
 def test_stepover_is_that_of_large_loops_not_of_many_small_ones():
-    """What is left in the corners of a pocket is cleared by small loops with smaller steps."""
+    """Small loops with smaller steps clear the corners of a pocket."""
     corners = [(x, y) for x in (-20, 120) for y in (-20, 100)]
     loops = [(4.2 * k, 4.2 * k, 100 - 8.4 * k, 80 - 8.4 * k) for k in range(4)]
     loops += [(x + 1.5 * k, y + 1.5 * k, 9 - 3 * k, 8 - 3 * k) for x, y in corners for k in (0, 1)]

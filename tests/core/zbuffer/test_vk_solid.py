@@ -91,7 +91,7 @@ def test_next_job_begins_with_what_is_left():
 
 
 def test_equal_heights_make_no_slivers():
-    """Rounding errors of single numbers are no steps: a bore in a turned part has the same floor as the stock."""
+    """Rounding errors of single-precision numbers do not make steps: a bore in a turned part has the same floor as the stock."""
     left = simulate(moves(1), tool=Tool("endmill", 6), stock=BLOCK, view=View(DOWN, 80, 60))
     stock = Mesh(part_triangles(left) * [1, -1, -1] + [0, 30.01, 10.003])
     triangles = part_triangles(simulate(moves(2), tool=Tool("endmill", 6), stock=stock, view=View(DOWN, 80, 60)))

@@ -37,7 +37,7 @@ def found(*cuts, model=MODEL, pixel=0.5, **given):
     ]
 
 
-def test_every_slot_too_deep_is_a_gouge_from_first_to_last_command():
+def test_slot_too_deep_is_a_gouge_from_first_to_last_command():
     path = [*slot(50.1, 18.0), *slot(80.1, 17.5), *slot(90.1, 17.95), *slot(110.1, 16.0)]
     assert found(cut(*path)) == [(0, 4, 5, 0.5), (0, 12, 13, 2.0)]
     assert found(cut(*path), tolerance=0.01) == [(0, 4, 5, 0.5), (0, 8, 9, 0.05), (0, 12, 13, 2.0)]

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The verdict says what is wrong, how finely it was checked, and what was not checked."""
+"""The verdict names the faults, the fineness of the check, and the gaps of the check."""
 
 from __future__ import annotations
 

@@ -30,7 +30,7 @@ class Trees:
     most : (n,) float
         Largest value of the feature that leads to the first of the next nodes; infinite in a leaf.
     ahead : (n,) int
-        Distance from a node to the first of its two next nodes; the other one comes behind it. 0 in a leaf.
+        Distance from a node to the first of its two next nodes; the second follows directly behind the first. 0 in a leaf.
     votes : (n, c) int
         Votes of a leaf for each class.
     roots : (t,) int
@@ -67,7 +67,7 @@ class Model:
     strategies : Trees
         Vote for decide.STRATEGIES.
     calibration : (2,) float
-        Offset and slope of a line: from the log odds of the share of the votes to those of a right verdict.
+        Offset and slope of a line from the log odds of the share of the votes to the log odds that the verdict is right.
     """
 
     names: np.ndarray
