@@ -26,7 +26,7 @@ _LEVEL = 1e-3
 _FAMILY = 0.15
 # Least distance of two rows, mm.
 _APART = 0.05
-# What is mixed is mostly rows with a contour around them.
+# Mixed operations are mostly rows with a contour around them.
 _ROWS = {Strategy.ZIGZAG, Strategy.ONE_WAY, Strategy.MIXED}
 _LOOPS = {Strategy.CONTOUR_PARALLEL, Strategy.SPIRAL, Strategy.ADAPTIVE}
 
@@ -125,7 +125,7 @@ def _levels(t: _Trajectories, recognition: Recognition, tool: Tool, stock: Solid
     radius = tool.radius
     level = np.flatnonzero((np.abs(t.rise) < _LEVEL) & (t.run > 0))
     key = np.rint(t.low / _LEVEL).astype(np.int64)
-    # What reaches a level belongs to it; what descends between levels cuts its foot besides.
+    # A descent that ends on a level is part of the level. Other descents also cut the area of the tool.
     between = ~np.isin(key, key[level])
     descents = _descents(t, tool) * t.share
     if recognition.strategy is Strategy.HELIX:
@@ -196,7 +196,7 @@ def _beside_last_helix(t: _Trajectories, tool: Tool) -> np.ndarray:
 
 
 def _common_area(a: float, b: float, apart: float) -> float:
-    """Area that two circles of these radii have in common."""
+    """Area of the overlap of two circles."""
     if apart >= a + b:
         return 0.0
     if apart <= abs(a - b):
@@ -206,20 +206,19 @@ def _common_area(a: float, b: float, apart: float) -> float:
 
 
 def _row_families(t: _Trajectories, here: np.ndarray) -> list[np.ndarray]:
-    """The trajectories of a level by direction, those directions that make up a good part of its length."""
+    """Return the trajectories of each frequent direction of a level."""
     bins = np.rint(t.heading[here] / np.pi * 36).astype(np.int64) % 36
     length = np.bincount(bins, t.run[here], minlength=36)
     return [here[bins == b] for b in np.flatnonzero(length > _FAMILY * length.sum())]
 
 
 def _rows_area(t: _Trajectories, rows: np.ndarray, tool: Tool, stepover: float) -> float:
-    """Area of parallel rows with round ends: the first as wide as the tool, the others as their step."""
+    """Return the area of parallel rows with round ends: the first row has the tool's width, each further row adds its step."""
     heading = float(np.angle((t.run[rows] * np.exp(2j * t.heading[rows])).sum()) / 2)
     offset = t.start[rows, 1] * np.cos(heading) - t.start[rows, 0] * np.sin(heading)
     in_order, sorted_ = np.abs(np.diff(offset)), np.diff(np.sort(offset))
     passes = np.count_nonzero(in_order > _APART) + 1
-    # Rows of several pockets mix when sorted, those of a lattice jump to and fro in order: both only lower
-    # the step.
+    # Sorting mixes the rows of several pockets; without sorting, the rows of a lattice jump. Both only lower the step.
     steps = [s.mean() for s in (x[(x > _APART) & (x <= tool.diameter + _APART)] for x in (in_order, sorted_)) if len(s)]
     step = min(float(max(steps)), tool.diameter) if steps else stepover
     along = float((t.run * t.share)[rows].sum())

@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Widgets that are gone and that FreeCAD itself leaves behind as if they were alive.
+"""Widgets that FreeCAD deletes without telling PySide.
 
     xvfb-run -a freecad $PWD/benchmarks/freecad_dead_widgets.py
 
-Printed is how many there are after the preferences and the panel of the simulator were opened and closed, and how often
-the simulator could not be opened. What Qt later makes at the address of such a widget PySide takes for it, and FreeCAD
-may end. Run without the add-on, which this script does not import.
+Prints the number of such widgets after the preferences and the panel of the simulator were opened and closed, and how
+often the simulator could not be opened. When Qt makes another object at the address of such a widget, PySide takes the
+object for the widget, and FreeCAD may crash. The script does not import the add-on.
 """
 
 import gc
@@ -27,7 +27,7 @@ OLD = FreeCAD.Version()[0] == "0"
 
 
 def dead() -> int:
-    """Return how many widgets PySide takes for alive that Qt does not know."""
+    """Return the number of widgets that PySide considers alive and Qt does not know."""
     alive = {shiboken.getCppPointer(widget)[0] for widget in QtGui.QApplication.allWidgets()}
     return sum(
         shiboken.isValid(thing) and shiboken.getCppPointer(thing)[0] not in alive

@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""FreeCAD 1.1 ends in a recompute, by itself: a tool whose size changes while an object of its body is an error.
+"""FreeCAD 1.1 crashes in a recompute: a tool changes its size while an object of its body has an error.
 
     MALLOC_PERTURB_=255 freecadcmd $PWD/benchmarks/freecad_recompute.py
 
-A tool bit makes its body anew when it hears that the recompute is over (Mod/CAM/Path/Tool/toolbit/models/base.py,
-slotRecomputedDocument). Document::recompute then goes on to tell of the errors of all objects that it had recomputed,
-the deleted ones among them, and reads memory that is free: often it says nonsense, sometimes FreeCAD ends with SIGSEGV.
-The variable fills free memory, so that it ends at once. Run without the add-on, which this script does not import.
+A tool bit makes its body again after the recompute (Mod/CAM/Path/Tool/toolbit/models/base.py, slotRecomputedDocument).
+Document::recompute then reports the errors of all objects that it recomputed, also of deleted objects, and reads freed
+memory: often it prints nonsense, sometimes FreeCAD ends with SIGSEGV. MALLOC_PERTURB_ fills freed memory, so FreeCAD
+crashes at once. The script does not import the add-on.
 """
 
 import os
@@ -27,5 +27,5 @@ for number in range(20):
         origin.touch()
     document.recompute()
     print(f"recompute {number + 1}", flush=True)
-print("FreeCAD lives", flush=True)
+print("FreeCAD did not crash", flush=True)
 os._exit(0)

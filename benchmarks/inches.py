@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""How often a toolpath is taken to be in inches: wrongly at its true size, and rightly at 1/25.4 of its size.
+"""How often the unit inch is guessed: wrongly for toolpaths at their true size, correctly at 1/25.4 of their size.
 
     python3 benchmarks/inches.py FILE...
 
-FILE is an NC program, a folder of them, or a ``.jsonl.gz`` of operations with their ``commands`` and ``tool_diameter``,
-in FreeCAD's units. Prints for each kind how often toolpaths are taken to be in inches at the true size and at 1/25.4 of
-it, and how many of them get the same strategy at both sizes: with `recognize`, and with `recognize_inches`.
+FILE is an NC program, a folder of programs, or a ``.jsonl.gz`` of operations with ``commands`` and ``tool_diameter`` in
+FreeCAD's units. For each kind the command prints how often the guess is inches at both sizes, and how many toolpaths get
+the same strategy at both sizes, with `recognize` and with `recognize_inches`.
 """
 
 from __future__ import annotations

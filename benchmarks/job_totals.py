@@ -3,7 +3,7 @@
 
     freecadcmd "$PWD/benchmarks/job_totals.py"
 
-Uses the example job and random jobs of toolpaths from toolpaths/synthetic.py, in a box around all of them. Prints the truth,
+Uses the example job, and random jobs of toolpaths from toolpaths/synthetic.py in a box around all toolpaths. Prints the truth,
 the estimated total, and the sum of the operations estimated one by one; errors are ratios, the larger over the smaller.
 Then prints the processor time of analyses, the best of three.
 """

@@ -3,10 +3,10 @@
 
     benchmarks/in_window.sh pauses [0.20.2|1.0.0|1.1.3]
 
-Two documents: five operations of 100,000 commands each, and one of 500,000. Printed are, for each of them, how long
-FreeCAD alone holds up the window to hand out one path, its commands and its text, and to open, to recompute and to draw the
-document; then, for each thing a user does, the longest time between two events. A time is that of a computer with
-nothing else to do, the best of three rounds: a pause that is the add-on's comes every time.
+Two documents: five operations of 100,000 commands each, and one of 500,000. For each document the command prints how long
+FreeCAD itself blocks the window to return one path, its commands and its text, and to open, recompute and draw the document.
+Then it prints the longest time between two events during each action of a user. Each time is the best of three rounds,
+because a pause caused by the add-on comes in every round. The computer must be idle.
 """
 
 from __future__ import annotations
@@ -123,7 +123,7 @@ def measure(count: int) -> None:
         Gui.Selection.clearSelection()
         Gui.Selection.addSelection(operations[0])
 
-    # What is done before, what is measured, and when it is over.
+    # The preparation, the measured action, and the condition for its end.
     done = {
         "a changed path is recomputed, no marks": (
             lambda: change(operations[0]), document.recompute, lambda: True),
@@ -154,7 +154,7 @@ def measure(count: int) -> None:
 
 
 def made(count: int):
-    """A document of a job with operations of rows over a wavy surface, no two of them alike."""
+    """Return a document with a job whose operations are rows over a wavy surface, all different."""
     document = FreeCAD.newDocument("Long")
     block = document.addObject("Part::Box", "Block")
     block.Length, block.Width, block.Height = 100, 100, 20

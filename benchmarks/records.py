@@ -1,12 +1,11 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Labelled toolpaths: single operations, of files and made to measure, whole programs, and operations joined to programs.
+"""Labelled toolpaths: single operations from files, synthetic operations, whole programs, and pairs of operations.
 
-Each line of a file is a JSON record. Of an operation: id, label, strategy, accept (the strategies that count as right),
-tool_diameter (mm or null) and commands ([name, parameters], mm and mm/s); where there are params with FreeCAD's StepOver
-(percent of the tool's diameter), the stepover can be compared with it; stock is that of its job, its lower corner and its
-upper one in mm; source names the CAM system. Of a program: id,
-commands, group (what is left out together when something is learned) and sections, each [first command, last command,
-label, accept].
+Each line of a file is a JSON record. The record of an operation has id, label, strategy, accept (the strategies that count
+as right), tool_diameter (mm or null), commands ([name, parameters], mm and mm/s), and perhaps params (properties of
+FreeCAD's operation, such as StepOver in percent of the tool's diameter), stock (lower and upper corner, mm) and source (the
+CAM system). The record of a program has id, commands, group (the records that are left out together when a model is judged)
+and sections, each [first command, last command, label, accept].
 """
 
 from __future__ import annotations
@@ -26,12 +25,12 @@ from vkworkbench.core import Stock, Toolpath
 from vkworkbench.core.gcode import linearize
 
 JOINED = 20_000  # trajectories; longer operations are not joined
-SEEDS = 20  # made toolpaths of each kind
+SEEDS = 20  # synthetic toolpaths of each kind
 
 
 @dataclass(frozen=True)
 class Section:
-    """What a program cuts from trajectory first to last, and the names that count as right."""
+    """One operation of a program: its first and last trajectory, its label, and the strategies that count as right."""
 
     first: int
     last: int
@@ -41,9 +40,9 @@ class Section:
 
 @dataclass(frozen=True)
 class Record:
-    """A labelled toolpath; `group` names the repository or part it comes from, `system` the CAM system.
+    """A labelled toolpath. `group` is its repository or part, `system` its CAM system.
 
-    A kind of made toolpaths is both of its own: who leaves out a CAM system need not leave out all that were made.
+    Each kind of synthetic toolpath is a group and a system of its own.
     """
 
     id: str
@@ -64,14 +63,14 @@ def lines(file: str) -> Iterator[dict]:
 
 
 def with_stock(file: str, most: int) -> Iterator[tuple[dict, Stock]]:
-    """Yield about so many of a file's records that have a stock and a tool, from all over it, and their stocks."""
+    """Yield at most `most` records that have a stock and a tool, spread evenly over the file, and their stocks."""
     records = [r for r in lines(file) if r.get("stock") and r.get("tool_diameter")]
     for r in records[:: max(1, math.ceil(len(records) / most))]:
         yield r, Stock(r["stock"][:3], r["stock"][3:])
 
 
 def group_of(r: dict) -> str:
-    """Return the repository (OWNER_NAME__file) or FreeCAD's part (version:part:operation) a record comes from."""
+    """Return the source of a record: a repository (OWNER_NAME__file) or a part (version:part:operation)."""
     if "group" in r:
         return r["group"]
     name = r.get("id", "")
@@ -84,18 +83,18 @@ def system_of(r: dict) -> str:
 
 
 def stepover_of(r: dict) -> float | None:
-    """Return what FreeCAD was told an operation's stepover is, in mm."""
+    """Return the stepover that was set in FreeCAD, mm."""
     percent = r.get("params", {}).get("StepOver")
     return percent / 100 * r["tool_diameter"] if percent and r["tool_diameter"] else None
 
 
 def key(path: Toolpath, tool: float | None) -> bytes:
-    """Return what two equal toolpaths of one tool have in common."""
+    """Return a key that is equal for equal toolpaths with the same tool."""
     return hashlib.sha1(np.round(path.points, 3).tobytes() + path.rapid.tobytes() + str(tool).encode()).digest()
 
 
 def operations(files: list[str]) -> Iterator[Record]:
-    """Yield the operations of some files; toolpaths of one tool that are the same to a micrometre come once."""
+    """Yield the operations in the files. Of toolpaths that differ by less than a micrometre, only the first is yielded."""
     seen: set[bytes] = set()
     for file in files:
         for r in lines(file):
@@ -132,7 +131,7 @@ def made() -> Iterator[Record]:
 
 
 def rng_of(kind: str, seed: int) -> np.random.Generator:
-    """Return what chance a made toolpath of a kind has, the same in every run."""
+    """Return the random generator of a synthetic toolpath, the same in every run."""
     return np.random.default_rng([seed, sum(map(ord, kind))])
 
 

@@ -90,7 +90,7 @@ def lines_and_arcs(sample):
 
 
 def play(simulator, commands, tool, stock, frames):
-    """Play at the fastest speed; return the seconds that the frames took, None if it did not play so many."""
+    """Play at the fastest speed; return the seconds that the frames took, None if fewer frames were played."""
     simulator.ResetSimulation()
     simulator.AddTool(profile(tool), 1, tool.diameter, 1)
     for name, words in commands:

@@ -88,7 +88,7 @@ def open_panel():
     """Open the legacy simulator's panel on the open job, with one operation to be replaced."""
     old = freecad.version() < (1, 0, 0)
     module = importlib.import_module("PathScripts.PathSimulatorGui" if old else "Path.Main.Gui.Simulator")
-    for other in FreeCAD.ActiveDocument.Objects:  # the view is fitted to what is simulated
+    for other in FreeCAD.ActiveDocument.Objects:  # the view is fitted to the simulated part
         other.Visibility = False
     panel = module.PathSimulation()
     panel.Activate()

@@ -36,7 +36,7 @@ from vkworkbench.core.paper import thresholds as of_paper
 from vkworkbench.core.recognition import thresholds as of_recognition
 
 HOMES = (of_paper, of_recognition)
-#: What is measured once and read again where it does not depend on the threshold that moves.
+#: Measurements that are reused while they do not depend on the threshold that moves.
 STEPS = (
     ("recognize", "monotonous_areas"), ("parts", "monotonous_areas"), ("operation", "paper_verdict"),
     ("recognize", "find_retracts"), ("operation", "Section"),
@@ -47,7 +47,9 @@ STEPS = (
 class Watched:
     """Stands in for one subject of thresholds in every module that reads it."""
 
-    readers: ClassVar[list[set]] = []  # who is at work now, the innermost last, and what each has read
+    readers: ClassVar[
+        list[set]
+    ] = []  # the calls in progress, the innermost last, and the thresholds that each has read
     moved: ClassVar[dict] = {}  # values other than those of the subject
 
     def __init__(self, subject: type) -> None:
@@ -112,7 +114,7 @@ def watch(found) -> None:
 
 
 def moves(value, unit: str) -> list:
-    """Return four other values to test a threshold with."""
+    """Return four other values of a threshold."""
     if unit.startswith(("share", "cosine", "support", "confidence", "isoperimetric")):
         return [0.0, value / 2, min(2 * value, 1.0), 1.0]
     if unit == "rad":
@@ -126,7 +128,7 @@ def answer(path, diameter) -> tuple:
     """Return the strategy, and all other results of a recognition."""
     try:
         found = sys.modules["vkworkbench.core.recognition.programs.recognize"].recognize(path, tool_diameter=diameter)
-    except Exception as error:  # a threshold at the end of its range may be no sensible number
+    except Exception as error:  # a threshold at the end of its range may not be a sensible number
         return f"error: {error!r}", ()
     return str(found.strategy), tuple(repr(getattr(found, f.name)) for f in fields(found) if f.name != "paper")
 

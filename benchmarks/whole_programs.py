@@ -22,7 +22,7 @@ PAIRS, SEEDS = 200, 20
 class Borders:
     """How many borders between sections of different names there are and were found, were said, and were said rightly.
 
-    Those said within what is labelled as mixed are counted apart: nobody has labelled where its operations begin.
+    Borders within a section that is labelled mixed are counted separately, because its inner borders have no labels.
     """
 
     true: int = 0
@@ -104,7 +104,7 @@ def report_programs(file: str, learn=lambda group: None) -> None:
 
 
 def report_joined(records: list[Record], learn=lambda group: None) -> None:
-    """Print how many pairs of operations with a rapid between are told apart; `learn` as in `report_programs`."""
+    """Print how many pairs of operations with a rapid between them are separated; `learn` as in `report_programs`."""
     single = [r for r in records if r.sections and len(r.path) < JOINED]
     pairs = [r for r in joined(single, 2 * PAIRS) if not r.sections[0].accepted & r.sections[1].accepted][:PAIRS]
     if pairs:

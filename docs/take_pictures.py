@@ -17,9 +17,9 @@ ROOT = Path(__file__).resolve().parents[1]
 SHOTS = ROOT / "build/tests/trixie/screenshots"
 PICTURES = ROOT / "docs/pictures"
 
-# The small window, with what a menu shows beside it, and the results below in it: left, top, right, bottom, pixels.
+# The parts of the small window with the menu and with the results: left, top, right, bottom, pixels.
 SMALL, WIDE, RESULTS = (0, 0, 1024, 700), (0, 0, 1280, 700), (0, 437, 1024, 669)
-# Picture: screenshot and what is shown of it, where it is not the same, whole.
+# Picture: screenshot, and the part of it that is shown if not all is shown.
 TAKEN = {
     "panel": ("panel-why", None),
     "warning": ("warning-play", None),

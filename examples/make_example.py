@@ -209,7 +209,7 @@ def make_example(path):
     return doc
 
 
-# FreeCAD imports the script that it is told to run: only the command line tells it from a mere import.
+# FreeCAD imports the script that it runs, so `__name__` is not always "__main__"; the command line names the script.
 if __name__ == "__main__" or any(os.path.basename(word) == "make_example.py" for word in sys.argv):
     path = os.environ.get("VKWORKBENCH_EXAMPLE", "build/example.FCStd")
     os.makedirs(os.path.dirname(os.path.abspath(path)), exist_ok=True)

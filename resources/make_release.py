@@ -33,7 +33,7 @@ def release_files() -> list[Path]:
 
 
 def with_urls(package: str, repository: str, branch: str = "main") -> str:
-    """Return the text of a package.xml that names where the repository is, in place of what it named before.
+    """Return the text of package.xml with new addresses of the repository.
 
     Raises
     ------

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Compare two versions of a job, open as two documents: which operations came, went or do something else now.
+"""Compare two versions of a job, open as two documents: which operations are new, missing or different.
 
 Run it as a macro with the two documents open and the new version in front.
 """
@@ -10,13 +10,13 @@ import FreeCAD
 
 import vkworkbench
 
-SAME = 0.001  # a share of the length or of the time
+SAME = 0.001  # largest relative difference of equal lengths or times
 
 
 def compare(old, new):
-    """The differences of two documents' operations, a sentence each; operations are told apart by their labels."""
+    """Return one sentence for each difference between two documents. Operations with equal labels are compared."""
     before, after = ({o.label: o for o in vkworkbench.analyze(document).operations} for document in (old, new))
-    found = [f"{label}: is gone" for label in before if label not in after]
+    found = [f"{label}: is missing" for label in before if label not in after]
     found += [f"{label}: is new, {o.strategy}" for label, o in after.items() if label not in before]
     for label in before:
         if label in after:
@@ -25,7 +25,7 @@ def compare(old, new):
 
 
 def differences(one, other):
-    """How an operation differs from what it was."""
+    """Yield the differences between two versions of an operation."""
     if one.strategy is not other.strategy:
         yield f"{one.strategy} became {other.strategy}"
     for name, unit in (("length", "mm"), ("machining_seconds", "s")):
@@ -35,7 +35,7 @@ def differences(one, other):
 
 
 def old_and_new():
-    """The two documents that are open, the one in front last: FreeCAD lists them in the order of their names."""
+    """Return the two open documents; the active document is the new version."""
     return sorted(FreeCAD.listDocuments().values(), key=lambda document: document.Name == FreeCAD.ActiveDocument.Name)
 
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Export for a spreadsheet: a few columns in minutes and metres, with numbers as one's country writes them."""
+"""Export some columns for a spreadsheet, in minutes and metres, with the decimal point or comma of your country."""
 
 from __future__ import annotations
 
@@ -25,9 +25,9 @@ COLUMNS = {
 
 
 def export(document, path, decimal_point="."):
-    """Write the columns of each operation; return their number. With a decimal comma columns part at semicolons."""
+    """Write one line for each operation; return their number. With a decimal comma, semicolons separate the columns."""
     operations = vkworkbench.analyze(document).operations
-    with open(path, "w", newline="", encoding="utf-8-sig") as file:  # the mark tells Excel that it is UTF-8
+    with open(path, "w", newline="", encoding="utf-8-sig") as file:  # with the byte order mark, Excel reads UTF-8
         writer = csv.writer(file, delimiter=";" if decimal_point == "," else ",")
         writer.writerow(COLUMNS)
         for operation in operations:
@@ -36,7 +36,7 @@ def export(document, path, decimal_point="."):
 
 
 def written(value, decimal_point):
-    """A value as a cell; a text never begins a formula."""
+    """Return the text of a cell; a text never becomes a formula."""
     if isinstance(value, float):
         return f"{value:.3f}".replace(".", decimal_point)
     return "" if value is None else as_cell(str(value))

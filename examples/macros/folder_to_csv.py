@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""A folder of FreeCAD documents to one CSV: a line for each operation of each of them.
+"""Write one CSV file for a folder of FreeCAD documents, with a line for each operation.
 
-Run it as a macro: it asks for the folder. The documents are opened without a window and not changed; one that is open
-already is analysed as it is and stays open. A file that FreeCAD cannot open is named in the report view and left out.
+Run it as a macro: it asks for the folder. Documents are opened without a window and are not changed. A document that is
+already open is analysed as it is and stays open. A file that FreeCAD cannot open is named in the report view.
 """
 
 from __future__ import annotations
@@ -16,12 +16,12 @@ import vkworkbench
 
 
 def folder_to_csv(folder, table):
-    """Analyse the documents below a folder into a table; return how many operations it has."""
+    """Analyse all documents below a folder and write a table; return its number of operations."""
     whole = None
     for path in sorted(Path(folder).rglob("*.FCStd")):
         open_before = FreeCAD.listDocuments()
         try:
-            document = FreeCAD.openDocument(str(path), True)  # hidden; one that is open already is that document itself
+            document = FreeCAD.openDocument(str(path), True)  # hidden; returns the same document if it is already open
         except (OSError, RuntimeError) as error:
             FreeCAD.Console.PrintError(f"{path}: {error}\n")
             continue

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Stop before a simulation that is too heavy: say which job takes too long or too much memory, in which simulator, and what hangs."""
+"""Find jobs whose simulation would hang, take too long or need too much memory."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ BYTES = 2e9
 
 
 def too_heavy(document, seconds=SECONDS, memory_bytes=BYTES):
-    """What of a document takes more than that, hangs, or nobody knows: a sentence for each."""
+    """Return one sentence for each simulation that hangs, exceeds a limit, or has an unknown cost."""
     report = vkworkbench.analyze(document)
     found = [
         f"{operation.label}: {caution.message}"
@@ -22,7 +22,7 @@ def too_heavy(document, seconds=SECONDS, memory_bytes=BYTES):
     ]
     for total in report.totals:
         if total.incomplete:
-            found.append(f"{total.label}: what some of its operations take is not known")
+            found.append(f"{total.label}: the cost of some of its operations is unknown")
         for simulator, cost in total.costs.items():
             if cost.seconds > seconds or cost.memory_bytes > memory_bytes:
                 found.append(f"{total.label}, {simulator}: {cost.seconds:.0f} s, {cost.memory_bytes / 1e6:.0f} MB")

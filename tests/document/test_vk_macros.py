@@ -86,7 +86,7 @@ def test_two_versions_are_compared(example, example_path, tmp_path):
         last.Label = "Another name"
         found = compare(old, example)
         assert any(line.startswith(f"{label}: length ") and " became " in line for line in found)
-        assert sum(line.endswith(": is gone") for line in found) == 1
+        assert sum(line.endswith(": is missing") for line in found) == 1
         assert any(line.startswith("Another name: is new") for line in found)
         assert state(old) == before
     finally:

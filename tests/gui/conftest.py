@@ -25,7 +25,7 @@ try:  # in this order: where FreeCAD runs on PySide2, loading PySide6 beside it 
 except ImportError:
     from PySide6.QtTest import QTest
 
-from vkworkbench import freecad
+from vkworkbench import freecad, preferences
 from vkworkbench.core.simulators import DEFAULTS
 from vkworkbench.core.zbuffer import Speed
 from vkworkbench.document.computer import calibration, idle
@@ -40,6 +40,15 @@ CAM_WORKBENCH = "PathWorkbench" if freecad.version() < (1, 0) else "CAMWorkbench
 def use_default_speeds(patch):
     patch.setattr(calibration, "measure_speed", lambda clock, going_on: Speed())
     patch.setattr(calibration, "measure_legacy", lambda clock, going_on: DEFAULTS)
+
+
+@pytest.fixture
+def default_preferences():
+    """Default preferences before and after each test."""
+    group = FreeCAD.ParamGet(preferences.GROUP)
+    group.Clear()
+    yield
+    group.Clear()
 
 
 @pytest.fixture

@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The page *Machine* in FreeCAD's preferences."""
 
-import FreeCAD
 import pytest
 from PySide import QtGui
 
@@ -13,15 +12,7 @@ from vkworkbench.gui import machine_page
 from vkworkbench.preferences import OWN, Preferences
 
 TYPICAL = list(MACHINES)
-
-
-@pytest.fixture(autouse=True)
-def fresh():
-    """Default preferences before and after each test."""
-    group = FreeCAD.ParamGet(preferences.GROUP)
-    group.Clear()
-    yield
-    group.Clear()
+pytestmark = pytest.mark.usefixtures("default_preferences")
 
 
 @pytest.fixture

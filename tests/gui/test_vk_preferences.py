@@ -14,21 +14,13 @@ from vkworkbench.document.computer import calibration
 from vkworkbench.preferences import Preferences
 
 CANCEL, OK = "Cancel", "OK"
+pytestmark = pytest.mark.usefixtures("default_preferences")
 
 
 def check(window, box):
     """Press the space key on a check box; a click in its middle may miss box and text."""
     box.setFocus()
     window.press(box, QtCore.Qt.Key_Space)
-
-
-@pytest.fixture(autouse=True)
-def fresh():
-    """Default preferences before and after each test."""
-    group = FreeCAD.ParamGet(preferences.GROUP)
-    group.Clear()
-    yield
-    group.Clear()
 
 
 @pytest.fixture
