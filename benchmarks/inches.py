@@ -33,7 +33,7 @@ def operations(path: Path) -> Iterator[tuple[Toolpath, float | None]]:
 
 
 def programs(path: Path) -> Iterator[tuple[Toolpath, float | None]]:
-    for file in find_programs([path]):
+    for file in find_programs([path], []):
         try:
             program = read_program(text_of(read_bytes(file)))
         except ValueError:

@@ -61,7 +61,7 @@ def analyze(
     Parameters
     ----------
     what : path, or iterable of paths
-        Files, and folders. All NC programs in a folder are analysed.
+        Files, and folders. All NC programs in a folder are analysed; the report names the other files.
     progress : callable, optional
         Called before each file with the number of finished files, the number of all files, and the name of the file.
     cancelled : callable, optional
@@ -79,7 +79,8 @@ def analyze(
     Cancelled
         If `cancelled` returned True.
     """
-    paths = list(find_programs([what] if isinstance(what, (str, os.PathLike)) else what))
+    left_out: list[Path] = []
+    paths = list(find_programs([what] if isinstance(what, (str, os.PathLike)) else what, left_out))
     chosen = preferences.read()
     rows: list[OperationReport] = []
     for done, path in enumerate(paths):
@@ -88,7 +89,7 @@ def analyze(
         if progress is not None:
             progress(done, len(paths), path.name)
         rows += analyze_file(path, chosen)
-    return report_of(rows, chosen)
+    return replace(report_of(rows, chosen), left_out=tuple(map(str, left_out)))
 
 
 def report_of(rows: Iterable[OperationReport], chosen: Preferences) -> Report:

@@ -21,13 +21,11 @@ from vkworkbench.program.files import find_programs, is_called_a_program
 from vkworkbench.program.progress import Progress
 from vkworkbench.program.results import Csv, JsonLines, Results
 from vkworkbench.program.simulate_command import add_options, check_options, simulate_programs, with_joined_stock
-from vkworkbench.report import OperationReport, cells_of, how_many, printable
+from vkworkbench.report import OperationReport, cells_of, files_left_out, how_many, printable
 from vkworkbench.worker import processes
 
 _WRONG, _UNREAD, _STOPPED = 2, 1, 130  # exit statuses
 _CONNECT = 30  # s
-_MOST_NAMED = 20  # texts that are left out, by name
-_MOST_NAMED = 20  # texts that are left out, by name
 _AHEAD = 4  # files in the queue for each process
 _STANDARD_OUTPUT = "-"
 # Only this process could read these files, but other processes read the programs. The shell's <(...) is such a file.
@@ -115,9 +113,7 @@ def _run(asked: argparse.Namespace) -> int:
     except ValueError as error:
         raise _Wrong(str(error)) from None
     if left_out:
-        names = ", ".join(printable(str(path), sys.maxsize) for path in left_out[:_MOST_NAMED])
-        more = f", and {len(left_out) - _MOST_NAMED} more" if len(left_out) > _MOST_NAMED else ""
-        print(f"Left out, because they do not look like NC programs: {names}{more}.", file=sys.stderr)
+        print(files_left_out(map(str, left_out)), file=sys.stderr)
     if not paths:
         raise _Wrong(f"no NC programs in {', '.join(asked.what)}")
     wrong = check_options(asked, len(paths))

@@ -15,14 +15,15 @@ from pathlib import Path
 from vkworkbench.core.gcode import split_comments, split_words
 from vkworkbench.language import Message, Unusable
 
-# Suffixes of NC programs. Other files in folders are skipped. A file that is named directly is always read.
+# Suffixes of NC programs. Other files in folders are read only if they look like programs. A file that is named directly
+# is always read.
 _SUFFIXES = frozenset([
     ".nc", ".ngc", ".gcode", ".gc", ".g", ".tap", ".cnc", ".ncc", ".ncf", ".iso",
     ".eia", ".din", ".min", ".mpf", ".spf", ".prg", ".fnc", ".nc1", ".ptp", ".mcd",
 ])  # fmt: skip
-# Suffixes of texts that may be NC programs. In folders, only the texts that look like programs are read.
-_TEXTS = frozenset(["", ".txt", ".text", ".h", ".i", ".dnc", ".pgm", ".cut", ".out", ".gz", ".xz"])
 _HEAD, _FEWEST_WORDS = 100_000, 3  # bytes of a text that are looked at, and least number of lines with words
+# The tools and the formats of circuit boards' drill files (Excellon) and drawings (Gerber), whose lines consist of words, too.
+_OF_CIRCUIT_BOARDS = re.compile(r"T\d+(?:[FSBHZ]\d*)*C[\d.]|%(?:FS|MO|AD)")
 # Limits of a text, decompressed. A toolpath has up to 5 million moves. A longer line has no moves of a machine.
 MOST_BYTES, MOST_LINES, LONGEST_LINE = 400_000_000, 10_000_000, 500_000
 _PART = 10_000_000  # bytes that are read at once
@@ -37,7 +38,7 @@ _TEXT_CONTROLS = frozenset(b"\t\n\r\f\x0b")
 _ZIP, _FIRST_NAME = b"PK\3\4", 30  # the first bytes of an archive, and the offset of the name of its first file
 
 
-def find_programs(what: Iterable[str | os.PathLike], left_out: list[Path] | None = None) -> Iterator[Path]:
+def find_programs(what: Iterable[str | os.PathLike], left_out: list[Path]) -> Iterator[Path]:
     """Yield the named files, and all NC programs in the named folders.
 
     A file in a folder is a program if it has the suffix of one, or if it is a text that consists of G-code.
@@ -49,8 +50,8 @@ def find_programs(what: Iterable[str | os.PathLike], left_out: list[Path] | None
     ----------
     what : iterable of paths
         Files and folders.
-    left_out : list of Path, optional
-        Receives the texts in folders that do not look like programs.
+    left_out : list of Path
+        Receives the files in folders that do not look like programs.
 
     Raises
     ------
@@ -67,7 +68,7 @@ def find_programs(what: Iterable[str | os.PathLike], left_out: list[Path] | None
         )
     seen: set[Path] = set()
     for one in map(Path, what):
-        for path in _in_folder(one, [] if left_out is None else left_out) if os.path.isdir(one) else [one]:
+        for path in _in_folder(one, left_out) if os.path.isdir(one) else [one]:
             place = Path(os.path.realpath(path.parent), path.name)
             if place not in seen:
                 seen.add(place)
@@ -86,11 +87,12 @@ def _in_folder(folder: Path, left_out: list[Path]) -> Iterator[Path]:
         folders[:] = sorted(name for name in folders if not name.startswith("."))
         for name in sorted(names):
             path = Path(root, name)
-            if not _is_endless(path):
-                if is_called_a_program(name) or (looks := _looks_like_a_program(path)):
-                    yield path
-                elif looks is False:
-                    left_out.append(path)
+            if _is_endless(path):
+                continue
+            if is_called_a_program(name) or _looks_like_a_program(path):
+                yield path
+            else:
+                left_out.append(path)
     for error in closed:
         yield Path(error.filename)
 
@@ -103,15 +105,15 @@ def is_called_a_program(name: str) -> bool:
     return bool(suffixes) and suffixes[-1] in _SUFFIXES
 
 
-def _looks_like_a_program(path: Path) -> bool | None:
-    """Return whether a file without the suffix of an NC program looks like one; None if it is not a text."""
-    if path.suffix.lower() not in _TEXTS:
-        return None
+def _looks_like_a_program(path: Path) -> bool:
+    """Return whether a file without the suffix of an NC program looks like one."""
     try:
         with _PACKED.get(path.suffix.lower(), open)(path, "rb") as file:
             lines = text_of(file.read(_HEAD)).upper().splitlines()
     except (OSError, EOFError, lzma.LZMAError, zlib.error, Unusable):
-        return None
+        return False
+    if any(map(_OF_CIRCUIT_BOARDS.match, lines)):
+        return False
     blocks = [code for line in lines if (code := split_comments(line)[0].strip(" %"))]
     split = [(code, *split_words(code)) for code in blocks]
     # Checksums and decimal commas are not words.

@@ -19,11 +19,11 @@ from vkworkbench.report.report import Cancelled, Report
 from vkworkbench.report.simulated_part import SimulatedPart
 from vkworkbench.report.simulation_facts import SimulationFacts
 from vkworkbench.report.spreadsheet import as_cell
-from vkworkbench.report.text_table import how_many, printable
+from vkworkbench.report.text_table import files_left_out, how_many, printable
 from vkworkbench.report.total import Total, has_unknown_cost, total_of
 from vkworkbench.report.travel import extent_of, with_travel
 
 __all__ = [
     "HANGS", "SERIOUS", "Cancelled", "OperationReport", "Report", "SimulatedPart", "SimulationFacts", "Total", "as_cell", "cells_of",
-    "contradiction", "extent_of", "has_unknown_cost", "how_many", "is_switched_off", "printable", "total_of", "with_travel", "without_results",
+    "contradiction", "extent_of", "files_left_out", "has_unknown_cost", "how_many", "is_switched_off", "printable", "total_of", "with_travel", "without_results",
 ]  # fmt: skip

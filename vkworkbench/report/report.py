@@ -15,7 +15,7 @@ from vkworkbench.given import check_file_name, of_kind
 from vkworkbench.report.operation import OperationReport, cells_of
 from vkworkbench.report.simulation_facts import SimulationFacts
 from vkworkbench.report.table import table_of
-from vkworkbench.report.text_table import how_many
+from vkworkbench.report.text_table import files_left_out, how_many
 from vkworkbench.report.total import Total, counted_in, total_of
 
 _NO_UTF8 = "surrogateescape"  # the name of a file may contain bytes that are not UTF-8
@@ -42,6 +42,8 @@ class Report:
         Facts of a simulation of the whole job, if there was one, by (document name, job name).
     simulator : str
         Name of the simulator whose time and memory the table shows: the one that the marks show, if there are marks.
+    left_out : tuple of str
+        Files in folders that were not analysed, because they do not look like NC programs.
     """
 
     operations: tuple[OperationReport, ...]
@@ -50,6 +52,7 @@ class Report:
     fixtures: dict[tuple[str, str], int] = field(default_factory=dict)
     simulated: dict[tuple[str, str], CutFacts] = field(default_factory=dict)
     simulator: str = ZBUFFER.name
+    left_out: tuple[str, ...] = ()
 
     def with_facts(self, facts: SimulationFacts) -> Report:
         """Return the report with the facts of a simulation.
@@ -103,9 +106,8 @@ class Report:
         return len(self.operations)
 
     def __str__(self) -> str:
-        if not self.operations:
-            return "No operations found."
-        return table_of(self.operations, self.totals, self.simulator)
+        table = table_of(self.operations, self.totals, self.simulator) if self.operations else "No operations found."
+        return f"{table}\n{files_left_out(self.left_out)}" if self.left_out else table
 
     def to_csv(self, path: str | os.PathLike[str]) -> None:
         """Write one line for each operation, with a header, in mm, s, rad and bytes; see `cells_of`."""
@@ -123,6 +125,7 @@ class Report:
         data = {
             "operations": [o.as_dict() for o in self.operations],
             "totals": [t.as_dict() for t in self.totals],
+            "left_out": list(self.left_out),
         }
         with open(path, "w", encoding="utf-8", errors=_NO_UTF8) as file:
             json.dump(data, file, indent=1, ensure_ascii=False)

@@ -4,8 +4,10 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Collection, Sequence
+import sys
+from collections.abc import Collection, Iterable, Sequence
 
+_MOST_NAMED = 20  # files that are left out, by name
 _CONTROL = re.compile(r"[\x00-\x1f\x7f-\x9f]+")
 
 
@@ -18,6 +20,13 @@ def printable(text: str, longest: int = 60) -> str:
 def how_many(number: int, thing: str) -> str:
     """Return a number with a noun in English, e.g. ``"1 operation"``, ``"2 operations"``."""
     return f"{number} {thing}" + ("" if number == 1 else "s")
+
+
+def files_left_out(paths: Iterable[str]) -> str:
+    """Return a sentence with the names of files in folders that are not analysed."""
+    names = [printable(path, sys.maxsize) for path in paths]
+    more = f", and {len(names) - _MOST_NAMED:,} more" if len(names) > _MOST_NAMED else ""
+    return f"Left out, because they do not look like NC programs: {', '.join(names[:_MOST_NAMED])}{more}."
 
 
 def widths_of(rows: Sequence[Sequence[str]]) -> list[int]:

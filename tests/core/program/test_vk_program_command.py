@@ -592,7 +592,7 @@ def test_command_runs_nothing_of_the_current_folder(tmp_path, start, names):
     done = subprocess.run(
         [sys.executable, *start, "."], cwd=tmp_path / "traps", env=environment, capture_output=True, text=True
     )
-    assert (done.returncode, done.stderr, ran()) == (0, "1 operation in 1 file.\n", [])
+    assert (done.returncode, done.stderr.splitlines()[-1], ran()) == (0, "1 operation in 1 file.", [])
     assert "zigzag" in done.stdout
 
 

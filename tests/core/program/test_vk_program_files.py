@@ -150,7 +150,7 @@ def test_folders_are_walked_once_whatever_leads_to_them(tmp_path):
     (tmp_path / "p" / "z.nc").symlink_to(tmp_path / "gone.nc")
     os.mkfifo(tmp_path / "p" / "pipe.nc")
     p = tmp_path / "p"
-    found = list(find_programs([p, p / ".." / "p" / "a.nc", p / "q" / "loop" / "a.nc"]))
+    found = list(find_programs([p, p / ".." / "p" / "a.nc", p / "q" / "loop" / "a.nc"], []))
     assert [str(path.relative_to(p)) for path in found] == ["a.nc", "z.nc", "linked/c.nc", "q/b.nc"]
 
 
@@ -176,7 +176,7 @@ def test_folders_and_files(tmp_path):
         path.parent.mkdir(exist_ok=True)
         path.write_text("G1 X1")
     found = [
-        str(path.relative_to(tmp_path)) for path in find_programs([tmp_path, tmp_path / "c.txt", tmp_path / "b.nc"])
+        str(path.relative_to(tmp_path)) for path in find_programs([tmp_path, tmp_path / "c.txt", tmp_path / "b.nc"], [])
     ]
     assert found == ["a.NGC", "b.nc", "d.tap.xz", "sub/e.gcode", "c.txt"]
     text = tmp_path / "h.txt"
@@ -187,7 +187,37 @@ def test_folders_and_files(tmp_path):
     assert [path.name for path in left_out] == ["c.txt", "g.nc.txt", "i.nc.gz.gz"]
     lines = tmp_path / "two\nlines.nc"
     lines.write_text("G1 X1")
-    assert list(find_programs([lines])) == [lines]
+    assert list(find_programs([lines], [])) == [lines]
+
+
+@pytest.mark.parametrize("name", ["part", "part.h", "part.txt", "part.nc.bak", "part.XYZ", "part.gz"])
+def test_folder_reads_g_code_with_any_suffix(tmp_path, name):
+    (tmp_path / name).write_bytes(gzip.compress(PROGRAM.encode()) if name.endswith(".gz") else PROGRAM.encode())
+    report = vkworkbench.analyze(tmp_path)
+    assert [row.label for row in report] == ["Face", "Holes"] and report.left_out == ()
+
+
+def test_folder_names_the_files_that_it_leaves_out(tmp_path):
+    (tmp_path / "a.nc").write_text(PROGRAM)
+    (tmp_path / "b.gz.gz").write_bytes(gzip.compress(gzip.compress(PROGRAM.encode())))
+    (tmp_path / "c.png").write_bytes(bytes(range(256)) * 9)
+    (tmp_path / "d.h").write_text("int g1, x10;\n" * 9)
+    (tmp_path / "e.drl").write_text("M48\nMETRIC\nT1C0.8\n%\nG90\nT1\n" + "X10Y10\n" * 9)
+    (tmp_path / "f.gbr").write_text("%FSLAX24Y24*%\nG01*\n" + "X100Y100D02*\n" * 9)
+    names = ["b.gz.gz", "c.png", "d.h", "e.drl", "f.gbr"]
+    report = vkworkbench.analyze(tmp_path)
+    assert report.left_out == tuple(str(tmp_path / name) for name in names)
+    sentence = f"Left out, because they do not look like NC programs: {', '.join(report.left_out)}."
+    assert str(report).splitlines()[-1] == sentence
+    report.to_json(tmp_path / "results")
+    assert json.loads((tmp_path / "results").read_text())["left_out"] == list(report.left_out)
+
+
+def test_folder_names_at_most_20_files_that_it_leaves_out(tmp_path):
+    for number in range(23):
+        (tmp_path / f"{number:02}.md").touch()
+    assert str(vkworkbench.analyze(tmp_path)).startswith("No operations found.\nLeft out, because")
+    assert str(vkworkbench.analyze(tmp_path)).endswith("19.md, and 3 more.")
 
 
 def test_what_names_files():
