@@ -95,7 +95,7 @@ def test_phi_is_alpha_up_to_whole_turns(vectors):
 
 
 @given(st.integers(3, 60), st.integers(0, 59), st.floats(0.1, 100))
-def test_a_closed_contour_turns_once_wherever_it_starts(sides, start, size):
+def test_closed_contour_turns_once_from_any_start(sides, start, size):
     angles = TURN * np.arange(sides) / sides
     radius = size * (1 + 0.5 * np.cos(3 * angles))
     corners = np.column_stack([radius * np.cos(angles), radius * np.sin(angles)])

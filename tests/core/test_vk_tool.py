@@ -50,7 +50,7 @@ def test_the_profile_of_a_tool_ends_at_its_rim():
         assert tool.profile(np.array([diameter])) == pytest.approx([tool.rounding])
 
 
-def test_what_a_tool_is_made_of():
+def test_tool_has_rounding_and_steepness():
     for shape, rounding, steepness in (("endmill", 0, 0), ("ballend", 5, 0), ("bullnose", 2, 0), ("vbit", 0, sqrt(3)),
                                        ("drill", 0, 1 / tan(59 * pi / 180))):  # fmt: skip
         tool = Tool(shape, 10, corner_radius=2, tip_diameter=3)

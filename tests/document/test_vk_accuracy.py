@@ -66,7 +66,7 @@ CASES = {
 
 @pytest.mark.parametrize("direction", [(0, 0, -1), (1, 1, -1)])
 @pytest.mark.parametrize("name", CASES)
-def test_volumes_are_those_of_boolean_solids(name, direction):
+def test_volumes_equal_boolean_solids(name, direction):
     shape, tool, points = CASES[name]
     stock = Stock((0, 0, 0), (40, 30, 10))
     if name == "through a round stock":
@@ -107,7 +107,7 @@ FLAT_PATHS = {
 
 
 @pytest.mark.parametrize("name", FLAT_PATHS)
-def test_heights_are_those_of_pathsimulator(name):
+def test_heights_equal_pathsimulator(name):
     """A flat end on level and vertical moves, where PathSimulator is exact; beside walls its round tool consists of cells."""
     stock, cell = Stock((0, 0, 0), (40, 30, 10)), 0.1
     points = [(*FLAT_PATHS[name][0][:2], 12), *FLAT_PATHS[name]]

@@ -144,7 +144,7 @@ def test_analyze_changes_nothing(example):
     assert example.UndoCount == 0 and example.recompute() == 0
 
 
-def test_what_can_be_analyzed(small, zigzag_commands):
+def test_documents_jobs_and_operations_can_be_analyzed(small, zigzag_commands):
     first, second = small.add("First", zigzag_commands), small.add("Second", zigzag_commands)
 
     def labels(what=None):
@@ -213,7 +213,7 @@ def counted(what):
     return {o.label for o in vkworkbench.analyze(what).operations if o.counted}
 
 
-def test_what_is_in_no_group_of_a_job_is_not_posted(small, zigzag_commands):
+def test_operation_outside_of_the_job_is_not_posted(small, zigzag_commands):
     """An array of FreeCAD 1.1 removes its base from the job."""
     base = small.add("Base", zigzag_commands)
     array = array_of(small, zigzag_commands, base)
@@ -231,7 +231,7 @@ def test_toolpath_without_a_job_counts_in_every_analysis(small, zigzag_commands)
     assert counted(alone) == counted(small.document) == {"Alone"}
 
 
-def test_a_job_has_what_an_array_has_taken_out_of_its_group(small, zigzag_commands):
+def test_array_base_still_belongs_to_the_job(small, zigzag_commands):
     """As in FreeCAD 1.1: the base is cleared together with the job."""
     base = small.add("Base", zigzag_commands)
     small.job.Operations.Group = [array_of(small, zigzag_commands, base)]
@@ -243,7 +243,7 @@ def test_a_job_has_what_an_array_has_taken_out_of_its_group(small, zigzag_comman
     assert not base.Label2
 
 
-def test_a_copy_leaves_what_it_copies_in_the_job(small, zigzag_commands, monkeypatch):
+def test_copy_does_not_replace_its_base(small, zigzag_commands, monkeypatch):
     base, copy = small.add("Base", zigzag_commands), small.add("Copy", zigzag_commands)
     copy.addProperty("App::PropertyLink", "Base", "Path").Base = base
     assert [row.counted for row in vkworkbench.analyze(small.job).operations] == [False, True]  # its dress-up
@@ -260,14 +260,14 @@ def test_array_is_posted_while_one_base_is_active(small, zigzag_commands):
     assert counted(small.job) == set()
 
 
-def test_what_a_dressed_up_array_copies_is_posted(small, zigzag_commands):
+def test_base_of_dressed_up_array_is_posted(small, zigzag_commands):
     array = array_of(small, zigzag_commands, small.add("Base", zigzag_commands))
     dressup = small.add("Dress-up", zigzag_commands)
     dressup.addProperty("App::PropertyLink", "Base", "Path").Base = array
     assert counted(small.job) == {"Base", "Dress-up"}
 
 
-def test_copies_of_what_may_come_from_a_file_are_read_as_that(small, zigzag_commands):
+def test_copies_of_custom_operations_share_their_feeds(small, zigzag_commands):
     """The feeds of a custom operation, and of an array of it, may be in mm/min."""
     base = small.add("Base", [(n, {**w, "F": 600.0} if "F" in w else w) for n, w in zigzag_commands])
     array = array_of(small, zigzag_commands, base)
@@ -278,7 +278,7 @@ def test_copies_of_what_may_come_from_a_file_are_read_as_that(small, zigzag_comm
     assert vkworkbench.analyze(array).operations[0].machining_seconds < 0.1 * one.machining_seconds
 
 
-def test_folders_and_parts_stand_for_what_is_in_them(small, zigzag_commands):
+def test_folders_and_parts_stand_for_their_contents(small, zigzag_commands):
     op = small.add("Zigzag", zigzag_commands)
     for kind in ("App::DocumentObjectGroup", "App::Part"):
         folder = small.document.addObject(kind, "Folder")
@@ -318,7 +318,7 @@ def test_a_stop_needs_no_tool(small):
     assert small.document.getObject(stop.name).Label2 == "⟦empty⟧"
 
 
-def test_an_operation_with_a_tool_that_moves_nothing_is_told(small):
+def test_operation_without_cutting_moves_has_an_error(small):
     small.add("Drill", [("(Drill)", {}), ("G90", {}), ("G80", {})])
     (drill,) = vkworkbench.analyze(small.document).operations
     assert drill.strategy == "empty" and drill.error == "The toolpath has no cutting move."
@@ -337,7 +337,7 @@ BAD_PATHS = {
 }  # fmt: skip
 
 
-def test_bad_paths_say_what_is_wrong_and_stop_nothing(small, zigzag_commands):
+def test_bad_path_has_an_error_and_others_are_analyzed(small, zigzag_commands):
     good = small.add("Good", zigzag_commands)
     for label, (commands, _) in BAD_PATHS.items():
         small.add(label, commands)
@@ -407,7 +407,7 @@ def test_json_holds_every_message_as_data(report):
     assert Message.from_data(report.totals[0].as_dict()["messages"]["resolution"]).code == "image"
 
 
-def test_a_tool_whose_diameter_is_no_number():
+def test_tool_with_text_as_diameter_is_refused():
     class Bit:
         Diameter = "6 mm"
 
@@ -430,7 +430,7 @@ def test_placement_moves_the_toolpath(small, zigzag_commands):
     assert [remark.code for remark in outside.remarks] == ["not-touching"] and inside.remarks == ()
 
 
-def test_a_stock_that_is_the_finished_part_is_told(small, zigzag_commands):
+def test_stock_equal_to_finished_part_has_a_remark(small, zigzag_commands):
     op = small.add("Beside", zigzag_commands)
     op.Placement.Base = FreeCAD.Vector(1000, 0, 0)
     finished = small.document.addObject("Part::Feature", "Finished")
@@ -599,7 +599,7 @@ def test_a_tool_is_too_wide_beyond_the_longer_side_of_the_stock(small, zigzag_co
     assert ("tool-wider-than-stock" in [remark.code for remark in row.remarks]) is told
 
 
-def test_what_is_given_up_is_not_waited_for(small, zigzag_commands, monkeypatch):
+def test_cancelled_work_is_not_awaited(small, zigzag_commands, monkeypatch):
     small.add("Rows", zigzag_commands)
     vkworkbench.analyze(small.document)  # measures the computer if that was not done yet
     RESULTS.clear()
@@ -634,7 +634,7 @@ def test_analysis_computes_the_costs_that_the_panel_shows(small, zigzag_commands
     assert total.cost(chosen.simulator)[0] > 0 and estimated == [1]
 
 
-def test_what_cannot_be_read_costs_one_row_only(small, zigzag_commands, monkeypatch):
+def test_unreadable_operation_costs_one_row(small, zigzag_commands, monkeypatch):
     first, _ = small.add("First", zigzag_commands), small.add("Second", zigzag_commands)
 
     def read(obj):

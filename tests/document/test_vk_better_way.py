@@ -46,7 +46,7 @@ def said(found):
     return f"{render(found.wrong)} {render(found.better)}"
 
 
-def test_nothing_is_said_within_the_budget():
+def test_no_advice_within_the_budget():
     for simulator in freecad.own_simulators():
         assert better_way(simulator, [record(), record()], BUDGET) is None
         assert better_way(simulator, [], BUDGET) is None
@@ -62,7 +62,7 @@ def test_a_long_play_has_its_fast_forward():
     )
 
 
-def test_the_opengl_simulator_gives_way_to_the_legacy_one():
+def test_legacy_simulator_is_offered_for_slow_opengl():
     found = better_way("OpenGL", [record(opengl=6120.0, play=6120.0, forward=34.0)], BUDGET)
     assert found.way == "legacy"
     assert said(found) == (
@@ -70,7 +70,7 @@ def test_the_opengl_simulator_gives_way_to_the_legacy_one():
     )
 
 
-def test_what_hangs_is_named_and_the_other_simulator_offered():
+def test_hanging_operation_is_named_with_an_alternative():
     found = better_way("legacy", [record(), hanging("Thread001"), hanging("Thread002")], BUDGET)
     assert found.way == "OpenGL"
     assert "command 13 of Thread001 (also in another operation) is an arc that is a full circle" in said(found)
@@ -91,7 +91,7 @@ def test_in_a_freecad_without_the_opengl_simulator(monkeypatch):
 
 
 @pytest.mark.parametrize("other", [None, record("Old", outdated=True), replace(record(), costs={})])
-def test_what_is_not_known_makes_it_the_least(other):
+def test_unknown_costs_make_the_time_a_lower_bound(other):
     found = better_way("legacy", [record(play=6120.0, forward=34.0), other], BUDGET)
     assert (
         said(found)
@@ -125,6 +125,6 @@ def test_mark_over_the_budget_names_the_offered_simulator(simulator, times):
     assert "takes at least 10.02 min" in least and "about" not in least
 
 
-def test_an_operation_without_moves_is_no_gap():
+def test_operation_without_moves_keeps_the_total_complete():
     empty = Record(Strategy.EMPTY, remarks=(Message("no-toolpath"),))
     assert "about 1.7 h" in said(better_way("legacy", [record(play=6120.0), empty], BUDGET))

@@ -64,7 +64,7 @@ def test_in_a_window_the_computer_is_measured_the_first_time(folder, monkeypatch
     assert found == calibration.load("card").constants == calibration.measured_constants("card")
 
 
-def test_what_cannot_be_kept_is_told_by_default(folder, monkeypatch):
+def test_unsaved_calibration_gives_the_defaults(folder, monkeypatch):
     monkeypatch.setattr(FreeCAD, "GuiUp", 1)
     calibration._path().mkdir(parents=True)
     assert calibration.measured_constants("card") == DEFAULTS
@@ -181,7 +181,7 @@ def test_no_temporary_file_stays_after_a_failed_write(folder):
     assert list(path.parent.iterdir()) == [path]
 
 
-def test_parts_that_only_older_versions_wrote_are_ignored(folder):
+def test_entries_of_older_versions_are_ignored(folder):
     done = calibration.calibrate("card")
     (path,) = folder.rglob("calibration.json")
     records = json.loads(path.read_text())
@@ -191,7 +191,7 @@ def test_parts_that_only_older_versions_wrote_are_ignored(folder):
     assert calibration.load("card") == done
 
 
-def test_what_is_kept_is_plain_json(folder):
+def test_calibration_file_is_plain_json(folder):
     calibration.calibrate("card")
     (path,) = folder.rglob("calibration.json")
     speed, record = json.loads(path.read_text()).values()

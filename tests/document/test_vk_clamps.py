@@ -76,14 +76,14 @@ def test_clamps_of_a_job_are_set_in_one_undo_step(small, slot):
     assert clamps_of(small.job) == () and read_job(slot).clamps == {}
 
 
-def test_clamps_of_an_argument_come_before_those_of_the_job(small, slot):
+def test_clamps_argument_overrides_clamps_of_the_job(small, slot):
     clamp, other = box(small, "Clamp", -20, 10, 0, 15, 20, 30), box(small, "Other", -20, 100, 0, 15, 20, 30)
     set_clamps(small.job, [clamp])
     assert list(read_job(slot).clamps) == ["Clamp"]
     assert list(read_job(slot, [other]).clamps) == ["Other"] and read_job(slot, []).clamps == {}
 
 
-def test_moved_clamp_changes_what_was_simulated(small, slot):
+def test_moved_clamp_outdates_the_simulation(small, slot):
     clamp = box(small, "Clamp", -20, 10, 0, 15, 20, 30)
     set_clamps(small.job, [clamp])
     copy = copy_job(slot)

@@ -90,7 +90,7 @@ def test_another_tool_or_stock_is_another_setting(changed):
      {"upper": (50.002, 40.0, 20.0)}, {"lower": (0.0, -0.001, 0.0)}],
     ids=str,
 )  # fmt: skip
-def test_what_files_and_versions_round_is_the_same_setting(changed):
+def test_rounding_in_files_keeps_the_setting(changed):
     assert of(**changed) == of()
 
 
@@ -100,7 +100,7 @@ def test_corner_between_two_hundredths_ignores_the_last_digit():
         assert of(upper=(60.0 + corner - 1e-9, 40.0, 20.0)) == of(upper=(60.0 + corner + 1e-9, 40.0, 20.0))
 
 
-def test_what_stands_in_files_is_told_the_same_by_every_version():
+def test_fingerprint_is_the_same_in_every_version():
     """The first 16 digits of a SHA-1 of the rounded values; -0 counts as 0."""
 
     def digits(text):
@@ -112,7 +112,7 @@ def test_what_stands_in_files_is_told_the_same_by_every_version():
     assert of(lower=(-0.003, 1.2345, 1.2347)) == digits(setting)
 
 
-def test_what_cannot_be_read_is_a_setting_of_its_own():
+def test_unreadable_setting_has_its_own_fingerprint():
     tool, stock = Tool(**TOOL), Stock(*BOX)
     settings = [(tool, stock), (tool, None), (None, stock), (None, None)]
     assert len({setting_fingerprint(*one) for one in settings}) == 4
@@ -146,7 +146,7 @@ def test_fingerprint_of_a_path_is_the_one_of_its_text(small, zigzag_commands, mo
     assert path_fingerprint(op) == text_fingerprint(text, op.Placement)
 
 
-def test_what_fits_a_setting(small, zigzag_commands):
+def test_fingerprints_that_match_a_setting(small, zigzag_commands):
     """In a reopened document, marks made without a stock fit, too, because FreeCAD adds a stock."""
     op = small.add("One", zigzag_commands)
     whole, of_tool = read_setting_fingerprints(op, small.job)

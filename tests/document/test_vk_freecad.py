@@ -68,7 +68,7 @@ class Spy:
         return Spy(value, self._read) if hasattr(value, "PropertiesList") else value
 
 
-def test_what_a_fingerprint_reads_is_watched(example):
+def test_all_fingerprinted_properties_are_watched(example):
     read = set()
     for operation in operations.find(example):
         if operation.counted:

@@ -48,14 +48,14 @@ def test_garbage_waits_until_the_last_holder_releases_it(collector):
     assert gc.isenabled()
 
 
-def test_what_was_off_stays_off(collector):
+def test_garbage_collection_stays_off(collector):
     gc.disable()
     garbage.hold()
     garbage.release()
     assert not gc.isenabled()
 
 
-def test_what_is_young_is_collected_when_it_is_time(collector):
+def test_young_objects_are_collected(collector):
     garbage.hold()
     ring = gone()
     gc.set_threshold(1_000_000)
@@ -69,7 +69,7 @@ def test_what_is_young_is_collected_when_it_is_time(collector):
 
 
 @pytest.mark.skipif(sys.version_info >= (3, 14), reason="Python collects a part of what is old each time")
-def test_what_is_old_waits_for_the_end(collector):
+def test_old_objects_are_collected_at_the_end(collector):
     ring = Ring()
     gc.collect()
     garbage.hold()
@@ -99,7 +99,7 @@ def resident():
 
 
 @pytest.mark.skipif(platform.libc_ver()[0] != "glibc", reason="another C library")
-def test_what_a_thread_has_freed_is_given_back(collector):
+def test_freed_memory_returns_to_the_system(collector):
     kept = []
 
     def work():

@@ -73,7 +73,7 @@ def test_operations_that_dress_up_each_other(small, zigzag_commands):
 @pytest.mark.parametrize("lost, words", [
     ("controller", "no tool"), ("bit", "no tool"), ("stock", "no stock"), ("group", "no stock"), ("job", "no stock"),
 ])  # fmt: skip
-def test_links_to_what_was_deleted(small, zigzag_commands, lost, words):
+def test_links_to_deleted_objects(small, zigzag_commands, lost, words):
     op = small.add("Zigzag", zigzag_commands)
     vkworkbench.mark(vkworkbench.analyze(small.document))
     vkworkbench.clear(small.document)

@@ -42,7 +42,7 @@ def window(monkeypatch):
     return window
 
 
-def test_long_work_goes_on_when_the_window_is_idle(window):
+def test_long_work_continues_when_idle(window):
     idle.work(window.steps("a", 5))
     assert window.done == ["a0", "a1"] and len(window.waiting) == 1  # 20 ms each
     window.idle()
@@ -92,7 +92,7 @@ def test_without_a_window_all_is_done_at_once_and_nothing_later():
 
 
 @pytest.mark.parametrize("error", [None, ValueError("a bug")])
-def test_without_a_window_what_a_work_asks_for_comes_after_it(error):
+def test_nested_work_runs_afterwards_without_a_window(error):
     window = Window()
 
     def asking():

@@ -46,7 +46,7 @@ def test_imported_inches_are_noticed_and_recognised(small, tmp_path):
     assert file.strategy is row.strategy and file.length == pytest.approx(25.4 * row.length)
 
 
-def test_imported_inches_of_two_operations_are_told_apart(small, tmp_path):
+def test_imported_inches_are_recognized_per_operation(small, tmp_path):
     FreeCAD.setActiveDocument(small.name)
     turn = "".join(f"G1 X{x} Y{y}\n" for x, y in ((8, 4), (8, 8), (4, 8), (4, 4)))
     contours = f"G0 X4 Y4\nG1 Z0.7 F20\n{turn}G1 Z0.6\n{turn}G0 Z1.5\n"
@@ -72,7 +72,7 @@ def test_imported_inches_split_profile_and_helix_at_a_retract(small, tmp_path):
 
 
 @pytest.mark.parametrize("name", ["ClearanceHeight", "Base"])
-def test_what_another_freecad_has_made_is_no_imported_program(small, name):
+def test_operation_without_proxy_is_not_an_import(small, name):
     """Without a proxy, but with heights or a base as only operations have. Its feeds are in mm/s."""
     operation = small.add(
         "Fast", [("G0", {"X": 5.0, "Y": 5.0, "Z": 30.0}), ("G1", {"Z": 15.0, "F": 300.0}), ("G1", {"X": 55.0})]
@@ -102,7 +102,7 @@ def test_small_work_of_freecads_own_is_not_doubted(small, zigzag_commands):
 MINUTES = "are read as mm/min"
 
 
-def test_the_time_of_an_import_is_that_of_its_feeds_in_a_minute(small, tmp_path):
+def test_import_time_uses_feeds_per_minute(small, tmp_path):
     FreeCAD.setActiveDocument(small.name)
     lines = "".join(f"G1 X{55 if k % 2 == 0 else 5} F1200\nG1 Y{5 + 3 * k}\n" for k in range(10))
     operation = imported(small, f"G21\nM6 T1\nG0 X5 Y5 Z30\nG1 Z15 F300\n{lines}G0 Z30\n", tmp_path)

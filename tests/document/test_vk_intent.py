@@ -120,7 +120,7 @@ def test_a_dress_up_is_judged_by_itself(small, zigzag_commands):
     assert marks.read(base).called == "ZigZag" and marks.read(dressup).called is None
 
 
-def test_a_file_of_results_names_what_contradicts(small, zigzag_commands, tmp_path):
+def test_results_file_contains_contradictions(small, zigzag_commands, tmp_path):
     """The files have the same remark as mark and panel."""
     op = small.add("2D Pocket3", zigzag_commands)
     op.addProperty("App::PropertyString", "OffsetPattern", "Path").OffsetPattern = "Offset"

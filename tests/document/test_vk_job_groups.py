@@ -29,7 +29,7 @@ def old(small, zigzag_commands):
     return small
 
 
-def test_a_compound_of_a_job_is_no_operation(old):
+def test_compound_of_a_job_is_not_an_operation(old):
     assert old.compound.Path.Size >= sum(op.Path.Size for op in old.operations)
     report = vkworkbench.analyze(old.document)
     assert [row.label for row in report.operations] == ["One", "Two"]

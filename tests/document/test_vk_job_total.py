@@ -41,7 +41,7 @@ def summed(report):
     return sum(o.estimate.seconds for o in report.operations if o.counted)
 
 
-def test_the_total_is_that_of_simulating_the_job(example):
+def test_total_is_the_cost_of_simulating_the_job(example):
     (total,) = vkworkbench.analyze(example).totals
     job, view = read_job(example), preferences.read().view
     expected = estimate_job(job.cuts, stock=job.stock, view=view, speed=calibration.measured_speed())
@@ -52,7 +52,7 @@ def test_the_total_is_that_of_simulating_the_job(example):
     assert total.memory_bytes == pytest.approx(true.peak.bytes(), rel=0.1)
 
 
-def test_what_two_operations_cut_counts_once(twice):
+def test_material_of_two_operations_counts_once(twice):
     report = vkworkbench.analyze(twice.document)
     (total,) = report.totals
     first, second, third = (o.estimate for o in report.operations)
@@ -124,7 +124,7 @@ def test_a_total_of_other_operations_is_not_read(twice):
     assert marks.read_total(twice.job) is None
 
 
-def test_what_cuts_nothing_is_no_unknown_cost(twice):
+def test_operation_that_cuts_nothing_costs_nothing(twice):
     """An operation that only drives the tool away has moves, but costs nothing in every simulator."""
     twice.add("Away", [("G0", {"Z": 50.0}), ("G0", {"X": 0.0, "Y": 0.0}), ("G0", {"Z": 80.0})])
     report = vkworkbench.analyze(twice.job)
@@ -185,7 +185,7 @@ def test_link_beside_the_job_is_not_posted_or_marked(small, linked):
         preferences.write(mark_simulator=preferences.OWN)
 
 
-def test_a_link_to_a_job_is_no_job(small, zigzag_commands):
+def test_link_to_a_job_is_not_a_job(small, zigzag_commands):
     op = small.add("Zigzag", zigzag_commands)
     link = small.document.addObject("App::Link", "Link")
     link.LinkedObject = small.job

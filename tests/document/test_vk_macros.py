@@ -57,7 +57,7 @@ def test_a_broken_document_of_the_folder_is_left_out(example_path, tmp_path):
     assert "b.FCStd" in (tmp_path / "all.csv").read_text(encoding="utf-8")
 
 
-def test_colours_are_those_of_the_strategies(example):
+def test_toolpaths_get_the_colours_of_their_strategies(example):
     colors = color_by_strategy(example)
     known = {o.name: o.strategy for o in vkworkbench.analyze(example).operations}
     assert colors and len(set(colors.values())) == len({known[name] for name in colors})
@@ -65,7 +65,7 @@ def test_colours_are_those_of_the_strategies(example):
         assert known[name].color == "#" + "".join(f"{round(255 * share):02x}" for share in color)
 
 
-def test_a_heavy_job_is_told_by_job_and_simulator(example):
+def test_heavy_job_is_named_with_its_simulator(example):
     hangs = [line for line in too_heavy(example, 1e9, 1e15) if "for good" not in line and "hang" not in line]
     assert hangs == []
     label = example.getObject("Job").Label

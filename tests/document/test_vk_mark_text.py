@@ -58,7 +58,7 @@ def test_caution_before_the_start_is_a_warning(rest, warned):
     assert ("⚠" in text_of(record(**rest), CHOSEN)) is warned
 
 
-def test_the_time_of_what_is_not_all_known_is_a_least_one():
+def test_incomplete_time_is_a_lower_bound():
     assert time_of(record(5.0), CHOSEN) != "" and "≥" not in time_of(record(5.0), CHOSEN)
     assert time_of(record(5.0, incomplete=True), CHOSEN) == f"≥ {time_of(record(5.0), CHOSEN)}"
     assert time_of(record(None), CHOSEN) == "" == time_of(record(None, incomplete=True), CHOSEN)

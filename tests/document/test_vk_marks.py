@@ -55,7 +55,7 @@ def test_mark_text_and_data(small, zigzag_commands):
     assert small.job.CuttingLength.getValueAs("mm") == pytest.approx(o.length)
 
 
-def test_how_sure_is_said_where_it_is_low(small, zigzag_commands):
+def test_low_confidence_is_in_the_mark(small, zigzag_commands):
     op = small.add("Zigzag", zigzag_commands)
     report = vkworkbench.analyze(small.document)
     (o,) = report.operations
@@ -112,7 +112,7 @@ CHANGES = {
 @pytest.mark.parametrize(
     "written", [*DAMAGED, *((name, value) for name, values in CHANGES.items() for value in values)]
 )
-def test_damaged_data_is_no_mark_and_is_replaced(small, zigzag_commands, written):
+def test_damaged_mark_is_replaced(small, zigzag_commands, written):
     op = small.add("Zigzag", zigzag_commands)
     vkworkbench.mark(vkworkbench.analyze(small.document))
     text = op.Label2
@@ -139,7 +139,7 @@ TYPES = [
 
 @pytest.mark.parametrize("kind", [None, *TYPES])
 @pytest.mark.parametrize("name", mark_properties._TYPES)
-def test_a_property_that_others_delete_or_retype_is_made_anew(small, zigzag_commands, name, kind):
+def test_deleted_or_retyped_property_is_created_again(small, zigzag_commands, name, kind):
     op = small.add("Zigzag", zigzag_commands)
     before = sorted(op.PropertiesList)
     vkworkbench.mark(vkworkbench.analyze(small.document))
@@ -384,7 +384,7 @@ def test_clear_reaches_a_job_without_operations(small, zigzag_commands):
     assert vkworkbench.clear(small.job) == 1 and marked(small.document) == []
 
 
-def test_marks_of_an_operation_that_is_gone_are_passed_over(small, zigzag_commands):
+def test_marks_of_deleted_operations_are_skipped(small, zigzag_commands):
     first, second = small.add("First", zigzag_commands), small.add("Second", zigzag_commands)
     report = vkworkbench.analyze(small.document)
     small.document.removeObject(first.Name)

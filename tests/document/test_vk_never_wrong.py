@@ -77,7 +77,7 @@ def test_a_mark_in_another_job_is_outdated(marked):
 
 
 @pytest.mark.parametrize("what", ["path", "tool", "stock"])
-def test_what_changes_during_an_analysis_is_outdated(small, zigzag_commands, what):
+def test_change_during_an_analysis_outdates_the_mark(small, zigzag_commands, what):
     first, second = small.add("First", zigzag_commands), small.add("Second", zigzag_commands)
 
     def meanwhile(done, *_):
@@ -103,7 +103,7 @@ def test_an_older_report_is_outdated(marked):
     assert outdated(marked.document) == []
 
 
-def test_what_is_known_of_a_path_is_known_of_no_other(marked):
+def test_fingerprint_follows_each_path_change(marked):
     """After every change the fingerprint belongs to the current path."""
     document, op = marked.document, marked.op
 
@@ -187,7 +187,7 @@ def analyzed_again():
     preferences.write(analyze_after_recompute=before)
 
 
-def test_an_analysis_after_a_recompute_is_no_step_of_its_own(marked, analyzed_again):
+def test_analysis_after_recompute_adds_no_undo_step(marked, analyzed_again):
     document, op = marked.document, marked.op
     before = op.Path
     document.openTransaction("Edit")
@@ -252,7 +252,7 @@ def test_a_stock_of_another_form_in_the_same_box_outdates(marked):
         assert marks.read(marked.op).fingerprint == found[name]  # a new analysis gives the same result
 
 
-def test_a_shape_that_is_gone_is_taken_for_no_other(marked):
+def test_new_shape_does_not_get_results_of_a_deleted_one(marked):
     """A new shape at the address of a deleted one does not get its results."""
     solid = marked.document.addObject("Part::Feature", "Solid")
     marked.job.Stock = solid

@@ -53,7 +53,7 @@ def odd_row(small, op):
     return row
 
 
-def test_a_comment_of_a_job_is_no_operation_without_a_toolpath(sound):
+def test_comment_operation_needs_no_toolpath_remark(sound):
     """A comment needs no recompute."""
     comment = bare(sound, "Comment")
     comment.Path = Path.Path([Path.Command("(flip the part)")])
@@ -95,7 +95,7 @@ def test_tool_controllers(sound, zigzag_commands, name, type_id):
 
 
 @pytest.mark.parametrize("speed", [float("nan"), float("inf"), -5.0])
-def test_rapids_that_are_no_speed(sound, zigzag_commands, speed):
+def test_invalid_rapid_speeds_are_ignored(sound, zigzag_commands, speed):
     controller = bare(sound, "Controller")
     controller.addProperty("App::PropertyLink", "Tool").Tool = sound.controller.Tool
     for name in ("HorizRapid", "VertRapid"):
@@ -150,7 +150,7 @@ def test_a_failure_of_reading_costs_one_row(sound, zigzag_commands, monkeypatch)
 
 
 @pytest.mark.parametrize("what", ["x", 5, b"x", ["x"], [None], [[5]], 1.5, object()])
-def test_what_is_no_document_is_told_in_a_sentence(small, what):
+def test_argument_that_is_not_a_document_is_refused(small, what):
     with pytest.raises(TypeError, match="only a document, a job or operations"):
         vkworkbench.clear(what)
     if not isinstance(what, str) and what != ["x"]:  # these are files
@@ -159,7 +159,7 @@ def test_what_is_no_document_is_told_in_a_sentence(small, what):
 
 
 @pytest.mark.parametrize("do", ["analyze", "clear", "simulate"])
-def test_what_is_gone_is_told_in_a_sentence(small, zigzag_commands, do):
+def test_deleted_object_is_refused_with_a_sentence(small, zigzag_commands, do):
     do = getattr(vkworkbench, do)
     deleted, op = small.add("Deleted", zigzag_commands), small.add("Zigzag", zigzag_commands)
     small.document.openTransaction("Delete")
@@ -189,7 +189,7 @@ def test_an_iterator_is_cleared_as_a_list(small, zigzag_commands):
     assert vkworkbench.clear([[op]]) == 2
 
 
-def test_a_rotary_axis_that_cuts_is_no_drilling(small):
+def test_cutting_rotary_axis_is_not_drilling(small):
     commands = [
         ("G0", {"X": 5.0, "Y": 5.0, "Z": 30.0}),
         ("G1", {"Z": 15.0, "F": 5.0}),

@@ -49,7 +49,7 @@ def test_changes_are_listened_to_once(small, zigzag_commands, prints, monkeypatc
     FreeCAD.addDocumentObserver(prints)  # the fixture closes it
 
 
-def test_what_changes_while_it_is_being_found_has_none(small, zigzag_commands, prints):
+def test_path_that_changes_has_no_fingerprint(small, zigzag_commands, prints):
     op = small.add("One", zigzag_commands)
 
     def edit():
@@ -60,7 +60,7 @@ def test_what_changes_while_it_is_being_found_has_none(small, zigzag_commands, p
     assert found(prints, op, "g") == "g"
 
 
-def test_what_two_look_for_the_first_finds_for_both(small, zigzag_commands, prints):
+def test_two_searches_share_one_fingerprint(small, zigzag_commands, prints):
     """Otherwise an analysis and the comparison of its mark would restart each other's search."""
     op = small.add("One", zigzag_commands)
     whose, first, second = (op.Document.Name, op.Name), prints.begin(op), prints.begin(op)
@@ -83,7 +83,7 @@ def test_a_document_that_is_closed_is_forgotten(small, zigzag_commands, prints):
         FreeCAD.closeDocument(again.Name)
 
 
-def test_what_was_found_of_the_shapes_asked_for_last_is_kept():
+def test_cache_keeps_the_latest_shapes():
     shapes, made = [Part.makeBox(1, 1, height) for height in (1, 2, 3)], []
     kept = ShapeCache(2)
 

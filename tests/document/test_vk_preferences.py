@@ -50,7 +50,7 @@ def test_defaults_and_their_parameters():
     assert read.image_height == Preferences().image_height
 
 
-def test_defaults_are_those_of_the_documents():
+def test_defaults_match_the_documents():
     """The image of the paper, the memory budget of docs/cost.md, ten minutes, and the best accuracies."""
     chosen = Preferences()
     assert (chosen.image_width, chosen.image_height) == (800, 600)
@@ -77,7 +77,7 @@ def test_a_number_is_taken_up_to_its_limits(name):
             assert getattr(preferences.read(), name) == read
 
 
-def test_what_cannot_be_is_the_default():
+def test_invalid_preferences_become_defaults():
     preferences.write(image_width=0, tolerance=-1.0, view_direction="Sideways", legacy_accuracy=float("nan"))
     assert preferences.read() == Preferences()
 
@@ -196,7 +196,7 @@ def test_watch_follows_preferences_that_marks_show(monkeypatch):
     assert followed
 
 
-def test_a_total_of_different_simulators_is_not_told(arc, small):
+def test_totals_of_different_simulators_are_not_added(arc, small):
     other = small.add("Other", ARC)
     preferences.write(mark_simulator=ZBUFFER.name)
     vkworkbench.mark(vkworkbench.analyze(small.document))

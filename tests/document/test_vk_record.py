@@ -44,7 +44,7 @@ def test_all_that_is_kept_comes_back(changed):
     [("length", -1.0), ("length", True), ("length", "9"), ("length", 1.1e15), ("confidence", 1.5), ("text", "\ud800"), ("length", float("inf")), ("machining", float("nan")),
      ("stepover", []), ("strategy", "no strategy"), ("trajectories", None), ("reason", [{"code": "of a newer version"}])],
 )  # fmt: skip
-def test_what_is_damaged_or_newer_is_no_mark(name, value):
+def test_damaged_or_newer_data_is_not_a_mark(name, value):
     data = {**json.loads(as_json(WHOLE)), name: value}
     assert from_json(json.dumps(data)) is None
 
@@ -56,12 +56,12 @@ def test_an_operation_alone_is_one_and_leaves_out_nothing():
     assert (alone.trajectories, alone.length, alone.confidence, alone.machining_seconds) == (0, 0, 0, None)
 
 
-def test_a_mark_tells_its_format():
+def test_mark_contains_its_format():
     """A later version can tell the format of marks in old files."""
     assert json.loads(as_json(WHOLE))["format"] == 2
 
 
-def test_reasons_are_told_in_english():
+def test_reasons_are_written_in_english():
     reasons = Message("not-nested"), Message("moves-nothing")
     assert replace(WHOLE, reason=reasons).english_reason == " ".join(map(render, reasons))
 
@@ -97,7 +97,7 @@ def test_record_keeps_shown_and_computed_costs(monkeypatch):
     assert of_operation(report, "chosen").costs == {"legacy": 2}
 
 
-def test_remarks_name_what_is_serious_and_no_more():
+def test_remarks_contain_only_serious_problems():
     assert WHOLE.english_remarks == " ".join([*map(render, WHOLE.remarks), HANGS.message])
 
 
@@ -115,6 +115,6 @@ def test_a_total_is_made_of_its_parts():
     assert remark.code == "cost-unknown"
 
 
-def test_costs_are_unknown_of_what_has_moves_and_none():
+def test_total_without_moves_has_no_remark_on_costs():
     total = SimpleNamespace(operations=1, trajectories=0, length=0.0, machining_seconds=0.0, incomplete=False, costs={})
     assert of_total(total, [replace(WHOLE, trajectories=0)], "f").remarks == ()

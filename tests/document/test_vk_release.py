@@ -40,7 +40,7 @@ def archive(tmp_path_factory):
     return make_release.make_release(tmp_path_factory.mktemp("release"))
 
 
-def test_it_has_what_users_need_and_nothing_else(archive):
+def test_release_has_only_the_files_for_users(archive):
     with zipfile.ZipFile(archive) as file:
         names = {name.split("/", 1)[1] for name in file.namelist()}
     assert {"InitGui.py", "Init.py", "package.xml", "LICENSE", "README.md", "vkworkbench/__init__.py"} <= names
@@ -76,7 +76,7 @@ def test_freecad_reads_where_the_repository_is(tmp_path):
             make_release.with_urls(text, none)
 
 
-def test_who_publishes_it_says_in_one_step_where(tmp_path):
+def test_release_script_writes_the_repository(tmp_path):
     for file in [*make_release.release_files(), Path("resources/make_release.py")]:
         (tmp_path / "checkout" / file).parent.mkdir(parents=True, exist_ok=True)
         shutil.copy(RESOURCES.parent / file, tmp_path / "checkout" / file)
@@ -104,7 +104,7 @@ def test_who_publishes_it_says_in_one_step_where(tmp_path):
 
 # All other tests use a folder called ToolpathAnalysis.
 @pytest.mark.parametrize("folder", ["Toolpath-Analysis-main", "Fräsen mit Überblick 刀具"])
-def test_it_works_from_a_read_only_folder_of_any_name(archive, tmp_path, folder):
+def test_release_works_from_a_read_only_folder(archive, tmp_path, folder):
     home = tmp_path / "Hæuser und Höfe"
     places = [home / ".local/share/FreeCAD/Mod" / folder, home / ".local/share/FreeCAD/v1-1/Mod" / folder]
     for place in places:

@@ -46,7 +46,7 @@ def test_second_analysis_reuses_the_recognition(small, zigzag_commands, recogniz
     assert vkworkbench.analyze(small.job, cancelled=lambda: False) == first and len(recognized) == 6
 
 
-def test_what_does_not_matter_is_told_as_it_is_now(small, zigzag_commands, recognized):
+def test_cached_row_has_the_current_labels(small, zigzag_commands, recognized):
     op = small.add("Before", zigzag_commands)
     (first,) = vkworkbench.analyze(small.document).operations
     op.Label, op.Label2 = "After", "my words"
@@ -119,7 +119,7 @@ def preferred(monkeypatch, **values):
 
 
 @pytest.mark.parametrize("change", changes(), ids=lambda change: change.__name__)
-def test_whatever_changes_is_analysed_anew(small, zigzag_commands, recognized, monkeypatch, change):
+def test_changed_operation_is_analysed_again(small, zigzag_commands, recognized, monkeypatch, change):
     op = small.add("Zigzag", zigzag_commands)
     vkworkbench.analyze(small.document)
     vkworkbench.analyze(small.document)
@@ -159,7 +159,7 @@ def test_long_paths_are_known_too(small, zigzag_commands, recognized, monkeypatc
     assert vkworkbench.analyze(small.document) == vkworkbench.analyze(small.document) and len(recognized) == 1
 
 
-def test_it_is_bounded():
+def test_result_cache_is_bounded():
     known = ResultCache(max_rows=3, max_trajectories=100)
     rows = [SimpleNamespace(trajectories=10, number=k) for k in range(6)]
     for k, row in enumerate(rows):
@@ -174,7 +174,7 @@ def test_it_is_bounded():
     assert known.find(None) is None and len(known) == 0
 
 
-def test_forgetting_makes_room_for_as_much_as_before():
+def test_forgetting_frees_room_in_the_cache():
     known, row = ResultCache(max_trajectories=100), SimpleNamespace(trajectories=100)
     for _ in range(2):
         known.keep("key", row)
@@ -183,7 +183,7 @@ def test_forgetting_makes_room_for_as_much_as_before():
         assert len(known) == 0
 
 
-def test_a_key_tells_all_of_its_parts():
+def test_cache_key_contains_all_parts():
     def keys(*parts):
         return key_of("G1 X1", *parts)
 

@@ -24,7 +24,7 @@ def test_last_row_is_remembered_while_its_fingerprint_holds(small):
     assert results.latest_row(op, "g") is after and results.latest_row(op, "f") is None
 
 
-def test_a_document_of_the_same_name_starts_anew(small):
+def test_document_of_the_same_name_has_no_old_results(small):
     op = small.add("Op", [])
     results.remember([row(small.name, op.Name)])
     FreeCAD.closeDocument(small.name)
@@ -36,7 +36,7 @@ def test_a_document_of_the_same_name_starts_anew(small):
         FreeCAD.closeDocument(again.Name)
 
 
-def test_new_rows_take_the_place_of_those_that_were_remembered(small):
+def test_new_rows_replace_remembered_rows(small):
     old = [row(small.name, "A"), row(small.name, "B")]
     results.remember(old)
     new = row(small.name, "B", "g")

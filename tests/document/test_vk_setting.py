@@ -40,7 +40,7 @@ def test_the_feed_downwards(feed, told):
     ("name", "instead"),
     [("endmill", None), ("tap", "as-drill"), ("probe", "as-end-mill"), ("my_ball_6", "as-end-mill")],
 )
-def test_a_tool_of_another_shape_is_said_to_be_an_end_mill(name, instead):
+def test_unknown_tool_shape_is_simulated_as_end_mill(name, instead):
     bit = SimpleNamespace(ShapeName=name, ShapeType=name, Diameter=6.0)
     remark = tool_remark(operation(Label="Tool", Tool=bit))
     assert (remark and remark.arguments["instead"].code) == instead
@@ -67,7 +67,7 @@ def test_commands_at_hand_are_the_text_of_a_long_path():
     assert text_of(short) == text_of(short, []) == "at once"
 
 
-def test_only_what_has_just_been_opened_fits_its_tool_alone(small, zigzag_commands):
+def test_tool_fingerprint_suffices_only_after_opening(small, zigzag_commands):
     one = small.add("One", zigzag_commands)
     (whole,) = Settings().of(one)
     assert Settings(opened=True).of(one)[0] == whole and len(Settings(opened=True).of(one)) == 2

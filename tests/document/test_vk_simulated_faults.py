@@ -29,7 +29,7 @@ def simulated(small):
     keep_faults({first: [], second: [(1, CRASH), (2, CRASH)]})
 
 
-def test_a_fault_is_told_with_its_operation(small):
+def test_fault_is_kept_with_its_operation(small):
     simulated(small)
     expected = {"count": 2, "command": 2, "fault": CRASH}
     assert told(small) == {"First": [], "Second": [expected]} == told(small)
@@ -39,7 +39,7 @@ def test_a_fault_is_told_with_its_operation(small):
     )
 
 
-def test_it_is_gone_when_its_toolpath_changed_or_one_before_it(small):
+def test_fault_is_dropped_after_a_toolpath_change(small):
     for label in ("Second", "First"):
         simulated(small)
         assert told(small)["Second"]
@@ -53,13 +53,13 @@ def test_it_is_gone_when_its_toolpath_changed_or_one_before_it(small):
             small.document.removeObject(obj.Name)
 
 
-def test_it_is_gone_when_the_operations_come_in_another_order(small):
+def test_fault_is_dropped_after_reordering(small):
     simulated(small)
     small.job.Operations.Group = small.job.Operations.Group[::-1]
     assert told(small)["Second"] == []
 
 
-def test_a_new_simulation_takes_its_place(small):
+def test_new_simulation_replaces_the_faults(small):
     simulated(small)
     first, second = read_job(small.job).operations
     keep_faults({first: [], second: []})
@@ -80,7 +80,7 @@ def test_marks_show_it_without_a_new_analysis_and_never_keep_it(small):
     assert not [remark for remark in read_with_faults(second).remarks if remark.code == "simulated"]
 
 
-def test_it_is_said_whether_a_simulation_found_something_else(small):
+def test_new_faults_are_noticed(small):
     small.add("First", slot(10.0))
     small.add("Second", slot(20.0))
     first, second = read_job(small.job).operations

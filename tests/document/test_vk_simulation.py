@@ -58,14 +58,14 @@ def test_a_console_shows_a_simulation_in_a_line(small):
     assert repr(vkworkbench.simulate(view=VIEW).at(1)) == "<Simulation of 1 operation, 1 of 3 trajectories>"
 
 
-def test_it_writes_nothing_in_the_document(small):
+def test_simulation_does_not_change_the_document(small):
     small.add("First", slot(10.0))
     before = [(obj.Name, sorted(obj.PropertiesList), list(obj.State)) for obj in small.document.Objects]
     vkworkbench.simulate(small.job, view=VIEW)
     assert [(obj.Name, sorted(obj.PropertiesList), list(obj.State)) for obj in small.document.Objects] == before
 
 
-def test_what_is_not_posted_is_not_simulated(small):
+def test_operation_that_is_not_posted_is_not_simulated(small):
     base = small.add("Base", slot(10.0))
     dressup = small.add("Dress-up", slot(12.0))
     dressup.addProperty("App::PropertyLink", "Base", "Path").Base = base
@@ -76,7 +76,7 @@ def test_what_is_not_posted_is_not_simulated(small):
     assert [o.label for o in vkworkbench.simulate(base, view=VIEW).job.operations] == ["Base"]
 
 
-def test_the_view_is_that_of_the_preferences_or_given(small, monkeypatch):
+def test_view_comes_from_preferences_or_argument(small, monkeypatch):
     small.add("First", slot(10.0))
     assert vkworkbench.simulate(small.job).zbuffer.frame.width == 800
     seen = vkworkbench.simulate(small.job, view="Isometric").zbuffer.frame
@@ -127,7 +127,7 @@ def test_operation_without_a_simulation_is_left_out_and_named(small):
     assert str(done.facts()).splitlines()[-1].startswith("No tool: ")
 
 
-def test_it_refuses_what_cannot_be(small):
+def test_impossible_simulation_is_refused(small):
     with pytest.raises(Unusable, match="nothing to simulate"):
         vkworkbench.simulate(small.job)
     op = small.add("First", slot(10.0))
@@ -172,7 +172,7 @@ def test_operations_of_two_jobs_are_refused(small):
         FreeCAD.closeDocument(other.name)
 
 
-def test_it_can_be_stopped(small):
+def test_simulation_can_be_stopped(small):
     small.add("First", slot(10.0))
     shares = []
     vkworkbench.simulate(small.job, going_on=shares.append)
@@ -261,7 +261,7 @@ def test_gouges_are_deeper_than_the_tolerance(small, depth, told):
     assert bool(done.facts(tolerance=0.2).job.gouges) is (depth > 0.2)
 
 
-def test_every_move_takes_its_time_by_feed_or_rapid(small):
+def test_move_times_use_feed_or_rapid_speed(small):
     """Feeds: 60 mm at 10 mm/s, 15 mm at 5 mm/s. Rapids: 15 mm across at 50 mm/s, 15 mm up at 30 mm/s."""
     sheet = small.job.SetupSheet
     sheet.HorizRapid, sheet.VertRapid = "50 mm/s", "30 mm/s"
@@ -273,7 +273,7 @@ def test_every_move_takes_its_time_by_feed_or_rapid(small):
     assert vkworkbench.simulate(small.job, view=VIEW).job.seconds == pytest.approx([3.0, 6.0, 0.5, 0.3])
 
 
-def test_what_is_not_read_of_a_toolpath_is_told(small):
+def test_simulation_has_remarks_on_ignored_commands(small):
     """Cuts of a turning workpiece are unknown, and a toolpath without readable numbers is empty: both are remarks."""
     small.add("Odd", [*slot(10.0), ("G999", {})])
     small.add("Turned", [("G0", {"X": 5.0, "Y": 20.0, "Z": 30.0}), ("G1", {"Z": 10.0}), ("G1", {"X": 50.0, "A": 90.0})])
@@ -300,7 +300,7 @@ def test_simulated_faults_are_not_shown_for_another_toolpath(small):
     assert report.totals[0].simulated is None
 
 
-def test_a_report_tells_what_a_simulation_found(small, tmp_path):
+def test_report_contains_simulation_findings(small, tmp_path):
     slot = small.add("Slot", [("G0", {"X": 10.0, "Y": 10.0, "Z": 30.0}), ("G1", {"Z": 15.0}), ("G0", {"X": 30.0})])
     small.add("More", [("G0", {"X": 10.0, "Y": 20.0, "Z": 30.0}), ("G1", {"Z": 16.0}), ("G1", {"X": 30.0})])
     before = vkworkbench.analyze(small.job)
@@ -393,7 +393,7 @@ def test_any_line_of_a_listing_is_its_commands_code(comment):
         listing[4]
 
 
-def test_freecad_knows_a_python_that_helps_it():
+def test_freecad_finds_a_python_for_workers():
     """The Python has the same numpy: with another numpy the worker would not start."""
     one = Worker(len)
     assert one("abc") == 3
@@ -522,7 +522,7 @@ CHANGES = [larger_stock, without_stock, larger_tool, quicker_rapids, moved, anot
 
 
 @pytest.mark.parametrize("change", CHANGES)
-def test_what_was_copied_is_told_from_what_the_document_says(small, change):
+def test_copy_is_compared_with_the_document(small, change):
     for label, y in (("First", 10.0), ("Second", 20.0)):
         small.add(label, slot(y))
     copy = copy_job(small.job)
@@ -562,7 +562,7 @@ def test_only_paths_that_may_have_changed_are_read_again(small):
     assert holds(copy) and not holds(copy, [op.Name])
 
 
-def test_what_was_asked_for_is_simulated_again(small):
+def test_simulation_can_be_repeated(small):
     first, second = small.add("First", slot(10.0)), small.add("Second", slot(20.0))
     one, job, all_of_it = copy_job([second]), copy_job(small.job), copy_job(small.document)
     small.add("Third", slot(30.0))

@@ -59,7 +59,7 @@ def test_a_wavy_face_has_few_triangles():
 
 
 @pytest.mark.parametrize("name", SHAPES)
-def test_a_stock_is_what_it_is(small, name):
+def test_stock_solid_has_its_kind(small, name):
     shape, kind = SHAPES[name]
     job = with_stock(small, shape)
     solid, remark = stock_solid(job, read_stock(job))
@@ -76,7 +76,7 @@ def test_a_stock_is_what_it_is(small, name):
     [("box", ()), ("cylinder", ("Cylinder",)),
      ("two", ("Mesh", *(f"{1.0037 * measure:.4e}" for measure in (2 * 10**3, 2 * 600, 15, 5, 5))))],
 )  # fmt: skip
-def test_a_form_is_what_the_box_of_a_stock_does_not_tell(small, name, form):
+def test_form_of_stock_that_is_not_a_box(small, name, form):
     """Volume, area and centre of two cubes of 10 mm, 20 mm apart, away from rounding borders."""
     job = with_stock(small, SHAPES[name][0])
     assert form_of_stock(job, read_stock(job)) == form
@@ -107,7 +107,7 @@ def test_a_job_has_its_model(small):
     assert model_solid(model_shapes(small.job)) is None
 
 
-def test_a_wire_beside_a_solid_is_no_part_of_the_model(small):
+def test_wire_beside_a_solid_is_not_part_of_the_model(small):
     wire = small.document.addObject("Part::Feature", "Wire")
     wire.Shape = Part.makePolygon([FreeCAD.Vector(x, 0, 90) for x in (0, 10, 30)])
     small.job.Model.Group = [*small.job.Model.Group, wire]
@@ -147,7 +147,7 @@ def test_bull_nose_corner_from_its_radius_or_its_flat(measures, corner):
         (None, "endmill", False),
     ],
 )
-def test_a_shape_that_freecad_does_not_find_is_that_of_its_file(file, shape, exact):
+def test_tool_shape_comes_from_its_file_name(file, shape, exact):
     of = operation(ShapeType="Custom", ShapeID=file)
     assert read_tool(of).shape == shape and (tool_remark(of) is None) == exact
 
@@ -169,7 +169,7 @@ def test_an_operation_lies_within_a_kilometre(far, usable):
      ("TaperedBallNose", "ballend", "ball end"), ("slittingsaw", "endmill", "largest"), ("endmill", "endmill", None),
      ("ballend", "ballend", None), ("drill", "drill", None), ("chamfer", "vbit", None)],
 )  # fmt: skip
-def test_what_is_not_simulated_exactly_is_said(shape, simulated, told):
+def test_inexact_tool_shape_has_a_remark(shape, simulated, told):
     op = operation(ShapeName=shape)
     assert read_tool(op).shape == simulated
     remark = tool_remark(op)

@@ -96,7 +96,7 @@ def test_switching_off_is_undone_with_its_mark(watched):
     assert descriptions(document) == off
 
 
-def test_what_changed_while_it_was_switched_off_outdates_it(watched):
+def test_change_while_inactive_outdates_the_mark(watched):
     first = watched.first
     commands = first.Path.Commands
     switch(first, False, commands)
@@ -143,7 +143,7 @@ def looked_at(monkeypatch):
     return looked_at
 
 
-def test_only_what_may_have_changed_is_looked_at(watched, looked_at):
+def test_only_possible_changes_are_compared(watched, looked_at):
     document = watched.document
     for rename in ("Another", "Third"):
         document.openTransaction("Rename")
@@ -165,7 +165,7 @@ def test_a_check_looks_at_all_that_is_marked_and_at_all_of_it(watched, zigzag_co
     assert looked_at == [("First", True, True), ("Second", True, True)]
 
 
-def test_an_undone_mark_is_compared_with_what_is_now(watched):
+def test_undone_mark_is_compared_with_current_state(watched):
     """The job's tool was changed in between, outside any transaction."""
     document = watched.document
     document.UndoMode = 0
@@ -215,7 +215,7 @@ def test_the_total_follows_the_fixtures(watched):
         assert marks.read(watched.job).machining_seconds == pytest.approx(len(fixtures) * once)
 
 
-def test_what_does_not_matter_keeps_marks_fresh(watched):
+def test_irrelevant_changes_keep_marks_fresh(watched):
     watched.first.Label = "Renamed"
     watched.second.Label2 = "own words " + watched.second.Label2
     watched.job.Label = "Another"
@@ -234,7 +234,7 @@ def test_an_operation_without_a_mark_outdates_the_total(watched, zigzag_commands
     assert outdated(document) == []
 
 
-def test_the_total_is_that_of_the_operations_that_are_left(watched):
+def test_total_covers_the_remaining_operations(watched):
     document, before = watched.document, watched.job.Label2
     document.openTransaction("Delete")
     document.removeObject(watched.second.Name)
@@ -277,7 +277,7 @@ def test_copy_in_another_document_is_outdated_when_idle(watched, waiting):
         FreeCAD.closeDocument(other.Name)
 
 
-def test_reopened_marks_are_fresh_or_say_so(watched, tmp_path):
+def test_reopened_marks_are_fresh_or_outdated(watched, tmp_path):
     path = str(tmp_path / "job.FCStd")
     watched.document.saveAs(path)
     name = watched.document.Name

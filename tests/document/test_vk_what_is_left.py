@@ -60,7 +60,7 @@ def second_job(small, placement=None):
     return job
 
 
-def test_next_job_begins_with_what_is_left(small, pocket):
+def test_next_job_begins_with_the_remaining_part(small, pocket):
     done = vkworkbench.simulate(second_job(small), stock=pocket)
     assert done.at(0).zbuffer.part_volume == pytest.approx(pocket.zbuffer.part_volume, rel=1e-3)
     assert done.zbuffer.part_volume < done.at(0).zbuffer.part_volume
@@ -80,7 +80,7 @@ def test_part_is_turned_over_with_the_model(small, pocket):
     assert mesh.isSolid() and mesh.Volume == pytest.approx(done.zbuffer.part_volume, rel=1e-5)
 
 
-def test_stock_of_another_model_stays_and_is_said(small, pocket):
+def test_stock_of_another_model_stays_with_a_remark(small, pocket):
     other = small.document.addObject("Part::Feature", "Other")
     other.Shape = Part.makeBox(50, 30, 10)
     job = cam("Main.Job").Create("Third", [other])

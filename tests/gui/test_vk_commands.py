@@ -111,7 +111,7 @@ def test_only_selected_operations_are_analyzed(opened, window):
     assert marked(opened) == [face]
 
 
-def test_nothing_to_analyze_is_said(window):
+def test_message_if_there_is_nothing_to_analyze(window):
     document = FreeCAD.newDocument("Empty")
     window.activate("VkWorkbench")
     window.click("Analyze Toolpaths")

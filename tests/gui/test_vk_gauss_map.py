@@ -98,7 +98,7 @@ def test_zigzag_stays_on_level_0(view, window):
     window.screenshot("gauss-map-zigzag")
 
 
-def test_it_follows_the_selection(view, opened, window):
+def test_gauss_map_follows_the_selection(view, opened, window):
     shown = view.picture()
     select(labelled(opened, "Bore"))
     window.wait(lambda: view.title.text().startswith("Bore"))
@@ -120,7 +120,7 @@ def test_it_follows_the_selection(view, opened, window):
     window.screenshot("gauss-map-adaptive")
 
 
-def test_switched_off_operation_says_so(view, opened, window):
+def test_gauss_map_names_an_inactive_operation(view, opened, window):
     face = labelled(opened, "Face")
     face.Active = False
     opened.recompute()
@@ -279,7 +279,7 @@ def test_narrow_floating_panel_has_two_rows_of_plots(view, window):
 
 
 @pytest.mark.parametrize("pack", ["FreeCAD Dark", "FreeCAD Light"])
-def test_it_is_readable_in_freecads_themes(view, opened, window, pack):
+def test_gauss_map_is_readable_in_themes(view, opened, window, pack):
     with in_theme(window, pack):
         select(labelled(opened, "Pocket around island"))
         window.wait(lambda: view.title.text().startswith("Pocket around island"))

@@ -441,7 +441,7 @@ def test_exports_have_the_numbers_of_the_report(panel, opened, window, tmp_path)
     assert [o["seconds"] for o in data["operations"]] == [o.estimate.seconds for o in operations]
 
 
-def test_an_export_that_fails_is_said(panel, window, tmp_path):
+def test_failed_export_shows_a_message(panel, window, tmp_path):
     said = []
 
     def look():
@@ -725,7 +725,7 @@ def test_one_operation_analyzed_again_keeps_the_others(panel, opened, window):
     assert len(labels(panel)) == count
 
 
-def test_total_of_selected_operations_says_so(opened, window):
+def test_total_of_selection_is_named(opened, window):
     posted = vkworkbench.analyze(opened).totals[0].operations
     Gui.Selection.addSelection(labelled(opened, "Face"))
     window.click("Analyze Toolpaths")
@@ -860,7 +860,7 @@ def test_total_of_the_z_buffer_is_one_number(opened, window, tmp_path):
         window.settle()
 
 
-def test_what_is_cleared_is_not_shown(panel, opened, window):
+def test_cleared_results_are_not_shown(panel, opened, window):
     window.click("Clear Analysis")
     window.wait(lambda: labels(panel) == [])
     Gui.runCommand("Std_Undo")
@@ -876,7 +876,7 @@ def test_column_title_is_one_line_in_names(title, name):
     assert Column("key", title, "", None).name == name
 
 
-def test_page_says_what_to_do_without_a_document(window):
+def test_page_without_document_says_what_to_do(window):
     assert not FreeCAD.listDocuments()
     document = FreeCAD.newDocument("Empty")
     window.activate("VkWorkbench")

@@ -471,7 +471,7 @@ def test_nothing_to_simulate_shows_a_message(desk, window):
     FreeCAD.closeDocument(document.Name)
 
 
-def test_what_has_been_read_is_seen_before_all_is_read(desk, window, monkeypatch):
+def test_part_is_shown_while_reading_continues(desk, window, monkeypatch):
     monkeypatch.setattr("vkworkbench.gui.simulation.reading._FIRST", 0.0)
     desk.kept(desk.small)
     tab = desk.simulate()

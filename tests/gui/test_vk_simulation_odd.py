@@ -46,7 +46,7 @@ PHASES = {
 
 @pytest.mark.parametrize("phase", PHASES)
 @pytest.mark.parametrize("how", ["key", "document"])
-def test_it_is_closed_in_every_phase(desk, window, monkeypatch, phase, how):
+def test_tab_can_be_closed_in_every_phase(desk, window, monkeypatch, phase, how):
     monkeypatch.setattr("vkworkbench.gui.simulation.reading._FIRST", 0.0)
     document = desk.kept(desk.small)
     window.click(COMMAND)

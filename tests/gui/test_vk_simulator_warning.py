@@ -231,7 +231,7 @@ def test_warning_for_opengl_offers_a_faster_simulator(marked, window):
         )
 
 
-def test_every_way_to_start_a_simulator_is_noticed(marked, window):
+def test_every_start_of_a_simulator_is_noticed(marked, window):
     """Tool buttons with a menu, and runCommand, do not trigger the action of the command."""
     preferences.write(time_budget=0.1)
     command = freecad.simulator_command(freecad.own_simulator())

@@ -165,7 +165,7 @@ def test_window_in_each_language(language, opened, window):
     gauss.close()
 
 
-def test_the_command_is_not_taken_for_a_simulator_of_freecads(language):
+def test_command_name_differs_from_freecad_simulators(language):
     ours = FreeCAD.Qt.translate("Vk_Simulate", "Simulate Toolpaths")
     for name in freecad.own_simulators():  # their columns stand side by side, and so do their entries in a menu
         theirs = freecad.simulator_title(name)

@@ -22,7 +22,7 @@ def test_arcs_with_a_radius_do_not_decide_about_centres():
     assert said == ["absolute-centres"]
 
 
-def test_circles_alone_are_told():
+def test_full_circles_alone_have_a_remark():
     assert told("G2 X30 Y20 I-5 J-3\n")[1] == ["circles-alone"]
     assert told("G2 I-5\n")[1] == []  # a position needs both words
     assert told("G2 X30 Y20 I-5 J0 Z-2\nG2 X30 Y20 I-5 J0 Z-3\n")[1] == []  # a helix

@@ -12,11 +12,11 @@ def test_only_m6_changes_the_tool():
     ]  # fmt: skip
 
 
-def test_what_is_no_g_code_is_of_another_kind():
+def test_other_words_are_not_g_codes():
     assert [codes.code_of(name) for name in ("G999.9", "G1000", "G", "M1000", "X1", "(G1)", "/G1", "%", " ")] == [
         9999, codes.UNKNOWN, codes.UNKNOWN, codes.OTHER, codes.UNKNOWN, *[codes.COMMENT] * 3, codes.MODAL
     ]  # fmt: skip
 
 
-def test_a_name_is_that_of_its_number():
+def test_name_of_a_code_follows_its_number():
     assert [codes.name_of(codes.code_of(name)) for name in ("g01", "G90.1", "G382")] == ["G1", "G90.1", "G382"]

@@ -14,7 +14,7 @@ def codes(text):
     return [problem.what.code for problem in read_program(text).toolpath().problems]
 
 
-def test_home_after_a_cycle_never_goes_down():
+def test_home_after_a_cycle_does_not_descend():
     text = "G21 G90\nG0 X0 Y0\nG81 X10 Y0 Z-5 R2 F100\nG80\n{}\nG0 X5"
     for home in ("G28 Z0", "G30 Z0", "G53 G0 Z0", "G91 G28 Z0\nG90"):
         assert points(text.format(home))[-2:] == [[10, 0, 2], [5, 0, 2]]
@@ -39,7 +39,7 @@ def test_chip_break_feeds_on_from_its_retract():
     ]  # fmt: skip
 
 
-def test_a_tiny_peck_is_told():
+def test_tiny_peck_has_a_remark():
     text = "G21 G90\nG0 X0 Y0 Z5\nG83 X1 Y1 Z-5 R2 Q{} F100\nG80"
     assert codes(text.format(0.00000001)) == ["tiny-pecks"]
     assert codes(text.format(1)) == []
@@ -58,6 +58,6 @@ def test_relative_plunges_in_steps_are_one_plunge():
     assert titles("G21 G90\nG0 X0 Y0 Z1\nG91\nG1 Z-3 F100\n(slot)\nG1 Z-2\nG1 X9\nG90\nG0 Z5\n") == ["slot"]
 
 
-def test_a_higher_r_plane_is_reached_on_the_way_to_its_hole():
+def test_higher_r_plane_is_reached_before_the_hole():
     text = "G21 G90 G99\nG0 X0 Y0 Z5\nG81 X1 Y0 Z-1 R1 F100\nX2 R3\nG80"
     assert points(text)[3:] == [[1, 0, -1], [1, 0, 1], [2, 0, 3], [2, 0, -1], [2, 0, 3]]

@@ -281,7 +281,7 @@ def test_other_cycles_reach_their_depth_once(name):
         ({"F": 0.8, "S": 0}, 0.8),
     ],
 )
-def test_a_tap_is_fed_by_its_pitch_where_its_speed_stands_beside(code, words, feed):
+def test_tap_feed_is_pitch_times_speed(code, words, feed):
     tapped = linearize([("G0", {"X": 10, "Y": 5, "Z": 10}), (code, {"X": 10, "Y": 5, "Z": 0, "R": 4, **words})])
     assert tapped.feed[~tapped.rapid] == pytest.approx([feed, feed])  # in, and out
 
@@ -314,7 +314,7 @@ def messages(toolpath):
     return [str(problem) for problem in toolpath.problems]
 
 
-def test_words_that_are_no_numbers_are_named_and_skipped():
+def test_words_without_numbers_are_named_and_skipped():
     toolpath = path(
         START,
         ("G1", {"X": float("nan"), "Y": 3}),
@@ -401,7 +401,7 @@ def test_an_arc_around_where_it_begins_is_a_line():
     assert len(around) == 1 and [problem.what.code for problem in around.problems] == ["arc-as-line"]
 
 
-def test_centres_of_commands_are_offsets_whatever_they_look_like():
+def test_centres_in_commands_are_always_offsets():
     """Only where a program is read they may be coordinates: FreeCAD has made offsets of all it read."""
     arc = ("G2", {"X": 110.0, "Y": 100.0, "I": 105.0, "J": 100.0})
     assert [p.what.code for p in path(("G0", {"X": 100, "Y": 100, "Z": 1}), arc).problems] == ["arc-of-changing-radius"]
@@ -425,7 +425,7 @@ def test_a_long_chord_rounds_its_radius_more():
     assert toolpath.sweep.sum() == pytest.approx(-np.pi) and toolpath.problems == ()
 
 
-def test_the_radius_of_an_arc_goes_evenly_to_that_of_its_end():
+def test_arc_radius_changes_evenly_to_the_end():
     spiral = path(START, ("G3", {"X": 9.0, "Y": 0.0, "I": 5.0, "J": 0.0}), tolerance=1e-5).points
     below = spiral[spiral[:, 1] < -1]  # half a turn, from radius 5 to 4
     middle = below[np.argmin(np.abs(below[:, 0] - 5))]
@@ -448,7 +448,7 @@ def test_the_radius_of_an_arc_goes_evenly_to_that_of_its_end():
         {"G1": {}},
     ],
 )
-def test_what_is_no_command_is_told_in_a_sentence(commands):
+def test_invalid_command_raises_a_clear_error(commands):
     with pytest.raises(
         TypeError, match=r"commands are \(name, parameters\) pairs, or objects with Name and Parameters"
     ):

@@ -101,7 +101,7 @@ def test_work_offsets_from_the_tools_place_are_read():
     assert points(text)[-2:] == [(23, 14, 5), (1, 14, 5)] and said(text) == []
 
 
-def test_rotated_work_offsets_are_told():
+def test_rotated_work_offset_has_a_remark():
     assert said("G10 L2 P1 R30\nG1 X1") == [
         "Line 4: G10 is ignored. The coordinates after it are read as if it were not there."
     ]

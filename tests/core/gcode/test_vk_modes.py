@@ -81,7 +81,7 @@ def test_probing_moves_the_tool():
     assert end("G31 X8\nX3") == [3, 0, -1]  # one line only: the next line mills
 
 
-def test_feed_rate_beside_another_unit_is_told():
+def test_feed_rate_next_to_a_unit_change_has_a_remark():
     said = [problem.what.code for problem in path_of("G20 G1 X1 F9").problems]
     assert said == ["feed-in-new-unit"] and not path_of("G21 G1 X1 F9").problems
 

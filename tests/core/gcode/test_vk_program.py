@@ -129,7 +129,7 @@ def test_the_holes_of_a_series_are_equally_deep(text, holes):
     assert path.problems == ()
 
 
-def test_g99_goes_back_to_r_and_g98_to_where_the_series_began():
+def test_g99_returns_to_r_and_g98_to_the_initial_height():
     assert points("G0 Z50\nG99 G81 X0 Y0 Z-10. R2. F100.\nG91 X10. K9\nG90 G80")[-1] == [90, 0, 2]
     assert points("G0 Z50\nG99 G81 X0 Y0 Z-10 R2 F100\nG80\nG98 G81 X10")[-1] == [10, 0, 2]
     assert points("G0 Z50\nG99 G81 X0 Y0 Z-10 R2 F100\nX10\nG98 X20\nG80\nG0 X100")[-2:] == [[20, 0, 50], [100, 0, 50]]
@@ -144,7 +144,7 @@ def test_repeats_are_a_number_in_any_unit(inches):
 
 
 @pytest.mark.parametrize("code", ["G73", "G83"])
-def test_the_pecks_of_haas_are_no_repeats(code):
+def test_pecks_of_haas_are_not_repeats(code):
     text = f"G20\nG0 X0 Y0 Z1.\nG99 {code} X1. Z-1. R.1 {{}} F8.\nX2.\nG80"
     pecked = points(text.format("Q.3"))
     for words, unread in (
@@ -176,7 +176,7 @@ def test_absolute_cycle_repeats_in_place(letter):
     assert said(text) == []
 
 
-def test_fine_boring_goes_to_its_depth_and_up():
+def test_fine_boring_reaches_its_depth_and_retracts():
     bored = points("G0 X0 Y0 Z5\nG76 X5 Y5 Z-3 R1 Q.1 F100\nX9")
     assert [point for point in bored if point[2] < 0] == [[5, 5, -3], [9, 5, -3]] and bored[-1] == [9, 5, 5]
 
@@ -209,7 +209,7 @@ def test_a_feed_by_turn_follows_the_spindle():
     )
 
 
-def test_a_feed_by_turn_of_a_spindle_that_stands_is_unknown():
+def test_feed_per_turn_is_unknown_without_spindle_speed():
     """The feed of an earlier G94 move is not used instead."""
     path = read_program("G0 X0 Y0 Z0\nG1 X10 F600\nG95 F.1\nX20\nS1200 M3\nX30\nG94 F300\nX40").toolpath()
     assert path.feed.tolist() == pytest.approx([10, 0, 2, 5])
@@ -293,14 +293,14 @@ def test_commands_keep_their_lines():
         ),
     ],
 )
-def test_what_is_not_read_is_said_with_its_line(line, sentence):
+def test_ignored_word_has_a_remark_with_its_line(line, sentence):
     text = PLAIN + line + "\n"
     assert said(text) == [sentence]
     assert points(text)[: len(POINTS)] == [list(p) for p in POINTS]
     assert all(x <= 10 for x, _, _ in points(text))
 
 
-def test_work_offsets_are_told_where_they_change_after_a_move():
+def test_work_offset_change_after_a_move_has_a_remark():
     changed = "{1}: {0} is ignored. The coordinates after it are read as if it were not there."
     assert said("G0 G17 G40 G80\nG55\n" + PLAIN + "G55\nX5") == []
     assert said("G54.1 P1\n" + PLAIN + "G54.1 P1\nX5\nG54.1 P2\nX5") == [changed.format("G54.1", "Line 8")]
@@ -340,7 +340,7 @@ def test_machine_positions_at_ends_do_not_matter():
 
 
 @pytest.mark.parametrize("code", ["G28", "G30"])
-def test_home_along_all_axes_is_told_like_home_in_x(code):
+def test_home_along_all_axes_has_the_remark_of_one_axis(code):
     text = f"{PLAIN}{code}\nG0 X40 Y0\nG1 Z-1\nX50\n"
     assert said(text) == [
         f"Line 5: Moves to machine positions ({code}) are ignored, because the program does not contain these positions."
@@ -354,7 +354,7 @@ def test_lines_with_a_block_delete_behind_their_number():
     assert said(text) == ["Line 3 (first of 4): Lines with a block delete (/) are read like all others."]
 
 
-def test_words_of_siemens_that_say_what_others_say():
+def test_siemens_words_equal_common_words():
     contour = "G0 X0 Y0 Z0\nG1 X30 F100\nG2 X30 Y20 {}10\nG3 X30 Y0 {}-15\nG1 {} {}"
     siemens, other = (
         read_program(contour.format("CR=", "CR = ", "X=-7.5", "Y=.5")),
@@ -374,13 +374,13 @@ def test_the_length_of_a_tool_in_axis_words_moves_nothing():
 
 
 @pytest.mark.parametrize("line", ["G70 I40. J0 L8", "G71 I4. J0 K5. L8", "G72 I4. J45 L8", "G71 Z1."])
-def test_hole_patterns_are_no_unit(line):
+def test_hole_patterns_do_not_set_the_unit(line):
     program = read_program("G0 X0 Y0 Z5\nG81 Z-1 R1 F60 L0\n" + line + "\nX10\nG80\n")
     assert not program.unit_told and program.toolpath().points.max() == 10
 
 
 @pytest.mark.parametrize("call", ["M198 P1000", "G66 P1000 A1", "N5 g66p1000"])
-def test_a_subprogram_that_stands_before_its_caller(call):
+def test_subprogram_before_its_caller_is_read(call):
     subprogram = "O1000 (HOLE)\nG91 G20 G55 G1 X99 F9\n/M99\nX99\n(P1000)\n{}\n"
     for end in ("M99", "M99 P7", ""):
         text = "%\n" + subprogram.format(end) + "%\nO0001\n" + PLAIN + call + "\nX5\nM30\n%\n"
@@ -432,7 +432,7 @@ def test_centres_of_heidenhain_are_coordinates_and_stay(arc):
     assert path.points[:, 1].max() == pytest.approx(100, abs=0.1)
 
 
-def test_what_is_not_read_of_heidenhain_is_told():
+def test_ignored_heidenhain_words_have_a_remark():
     shifted = "Line 8: The unknown code 'G54' is ignored, and the X words of its line with it."
     for line, sentence in (
         ("N70 G54 X+7 *", shifted), ("N70 G73 G90 H+20 *", "Line 8: The unknown code 'G73' is ignored."),
@@ -530,12 +530,12 @@ def test_a_text_is_a_program_while_half_of_its_lines_are_words():
         ("G1 X0 Y0 U0 V0 F100\nG1 X10 Y1 U10 V2", "Line 1: U, V shows a program for a wire cutter."),
     ],
 )
-def test_other_machines_say_so(text, sentence):
+def test_program_for_another_machine_is_named(text, sentence):
     assert render(read_program(text).other).startswith(sentence)
 
 
 @pytest.mark.parametrize("line", ["G18 G2 X5 Z0 R10", "G96 S100", "G8 P1", "G76 X5 Y5 Z-3 R1 Q.1", "E5 (a slip)"])
-def test_a_milling_program_is_none_of_them(line):
+def test_milling_program_is_not_another_machine(line):
     assert read_program(PLAIN + line).other is None
 
 
@@ -630,7 +630,7 @@ def test_absolute_centres_are_read_with_a_remark():
 
 
 @pytest.mark.parametrize(("absolute", "said"), [(True, "G91.1"), (False, "G90.1")])
-def test_what_a_program_says_of_its_centres_counts(absolute, said):
+def test_program_statement_on_centres_decides(absolute, said):
     assert [problem.what.code for problem in rounded(absolute, said).problems] == ["arc-of-changing-radius"]
     assert not rounded(not absolute, said).problems
 

@@ -59,7 +59,7 @@ def test_units_of_siemens():
     assert inches.toolpath().feed[-1] == pytest.approx(25.4)
 
 
-def test_words_that_go_with_an_unknown_code_are_told():
+def test_words_of_an_unknown_code_have_a_remark():
     assert last("G777 X5 Z-9") == (10, 2, -1)
     assert said(PLAIN + "G777 Z-9 X5 F90\nX6\nG777 P1\nG777 Y5") == [
         "Line 5: The unknown code 'G777' is ignored, and the X, Z words of its line with it.",
@@ -68,7 +68,7 @@ def test_words_that_go_with_an_unknown_code_are_told():
     ]
 
 
-def test_axes_of_a_mirror_are_no_targets():
+def test_axes_of_a_mirror_code_are_not_targets():
     assert last("G50.1 X0. Y0.") == last("G51.1 X0.") == (10, 2, -1)
     assert said("G50.1 X0. Y0.\n" + PLAIN + "G50.1 X0.\nX5") == []
     mirrored = "Line {}: G51.1 is ignored. The coordinates after it are read as if it were not there."
@@ -84,7 +84,7 @@ def test_a_program_is_not_its_own_subprogram():
 
 
 @pytest.mark.parametrize(("other", "calls_500"), [("10500", False), ("9", True)])
-def test_p10500_is_once_500_where_there_is_no_10500(other, calls_500):
+def test_p10500_calls_500_once_if_10500_is_missing(other, calls_500):
     text = f"O500\n{PLAIN}M99\n%\nO{other}\nG1 X77\nM99\n%\nO1\nM98 P10500\nG0 X3\nM30"
     assert (
         "Line 1: A subprogram or macro call is ignored." in said(text)
@@ -106,7 +106,7 @@ def test_a_call_of_a_program_on_the_data_server():
         "X[10] (SLOT1 (LEFT))",
     ],
 )  # fmt: skip
-def test_names_and_comments_are_no_words_of_siemens(line):
+def test_siemens_names_and_comments_are_not_words(line):
     assert last(line) == (10, 2, -1)
 
 
@@ -143,7 +143,7 @@ def test_the_drilling_cycles_of_a_fagor():
     assert said("G21 G90\nG0 X0 Y0 Z50\nG99 G81 X5 Y7 Z-18 R2 I-3 F100\nG80") == ["Line 3: I words are ignored."]
 
 
-def test_line_numbers_that_nobody_has_filled_in():
+def test_empty_line_numbers_are_read():
     text = "%00000\nN T2.2\nN M6\nN G0 X0 Y0 Z5\nN G1 Z-1 F60\nN X10\n"
     assert said(text) == []
     assert read_program(text).toolpath().points[-1].tolist() == [10, 0, -1]
@@ -166,7 +166,7 @@ def test_checksums_are_left_out():
     assert path.points[-1].tolist() == [10, 0, -1] and not path.problems
 
 
-def test_decimal_commas_are_read_and_told():
+def test_decimal_commas_are_read_with_a_remark():
     assert last("G1 X10,25 Y-1,5") == (10.25, -1.5, -1) and last("Z-,5") == (10, 2, -1)
     assert said(PLAIN + "G1 X10,25") == ["Line 5: Commas in numbers are read as decimal points."]
     assert said(PLAIN + "G1 X10.,R2.\nX5") == ["Line 5: ,R words are ignored."]

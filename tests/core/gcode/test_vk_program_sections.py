@@ -128,7 +128,7 @@ def test_tools_as_cam_systems_write_them(comment, number, shape, diameter):
     assert told.tool.diameter == pytest.approx(diameter)
 
 
-def test_what_else_is_told_of_a_tool():
+def test_corner_radius_of_a_tool_is_read():
     assert tool_told("T3 D=.5 CR=.06 - bullnose end mill", inches=True).tool.corner_radius == pytest.approx(1.524)
     mill = tool_told("TOOL/MILL,.5,.06,2.0,0", inches=True).tool
     assert (mill.shape, mill.diameter, mill.corner_radius) == ("bullnose", pytest.approx(12.7), pytest.approx(1.524))
@@ -144,7 +144,7 @@ def test_what_else_is_told_of_a_tool():
     assert tool_told("TOOL 2mm END MILL of 3 mm drill", inches=False).tool.diameter == 2
 
 
-def test_a_unit_is_that_of_its_size():
+def test_tool_unit_belongs_to_its_size():
     for comment in (
         "6mm end mill",
         "6mm x 20mm end mill",
@@ -163,11 +163,11 @@ def test_a_unit_is_that_of_its_size():
 @pytest.mark.parametrize(
     ("fractions", "diameter"), [("", 6.35), ("1/3", 6.35), ("0/0", 6.35), ("6 35/100", 6.35), ("127/20", 161.29)]
 )
-def test_a_size_that_stands_there_as_a_fraction_too_is_in_inches(fractions, diameter):
+def test_tool_size_repeated_as_fraction_is_in_inches(fractions, diameter):
     assert tool_told(f"T2 D=6.35 {fractions} - flat end mill", inches=False).tool.diameter == pytest.approx(diameter)
 
 
-def test_what_is_too_large_or_told_too_long_is_no_tool():
+def test_too_large_size_or_too_long_text_is_not_a_tool():
     assert tool_told("face mill 500 mm", inches=False).tool.diameter == 500
     assert tool_told("face mill 501 mm", inches=False) is None
     name = "end mill of the green box " + 29 * "x" + " 6 mm"
@@ -242,7 +242,7 @@ def test_titles_and_remarks(comment, title):
      "Compensated Tool Path. Diameter: 6.0", "Begin Thread Milling", "Begin Custom", "End Custom", "inactive operation",
      "operation initialise: Bore", "operation finalised: Bore", "PROBECLOSE", "helix cut operation", "Adaptive - depth: 3.000000"],
 )  # fmt: skip
-def test_what_freecad_remarks_within_an_operation_is_no_title(comment):
+def test_freecad_remark_within_operation_is_not_a_title(comment):
     assert title_of(comment) == ""
     assert title_of("Part 3") == "Part 3"
 
@@ -291,7 +291,7 @@ def test_title_before_and_after_tool_change_is_one_operation():
     assert sections(f"(Slot)\nT1 M6\n{CUT}T2 M6\n(Hole)\n{CUT}") == [("Slot", 1, None), ("Hole", 2, None)]
 
 
-def test_tools_told_without_a_number():
+def test_tools_without_a_number_are_read():
     assert sections(f"T1 M6 (End mill 6mm)\n{CUT}T1 M6 (End mill 3mm)\n{CUT}") == [
         ("End mill 6mm", 1, 6), ("End mill 3mm", 1, 3)
     ]  # fmt: skip
@@ -299,7 +299,7 @@ def test_tools_told_without_a_number():
     assert sections(f"(T6 D=4 - end mill)\n(Face)\n{CUT}") == [("Face", None, 4)]
 
 
-def test_the_tool_that_the_line_of_its_change_tells_stays():
+def test_tool_in_the_line_of_its_change_is_kept():
     next_one = "T2 (NEXT TOOL: 5MM DRILL)\n"
     assert sections(f"T1 M6 (10MM ENDMILL)\n{next_one}{CUT}") == [("10MM ENDMILL", 1, 10)]
     assert sections(f"(20MM FACE MILL)\nT1 M6 (10MM ENDMILL)\n{next_one}{CUT}") == [("10MM ENDMILL", 1, 10)]
@@ -425,7 +425,7 @@ def test_a_tool_that_nothing_describes_is_not_the_one_before():
     assert sections(f"T1 M6 (End mill 6mm)\n{CUT}T2 M6\n{CUT}") == [("End mill 6mm", 1, 6), ("", 2, None)]
 
 
-def test_a_title_between_a_plunge_and_its_cut_parts_nothing():
+def test_title_between_plunge_and_cut_does_not_divide():
     """As in programs that are written by hand; the plunge alone would be drilling."""
     assert [title for title, _, _ in sections(f"(Sides)\nG0 X0 Y0\nG1 Z1 F9\nZ-2\n(Rough)\nX10\nY5\n(Wall)\n{CUT}")] == [
         "Rough", "Wall"
@@ -448,7 +448,7 @@ def test_numbered_repeat_of_name_is_another_operation():
     assert len(sections(f"(Pocket)\n{CUT}(Pocket)\n{CUT}")) == 1
 
 
-def test_a_line_of_words_alone_cuts_where_it_goes_on_with_a_feed():
+def test_line_without_g_code_continues_the_feed_move():
     """Titles after the first cut divide a program, so cuts must be found even if G1 is several lines above."""
     cut = "X10\nY5\nX0\n"
     assert [title for title, _, _ in sections(f"(One)\nG1 F100\n{cut}(Two)\n{cut}")] == ["One", "Two"]
@@ -463,21 +463,21 @@ def test_a_number_and_the_same_fraction_tell_inches(tool, both):
     assert tells_inches(tool) is both
 
 
-def test_what_stands_beside_a_coolant_is_no_title():
+def test_comment_beside_coolant_is_not_a_title():
     text = "(FACE TOP)\nM08 (Collant On)\nM07 (Mist)\nG0 X0 Y0 Z5\nG1 Z-1 F100\nX50\nG0 Z5\nM9 (dry now)\n"
     assert [section.title for section in split_sections(read_program(text))] == ["FACE TOP"]
     told = split_sections(read_program("T2 M6 M8 (6 mm end mill)\n" + text))
     assert [section.tool.diameter for section in told] == [6]
 
 
-def test_what_stands_beside_a_dwell_or_a_mode_is_no_title():
+def test_comment_beside_dwell_or_mode_is_not_a_title():
     assert sections(f"(FACE TOP)\nG91 (in steps)\nG90 G21 (no more)\n{CUT}") == [("FACE TOP", None, None)]
     assert sections(f"(FACE TOP)\nG90 G54 (left part)\n{CUT}") == [("left part", None, None)]
     assert sections(f"(FACE TOP)\nG4 P3 (pause in sec)\n{CUT}") == [("FACE TOP", None, None)]
     assert sections(f"G4 P1 (MSG, change to drill size 1.2 mm)\n{CUT}")[0][2] == 1.2
 
 
-def test_what_stands_beside_a_speed_or_a_start_is_no_title():
+def test_comment_beside_speed_or_start_is_not_a_title():
     for code in ("S100", "F9", "M3 S100", "N5 M4", "M5"):
         assert [title for title, *_ in sections(f"{code} (beam)\n{CUT}")] == [""]
     assert [title for title, *_ in sections(f"N5 (Groove)\n{CUT}")] == ["Groove"]
@@ -497,7 +497,7 @@ def test_comment_on_the_line_of_a_move_is_not_a_title():
     assert sections(text) == [("FACE TOP", 2, 6)]
 
 
-def test_titles_at_tool_changes_are_no_passes():
+def test_titles_at_tool_changes_are_not_passes():
     """Sixty numbered titles are passes of one operation, but not where the tool is changed at each."""
     changed = "".join(f"(Hole {k})\nT{k} M6\n{CUT}" for k in range(1, 61))
     assert [title for title, _, _ in sections(changed)] == [f"Hole {k}" for k in range(1, 61)]

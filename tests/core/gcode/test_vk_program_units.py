@@ -34,13 +34,13 @@ def shrunk(path):
 
 
 @pytest.mark.parametrize("path", [zigzag(), offsets(), zigzag(width=200.0), zigzag(lift=25.0)])
-def test_it_is_said_of_what_is_too_small_only(path):
+def test_only_too_small_toolpaths_look_like_inches(path):
     assert not looks_like_inches(path)
     assert looks_like_inches(shrunk(path))
     assert looks_like_inches(shrunk(path), tool_diameter=6.0)
 
 
-def test_what_speaks_against_it():
+def test_fast_or_large_toolpath_does_not_look_like_inches():
     small = shrunk(zigzag())
     assert not looks_like_inches(replace(small, feed=np.full(len(small), 20.0)))  # 1200 inches a minute
     assert looks_like_inches(replace(small, feed=np.full(len(small), 20.0)), imported=True)  # 20 inches a minute
@@ -61,7 +61,7 @@ def test_what_speaks_against_it():
         ({"feed": 290.0}, True, True), ({"feed": 310.0}, True, False),  # FreeCAD takes those for mm/s
     ],
 )  # fmt: skip
-def test_how_small_and_slow_a_toolpath_is_of_which_it_is_said(changed, imported, said):
+def test_limits_of_size_and_feed_for_inches(changed, imported, said):
     toolpath = zigzag(**{"width": 10.0, "rows": 4, "step": 0.5, "depth": -0.5, "lift": 2.0, "feed": 1.0, **changed})
     assert looks_like_inches(toolpath, imported=imported) == said
 
@@ -97,13 +97,13 @@ def test_whole_numbers_are_of_the_programs_unit():
     assert looks_like_increments(path, inches=True) and not looks_like_increments(path, inches=False)
 
 
-def test_how_long_a_toolpath_is_of_which_it_is_said():
+def test_limit_of_length_for_increments():
     for length, said in ((5000, True), (4999, False)):
         path = read_program(f"G21\nG0 X0 Y0 Z5\nG1 Z-1 F9\nX{length}").toolpath()
         assert looks_like_increments(path, inches=False) == said
 
 
-def test_feeds_of_a_minute_are_told_by_the_fastest():
+def test_fastest_feed_decides_on_mm_per_minute():
     slow, fast = zigzag(feed=240.0), zigzag(feed=600.0)
     assert in_seconds(slow) == (slow, None) and in_seconds(zigzag(feed=260.0))[1]  # 250 mm/min, or 15 m/min
     entering = replace(fast, feed=np.where(np.arange(len(fast)) < 3, 100.0, 600.0))
@@ -114,7 +114,7 @@ def test_feeds_of_a_minute_are_told_by_the_fastest():
 
 
 @pytest.mark.parametrize("path", [zigzag(), offsets()])
-def test_the_verdict_is_that_of_the_true_size(path):
+def test_verdict_in_inches_equals_verdict_at_true_size(path):
     true, found = recognize(path, tool_diameter=6.0), recognize_inches(shrunk(path), tool_diameter=6.0)
     assert found.strategy is true.strategy and found.strategy in (Strategy.ZIGZAG, Strategy.CONTOUR_PARALLEL)
     assert found.confidence == pytest.approx(true.confidence)
@@ -123,7 +123,7 @@ def test_the_verdict_is_that_of_the_true_size(path):
     assert found.paper.v == pytest.approx([x / INCH for x in true.paper.v])
 
 
-def test_lengths_in_the_reason_are_those_of_the_path():
+def test_lengths_in_the_reason_have_the_path_unit():
     def steps(message):
         own = [value for name, value in message.arguments.items() if name == "step"]
         return own + [step for value in message.arguments.values() if hasattr(value, "code") for step in steps(value)]
@@ -133,7 +133,7 @@ def test_lengths_in_the_reason_are_those_of_the_path():
     assert render(found.why).split(",")[0] == render(true.why).split(",")[0]
 
 
-def test_whether_the_program_tells_its_unit():
+def test_unit_told_if_program_has_g20_or_g21():
     for text, told, inches in (
         ("G20", True, True),
         ("G21", True, False),

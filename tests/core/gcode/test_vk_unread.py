@@ -49,7 +49,7 @@ def test_commands(commands, problems):
     assert told(commands) == problems
 
 
-def test_feeds_of_another_mode_are_no_times():
+def test_inverse_time_feeds_are_not_speeds():
     path = linearize([*START, ("G93", {}), ("G1", {"X": 10.0, "F": 2.0}), ("G94", {}), ("G1", {"X": 20.0, "F": 5.0})])
     assert path.feed.tolist() == [10.0, 0.0, 5.0]
     assert [note.code for note in machining(path).left_out] == ["cutting-untimed"]
@@ -117,12 +117,12 @@ def test_machines_own_m_codes_take_no_target(line):
     assert [50, 20, -1] in path.points.tolist()
 
 
-def test_a_program_that_turns_says_so():
+def test_rotary_and_lathe_programs_are_noticed():
     assert read_program("G0 X0 Y0 Z5\nG1 Z-1 F100\nG1 A360\nA0").rotary == (3, 4)
     other = read_program("G0 X20 Z5\nG1 X10 F100\nW-5\nU2 W-1").other
     assert other.code == "lathe" and other.arguments["name"] == "U, W"
 
 
-def test_a_program_that_moves_nothing_but_what_is_not_read():
+def test_program_with_rotary_moves_only_is_refused():
     with pytest.raises(Unusable, match=r"Moves of a rotary axis \(A\) are ignored"):
         read_program("G1 A5\nG1 A9")

@@ -54,7 +54,7 @@ class Keeping:
         return {"X": 1.0, "Y": 2.0, "F": 3.0}
 
 
-def test_commands_that_are_used_up_go_with_what_they_keep(many):
+def test_used_commands_free_their_memory(many):
     commands = [Keeping() for _ in range(many)]
     count = len(commands)
     read, _, peak = memory(lambda: Words(used_up(commands)))
@@ -63,7 +63,7 @@ def test_commands_that_are_used_up_go_with_what_they_keep(many):
 
 
 @pytest.mark.parametrize("piece", [1, 3, 7])
-def test_pieces_read_what_the_whole_reads(piece, monkeypatch):
+def test_reading_in_pieces_equals_reading_the_whole(piece, monkeypatch):
     commands = [c for make in programs.SOUND.values() for c in make()[:40]]
     commands += [
         ("X10", {"Y": 1.0}),
@@ -109,6 +109,6 @@ def test_state_beside_home_stays_in_force():
     assert path.points[-1].tolist() == [16, 20, 25]
 
 
-def test_an_unknown_second_code_is_told():
+def test_unknown_second_code_has_a_remark():
     path = linearize([*BEFORE_CODES, ("G90", {"G": 777, "X": 45})])
     assert [problem.what.code for problem in path.problems] == ["two-codes", "unknown-code"]

@@ -174,7 +174,7 @@ def test_numbers_have_two_or_three_digits_and_a_unit(kind, number, text):
 @pytest.mark.parametrize("memory, needed, allowed", [
     (3.1e9, "3.1 GB", "2.0 GB"), (2.04e9, "2.04 GB", "2.00 GB"), (2.0004e9, "2.0004 GB", "2.0000 GB"), (2e9, "2.0 GB", "2.0 GB"),
 ])  # fmt: skip
-def test_what_is_more_than_another_reads_so(memory, needed, allowed):
+def test_sentence_shows_that_one_value_exceeds_another(memory, needed, allowed):
     """No sentence says "about 2.0 GB, which is over your 2.0 GB limit"."""
     told = render(Message("memory", simulator="legacy", memory=memory, allowed=2e9, instead=Message("smaller-image")))
     assert f"takes about {needed} for this operation, which is over your {allowed} limit." in told
@@ -282,7 +282,7 @@ anything = st.recursive(
 
 
 @given(anything)
-def test_what_is_no_message_is_refused_with_a_value_error(data):
+def test_invalid_message_data_raise_value_error(data):
     for one in (data, {"code": data, "arguments": data}, {"code": "image", "arguments": {"width": data}}):
         try:
             message = Message.from_data(one)

@@ -33,7 +33,7 @@ def test_area_does_not_depend_on_earlier_areas(strokes):
 
 
 @pytest.mark.parametrize("sense", [1, -1])
-def test_a_reversal_turns_back_what_its_own_area_has_turned(sense):
+def test_reversal_turns_back_the_turning_of_its_area(sense):
     """The area turns by a quarter, runs straight and reverses. The contour before it turned more, in either sense."""
     late = [(0, 0), (30, 0), (30, 30 * sense), (30, 60 * sense), (30, 30 * sense), (30, 0)]
     for before in (SQUARE, SQUARE[::-1]):

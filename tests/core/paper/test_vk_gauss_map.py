@@ -20,7 +20,7 @@ def spiral_in(loops):
     return commands
 
 
-def test_an_area_is_what_is_cut_without_rapids():
+def test_rapids_separate_areas():
     first = spiral_in(3)
     second = [("G0", {"Z": 5.0}), ("G0", {"X": 100.0, "Y": 0.0}), ("G1", {"Z": 0.0}), ("G1", {"X": 105.0})]
     areas = monotonous_areas(linearize(second + first))
@@ -52,7 +52,7 @@ def test_arcs_by_sense_of_rotation():
     assert np.isnan(turns_of(np.array([0, np.pi]))).all()
 
 
-def test_an_image_that_stands_still_draws_nothing():
+def test_constant_image_draws_nothing():
     assert [len(arcs) for arcs in image_arcs([1.0, 1.0, 1.0], [1, 1, 1])] == [0, 0]
     assert [len(arcs) for arcs in image_arcs([1.0], [1])] == [0, 0]
     assert [len(arcs) for arcs in image_arcs([], [])] == [0, 0]
@@ -105,7 +105,7 @@ def test_short_polyline_is_whole_and_scribble_is_reduced():
     assert 0 < len(distinct(points, everything, cells=200, most=500)) <= 500
 
 
-def test_only_what_passes_a_window_is_drawn():
+def test_only_points_near_the_window_are_drawn():
     points = np.array([(0, 0), (10, 10), (20, 0), (30, 0), (np.nan, np.nan), (12, -5), (12, 50)])
     assert overlapping(points, np.array([11, 5]), np.array([13, 12])).tolist() == [1, 5]
 

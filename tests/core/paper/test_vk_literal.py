@@ -47,13 +47,13 @@ def test_v_of_nearly_closed_contour_has_no_direction():
     assert found.image == (0, 0)
 
 
-def test_the_image_of_a_contour_goes_around_in_one_sense():
+def test_image_of_contour_turns_in_one_sense():
     assert (verdict(SQUARE).sense, verdict(SQUARE, -1).sense) == ("ccw", "cw")
     assert verdict([(0, 0), (10, 0), (20, 0)]).sense is None  # the image does not move
     assert verdict([(0, 0), (30, 0), (30, 2), (0, 2), (0, 4), (30, 4)]).sense is None  # the image turns back and forth
 
 
-def test_image_of_v_goes_around_from_inside_only():
+def test_image_of_v_turns_only_for_outward_loops():
     """Loops from the outermost one inward are a contour, and V_k moves back and forth as in a zigzag."""
     loops = [[(s * x, s * y) for x, y in [(-1, -1), (1, -1), (1, 1), (-1, 1), (-1, -1)]] for s in (40, 36, 32)]
     for order, goes_around, sense in ((loops, False, None), (loops[::-1], True, "ccw")):

@@ -41,7 +41,7 @@ def test_an_area_ends_at_a_rapid():
     assert sizes(areas_of(*feed((0, 0, -1), *ROW), rapid(0, 4, -1), *feed((20, 4, -1)))) == [3, 1]
 
 
-def test_an_area_ends_where_the_tool_goes_down_and_up_again():
+def test_area_ends_at_a_plunge_and_retract():
     assert sizes(areas_of(*feed((0, 0, -1), *ROW, (0, 2, -5), (0, 2, -1), (20, 2.5, -1), (20, 9, -1)))) == [3, 2]
 
 
@@ -53,7 +53,7 @@ def test_area_ends_at_other_depth_unless_straight():
     assert sizes(areas_of(*feed((0, 0, -1), (20, 20, -1), (20, 20, 3), (40, 0, 3), (60, 0, 3)))) == [1, 2]
 
 
-def test_a_first_move_straight_down_at_feed_is_no_area():
+def test_first_plunge_is_not_an_area():
     areas = areas_of(*feed((0, 0, -1)))
     assert len(areas) == 0 and areas.holes.tolist() == [0]
 
@@ -100,7 +100,7 @@ def test_tiny_move_beside_long_one_has_a_direction(width, kept):
 
 
 @pytest.mark.parametrize("step, moves", [(0.0008, 0), (0.0015, 3)])
-def test_move_below_a_thousandth_stands_still(step, moves):
+def test_move_below_a_thousandth_is_ignored(step, moves):
     assert len(areas_of(*feed((0, 0, -1), (step, 0, -1), (step, step, -1), (0, step, -1)))) == moves
 
 

@@ -144,7 +144,7 @@ def test_results_as_csv_and_as_json_lines(folder, tmp_path, inside):
 
 @pytest.mark.long
 @pytest.mark.parametrize("kind", ["--csv", "--json-lines"])
-def test_it_goes_on_where_it_was_stopped(folder, tmp_path, kind, inside):
+def test_resume_continues_where_it_stopped(folder, tmp_path, kind, inside):
     out = tmp_path / "out"
     arguments = folder, kind, out, "--jobs", 1
     assert inside(*arguments).returncode == 1
@@ -182,7 +182,7 @@ def test_numbers_of_the_command_line_arrive():
     assert command_line._parser().parse_args(["a.nc"]).timeout == 600.0
 
 
-def test_results_stay_where_there_is_no_scheduler(folder, tmp_path, inside, monkeypatch):
+def test_results_stay_if_scheduler_is_missing(folder, tmp_path, inside, monkeypatch):
     monkeypatch.setitem(sys.modules, "distributed", None)
     results = tmp_path / "results.csv"
     results.write_text("a,b\n1,2\n")
@@ -191,7 +191,7 @@ def test_results_stay_where_there_is_no_scheduler(folder, tmp_path, inside, monk
     assert results.read_text() == "a,b\n1,2\n"
 
 
-def test_wrong_arguments_say_what_to_do(folder, tmp_path, inside):
+def test_wrong_arguments_get_a_helpful_error(folder, tmp_path, inside):
     other = tmp_path / "other.csv"
     other.write_text("a,b\n1,2\n")
     empty = tmp_path / "empty"
@@ -233,7 +233,7 @@ def test_no_program_becomes_its_results(tmp_path, kind, inside):
 
 
 @pytest.mark.parametrize("kind", ["--csv", "--json-lines"])
-def test_results_stay_where_there_are_no_programs(folder, tmp_path, kind, inside):
+def test_results_stay_if_there_are_no_programs(folder, tmp_path, kind, inside):
     (tmp_path / "empty").mkdir()
     out = tmp_path / "out"
     inside(folder, kind, out)
@@ -243,7 +243,7 @@ def test_results_stay_where_there_are_no_programs(folder, tmp_path, kind, inside
 
 
 @pytest.mark.parametrize("kind", ["--csv", "--json-lines"])
-def test_what_could_not_be_read_before_a_stop_still_counts(folder, tmp_path, kind, inside):
+def test_unreadable_file_before_a_stop_still_counts(folder, tmp_path, kind, inside):
     arguments = folder / "b.nc", folder / "a.nc", kind, tmp_path / "out", "--jobs", 1
     assert inside(*arguments).returncode == 1
     done = inside(*arguments, "--resume")
@@ -425,7 +425,7 @@ def test_results_go_to_a_pipe_or_a_device(folder, tmp_path, kind, inside):
         assert b"zigzag" in read.result(timeout=60)
 
 
-def test_who_stops_it_is_told_how_it_goes_on(folder, tmp_path, inside, monkeypatch):
+def test_stop_message_says_how_to_resume(folder, tmp_path, inside, monkeypatch):
     def stopped(path, _chosen, _patience):
         raise KeyboardInterrupt
 
@@ -440,7 +440,7 @@ def test_who_stops_it_is_told_how_it_goes_on(folder, tmp_path, inside, monkeypat
 
 
 @pytest.mark.long
-def test_a_reader_that_goes_away_is_no_error(folder):
+def test_closed_output_pipe_is_not_an_error(folder):
     asked = command(folder, "--jobs", 1)
     process = subprocess.Popen(asked, cwd=ROOT, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
     process.stdout.close()
@@ -487,7 +487,7 @@ def room_for(size):
 
 
 @pytest.mark.parametrize("kind", ["--csv", "--json-lines"])
-def test_a_disk_that_is_full_is_told_in_one_line_and_resumed(folder, tmp_path, kind, inside):
+def test_full_disk_gives_one_line_and_can_be_resumed(folder, tmp_path, kind, inside):
     whole, out = tmp_path / "whole", tmp_path / "out"
     inside(folder, kind, whole)
     size = len(whole.read_bytes())
@@ -513,7 +513,7 @@ def test_a_full_disk_ends_the_command_with_one_line(folder, tmp_path):
 
 
 @pytest.mark.long
-def test_names_that_are_no_utf8(tmp_path, inside):
+def test_file_names_outside_utf8_are_accepted(tmp_path, inside):
     (tmp_path / "a.nc").write_text(PROGRAM)
     os.rename(tmp_path / "a.nc", os.fsencode(tmp_path) + b"/fr\xe4sen.nc")
     assert run(tmp_path, "--jobs", 1).returncode == 0
@@ -597,7 +597,7 @@ def test_command_runs_nothing_of_the_current_folder(tmp_path, start, names):
 
 
 @pytest.mark.long
-def test_no_scheduler_is_said(folder):
+def test_unreachable_scheduler_is_reported(folder):
     pytest.importorskip("distributed", reason="python3-distributed is not installed: --scheduler is not tested")
     done = run(folder, "--scheduler", "nonsense://nowhere")
     assert (

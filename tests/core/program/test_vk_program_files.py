@@ -66,7 +66,7 @@ def test_no_text(data):
 @pytest.mark.parametrize("first, told", [
     ("Document.xml", "a FreeCAD document. Analyze it in FreeCAD"), ("bracket.nc", "a zip archive. Unpack it first"),
 ])  # fmt: skip
-def test_what_is_packed_says_what_to_do(tmp_path, first, told):
+def test_packed_file_says_what_to_do(tmp_path, first, told):
     path = tmp_path / "part.FCStd"
     with zipfile.ZipFile(path, "w") as archive:
         archive.writestr(first, PROGRAM)
@@ -74,7 +74,7 @@ def test_what_is_packed_says_what_to_do(tmp_path, first, told):
     assert row.error.startswith(f"This is not an NC program, but {told}")
 
 
-def test_a_drawing_is_no_program_with_variables(tmp_path):
+def test_drawing_is_not_a_program(tmp_path):
     path = tmp_path / "logo.svg"
     path.write_text('<?xml version="1.0"?>\n<svg width="10">\n<path d="M0 0L9 9"/>\n</svg>\n')
     (row,) = vkworkbench.analyze(path).operations
@@ -126,7 +126,7 @@ def test_text_with_a_too_long_line_is_refused(monkeypatch, end):
             text_of((f"{'X' * before}{end}" + 20 * "/" + f"{end}X1").encode())
 
 
-def test_a_pipe_or_a_device_is_no_file(tmp_path):
+def test_pipe_or_device_is_refused(tmp_path):
     os.mkfifo(tmp_path / "pipe.nc")
     (tmp_path / "linked.nc").symlink_to(tmp_path / "pipe.nc")
     for path in (
@@ -141,7 +141,7 @@ def test_a_pipe_or_a_device_is_no_file(tmp_path):
             read_bytes(path)
 
 
-def test_folders_are_walked_once_whatever_leads_to_them(tmp_path):
+def test_linked_folders_are_walked_once(tmp_path):
     for name in ("p/a.nc", "p/q/b.nc", "far/c.nc"):
         (tmp_path / name).parent.mkdir(exist_ok=True)
         (tmp_path / name).write_text("G1 X1")
@@ -154,7 +154,7 @@ def test_folders_are_walked_once_whatever_leads_to_them(tmp_path):
     assert [str(path.relative_to(p)) for path in found] == ["a.nc", "z.nc", "linked/c.nc", "q/b.nc"]
 
 
-def test_a_folder_that_cannot_be_read_is_told(tmp_path, monkeypatch):
+def test_unreadable_folder_has_a_remark(tmp_path, monkeypatch):
     (tmp_path / "closed").mkdir()
     (tmp_path / "a.nc").write_text(PROGRAM)
     listed = os.scandir
@@ -220,7 +220,7 @@ def test_folder_names_at_most_20_files_that_it_leaves_out(tmp_path):
     assert str(vkworkbench.analyze(tmp_path)).endswith("19.md, and 3 more.")
 
 
-def test_what_names_files():
+def test_argument_that_is_not_a_file_name_is_refused():
     with pytest.raises(ValueError, match="no file"):
         vkworkbench.analyze("")
     for text in ("G21\nG1 X10 F100\n", "G21\n" * 1000):
@@ -254,7 +254,7 @@ def test_no_files_are_an_empty_report(without_freecad):
 
 
 @pytest.mark.parametrize("what", [b"x", b"", 3, None, [3], ["a.nc", None]])
-def test_what_names_no_files_is_refused_without_freecad(without_freecad, what):
+def test_objects_are_refused_without_freecad(without_freecad, what):
     with pytest.raises(TypeError, match=r"^without FreeCAD only NC programs .*: a file, a folder, or a list of them"):
         vkworkbench.analyze(what)
 
@@ -300,7 +300,7 @@ def test_table_names_programs_below_their_folder(tmp_path):
     assert (first.split()[0], second.split()[0]) == ("bracket.nc", "old/bracket.nc")
 
 
-def test_one_operation_is_no_operations(tmp_path):
+def test_one_operation_is_written_in_the_singular(tmp_path):
     path = tmp_path / "face.nc"
     path.write_text(PROGRAM.split("(Holes)", maxsplit=1)[0])
     assert "face.nc: 1 operation " in str(vkworkbench.analyze(str(path)))
@@ -315,7 +315,7 @@ def test_a_time_without_a_dwell_is_the_least(tmp_path):
     assert not vkworkbench.analyze(path).operations[0].machining.complete
 
 
-def test_each_operation_with_a_dwell_says_so(tmp_path):
+def test_each_operation_with_a_dwell_has_a_remark(tmp_path):
     """Any other remark is reported once, for the operation in which the cause first occurs."""
     path = tmp_path / "router.nc"
     cut = "G0 Z5\nG4 P1\nG1 Z-1 F600\nX40\nX0\n"
@@ -334,7 +334,7 @@ def test_each_operation_with_a_dwell_says_so(tmp_path):
     assert [sorted(told(row.remarks)) for row in rows] == [[*dwells[0], ("unknown-code", 10, 2)], *dwells[1:]]
 
 
-def test_the_stock_of_a_program_holds_what_its_largest_tool_cuts(tmp_path):
+def test_stock_of_program_contains_largest_tool_cuts(tmp_path):
     path = tmp_path / "two.nc"
     cut = "G0 X0 Y0 Z5\nG1 Z-1 F600\nX40\nG0 Z5\n"
     path.write_text(f"G21\n(T1 D=6 - end mill)\n(T2 D=20 - end mill)\nT1 M6\n{cut}T2 M6\n{cut}")
@@ -411,7 +411,7 @@ def test_program_of_rapids_cuts_nothing_in_unknown_time(tmp_path):
         ("T0101\nG0 X52 Z2\nG90 X48 Z-20 F0.2\nX44\nG0 X99\n", "Line 3: G90 shows a program for a lathe."),
     ],
 )
-def test_what_is_no_milling_has_no_strategy(tmp_path, text, error):
+def test_program_for_another_machine_has_no_strategy(tmp_path, text, error):
     path = tmp_path / "other.nc"
     path.write_text(text)
     (row,) = vkworkbench.analyze(path).operations
@@ -431,7 +431,7 @@ def test_files_of_the_report(tmp_path):
     assert len(json.load(open(tmp_path / "out.json", encoding="utf-8"))["operations"]) == 2
 
 
-def test_names_that_are_no_utf8(tmp_path):
+def test_file_names_outside_utf8_are_accepted(tmp_path):
     name = os.fsdecode(b"fr\xe4sen.nc")
     (tmp_path / name).write_text(PROGRAM)
     report = vkworkbench.analyze(tmp_path)

@@ -54,7 +54,7 @@ def test_a_file_has_a_line_now_and_then(clock, paths):
     assert told.files == 3
 
 
-def test_a_file_that_is_gone_counts(clock, tmp_path):
+def test_missing_file_counts_as_done(clock, tmp_path):
     told = progress.Progress([tmp_path / "gone"], io.StringIO())
     clock[0] += 60.0
     told.add(tmp_path / "gone")

@@ -44,7 +44,7 @@ def program(tmp_path):
     return path
 
 
-def test_crash_is_told_with_its_line(program):
+def test_crash_has_its_line(program):
     done = vkworkbench.simulate(program)
     found = done.facts()
     assert [label for label, _ in found.operations] == ["Pocket", "Engrave"]

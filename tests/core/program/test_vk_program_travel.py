@@ -44,9 +44,9 @@ def test_operations_together_need_more_than_the_travel(told):
     assert told(x=310) == [["The job moves 310.5 mm along X, but the travel of the machine is 310 mm."], []]
 
 
-def test_each_axis_is_told(told):
+def test_exceeded_travel_names_each_axis(told):
     assert [len(remarks) for remarks in told(x=300, y=19, z=5)] == [3, 0]
 
 
-def test_enough_or_unknown_travel_is_not_told(told):
+def test_enough_or_unknown_travel_has_no_remark(told):
     assert told() == told(x=310.5, y=20, z=6) == [[], []]

@@ -41,7 +41,7 @@ def test_arcs_that_overlap_the_next_are_bites():
     assert bites(arc(0, 0), arc(0, 2), arc(0, 4)) == "bbb"
 
 
-def test_an_arc_far_from_its_neighbours_is_none():
+def test_arc_far_from_its_neighbours_is_not_a_bite():
     assert bites(arc(0), arc(2), arc(100), arc(200), arc(202)) == "bb-bb"
     # Beside in one direction only is not over one another.
     assert bites(arc(0, 0), arc(0, 100), arc(100, 100)) == "---"
@@ -59,12 +59,12 @@ def test_stroke_that_bends_less_than_a_quarter_is_not_a_bite():
     assert bites([(0, 0, 0), (20, 0, 0)], [(0, 1, 0), (20, 1, 0)]) == "--"
 
 
-def test_what_bends_the_other_way_is_against_wherever_it_lies():
+def test_arc_of_other_sense_counts_against_everywhere():
     assert bites(arc(0), arc(2), arc(4), arc(100, clockwise=True)) == "bbba"
     assert bites(arc(0, clockwise=True), arc(2, clockwise=True), arc(4, clockwise=True), arc(6)) == "bbba"
 
 
-def test_the_sense_is_that_of_the_longer_strokes():
+def test_longer_strokes_decide_the_sense():
     assert (
         bites(arc(0, radius=40), arc(2, radius=40), *(arc(30 + i, radius=4, clockwise=True) for i in range(5)))
         == "bbaaaaa"
@@ -93,7 +93,7 @@ def test_slopes_depths_and_footprints():
     assert found.typical == pytest.approx(0.4 * 2 * math.pi * 10, rel=0.01)
 
 
-def test_the_typical_length_is_that_of_most_of_the_cut():
+def test_typical_length_weights_strokes_by_length():
     found = strokes_of([*(arc(30.0 * i, radius=1) for i in range(5)), arc(0, 200, radius=10), arc(0, 300, radius=10)])
     assert found.typical == pytest.approx(0.4 * 2 * math.pi * 10, rel=0.01)
 

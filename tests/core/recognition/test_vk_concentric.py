@@ -67,7 +67,7 @@ def test_similar_radii_count_as_one(aside, count):
     assert found([10, 12, 14, 16, 16 + aside]).count == count
 
 
-def test_the_same_arc_at_another_depth_is_no_step():
+def test_arc_repeated_at_another_depth_is_not_a_step():
     arcs = found([10, 10, 12, 12, 14, 14])
     assert arcs.count == 3 and arcs.same == pytest.approx(QUARTER * 22, rel=1e-3)
     assert found([10, 10, 10]) is None and found([10, 12]) is None
@@ -114,7 +114,7 @@ def test_rows_have_no_centre(degrees, lean):
 
 
 @pytest.mark.parametrize(("degrees", "bent"), [(17, False), (24, True)])
-def test_what_bends_by_less_than_twenty_degrees_is_straight(degrees, bent):
+def test_arc_below_twenty_degrees_is_straight(degrees, bent):
     """Directions that spread evenly over 0.35 rad (20 degrees) have a hundredth of the largest possible scatter."""
     arcs = found([60, 62, 64, 66], sector=np.radians(degrees))
     assert (arcs is not None) == bent

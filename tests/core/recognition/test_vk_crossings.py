@@ -81,7 +81,7 @@ def test_distances_that_are_not_the_usual_one():
     assert level["tight"] == pytest.approx(0) and level["count"] == pytest.approx(log1p(8))
 
 
-def test_neighbours_that_are_not_parallel_are_no_passes():
+def test_neighbours_that_are_not_parallel_are_not_passes():
     """Teeth of a saw, 20 degrees up and down, which only lines across them all cross more than once."""
     teeth = [(20.0 * k, (20.0 * np.tan(np.pi / 9) if k % 2 else 0.0), 0.0) for k in range(9)]
     strokes = [
@@ -93,13 +93,13 @@ def test_neighbours_that_are_not_parallel_are_no_passes():
     assert level["signed"] == pytest.approx(1)
 
 
-def test_what_the_lines_meet_once_has_no_neighbours():
+def test_stroke_met_once_has_no_neighbours():
     crossings, level, plan = told(rows([0.0], [5.0]))
     assert crossings == pytest.approx(1) and level["signed"] == 1 and level["other"] == 1
     assert {**level, "signed": -1, "other": -1} == NOTHING and plan == level
 
 
-def test_what_lies_between_the_lines_tells_nothing():
+def test_strokes_between_scan_lines_measure_nothing():
     """Two strokes of a tenth of a millimetre, a hundred apart."""
     crossings, level, plan = told(programs.program([[(x, 0.0, 0.0), (x + 0.1, 0.0, 0.0)] for x in (0.0, 100.0)]))
     assert crossings == 0 and level == plan == NOTHING
@@ -153,7 +153,7 @@ def test_a_twenty_fifth_of_the_length_may_lie_beside_all_lines(length, beside):
 
 
 @pytest.mark.parametrize("sine, crosses", [(0.25, False), (0.4, True)])
-def test_what_runs_along_the_lines_is_not_crossed(sine, crosses):
+def test_stroke_along_the_scan_lines_is_not_crossed(sine, crosses):
     length = 20.0
     along = [[(25.0, 50.0, 0.0), (25.0 + sine * length, 50.0 + np.sqrt(1 - sine**2) * length, 0.0)]]
     crossings, _, _ = told([*programs.one_way(ROWS, 50.0, STEP), *programs.program(along)])

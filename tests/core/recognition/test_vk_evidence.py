@@ -27,7 +27,7 @@ def found_in(commands):
     ("outward", "clockwise", "milling"),
     [(True, False, "climb"), (True, True, "conventional"), (False, False, "conventional"), (False, True, "climb")],
 )
-def test_what_is_left_to_cut_lies_right_of_a_climbing_tool(outward, clockwise, milling):
+def test_climb_milling_has_material_on_the_right(outward, clockwise, milling):
     sides = [20 + 6 * k for k in range(8)][:: 1 if outward else -1]
     found = found_in(programs.program([polygon(side, clockwise=clockwise) for side in sides]))
     assert found.strategy is Strategy.CONTOUR_PARALLEL and found.stepover == pytest.approx(3.0)
@@ -84,7 +84,7 @@ def test_a_contour_that_is_ramped_into_lies_at_its_depth():
     assert found_in(programs.program([ramped])).depths == 1
 
 
-def test_one_contour_at_several_depths_tells_these_and_no_step():
+def test_repeated_contour_has_depths_and_no_stepover():
     found = found_in(programs.profile(depths=(0.0, -2.0, -4.0)))
     assert (found.strategy, found.stepover, found.depths, found.closed_loops) == (Strategy.PROFILE, None, 3, 3)
     assert "3 depths" in found.reason and "apart" not in found.reason
@@ -188,7 +188,7 @@ BENT = [[(60.0 * k, 0, 0), (60.0 * k + 9, 0, 0), (60.0 * k + 9, 9.0 + k, 0)] for
     ],
     ids=lambda value: str(value) if isinstance(value, (str, Strategy)) else "",
 )
-def test_the_sentence_is_that_of_what_was_counted(strokes, strategy, code, count):
+def test_reason_contains_the_counts(strokes, strategy, code, count):
     found = section(*strokes)
     verdict = said(strategy)
     message = reason_of(found, verdict, gather_evidence(found, verdict))
@@ -216,7 +216,7 @@ def thread(first, pitch, lead=True):
 
 
 @pytest.mark.parametrize("first, pitch, seen", [(0.0, -1.25, "descending"), (-10.0, 1.25, "climbing")])
-def test_thread_has_a_sense_and_its_leads_are_no_depths(first, pitch, seen):
+def test_thread_has_a_sense_and_leads_are_not_depths(first, pitch, seen):
     found = recognize(linearize(thread(first, pitch)), tool_diameter=6.0)
     assert (found.strategy, found.depths) == ("helix", 0)
     assert f"over 5 loops, {seen} at a constant radius" in found.reason
@@ -231,7 +231,7 @@ def loops(*boxes):
     return commands
 
 
-def test_share_of_nested_loops_is_told():
+def test_reason_has_share_of_nested_loops():
     """Two loops are nested; three others lie apart and are longer."""
     found = recognize(
         linearize(loops((0, 0, 40, 40), (3, 3, 34, 34), *((100 * k, 0, 60, 50) for k in (1, 2, 3)))), tool_diameter=6.0
@@ -242,7 +242,7 @@ def test_share_of_nested_loops_is_told():
     assert apart.why.arguments["seen"].code == "not-nested"
 
 
-def test_tool_that_never_goes_down_has_no_entry():
+def test_toolpath_without_descent_has_no_entry():
     level = [(name, {key: value for key, value in p.items() if key != "Z"}) for name, p in loops((0, 0, 40, 40))]
     assert recognize(linearize(level)).entry is None
     assert recognize(linearize(loops((0, 0, 40, 40)))).entry == "plunge"

@@ -45,7 +45,7 @@ def test_finishing_contour_may_come_first(clearing, where):
 
 
 @pytest.mark.parametrize("rapids", [True, False])
-def test_the_way_to_the_next_section_is_none_of_the_contour(rapids):
+def test_link_to_next_section_is_not_part_of_contour(rapids):
     far = ADAPTIVE, (100.0, 100.0, 130.0, 140.0)
     assert found_in((ADAPTIVE, CLEARED), (PROFILE, AROUND), far, rapids=rapids) == [1]
 
@@ -68,7 +68,7 @@ def test_other_contours_are_operations_of_their_own(sections):
     assert found_in(*sections) == []
 
 
-def test_no_stepover_is_told_of_what_is_small_either():
+def test_small_sections_have_no_stepover():
     small, out = (0.0, 0.0, 3.0, 4.0), (-0.5, -0.5, 3.5, 4.5)  # a twentieth of the diagonal is 0.25 mm
     assert found_in((ADAPTIVE, small), (PROFILE, out)) == []
     assert found_in((ADAPTIVE, small, -1.0, 9, 0.6), (PROFILE, out)) == [1]
@@ -112,7 +112,7 @@ def test_certain_borders_stay():
     assert found_in(*sections, doubtful=[1]) == [1]
 
 
-def test_what_cuts_nothing_between_two_sections_parts_them():
+def test_air_cut_between_two_sections_separates_them():
     points = np.array([(0.0, 0.0, 5.0), (0.0, 0.0, -1.0), (30.0, 40.0, -1.0), (0.0, 0.0, -1.0)])
     path = SimpleNamespace(points=points, rapid=np.array([True, False, False]))
     one, two = (

@@ -29,7 +29,7 @@ def every(pieces):
 
 
 @pytest.mark.parametrize("other", OTHERS, ids=str)
-def test_what_lies_elsewhere_or_is_larger_has_another_footprint(other):
+def test_moved_or_larger_piece_has_another_footprint(other):
     pieces = pieces_of(polygon(**SQUARE), polygon(**other), polygon(**SQUARE, z=-1.0))
     group, count = footprints(pieces, every(pieces))
     assert count == 2 and group[0] == group[2] != group[1]
@@ -37,7 +37,7 @@ def test_what_lies_elsewhere_or_is_larger_has_another_footprint(other):
     assert count == 2 and again.tolist() == [True, False, True]
 
 
-def test_one_box_with_more_way_in_it_is_another_footprint():
+def test_same_box_with_longer_path_is_another_footprint():
     """Along the border and, once, twice across: the box is the same, the length is not."""
     x, y, _ = np.min(polygon(**SQUARE), axis=0)
     wave = [(x, y, 0), (x + 20, y, 0), (x + 20, y + 10, 0), (x, y + 10, 0), (x, y + 20, 0), (x + 20, y + 20, 0)]
@@ -45,7 +45,7 @@ def test_one_box_with_more_way_in_it_is_another_footprint():
     assert footprints(pieces, every(pieces))[1] == 2
 
 
-def test_what_rounding_leaves_is_one_footprint():
+def test_rounding_does_not_change_a_footprint():
     pieces = pieces_of(polygon(**SQUARE), polygon(side=20.0, x=0.004, y=-0.003), polygon(side=20.004))
     assert footprints(pieces, every(pieces))[1] == 1
 
@@ -55,7 +55,7 @@ def test_shifted_by_over_a_tenth_is_elsewhere():
     assert footprints(pieces, every(pieces))[1] == 10
 
 
-def test_at_one_depth_nothing_comes_again():
+def test_pieces_at_one_depth_are_not_repeated():
     pieces = pieces_of(polygon(**SQUARE), polygon(**SQUARE, z=0.01), polygon(**SQUARE, x=100.0))
     again, count = come_again(pieces, every(pieces))
     assert not again.any() and count == 2

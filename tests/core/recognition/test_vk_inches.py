@@ -33,7 +33,7 @@ def steps_of(message):
 
 
 @pytest.mark.parametrize("name", PROGRAMS)
-def test_a_toolpath_of_inches_is_what_it_is(name):
+def test_toolpath_in_inches_has_the_same_strategy(name):
     own = linearize(PROGRAMS[name])
     small = replace(own, points=own.points / INCH)
     true, found = recognize(own, tool_diameter=TOOL), recognize_inches(small, tool_diameter=TOOL)
@@ -64,7 +64,7 @@ def test_one_operation_is_not_divided_where_it_retracts():
     assert found.spans == true.spans != recognize_inches(small, tool_diameter=TOOL, program=True).spans
 
 
-def test_what_has_no_area_has_no_paper():
+def test_toolpath_without_areas_has_no_paper_verdict():
     drilled = linearize(programs.drilling())
     found = recognize_inches(replace(drilled, points=drilled.points / INCH))
     assert found.strategy is Strategy.DRILLING and found.paper is None and found.stepover is None

@@ -162,7 +162,7 @@ def test_arcs_of_the_image_are_bends_half_turns_or_go_around(degrees, kinds):
 
 
 @pytest.mark.parametrize("turn, keeps", [(1.5e-4, 1), (0.7e-4, 0)])
-def test_what_turns_by_less_than_a_ten_thousandth_goes_straight(turn, keeps):
+def test_turn_below_a_ten_thousandth_is_straight(turn, keeps):
     heading = turn * np.arange(5)
     points = np.cumsum(np.column_stack((np.cos(heading), np.sin(heading), 0 * heading)) * 1000, axis=0)
     holds(told(programs.program([[(0.0, 0.0, 0.0), *points.tolist()]])), {"sense_keeps": keeps})
@@ -225,7 +225,7 @@ def test_two_families_of_rows(rows):
 
 
 @pytest.mark.parametrize(("turns", "around"), [(0.9, 0), (1.5, 1)])
-def test_area_turning_more_than_once_goes_around(turns, around):
+def test_area_turning_more_than_once_counts_as_winding(turns, around):
     spiral, straight = winding(30.0, 12.0, turns), [(200.0, 0.0, 0.0), (250.0, 0.0, 0.0)]
     length = sum(hypot(b[0] - a[0], b[1] - a[1]) for a, b in zip(spiral, spiral[1:]))
     holds(told(programs.program([spiral, straight])), {"around_areas": around * length / (length + 50)})

@@ -60,7 +60,7 @@ def test_neighbours_are_not_farther_apart_than_the_tool_reaches(apart, tool, bes
     assert (found is not None) == beside
 
 
-def test_what_is_far_for_its_length_is_no_neighbour():
+def test_distant_short_line_is_not_a_neighbour():
     assert neighbours([line(6.0 * k, length=9.0) for k in range(5)], 0.0) is None
     assert neighbours([line(6.0 * k, length=90.0) for k in range(5)], 0.0).count == 5
 

@@ -29,7 +29,7 @@ def test_nested_squares_are_half_the_side_difference_apart():
     assert (low[0], high[0], mean[0], step[0]) == (-3, -3, -3, 3)
 
 
-def test_what_does_not_lie_inside_is_no_offset():
+def test_ring_that_is_not_inside_is_not_an_offset():
     assert distance(20.0, 20.0, aside=1.0) == [0]
     assert distance(20.0, 16.0, aside=3.0) == [0]
     assert distance(20.0, 16.0, aside=0.5) == [1.5]  # by the side that it came nearest to

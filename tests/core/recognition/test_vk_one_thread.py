@@ -32,6 +32,6 @@ def test_recognition_multiplies_no_matrices(parse):
     assert {name: found for name, found in lines.items() if found} == {}
 
 
-def test_the_search_finds_what_it_looks_for():
+def test_search_finds_all_matrix_products():
     code = "a @ b\na @= b\nnp.dot(a, b)\na.dot(b)\nnp.linalg.solve(a, b)\nnp.polyfit(x, y, 1)\ndot(a, b)\nnp.einsum('i,i', a, b)"
     assert sorted(products(ast.parse(code))) == [1, 2, 3, 4, 5, 6]

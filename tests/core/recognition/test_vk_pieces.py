@@ -143,7 +143,7 @@ def test_zigzag_has_one_pass_per_row_in_any_direction(degrees):
     assert pieces.kind.tolist() == [ZIGZAG] and pieces.passes.tolist() == [7]
 
 
-def test_links_that_bulge_into_the_rows_are_no_passes():
+def test_links_that_bulge_into_rows_are_not_passes():
     """Each leads 1 mm back and forth again while it goes 3 mm aside."""
     ends, stroke = (0.0, 40.0), []
     for row in range(7):
@@ -184,7 +184,7 @@ LETTERS = {
 
 
 @pytest.mark.parametrize("letter", LETTERS.values(), ids=LETTERS)
-def test_letters_of_strokes_that_lean_are_no_rows(letter):
+def test_slanted_letters_are_not_rows(letter):
     assert pieces_of([(x, y, 0) for x, y in letter]).kind.tolist() == [STROKE]
 
 
@@ -196,7 +196,7 @@ def test_few_rows_must_be_parallel_and_many_may_lean():
 
 
 @pytest.mark.parametrize("turns, kind", [(1.1, STROKE), (1.3, WINDING)])
-def test_what_turns_by_more_than_a_turn_and_a_fifth_winds(turns, kind):
+def test_winding_turns_by_more_than_a_turn_and_a_fifth(turns, kind):
     """An arc that grows on its way, so that it does not meet itself."""
     angles = np.linspace(0, turns * TURN, 49)
     pieces = pieces_of([(70 + (20 + a) * math.cos(a), (20 + a) * math.sin(a), 0) for a in angles])

@@ -114,7 +114,7 @@ def test_repetition_at_depths_is_one_strategy():
 
 
 @pytest.mark.parametrize("tool", [None, 0, -3, float("nan"), float("inf"), 4.0])
-def test_an_unknown_tool_is_no_obstacle(tool):
+def test_strategy_is_found_without_a_tool(tool):
     assert recognize(cut(raster()), tool_diameter=tool).strategy is Strategy.ZIGZAG
     assert recognize(cut(rings()), tool_diameter=tool).strategy is Strategy.CONTOUR_PARALLEL
 
@@ -203,7 +203,7 @@ def test_one_pass_over_many_areas_stays_linear():
     assert found.strategy is Strategy.ZIGZAG and found.passes == 20_000
 
 
-def test_what_is_unknown_has_no_numbers():
+def test_unknown_toolpath_has_no_numbers():
     path = replace(cut([(0, 0), (5, 0), (5, 5)]), command=np.array([3, 7]))
     found = unknown(path, Message("moves-nothing"))
     assert "moves a tool" in found.reason
@@ -246,7 +246,7 @@ def rectangle(x, y, width, height):
     return commands + [("G1", {"X": a, "Y": b, "F": 10.0}) for a, b in ways[1:]]
 
 
-def test_stepover_is_that_of_large_loops_not_of_many_small_ones():
+def test_large_loops_decide_the_stepover():
     """Small loops with smaller steps clear the corners of a pocket."""
     corners = [(x, y) for x in (-20, 120) for y in (-20, 100)]
     loops = [(4.2 * k, 4.2 * k, 100 - 8.4 * k, 80 - 8.4 * k) for k in range(4)]

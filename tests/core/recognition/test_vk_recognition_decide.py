@@ -129,7 +129,7 @@ DRAWN = {
 
 @pytest.mark.parametrize("tool", [None, 3.0])
 @pytest.mark.parametrize("corners", DRAWN.values(), ids=DRAWN)
-def test_what_pupils_draw_first_is_a_profile(corners, tool):
+def test_simple_outlines_are_profiles(corners, tool):
     assert recognize(drawn(corners), tool_diameter=tool).strategy is Strategy.PROFILE
 
 
@@ -193,7 +193,7 @@ def test_a_tree_asks_until_it_comes_to_a_leaf():
 
 
 @pytest.mark.parametrize(("paper", "letter"), [(Strategy.ZIGZAG, -1), (Strategy.CONTOUR_PARALLEL, 1), (None, 0)])
-def test_features_tell_what_is_proposed_and_known(paper, letter):
+def test_features_contain_proposal_verdict_and_tool(paper, letter):
     told = features({"climbs": 0.25}, Strategy.SPIRAL, paper, tool=paper is None)
     assert (told["climbs"], told["letter"], told["tool"]) == (0.25, letter, paper is None)
     assert [name for name, value in told.items() if name.startswith("rules: ") and value] == ["rules: spiral"]

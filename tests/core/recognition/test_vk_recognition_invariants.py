@@ -224,7 +224,7 @@ def test_an_impossible_tool_is_an_unknown_one(name):
 
 @given(anything)
 @settings(max_examples=25)
-def test_what_surrounds_the_cut(made):
+def test_commands_around_the_cut_change_nothing(made):
     commands = commands_of(made)
     found = recognize(linearize(commands), tool_diameter=TOOL)
     around = [("(Created by hand)", {}), ("G21", {}), ("G90", {}), ("M3", {"S": 5000.0}), ("G0", {"X": -77.0, "Y": 55.0, "Z": CLEAR}),

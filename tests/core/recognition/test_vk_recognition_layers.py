@@ -58,14 +58,14 @@ NAMES = [f"{strategy.value} after a {entry}" for _, strategy, entry in CASES]
 
 
 @pytest.mark.parametrize("commands, strategy, entry", CASES, ids=NAMES)
-def test_the_pattern_decides_and_the_entry_is_told_beside_it(commands, strategy, entry):
+def test_pattern_decides_and_entry_is_reported(commands, strategy, entry):
     found = recognize(linearize(commands), tool_diameter=4.0)
     assert (found.strategy, found.entry) == (strategy, entry), found.reason
     assert f" The tool enters on a {entry.replace('zigzag ramp', 'ramp that goes back and forth')}." in found.reason
 
 
 @pytest.mark.parametrize("commands, strategy, entry", CASES, ids=NAMES)
-def test_a_way_out_counts_as_little_as_a_way_in(commands, strategy, entry):
+def test_lead_out_counts_as_little_as_lead_in(commands, strategy, entry):
     path = linearize(commands)
     cutting = slice(1, None)  # the rapid to the start stays the first
     points = np.vstack([path.points[:1], path.points[cutting][::-1]])
@@ -88,7 +88,7 @@ def test_the_ramp_along_a_contour_is_a_part_of_it():
     assert recognize(path).strategy is Strategy.PROFILE
 
 
-def test_areas_without_entries_begin_to_turn_anew():
+def test_turning_restarts_in_areas_without_entries():
     moves = monotonous_areas(linearize(helix() + rows() + [("G0", {"Z": 2.0})] + ramp() + rows()))
     pattern, wound = without_entries(moves)
     assert 0 < wound < 1 and len(pattern) < len(moves) and len(pattern.start) == len(moves.start)
@@ -188,7 +188,7 @@ DOWN_ALL_ALONG = [(200 + x, y, 2 * z) for x, y, z in HELIX]
         ([[(0, 0, 0), (20, 0, -1), (20, 90, -1), (60, 90, -2), (60, 70, -3)]], "ramp"),  # 90 of 150 mm are level
     ],
 )
-def test_the_entry_is_that_of_most_of_the_depth(strokes, entry):
+def test_entry_of_most_of_the_depth_is_reported(strokes, entry):
     assert find_entry(areas(*strokes)) == entry
 
 
@@ -222,7 +222,7 @@ def test_helix_is_entry_if_path_leads_farther(wider, leads):
     assert len(moves) - len(pattern) == (72 if leads else 0) and bool(wound) is leads
 
 
-def test_of_several_areas_only_the_ways_in_and_out_are_gone():
+def test_only_leads_are_removed_from_several_areas():
     strokes = [way_down((0, 0, -1)), way_down(*HELIX, x=100), [*way_down(*SINGLE, x=200), (240, 0, 0)]]
     moves = areas(*strokes)
     pattern, wound = without_entries(moves)
@@ -264,7 +264,7 @@ def out_and(*points, at=0.0):
         ([(6, 0, 0), (0, 0, 0)], "plunge", 6),  # the way back is level
     ],
 )
-def test_a_ramp_may_first_go_out_level_on_the_way_it_comes_back(points, entry, left, at):
+def test_ramp_may_begin_with_a_level_move_out(points, entry, left, at):
     moves = out_and(*points, at=at)
     assert find_entry(moves) == entry
     assert len(without_entries(moves)[0]) == left

@@ -106,7 +106,7 @@ SAME_FAMILY = [("zigzag", "one-way"), ("contour-parallel", "profile"), ("spiral"
 @pytest.mark.parametrize("pair", SAME_FAMILY)
 @pytest.mark.parametrize("sizes", [(3, 2), (2, 3)])
 @pytest.mark.parametrize("turned", [False, True])
-def test_a_tool_change_parts_whichever_side_is_longer(pair, sizes, turned):
+def test_tool_change_divides_regardless_of_lengths(pair, sizes, turned):
     one, two = pair[::-1] if turned else pair
     found = recognize(linearize([*MADE[one](sizes[0]), ("M6", {"T": 2.0}), *MADE[two](sizes[1])]), tool_diameter=TOOL)
     assert [str(s.strategy) for s in found.spans] == [one, two], found.reason
@@ -150,7 +150,7 @@ def test_borders_surround_runs_of_holes():
     assert find_borders(around, monotonous_areas(around)) == {4: True, 10: True, 16: True}
 
 
-def test_what_is_left_at_feed_goes_on_to_the_rapid():
+def test_retract_at_feed_belongs_to_the_operation_before():
     """A steep lift after milling, and the retract from a tapped hole, are not separate operations."""
     milled = [
         ("G0", {"X": 0.0, "Y": 0.0, "Z": 5.0}),
@@ -245,7 +245,7 @@ def contour(depths, closed=True):
 
 
 @pytest.mark.parametrize("closed", [True, False])
-def test_what_is_cut_once_is_not_said_to_come_again(closed):
+def test_contour_cut_once_is_not_called_repeated(closed):
     once = recognize(linearize(contour([-1.0], closed)))
     assert once.strategy is Strategy.PROFILE
     assert "again" not in once.reason and "depths" not in once.reason and "repeated" not in once.reason
@@ -326,7 +326,7 @@ def in_holes(depths, remark=True):
 
 
 @pytest.mark.parametrize("depths", [(-6.0,), (-6.0, -12.0, -18.0)])
-def test_what_freecad_remarks_within_an_operation_parts_nothing(depths):
+def test_freecad_remark_within_operation_does_not_divide(depths):
     path = linearize(in_holes(depths))
     assert len(path.comments) == 6 * len(depths) and not find_borders(path, monotonous_areas(path))
     found, plain = (recognize(one, tool_diameter=3.0) for one in (path, linearize(in_holes(depths, remark=False))))
@@ -350,7 +350,7 @@ def test_other_tool_is_other_operation_in_programs(loops, other):
 
 
 @pytest.mark.parametrize("titles, borders", [(200, 200), (201, 0)])
-def test_more_than_two_hundred_titles_are_those_of_no_operations(titles, borders):
+def test_more_than_two_hundred_titles_do_not_divide(titles, borders):
     path = linearize(programs.one_way(210))
     path = replace(path, comments=tuple((at, "title") for at in range(1, titles + 1)), tool_changes=np.array([5]))
     # The tool change is one of the borders, or the only border.

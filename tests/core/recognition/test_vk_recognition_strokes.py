@@ -23,7 +23,7 @@ SEEDS = 8
 @pytest.mark.long
 @pytest.mark.parametrize("seed", range(SEEDS))
 @pytest.mark.parametrize("label, accepted, make", [pytest.param(*s, id=s[0]) for s in SAMPLES])
-def test_what_they_are(label, accepted, make, seed):
+def test_synthetic_strokes_have_their_strategy(label, accepted, make, seed):
     path = linearize(make(np.random.default_rng([seed, len(label)])))
     for tool in (
         None,
@@ -63,7 +63,7 @@ def test_without_its_spurs_a_contour_turns_once(seed):
     assert recognize(linearize(dogbones(np.random.default_rng(seed), levels=1))).reversals == len(moves.reversals)
 
 
-def test_passes_that_go_over_themselves_are_no_spurs():
+def test_passes_over_themselves_are_not_spurs():
     moves = monotonous_areas(linearize(ramps(np.random.default_rng(0), count=6, level=False)))
     assert len(moves.reversals) and without_spurs(moves) is moves
 
@@ -77,7 +77,7 @@ def ramped(to_and_fro):
     return commands + [("G1", {"X": x, "Y": y, "Z": -3.0}) for x, y in around]
 
 
-def test_the_entry_is_told_beside_the_strategy():
+def test_entry_is_reported_with_the_strategy():
     def told(commands):
         found = recognize(linearize(commands))
         return str(found.strategy), found.entry

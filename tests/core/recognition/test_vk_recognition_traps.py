@@ -37,7 +37,7 @@ def strategy(commands, **options):
     return recognize(linearize(commands), **options).strategy
 
 
-def test_six_thousand_exact_reversals_are_no_contour():
+def test_six_thousand_exact_reversals_are_a_zigzag():
     # A public zigzag program reverses exactly 6,212 times; the literal rule makes it a contour of level
     # 3,103.
     program = list(START)
@@ -69,7 +69,7 @@ def test_reversals_broken_by_rounding_do_not_add_up():
 
 
 @pytest.mark.parametrize("scale", [25.4, 1 / 25.4])
-def test_inches_taken_for_millimetres(scale):
+def test_zigzag_at_inch_scale_is_a_zigzag(scale):
     assert strategy(rows(scale=scale)) is Strategy.ZIGZAG
 
 
@@ -280,7 +280,7 @@ def test_two_fields_of_rows_at_any_angle_to_one_another(degrees):
     assert found.stepover == pytest.approx(2.0)
 
 
-def test_a_spiral_that_comes_again_at_other_depths_is_no_helix():
+def test_spiral_repeated_at_depths_is_not_a_helix():
     # Every turn comes again at the next depth, and each climbs and falls with the surface.
     program = [START[0]]
     for deep in (0.0, -1.0, -2.0):
@@ -368,7 +368,7 @@ def test_rounding_of_fine_spiral_is_not_a_step_aside(digits):
 
 
 @pytest.mark.parametrize("pieces", [1, 4])
-def test_the_slopes_of_carved_strokes_are_no_depths(pieces):
+def test_slopes_of_carved_strokes_are_not_depths(pieces):
     slopes = [((0, 0, -6), (1, 3, 0)), ((60, 0, -5), (58, 2, 0)), ((0, 40, -4), (3, 39, 0)),
               ((60, 40, -3), (59, 37, 0))]  # fmt: skip
     level = [((5, 8, -6), (30, 20, -6)), ((55, 5, -6), (30, 20, -6)), ((30, 20, -6), (33, 40, -6))]
@@ -382,7 +382,7 @@ def test_the_slopes_of_carved_strokes_are_no_depths(pieces):
 
 
 @pytest.mark.parametrize("degrees", [0, 30])
-def test_loops_around_ribs_in_a_row_are_no_trochoids(degrees):
+def test_loops_around_ribs_in_a_row_are_not_trochoids(degrees):
     # Loops of one size lie side by side, each at four depths. In a trochoid, not only the boxes but the loops overlap.
     program = []
     u, v = math.cos(math.radians(degrees)), math.sin(math.radians(degrees))

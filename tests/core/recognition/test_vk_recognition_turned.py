@@ -51,7 +51,7 @@ def test_a_lathes_roughing_is_unknown_and_the_reason_says_why(passes, quick):
     [slots(1), slots(12), holes(9), holes(9, up="G1"), holes(9, up="G1", across="G1"), turning(2)],
     ids=["slot", "slots", "holes", "holes left at feed", "holes without rapids", "too few passes"],
 )
-def test_a_mill_that_never_moves_in_y_is_no_lathe(program):
+def test_mill_program_without_y_is_not_a_lathe(program):
     assert "lathe" not in recognize(linearize(program)).reason
 
 
@@ -90,7 +90,7 @@ def test_passes_at_many_x_may_all_leave_the_part_at_one():
     assert not is_turned(linearize(grooves))
 
 
-def test_a_pass_that_leaves_the_part_by_no_move_along_x_is_none():
+def test_lathe_pass_must_end_with_a_move_along_x():
     """The third ends the program, or goes up again on its own way."""
     last = [("G0", {"X": 27.0}), ("G1", {"Z": -40.0})]
     assert not is_turned(linearize([*turning(2), *last]))
@@ -99,7 +99,7 @@ def test_a_pass_that_leaves_the_part_by_no_move_along_x_is_none():
     assert is_turned(linearize([*turning(2), *last, ("G1", {"X": 28.0})]))
 
 
-def test_ways_up_at_feed_are_no_passes():
+def test_climbing_steps_are_not_lathe_passes():
     """Steps of 0.5 mm up, each followed by a cut along X: they climb a slope, and nothing is cut downward."""
     program = [("G0", {"X": 0.0, "Y": 0.0, "Z": -20.0})]
     for k in range(1, 9):

@@ -84,7 +84,7 @@ def test_visits_lie_between_retracts_to_the_top():
     assert np.isfinite(compare_visits(visits)).all()
 
 
-def test_borders_stand_before_the_way_down():
+def test_border_is_before_the_descent():
     path = after(DIFFERENT["zigzag"], DIFFERENT["drilling"])
     for at in find_retracts(path, monotonous_areas(path)):
         assert path.points[at, 2] == path.points[:, 2].max() and path.rapid[at]
@@ -145,7 +145,7 @@ def test_a_forest_is_the_mean_of_its_trees():
     assert [forest.vote(case).tolist() for case in cases] == shares.tolist()
 
 
-def test_only_what_may_be_a_program_is_divided():
+def test_only_programs_are_divided():
     path = after(DIFFERENT["profile"], DIFFERENT["helix"])
     assert len(recognize(path, tool_diameter=TOOL, program=True).spans) == 2
     assert len(recognize(path, tool_diameter=TOOL).spans) == 1
@@ -255,7 +255,7 @@ def test_visits_are_compared_without_a_unit():
         ("fastest", [20, 20.1], "same_feed"),
     ],
 )  # fmt: skip
-def test_what_rounding_leaves_is_the_same(name, values, measure):
+def test_rounding_does_not_separate_visits(name, values, measure):
     at = MEASURES.index(measure)
     assert compare_visits(two_visits(**{name: values}))[0, at] == 1
     apart = [values[0], values[0] + 3 * (values[1] - values[0])]  # 0.03 mm, one and a half hundredths of the feed
@@ -365,7 +365,7 @@ def test_doubtful_retract_divides_by_odds_or_votes():
     assert [dividing_retracts(Sections(path, TOOL), [], {at: share}) for share in (0.28, 0.32)] == [[], [at]]
 
 
-def test_a_way_down_from_the_top_is_no_retract_to_it():
+def test_descent_from_the_top_is_not_a_retract():
     """The first visit begins with a ramp from the retract height. A lift of 3 mm after the ramp is not a new visit."""
     path = linearize([
         ("G0", {"X": 0.0, "Y": 0.0, "Z": 9.0}), ("G1", {"X": 30.0, "Z": -1.0, "F": 10.0}), ("G0", {"Z": 2.0}),
@@ -375,7 +375,7 @@ def test_a_way_down_from_the_top_is_no_retract_to_it():
     assert find_visits(path, monotonous_areas(path)).blocks.tolist() == [2, 1]
 
 
-def test_a_series_is_what_the_pairs_before_and_after_show():
+def test_series_counts_equal_pairs_before_and_after():
     tops = [0, 0, 5, 9, 9]  # the same, not, not, the same
     visits = Visits(*(np.repeat(values[:1], 5, axis=0) for values in vars(two_visits()).values()))
     rows = compare_visits(replace(visits, top=np.array(tops, float)))
@@ -383,7 +383,7 @@ def test_a_series_is_what_the_pairs_before_and_after_show():
     assert rows[:, MEASURES.index("series_same_top")].tolist() == [0, 0.5, 0.5, 0]
 
 
-def test_what_a_visit_measures():
+def test_measures_of_a_visit():
     """A square and, deeper and faster, a line; then, beyond two lifts, a line back and a hole."""
 
     def lines(*points, z, feed):

@@ -126,13 +126,13 @@ def test_even_steps_are_a_pocket_without_a_tool(steps, tool, nested):
     assert rings_of(squares(*steps), tool).nested.tolist() == [nested] * (len(steps) + 1)
 
 
-def test_a_contour_at_several_depths_comes_again_and_is_one_ring():
+def test_contour_at_several_depths_is_one_ring():
     rings = rings_of([polygon(40, z=z) for z in (0, -2, -4)])
     assert related(rings) == [{"repeated"}] * 3 and rings.stacked.all()
     assert (rings.depths, rings.distinct, rings.depth_range) == (3, 1, 4.0)
 
 
-def test_a_pocket_at_two_depths_comes_again_but_is_no_stack():
+def test_pocket_at_two_depths_is_not_a_stack():
     rings = rings_of([polygon(side, z=z) for z in (0, -2) for side in (48, 44, 40, 36, 32)])
     assert related(rings) == [{"nested", "repeated"}] * 10
     assert not rings.stacked.any()
@@ -308,7 +308,7 @@ def shapes_of(*strokes):
 
 
 @pytest.mark.parametrize(("turns", "rests"), [(3.0, 0), (3.5, 1), (3.7, 1), (3.8, 0)])
-def test_what_three_quarters_of_a_turn_leave_is_no_turn(turns, rests):
+def test_rest_of_a_winding_is_not_a_turn(turns, rests):
     found = shapes_of(winding(5, 25, turns))
     assert np.count_nonzero(found.rest) == rests and not (found.rest & found.turn).any()
     assert np.count_nonzero(found.turn) >= 3

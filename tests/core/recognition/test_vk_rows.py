@@ -42,19 +42,19 @@ def test_a_zigzag_is_one_family(quarter):
 
 
 @pytest.mark.parametrize("degrees", [0, 180, 360])
-def test_rows_along_x_are_at_0_whatever_rounding_makes_of_it(degrees):
+def test_rows_along_x_have_direction_zero(degrees):
     angle = math.radians(degrees)
     ways = [(x * math.cos(angle) - y * math.sin(angle), x * math.sin(angle) + y * math.cos(angle)) for x, y in ZIGZAG]
     (rows,) = rows_of([("G1", {"X": x, "Y": y, "Z": 0.0}) for x, y in ways])
     assert 0 <= rows.axis < 1e-9
 
 
-def test_one_way_rows_have_neighbours_the_same_way():
+def test_one_way_rows_have_neighbours_of_same_sense():
     (rows,) = rows_of(programs.one_way(10, 50.0, 3.0))
     assert (rows.opposite, rows.same, rows.count) == pytest.approx((0, 450, 10))
 
 
-def test_rows_that_come_again_deeper_are_on_the_same_lines():
+def test_rows_repeated_deeper_share_their_lines():
     """The first of the second depth lies far from the last of the first: it has no neighbour."""
     (rows,) = rows_of(programs.one_way(10, 50.0, 3.0, depths=(0.0, -1.0)))
     assert (rows.count, rows.lines, rows.length, rows.once) == pytest.approx((20, 10, 1000, 1000))
@@ -146,7 +146,7 @@ def test_few_moves_across_the_rows_are_not_a_family():
         assert len(rows_of(programs.program(across + down))) == families
 
 
-def test_much_in_many_other_directions_is_no_second_family():
+def test_scattered_directions_are_not_a_second_family():
     """Five lines of 20 mm in different directions have a sixth of the length of twelve rows of 50 mm."""
     across = [[(0.0, 3.0 * row, 0.0), (50.0, 3.0 * row, 0.0)] for row in range(12)]
     askew = [slanted([[(0.0, 0.0, 0.0), (20.0, 0.0, 0.0)]], 25.0 * k)[0] for k in range(1, 6)]
@@ -190,12 +190,12 @@ def test_rows_closer_than_two_hundredths_lie_on_one_line(apart, lines):
 
 
 @pytest.mark.parametrize("length, count", [(4.5, 10), (5.5, 11)])
-def test_a_pass_of_less_than_a_tenth_of_the_others_is_no_row(length, count):
+def test_pass_shorter_than_a_tenth_is_not_a_row(length, count):
     (rows,) = rows_of([*programs.one_way(10, 50.0, 3.0), *programs.program([[(0.0, 30.0, 0.0), (length, 30.0, 0.0)]])])
     assert rows.count == count
 
 
-def test_uneven_steps_are_told():
+def test_uneven_steps_lower_the_even_share():
     """Steps of 4 mm, but for every third, of 1 mm: two thirds are about as long as the usual one."""
     y = np.cumsum([0, 4, 4, 1] * 4)
     (rows,) = rows_of(programs.program([[(0.0, float(v), 0.0), (50.0, float(v), 0.0)] for v in y]))
@@ -211,7 +211,7 @@ def test_a_median_by_weight():
     assert weighted_median(values[:1], weights[:1]) == 3.0
 
 
-def test_steps_of_a_stroke_are_none_in_whatever_area_it_lies():
+def test_stairs_in_one_stroke_are_not_rows():
     before = [[(0.0, -80.0, 0.0), (10.0, -80.0, 0.0)]]
     stairs = [(10.0 * (k // 2 + k % 2), 3.0 * (k // 2), 0.0) for k in range(20)]
     families = rows_of(programs.program(before + [stairs]))
@@ -243,7 +243,7 @@ def test_rows_with_more_than_a_quarter_beside_one_another_fill(opposite, same, g
     assert fills(opposite=opposite, same=same) is good
 
 
-def test_what_goes_over_a_line_again_asks_for_no_neighbour():
+def test_repeated_line_needs_no_neighbour():
     """120 mm of 400 mm that are cut once are more than a quarter."""
     assert fills(opposite=120, once=400.0) and not fills(opposite=120)
 
@@ -261,7 +261,7 @@ def test_rows_have_a_minimum_length_in_steps(typical, lines, even, good):
     "step, tool, good",
     [(0.17, 6, False), (0.19, 6, True), (0.17, 0, True), (3, 2.4, False), (3, 2.6, True), (3, 0, True)],
 )
-def test_steps_are_those_that_the_tool_can_make(step, tool, good):
+def test_row_steps_must_fit_the_tool(step, tool, good):
     """Fewer than ten rows closer than 0.03 diameters are a pass cut again; more than 1.2 diameters leave something between."""
     assert fills(tool, step=step, lines=9) is good
 
@@ -316,14 +316,14 @@ def test_two_lone_families_are_a_grid_if_dominant(length, changed, grid):
 
 
 @pytest.mark.parametrize("tool, grid", [(0.0, True), (2.6, True), (2.4, False)])
-def test_rows_further_apart_than_the_tool_is_wide_are_no_grid(tool, grid):
+def test_rows_wider_than_the_tool_are_not_a_grid(tool, grid):
     """Outlines of small parts all over a sheet have their sides along two axes; 1.2 diameters are 3.1 and 2.9 mm."""
     alone = {"opposite": 0.0}
     families = [replace(GOOD, **alone), replace(ACROSS, **alone)]
     assert filling(families, tool, length=1000.0, contour=False) == (families if grid else [])
 
 
-def test_of_two_families_that_which_fills_is_left():
+def test_only_the_filling_family_is_left():
     across = replace(ACROSS, opposite=0.0)
     assert filling([GOOD, across], TOOL, length=1000.0, contour=False) == [GOOD]
 

@@ -149,12 +149,12 @@ def proposed(strokes, tool=TOOL):
 
 
 @pytest.mark.parametrize("strokes, strategy, seen, count", CASES.values(), ids=CASES)
-def test_a_rule_proposes_what_was_drawn_for_it(strokes, strategy, seen, count):
+def test_rule_proposes_the_strategy_of_its_drawing(strokes, strategy, seen, count):
     found = proposed(strokes)
     assert (found.strategy, found.seen.code, found.count) == (strategy, seen, count)
 
 
-def test_only_what_climbs_to_the_end_of_a_stroke_rises_to_it():
+def test_only_a_final_climb_counts_as_rising():
     over_tags = [(500, 0, -4.0), (540, 0, -4.0), (546, 0, -2.0), (552, 0, -4.0), (560, 0, -4.0)]
     upward = [(500, 0, -4.0), (530, 40, 0.0), (560, 0, 4.0)]
     for strokes, share in (
@@ -177,7 +177,7 @@ def test_rows_within_a_contour_are_finished_by_it():
 
 
 @pytest.mark.parametrize("name, step", [("open offsets", 3.0), ("arcs around one centre", 2.0)])
-def test_the_step_of_passes_that_are_no_rings(name, step):
+def test_step_of_passes_that_are_not_rings(name, step):
     assert proposed(CASES[name][0]).step == pytest.approx(step, rel=0.1)
 
 

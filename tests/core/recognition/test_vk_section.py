@@ -110,7 +110,7 @@ def test_winding_turn_with_reversals_may_be_rows(degrees, lattice):
     assert found.rings.winding[0] and found.lattice[0] == lattice
 
 
-def test_a_closed_contour_that_turns_back_as_much_is_a_contour():
+def test_star_shaped_contour_is_a_contour():
     """A star of six points."""
     at = np.arange(13) * TURN / 12
     radius = np.where(np.arange(13) % 2, 12.0, 30.0)
@@ -395,7 +395,7 @@ def test_shares_are_of_the_whole_length():
     assert found.part(np.array([True])) == pytest.approx(60 / 300)
 
 
-def test_a_helix_into_the_depth_is_no_part_of_the_pattern():
+def test_entry_helix_is_not_part_of_the_pattern():
     helix = [(70 + 4 * math.cos(a), -40 + 4 * math.sin(a), -a / TURN) for a in np.linspace(0, 3 * TURN, 73)]
     squares = [polygon(side, z=-3.0) for side in (20, 24, 28)]
     found = section(helix + squares[0], *squares[1:])

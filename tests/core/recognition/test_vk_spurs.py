@@ -75,7 +75,7 @@ def test_a_spur_along_a_side_leaves_no_reversal_behind(ahead):
     assert kept.turning[1] == pytest.approx(TURN / 4) and kept.phi[-1] == pytest.approx(TURN)
 
 
-def test_reversals_elsewhere_stay_where_they_are():
+def test_reversals_outside_of_spurs_are_kept():
     """The toolpath is a contour with a relief move, and then a zigzag on one line."""
     moves = areas(square(2.0), [(0, -80, 0), (30, -80, 0), (0, -80, 0), (30, -80, 0)])
     kept = without_spurs(moves)
@@ -83,7 +83,7 @@ def test_reversals_elsewhere_stay_where_they_are():
 
 
 @pytest.mark.parametrize("off, there", [(0.01, False), (0.05, True)])
-def test_a_way_back_that_ends_elsewhere_is_no_spur(off, there):
+def test_move_back_that_misses_the_start_is_not_a_spur(off, there):
     """The move back misses the start of the spur by less or more than the tolerance for lines that count as one."""
     points = [(0, 0, 0), (20, 0, 0), (24, -3, 0), (20 - 0.8 * off, 0.6 * off, 0), (20, 40, 0), (-20, 40, 0)]
     moves = areas([*points, (-20, 0, 0), (0, 0, 0)])
@@ -105,7 +105,7 @@ def test_reliefs_are_less_than_a_fifth_of_a_contour(out, there):
     assert len(without_spurs(moves)) == len(moves) - (0 if there else 2)
 
 
-def test_spurs_one_after_the_other_are_no_reliefs():
+def test_consecutive_spurs_are_not_reliefs():
     """Repeated moves on one line are a stroke of their own. Only the first move out and back could be a relief."""
     there, half = (21.0, -1.0, 0.0), (20.0, 0.0, 0.0)
     stroke = square()
@@ -113,7 +113,7 @@ def test_spurs_one_after_the_other_are_no_reliefs():
     assert len(without_spurs(moves)) >= len(moves) - 2
 
 
-def test_areas_whose_first_moves_go_begin_to_turn_anew():
+def test_turning_restarts_after_removed_first_moves():
     moves = areas(square(), square(side=60.0))
     kept = np.ones(len(moves), bool)
     kept[[0, 1]] = False

@@ -79,7 +79,7 @@ def test_a_circle_over_tags_is_one_contour(chords):
     assert recognize(linearize(programs.program(arcs))).strategy is Strategy.PROFILE
 
 
-def test_what_cuts_over_the_tags_is_a_part_of_the_contour():
+def test_strokes_over_tags_belong_to_the_contour():
     """Estlcam cuts across each tag in a separate stroke and plunges after the tag."""
     parts = parts_of_sides(tags=1)
     strokes = []
@@ -91,7 +91,7 @@ def test_what_cuts_over_the_tags_is_a_part_of_the_contour():
     assert len(around.start) == 1 and around.closed.all() and around.area_length == pytest.approx([400.0])
 
 
-def test_a_contour_over_tags_at_each_depth_comes_again():
+def test_contour_over_tags_is_repeated_at_each_depth():
     strokes = [stroke for z in (-1.0, -2.0, -3.0) for stroke in parts_of_sides(z)]
     for tool in (None, 6.0):
         found = recognize(linearize(programs.program(strokes)), tool_diameter=tool)
@@ -207,7 +207,7 @@ def test_reason_depends_on_share_of_strokes():
         ([(0, 0), (40, 0)], [(81, 0), (91, 0)], False),
     ],
 )
-def test_where_a_stroke_goes_on_from_another(one, two, onward):
+def test_stroke_continues_another(one, two, onward):
     moves = areas([[(x + 5.0, y + 5.0, 0.0) for x, y in stroke] for stroke in (one, two)])
     assert len(moves.start) == 2
     assert _goes_on(moves, np.array([0]), np.array([1])).tolist() == [onward]

@@ -84,7 +84,7 @@ def test_a_threshold_has_a_unit_a_reason_and_a_use(parse):
     assert [name for name in thresholds if name not in names] == [], "no file uses the threshold"
 
 
-def test_no_other_file_compares_with_a_number_of_its_own(parse):
+def test_other_files_compare_only_with_thresholds(parse):
     found = []
     for file in FILES:
         for node in ast.walk(parse(file)):

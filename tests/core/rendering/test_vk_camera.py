@@ -104,7 +104,7 @@ def test_the_outline_of_a_bull_nose_has_all_of_its_flat():
     Tool("endmill", 6), Tool("ballend", 6), Tool("bullnose", 6, 1.0), Tool("vbit", 6, tip_angle=radians(60)),
     Tool("drill", 6),
 ])  # fmt: skip
-def test_the_outline_of_a_tool_stands_on_its_tip(tool):
+def test_tool_outline_begins_at_the_tip(tool):
     frame = View((0, 1, 0), 800, 600).frame(STOCK)
     column, row = (tool_outline(tool, (40, 30, 5), frame) * frame.pixel).T
     tip = project([(40, 30, 5)], frame)[0] * frame.pixel

@@ -30,7 +30,7 @@ def test_plane_is_lit_from_above_left():
 
 
 @pytest.mark.parametrize("right, up", [(0.5, -0.3), (-0.2, 0.4), (1.5, -1.5)])
-def test_the_light_of_a_slope_is_that_of_its_angle_to_the_light(right, up):
+def test_shade_follows_lambert(right, up):
     """The light is ambient light plus Lambert's law. A level plane has exactly its own colour."""
     normal = np.array((-right, -up, 1)) / np.sqrt(1 + right**2 + up**2)
     share = normal @ (-0.35, 0.5, 0.79) / 0.79

@@ -47,20 +47,20 @@ def test_a_console_shows_a_report_in_a_line():
     assert repr(told.totals[0]) == "<Total of Part: 2 operations>"
 
 
-def test_one_goes_through_a_report_by_its_operations():
+def test_report_iterates_over_its_operations():
     one, two = operation("One"), operation("Two", counted=False)
     told = report(one, two)
     assert list(told) == [one, two] and len(told) == 2 and one in told
     assert not report()
 
 
-def test_a_total_is_the_sum_of_what_is_counted():
+def test_total_sums_the_counted_operations():
     (total,) = report(operation("One"), operation("Two"), operation("Dressed", counted=False)).totals
     assert (total.operations, total.trajectories, total.length, total.machining_seconds) == (2, 10, 200.0, 24.0)
 
 
 @pytest.mark.parametrize("second, complete", [(KNOWN, True), (PARTLY, False)])
-def test_a_total_time_is_complete_if_that_of_each_operation_is(second, complete):
+def test_total_time_is_complete_if_all_times_are(second, complete):
     told = report(operation("One"), operation("Two", second))
     (total,) = told.totals
     assert total.machining_complete is complete
@@ -77,7 +77,7 @@ def test_job_time_is_multiplied_by_its_fixtures():
 @pytest.mark.parametrize(
     "other, incomplete", [({}, True), ({"trajectories": 0}, False), ({"strategy": Strategy.EMPTY}, False)]
 )
-def test_a_total_lacks_the_cost_of_what_cuts(other, incomplete):
+def test_total_is_incomplete_without_a_cutting_cost(other, incomplete):
     strategy = other.pop("strategy", Strategy.UNKNOWN)
     row = operation("One")
     row = replace(row, recognition=replace(row.recognition, strategy=strategy), **other)
@@ -103,7 +103,7 @@ def test_a_total_without_any_cost_takes_nothing_that_is_known():
     assert lines(told)[-1].split()[-2:] == ["?", "?"]
 
 
-def test_what_the_chosen_simulator_takes_ends_a_line():
+def test_row_ends_with_the_chosen_simulator():
     cost = SimpleNamespace(seconds=7.0, memory_bytes=3e6, factor=1.0)
     row = operation("One", costs={"legacy": cost}, remarks=())
     assert table_of([row], [], "legacy").splitlines()[-1].split()[-4:] == ["7.0", "s", "3.0", "MB"]
@@ -145,7 +145,7 @@ def test_table_lists_contradiction_before_other_remarks():
     assert "called" not in two and "  The operation has no tool. Give" in two
 
 
-def test_where_nothing_moves_there_are_no_times_to_tell():
+def test_operation_without_moves_has_no_times():
     """Nor a cost: a question mark would ask for one."""
     stop = replace(operation("Stop"), trajectories=0)
     empty = replace(stop.recognition, strategy=Strategy.EMPTY)
@@ -155,7 +155,7 @@ def test_where_nothing_moves_there_are_no_times_to_tell():
     assert {"?", "mm"} <= set(other.split()) and clock.search(other)
 
 
-def test_what_is_not_counted_stands_in_brackets():
+def test_uncounted_operation_is_in_brackets():
     told = report(operation("One"), operation("Dressed", counted=False), operation("Imported", counted=False, job=None))
     assert [line.split()[0] for line in lines(told)[1:4]] == ["One", "(Dressed)", "Imported"]
 
@@ -195,7 +195,7 @@ def test_words_begin_and_numbers_end_in_one_column():
         assert line[len(head) - 1] == "?"
 
 
-def test_a_rule_stands_below_each_name_of_a_column():
+def test_table_has_a_rule_below_each_heading():
     head, rule, _ = table_of([operation("One")], [], "legacy").splitlines()
     assert len(rule.split()) == 8 and len(rule) == len(head.rstrip()) and set(rule) == {"-", " "}
 

@@ -68,7 +68,7 @@ def test_simulation_remarks_stand_below_table(tmp_path):
     assert json.loads((tmp_path / "facts.json").read_text(encoding="utf-8"))["remarks"] == [render(told.remarks[0])]
 
 
-def test_verdict_stands_below_table_and_in_file(tmp_path):
+def test_verdict_is_below_table_and_in_file(tmp_path):
     unchecked = (Source(1, 4, 4), Source(1, 9, 9))
     found = replace(FOUND, verdict=Verdict(pixel=0.125, met=True, crashes=2, unchecked=unchecked))
     text = (

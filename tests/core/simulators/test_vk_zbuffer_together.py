@@ -39,7 +39,7 @@ def alone(*paths, stock=STOCK, view=VIEW):
 
 
 @pytest.mark.parametrize("direction", [(0, 0, -1), (1, 1, -1)])
-def test_what_two_operations_cut_counts_once(direction):
+def test_material_of_two_operations_counts_once(direction):
     view = View(direction, 400, 300)
     costs = alone(slot(15), slot(15), slot(16), view=view)
     whole = zbuffer.together(costs)
@@ -80,7 +80,7 @@ def test_equal_stocks_are_one_stock():
         [pickle.loads(pickle.dumps(alone(slot(15))[0]))],
     ],
 )
-def test_what_is_in_no_one_z_buffer_is_added_up(other):
+def test_costs_of_different_z_buffers_are_added(other):
     costs = alone(slot(15), slot(25)) + other
     added = zbuffer.together(costs)
     assert isinstance(added, ZBufferCost) and added.seconds == sum(cost.seconds for cost in costs)
@@ -88,7 +88,7 @@ def test_what_is_in_no_one_z_buffer_is_added_up(other):
     assert added.memory_bytes == pytest.approx(removed + max(cost.stock_bytes for cost in costs))
 
 
-def test_what_is_sent_to_another_process_has_no_toolpath():
+def test_pickled_cost_has_no_toolpath():
     (cost,) = alone(slot(15))
     sent = pickle.loads(pickle.dumps(cost))
     assert sent == cost and sent.cuts == () and sent.stock is None and cost.cuts[0].tool is TOOL

@@ -82,7 +82,7 @@ def test_move_passes_only_pixels_of_its_outline():
     assert records_of([(0, 0, 5), (200, 0, 5)]) == 80 * 60  # no more than there are
 
 
-def test_what_a_flat_end_cuts_at_one_height_it_cuts_once():
+def test_flat_end_cuts_each_height_once():
     there_and_back = [(0, 0, 5), (200, 0, 5), (0, 0, 5)]
     assert records_of(there_and_back) == 4800
     assert records_of([*there_and_back, (0, 0, 3), (200, 0, 3)]) == 2 * 4800
@@ -112,14 +112,14 @@ def test_obliquely_a_move_passes_its_box_twice(direction, right, up, rise):
         assert records_of(move, view=View(direction, 5, 4, pixel=0.5)) == 2 * 20
 
 
-def test_the_tip_cuts_where_it_stands_in_the_stock():
+def test_tip_cuts_inside_the_stock():
     for point, surely in (((20, 15, 9.9), True), ((20, 15, 9.9995), False), ((-1, 15, 5), False), ((20, 31, 5), False),
                           ((41, 15, 5), False), ((20, -1, 5), False), ((20, 15, -5), True)):  # fmt: skip
         path = linearize([("G1", {"X": -50.0, "Y": -50.0, "Z": 50.0}), ("G1", dict(zip("XYZ", map(float, point))))])
         assert cuts_surely(path, STOCK) is surely, point
 
 
-def test_what_may_cut():
+def test_moves_that_may_cut_the_stock():
     path = linearize([("G0", {"X": 0.0, "Y": 0.0, "Z": 5.0}), ("G1", {"X": 20.0}), ("G1", {"Z": 1.0})])
     tool = Tool("endmill", 10)
     for lower, upper, may in (

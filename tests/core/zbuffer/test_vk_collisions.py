@@ -52,7 +52,7 @@ def told(*cuts, **where):
     }
 
 
-def test_short_tool_in_deep_pocket_is_told():
+def test_short_tool_in_deep_pocket_is_found():
     """A pocket of 30 mm in layers of 2 mm: below 8 mm the shank is in the wall, and below 20 mm so is the holder."""
     moves = pocket(range(38, 8, -2))
     assert told((moves, MILL)) == {("shank", 0): (104, 387, 22.0), ("length", 0): (260, 387, 10.0)}
@@ -76,7 +76,7 @@ def test_thin_shank_does_not_touch_the_wall():
 
 
 @pytest.mark.parametrize("shank", [4.0, 6.0, None])
-def test_slot_deeper_than_flutes_is_told(shank):
+def test_slot_deeper_than_flutes_is_found(shank):
     tool = Tool("endmill", 6, cutting_edge_height=8, shank_diameter=shank)
     assert told((slot(8), tool)) == {}
     assert told((slot(8.01), tool)) == {}

@@ -102,7 +102,7 @@ def test_pair_stays_if_deeper_than_earlier_pairs(pairs, stay):
     assert reached(pairs) == stay
 
 
-def test_what_is_open_in_one_tile_is_not_in_the_next():
+def test_open_depth_belongs_to_one_tile():
     assert reached([(4, 4), (3, NO)], [(-4, -4), (-4.5, NO)], [(-4, NO)]) == [0, 2, 4]
     assert reached([(5, 5)], [(-4.9, NO), (-4.5, NO)]) == [0, 1, 2]  # opened to the ground, and not at all
 
@@ -117,7 +117,7 @@ def of_slots(*heights, width=400, height=300):
     return Trajectories(cuts, BOX, View((0, 0, -1), width, height).frame(BOX))
 
 
-def test_the_first_tiles_have_what_passes_them():
+def test_first_tiles_contain_the_trajectories_over_them():
     """The slot is 6 mm wide, from row 120 to row 180: it passes the tiles of rows 64 to 127 and 128 to 191."""
     trajectories = of_slots(6.0)
     left, bottom = np.meshgrid(np.arange(0, 400, TILE), np.arange(0, 300, TILE))
@@ -176,7 +176,7 @@ def test_pairs_are_counted_at_every_level_and_once(slots):
     assert sum(len(tiles.item) * tiles.side**2 for tiles, _ in found) == slots * 64 * 64
 
 
-def test_quarters_are_those_in_the_image_that_something_may_cut():
+def test_quarters_lie_in_the_image_and_may_be_cut():
     """The last tile of a row begins at column 384, and of its 64 columns 16 are in the image."""
     trajectories = of_slots(6.0)
     tiles = first_tiles(trajectories, np.array([320, 384]), np.array([64, 64]))
@@ -186,7 +186,7 @@ def test_quarters_are_those_in_the_image_that_something_may_cut():
 
 
 @pytest.mark.parametrize("heights, cut", [((6.0, 8.0), [0]), ((8.0, 6.0), [0, 2])])
-def test_what_is_opened_deeper_before_is_left_to_no_pixel(heights, cut):
+def test_trajectory_above_an_open_slot_is_culled(heights, cut):
     """Trajectories 0 and 2 are slots, and 1 is the link. The second slot removes material only if it is deeper."""
     trajectories = of_slots(*heights)
     found, tested = [], 0

@@ -35,7 +35,7 @@ def test_trajectories_are_numbered_through():
     assert end.tolist() == [[3, 4, 0], [3, 4, 12], [5, 6, 0], [5, 6, 8], [7, 6, 8]]
 
 
-def test_what_has_a_feed_takes_its_time():
+def test_move_with_feed_has_a_time():
     """5 and 12 mm at 10 mm/s; a rapid; 8 mm at 4 mm/s; and 2 mm of which no feed is known."""
     assert CUTS.lengths.tolist() == [5, 12, 6, 8, 2]
     assert CUTS.feed.tolist() == [10, 10, 0, 4, 0]
@@ -44,7 +44,7 @@ def test_what_has_a_feed_takes_its_time():
     assert Cuts([Cut(slow, TOOL)]).seconds == pytest.approx([10, 48])
 
 
-def test_lengths_and_times_are_those_of_arcs():
+def test_lengths_and_times_follow_arcs():
     """Lengths of arcs instead of chords, as in the report: two turns with a radius of 1 mm, each 0.5 mm deep."""
     turn = ("G2", {"X": 1, "Y": 0, "Z": -0.5, "I": -1, "J": 0, "F": 5})
     bore = linearize([("G0", {"X": 1, "Y": 0, "Z": 0}), turn, ("G2", {**turn[1], "Z": -1.0})], tolerance=0.05)
@@ -55,7 +55,7 @@ def test_lengths_and_times_are_those_of_arcs():
 
 
 @pytest.mark.parametrize("number", [-1, 5, 6])
-def test_there_is_no_other_trajectory(number):
+def test_unknown_trajectory_raises_index_error(number):
     with pytest.raises(IndexError, match=f"0 to 4, not {number}"):
         CUTS.source(number)
 
@@ -66,7 +66,7 @@ def test_a_trajectory_is_a_whole_number(number):
         CUTS.source(number)
 
 
-def test_no_cuts_are_no_trajectories():
+def test_empty_cuts_have_no_trajectories():
     nothing = Cuts([])
     assert len(nothing) == 0 and nothing.cut.tolist() == nothing.seconds.tolist() == []
     assert [of.shape for of in nothing.ends] == [(0, 3), (0, 3)]

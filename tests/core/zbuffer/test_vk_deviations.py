@@ -56,7 +56,7 @@ def middle(column, row):
     return pytest.approx((PIXEL * (column + 0.5), PIXEL * (row + 0.5)))
 
 
-def test_an_extreme_is_that_of_a_pixel_and_its_eight_neighbours():
+def test_extreme_includes_the_eight_neighbours():
     values = np.arange(20.0).reshape(4, 5)
     assert around(values, np.maximum).tolist() == [
         [6, 7, 8, 9, 9], [11, 12, 13, 14, 14], [16, 17, 18, 19, 19], [16, 17, 18, 19, 19]]  # fmt: skip
@@ -64,7 +64,7 @@ def test_an_extreme_is_that_of_a_pixel_and_its_eight_neighbours():
         [0, 0, 1, 2, 3], [0, 0, 1, 2, 3], [5, 5, 6, 7, 8], [10, 10, 11, 12, 13]]  # fmt: skip
 
 
-def test_the_worst_pixel_of_what_hangs_together_is_its_place():
+def test_place_is_the_deepest_connected_pixel():
     """Two rectangles, of which the second is deeper, with a deepest pixel in it."""
     two, one = left(one=(20, 30, 10, 4, 1.0), two=(150, 90, 6, 6, 2.0), deepest=(153, 94, 1, 1, 2.5))
     assert (one.depth, two.depth) == (1.0, 2.5)
@@ -87,7 +87,7 @@ def test_the_worst_pixel_of_what_hangs_together_is_its_place():
         ((30, 24, 3, 3), 2),
     ],
 )
-def test_tiles_of_three_pixels_hang_together_where_they_touch(other, places):
+def test_touching_tiles_are_one_place(other, places):
     """A fiftieth of 150 pixels is the side of a tile; the first lies at 30, 30."""
     for depth in (0.9, 1.1):  # the deeper one is taken first
         found = left(one=(30, 30, 3, 3, 1.0), other=(*other, depth))
@@ -141,12 +141,12 @@ def test_slightly_shifted_wall_does_not_hide_deeper_gouge():
     assert told == [pytest.approx([5, 4.5, 4, 3.5, PIXEL][:most]) for most in (2, 3, 4, 5)]
 
 
-def test_ten_places_are_told():
+def test_ten_places_are_reported():
     patches = {str(k): (15 * k, 60, 3, 3, 1.0 + k) for k in range(12)}
     assert [place.depth for place in left(**patches)] == [12.0 - k for k in range(10)]
 
 
-def test_what_is_left_above_a_model_is_told_by_pixel():
+def test_leftover_above_model_is_measured_by_pixel():
     """A model of 8 mm under all of the block of 10 mm; depths count from the middle of the block."""
     seen = SeenModel(Stock((0, 0, 0), (40, 30, 8)), UNCUT.frame)
     assert seen.near.shape == seen.far.shape == (HEIGHT, WIDTH)
@@ -287,7 +287,7 @@ def test_only_cuts_into_the_model_are_gouges(direction, offset, pixel):
     assert sure == pytest.approx(np.count_nonzero(found.gouged > 0.1), rel=0.05)
 
 
-def test_what_is_cut_within_the_tolerance_makes_nobody_guilty():
+def test_cut_within_tolerance_is_not_a_gouge():
     """A pocket 0.05 mm too deep, in which another cuts 2 mm too deep."""
     z = simulated(path((5, 15, 7.95), (35, 15, 7.95)), path((10, 15, 6), (30, 15, 6)))
     (gouge,) = gouges(z, deviations(z, Stock((0, 0, 0), (40, 30, 8))), 0.1)
@@ -326,7 +326,7 @@ def test_wall_gouge_is_its_distance_not_its_height(direction, seen):
 
 
 @pytest.mark.long
-def test_corner_keeps_what_the_tool_does_not_reach():
+def test_material_is_left_in_a_corner():
     """In the square corner of a pocket 8 mm deep a tool of 6 mm leaves (sqrt(2) - 1) times its radius."""
     square = Milled(Stock((0, 0, 0), (40, 30, 10)), Stock((16, 11, 2), (24, 19, 20)))
     around = [(19, 14), (21, 14), (21, 16), (19, 16), (19, 14)]
@@ -339,7 +339,7 @@ def test_corner_keeps_what_the_tool_does_not_reach():
     assert [one.depth for one in corners] == pytest.approx([left.depth] * 4, abs=0.05)
 
 
-def test_what_is_missing_altogether_has_its_height_and_its_depth():
+def test_missing_rib_and_hole_have_full_depth():
     """A rib 2 mm wide and 5 mm high that was cut away; a hole of 4 mm that was not drilled, 6 mm deep."""
     ribbed = Milled(Stock((0, 0, 0), (40, 30, 10)), Stock((-1, -1, 5), (19, 31, 20)), Stock((21, -1, 5), (41, 31, 20)))
     rows = [(x, y, 5) for k, x in enumerate(range(0, 41, 5)) for y in ((-5, 35) if k % 2 == 0 else (35, -5))]
@@ -365,7 +365,7 @@ def test_a_hole_through_the_model_that_was_not_drilled_is_left(direction, forgot
         assert worst_places(z, found, 0.1)[1][0].depth == pytest.approx(10)
 
 
-def test_what_is_left_in_holes_through_the_model():
+def test_leftover_in_through_holes():
     def left(*cuts, stock=BOX, model=THROUGH):
         z = simulate_job(cuts, stock=stock, view=View((0, 0, -1), 300, 225))
         found = deviations(z, model)
@@ -420,7 +420,7 @@ def test_oblique_view_does_not_compare_fallen_piece():
     assert max(one.depth for one in material_left(z, deviations(z, window), 0.1)) < 2
 
 
-def test_what_is_open_to_the_edge_of_an_image():
+def test_pixels_connected_to_the_image_edge():
     """Against pixels that are reached one after the other."""
     for seed in range(20):
         rng = np.random.default_rng(seed)

@@ -11,7 +11,7 @@ from vkworkbench.core.zbuffer.rays.dexels import THINNEST, UNCUT, Pieces, first_
 
 @pytest.mark.parametrize("cuts", [0, 1, 2, 15])
 @pytest.mark.parametrize("thickness", [0.1, 2.0, 50.0])
-def test_what_is_first_at_a_depth_has_it_whatever_the_thickness(cuts, thickness):
+def test_first_trajectory_owns_depth_at_any_thickness(cuts, thickness):
     rng = np.random.default_rng(cuts)
     near, far = np.array([3.0, 3.2, 3.0]), 3.0 + thickness * np.array([1.0, 0.9, 1.0]) + [0, 0.2, 0]
     ray, trajectory = np.sort(rng.integers(0, 3, cuts)), rng.permutation(cuts)

@@ -74,7 +74,7 @@ def test_a_second_in_which_no_move_ends_counts():
     assert found.peak_rate == pytest.approx(60 * 40 * SLOT / 1.6, rel=5e-3)
 
 
-def test_a_rapid_takes_no_time_and_what_it_removes_has_no_rate():
+def test_rapid_has_no_time_and_no_removal_rate():
     """The feet of the second slot and of the rapid went with the rapids."""
     short, slot = 5 * SLOT + ROUND, 20 * SLOT
     found = facts(simulated(CRASH)).job
@@ -95,7 +95,7 @@ def test_lengths_and_times_of_cuts_and_of_air():
     assert found.peak_rate == pytest.approx(60 * SECOND / 1.5, rel=5e-3)
 
 
-def test_the_width_is_that_of_the_moves_that_go_somewhere():
+def test_width_of_cut_ignores_plunges():
     """A plunge of 5 mm and a slot of 20 mm: 6 mm wide, and not 6 * 20 / 25."""
     found = facts(simulated(path([(10, 15, 12), (10, 15, 7), (30, 15, 7)], [10, 10]))).job
     assert (found.depth_of_cut, found.width_of_cut) == pytest.approx((3, 6), rel=5e-3)
@@ -147,7 +147,7 @@ def test_worst_place_is_reported_per_cut_and_stock_per_job():
 
 
 @pytest.mark.parametrize(("height", "told"), [(8.09, False), (8.15, True)])
-def test_up_to_a_tenth_of_a_millimetre_is_no_deviation(height, told):
+def test_deviation_below_a_tenth_of_a_mm_is_ignored(height, told):
     found = facts(simulated(rows([0, 5, 10, 15, 20, 25, 30], height)), model=MODEL).job
     assert bool(found.left) is told
 

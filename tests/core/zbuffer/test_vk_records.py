@@ -46,7 +46,7 @@ def test_where_pieces_begin():
 
 
 @pytest.mark.parametrize("block", [1, 2, 4, 1 << 17])
-def test_what_each_trajectory_removes_block_by_block(block, monkeypatch):
+def test_removal_by_trajectory_in_blocks(block, monkeypatch):
     monkeypatch.setattr(module, "_BLOCK", block)
     rays = records()
     assert rays.lengths.tolist() == [2 + 2, 1, 4 + 2]
@@ -80,17 +80,17 @@ def test_many_trajectories_make_larger_blocks(monkeypatch):
         (3, [(-3, 1, 0), (-4, -2, 2), (0, 4, 2), (5, 9, 4), (6, 8, 5)]),
     ],
 )
-def test_what_is_left_after_some_trajectories(step, expected):
+def test_dexels_after_some_trajectories(step, expected):
     assert records().dexels(step).tolist() == expected
 
 
-def test_what_all_trajectories_remove():
+def test_traces_of_all_trajectories():
     rays = records()
     assert rays.traces().tolist() == [(-5, -3, 0), (1, 5, 2), (1, 3, 0), (2, 3, 1), (3, 5, 2)]
     assert rays.trace_index().tolist() == [0, 2, 2, 2, 3, 5, 5]
 
 
-def test_parts_side_by_side_are_one_image():
+def test_adjacent_parts_form_one_image():
     """Three columns and two rows, of which the first part has one column and the second two."""
     whole = records()
     rows = [[part(whole, 3 * row + a, 3 * row + b) for row in range(2)] for a, b in ((0, 1), (1, 3))]

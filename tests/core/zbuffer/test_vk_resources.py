@@ -143,7 +143,7 @@ def test_counts_grow_as_the_number_of_pixels():
 @pytest.mark.long
 @pytest.mark.parametrize("width", [0.3, 0.5, 0.8, 1.0, 2.0])
 @pytest.mark.parametrize("direction", [TOP, (0, 1, 0), TILTED, ISOMETRIC], ids=["top", "front", "tilted", "isometric"])
-def test_the_error_bar_knows_the_pixel(width, direction):
+def test_error_bar_includes_the_pixel(width, direction):
     """Narrow slots: the number of rows of pixels in a slot, one or two, follows from the image and not from the slot's area."""
     stock, view = Stock((0, 0, 0), (120, 90, 20)), View(direction, 320, 240)
     far, inside = 0.0, []
@@ -182,7 +182,7 @@ def test_the_explanation_says_how_often_a_pixel_is_cut():
     assert found.explanation == "zigzag, stepover 3 mm: each pixel is cut 2.0 times"
 
 
-def test_the_explanation_names_what_is_known():
+def test_explanation_names_the_known_facts():
     toolpath, tool = PATHS["contours"]
     view = View(width=80, height=60)
     for known, words in (
@@ -194,7 +194,7 @@ def test_the_explanation_names_what_is_known():
 
 
 @pytest.mark.parametrize("direction", [TOP, TILTED], ids=["top", "tilted"])
-def test_an_estimate_says_of_what_and_on_which_computer(direction):
+def test_estimate_keeps_its_inputs_and_speed(direction):
     toolpath, tool = PATHS["contours"]
     speed = Speed(trajectory=7e-6, factor=1.5)
     found = estimate(toolpath, None, tool=tool, stock=STOCK, view=View(direction, 80, 60), speed=speed)
@@ -243,7 +243,7 @@ def test_a_tool_larger_than_the_stock():
     assert found.traces == pytest.approx(200 * 150, rel=1e-3)
 
 
-def test_a_hundred_thousand_trajectories_are_no_more_work_each(monkeypatch):
+def test_work_per_trajectory_does_not_grow(monkeypatch):
     tested = []
     intervals = Removal.intervals
 
@@ -283,7 +283,7 @@ def test_a_noisy_measurement_makes_no_constant_nothing():
 
 
 @pytest.mark.parametrize("direction", [TOP, TILTED, ISOMETRIC], ids=["top", "tilted", "isometric"])
-def test_candidates_are_the_pairs_of_a_pixel_and_what_passes_it(direction):
+def test_candidates_are_pairs_of_pixel_and_trajectory(direction):
     """Along the stock's edge and beside it: only what lies over the stock is examined."""
     toolpath = path([(20, 20, 10), (60, 40, 10), (20, 40, 12), (-2, -2, 8), (-2, 90, 8)])
     view = View(direction, 240, 180)
@@ -296,7 +296,7 @@ def test_candidates_are_the_pairs_of_a_pixel_and_what_passes_it(direction):
 
 @pytest.mark.long
 @pytest.mark.parametrize("direction", [TOP, TILTED], ids=["top", "tilted"])
-def test_the_work_of_a_job_is_that_of_all_its_operations(direction):
+def test_work_of_job_includes_all_operations(direction):
     """An operation of many moves does not hide an operation of few moves in another place."""
     cuts = [Cut(*PATHS[name]) for name in ("zigzag", "surface", "helix")] + [Cut(zigzag(0.5, chords=40), FLAT)]
     view = View(direction, 320, 240)
@@ -308,7 +308,7 @@ def test_the_work_of_a_job_is_that_of_all_its_operations(direction):
 @pytest.mark.long
 @pytest.mark.parametrize("direction", [TOP, TILTED], ids=["top", "tilted"])
 @pytest.mark.parametrize("names", [("zigzag",), ("surface",), ("helix",), ("zigzag", "surface", "helix")])
-def test_the_work_is_that_of_the_simulator(names, direction, monkeypatch):
+def test_estimated_work_equals_simulator_work(names, direction, monkeypatch):
     """Pairs that are tested, and blocks: as often as it bounds or cuts pairs of one kind at once; from a few tiles."""
     worked = []
     divided = Trajectories.by_kind
@@ -473,7 +473,7 @@ def test_memory_of_several_operations_is_combined():
     assert needed(many, many) - needed(many) == pytest.approx(needed(many) - 1e9, rel=1e-3)
 
 
-def test_where_no_resolution_helps_it_says_what_does():
+def test_advice_if_no_resolution_helps():
     toolpath, tool = PATHS["surface"]
     found = estimate(toolpath, None, tool=tool, stock=STOCK, view=View(), speed=Speed(trajectory=1.0))
     chosen = best_resolution([found], seconds=10)

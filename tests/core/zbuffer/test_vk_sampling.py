@@ -100,7 +100,7 @@ def test_they_stand_for_the_stock_where_the_image_has_it(offset, width, height):
 
 @pytest.mark.parametrize("direction", [TOP, (1, 1, -1), (0, 1, 0)])
 @pytest.mark.parametrize("offset", [(0, 0), (25, 18), (-30, 0), (0, -12)])
-def test_of_a_panned_view_what_it_shows_is_counted(direction, offset):
+def test_panned_view_counts_its_visible_part(direction, offset):
     moves = [(x, y, 5) for k, y in enumerate(range(0, 31, 5)) for x in ((-5, 45) if k % 2 == 0 else (45, -5))]
     path, view = toolpath(np.array(moves, float)), View(direction, 240, 180, pixel=0.2, offset=offset)
     told, true = count(removal(moves, view=view)), simulate(path, tool=FLAT, stock=STOCK, view=view)
@@ -156,7 +156,7 @@ def test_all_of_an_image_cut_through():
     assert counts.dexels == pytest.approx(0, abs=1e-6 * 4800) and counts.traces == pytest.approx(4800, rel=0.05)
 
 
-def test_what_is_passed_and_not_cut_is_counted_as_passed_only():
+def test_passed_pixels_without_cuts_are_not_touched():
     counts = count(removal([(0, 15, 5), (40, 15, 5)] * 3, WIDE))
     assert counts.traces == counts.touched == pytest.approx(4800, rel=0.05)
     assert counts.passes == pytest.approx(5 * counts.traces)
@@ -171,7 +171,7 @@ def test_walls_around_a_slot_are_two_dexels():
     assert counts.traces == pytest.approx(34 * 5 * per_area, rel=0.05)
 
 
-def test_only_what_is_cut_counts_as_touched():
+def test_only_cut_pixels_count_as_touched():
     """The corners of a slot's bounding box are not cut: 26 x 6 mm without the four corners outside the round ends."""
     counts = count(removal([(10, 15, 5), (30, 15, 5)]))
     assert counts.touched == counts.traces == pytest.approx((6 * 20 + 9 * np.pi) * 4, rel=0.03)

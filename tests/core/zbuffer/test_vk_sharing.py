@@ -93,7 +93,7 @@ def hollow():
     ],
     ids=["box, from above", "hollow, from above", "box, oblique", "hollow, oblique"],
 )
-def test_the_records_are_those_of_one_process(view, stock, workers):
+def test_shared_records_equal_those_of_one_process(view, stock, workers):
     path, solids = case(view, stock)
     alone = simulate(path, **solids, processes=1)
     assert not workers
@@ -143,7 +143,7 @@ def test_work_beyond_memory_stays_in_this_process(monkeypatch):
 
 @pytest.mark.long
 @pytest.mark.parametrize("regions", [0, 2])
-def test_what_a_process_that_dies_had_to_do_is_done_by_others(regions, workers, monkeypatch):
+def test_work_of_a_dead_process_is_done_by_others(regions, workers, monkeypatch):
     """Once as soon as it is ready, once in the middle of its work."""
     done = []
 
@@ -182,7 +182,7 @@ class Stopped(Exception):
 
 
 @pytest.mark.parametrize("moment", ["before", "while they start", "while they cut"])
-def test_who_stops_it_is_obeyed_and_no_process_is_left(moment, workers):
+def test_stopping_ends_all_processes(moment, workers):
     """The fixture searches for remaining processes."""
     cutting = until(lambda: any(each.regions for each in workers))
 
@@ -255,7 +255,7 @@ def test_wait_ends_with_band_or_pending_region(monkeypatch):
     assert over == [True, False, False, True, True]
 
 
-def test_records_side_by_side_are_those_of_the_whole():
+def test_joined_bands_equal_the_whole_image():
     path, solids = case(View((0, 0, -1), 200, 50))
     image = CutImage(Cuts([Cut(path, solids["tool"])]), BOX, solids["view"].frame(BOX))
     (band,) = image.bands
@@ -269,7 +269,7 @@ def test_records_side_by_side_are_those_of_the_whole():
     assert joined.trajectories == whole.trajectories and sum(n for _, n in parts) == pytest.approx(tested, rel=0.01)
 
 
-def test_how_long_several_take_is_told_from_one_and_back():
+def test_shared_time_converts_to_one_process_and_back():
     assert shared_seconds(0.4, 8) == 0.4 and shared_seconds(20.0, 1) == 20.0
     assert 10 < shared_seconds(20.0, 2) < 11
     for seconds in (0.1, 0.85, 1.0, 30.0):

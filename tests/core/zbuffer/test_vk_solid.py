@@ -57,7 +57,7 @@ def test_uncut_block_has_twelve_triangles():
     assert len(part_triangles(done.at(0))) == 12
 
 
-def test_part_that_is_gone_has_no_triangles():
+def test_removed_part_has_no_triangles():
     over = Toolpath.through([(-10, 15, -1), (50, 15, -1)])
     done = simulate(over, tool=Tool("endmill", 60), stock=BLOCK, view=View(DOWN, 40, 30))
     assert part_triangles(done).shape == (0, 3, 3)
@@ -76,7 +76,7 @@ def test_stl_file_has_the_same_corners(tmp_path):
     assert ((read["normal"] * outwards).sum(axis=1) > 0).all()
 
 
-def test_next_job_begins_with_what_is_left():
+def test_next_job_begins_with_the_remaining_part():
     """A second job on the part as its stock, in one view: together they leave what one job of both leaves."""
     view, first, second = (
         View(DOWN, 80, 60, pixel=0.5),

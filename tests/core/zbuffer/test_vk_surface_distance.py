@@ -64,7 +64,7 @@ def test_the_farthest_of_random_surfaces(surface, seed):
 
 @pytest.mark.long
 @pytest.mark.parametrize("size", [40, 200])
-def test_what_is_far_from_everything_is_found_soon(size, monkeypatch):
+def test_distant_surface_is_found_quickly(size, monkeypatch):
     """Between a disc and a larger one, both high: the nearest is at one of their edges, hundreds of pixels away."""
     row, column = np.indices((size, size)) / size - 0.5
     away = np.hypot(row, column)

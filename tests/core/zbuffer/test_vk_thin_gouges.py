@@ -74,7 +74,7 @@ def test_moves_without_time_are_named_and_image_gouges_stay():
     assert facts(zbuffer, check_crashes(cuts, PLATE), thin=thin, model=MODEL).verdict.unchecked == thin.unchecked
 
 
-def test_gouges_of_thin_tools_replace_those_of_the_image():
+def test_thin_tool_gouges_replace_image_gouges():
     wide = cut(*slot(200, 17.0), tool=Tool("endmill", 6))
     cuts = [cut(*slot(50.1, 17.5), *slot(80.1, 17.5)), wide]
     zbuffer = simulate_job(cuts, stock=PLATE, view=View(width=1200, height=800))

@@ -131,7 +131,7 @@ WHOLE, NEAR, FAR, MIDDLE = (-5.0, 5.0), (-5.0, 0.0), (2.0, 5.0), (-1.0, 1.0)
         ([], []),
     ],
 )
-def test_pairs_stay_that_reach_beyond_what_is_open_from_an_end(pairs, stay):
+def test_pairs_reaching_beyond_open_ends_stay(pairs, stay):
     def told(*tiles):
         tile = np.repeat(np.arange(len(tiles)), [len(own) for own in tiles])
         columns = np.array([(*passed, *opened) for own in tiles for passed, opened in own], float).reshape(-1, 4).T

@@ -37,7 +37,7 @@ def ready(*cuts, direction=ABOVE):
         ([(20, 15, -20), (25, 15, -10)], True),  # a tool has no upper end
     ],
 )  # fmt: skip
-def test_what_is_beside_or_above_the_stock_is_left_out(move, meets):
+def test_moves_beside_or_above_stock_are_left_out(move, meets):
     away = [(100, 100, 5), (101, 100, 5)]
     assert ready((FLAT, away), (FLAT, move)).index.tolist() == ([1] if meets else [])
 
@@ -115,14 +115,14 @@ def test_boxes_and_strips_contain_swept_volumes(number, direction):
         assert (told > there - 8).all()  # no more than the move is high
 
 
-def test_boxes_of_parts_of_moves():
+def test_boxes_of_partial_moves():
     some = ready((FLAT, MOVES[0]))
     parts = some.boxes(np.array([0, 0]), np.array([0.0, 0.2]), np.array([1.0, 0.6]))
     assert parts.T.tolist() == [some.box[:, 0].tolist(), [-13, 3, -10, 2]]  # from (-10, -7) to (0, -1)
 
 
 @pytest.mark.parametrize("direction", DIRECTIONS)
-def test_pairs_that_may_meet_are_those_whose_box_and_strip_do(direction):
+def test_pairs_meet_if_box_and_strip_meet(direction):
     rng = np.random.default_rng(4)
     some = ready(*((FLAT, move) for move in MOVES), direction=direction)
     left, bottom = rng.uniform(-30, 30, (2, 40))

@@ -72,7 +72,7 @@ SIMPLE = [
 @pytest.mark.parametrize("slope", [0.3, -0.3, 1.2, -1.2])
 @pytest.mark.parametrize("half_run", [2.0, 8.0])
 @pytest.mark.parametrize("along", [0.0, 1.5, -2.5, 6.0])
-def test_on_a_slope_a_flat_end_reaches_as_deep_as_is_said(along, half_run, slope):
+def test_flat_end_depth_bounds_hold_on_slopes(along, half_run, slope):
     """Squares of 0.8 mm on the way of its axis, no longer than the move: within it, at its end and beyond it."""
     square = FORMS[0], slope, along, 0.0, 0.4, half_run
     reaches, deepest = bounded(*square)[0], opened(*square).max()
@@ -80,7 +80,7 @@ def test_on_a_slope_a_flat_end_reaches_as_deep_as_is_said(along, half_run, slope
 
 
 @pytest.mark.parametrize("tool, slope", SIMPLE, ids=str)
-def test_point_along_a_move_is_opened_as_deep_as_is_said(tool, slope):
+def test_opened_depth_holds_along_a_move(tool, slope):
     """In the middle of a long move: a point as wide as a thousandth of a millimetre, and places 0.04 mm apart."""
     for aside in (0.0, 0.4, -1.4, 2.1):
         point = tool, slope, 0.7, aside, 1e-3, 20.0

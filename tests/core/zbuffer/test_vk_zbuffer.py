@@ -60,7 +60,7 @@ def test_slot_is_a_stadium_from_above(tool):
     assert z.dexels == z.frame.width * z.frame.height
 
 
-def test_only_what_lies_over_the_stock_counts():
+def test_only_moves_over_the_stock_count():
     assert area(cut([(0, 15, 4), (40, 15, 4)])) == pytest.approx(6 * 40, rel=0.005)
     assert cut([(60, 60, 4), (80, 60, 4)]).traces == 0
     assert cut([(10, 15, 10), (30, 15, 10)]).traces == 0
@@ -155,7 +155,7 @@ def test_hole_volume_in_every_view(tool, view):
 @pytest.mark.long
 @pytest.mark.parametrize("tool", TOOLS, ids=lambda t: t.shape)
 @pytest.mark.parametrize("move", [(20, 10, 0), (18, -8, 3), (-15, 4, -5), (0.5, 0.2, -5)], ids=str)
-def test_one_move_has_one_volume_whatever_the_view(tool, move):
+def test_volume_of_a_move_does_not_depend_on_the_view(tool, move):
     middle = np.array([20, 15, 5])
     points = [middle - np.array(move) / 2, middle + np.array(move) / 2]
     volumes = [cut(points, tool, direction=d, width=280, height=210).chip_volume for d in VIEWS.values()]
@@ -200,7 +200,7 @@ def test_moments_outside_the_simulation_are_refused():
         z.at(0.5)
 
 
-def test_rapids_cut_what_they_meet():
+def test_rapids_cut_the_stock():
     z = simulate(path([(10, 15, 4), (30, 15, 4)], rapid=[0]), tool=TOOLS[0], stock=STOCK, view=View())
     assert z.traces > 0
 

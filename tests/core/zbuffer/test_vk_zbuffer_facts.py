@@ -49,7 +49,7 @@ def test_each_trajectory_removes_its_own(direction):
     assert volumes.sum() == pytest.approx(z.chip_volume)
 
 
-def test_volumes_are_those_of_all_chips():
+def test_removed_volumes_sum_to_the_chips():
     z = simulate(toolpath(helix(None, 300)), tool=FLAT, stock=STOCK, view=View((1, 1, -1), 200, 150))
     assert removed_volumes(z).sum() == pytest.approx(z.chip_volume)
     assert removed_volumes(z.at(5)) == pytest.approx(removed_volumes(z))
@@ -62,7 +62,7 @@ def test_rates_follow_the_feed():
     assert np.isnan(rates[1])
 
 
-def test_air_is_what_removes_nothing():
+def test_air_share_counts_moves_without_removal():
     z = cut([(10, 15, 6), (30, 15, 6), (10, 15, 6), (10, 15, 40), (10, 20, 40)], rapid=[2])
     assert facts(z).job.air_length_share == pytest.approx(25 / 45)
     nothing = cut([(10, 15, 20)])
@@ -86,7 +86,7 @@ def test_a_rapid_through_the_stock_is_found(direction):
         assert found[0].depth == pytest.approx(3)
 
 
-def test_what_is_worked_out_block_by_block_is_as_of_the_whole(monkeypatch):
+def test_facts_in_blocks_equal_facts_of_the_whole(monkeypatch):
     path = toolpath(helix(None, 300))
     path = replace(path, rapid=np.arange(len(path)) % 7 == 0)
 
@@ -134,7 +134,7 @@ def test_short_moves_are_air_with_their_neighbours(lengths, rapid, removed, air)
     assert len(told) == len(air) + len(lengths) - len(rapid)
 
 
-def test_the_rate_of_what_takes_less_than_a_second():
+def test_removal_rate_of_a_cut_below_a_second():
     z = cut([(10, 15, 6), (12, 15, 6)])
     assert removal_rates(z) == pytest.approx(60 * removed_volumes(z) / 0.2)
 
@@ -281,7 +281,7 @@ def test_rapid_down_into_a_trough_only_touches_it(tool, plane, axis, centre, dir
     assert crashed(0.0, 4 * tolerance) == [down]
 
 
-def test_rapid_at_a_wall_that_goes_too_deep_is_a_crash():
+def test_rapid_along_wall_that_goes_deep_is_a_crash():
     """On its way along the wall, 8 mm high, its side takes 0.018 mm; then it goes 1 mm below the floor."""
     slot = [(-5, 15, 20), (-5, 15, 2), (35, 15, 2), (5, 15, 2), (5, 15.018, 2), (34, 15.018, 1)]
     path = replace(toolpath(np.array(slot, float)), rapid=np.arange(5) == 4)
@@ -336,7 +336,7 @@ NAMES = ["flat", "ball", "v", "chamfer", "drill", "bull nose"]
 
 
 @pytest.mark.parametrize("tool, volumes", VOLUMES, ids=NAMES)
-def test_what_a_tool_displaces(tool, volumes):
+def test_displaced_volume_of_tools(tool, volumes):
     assert _displaced_volume(tool, np.array([0.0, 1.0, 2.0, 5.0])) == pytest.approx([0, *volumes], rel=2e-3)
 
 

@@ -101,7 +101,7 @@ def test_crash_of_descending_rapid_is_at_deepest_place():
     assert one.place[:2] == pytest.approx((41, 15), abs=0.6) and one.place[2] == pytest.approx((8 + 4.1) / 2, abs=0.02)
 
 
-def test_what_is_found_is_told_as_plain_data():
+def test_facts_convert_to_plain_data():
     crash = path([(-5, 15, 12), (-5, 15, 5), (45, 15, 5), (45, 15, 12)], rapid=[1])
     found = told(SOUND, crash).job
     data, cells = found.as_dict(), found.cells()
@@ -141,7 +141,7 @@ def test_a_gouge_is_found():
 
 
 @pytest.mark.parametrize("direction", [(0, 0, -1), (0, 0, 1)])
-def test_gouge_through_the_part_is_told_at_the_models_end(direction):
+def test_gouge_through_part_is_at_the_model_surface(direction):
     """The part has no surface there, and the middle of the stock is not a place of the part."""
     through = path([(10, 15, 12), (10, 15, -1), (30, 15, -1), (30, 15, 12)], rapid=[2])
     (one,) = told(SOUND, through, view=View(direction, 210, 160)).job.gouges
@@ -190,7 +190,7 @@ def test_a_plunge_too_fast_is_found():
     [(FLAT, 4.2, True), (FLAT, 4.28, False), (Tool("drill", 6), 1, True), (Tool("ballend", 6), 3.2, True),
      (Tool("ballend", 6), 4, False)],
 )  # fmt: skip
-def test_full_material_is_half_of_what_a_tool_displaces(tool, drilled, fast):
+def test_full_material_is_half_of_the_displaced_volume(tool, drilled, fast):
     """Plunges into holes 3 mm deep. Holes of 4.2 and 4.28 mm leave 0.51 and 0.49 of the volume that a flat end of 6 mm displaces.
 
     Holes of 3.2 and 4 mm leave (1 - 0.28)^1.5 = 0.61 and (1 - 0.44)^1.5 = 0.41 of half a ball.
@@ -208,7 +208,7 @@ def test_air_is_found():
     assert found.job.air_length == pytest.approx(found.cuts[0].air_length + found.cuts[1].cutting_length)
 
 
-def test_short_moves_between_rays_are_no_air():
+def test_short_moves_between_rays_are_not_air():
     row = [(x, 15.0, 8.0) for x in np.arange(-6, -2, 0.001)]
     z = simulate_job([Cut(path(row), FLAT)], stock=STOCK, view=VIEW)
     cutting = np.array([-3.9 < x < -2.2 for x, _, _ in row[:-1]])
@@ -234,7 +234,7 @@ def test_rates():
     assert found.mean_rate == pytest.approx(60 * z.chip_volume / found.cutting_seconds)
 
 
-def test_a_wall_through_a_pixel_is_no_deviation():
+def test_wall_through_a_pixel_is_not_a_deviation():
     z = simulate_job([Cut(SOUND, FLAT)], stock=STOCK, view=View((0, 0, -1), 111, 87))
     moved = Stock((0.03, 0.02, 0), (39.98, 30.04, 8))
     found = deviations(z, moved)
@@ -243,7 +243,7 @@ def test_a_wall_through_a_pixel_is_no_deviation():
     assert beside == pytest.approx(1 - 40 * 30 / (z.frame.pixel**2 * 111 * 87), abs=0.03)
 
 
-def test_worst_places_lie_apart_and_name_what_made_them():
+def test_worst_places_are_apart_and_name_their_cause():
     """The model of 8 mm has a blind hole and a through hole. Each hole is listed once, the deeper hole first."""
     drilled = path([(10, 15, 12), (10, 15, 5), (10, 15, 12), (30, 15, 12), (30, 15, -1), (30, 15, 12)])
     z = simulate_job([Cut(SOUND, FLAT), Cut(drilled, FLAT)], stock=STOCK, view=View((0, 0, -1), 200, 150))

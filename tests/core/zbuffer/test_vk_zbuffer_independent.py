@@ -242,7 +242,7 @@ def test_passes_that_cut_nothing_are_dropped_in_first_tiles():
     assert often.candidates < 12 * once.candidates
 
 
-def test_rays_with_one_gap_are_cut_as_the_general_way_does():
+def test_rays_with_one_gap_equal_the_general_case():
     rng = np.random.default_rng(5)
     rays, each = 300, 6
     near, far = np.full(rays, -3.0), rng.uniform(2, 9, rays)

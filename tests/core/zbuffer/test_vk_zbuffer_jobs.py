@@ -42,7 +42,7 @@ def test_the_moment_after_a_cut_is_the_part_that_it_leaves(job):
     assert job.at(int(job.cuts.first[1])).traces == alone.traces
 
 
-def test_a_later_cut_removes_only_what_those_before_it_left(job):
+def test_later_cut_removes_only_remaining_material(job):
     # The slots at 9 and 6 mm are cut already; from 6 to 3 mm is left to the last cut's plunge and its last row.
     small, wide = 24 * 6 + 9 * pi, 24 * 14 + 49 * pi
     expected = [2 * small, 2 * 9 * pi, 2 * (small - 9 * pi), 3 * wide, 0, 0, 0, 3 * 9 * pi, 3 * (small - 9 * pi)]
@@ -70,7 +70,7 @@ def test_cuts_without_trajectories_change_nothing(job):
     assert len(Cuts([]).lengths) == 0
 
 
-def test_the_memory_of_a_job_is_that_of_one_stock(job):
+def test_job_memory_counts_the_stock_once(job):
     view, cuts = View((0, 0, -1), 1600, 1200), list(job.cuts.cuts)
     alone = [memory_needed([cut], stock=BOX, view=view) for cut in cuts]
     together = memory_needed(cuts, stock=BOX, view=view)
@@ -79,7 +79,7 @@ def test_the_memory_of_a_job_is_that_of_one_stock(job):
         simulate_job(cuts, stock=BOX, view=view, memory_budget=0.9 * together)
 
 
-def test_it_goes_on_as_long_as_nobody_stops_it(job):
+def test_progress_rises_until_the_end(job):
     shares = []
     simulate_job(job.cuts.cuts, stock=BOX, view=View((1, 1, -1), 160, 200), going_on=shares.append)
     assert shares == sorted(shares) and shares[0] >= 0 and 0.5 < shares[-1] <= 1

@@ -70,7 +70,7 @@ def case(trajectories, direction, width, height):
     ],
     ids=["records", "pictures", "oblique", "oblique, bull nose", "side", "trajectories"],
 )
-def test_what_is_said_is_what_the_process_takes(which):
+def test_predicted_memory_equals_process_memory(which):
     script = MEASURE.format(root=str(ROOT), case=which)
     run = subprocess.run([sys.executable, "-c", script], capture_output=True, text=True, check=True)
     expected, taken = (float(v) for v in run.stdout.split())
@@ -229,13 +229,13 @@ def test_the_records_hold_eight_bytes_each():
 
 
 @pytest.mark.parametrize("function", [simulate, simulate_job])
-def test_two_gigabytes_may_be_taken_where_nobody_says_otherwise(function):
+def test_default_memory_budget_is_two_gigabytes(function):
     """As docs/cost.md states."""
     assert inspect.signature(function).parameters["memory_budget"].default == 2e9
 
 
 @pytest.mark.parametrize("side", [(1, 1), (1000, 1), (1, 999_999), (65_536, 65_536), (1_000_000, 4000)])
-def test_enlarged_image_is_no_larger_than_a_view_may_be(side):
+def test_enlarged_image_stays_within_view_limits(side):
     image = View(width=side[0], height=side[1])
     width, height = size_of(image, 2.0**60)
     assert image.of_size(width, height).width == width

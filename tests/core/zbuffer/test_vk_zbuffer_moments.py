@@ -79,7 +79,7 @@ def test_chips_show_first_removed_pieces(seed):
     assert np.isnan(z.chips(first, first).depth).all()
 
 
-def test_what_changes_between_two_moments():
+def test_pixels_that_change_between_two_moments():
     z, _ = simulated(3)
     for step in range(z.trajectories):
         one, two = z.at(step).picture, z.at(step + 1).picture

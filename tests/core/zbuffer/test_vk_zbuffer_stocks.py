@@ -166,7 +166,7 @@ def test_a_cylinder_is_round(direction, prism):
 @pytest.mark.long
 @pytest.mark.parametrize("direction", DIRECTIONS)
 @pytest.mark.parametrize("stock", [Cylinder((20, 15, 1), 14, 9), Mesh(HOLLOW)], ids=["cylinder", "hollow"])
-def test_the_estimate_knows_the_stock(stock, direction):
+def test_estimate_includes_the_stock(stock, direction):
     points = PATHS[1](np.random.default_rng(2), 40)
     solids = {"tool": Tool("endmill", 4), "stock": stock, "view": View(direction, 120, 90)}
     told, true = estimate(toolpath(points), None, **solids), simulate(toolpath(points), **solids)
@@ -237,7 +237,7 @@ def test_partial_view_of_mesh_needs_no_more_memory_than_box():
         assert mesh == pytest.approx(plain, rel=0.01)
 
 
-def test_what_is_no_solid_is_refused():
+def test_open_surface_is_refused_as_stock():
     for triangles, code in (
         (HOLLOW[1:], "solid-not-closed"),
         (HOLLOW * [1, 1, np.nan], "stock-not-finite"),

@@ -153,7 +153,7 @@ def test_unknown_result_of_a_subprogram_matters_where_it_is_used():
     assert xs(text) == [3, 4] and said(text) == [f"Line 10: {END}The value of #5063 comes from the machine."]
 
 
-def test_word_after_a_variable_is_no_exponent():
+def test_e_word_after_a_variable_is_not_an_exponent():
     assert xs(f"#1=7\n{HEAD}X#1 E5\nX[1E1]") == [7, 10]
 
 

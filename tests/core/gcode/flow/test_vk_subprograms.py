@@ -42,7 +42,7 @@ def said(text):
         f"O1\n{BEFORE}/M98 P2000\nM98 P3000\nM30\nO2000\n{STEP}M99\nO3000\nM98 P2000\n(TWICE)\nM98 P2000\nM99",
     ],
 )
-def test_it_is_run_where_it_is_called(text):
+def test_subprogram_runs_at_its_call(text):
     assert points(text) == [(0, 0, 0)] + [(x, y, z) for z in (-1, -2, -3) for x, y in [(0, 0), *SQUARE]]
     assert [one for one in said(text) if "block delete" not in one] == []
 
@@ -54,11 +54,11 @@ def test_subprogram_ends_at_next_one_or_at_its_return(end):
     assert said(text)[-1] == f"Line {16 + end.startswith('/')}: Lines after the end of the program are ignored."
 
 
-def test_it_may_be_called_not_once():
+def test_subprogram_called_zero_times_does_not_run():
     assert points(f"O1\n{BEFORE}M98 P2000 L0\nX1\nM30\nO2000\n{STEP}M99") == [(0, 0, 0), (1, 0, 0)]
 
 
-def test_what_it_does_stands_in_the_line_of_its_call():
+def test_moves_of_subprogram_have_the_line_of_the_call():
     text = f"O1\n{BEFORE}M98 P2000\nG1 X5\nM98 P2000\nM30\nO2000 (STEP)\n{STEP}#1=[#2\nM99"
     assert sorted(set(path_of(text).command.tolist())) == [5, 6, 7]
     assert said(text) == ["Line 5 (first of 2): Lines with variables or expressions are ignored."]
@@ -89,7 +89,7 @@ def test_operations_are_divided_within_subprograms_too():
         "M97 P12345678901",
     ],
 )
-def test_one_that_is_called_otherwise_or_is_not_there_is_told(call):
+def test_unreadable_or_missing_call_has_a_remark(call):
     text = f"O1\n{BEFORE}G1 X1\n{call}\nX5\nM30\nO2000\nG91\nM99"
     assert points(text)[-1] == (5, 0, 0)
     assert said(text) == ["Line 6: A subprogram or macro call is ignored."]
@@ -105,7 +105,7 @@ def test_comments_name_untitled_sections_without_dividing(before, beside, titles
     assert [section.title for section in split_sections(read_program(text))] == titles
 
 
-def test_what_calls_itself_ends():
+def test_recursive_subprogram_ends():
     itself = f"O1\n{BEFORE}M98 P2000\nX7\nM30\nO2000\nG1 X5\nM98 P{{}}\nM98 P{{}}\nX6\nM99\nO3000\nX3\nM98 P2000\nM99"
     for other in (2000, 3000):
         text = itself.format(other, other)

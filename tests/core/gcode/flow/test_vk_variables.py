@@ -28,14 +28,14 @@ def points(text):
         ("N5 #1=-3", "Z+#1"),
     ],
 )
-def test_a_variable_stands_for_its_number(down, word):
+def test_variable_is_replaced_by_its_number(down, word):
     text = f"G21\n{down}\n#2=5\n#3=60\n" + MOVES.replace("Z#1", word)
     assert said(text) == []
     assert points(text) == [[0, 0, 5], [0, 0, -3], [10, 0, -3]]
     assert read_program(text).toolpath().feed[-1] == pytest.approx(1.0)
 
 
-def test_it_stands_for_the_number_that_was_set_last():
+def test_variable_has_its_last_value():
     assert points("G21\n#1=-1\n#2=5\n#3=60\n" + MOVES + "#1=-2\nG1 Z#1\n")[-1] == [10, 0, -2]
     assert points("G21\n#1=-1\n#2=5\n#3=60\n" + MOVES + "#7=#1\nG1 Z#7 X9\n")[-1] == [9, 0, -1]
 
