@@ -91,7 +91,7 @@ class _Reader:
         self.subprograms = Subprograms(lines)
         self.flow = Flow(lines, self.subprograms)
         self.machine = Interpreter(dialect)
-        if dialect.raw_path:
+        if dialect is dialects.RAW_PATH:
             self.machine.problem(Message("feeds-per-second"), 1)
         self.comments: list[tuple[int, int, str]] = []
         self.in_calls: set[int] = set()

@@ -65,7 +65,6 @@ DATA = 100
 TOOL_LENGTH = (430, 431, 432, 490)
 THREAD, RIGID_TAP = 330, 331
 INCHES = frozenset([200, 700, 7000])
-GEOMETRY_UNITS = frozenset([700, 710])  # on a Siemens control, the unit of lengths without feed rates
 UNITS = INCHES | frozenset([210, 710, 7100])
 PATTERNS = frozenset([700, 710, 720])
 MACRO_CALLS = frozenset([650, 660])
@@ -74,9 +73,6 @@ HARMLESS = OFFSETS | frozenset([
     610, 611, 620, 630, 640, 670, 690, 700, 710, 930, 940, 950, 960, 970, 1030, 1870,
     4500, 4510, 6010, 6020, 6030, 6410, 6420, 6430, 6440, 6450,  # Siemens: modes for motion around corners
 ])  # fmt: skip
-# Heidenhain's DIN/ISO: codes with the usual meaning, and codes that define the blank and the tools without a move.
-HEIDENHAIN = frozenset([0, 10, 20, 30, 40, 170, 180, 190, 400, 410, 420, 700, 710, 900, 910])
-HEIDENHAIN_DATA = frozenset([300, 310, 990])
 
 _NAME = re.compile(r"([A-Z])0*(\d{1,9})(?:\.(\d))?", re.ASCII)
 

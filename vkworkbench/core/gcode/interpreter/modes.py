@@ -61,16 +61,16 @@ class Modes:
         """bool : Whether the centre words of arcs are coordinates (G90.1)."""
         return self.centres == codes.ABSOLUTE_CENTRES
 
-    def measure_in(self, code: int, *, siemens: bool) -> None:
-        """Set the unit of lengths and feed rates; a Siemens control reads feed rates under G70 in mm.
+    def measure_in(self, code: int, of_lengths: frozenset[int]) -> None:
+        """Set the unit of lengths and feed rates.
 
         Parameters
         ----------
         code : int
             G-code of the unit, in tenths.
-        siemens : bool
-            Whether the program was written for a Siemens control.
+        of_lengths : frozenset of int
+            G-codes that set the unit of lengths only.
         """
         self.unit = INCH if code in codes.INCHES else 1.0
-        if not (siemens and code in codes.GEOMETRY_UNITS):
+        if code not in of_lengths:
             self.feed_unit = self.unit

@@ -1,0 +1,13 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Recognize the dialect of a program, and texts that are not G-code for a mill.
+
+`Dialect` lists what differs in a dialect: a new dialect is an entry in `dialect.py`. `dialect_of` finds it by the text,
+`refuse` and `check` refuse other controls' languages and texts that are no programs, and `Clues` collects the signs of
+other machines.
+"""
+
+from vkworkbench.core.gcode.dialects.clues import Clues
+from vkworkbench.core.gcode.dialects.dialect import HEIDENHAIN, RAW_PATH, RS274, SIEMENS, Dialect
+from vkworkbench.core.gcode.dialects.texts import at_line, check, dialect_of, refuse
+
+__all__ = ["HEIDENHAIN", "RAW_PATH", "RS274", "SIEMENS", "Clues", "Dialect", "at_line", "check", "dialect_of", "refuse"]

@@ -1,0 +1,57 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Read the words of canned cycles, which differ between dialects, as the words that `linearize` reads."""
+
+from __future__ import annotations
+
+from vkworkbench.core.gcode.blocks import whole
+from vkworkbench.core.gcode.interpreter.line import Line
+from vkworkbench.core.gcode.interpreter.machine import Handler, Machine
+from vkworkbench.core.gcode.moves import codes
+from vkworkbench.language import Message
+
+_MOST_REPEATS = 10_000
+_FINE_BORING = 760
+
+
+def _fine_boring(machine: Machine, line: Line) -> None:
+    """Process G76, which is read as G86; on a lathe, the threading cycle G76 has other words."""
+    if "R" in line.letters and ("Y" in line.letters or "P" not in line.letters):
+        line.motion = codes.BORING
+    else:
+        machine.other(line)
+
+
+def repeats_of(machine: Machine, mode: int, parameters: dict[str, float], move: dict[str, float]) -> int:
+    """Return the number of repeats of a canned cycle, and convert `move` to the words that `linearize` reads."""
+    move.pop("K", None)
+    pecks = [letter for letter in "IJK" if letter in parameters]
+    letter = "L" if "L" in parameters else "K"
+    drills_once = mode not in (*codes.PECKING, codes.BORING)
+    if drills_once and {"Z", "I"} <= move.keys() and "R" not in move:
+        # Fagor: Z is the level of the reference plane (R in other dialects), I the depth, K a dwell.
+        move["R"], move["Z"] = move["Z"], move.pop("I")
+        if "K" in parameters:
+            machine.problem(Message("dwell-untimed"))
+        return _limited(machine, parameters.get("L", 1.0))
+    if mode in codes.PECKING and ("I" in pecks or "J" in pecks or parameters.get("K", 1.0) % 1):
+        # Haas and Yasnac: I is the first peck, J the reduction of each further peck, K the smallest peck.
+        if "I" in pecks and "Q" not in move:
+            move["Q"] = move["I"]
+            pecks.remove("I")
+        for one in pecks:
+            machine.problem(Message("word-not-read", letter=one))
+        letter = "L"
+    elif drills_once:
+        for one in sorted({"I", "J"} & parameters.keys()):
+            machine.problem(Message("word-not-read", letter=one))
+    return _limited(machine, parameters.get(letter, 1.0))
+
+
+def _limited(machine: Machine, repeats: float) -> int:
+    """Return the number of repeats of a canned cycle, not more than `_MOST_REPEATS`."""
+    if repeats > _MOST_REPEATS:
+        machine.problem(Message("repeats-limited", most=_MOST_REPEATS))
+    return whole(repeats, _MOST_REPEATS)
+
+
+HANDLERS: dict[int, Handler] = {_FINE_BORING: _fine_boring}

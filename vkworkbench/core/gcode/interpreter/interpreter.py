@@ -1,0 +1,159 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Convert the words of an NC program into commands, in mm and mm/s.
+
+The commands keep the modal state that `linearize` resolves: planes, G90/G91, the centres of arcs, canned cycles. This
+package resolves units, feed rates and the order of words. Each module has a table of handlers for the G-codes of its
+subject.
+"""
+
+from __future__ import annotations
+
+from vkworkbench.core.gcode.blocks import whole
+from vkworkbench.core.gcode.dialects import HEIDENHAIN
+from vkworkbench.core.gcode.interpreter import cycles, m_codes, offsets, single_moves, tools, units
+from vkworkbench.core.gcode.interpreter.line import Line
+from vkworkbench.core.gcode.interpreter.machine import Handler, Machine
+from vkworkbench.core.gcode.interpreter.motion import AXES, move_of
+from vkworkbench.core.gcode.moves import codes
+from vkworkbench.core.gcode.moves.commands import Commands
+from vkworkbench.language import Message
+
+_MOST_CODES = 1000
+_HANDLERS: dict[int, Handler] = {
+    **units.HANDLERS, **offsets.HANDLERS, **cycles.HANDLERS, **single_moves.HANDLERS,
+}  # fmt: skip
+
+
+class Interpreter(Machine):
+    """A machine that reads the lines of a program, one after the other."""
+
+    @property
+    def moves(self) -> bool:
+        """Whether any command moves the tool."""
+        return any(
+            (not name or name in codes.MOTION_NAMES) and not AXES.isdisjoint(words) for name, words in self.commands
+        )
+
+    def with_tool_changes(self) -> Commands:
+        """Return the commands; in a program without M6, each T word with a new number becomes a tool change."""
+        return tools.with_changes(self)
+
+    def block(self, number: int, words: list[tuple[str, float]], letters: set[str], *, deleted: bool) -> bool:
+        """Read the words of one line.
+
+        Parameters
+        ----------
+        number : int
+            Line of the text, counted from 1.
+        words : list of (str, float)
+            The words in the order of the line.
+        letters : set of str
+            The letters of the words.
+        deleted : bool
+            Whether the line has a block delete.
+
+        Returns
+        -------
+        bool
+            Whether the line ends the program or subprogram at once (M99). M2 and M30 set `ended` instead.
+        """
+        self.number, self.deleted, self.call = number, deleted, None
+        line = Line(words, letters, {})
+        returns = self._take_words(line)
+        if "S" in letters and self.modes.per_turn is not None:  # under G95, a new speed changes the feed rate
+            line.parameters.setdefault("F", self.modes.per_turn)
+        if line.codes or "F" in line.parameters:
+            self._note_feed(line)
+        move_of(self, line)
+        self.ended |= ("M", 2.0) in words or ("M", 30.0) in words
+        return returns
+
+    def _take_words(self, line: Line) -> bool:
+        """Process the codes and the tools of a line, and store the parameters of its motion.
+
+        Returns
+        -------
+        bool
+            Whether the line ends the program or subprogram at once (M99).
+        """
+        parameters, letters = line.parameters, line.letters
+        returns = change = False
+        taken: frozenset[str] = frozenset()  # letters of words that belong to an M-code
+        for letter, value in line.words:
+            if letter == "G":
+                self._g_code(whole(10 * value, 10 * _MOST_CODES), line)
+            elif letter == "M":
+                change |= value == 6
+                returns |= m_codes.process(self, value, letters)
+                taken |= m_codes.words_of(value, letters, first=not parameters and "G" not in letters)
+            elif letter == "S":
+                self.spindle = value
+            elif letter not in "NOT":
+                if letter in parameters:
+                    self.problem(Message("word-twice", letter=letter))
+                parameters[letter] = value
+        for letter in taken:
+            parameters.pop(letter, None)
+        if change or ("T" in letters and "T" not in taken):
+            tools.take(self, line, change=change)
+        return returns
+
+    def _note_feed(self, line: Line) -> None:
+        per_minute = self.modes.feed_mode == codes.PER_MINUTE
+        feed = self.modes.feed_unit * line.parameters.get("F", 0.0) if per_minute else 0.0
+        mode = self.motion if line.motion is None else line.motion
+        self.clues.feed(line.codes, line.parameters, mode, feed, self.number)
+
+    def enter_call(self) -> None:
+        """Begin a subprogram, which saves and restores its own modal state (M70 to M73)."""
+        self.saved.append((None, False))
+
+    def leave_call(self) -> None:
+        """Return from a subprogram, and restore the modal state that M73 saved in it."""
+        modes, on_return = self.saved.pop()
+        if on_return:
+            m_codes.restore(self, modes)
+
+    def heidenhain(self, number: int, unit: int) -> bool:
+        """Begin or end a program in Heidenhain's DIN/ISO, in which the centres of arcs are absolute coordinates.
+
+        Parameters
+        ----------
+        number : int
+            Line of the text, counted from 1.
+        unit : int
+            G-code of the unit, in tenths: 700 for inches, 710 for mm.
+
+        Returns
+        -------
+        bool
+            Whether the line ends the program.
+        """
+        if self.dialect is HEIDENHAIN:
+            return True
+        self.number, self.dialect = number, HEIDENHAIN
+        self.measure_in(unit)
+        self.add("G90.1", {})
+        return False
+
+    def _knows(self, code: int) -> bool:
+        """Return whether a G-code has its usual meaning in the program's dialect."""
+        return self.dialect.codes is None or code in self.dialect.codes
+
+    def _g_code(self, code: int, line: Line) -> None:
+        """Process a G-code."""
+        if code in codes.MOTIONS and line.motion not in (None, code) and self._knows(code):
+            self.problem(Message("two-motions"))
+        line.codes.append(code)
+        if not self._knows(code):
+            if code not in self.dialect.data:
+                self.unknown(code, line)
+            line.apart, line.feeds = True, False
+        elif code in codes.MOTIONS:
+            line.motion = code
+        else:
+            handler = _HANDLERS.get(code)
+            if handler is None:
+                self.other(line)
+            else:
+                handler(self, line)

@@ -1,0 +1,49 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""One line of a program, while its words are processed."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+
+
+@dataclass
+class Line:
+    """The words of a line, with the effects of its G-codes.
+
+    Attributes
+    ----------
+    words : list of (str, float)
+        The words in the order of the line.
+    letters : set of str
+        The letters of the words.
+    parameters : dict
+        The values of the words that are parameters of the motion, by their letters.
+    codes : list of int
+        The G-codes of the line so far, in tenths.
+    motion : int or None
+        The motion that the line selects, in tenths of its G-code; None if the line selects none.
+    once : int or None
+        A code that moves the tool in this line only: a probe, a thread or a spline.
+    apart : bool
+        Whether the line's axis words are parameters of a code, not the target of a move.
+    feeds : bool
+        Whether an F word is a feed rate, not a parameter of a code.
+    """
+
+    words: list[tuple[str, float]]
+    letters: set[str]
+    parameters: dict[str, float]
+    codes: list[int] = field(default_factory=list)
+    motion: int | None = None
+    once: int | None = None
+    apart: bool = False
+    feeds: bool = True
+
+    @property
+    def code(self) -> int:
+        """int : The G-code that is processed, in tenths."""
+        return self.codes[-1]
+
+    def lengths(self, unit: float) -> dict[str, float]:
+        """Return the X, Y and Z words, mm."""
+        return {letter: unit * value for letter, value in self.words if letter in "XYZ"}

@@ -1,0 +1,175 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The machine of a program: its state after the lines read so far, and the commands that these lines became."""
+
+from __future__ import annotations
+
+from array import array
+from typing import Callable
+
+from vkworkbench.core.gcode.dialects import Clues, Dialect
+from vkworkbench.core.gcode.interpreter.line import Line
+from vkworkbench.core.gcode.interpreter.modes import Modes
+from vkworkbench.core.gcode.interpreter.origins import Origins
+from vkworkbench.core.gcode.interpreter.place import Place
+from vkworkbench.core.gcode.moves import codes
+from vkworkbench.core.gcode.moves.commands import Commands
+from vkworkbench.language import Message
+
+
+class Machine:
+    """The commands of the lines read so far, and the state in which these lines leave the machine.
+
+    The state that a program saves and restores is in `modes`; a copy of it is a few numbers.
+
+    Attributes
+    ----------
+    commands, lines, inverse_time
+        As in `Program`.
+    problems : dict of Message to list of int
+        Messages on the parts of the program that were not read, with their lines.
+    clues : Clues
+        Signs of the machine for which the program was written.
+    number, deleted
+        The current line, counted from 1, and whether it has a block delete.
+    modes : Modes
+        The modal state, without the motion.
+    saved : list of (Modes or None, bool)
+        For each level of calls, the modal state that M70 or M73 saved, and whether the return restores it (M73).
+    origins : Origins
+        The origins of the coordinates.
+    place : Place
+        The place of the tool.
+    first_unit : float or None
+        The program's first unit, mm: 25.4 for inches, 1 for mm; None before the first unit word.
+    motion : int
+        The motion in force, in tenths of its G-code; -1 before the first motion.
+    written : int
+        The motion of the last command that moves the tool.
+    moved : bool
+        Whether any line has moved the tool.
+    away : list of (int, Message)
+        Lines of moves to machine positions since the last other move, with their messages, which are reported only if
+        another move follows.
+    ended : bool
+        Whether M2 or M30 was read.
+    call : float or None
+        The M-code with which the last line calls a subprogram; None if the line calls none. The caller of `block` must
+        run the subprogram.
+    calls_blocks : bool
+        Whether the program calls subprograms by block numbers (M97, or M98 with Q).
+    length_changed : bool
+        Whether the tool length offset changed since the last Z word.
+    last_y : float or None
+        The last absolute Y, mm.
+    okuma : bool
+        Whether work offsets are selected with G15 H.
+    spindle : float
+        Spindle speed, turns/min.
+    stands : bool
+        Whether the last move used G95 while the spindle speed was 0.
+    tool, spindle_tool : int or None
+        Number in the last T word, and number of the tool after the last M6.
+    changes : bool
+        Whether the program contains an M6; without M6, T words change the tool.
+    unnamed : int or None
+        Index of the last M6 since the last move, if no T word before the M6 names a new tool.
+    seconds : float
+        Duration of this line's move under G93, s; 0 under other feed modes.
+    later : dict or None
+        Words of a canned cycle with L0, which drills no hole yet.
+    angles : dict
+        Last values of the rotary axes.
+    pole : dict
+        The centre for the next arcs in a dialect that has one, mm.
+
+    Parameters
+    ----------
+    dialect : Dialect
+        How this program differs from others.
+    """
+
+    def __init__(self, dialect: Dialect) -> None:
+        self.dialect = dialect
+        self.commands = Commands()
+        self.lines = array("q")
+        self.inverse_time: dict[int, float] = {}
+        self.problems: dict[Message, list[int]] = {}
+        self.clues = Clues()
+        self.number = 0
+        self.deleted = False
+        self.modes = Modes()
+        self.saved: list[tuple[Modes | None, bool]] = [(None, False)]
+        self.origins = Origins()
+        self.place = Place(self.commands)
+        self.first_unit: float | None = None
+        self.motion = self.written = -1
+        self.moved = self.ended = False
+        self.away: list[tuple[int, Message]] = []
+        self.call: float | None = None
+        self.calls_blocks = False
+        self.length_changed = False
+        self.last_y: float | None = None
+        self.okuma = False
+        self.spindle = 0.0
+        self.stands = False
+        self.tool: int | None = None
+        self.spindle_tool: int | None = None
+        self.changes = False
+        self.unnamed: int | None = None
+        self.seconds = 0.0
+        self.later: dict[str, float] | None = None
+        self.angles: dict[str, float] = {}
+        self.pole: dict[str, float] = {}
+
+    def problem(self, what: Message, line: int | None = None) -> None:
+        """Store a message on a part of the program that is not read, with its line or else the current line."""
+        self.problems.setdefault(what, []).append(self.number if line is None else line)
+
+    def add(self, name: str, parameters: dict[str, float]) -> None:
+        """Add a command of the current line."""
+        self.commands.append((name, parameters))
+        self.lines.append(self.number)
+
+    def write(self, mode: int, move: dict[str, float]) -> None:
+        """Add the command of a move; its name is empty if the motion is still in force."""
+        self.add("" if mode == self.written else codes.name_of(mode), move)
+        self.written = mode
+
+    def stand(self, *, stands: bool) -> None:
+        """Begin or end moves at an unknown feed rate: per turn, while the spindle stands."""
+        if stands != self.stands:
+            self.add("G95" if stands else "G94", {})
+            self.stands = stands
+
+    def leave_out(self, line: Line, what: Message) -> None:
+        """Report a code that is not read, with the axis words of its line."""
+        self.problem(what)
+        line.apart = True
+
+    def unknown(self, code: int, line: Line) -> None:
+        """Report an unknown G-code, and the line's axis words, which may be its parameters."""
+        name, left_out = repr(codes.name_of(code)), ", ".join(sorted(line.letters & {"X", "Y", "Z"}))
+        if left_out:
+            self.problem(Message("unknown-code-with-words", name=name, letters=left_out))
+        else:
+            self.problem(Message("unknown-code", name=name))
+        line.apart, line.feeds = True, False
+
+    def other(self, line: Line) -> None:
+        """Process a G-code without a handler of its own."""
+        of_a_lathe = self.clues.g_code(line.code // 10, line.letters, self.number)
+        if line.code in codes.APART:
+            line.apart = True
+        elif line.code not in codes.HARMLESS:
+            self.unknown(line.code, line)
+        elif of_a_lathe:
+            line.apart, line.feeds = True, False
+
+    def measure_in(self, code: int) -> None:
+        """Set the unit of lengths and feed rates by a G-code, in tenths."""
+        self.modes.measure_in(code, self.dialect.feeds_in_mm)
+        if self.first_unit is None:
+            self.first_unit = self.modes.unit
+
+
+Handler = Callable[[Machine, Line], None]  # processes one G-code of a line

@@ -1,0 +1,112 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Add the commands of moves, with their feed rates."""
+
+from __future__ import annotations
+
+from vkworkbench.core.gcode.interpreter.cycles import repeats_of
+from vkworkbench.core.gcode.interpreter.line import Line
+from vkworkbench.core.gcode.interpreter.machine import Machine
+from vkworkbench.core.gcode.interpreter.single_moves import SHAPES
+from vkworkbench.core.gcode.interpreter.target import target
+from vkworkbench.core.gcode.moves import codes
+from vkworkbench.language import Message
+
+AXES = frozenset("XYZIJKR")
+
+
+def move_of(machine: Machine, line: Line) -> None:
+    """Add the command of a line's motion, or of its feed rate alone."""
+    motion, apart, parameters = line.motion, line.apart, line.parameters
+    if motion is None and machine.motion == codes.CANCEL:  # after G80, machines move at rapid
+        motion = codes.RAPID if not AXES.isdisjoint(parameters) and not apart and line.once is None else None
+    if motion is not None:
+        machine.motion, machine.later, machine.written = motion, None, -1
+    mode = machine.motion
+    feed = _feed(machine, parameters.get("F") if line.feeds else None)
+    move = {} if apart else target(machine, mode, parameters)
+    if feed is not None:
+        move["F"] = feed
+    if apart or AXES.isdisjoint(move):
+        # The command needs a name, because a command without a name would repeat a canned cycle.
+        if motion is not None or feed is not None:
+            machine.add("G94" if motion is None else codes.name_of(motion), {} if feed is None else {"F": feed})
+            machine.written = machine.written if motion is None else motion
+        return
+    if machine.away or machine.ended or not machine.moved:
+        _begin_move(machine)
+    machine.unnamed = None
+    if line.once is None:
+        _move_along(machine, parameters, move)
+    else:
+        SHAPES[line.once](machine, line, move)
+
+
+def _move_along(machine: Machine, parameters: dict[str, float], move: dict[str, float]) -> None:
+    """Add the command of a line that contains axis words."""
+    mode = machine.motion
+    _note(machine, mode, parameters, move)
+    repeats = 1
+    if mode in codes.CYCLES:
+        repeats = repeats_of(machine, mode, parameters, move)
+        if repeats <= 0:
+            machine.later = move
+            return
+        if machine.later is not None:
+            move, machine.later = {**machine.later, **move}, None
+            machine.written = -1
+    elif mode in codes.ARCS and parameters.get("P", 1.0) != 1:
+        move["P"] = parameters["P"]
+    if machine.stands or machine.modes.per_turn is not None:
+        machine.stand(stands=machine.modes.per_turn is not None and not machine.spindle and mode > 0)
+    if machine.seconds and mode > 0 and mode not in codes.CYCLES:
+        machine.inverse_time[len(machine.commands)] = 1 / machine.seconds
+    for _ in range(repeats):
+        machine.write(mode, move)
+
+
+def _note(machine: Machine, mode: int, parameters: dict[str, float], move: dict[str, float]) -> None:
+    """Note the signs of the machine in a move; report its parameters that are not read."""
+    if "Y" in move:
+        _note_y(machine, move["Y"])
+    if mode in codes.ARCS:
+        machine.clues.arc(set(parameters), machine.number)
+    if "Z" in move:
+        machine.length_changed = False
+    elif machine.length_changed and mode > 0:
+        machine.problem(Message("length-before-height"))
+        machine.length_changed = False
+    if mode in codes.CYCLES and parameters.get("P", 0.0) > 0:
+        machine.problem(Message("dwell-untimed"))
+
+
+def _note_y(machine: Machine, y: float) -> None:
+    if machine.modes.relative:
+        machine.clues.y(y != 0)
+    else:
+        machine.clues.y(machine.last_y not in (None, y))
+        machine.last_y = y
+
+
+def _begin_move(machine: Machine) -> None:
+    if not machine.moved:
+        machine.origins.begin()
+    machine.moved = True
+    for line, what in machine.away:
+        machine.problem(what, line)
+    machine.away.clear()
+    if machine.ended:
+        machine.problem(Message("goes-on"))
+
+
+def _feed(machine: Machine, value: float | None) -> float | None:
+    """Return the feed rate of an F word, mm/s; None without F word and under G93.
+
+    Under G93, an F word sets `seconds`, the duration of this line's move, instead.
+    """
+    modes, per_turn = machine.modes, machine.modes.feed_mode == codes.PER_TURN
+    machine.seconds = 60 / value if modes.feed_mode == codes.INVERSE_TIME and value and value > 0 else 0.0
+    if value is None or modes.feed_mode == codes.INVERSE_TIME:
+        return None
+    modes.per_turn = value if per_turn else None
+    modes.feed = value * modes.feed_unit * (machine.spindle if per_turn else 1.0) / machine.dialect.feed_time
+    return modes.feed

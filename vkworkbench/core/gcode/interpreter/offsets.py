@@ -1,0 +1,122 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Handle the G-codes of work offsets, shifts of the coordinates and machine positions."""
+
+from __future__ import annotations
+
+from vkworkbench.core.gcode.interpreter.line import Line
+from vkworkbench.core.gcode.interpreter.machine import Handler, Machine
+from vkworkbench.core.gcode.interpreter.origins import NUMBERED
+from vkworkbench.core.gcode.moves import codes
+from vkworkbench.language import Message
+
+
+def select(machine: Machine, offset: tuple[int, float]) -> None:
+    """Select a work offset; report it if the program does not contain its origin."""
+    if offset == machine.modes.offset:
+        return
+    machine.modes.offset = offset
+    if not machine.moved:
+        machine.origins.system = offset
+    elif not machine.origins.select(offset):
+        machine.problem(Message("coordinates-not-changed", name=codes.name_of(offset[0])))
+
+
+def _offset(code: int, words: list[tuple[str, float]], okuma: bool) -> tuple[int, float] | None:
+    """Return the work offset that a G-code selects: its G-code in tenths and its number; None for other codes.
+
+    The number is the P word of G54.1 and G154, the H word of Okuma's G15, and 0 for other codes.
+    """
+    if okuma:
+        return (code, dict(words).get("H", 0.0)) if code == codes.OKUMA_OFFSET else None
+    if code not in codes.OFFSETS:
+        return None
+    return code, dict(words).get("P", 0.0) if code in codes.NUMBERED_OFFSETS else 0.0
+
+
+def _work_offset(machine: Machine, line: Line) -> None:
+    # In a line with G43, the H word is the number of a tool length offset.
+    if line.code == codes.OKUMA_OFFSET and "H" in line.letters and ("G", 43.0) not in line.words:
+        machine.okuma = True
+    offset = _offset(line.code, line.words, machine.okuma)
+    if offset is not None:
+        select(machine, offset)
+
+
+def _shift(machine: Machine, line: Line) -> None:
+    """Process G52, G92, G92.1, G92.2 and G92.3."""
+    values = line.lengths(machine.modes.unit)
+    line.apart = True
+    if line.code == codes.LOCAL:
+        machine.origins.shift_by(values)
+        if not values:
+            _coordinates(machine, line)
+    elif line.code == codes.POSITION:
+        _name_place(machine, values)
+    elif line.code in (codes.END_SHIFT, codes.SUSPEND_SHIFT):
+        machine.origins.end_shift(keep=line.code == codes.SUSPEND_SHIFT)
+    elif line.code == codes.RESUME_SHIFT:
+        machine.origins.resume_shift()
+
+
+def _name_place(machine: Machine, values: dict[str, float]) -> None:
+    """Shift the coordinates so that the tool's place gets new ones, along the axes where its place is known.
+
+    Coordinates before the first move along their axis shift nothing. After a move to a place that is not in the
+    program, the coordinates stay as they are.
+    """
+    place = machine.place.now()
+    if not machine.place.lost.isdisjoint(values):
+        machine.problem(Message("coordinates-not-changed", name="G92"))
+    for letter in values.keys() & place.keys():
+        machine.origins.shift_here(letter, place[letter], values[letter])
+
+
+def _data(machine: Machine, line: Line) -> None:
+    """Process G10: L2 sets a work offset, L20 sets a work offset from the tool's place."""
+    line.apart = True
+    words = dict(line.words)
+    kind, values = words.get("L"), line.lengths(machine.modes.unit)
+    if kind not in (2.0, 20.0):
+        return
+    system, place = NUMBERED.get(words.get("P", -1.0)), machine.place.now()
+    if words.get("R") or (kind == 2.0 and machine.modes.relative and values):
+        known = False
+    elif system is None:
+        known = not machine.moved
+    elif kind == 2.0:
+        known = machine.origins.set_machine(system, values, moved=machine.moved)
+    else:
+        known = not machine.moved or values.keys() <= place.keys()
+        if machine.moved and known:
+            machine.origins.set_here(system, place, values)
+    if not known:
+        machine.problem(Message("coordinates-not-changed", name=codes.name_of(line.code)))
+
+
+def _machine_position(machine: Machine, line: Line) -> None:
+    """Process a move to a machine position, which is not in the program.
+
+    A move in Z becomes a command, a move in X and Y is stored in `away`.
+    """
+    line.apart = True
+    axes = line.letters & set("XYZ") or (set() if line.code == codes.MACHINE_COORDINATES else set("XYZ"))
+    if not machine.moved:
+        return
+    if "Z" in axes:
+        machine.add(codes.name_of(line.code), {"Z": 0.0})
+    machine.place.lose(axes)
+    if not axes.isdisjoint("XY"):
+        machine.away.append((machine.number, Message("machine-position", name=codes.name_of(line.code))))
+
+
+def _coordinates(machine: Machine, line: Line) -> None:
+    machine.leave_out(line, Message("coordinates-not-changed", name=codes.name_of(line.code)))
+
+
+HANDLERS: dict[int, Handler] = {
+    **dict.fromkeys([*codes.OFFSETS, codes.OKUMA_OFFSET], _work_offset),
+    **dict.fromkeys(codes.CHANGES_COORDINATES, _coordinates),
+    **dict.fromkeys([codes.LOCAL, codes.POSITION, codes.END_SHIFT, codes.SUSPEND_SHIFT, codes.RESUME_SHIFT], _shift),
+    **dict.fromkeys(codes.MACHINE, _machine_position),
+    codes.DATA: _data,
+}

@@ -1,0 +1,107 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Handle the G-codes of moves for one line only: probes, threads and splines; and dwells and calls, which are not read."""
+
+from __future__ import annotations
+
+from typing import Callable, Dict
+
+from vkworkbench.core.gcode.interpreter import splines
+from vkworkbench.core.gcode.interpreter.line import Line
+from vkworkbench.core.gcode.interpreter.machine import Handler, Machine
+from vkworkbench.core.gcode.moves import codes
+from vkworkbench.language import Message
+
+# Adds the commands of a move with the given words, mm.
+Shape = Callable[[Machine, Line, Dict[str, float]], None]
+
+
+def _dwell(machine: Machine, line: Line) -> None:
+    line.feeds = not line.letters.isdisjoint("PXU")  # in G4 F2 of a Siemens, F is the time
+    machine.leave_out(line, Message("dwell-untimed"))
+
+
+def _macro_call(machine: Machine, line: Line) -> None:
+    line.feeds = False
+    machine.leave_out(line, Message("subprogram-not-read"))
+
+
+def _probe(machine: Machine, line: Line) -> None:
+    if line.letters.isdisjoint("XYZ"):
+        line.apart = True
+    else:
+        machine.problem(Message("probing-as-rapid"))
+        line.once = line.code
+
+
+def _thread(machine: Machine, line: Line) -> None:
+    """Process G33 and G33.1, on a lathe the thread with the pitch in F."""
+    if "K" not in line.letters or line.letters.isdisjoint("XYZ"):
+        machine.other(line)
+        return
+    machine.problem(Message("thread-at-pitch", name=codes.name_of(line.code)))
+    line.once = line.code
+
+
+def _spline(machine: Machine, line: Line) -> None:
+    """Process G5 and G5.1; a spline without a word of its control points is read as a line."""
+    if line.letters.isdisjoint("XYZ"):
+        line.apart = True
+        return
+    if splines.is_complete(line.code, dict(line.words)) and {"X", "Y"} <= machine.place.now().keys():
+        machine.problem(Message("spline-as-chords", name=codes.name_of(line.code)))
+        line.once = line.code
+    else:
+        machine.problem(Message("spline-as-line", name=codes.name_of(line.code)))
+    line.motion = codes.FEED
+
+
+def _probe_along(machine: Machine, line: Line, move: dict[str, float]) -> None:
+    """Add a probing move as a rapid to its end, where the tool arrives only if it touches nothing."""
+    machine.write(codes.RAPID, move)
+    machine.place.lose(set("XYZ") & line.letters)
+
+
+def _thread_along(machine: Machine, line: Line, move: dict[str, float]) -> None:
+    """Add a move at the pitch times the spindle speed; after a tap (G33.1), the tool returns in the same way."""
+    pitch = machine.modes.unit * dict(line.words)["K"]
+    place, relative = dict(machine.place.now()), machine.modes.relative
+    there = {letter: move[letter] for letter in "XYZ" if letter in move}
+    back = {letter: -move[letter] if relative else place[letter] for letter in there if relative or letter in place}
+    machine.stand(stands=not machine.spindle)
+    machine.write(codes.FEED, {**there, "F": pitch * machine.spindle / 60})
+    if line.once == codes.RIGID_TAP:
+        machine.write(codes.FEED, back)
+    if machine.modes.feed is not None:
+        machine.add("G94", {"F": machine.modes.feed})
+
+
+def _spline_along(machine: Machine, line: Line, move: dict[str, float]) -> None:
+    """Add the chords of a spline."""
+    place, relative = machine.place.now(), machine.modes.relative
+    axes = [letter for letter in "XYZ" if letter in place]
+    start = [place[letter] for letter in axes]
+    at_rest = dict.fromkeys(axes, 0.0) if relative else place
+    offset = start if relative else [0.0] * len(axes)
+    end = [move.get(letter, at_rest[letter]) + offset[i] for i, letter in enumerate(axes)]
+    words = {letter: machine.modes.unit * value for letter, value in line.words}
+    points = splines.chords(line.once or 0, words, start, end)
+    if relative:
+        points[1:] -= points[:-1].copy()
+        points[0] -= start
+    feed = {"F": move["F"]} if "F" in move else {}
+    for point in points.tolist():
+        machine.write(codes.FEED, {**dict(zip(axes, point)), **feed})
+
+
+HANDLERS: dict[int, Handler] = {
+    **dict.fromkeys(codes.PROBES_OF_PROGRAMS, _probe),
+    **dict.fromkeys([codes.THREAD, codes.RIGID_TAP], _thread),
+    **dict.fromkeys(codes.SPLINES, _spline),
+    **dict.fromkeys(codes.MACRO_CALLS, _macro_call),
+    codes.DWELL: _dwell,
+}
+SHAPES: dict[int, Shape] = {
+    **dict.fromkeys(codes.PROBES_OF_PROGRAMS, _probe_along),
+    **dict.fromkeys([codes.THREAD, codes.RIGID_TAP], _thread_along),
+    **dict.fromkeys(codes.SPLINES, _spline_along),
+}

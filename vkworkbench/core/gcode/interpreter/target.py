@@ -1,0 +1,96 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Convert the words of a move into lengths in the coordinates of the toolpath."""
+
+from __future__ import annotations
+
+import math
+
+from vkworkbench.core.gcode.interpreter.machine import Machine
+from vkworkbench.core.gcode.moves import codes
+from vkworkbench.core.gcode.moves.unread import ROTARY
+from vkworkbench.language import Message
+
+_COORDINATES = {"X": "X", "Y": "Y", "Z": "Z"}  # letters of absolute coordinates, and their axes
+_OF_CYCLES = {**_COORDINATES, "R": "Z"}
+_OF_ARCS = {**_COORDINATES, "I": "X", "J": "Y", "K": "Z"}  # for arcs with absolute centres (G90.1)
+_POLAR = "@^"  # LinuxCNC's polar coordinates: distance from the origin, and angle
+_LENGTHS = frozenset("XYZIJKRQ")
+_KNOWN = _LENGTHS | {"F", "S", "P", "L", "H", "D", *_POLAR}
+
+
+def target(machine: Machine, mode: int, parameters: dict[str, float]) -> dict[str, float]:
+    """Return the lengths of a move in the coordinates of the toolpath, mm; report words that are not read."""
+    if not parameters.keys().isdisjoint(_POLAR):
+        parameters = _cartesian(machine, parameters)
+    unit = machine.modes.unit
+    move = {letter: unit * value for letter, value in parameters.items() if letter in _LENGTHS}
+    if machine.origins.used:
+        move = _shifted(machine, mode, move)
+    if machine.dialect.has_pole:
+        move = _centred(machine, mode, move)
+    if not _KNOWN.issuperset(parameters):
+        machine.clues.axes(parameters, mode > 0, machine.number)
+        for letter in sorted(set(parameters) - _KNOWN):
+            _unread(machine, letter, parameters[letter])
+    return move
+
+
+def _cartesian(machine: Machine, parameters: dict[str, float]) -> dict[str, float]:
+    """Return the words of a line with X and Y instead of LinuxCNC's polar coordinates @ and ^."""
+    place, unit = machine.place.now(), machine.modes.unit
+    if not {"X", "Y"} <= place.keys() and (machine.modes.relative or not {*_POLAR} <= parameters.keys()):
+        for letter in sorted({*_POLAR} & parameters.keys()):
+            machine.problem(Message("word-not-read", letter=letter))
+        return parameters
+    origin_x, origin_y = machine.origins.of("X"), machine.origins.of("Y")
+    x, y = place.get("X", origin_x) - origin_x, place.get("Y", origin_y) - origin_y
+    distance, angle = math.hypot(x, y), math.degrees(math.atan2(y, x))
+    if machine.modes.relative:
+        distance += unit * parameters.get("@", 0.0)
+        angle += parameters.get("^", 0.0)
+    else:
+        distance = unit * parameters["@"] if "@" in parameters else distance
+        angle = parameters.get("^", angle)
+    end_x, end_y = distance * math.cos(math.radians(angle)), distance * math.sin(math.radians(angle))
+    if machine.modes.relative:
+        end_x, end_y = end_x - x, end_y - y
+    rest = {letter: value for letter, value in parameters.items() if letter not in _POLAR}
+    return {**rest, "X": end_x / unit, "Y": end_y / unit}
+
+
+def _shifted(machine: Machine, mode: int, move: dict[str, float]) -> dict[str, float]:
+    """Return a move with the origin in force added to its coordinates."""
+    centres = machine.modes.absolute_centres and mode in codes.ARCS
+    if machine.modes.relative:
+        along = {"I": "X", "J": "Y", "K": "Z"} if centres else {}
+    else:
+        along = _OF_CYCLES if mode in codes.CYCLES else _OF_ARCS if centres else _COORDINATES
+    return {
+        letter: value + machine.origins.of(along[letter]) if letter in along else value
+        for letter, value in move.items()
+    }
+
+
+def _centred(machine: Machine, mode: int, move: dict[str, float]) -> dict[str, float]:
+    """Return a move with the centre of its arc, from this line or from an earlier one."""
+    centre = {letter: move.pop(letter) for letter in "IJK" if letter in move}
+    if centre and machine.modes.relative:  # relative to the tool's position, which is not known here
+        machine.pole = {}
+        for letter in centre:
+            machine.problem(Message("word-not-read", letter=letter))
+    else:
+        machine.pole.update(centre)
+    is_arc = mode in codes.ARCS and "R" not in move and not {"X", "Y", "Z"}.isdisjoint(move)
+    return {**move, **machine.pole} if is_arc else move
+
+
+def _unread(machine: Machine, letter: str, value: float) -> None:
+    """Report a word that is not read; a word of a rotary axis only if its value changes.
+
+    A rotary axis is at 0 before its first word.
+    """
+    if letter not in ROTARY:
+        machine.problem(Message("word-not-read", letter=letter))
+    elif value != machine.angles.get(letter, 0.0):
+        machine.problem(Message("rotary-not-read", letter=letter))
+        machine.angles[letter] = value

@@ -1,0 +1,71 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Handle the G-codes of units, planes, feed modes and offsets of the tool."""
+
+from __future__ import annotations
+
+from vkworkbench.core.gcode.interpreter.line import Line
+from vkworkbench.core.gcode.interpreter.machine import Handler, Machine
+from vkworkbench.core.gcode.interpreter.modes import GROUPS
+from vkworkbench.core.gcode.moves import codes
+from vkworkbench.language import Message
+
+_LATHE_CYCLE = frozenset("PQUWR")  # with these words, G70 to G72 are turning cycles, not units
+_HOLE_PATTERN = frozenset("IJKL")  # with these words, G70 to G72 are patterns of holes on Haas and Yasnac
+
+
+def _state(machine: Machine, line: Line) -> None:
+    """Process a modal G-code that `linearize` resolves, and add it to the commands."""
+    code = line.code
+    if code in GROUPS:
+        setattr(machine.modes, GROUPS[code], code)
+    if code == codes.CANCEL:
+        machine.motion = machine.written = code
+    elif code == 180:
+        machine.clues.g_code(18, set(), machine.number)
+    machine.add(codes.name_of(code), {})
+
+
+def _unit(machine: Machine, line: Line) -> None:
+    before = machine.modes.unit
+    machine.measure_in(line.code)
+    if machine.moved and machine.modes.unit != before and "F" in line.letters:  # LinuxCNC: in the unit before
+        machine.problem(Message("feed-in-new-unit", name=codes.name_of(line.code)))
+
+
+def _pattern(machine: Machine, line: Line) -> None:
+    """Process G70 to G72: turning cycles, patterns of holes, or units."""
+    name = codes.name_of(line.code)
+    if line.letters.isdisjoint(_LATHE_CYCLE) and not line.letters.isdisjoint(_HOLE_PATTERN):
+        line.feeds = False
+        machine.leave_out(line, Message("hole-pattern-not-read", name=name))
+    # Okuma: G71 Z sets the return level of canned cycles.
+    elif line.code == 710 and [letter for letter, _ in line.words if letter != "N"] == ["G", "Z"]:
+        machine.leave_out(line, Message("unknown-code", name=repr(name)))
+    elif line.code in codes.UNITS and line.letters.isdisjoint(_LATHE_CYCLE):
+        machine.measure_in(line.code)
+    else:
+        machine.other(line)
+
+
+def _feed_mode(machine: Machine, line: Line) -> None:
+    machine.modes.feed_mode, machine.modes.per_turn = line.code, None
+
+
+def _compensation(machine: Machine, line: Line) -> None:
+    machine.problem(Message("compensation-not-read", name=codes.name_of(line.code)))
+
+
+def _tool_length(machine: Machine, line: Line) -> None:
+    machine.length_changed = machine.moved
+    line.apart |= line.code == 431 and "H" not in line.letters  # G43.1 with the length in Z
+    machine.other(line)
+
+
+HANDLERS: dict[int, Handler] = {
+    **dict.fromkeys(codes.KEPT, _state),
+    **dict.fromkeys(codes.UNITS, _unit),
+    **dict.fromkeys(codes.PATTERNS, _pattern),
+    **dict.fromkeys(codes.FEED_MODES, _feed_mode),
+    **dict.fromkeys(codes.COMPENSATION, _compensation),
+    **dict.fromkeys(codes.TOOL_LENGTH, _tool_length),
+}
