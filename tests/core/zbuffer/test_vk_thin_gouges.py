@@ -44,6 +44,22 @@ def test_slot_too_deep_is_a_gouge_from_first_to_last_command():
     assert found(cut(*path, allowed=0.5)) == [(0, 12, 13, 2.0)] and found(cut(*path, allowed=np.inf)) == []
 
 
+def test_pocket_too_deep_is_one_gouge():
+    """Rows, a rapid around them, and a slot that touches the first row: one gouge. A slot 1 mm aside is another one."""
+    rows = [(x, 50.1 + 0.15 * k, 17.5) for k in range(8) for x in ((100, 105) if k % 2 == 0 else (105, 100))]
+    pocket = [(100, 50.1, 25), *rows, (100, 51.15, 25)]
+    assert found(cut(*pocket, *slot(49.95, 17.4, 105))) == [(0, 0, 19, 0.6)]
+    assert found(cut(*pocket, *slot(49.0, 17.4, 105))) == [(0, 0, 15, 0.5), (0, 18, 19, 0.6)]
+
+
+def test_carving_of_changing_width_is_one_gouge():
+    """The rays of a V-bit are as close as the bit is wide at its depth."""
+    carving = cut((100, 50, 25), (100, 50, 17.8), (101, 50, 17.8), (102, 50, 17), (103, 50, 17), (104, 50, 17.7),
+                  tool=Tool("vbit", 1.5, tip_angle=np.pi / 2, tip_diameter=0.1))  # fmt: skip
+    ((_, first, last, depth),) = found(carving)
+    assert (first, last) == (0, 4) and depth == pytest.approx(1.0, abs=0.02)
+
+
 @pytest.mark.parametrize("aside, depth", [(0.0, None), (0.05, None), (0.3, 0.3)])
 def test_cut_into_a_wall_is_as_deep_as_it_lies_aside(aside, depth):
     """The tool moves along the wall of a model that ends at Y = 100, 5 mm below its top."""

@@ -9,6 +9,7 @@ from __future__ import annotations
 import time
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass
+from itertools import product
 
 import numpy as np
 
@@ -31,6 +32,8 @@ _ANGLES = np.arange(24) * np.pi / 12
 _SHARES = (0.34, 0.67, 1.0)
 # Ratio of consecutive radii of the search for the depth of a gouge.
 _WIDER = 1.1
+# Distance, in distances between the points, below which the points of two gouges belong to one gouge.
+_CLOSE = 4.0
 # Largest number of points of some pieces that are compared with the model, and of a gouge whose depth is measured.
 _POINTS, _MEASURED = 20_000, 200
 
@@ -101,16 +104,19 @@ def thin_gouges(
         least = tolerance + numbered.cuts[number].allowed_depth
         moves, half_width = _deep_moves(numbered, number, seen.model, least)
         sizes = 2.0 ** np.floor(np.log2(np.maximum(2 * half_width / RAYS_ACROSS, _CLOSEST)))
+        search = None
         for size in np.unique(sizes).tolist():
             own = np.flatnonzero(sizes == size)
             rays = FineRays(numbered, stock, size)
-            search = _Search(seen.model, rays.trajectories.frame, least)
+            # The images differ in their pixels only, so one search serves all.
+            search = search or _Search(seen.model, rays.trajectories.frame, least)
             for part in parts_of(numbered.lengths[moves[own]] / half_width[own]):
                 if time.monotonic() > end:
                     unchecked += [numbered.source(int(move)) for move in moves[own[part]]]
                 else:
                     for pieces in rays.removed_by(moves[own[part]], half_width[own[part]], going_on):
                         search.add(pieces)
+        if search:
             found += search.gouges(numbered)
     in_walls, complete = _gouges_in_walls(numbered, stock, seen, tolerance, thin, end, going_on)
     return ThinGouges(tuple(sorted(found, key=_first)), tuple(in_walls), thin, tuple(unchecked), complete)
@@ -169,7 +175,7 @@ class _Search:
 
     def __init__(self, model: Solid, frame: Frame, least: float) -> None:
         self._least, self._model = least, spans_in(model, frame)
-        self._found: list[tuple[RemovedPieces, np.ndarray]] = []
+        self._found: list[tuple[RemovedPieces, np.ndarray, np.ndarray]] = []
 
     def add(self, pieces: RemovedPieces) -> None:
         """Search removed pieces."""
@@ -177,32 +183,36 @@ class _Search:
         inside = (spans.far > spans.near) & (pieces.near < spans.far) & (pieces.far > spans.near)
         along = np.minimum(pieces.far, spans.far) - spans.near
         deep = np.flatnonzero(inside & (along > self._least))
-        deep = deep[:: 1 + len(deep) // _POINTS]
+        every = 1 + len(deep) // _POINTS
+        deep = deep[::every]
         deep = deep[self._distances(pieces, deep, along[deep], self._least * np.array(_SHARES)) > self._least]
         if len(deep):
             chosen = np.zeros(len(along), bool)
             chosen[deep] = True
-            self._found.append((pieces.selected(chosen), along[chosen]))
+            area = np.full(len(deep), every * pieces.frame.pixel**2)
+            self._found.append((pieces.selected(chosen), along[chosen], area))
 
     def gouges(self, cuts: Cuts) -> list[Deviation]:
-        """Return the gouges: flagged points of consecutive trajectories."""
+        """Return the gouges: flagged points of consecutive trajectories, and of trajectories that touch each other."""
         if not self._found:
             return []
-        pieces, along = joined([pieces for pieces, _ in self._found]), np.concatenate([a for _, a in self._found])
+        parts, along, area = zip(*self._found)
+        pieces, along, area = joined(parts), np.concatenate(along), np.concatenate(area)
         order = np.argsort(pieces.owner, kind="stable")
-        owner = pieces.owner[order]
-        return [
-            self._gouge(cuts, pieces, group, along) for group in np.split(order, np.flatnonzero(np.diff(owner) > 1) + 1)
-        ]
+        stretch = np.empty(len(order), np.int64)
+        stretch[order] = np.cumsum(np.diff(pieces.owner[order], prepend=pieces.owner[order[0]]) > 1)
+        gouge = _touching(pieces.x, pieces.y, stretch, _CLOSE * np.sqrt(area.max()))[stretch]
+        order = np.argsort(gouge, kind="stable")
+        groups = np.split(order, np.flatnonzero(np.diff(gouge[order])) + 1)
+        return [self._gouge(cuts, pieces, group, along, float(area[group].sum())) for group in groups]
 
-    def _gouge(self, cuts: Cuts, pieces: RemovedPieces, group: np.ndarray, along: np.ndarray) -> Deviation:
+    def _gouge(self, cuts: Cuts, pieces: RemovedPieces, group: np.ndarray, along: np.ndarray, area: float) -> Deviation:
         some = group[:: 1 + len(group) // _MEASURED]
         steps = int(np.ceil(np.log(along[some].max() / self._least) / np.log(_WIDER))) + 1
         depth = self._distances(pieces, some, along[some], self._least * _WIDER ** np.arange(steps))
         worst = int(depth.argmax())
         first, last = int(pieces.owner[group].min()), int(pieces.owner[group].max())
         (place,) = pieces.points(some[[worst]], pieces.far[some[[worst]]]).tolist()
-        area = len(group) * pieces.frame.pixel**2
         return Deviation(first, cuts.source(first), tuple(place), float(depth[worst]), area, cuts.source(last))
 
     def _distances(self, pieces: RemovedPieces, some: np.ndarray, along: np.ndarray, radii: np.ndarray) -> np.ndarray:
@@ -218,3 +228,26 @@ class _Search:
                 surface = np.where(spans.far > spans.near, spans.near, np.inf)
                 np.minimum(least, np.hypot(radius, np.maximum(depth - surface, 0.0)), out=least)
         return least
+
+
+def _touching(x: np.ndarray, y: np.ndarray, group: np.ndarray, near: float) -> np.ndarray:
+    """Return a number for each group of points (k,), equal for groups with points closer than `near`, mm, directly or in a chain."""
+    # Points that are closer than `near` are in one cell of at least one of four grids.
+    grids = []
+    for right, up in product((0.0, 0.5), repeat=2):
+        column, row = (np.floor(at / (2 * near) + shift).astype(np.int64) for at, shift in ((x, right), (y, up)))
+        grids.append(
+            np.unique((row - row.min()) * (np.ptp(column) + 1) + column - column.min(), return_inverse=True)[1]
+        )
+    number = np.arange(group.max() + 1)
+    while True:
+        before = number
+        for cell in grids:
+            lowest = np.full(cell.max() + 1, len(number))
+            np.minimum.at(lowest, cell, number[group])
+            number = number.copy()
+            np.minimum.at(number, number[group], lowest[cell])
+            np.minimum.at(number, group, lowest[cell])
+            number = number[number]
+        if (number == before).all():
+            return number
