@@ -24,7 +24,7 @@ PACKAGE = "vkworkbench"
 FLOORS = (
     ("language",),
     ("worker", "given"),
-    ("core.toolpath", "core.strategy", "core.machine", "core.machining", "core.steady"),
+    ("core.toolpath", "core.strategy", "core.machine", "core.machining_time", "core.steady"),
     ("core.tool", "core.view", "core.hull", "core.solids", "core.stocks"),
     ("core.gcode",),
     ("core.paper",),

@@ -4,31 +4,37 @@
 Other packages import each folder's public names from its ``__init__``, never from the files inside.
 """
 
-from vkworkbench.core.gcode import linearize
-from vkworkbench.core.machine import MACHINES, Machine, machine_of_grbl
-from vkworkbench.core.machining import Machining, machining, trajectory_seconds
-from vkworkbench.core.paper import Complexity, Signature, complexity, signature
-from vkworkbench.core.recognition import Recognition, Span, recognize
-from vkworkbench.core.solids import Stock, stock_around
-from vkworkbench.core.steady import processor_clock, steady_seconds
-from vkworkbench.core.stocks import Cylinder, Mesh, Solid
-from vkworkbench.core.strategy import Family, Strategy
-from vkworkbench.core.tool import Tool
-from vkworkbench.core.toolpath import COORDINATE_LIMIT, Problem, Toolpath, exact_lengths
-from vkworkbench.core.view import Frame, View
-from vkworkbench.core.zbuffer import (
-    Cut,
-    Estimate,
-    Resolution,
-    Speed,
-    ZBuffer,
-    best_resolution,
-    cauchy_crofton,
-    estimate,
-    measure_speed,
-    simulate,
-    simulate_job,
-)
+from __future__ import annotations
+
+from importlib import import_module
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from vkworkbench.core.gcode import linearize
+    from vkworkbench.core.machine import MACHINES, Machine, machine_of_grbl
+    from vkworkbench.core.machining_time import Machining, machining, trajectory_seconds
+    from vkworkbench.core.paper import Complexity, Signature, complexity, signature
+    from vkworkbench.core.recognition import Recognition, Span, recognize
+    from vkworkbench.core.solids import Stock, stock_around
+    from vkworkbench.core.steady import processor_clock, steady_seconds
+    from vkworkbench.core.stocks import Cylinder, Mesh, Solid
+    from vkworkbench.core.strategy import Family, Strategy
+    from vkworkbench.core.tool import Tool
+    from vkworkbench.core.toolpath import COORDINATE_LIMIT, Problem, Toolpath, exact_lengths
+    from vkworkbench.core.view import Frame, View
+    from vkworkbench.core.zbuffer import (
+        Cut,
+        Estimate,
+        Resolution,
+        Speed,
+        ZBuffer,
+        best_resolution,
+        cauchy_crofton,
+        estimate,
+        measure_speed,
+        simulate,
+        simulate_job,
+    )
 
 __all__ = [
     "COORDINATE_LIMIT", "MACHINES", "Complexity", "Cut", "Cylinder", "Estimate", "Family", "Frame", "Machine", "Machining", "Mesh", "Problem",
@@ -37,3 +43,35 @@ __all__ = [
     "measure_speed", "processor_clock", "recognize", "signature", "simulate", "simulate_job", "steady_seconds",
     "stock_around", "trajectory_seconds",
 ]  # fmt: skip
+
+_NAMES = {
+    "gcode": "linearize",
+    "machine": "MACHINES Machine machine_of_grbl",
+    "machining_time": "Machining machining trajectory_seconds",
+    "paper": "Complexity Signature complexity signature",
+    "recognition": "Recognition Span recognize",
+    "solids": "Stock stock_around",
+    "steady": "processor_clock steady_seconds",
+    "stocks": "Cylinder Mesh Solid",
+    "strategy": "Family Strategy",
+    "tool": "Tool",
+    "toolpath": "COORDINATE_LIMIT Problem Toolpath exact_lengths",
+    "view": "Frame View",
+    "zbuffer": "Cut Estimate Resolution Speed ZBuffer best_resolution cauchy_crofton estimate measure_speed simulate simulate_job",
+}
+_HOMES = {name: home for home, names in _NAMES.items() for name in names.split()}
+
+
+def __dir__() -> list[str]:
+    """Return the names of the package, loaded or not."""
+    return sorted({*globals(), *__all__})
+
+
+if not TYPE_CHECKING:  # mypy reads the imports above
+
+    def __getattr__(name: str) -> object:
+        """Load a name's module when the name is first used: importing all modules takes many times as long as one of them."""
+        if name not in _HOMES:
+            raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+        globals()[name] = value = getattr(import_module(f"{__name__}.{_HOMES[name]}"), name)
+        return value

@@ -9,8 +9,7 @@ import numpy as np
 import pytest
 from zbuffer_inputs import toolpath
 
-from vkworkbench.core import Cut, Tool, linearize
-from vkworkbench.core.machining import machining
+from vkworkbench.core import Cut, Tool, linearize, machining
 from vkworkbench.core.zbuffer.sweeps.cuts import Cuts, Source
 
 ONE = toolpath(np.array([(0, 0, 0), (3, 4, 0), (3, 4, 12)], float))
