@@ -32,7 +32,7 @@ _HOMES = {
 }
 
 
-def analyze(what=None, *, progress=None, cancelled=None):
+def analyze(what=None, *, progress=None, cancelled=None, machine=None):
     """Recognise the strategies of operations or NC programs, and estimate lengths, times and simulation costs.
 
     Parameters
@@ -44,6 +44,9 @@ def analyze(what=None, *, progress=None, cancelled=None):
         Called before each operation or file with the number of finished ones, the number of all, and the label.
     cancelled : callable, optional
         Called during the analysis. If it returns True, the analysis ends.
+    machine : Machine, str or path, optional
+        Plans the machining times: a `vkworkbench.core.Machine`, the name of a typical machine ("hobby-router", "small-mill",
+        "machining-centre"), or a file with the settings that grbl prints (``$$``). None: the machine of the preferences.
 
     Returns
     -------
@@ -54,6 +57,7 @@ def analyze(what=None, *, progress=None, cancelled=None):
     ------
     ValueError
         If `what` is None and no document is open, or if the name of a file is empty or the text of a program.
+        Or if `machine` is neither a typical machine nor a file of settings.
     ReferenceError
         If an object of `what` was deleted, or its document was closed.
     TypeError
@@ -80,7 +84,7 @@ def analyze(what=None, *, progress=None, cancelled=None):
                 raise TypeError(
                     "without FreeCAD only NC programs are analyzed: a file, a folder, or a list of them"
                 ) from None
-    return home.analyze(what, progress=progress, cancelled=cancelled)
+    return home.analyze(what, progress=progress, cancelled=cancelled, machine=machine)
 
 
 def simulate(what=None, **options):

@@ -8,10 +8,12 @@ registered when FreeCAD starts.
 
 from __future__ import annotations
 
+import os
 import sys
 from collections.abc import Callable
 from dataclasses import dataclass, field, fields, replace
 from functools import cached_property
+from pathlib import Path
 
 OWN = "own"  # the simulator of FreeCAD's button; the user's own values of a machine
 GROUP = "User parameter:BaseApp/Preferences/Mod/VkWorkbench"
@@ -93,6 +95,8 @@ class Preferences:
         Number of moves that the controller plans ahead.
     time_factor : float
         Measured time of a job divided by its planned time.
+    tool_change, spindle_start : float
+        s; see `core.Machine`.
     renderer : str
         OpenGL's name of the renderer at the last calibration. Not on the page.
     result_columns : str
@@ -126,6 +130,8 @@ class Preferences:
     corner_deviation: float = _number(0.01, 0.0, 10.0)
     lookahead: int = _number(15, 1, 100_000)
     time_factor: float = _number(1.0, 0.01, 100.0)
+    tool_change: float = _number(120.0, 0.0, 3600.0)
+    spindle_start: float = _number(3.0, 0.0, 600.0)
     renderer: str = ""
     result_columns: str = ""
 
@@ -175,7 +181,8 @@ class Preferences:
             return replace(MACHINES[self.machine], factor=self.time_factor)
         rates = self.rate_x / 60, self.rate_y / 60, self.rate_z / 60
         accelerations = self.acceleration_x, self.acceleration_y, self.acceleration_z
-        return Machine(rates, accelerations, self.corner_deviation, self.lookahead, self.time_factor)
+        return Machine(rates, accelerations, self.corner_deviation, self.lookahead, self.time_factor,
+                       self.tool_change, self.spindle_start)  # fmt: skip
 
     def with_machine(self, name: str, machine) -> Preferences:
         """Return the preferences with the values of a machine, except its time factor."""
@@ -183,8 +190,42 @@ class Preferences:
         return replace(
             self, machine=name, rate_x=60 * rates[0], rate_y=60 * rates[1], rate_z=60 * rates[2],
             acceleration_x=accelerations[0], acceleration_y=accelerations[1], acceleration_z=accelerations[2],
-            corner_deviation=machine.deviation, lookahead=machine.lookahead,
+            corner_deviation=machine.deviation, lookahead=machine.lookahead, tool_change=machine.tool_change,
+            spindle_start=machine.spindle_start,
         )  # fmt: skip
+
+    def for_machine(self, given) -> Preferences:
+        """Return the preferences with another machine.
+
+        Parameters
+        ----------
+        given : Machine, str, path or None
+            A machine, the name of a typical machine, or a file with the settings that grbl prints (``$$``), whose other
+            values are a hobby router's; None keeps the machine.
+
+        Raises
+        ------
+        ValueError
+            If a name is neither a typical machine nor a readable file of settings.
+        TypeError
+            If `given` has another type.
+        """
+        from vkworkbench.core import MACHINES, Machine, machine_of_grbl
+        from vkworkbench.given import of_kind
+
+        of_kind("machine", given, (Machine, str, os.PathLike, type(None)), "a Machine, a name or a file of settings")
+        if given is None:
+            return self
+        if isinstance(given, Machine):
+            return replace(self.with_machine(OWN, given), time_factor=given.factor)
+        if given in MACHINES:
+            return replace(self, machine=given)
+        try:
+            settings = Path(given).read_text(encoding="utf-8", errors="replace")
+        except (OSError, ValueError):
+            names = ", ".join(MACHINES)
+            raise ValueError(f"no machine {str(given)!r}: name {names}, or a file with grbl's settings") from None
+        return self.with_machine(OWN, machine_of_grbl(settings, MACHINES["hobby-router"]))
 
     @property
     def view(self):
@@ -248,6 +289,11 @@ def entry(name: str) -> str:
 def choices(name: str) -> tuple[str, ...]:
     """Return the possible values of a preference, in the order of the form."""
     return next(preference.metadata["choices"]() for preference in fields(Preferences) if preference.name == name)
+
+
+def is_possible(name: str, value) -> bool:
+    """Return whether a preference may have a value."""
+    return _possible(value, next(preference.metadata for preference in fields(Preferences) if preference.name == name))
 
 
 def _possible(value, limits) -> bool:

@@ -76,10 +76,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Machining time: at least {time}. Cutting length: {length}.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Simulation time of this operation alone in the {simulator}: {time}. Memory: {memory}.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -93,6 +89,18 @@
     </message>
     <message>
         <source>sim {time}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>at least {time}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Machining time at constant feed: {time}. Cutting length: {length}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tool changes and starts of the spindle: {time}.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -1568,6 +1576,22 @@
         <source>Length of the tool holder. A property HolderLength of a tool bit takes precedence. 0: the holder has no upper end.</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Tool change</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Time from the end of an operation to the next operation with another tool. The time of the job includes it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Start of the spindle</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Time until the spindle turns at its speed. The time of the job includes it for each tool.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>VkPreferences</name>
@@ -2186,6 +2210,38 @@ Memory</source>
     </message>
     <message>
         <source>The toolpath in one sentence: the reason for the strategy.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>At constant feed. Choose your machine in the preferences, page Machine.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>More than the sum: tool changes and starts of the spindle take {time}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>More than the sum: the {simulator} slows down with every cut.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Less than the sum: the {simulator} simulates all operations in one run.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Enter the Measured Time…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Measured Time</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Time that {label} took on the machine, in minutes and seconds, such as 17:30:</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This is not a possible time. Enter it like 17:30 or 1:02:30.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

@@ -72,10 +72,6 @@
         <translation>Bearbeitungszeit: {time}. Schnittweg: {length}.</translation>
     </message>
     <message>
-        <source>Machining time: at least {time}. Cutting length: {length}.</source>
-        <translation>Bearbeitungszeit: mindestens {time}. Schnittweg: {length}.</translation>
-    </message>
-    <message>
         <source>Simulation time in the {simulator}: {time}. Memory: {memory}.</source>
         <translation>Simulationszeit mit „{simulator}“: {time}. Speicher: {memory}.</translation>
     </message>
@@ -94,6 +90,18 @@
     <message>
         <source>sim {time}</source>
         <translation>Sim. {time}</translation>
+    </message>
+    <message>
+        <source>at least {time}</source>
+        <translation>mindestens {time}</translation>
+    </message>
+    <message>
+        <source>Machining time at constant feed: {time}. Cutting length: {length}.</source>
+        <translation>Bearbeitungszeit bei konstantem Vorschub: {time}. Schnittweg: {length}.</translation>
+    </message>
+    <message>
+        <source>Tool changes and starts of the spindle: {time}.</source>
+        <translation>Werkzeugwechsel und Spindelanläufe: {time}.</translation>
     </message>
 </context>
 <context>
@@ -1568,6 +1576,22 @@
         <source>Length of the tool holder. A property HolderLength of a tool bit takes precedence. 0: the holder has no upper end.</source>
         <translation>Länge des Werkzeughalters. Eine Eigenschaft HolderLength des Werkzeugs hat Vorrang. 0: Der Halter hat kein oberes Ende.</translation>
     </message>
+    <message>
+        <source>Tool change</source>
+        <translation>Werkzeugwechsel</translation>
+    </message>
+    <message>
+        <source>Time from the end of an operation to the next operation with another tool. The time of the job includes it.</source>
+        <translation>Zeit vom Ende einer Operation bis zur nächsten Operation mit einem anderen Werkzeug. Die Zeit des Auftrags enthält sie.</translation>
+    </message>
+    <message>
+        <source>Start of the spindle</source>
+        <translation>Spindelanlauf</translation>
+    </message>
+    <message>
+        <source>Time until the spindle turns at its speed. The time of the job includes it for each tool.</source>
+        <translation>Zeit, bis die Spindel ihre Drehzahl erreicht. Die Zeit des Auftrags enthält sie für jedes Werkzeug.</translation>
+    </message>
 </context>
 <context>
     <name>VkPreferences</name>
@@ -2193,6 +2217,38 @@ höchstens</translation>
     <message>
         <source>The toolpath in one sentence: the reason for the strategy.</source>
         <translation>Der Werkzeugweg in einem Satz: der Grund für die Strategie.</translation>
+    </message>
+    <message>
+        <source>At constant feed. Choose your machine in the preferences, page Machine.</source>
+        <translation>Bei konstantem Vorschub. Wählen Sie Ihre Maschine in den Einstellungen, Seite Maschine.</translation>
+    </message>
+    <message>
+        <source>More than the sum: tool changes and starts of the spindle take {time}.</source>
+        <translation>Mehr als die Summe: Werkzeugwechsel und Spindelanläufe dauern {time}.</translation>
+    </message>
+    <message>
+        <source>More than the sum: the {simulator} slows down with every cut.</source>
+        <translation>Mehr als die Summe: {simulator} wird mit jedem Schnitt langsamer.</translation>
+    </message>
+    <message>
+        <source>Less than the sum: the {simulator} simulates all operations in one run.</source>
+        <translation>Weniger als die Summe: {simulator} simuliert alle Operationen in einem Lauf.</translation>
+    </message>
+    <message>
+        <source>Enter the Measured Time…</source>
+        <translation>Gemessene Zeit eingeben…</translation>
+    </message>
+    <message>
+        <source>Measured Time</source>
+        <translation>Gemessene Zeit</translation>
+    </message>
+    <message>
+        <source>Time that {label} took on the machine, in minutes and seconds, such as 17:30:</source>
+        <translation>Zeit, die {label} auf der Maschine gebraucht hat, in Minuten und Sekunden, z. B. 17:30:</translation>
+    </message>
+    <message>
+        <source>This is not a possible time. Enter it like 17:30 or 1:02:30.</source>
+        <translation>Diese Zeit ist nicht möglich. Geben Sie sie in der Form 17:30 oder 1:02:30 ein.</translation>
     </message>
 </context>
 <context>

@@ -72,10 +72,6 @@
         <translation>Tiempo de mecanizado: {time}. Longitud de corte: {length}.</translation>
     </message>
     <message>
-        <source>Machining time: at least {time}. Cutting length: {length}.</source>
-        <translation>Tiempo de mecanizado: al menos {time}. Longitud de corte: {length}.</translation>
-    </message>
-    <message>
         <source>Simulation time in the {simulator}: {time}. Memory: {memory}.</source>
         <translation>Tiempo de simulación en el {simulator}: {time}. Memoria: {memory}.</translation>
     </message>
@@ -94,6 +90,18 @@
     <message>
         <source>sim {time}</source>
         <translation>sim. {time}</translation>
+    </message>
+    <message>
+        <source>at least {time}</source>
+        <translation>al menos {time}</translation>
+    </message>
+    <message>
+        <source>Machining time at constant feed: {time}. Cutting length: {length}.</source>
+        <translation>Tiempo de mecanizado con avance constante: {time}. Longitud de corte: {length}.</translation>
+    </message>
+    <message>
+        <source>Tool changes and starts of the spindle: {time}.</source>
+        <translation>Cambios de herramienta y arranques del husillo: {time}.</translation>
     </message>
 </context>
 <context>
@@ -1568,6 +1576,22 @@
         <source>Length of the tool holder. A property HolderLength of a tool bit takes precedence. 0: the holder has no upper end.</source>
         <translation>Longitud del portaherramientas. Una propiedad HolderLength de la herramienta tiene prioridad. 0: el portaherramientas no tiene extremo superior.</translation>
     </message>
+    <message>
+        <source>Tool change</source>
+        <translation>Cambio de herramienta</translation>
+    </message>
+    <message>
+        <source>Time from the end of an operation to the next operation with another tool. The time of the job includes it.</source>
+        <translation>Tiempo desde el final de una operación hasta la siguiente operación con otra herramienta. El tiempo del trabajo lo incluye.</translation>
+    </message>
+    <message>
+        <source>Start of the spindle</source>
+        <translation>Arranque del husillo</translation>
+    </message>
+    <message>
+        <source>Time until the spindle turns at its speed. The time of the job includes it for each tool.</source>
+        <translation>Tiempo hasta que el husillo alcanza su velocidad. El tiempo del trabajo lo incluye para cada herramienta.</translation>
+    </message>
 </context>
 <context>
     <name>VkPreferences</name>
@@ -2193,6 +2217,38 @@ como mucho</translation>
     <message>
         <source>The toolpath in one sentence: the reason for the strategy.</source>
         <translation>La trayectoria en una frase: la razón de la estrategia.</translation>
+    </message>
+    <message>
+        <source>At constant feed. Choose your machine in the preferences, page Machine.</source>
+        <translation>Con avance constante. Elija su máquina en las preferencias, página Máquina.</translation>
+    </message>
+    <message>
+        <source>More than the sum: tool changes and starts of the spindle take {time}.</source>
+        <translation>Más que la suma: los cambios de herramienta y los arranques del husillo duran {time}.</translation>
+    </message>
+    <message>
+        <source>More than the sum: the {simulator} slows down with every cut.</source>
+        <translation>Más que la suma: {simulator} se ralentiza con cada corte.</translation>
+    </message>
+    <message>
+        <source>Less than the sum: the {simulator} simulates all operations in one run.</source>
+        <translation>Menos que la suma: {simulator} simula todas las operaciones en una sola pasada.</translation>
+    </message>
+    <message>
+        <source>Enter the Measured Time…</source>
+        <translation>Introducir el tiempo medido…</translation>
+    </message>
+    <message>
+        <source>Measured Time</source>
+        <translation>Tiempo medido</translation>
+    </message>
+    <message>
+        <source>Time that {label} took on the machine, in minutes and seconds, such as 17:30:</source>
+        <translation>Tiempo que {label} tardó en la máquina, en minutos y segundos, por ejemplo 17:30:</translation>
+    </message>
+    <message>
+        <source>This is not a possible time. Enter it like 17:30 or 1:02:30.</source>
+        <translation>Este tiempo no es posible. Introdúzcalo como 17:30 o 1:02:30.</translation>
     </message>
 </context>
 <context>

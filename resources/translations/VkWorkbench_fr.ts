@@ -72,10 +72,6 @@
         <translation>Durée d&apos;usinage : {time}. Longueur de coupe : {length}.</translation>
     </message>
     <message>
-        <source>Machining time: at least {time}. Cutting length: {length}.</source>
-        <translation>Durée d&apos;usinage : au moins {time}. Longueur de coupe : {length}.</translation>
-    </message>
-    <message>
         <source>Simulation time in the {simulator}: {time}. Memory: {memory}.</source>
         <translation>Temps de simulation dans « {simulator} » : {time}. Mémoire : {memory}.</translation>
     </message>
@@ -94,6 +90,18 @@
     <message>
         <source>sim {time}</source>
         <translation>sim. {time}</translation>
+    </message>
+    <message>
+        <source>at least {time}</source>
+        <translation>au moins {time}</translation>
+    </message>
+    <message>
+        <source>Machining time at constant feed: {time}. Cutting length: {length}.</source>
+        <translation>Durée d&apos;usinage à avance constante : {time}. Longueur de coupe : {length}.</translation>
+    </message>
+    <message>
+        <source>Tool changes and starts of the spindle: {time}.</source>
+        <translation>Changements d&apos;outil et démarrages de la broche : {time}.</translation>
     </message>
 </context>
 <context>
@@ -1568,6 +1576,22 @@
         <source>Length of the tool holder. A property HolderLength of a tool bit takes precedence. 0: the holder has no upper end.</source>
         <translation>Longueur du porte-outil. Une propriété HolderLength de l&apos;outil est prioritaire. 0 : le porte-outil n&apos;a pas d&apos;extrémité supérieure.</translation>
     </message>
+    <message>
+        <source>Tool change</source>
+        <translation>Changement d&apos;outil</translation>
+    </message>
+    <message>
+        <source>Time from the end of an operation to the next operation with another tool. The time of the job includes it.</source>
+        <translation>Temps entre la fin d&apos;une opération et l&apos;opération suivante avec un autre outil. La durée de la tâche le comprend.</translation>
+    </message>
+    <message>
+        <source>Start of the spindle</source>
+        <translation>Démarrage de la broche</translation>
+    </message>
+    <message>
+        <source>Time until the spindle turns at its speed. The time of the job includes it for each tool.</source>
+        <translation>Temps jusqu&apos;à ce que la broche atteigne sa vitesse. La durée de la tâche le comprend pour chaque outil.</translation>
+    </message>
 </context>
 <context>
     <name>VkPreferences</name>
@@ -2193,6 +2217,38 @@ au plus</translation>
     <message>
         <source>The toolpath in one sentence: the reason for the strategy.</source>
         <translation>Le parcours d&apos;outil en une phrase : la raison de la stratégie.</translation>
+    </message>
+    <message>
+        <source>At constant feed. Choose your machine in the preferences, page Machine.</source>
+        <translation>À avance constante. Choisissez votre machine dans les préférences, page Machine.</translation>
+    </message>
+    <message>
+        <source>More than the sum: tool changes and starts of the spindle take {time}.</source>
+        <translation>Plus que la somme : les changements d&apos;outil et les démarrages de la broche prennent {time}.</translation>
+    </message>
+    <message>
+        <source>More than the sum: the {simulator} slows down with every cut.</source>
+        <translation>Plus que la somme : {simulator} ralentit à chaque coupe.</translation>
+    </message>
+    <message>
+        <source>Less than the sum: the {simulator} simulates all operations in one run.</source>
+        <translation>Moins que la somme : {simulator} simule toutes les opérations en une seule fois.</translation>
+    </message>
+    <message>
+        <source>Enter the Measured Time…</source>
+        <translation>Entrer le temps mesuré…</translation>
+    </message>
+    <message>
+        <source>Measured Time</source>
+        <translation>Temps mesuré</translation>
+    </message>
+    <message>
+        <source>Time that {label} took on the machine, in minutes and seconds, such as 17:30:</source>
+        <translation>Temps que {label} a pris sur la machine, en minutes et secondes, par exemple 17:30 :</translation>
+    </message>
+    <message>
+        <source>This is not a possible time. Enter it like 17:30 or 1:02:30.</source>
+        <translation>Ce temps n&apos;est pas possible. Entrez-le sous la forme 17:30 ou 1:02:30.</translation>
     </message>
 </context>
 <context>

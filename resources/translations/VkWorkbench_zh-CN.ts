@@ -72,10 +72,6 @@
         <translation>加工时间：{time}。切削长度：{length}。</translation>
     </message>
     <message>
-        <source>Machining time: at least {time}. Cutting length: {length}.</source>
-        <translation>加工时间：至少 {time}。切削长度：{length}。</translation>
-    </message>
-    <message>
         <source>Simulation time in the {simulator}: {time}. Memory: {memory}.</source>
         <translation>{simulator} 中的模拟时间：{time}。内存：{memory}。</translation>
     </message>
@@ -94,6 +90,18 @@
     <message>
         <source>sim {time}</source>
         <translation>仿真 {time}</translation>
+    </message>
+    <message>
+        <source>at least {time}</source>
+        <translation>至少 {time}</translation>
+    </message>
+    <message>
+        <source>Machining time at constant feed: {time}. Cutting length: {length}.</source>
+        <translation>恒定进给下的加工时间：{time}。切削长度：{length}。</translation>
+    </message>
+    <message>
+        <source>Tool changes and starts of the spindle: {time}.</source>
+        <translation>换刀和主轴启动：{time}。</translation>
     </message>
 </context>
 <context>
@@ -1568,6 +1576,22 @@
         <source>Length of the tool holder. A property HolderLength of a tool bit takes precedence. 0: the holder has no upper end.</source>
         <translation>刀夹长度。刀具的 HolderLength 属性优先。0：刀夹没有上端。</translation>
     </message>
+    <message>
+        <source>Tool change</source>
+        <translation>换刀</translation>
+    </message>
+    <message>
+        <source>Time from the end of an operation to the next operation with another tool. The time of the job includes it.</source>
+        <translation>从一个操作结束到使用另一把刀具的下一个操作的时间。作业的时间包含此时间。</translation>
+    </message>
+    <message>
+        <source>Start of the spindle</source>
+        <translation>主轴启动</translation>
+    </message>
+    <message>
+        <source>Time until the spindle turns at its speed. The time of the job includes it for each tool.</source>
+        <translation>主轴达到转速所需的时间。作业的时间包含每把刀具的此时间。</translation>
+    </message>
 </context>
 <context>
     <name>VkPreferences</name>
@@ -2193,6 +2217,38 @@ at Most</source>
     <message>
         <source>The toolpath in one sentence: the reason for the strategy.</source>
         <translation>用一句话描述刀具路径：判定该策略的理由。</translation>
+    </message>
+    <message>
+        <source>At constant feed. Choose your machine in the preferences, page Machine.</source>
+        <translation>按恒定进给计算。请在首选项的“机床”页面选择您的机床。</translation>
+    </message>
+    <message>
+        <source>More than the sum: tool changes and starts of the spindle take {time}.</source>
+        <translation>大于总和：换刀和主轴启动需要 {time}。</translation>
+    </message>
+    <message>
+        <source>More than the sum: the {simulator} slows down with every cut.</source>
+        <translation>大于总和：{simulator} 每次切削后都会变慢。</translation>
+    </message>
+    <message>
+        <source>Less than the sum: the {simulator} simulates all operations in one run.</source>
+        <translation>小于总和：{simulator} 一次运行中仿真所有操作。</translation>
+    </message>
+    <message>
+        <source>Enter the Measured Time…</source>
+        <translation>输入实测时间…</translation>
+    </message>
+    <message>
+        <source>Measured Time</source>
+        <translation>实测时间</translation>
+    </message>
+    <message>
+        <source>Time that {label} took on the machine, in minutes and seconds, such as 17:30:</source>
+        <translation>{label} 在机床上所用的时间，以分和秒表示，例如 17:30：</translation>
+    </message>
+    <message>
+        <source>This is not a possible time. Enter it like 17:30 or 1:02:30.</source>
+        <translation>该时间无效。请输入如 17:30 或 1:02:30 的时间。</translation>
     </message>
 </context>
 <context>

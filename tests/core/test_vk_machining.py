@@ -4,13 +4,14 @@
 from __future__ import annotations
 
 import math
+from dataclasses import replace
 
 import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from vkworkbench.core import exact_lengths, machining, trajectory_seconds
+from vkworkbench.core import MACHINES, exact_lengths, machining, trajectory_seconds
 from vkworkbench.core.gcode import linearize
 
 
@@ -171,11 +172,21 @@ def test_lowest_point_ignores_rapids_below_cuts():
     assert machining(linearize(rising), top=-2.5).depth == 0  # all of it above the stock
 
 
+def test_dwells_of_commands_and_cycles_count():
+    hole = ("G82", {"X": 9.0, "Z": -1.0, "R": 1.0, "F": 5.0, "P": 0.5})
+    path = linearize([("G0", {"X": 0.0, "Y": 0.0, "Z": 5.0}), hole, hole, ("G4", {"P": 2.0}), ("G4", {"P": 750.0})])
+    assert path.dwells.tolist() == [[1, 0.5], [2, 0.5], [3, 2], [4, 0.75]] and not path.problems
+    found, without = (machining(one, horizontal_rapid=50.0) for one in (path, replace(path, dwells=path.dwells[:0])))
+    assert found.dwell_seconds == 3.75 and found.seconds == pytest.approx(without.seconds + 3.75)
+    slow = replace(MACHINES["small-mill"], factor=2.0)
+    assert machining(path, machine=slow).dwell_seconds == 7.5
+
+
 def test_unread_timed_commands_make_time_a_lower_bound():
     start, cut = ("G0", {"X": 0.0, "Y": 0.0, "Z": 5.0}), ("G1", {"X": 50.0, "F": 10.0})
     for command, code in (
         (("G1", {"X": 60.0, "A": 90.0}), "rotary-cuts"), (("G0", {"A": 45.0}), "rotary-not-read"),
-        (("G38.2", {"Z": -4.0, "F": 1.0}), "probing-untimed"), (("G4", {"P": 2.0}), "dwell-untimed"),
+        (("G38.2", {"Z": -4.0, "F": 1.0}), "probing-untimed"), (("G4", {"S": 2.0}), "dwell-untimed"),
     ):  # fmt: skip
         found = machining(linearize([start, cut, command]), horizontal_rapid=50.0, vertical_rapid=50.0)
         assert [told.arguments["sentence"].code for told in found.left_out] == [code] and not found.complete

@@ -14,6 +14,7 @@ from vkworkbench.core import Strategy
 from vkworkbench.core.simulators import Caution
 from vkworkbench.document.marks.record import Record, as_json, from_json, of_operation, of_total
 from vkworkbench.language import Message, render
+from vkworkbench.report import Setup
 
 HANGS = Caution(
     "legacy-hangs", Message("legacy-hangs", simulator="legacy", reason="r", command=3, instead="i", others=None), 3
@@ -22,7 +23,7 @@ SHORT = Caution("short-moves", Message("opengl-long-play", simulator="OpenGL", t
 WHOLE = Record(
     strategy=Strategy.ZIGZAG, confidence=0.91, reason=(Message("not-nested"),), remarks=(Message("moves-nothing"),),
     cautions=(HANGS, SHORT), operations=1, trajectories=120, length=512.5, machining_seconds=61.5,
-    left_out=(Message("moves-nothing"),), stepover=2.5, called="Offset", incomplete=True, fingerprint="a:b",
+    left_out=(Message("moves-nothing"),), setup=Setup("T3", True, 60.0, 3.0), stepover=2.5, called="Offset", incomplete=True, fingerprint="a:b",
     outdated=True, text="zigzag 91%",
 )  # fmt: skip
 
@@ -87,7 +88,7 @@ def test_record_keeps_shown_and_computed_costs(monkeypatch):
     report = SimpleNamespace(
         costs=costs, recognition=SimpleNamespace(why=Message("not-nested")),
         **{name: getattr(WHOLE, name) for name in ("strategy", "confidence", "remarks", "cautions", "trajectories",
-           "length", "machining_seconds", "left_out", "stepover", "called", "fingerprint")},
+           "length", "machining_seconds", "left_out", "setup", "stepover", "called", "fingerprint")},
     )  # fmt: skip
     kept = of_operation(report, "chosen")
     assert kept.costs == {"chosen": 1, "legacy": 2, "computed": 3} and "other" not in costs.asked
@@ -103,18 +104,25 @@ def test_remarks_contain_only_serious_problems():
 
 def test_a_total_is_made_of_its_parts():
     total = SimpleNamespace(
-        operations=2, trajectories=200, length=900.0, machining_seconds=61.5, incomplete=False, costs={}
+        operations=2,
+        trajectories=200,
+        length=900.0,
+        machining_seconds=61.5,
+        incomplete=False,
+        costs={},
+        setup=Setup("", True, 126.0),
     )
     untimed = replace(WHOLE, label="Untimed", machining_seconds=None, cautions=(SHORT,))
     found = of_total(total, [WHOLE, untimed], "f")
     assert found.strategy is None and (found.operations, found.trajectories, found.length) == (2, 200, 900.0)
     assert found.machining_seconds == 61.5 and of_total(total, [untimed], "f").machining_seconds is None
     assert found.cautions == (HANGS,)  # a simulator that hangs on one operation hangs on the job
-    assert found.left_out == WHOLE.left_out  # named once
+    assert found.left_out == WHOLE.left_out and found.setup == total.setup  # named once
     (remark,) = found.remarks
     assert remark.code == "cost-unknown"
 
 
 def test_total_without_moves_has_no_remark_on_costs():
-    total = SimpleNamespace(operations=1, trajectories=0, length=0.0, machining_seconds=0.0, incomplete=False, costs={})
+    total = SimpleNamespace(operations=1, trajectories=0, length=0.0, machining_seconds=0.0, incomplete=False, costs={},
+                            setup=Setup())  # fmt: skip
     assert of_total(total, [replace(WHOLE, trajectories=0)], "f").remarks == ()

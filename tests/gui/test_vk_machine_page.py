@@ -2,13 +2,17 @@
 """The page *Machine* in FreeCAD's preferences."""
 
 import pytest
-from PySide import QtGui
+from PySide import QtCore, QtGui
 
 import vkworkbench
 from vkworkbench import preferences
 from vkworkbench.core import MACHINES
 from vkworkbench.document.marks import marks
 from vkworkbench.gui import machine_page
+from vkworkbench.gui.results import command as results
+from vkworkbench.gui.results import measured
+from vkworkbench.gui.results.details import MEASURED
+from vkworkbench.gui.tree.explanation import explanation
 from vkworkbench.preferences import OWN, Preferences
 
 TYPICAL = list(MACHINES)
@@ -104,3 +108,41 @@ def test_next_analysis_uses_the_machine(page, opened, window):
     vkworkbench.mark(planned)
     face = opened.getObjectsByLabel("Face")[0]
     assert marks.read(face).machining_seconds == pytest.approx(planned.operations[0].machining_seconds)
+
+
+def row_page(window, label):
+    """Select an operation or job in the results, and return the panel and the text of its page."""
+    results.show()
+    window.settle()
+    panel = window.first(QtGui.QDockWidget, "VkResults")
+    model = panel.tree.model()
+    (index,) = model.match(model.index(0, 0), QtCore.Qt.DisplayRole, label, 1, QtCore.Qt.MatchRecursive)
+    panel.tree.setCurrentIndex(index)
+    window.settle()
+    return panel, panel.details.toPlainText()
+
+
+def test_measured_time_teaches_the_factor(page, opened, window, monkeypatch):
+    vkworkbench.mark(vkworkbench.analyze(opened))
+    assert "At constant feed" in row_page(window, "Job")[1]
+    assert "at constant feed" in explanation(marks.read(opened.Job), preferences.read())
+    page.form.machine.setCurrentIndex(1)
+    page.saveSettings()
+    vkworkbench.mark(vkworkbench.analyze(opened))
+    steps, before = opened.UndoCount, marks.read(opened.Job)
+    panel, text = row_page(window, "Job")
+    assert "constant feed" not in text and "tool changes and starts of the spindle take" in text
+    assert "Tool changes and starts" in explanation(before, preferences.read())
+    answers = iter([("soon", True), ("17:30", False), ("2:00:00", True)])
+    monkeypatch.setattr(measured.QInputDialog, "getText", staticmethod(lambda *asked, **text: next(answers)))
+    warnings = []
+    monkeypatch.setattr(measured, "warn", lambda *warning: warnings.append(warning))
+    for _ in range(2):
+        panel._open(MEASURED)
+        assert preferences.read().time_factor == 1.0
+    panel._open(MEASURED)
+    window.settle()
+    assert len(warnings) == 1 and preferences.read().time_factor == pytest.approx(7200 / before.machining_seconds)
+    assert marks.read(opened.Job).machining_seconds == pytest.approx(7200)
+    assert "2:00:00" in row_page(window, "Job")[1] and opened.UndoCount == steps
+    panel.hide()

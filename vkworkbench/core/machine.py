@@ -41,12 +41,16 @@ class Machine:
         Number of moves that the controller plans ahead; it can always stop within them. Where a program has tiny moves,
         a small number slows the tool.
     factor : float
-        Measured time of a job divided by its planned time.
+        Measured time of a job divided by its planned time. Multiplies all times.
+    tool_change : float
+        Time from the end of an operation to the next operation with another tool, s, without `spindle_start`.
+    spindle_start : float
+        Time until the spindle turns at its speed, s.
 
     Raises
     ------
     ValueError
-        If a value is not positive; the deviation may be 0.
+        If a value is not positive; deviation, tool change and start of the spindle may be 0.
     TypeError
         If a value is not a number, or `lookahead` is not an integer.
     """
@@ -56,14 +60,18 @@ class Machine:
     deviation: float
     lookahead: int = 1000
     factor: float = 1.0
+    tool_change: float = 0.0
+    spindle_start: float = 0.0
 
     def __post_init__(self) -> None:
         for name in ("rates", "accelerations"):
             takes = "three positive numbers, for X, Y and Z"
             given = numbers(name, getattr(self, name), takes, _are_three_positive)
             object.__setattr__(self, name, tuple(given.tolist()))
-        for name, fits in (("deviation", not_negative), ("factor", positive)):
-            takes = "a number of at least 0" if fits is not_negative else "a positive number"
+        for name in ("deviation", "factor", "tool_change", "spindle_start"):
+            fits, takes = (
+                (positive, "a positive number") if name == "factor" else (not_negative, "a number of at least 0")
+            )
             object.__setattr__(self, name, number(name, getattr(self, name), takes, fits))
         takes = "a whole number of moves, at least 1"
         object.__setattr__(self, "lookahead", whole("lookahead", self.lookahead, takes, lambda moves: moves >= 1))
@@ -128,9 +136,9 @@ class Machine:
 
 # Typical machines: a belt or screw driven hobby router with grbl, a small milling machine, a machining centre.
 MACHINES: Mapping[str, Machine] = MappingProxyType({
-    "hobby-router": Machine((50.0, 50.0, 10.0), (250.0, 250.0, 100.0), 0.01, lookahead=15),
-    "small-mill": Machine((50.0, 50.0, 40.0), (500.0, 500.0, 400.0), 0.02),
-    "machining-centre": Machine((500.0, 500.0, 400.0), (4000.0, 4000.0, 4000.0), 0.02),
+    "hobby-router": Machine((50.0, 50.0, 10.0), (250.0, 250.0, 100.0), 0.01, 15, tool_change=120.0, spindle_start=3.0),
+    "small-mill": Machine((50.0, 50.0, 40.0), (500.0, 500.0, 400.0), 0.02, tool_change=60.0, spindle_start=3.0),
+    "machining-centre": Machine((500.0, 500.0, 400.0), (4000.0, 4000.0, 4000.0), 0.02, tool_change=6.0, spindle_start=3.0),
 })  # fmt: skip
 
 # Numbers of grbl's settings that have an equivalent here, by field: rates are in mm/min.

@@ -31,12 +31,14 @@ class Machining:
         Distance of `lowest` below the top of the stock, mm, at least 0; None if one of the two is unknown.
     cutting_seconds, rapid_seconds : float or None
         Time of the moves whose speed is known, s; None if no speed is known. Without a machine, the moves have a
-        constant feed. Dwells and tool changes are left out.
+        constant feed.
     left_out : tuple of Message
         Reasons why the times are incomplete; empty if they are complete.
     shortest, median : float or None
         Shortest and median path length of one command at feed, mm: a program that is divided into too many lines has
         tiny ones. None if nothing cuts.
+    dwell_seconds : float
+        Time of the dwells, s.
     """
 
     cutting_length: float
@@ -48,6 +50,7 @@ class Machining:
     left_out: tuple[Message, ...]
     shortest: float | None = None
     median: float | None = None
+    dwell_seconds: float = 0.0
 
     @property
     def complete(self) -> bool:
@@ -61,10 +64,10 @@ class Machining:
 
     @property
     def seconds(self) -> float | None:
-        """Sum of cutting and rapid time, s; None if the cutting time is unknown."""
+        """Time of cuts, rapids and dwells, s, without tool changes; None if the cutting time is unknown."""
         if self.cutting_seconds is None:
             return None
-        return self.cutting_seconds + (self.rapid_seconds or 0.0)
+        return self.cutting_seconds + (self.rapid_seconds or 0.0) + self.dwell_seconds
 
 
 def trajectory_seconds(
@@ -197,6 +200,6 @@ def machining(
         lowest = float(np.minimum(heights[:-1], heights[1:])[~rapid].min())
         if top is not None:
             depth = max(0.0, top - lowest)
-    return Machining(
-        cutting_length, rapid_length, lowest, depth, cutting_seconds, rapid_seconds, tuple(left_out), shortest, median
-    )
+    dwell_seconds = float(toolpath.dwells[:, 1].sum()) * (machine.factor if machine else 1.0)
+    return Machining(cutting_length, rapid_length, lowest, depth, cutting_seconds, rapid_seconds, tuple(left_out),
+                     shortest, median, dwell_seconds)  # fmt: skip

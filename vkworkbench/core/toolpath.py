@@ -126,6 +126,8 @@ class Toolpath:
         Program comments as (index of the next trajectory, text without parentheses).
     problems : tuple of Problem
         Problems of the program; empty if all of it could be used.
+    dwells : (m, 2) float64
+        Index of the source command and duration in s of each dwell (G4, and the P word of canned cycles).
     """
 
     points: np.ndarray
@@ -139,6 +141,7 @@ class Toolpath:
     tool_changes: np.ndarray = field(default_factory=lambda: np.empty(0, np.int64))
     comments: tuple[tuple[int, str], ...] = ()
     problems: tuple[Problem, ...] = ()
+    dwells: np.ndarray = field(default_factory=lambda: np.empty((0, 2)))
 
     @classmethod
     def through(cls, points: Sequence[Sequence[float]] | np.ndarray, *, feed: float = 10.0) -> Toolpath:
@@ -181,7 +184,7 @@ class Toolpath:
         return next((problem for problem in self.problems if problem.hides_cuts), None)
 
     def part(self, first: int, end: int) -> Toolpath:
-        """Return the trajectories first .. end - 1, with the tool changes and comments between them and no problems."""
+        """Return the trajectories first .. end - 1, with the tool changes and comments between them, without problems and dwells."""
         inside = (self.tool_changes > first) & (self.tool_changes < end)
         return Toolpath(
             points=self.points[first : end + 1],

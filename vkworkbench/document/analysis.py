@@ -43,7 +43,7 @@ from vkworkbench.document.job.setting import placed
 from vkworkbench.document.simulation.faults import with_faults
 from vkworkbench.language import Message, Unusable
 from vkworkbench.preferences import Preferences
-from vkworkbench.report import Cancelled, OperationReport, Report, extent_of, with_travel, without_results
+from vkworkbench.report import Cancelled, OperationReport, Report, extent_of, setup_of, with_travel, without_results
 
 _WAIT = 0.02  # s between two calls of `cancelled`
 
@@ -53,6 +53,7 @@ def analyze(
     *,
     progress: Callable[[int, int, str], None] | None = None,
     cancelled: Callable[[], bool] | None = None,
+    machine=None,
 ) -> Report:
     """Analyse operations: strategy, lengths, and the cost of simulating them. Writes nothing in a document.
 
@@ -68,6 +69,8 @@ def analyze(
     cancelled : callable, optional
         Called before each operation, every 20 ms during an operation, and every 0.1 s while this computer is measured. True ends
         the analysis. The function may process the window's events, if no event changes the documents.
+    machine : Machine, str or path, optional
+        See `Preferences.for_machine`.
 
     Returns
     -------
@@ -78,7 +81,7 @@ def analyze(
     Raises
     ------
     ValueError
-        If `what` is None and no document is open.
+        If `what` is None and no document is open, or if `machine` is not a machine.
     ReferenceError
         If an object was deleted, or a document closed.
     TypeError
@@ -92,7 +95,7 @@ def analyze(
             raise Cancelled("the analysis was cancelled; nothing has been changed")
 
     operations = find(or_active_document(what))
-    chosen = preferences.read()
+    chosen = preferences.read().for_machine(machine)
     jobs = jobs_of(operations)
     job_labels = {key: job.Label for key, job in jobs.items()}
     fixtures = {key: fixtures_of(job) for key, job in jobs.items()}
@@ -252,6 +255,7 @@ def _analysed(
         fingerprint=fingerprint_of("", reading.setting_fingerprint),
         called=reading.intent if contradicts(reading.intent, found) else None,
         extent=extent_of(toolpath),
+        setup=setup_of(reading.tool_name, chosen.planned_machine),
     )  # fmt: skip
 
 

@@ -14,6 +14,7 @@ from vkworkbench.preferences import OWN, Preferences, choices
 # The values of a machine, apart from its time factor.
 _VALUES = (
     "rate_x", "rate_y", "rate_z", "acceleration_x", "acceleration_y", "acceleration_z", "corner_deviation", "lookahead",
+    "tool_change", "spindle_start",
 )  # fmt: skip
 
 

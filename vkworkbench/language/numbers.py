@@ -21,6 +21,7 @@ _SIMULATORS = {
     "legacy": QT_TRANSLATE_NOOP("Sentences", "legacy simulator"),
     "OpenGL": QT_TRANSLATE_NOOP("Sentences", "OpenGL simulator"),
 }
+_CLOCK = re.compile(r"(\d{1,3}:)?\d{1,3}:[0-5]\d", re.ASCII)
 _THOUSANDS = re.compile(r"^-?\d{4,}")
 
 
@@ -117,6 +118,14 @@ class Reader:
         minutes, rest = divmod(max(round(seconds), 1) if seconds else 0, 60)
         hours, minutes = divmod(minutes, 60)
         return f"{hours}:{minutes:02}:{rest:02}" if hours else f"{minutes}:{rest:02}"
+
+    @staticmethod
+    def seconds_of(clock: str) -> float | None:
+        """Return the seconds of a time like ``"0:45"``, ``"17:30"`` or ``"1:02:30"``; None for another text."""
+        if not _CLOCK.fullmatch(clock.strip()):
+            return None
+        hours, minutes, seconds = [0, 0, *map(int, clock.strip().split(":"))][-3:]
+        return 3600.0 * hours + 60.0 * minutes + seconds
 
     def estimated_time(self, seconds: float, factor: float) -> str:
         """Return a duration as :meth:`time` does, after "about" if `factor` is `ROUGH` or more."""

@@ -13,6 +13,7 @@ import numpy as np
 
 from vkworkbench import preferences
 from vkworkbench.core import (
+    Machine,
     Machining,
     Problem,
     Stock,
@@ -38,7 +39,7 @@ from vkworkbench.core.simulators import Conditions, Task, predict
 from vkworkbench.language import Message, Unusable
 from vkworkbench.preferences import Preferences
 from vkworkbench.program.files import find_programs, read_bytes, text_of
-from vkworkbench.report import Cancelled, OperationReport, Report, extent_of, with_travel, without_results
+from vkworkbench.report import Cancelled, OperationReport, Report, extent_of, setup_of, with_travel, without_results
 
 
 def is_path(what) -> bool:
@@ -55,6 +56,7 @@ def analyze(
     *,
     progress: Callable[[int, int, str], None] | None = None,
     cancelled: Callable[[], bool] | None = None,
+    machine: Machine | str | os.PathLike | None = None,
 ) -> Report:
     """Recognise the strategies of NC programs, and estimate lengths, times and simulation costs. FreeCAD is not needed.
 
@@ -66,6 +68,8 @@ def analyze(
         Called before each file with the number of finished files, the number of all files, and the name of the file.
     cancelled : callable, optional
         Called before each file. If it returns True, the analysis ends.
+    machine : Machine, str or path, optional
+        See `Preferences.for_machine`.
 
     Returns
     -------
@@ -75,13 +79,13 @@ def analyze(
     Raises
     ------
     ValueError
-        If a name is empty, or the text of a program.
+        If a name is empty, or the text of a program; or if `machine` is not a machine.
     Cancelled
         If `cancelled` returned True.
     """
     left_out: list[Path] = []
     paths = list(find_programs([what] if isinstance(what, (str, os.PathLike)) else what, left_out))
-    chosen = preferences.read()
+    chosen = preferences.read().for_machine(machine)
     rows: list[OperationReport] = []
     for done, path in enumerate(paths):
         if cancelled is not None and cancelled():
@@ -203,7 +207,8 @@ def _rows(path: Path, program: Program, chosen: Preferences) -> list[OperationRe
     rows, first = [], 0.0
     for (part, section), end in zip(cutting, ends):
         problems = [within for problem in toolpath.problems if (within := problem.within(first, end))]
-        rows.append(_row(whole, part, section, problems))
+        dwells = toolpath.dwells[(first <= toolpath.dwells[:, 0]) & (toolpath.dwells[:, 0] < end)]
+        rows.append(_row(whole, replace(part, dwells=dwells), section, problems))
         first = end
     return rows
 
@@ -216,7 +221,7 @@ def _without_cuts(path: Path, program: Program, toolpath: Toolpath) -> Operation
         return replace(row, counted=True)
     counted = all(problem.of_time for problem in toolpath.problems)  # ignored commands may be the cuts
     return replace(row, counted=counted, recognition=recognize(toolpath), trajectories=len(toolpath),
-                   machining=_machining(toolpath, toolpath.problems))  # fmt: skip
+                   machining=_machining(toolpath, toolpath.problems, None))  # fmt: skip
 
 
 def _row(whole: _Whole, part: Toolpath, section: Section, problems: list[Problem]) -> OperationReport:
@@ -252,7 +257,8 @@ def _row(whole: _Whole, part: Toolpath, section: Section, problems: list[Problem
         row,
         extent=extent_of(part),
         recognition=found,
-        machining=_machining(part, problems),
+        machining=_machining(part, problems, chosen.planned_machine),
+        setup=setup_of("" if section.number is None else f"T{section.number}", chosen.planned_machine),
         costs=costs,
         advice=advice,
         remarks=tuple(remarks),
@@ -279,11 +285,11 @@ def _rotary(program: Program, section: Section) -> Message | None:
     return None if line is None else Message("rotary", line=line)
 
 
-def _machining(part: Toolpath, problems: Iterable[Problem]) -> Machining:
-    """Return lengths and times. Rapids have no time, because a program does not contain their speed."""
-    found = machining(part)
+def _machining(part: Toolpath, problems: Iterable[Problem], machine: Machine | None) -> Machining:
+    """Return lengths and times. Without a machine, rapids have no time: a program does not contain their speed."""
+    found = machining(part, machine=machine)
     left_out = [message for message in found.left_out if message.code == "cutting-untimed"]
-    if found.rapid_length:
+    if found.rapid_length and machine is None:
         left_out.append(Message("rapids-not-told", length=found.rapid_length))
     left_out += [at_line(problem) for problem in problems if problem.takes_time]
     return replace(found, left_out=tuple(left_out))

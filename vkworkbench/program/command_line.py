@@ -14,6 +14,7 @@ from itertools import islice
 from pathlib import Path
 
 from vkworkbench import preferences
+from vkworkbench.core import MACHINES
 from vkworkbench.language import Message
 from vkworkbench.program.analysis import report_of, unread
 from vkworkbench.program.apart import analyze_apart, end_workers
@@ -87,6 +88,11 @@ def _parser() -> argparse.ArgumentParser:
         metavar="SECONDS",
         help="time limit for each program (default: 600)",
     )
+    parser.add_argument(
+        "--machine",
+        metavar="NAME|FILE",
+        help=f"plan machining times for a machine: {', '.join(MACHINES)}, or a file with grbl's settings ($$)",
+    )
     parser.add_argument("--scheduler", metavar="ADDRESS", help="use a Dask cluster, e.g. tcp://host:8786")
     add_options(parser)
     return parser
@@ -116,6 +122,10 @@ def _run(asked: argparse.Namespace) -> int:
         print(files_left_out(map(str, left_out)), file=sys.stderr)
     if not paths:
         raise _Wrong(f"no NC programs in {', '.join(asked.what)}")
+    try:
+        chosen = preferences.read().for_machine(asked.machine)
+    except ValueError as error:
+        raise _Wrong(str(error)) from None
     wrong = check_options(asked, len(paths))
     if wrong:
         raise _Wrong(wrong)
@@ -124,10 +134,12 @@ def _run(asked: argparse.Namespace) -> int:
             return _UNREAD if simulate_programs(paths, asked) else 0
     # The executor comes before the results: if it fails, an existing file of results is not lost.
     with _executor(asked, len(paths)) as (executor, ahead):
-        return _work(asked, paths, executor, ahead)
+        return _work(asked, paths, executor, ahead, chosen)
 
 
-def _work(asked: argparse.Namespace, paths: list[Path], executor: Executor, ahead: int) -> int:
+def _work(
+    asked: argparse.Namespace, paths: list[Path], executor: Executor, ahead: int, chosen: preferences.Preferences
+) -> int:
     """Analyze the programs, write the results, and return the exit status."""
     results = _results(asked, paths)
     place = asked.csv or asked.json_lines or _STANDARD_OUTPUT
@@ -136,7 +148,7 @@ def _work(asked: argparse.Namespace, paths: list[Path], executor: Executor, ahea
     progress = Progress(todo, sys.stderr)
     operations, unread_files, stopped = 0, 0, False
     try:
-        with closing(_analyzed(todo, executor, ahead, asked.timeout)) as analyzed:
+        with closing(_analyzed(todo, executor, ahead, asked.timeout, chosen)) as analyzed:
             for path, rows in analyzed:
                 progress.add(path)
                 with _writing(place, advice):
@@ -242,10 +254,9 @@ def _cluster(address: str) -> Iterator[tuple[Executor, int]]:
 
 
 def _analyzed(
-    paths: Iterable[Path], executor: Executor, ahead: int, patience: float
+    paths: Iterable[Path], executor: Executor, ahead: int, patience: float, chosen: preferences.Preferences
 ) -> Iterator[tuple[Path, tuple[OperationReport, ...]]]:
     """Yield each program with its rows when they are ready. Closing the iterator cancels the waiting programs."""
-    chosen = preferences.read()
     rest = iter(paths)
     pending: dict[Future, Path] = {}
     try:

@@ -60,6 +60,8 @@ def check_options(asked: argparse.Namespace, programs: int) -> str | None:
         return f"--{options[0]} needs --simulate" if options else None
     if asked.csv or asked.json_lines:
         return "--simulate prints its facts: leave out --csv and --json-lines"
+    if asked.machine is not None:
+        return "--simulate plans no times: leave out --machine"
     for name in ("png", "stl"):
         path = getattr(asked, name)
         if path is not None and programs > 1:

@@ -10,9 +10,11 @@ from vkworkbench.report.operation import (
     HANGS,
     SERIOUS,
     OperationReport,
+    Setup,
     cells_of,
     contradiction,
     is_switched_off,
+    setup_of,
     without_results,
 )
 from vkworkbench.report.report import Cancelled, Report
@@ -24,6 +26,6 @@ from vkworkbench.report.total import Total, has_unknown_cost, total_of
 from vkworkbench.report.travel import extent_of, with_travel
 
 __all__ = [
-    "HANGS", "SERIOUS", "Cancelled", "OperationReport", "Report", "SimulatedPart", "SimulationFacts", "Total", "as_cell", "cells_of",
-    "contradiction", "extent_of", "files_left_out", "has_unknown_cost", "how_many", "is_switched_off", "printable", "total_of", "with_travel", "without_results",
+    "HANGS", "SERIOUS", "Cancelled", "OperationReport", "Report", "Setup", "SimulatedPart", "SimulationFacts", "Total", "as_cell", "cells_of",
+    "contradiction", "extent_of", "files_left_out", "has_unknown_cost", "how_many", "is_switched_off", "printable", "setup_of", "total_of", "with_travel", "without_results",
 ]  # fmt: skip

@@ -4,10 +4,10 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
-from typing import Any
+from dataclasses import dataclass, field
+from typing import Any, NamedTuple
 
-from vkworkbench.core import Estimate, Machining, Recognition, Span, Strategy
+from vkworkbench.core import Estimate, Machine, Machining, Recognition, Span, Strategy
 from vkworkbench.core.paper import PaperVerdict
 from vkworkbench.core.simulators import ZBUFFER, Caution, Costs
 from vkworkbench.core.zbuffer import FACT_COLUMNS, CutFacts
@@ -18,6 +18,34 @@ from vkworkbench.report.text_table import printable
 # Codes of cautions about simulations that hang, or that exceed the user's limits of time and memory.
 HANGS = frozenset({"legacy-hangs"})
 SERIOUS = HANGS | {"long-play", "memory"}
+
+
+class Setup(NamedTuple):
+    """The tool of an operation, and the time of its setup.
+
+    Attributes
+    ----------
+    tool : str
+        Name of the tool; empty if unknown, and for a job.
+    planned : bool
+        Whether the machining time is planned for a machine. If not, it is at constant feed, and setups take no time.
+    change : float
+        Time of a change to this tool, s; for a job, the time of all setups.
+    spindle : float
+        Time until the spindle turns, s.
+    """
+
+    tool: str = ""
+    planned: bool = False
+    change: float = 0.0
+    spindle: float = 0.0
+
+
+def setup_of(tool: str, machine: Machine | None) -> Setup:
+    """Return the setup of a tool on a machine; without a machine, it takes no time."""
+    if machine is None:
+        return Setup(tool)
+    return Setup(tool, True, machine.factor * machine.tool_change, machine.factor * machine.spindle_start)
 
 
 @dataclass(frozen=True)
@@ -54,6 +82,7 @@ class OperationReport(Costs):
         Facts of a simulation, see `Report.with_facts`; None without a simulation.
     extent : tuple of (3,) tuples of float, or None
         Lowest and highest coordinates of the tool's tip, mm; None without a position.
+    setup : Setup
     """
 
     document: str
@@ -73,6 +102,7 @@ class OperationReport(Costs):
     called: str | None = None
     simulated: CutFacts | None = None
     extent: tuple[tuple[float, float, float], tuple[float, float, float]] | None = None
+    setup: Setup = field(default_factory=Setup)
 
     def __repr__(self) -> str:
         """Return one line, because all attributes would fill pages of a console."""

@@ -4,13 +4,13 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Any
 
 from vkworkbench.core import Strategy
 from vkworkbench.core.simulators import SIMULATORS, ZBUFFER, Costs, together
 from vkworkbench.core.zbuffer import CutFacts
-from vkworkbench.report.operation import OperationReport
+from vkworkbench.report.operation import OperationReport, Setup
 from vkworkbench.report.text_table import how_many, printable
 
 
@@ -28,13 +28,15 @@ class Total(Costs):
     fixtures : int
         Number of times that the operations are posted: once for each work offset (G54 to G59) of the job.
     machining_seconds : float
-        Time of the moves with a known speed, for all fixtures, s.
+        Time of the moves with a known speed, the dwells and the setups, for all fixtures, s.
     machining_complete : bool
         Whether `machining_seconds` includes all moves. If not, it is a lower bound.
     incomplete : bool
         Whether the cost of an operation is unknown, so that the costs are lower bounds.
     costs, advice : mapping
         As in `Costs`, for one run of all operations; empty if the cost of no operation is known.
+    setup : Setup
+        Time of tool changes and starts of the spindle, for all fixtures.
     simulated : CutFacts or None
         Facts of a simulation of all operations; None without a simulation.
     """
@@ -51,6 +53,7 @@ class Total(Costs):
     incomplete: bool
     costs: Mapping[str, Any]
     advice: Mapping[str, Any]
+    setup: Setup = field(default_factory=Setup)
     simulated: CutFacts | None = None
 
     def __repr__(self) -> str:
@@ -80,6 +83,7 @@ class Total(Costs):
             "fixtures": self.fixtures,
             "machining_seconds": self.machining_seconds,
             "machining_complete": self.machining_complete,
+            "setup_seconds": self.setup.change,
             "seconds": self.seconds,
             "memory_bytes": self.memory_bytes,
             "incomplete": self.incomplete,
@@ -120,18 +124,28 @@ def total_of(
         stepover = min((o.stepover for o in known if o.stepover), default=None)
         labels = [o.label for o in known]
         costs, advice = together([o.costs for o in known], labels=labels, stepover=stepover, **budget)
+    setup = fixtures * _setup_seconds(counted)
     return Total(
         document, job, label,
         operations=len(counted),
         trajectories=sum(o.trajectories for o in counted),
         length=sum(o.length for o in counted),
         fixtures=fixtures,
-        machining_seconds=fixtures * sum(o.machining_seconds or 0.0 for o in counted),
+        machining_seconds=fixtures * sum(o.machining_seconds or 0.0 for o in counted) + setup,
         machining_complete=not any(o.left_out for o in counted),
         incomplete=any(map(has_unknown_cost, counted)),
         costs=costs,
         advice=advice,
+        setup=Setup("", bool(counted) and all(o.setup.planned for o in counted), setup),
     )  # fmt: skip
+
+
+def _setup_seconds(counted: Sequence[Any]) -> float:
+    """Return the time of tool changes and starts of the spindle, s. The first tool is in the spindle already."""
+    setups = [o.setup for o in counted if o.setup.tool]
+    changes = [new for old, new in zip(setups, setups[1:]) if new.tool != old.tool]
+    seconds: float = sum(setup.spindle for setup in (*setups[:1], *changes)) + sum(setup.change for setup in changes)
+    return seconds
 
 
 def has_unknown_cost(operation: Any) -> bool:

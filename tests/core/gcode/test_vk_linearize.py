@@ -268,7 +268,7 @@ def test_other_cycles_reach_their_depth_once(name):
     (deepest,) = np.flatnonzero(toolpath.points[:, 2] == -5)
     assert toolpath.rapid[deepest] == (name in ("G81", "G82", "G86"))
     assert toolpath.rapid[-1] and toolpath.points[-1, 2] == 5
-    assert [problem.what.code for problem in toolpath.problems] == ["dwell-untimed"]
+    assert toolpath.dwells.tolist() == [[1, 0.5]] and not toolpath.problems
 
 
 @pytest.mark.parametrize("code", ["G84", "G74"])

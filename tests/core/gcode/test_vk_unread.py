@@ -32,8 +32,8 @@ def told(commands):
     ([("G2", {"X": 4.0, "Y": 0.0, "I": 2.0, "J": 0.0, "K": 3.0, "P": 1.0})], []),
     ([("G2", {"X": 4.0, "Y": 0.0, "I": 2.0, "J": 0.0, "P": 2.0})], []),
     ([("G3", {"X": 4.0, "Y": 0.0, "I": 2.0, "J": 0.0, "P": 2.5})], [("turns-not-read", 2, 1)]),
-    ([("G82", {**HOLE, "P": 0.5})], [("dwell-untimed", 2, 1)]),
-    ([("G4", {"P": 2.0})], [("dwell-untimed", 2, 1)]),
+    ([("G82", {**HOLE, "P": 0.5}), ("G4", {"P": 2.0}), ("G4", {"X": 2.0})], []),
+    ([("G4", {"P": -2.0}), ("G4", {"S": 2.0}), ("G4", {})], [("dwell-untimed", 2, 3)]),
     ([("G20", {}), ("G1", {"X": 1.0})], [("inches-not-read", 2, 1)]),
     ([("G21", {}), ("G40", {}), ("G94", {}), ("M3", {"S": 500.0}), ("T1", {}), ("G43", {"H": 1.0})], []),
     ([("G42", {"D": 1.0}), ("G41.1", {})], [("compensation-not-read", "G41.1", 3, 1), ("compensation-not-read", "G42", 2, 1)]),
@@ -55,15 +55,15 @@ def test_inverse_time_feeds_are_not_speeds():
     assert [note.code for note in machining(path).left_out] == ["cutting-untimed"]
 
 
-def test_a_time_with_a_dwell_is_the_least():
-    assert [note.codes for note in machining(linearize([*START, ("G4", {"P": 1.0})])).left_out] == [
+def test_time_without_a_dwell_is_the_least():
+    assert [note.codes for note in machining(linearize([*START, ("G4", {"S": 1.0})])).left_out] == [
         ("in-commands", "dwell-untimed")
     ]
 
 
 @pytest.mark.parametrize("line, problem", [
     ("G0 A90", ("rotary-not-read", "A")), ("G1 X1 U2", ("word-not-read", "U")), ("G1 E5", ("word-not-read", "E")),
-    ("G43 H1\nG1 X4", ("length-before-height",)), ("G4 P2", ("dwell-untimed",)), ("G82 X1 Z-2 R1 P0.5", ("dwell-untimed",)),
+    ("G43 H1\nG1 X4", ("length-before-height",)), ("G4 S2", ("dwell-untimed",)), ("G4", ("dwell-untimed",)),
     ("G38.2 Z-9 F50", ("probing-as-rapid",)), ("G31 Z-9 F50", ("probing-as-rapid",)),
     ("G41 D1", ("compensation-not-read", "G41")), ("M98 P100", ("subprogram-not-read",)), ("M97 P5", ("subprogram-not-read",)),
     ("G1 X1 Y2 X3", ("word-twice", "X")), ("G1 X1 F100 F200", ("word-twice", "F")), ("G0 G1 X3", ("two-motions",)),
@@ -126,3 +126,13 @@ def test_rotary_and_lathe_programs_are_noticed():
 def test_program_with_rotary_moves_only_is_refused():
     with pytest.raises(Unusable, match=r"Moves of a rotary axis \(A\) are ignored"):
         read_program("G1 A5\nG1 A9")
+
+
+@pytest.mark.parametrize("lines, seconds", [
+    ("G4 P2", [2]), ("G04 X1.5", [1.5]), ("G4 U3", [3]), ("G4 F4", [4]), ("G4 P500", [0.5]), ("G4 P2\nG4 P3", [2, 3]),
+    ("G82 X1 Z-2 R1 P0.5\nX2\nX3\nG80", [0.5, 0.5, 0.5]), ("G82 X1 Z-2 R1 P0.5\nG81 X2 Z-2 R1\nG80", [0.5]),
+    ("G91\nG82 X1 Z-2 R1 L3 P0.5\nG80", [0.5, 0.5, 0.5]),
+])  # fmt: skip
+def test_dwells_of_programs(lines, seconds):
+    path = read_program(f"G21 G90\nG0 X0 Y0 Z5\nG1 Z0 F100\n{lines}\nG0 Z5\n").toolpath()
+    assert path.dwells[:, 1].tolist() == seconds and path.dwells[:, 0].min() == 4 + lines.startswith("G91")

@@ -307,3 +307,12 @@ def test_list_argument_is_joined_for_the_reader():
     assert render(several).endswith("not 0.5, 4.") and "0,5, 4" in render(several, German())
     both = Message("in-commands", sentence=(Message("no-moves"), Message("only-rapids")), count=1, command=3)
     assert render(both) == f"Command 3: {render(Message('no-moves'))} {render(Message('only-rapids'))}"
+
+
+@pytest.mark.parametrize("text, seconds", [
+    ("0:45", 45), (" 17:30 ", 1050), ("1:02:30", 3750), ("90:00", 5400), ("17", None), ("1:75", None), ("", None),
+    ("-1:00", None), ("1:2:3:04", None),
+])  # fmt: skip
+def test_clock_is_read(text, seconds):
+    assert ENGLISH.seconds_of(text) == seconds
+    assert seconds is None or ENGLISH.seconds_of(ENGLISH.clock(seconds)) == seconds

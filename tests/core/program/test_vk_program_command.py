@@ -263,7 +263,7 @@ class AtOnce(Executor):
 
 def test_finished_programs_are_reported_in_order():
     paths = [Path(f"{k}.nc") for k in range(50)]
-    assert [path for path, _ in command_line._analyzed(paths, AtOnce(), len(paths), 1.0)] == paths
+    assert [path for path, _ in command_line._analyzed(paths, AtOnce(), len(paths), 1.0, Preferences())] == paths
 
 
 def apart_in_a_thread(*asked):
@@ -616,3 +616,14 @@ def test_dask_is_loaded_for_a_cluster_only(folder):
     )
     done = subprocess.run([sys.executable, "-c", code, str(folder / "a.nc")], cwd=ROOT, capture_output=True, text=True)
     assert done.stdout.splitlines()[-1] == "False"
+
+
+def test_machine_option_plans_times(folder, tmp_path, capsys):
+    results = tmp_path / "results.csv"
+    assert main([str(folder / "a.nc"), "--machine", "hobby-router", "--csv", str(results)]) == 0
+    (row,) = csv.DictReader(results.open())
+    assert row["machining_complete"] == "True" and row["machining_notes"] == ""
+    assert main([str(folder / "a.nc"), "--machine", "lathe"]) == 2
+    assert main([str(folder / "a.nc"), "--machine", "hobby-router", "--simulate"]) == 2
+    told = capsys.readouterr().err
+    assert "no machine 'lathe': name hobby-router" in told and "leave out --machine" in told

@@ -17,6 +17,7 @@ from pathlib import Path
 import pytest
 
 import vkworkbench
+from vkworkbench.core import MACHINES
 from vkworkbench.language import Unusable
 from vkworkbench.preferences import Preferences
 from vkworkbench.program import analysis, files, is_path
@@ -306,21 +307,21 @@ def test_one_operation_is_written_in_the_singular(tmp_path):
     assert "face.nc: 1 operation " in str(vkworkbench.analyze(str(path)))
 
 
-def test_a_time_without_a_dwell_is_the_least(tmp_path):
+def test_dwells_are_in_the_time_of_their_operation(tmp_path):
     path = tmp_path / "laser.nc"
     path.write_text("G21 G90\nF600\n(First)\nG1 X0 Y0 Z0\nX50\nG4 P600\nX0\n(Second)\nX9\n")
     first, second = vkworkbench.analyze(path).operations
-    assert (first.machining.seconds, first.machining.complete, second.machining.complete) == (10, False, True)
+    assert [(row.machining.seconds, row.machining.complete) for row in (first, second)] == [(10.6, True), (0.9, True)]
     path.write_text("G21 G90\nF600\nG1 X0 Y0 Z0\nG38.2 Z-5\nX50\n")
     assert not vkworkbench.analyze(path).operations[0].machining.complete
 
 
-def test_each_operation_with_a_dwell_has_a_remark(tmp_path):
+def test_each_operation_with_an_unknown_dwell_has_a_remark(tmp_path):
     """Any other remark is reported once, for the operation in which the cause first occurs."""
     path = tmp_path / "router.nc"
-    cut = "G0 Z5\nG4 P1\nG1 Z-1 F600\nX40\nX0\n"
+    cut = "G0 Z5\nG4 S1\nG1 Z-1 F600\nX40\nX0\n"
     path.write_text(
-        f"G21\nG0 X0 Y0\nG4 P2\n(First)\n{cut}G999\n(Second)\nG0 Z5\nG1 Z-2\nX9\n(Third)\n{cut}G999\nG4 P3\nG4 P4\n"
+        f"G21\nG0 X0 Y0\nG4 S2\n(First)\n{cut}G999\n(Second)\nG0 Z5\nG1 Z-2\nX9\n(Third)\n{cut}G999\nG4 S3\nG4 S4\n"
     )
     rows = vkworkbench.analyze(path).operations
 
@@ -561,3 +562,26 @@ def test_program_with_inch_tools_is_in_inches(tmp_path, tool, said):
     path.write_text(f"({tool})\nT1 M6\nG0 X0 Y0 Z3\nG1 Z-.1 F20\nX36\nY4\nX0\nY0\nG0 Z3\n")
     (row,) = vkworkbench.analyze(path).operations
     assert (row.error == "The toolpath looks 25.4 times too small. Inches are probably read as millimeters.") is said
+
+
+def test_machine_plans_rapids_tool_changes_and_accelerations(tmp_path):
+    path, settings = tmp_path / "two.nc", tmp_path / "grbl.txt"
+    cut = "G0 X0 Y0 Z5\nG1 Z-1 F600\nX40\nG0 Z5\n"
+    path.write_text(f"G21\nT1 M6\n{cut}T2 M6\n{cut}")
+    settings.write_text("$110=3000\n$111=3000\n$112=600\n$120=250\n$121=250\n$122=100\n$11=0.01\n")
+    named, pasted, mill = (vkworkbench.analyze(path, machine=one) for one in (
+        "hobby-router", settings, replace(MACHINES["hobby-router"], factor=2.0)))  # fmt: skip
+    assert all(row.machining.complete for row in named) and named.totals[0].setup.change == 3 + 123
+    assert [row.machining_seconds for row in pasted] == pytest.approx([row.machining_seconds for row in named])
+    assert mill.totals[0].machining_seconds == pytest.approx(2 * named.totals[0].machining_seconds)
+    constant = vkworkbench.analyze(path).operations
+    assert all(0 < a.machining_seconds < b.machining_seconds and a.left_out for a, b in zip(constant, named))
+
+
+@pytest.mark.parametrize("machine", ["lathe", "", "two.nc"])
+def test_unknown_machine_is_refused(tmp_path, machine):
+    (tmp_path / "two.nc").write_text(PROGRAM)
+    with pytest.raises(ValueError, match=r"hobby-router|grbl|\$110"):
+        vkworkbench.analyze(tmp_path / "two.nc", machine=str(tmp_path / machine) if machine else machine)
+    with pytest.raises(TypeError, match="machine"):
+        vkworkbench.analyze(tmp_path / "two.nc", machine=5)

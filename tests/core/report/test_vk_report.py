@@ -10,9 +10,9 @@ from types import SimpleNamespace
 
 import pytest
 
-from vkworkbench.core import Machining, Span, Strategy
+from vkworkbench.core import MACHINES, Machining, Span, Strategy
 from vkworkbench.language import Message
-from vkworkbench.report import Report, SimulationFacts, without_results
+from vkworkbench.report import Report, Setup, SimulationFacts, setup_of, without_results
 from vkworkbench.report.table import table_of
 from vkworkbench.report.text_table import printable
 
@@ -52,6 +52,26 @@ def test_report_iterates_over_its_operations():
     told = report(one, two)
     assert list(told) == [one, two] and len(told) == 2 and one in told
     assert not report()
+
+
+MILL = replace(MACHINES["small-mill"], tool_change=60.0, spindle_start=3.0, factor=2.0)
+
+
+@pytest.mark.parametrize("tools, seconds", [
+    (["T1"], 6), (["T1", "T1"], 6), (["T1", "T2"], 132), (["T1", "T2", "T1"], 258), (["T1", "", "T1"], 6), ([""], 0),
+])  # fmt: skip
+def test_tool_changes_are_in_the_total(tools, seconds):
+    found = report(*(operation(str(n), setup=setup_of(tool, MILL)) for n, tool in enumerate(tools)), fixtures={JOB: 2})
+    (total,) = found.totals
+    assert total.setup == Setup("", True, 2 * seconds)
+    assert (
+        total.machining_seconds == 2 * (12 * len(tools) + seconds) and total.as_dict()["setup_seconds"] == 2 * seconds
+    )
+
+
+def test_tool_changes_take_no_time_without_a_machine():
+    (total,) = report(*(operation(tool, setup=setup_of(tool, None)) for tool in ("T1", "T2"))).totals
+    assert total.setup == Setup() and total.machining_seconds == 24
 
 
 def test_total_sums_the_counted_operations():

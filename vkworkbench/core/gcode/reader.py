@@ -369,7 +369,7 @@ class _Reader:
             machine.with_tool_changes(), np.array(machine.lines, np.int64), tuple(self.comments),
             frozenset(self.in_calls), machine.inverse_time,
             machine.first_unit == INCH, machine.first_unit is not None, machine.clues.other_machine(),
-            tuple(machine.clues.rotary), problems,
+            tuple(machine.clues.rotary), problems, tuple(machine.dwells),
         )  # fmt: skip
 
 

@@ -9,6 +9,7 @@ from dataclasses import dataclass, fields, replace
 
 import FreeCAD
 
+from vkworkbench import freecad
 from vkworkbench.core import Solid, Tool
 from vkworkbench.document.job.fingerprint import setting_fingerprint
 from vkworkbench.document.job.intent import name_of_intent
@@ -33,6 +34,7 @@ class Reading:
     imported: bool = False
     takes_tool: bool = True
     has_controller: bool = False
+    tool_name: str = ""
     path: object = None
     placement: object = None
     tool: Tool | None = None
@@ -70,13 +72,15 @@ def read(operation: Operation) -> Reading:
         tool, box = _or_remark(remarks, read_tool, obj), _or_remark(remarks, read_stock, job)
         stock, remark = stock_solid(job, box) if box else (None, None)
         remarks += [one for one in (remark, tool and tool_remark(obj)) if one]
+        controller = controller_of(obj)
         form, rapids = form_of_stock(job, box) if box else (), rapid_feeds(obj)
         return replace(
             reading,
             intent=name_of_intent(obj),
             imported=is_imported(obj),
             takes_tool=takes_tool(obj),
-            has_controller=controller_of(obj) is not None,
+            has_controller=controller is not None,
+            tool_name="" if controller is None else f"T{freecad.TOOL_NUMBER.of(controller, 0)}",
             path=obj.Path,
             placement=obj.Placement,
             tool=tool,

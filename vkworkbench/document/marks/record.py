@@ -13,7 +13,7 @@ from vkworkbench import freecad
 from vkworkbench.core import Strategy
 from vkworkbench.core.simulators import SIMULATORS, Caution, Cost, Costs, cost_as_data, cost_from_data
 from vkworkbench.language import Message, render
-from vkworkbench.report import HANGS, SERIOUS, OperationReport, Total, has_unknown_cost
+from vkworkbench.report import HANGS, SERIOUS, OperationReport, Setup, Total, has_unknown_cost
 
 _FORMAT = 2  # format 1 was never released
 _LARGEST = 1e15  # largest plausible number, in any unit; a larger one comes from a damaged file
@@ -39,6 +39,8 @@ class Record(Costs):
         Time of the moves whose speed is known, s.
     left_out : tuple of Message
         Parts of the machining time that are not included.
+    setup : Setup
+        The tool, and the time of its setup.
     stepover : float or None
         mm.
     called : str or None
@@ -69,6 +71,7 @@ class Record(Costs):
     length: float = 0.0
     machining_seconds: float | None = None
     left_out: tuple[Message, ...] = ()
+    setup: Setup = field(default_factory=Setup)
     stepover: float | None = None
     called: str | None = None
     incomplete: bool = False
@@ -115,6 +118,7 @@ def of_operation(report: OperationReport, simulator: str) -> Record:
         length=report.length,
         machining_seconds=report.machining_seconds,
         left_out=report.left_out,
+        setup=report.setup,
         stepover=report.stepover,
         called=report.called,
         costs=costs,
@@ -138,6 +142,7 @@ def of_total(total: Total, parts: list[Record], fingerprint: str) -> Record:
         length=total.length,
         machining_seconds=total.machining_seconds if any(p.machining_seconds is not None for p in parts) else None,
         left_out=tuple(dict.fromkeys(message for part in parts for message in part.left_out)),
+        setup=total.setup,
         incomplete=total.incomplete,
         costs=dict(total.costs),
         fingerprint=fingerprint,
@@ -163,6 +168,7 @@ def as_json(record: Record, shown: Iterable[str] = (), own: Iterable[str] = ()) 
         "length": record.length,
         "machining": record.machining_seconds,
         "left_out": [message.as_data() for message in record.left_out],
+        "setup": list(record.setup),
         "stepover": record.stepover,
         "called": record.called,
         "incomplete": record.incomplete,
@@ -188,6 +194,7 @@ def from_json(text: str) -> Record | None:
             length=_number(data["length"]),
             machining_seconds=_or_none(data["machining"]),
             left_out=_messages(data["left_out"]),
+            setup=_setup(*data.get("setup", ())),
             stepover=_or_none(data["stepover"]),
             called=data["called"] and str(data["called"]),
             incomplete=bool(data["incomplete"]),
@@ -204,6 +211,10 @@ def from_json(text: str) -> Record | None:
 def _costs(data: dict) -> dict[str, Cost]:
     known = {simulator.name for simulator in SIMULATORS}
     return {name: cost_from_data(name, one) for name, one in data.items() if name in known}
+
+
+def _setup(tool: Any = "", planned: Any = False, change: Any = 0.0, spindle: Any = 0.0) -> Setup:
+    return Setup(str(tool), bool(planned), _number(change), _number(spindle))
 
 
 def _messages(data: Any) -> tuple[Message, ...]:

@@ -17,6 +17,7 @@ from vkworkbench.language import ROUGH
 
 OPERATION, STRATEGY, WARNINGS, STATE, LENGTH = "operation", "strategy", "warnings", "state", "length"
 REASON = "reason"
+_SUM = 0.1  # share of a total by which it may differ from the sum without a note
 
 
 @dataclass(frozen=True)
@@ -36,6 +37,8 @@ class Column:
         For an estimated time: returns the factor of a row. The true time is between time / factor and time * factor.
     least : callable
         Returns whether the value of a row is a lower bound.
+    note : callable
+        Returns a sentence on the value of a row; empty if there is none.
     """
 
     key: str
@@ -45,6 +48,7 @@ class Column:
     shown: Callable[[object], str] = str
     factor: Callable[[Row], float] | None = None
     least: Callable[[Row], bool] = lambda row: False
+    note: Callable[[Row], str] = lambda row: ""
 
     @property
     def name(self) -> str:
@@ -61,13 +65,14 @@ class Column:
         text = user().estimated_time(value, self.factor(row)) if self.factor else self.shown(value)
         return ("≥ " if self.least(row) else "") + text
 
-    def range(self, row: Row) -> str:
-        """Return the range of a rough estimate as text; empty for other values."""
+    def remark(self, row: Row) -> str:
+        """Return the range of a rough estimate and the note on a value as text; empty without both."""
         value, factor = self.value(row), self.factor(row) if self.factor else 1.0
-        if value is None or factor < ROUGH:
+        if value is None:
             return ""
         low, high = user().time(value / factor, factor), user().time(value * factor, factor)
-        return user().between(low, high)
+        between = user().between(low, high) if factor >= ROUGH else ""
+        return "\n".join(filter(None, [between, self.note(row)]))
 
 
 def columns(version: tuple[int, ...], marked: str) -> tuple[list[Column], list[Column]]:
@@ -90,10 +95,11 @@ def columns(version: tuple[int, ...], marked: str) -> tuple[list[Column], list[C
         Column("machining_time", translate("Vk_Results", "Machining\nTime"),
                translate("Vk_Results", "Time on the machine of the preferences. Without a machine: at constant feeds, and "
                                        "with rapids if the tool controller has rapid speeds."),
-               lambda row: row.found.machining_seconds or None, _as("clock"), least=lambda row: not row.machining_complete),
+               lambda row: row.found.machining_seconds or None, _as("clock"), least=lambda row: not row.machining_complete,
+               note=_of_machining),
         Column("simulation_time", translate("Vk_Results", "Simulation\nTime"),
                time.format(simulator=user().simulator(marked)),
-               partial(_seconds, marked), factor=partial(_factor, marked), least=_is_bound),
+               partial(_seconds, marked), factor=partial(_factor, marked), least=_is_bound, note=partial(_beside_sum, marked)),
         Column(STATE, translate("Vk_Results", "State"),
                translate("Vk_Results", "A result is outdated if the toolpath, the tool or the stock has changed since. "
                                        "Analyze the operation again."),
@@ -123,6 +129,26 @@ def columns(version: tuple[int, ...], marked: str) -> tuple[list[Column], list[C
         *(_of_advice(simulator) for simulator in simulators if simulator.advice),
     ]  # fmt: skip
     return first, others
+
+
+def _of_machining(row: Row) -> str:
+    """Return what a machining time includes."""
+    if not row.found.setup.planned:
+        return translate("Vk_Results", "At constant feed. Choose your machine in the preferences, page Machine.")
+    if not (row.is_total and row.found.setup.change):
+        return ""
+    text = translate("Vk_Results", "More than the sum: tool changes and starts of the spindle take {time}.")
+    return text.format(time=user().clock(row.found.setup.change))
+
+
+def _beside_sum(simulator: str, row: Row) -> str:
+    """Return why the simulation time of a job is not the sum of its operations."""
+    total, parts = _seconds(simulator, row), [_seconds(simulator, one) or 0.0 for one in row.rows if one.is_counted]
+    if total is None or not parts or abs(total - sum(parts)) < _SUM * total:
+        return ""
+    more = translate("Vk_Results", "More than the sum: the {simulator} slows down with every cut.")
+    less = translate("Vk_Results", "Less than the sum: the {simulator} simulates all operations in one run.")
+    return (more if total > sum(parts) else less).format(simulator=user().simulator(simulator))
 
 
 def _as(kind: str) -> Callable[[object], str]:

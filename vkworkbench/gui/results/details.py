@@ -15,7 +15,7 @@ from vkworkbench.gui.results.rows import Row
 from vkworkbench.gui.tree.notices import Level
 from vkworkbench.report import OperationReport, is_switched_off
 
-WHY, NUMBERS, GAUSS_MAP = "why", "numbers", "gauss-map"  # targets of links
+WHY, NUMBERS, GAUSS_MAP, MEASURED = "why", "numbers", "gauss-map", "measured"  # targets of links
 _SIGNS = {
     Level.NOTE: ("i", colors.NOTE_SIGN), Level.WARNING: ("\u26a0", colors.WARNING_SIGN), Level.ERROR: ("\u2716", colors.ERROR_SIGN),
 }  # fmt: skip
@@ -46,6 +46,8 @@ def page(row: Row, first: list, others: list, opened: set[str]) -> str:
         parts.append(f"<i>{lines(text)}</i>")
     html = "".join(f"<p>{part}</p>" for part in parts)
     html += _table(_cells(row, first) + _machining(row))
+    if row.found.setup.planned and row.found.machining_seconds:
+        html += "<p>" + _link(MEASURED, translate("Vk_Results", "Enter the Measured Time…")) + "</p>"
     if NUMBERS not in opened:
         return html + "<p>" + _link(NUMBERS, translate("Vk_Results", "All Numbers")) + "</p>"
     html += _table(_cells(row, others) + _moves(row))
@@ -76,7 +78,7 @@ def _notice(notice) -> str:
 
 
 def _cells(row: Row, columns: list) -> list[tuple[str, str, str]]:
-    return [(column.name, column.text(row), column.range(row)) for column in columns if column.key not in _APART]
+    return [(column.name, column.text(row), column.remark(row)) for column in columns if column.key not in _APART]
 
 
 def _machining(row: Row) -> list[tuple[str, str, str]]:
@@ -116,9 +118,9 @@ def _advice(row: Row):
 
 def _table(cells: list[tuple[str, str, str]]) -> str:
     rows = []
-    for title, text, range_ in cells:
+    for title, text, remark in cells:
         if text:
-            cell = lines(text) + (f"<br><small>{lines(range_)}</small>" if range_ else "")
+            cell = lines(text) + (f"<br><small>{lines(remark)}</small>" if remark else "")
             name = lines(title)
             rows.append(f"<tr><td style='padding-right: 12px'>{name}</td><td>{cell}</td></tr>" if name
                         else f"<tr><td colspan='2'><small>{cell}</small></td></tr>")  # fmt: skip

@@ -102,7 +102,7 @@ class ResultsModel(QAbstractItemModel):
 def _tooltip(row: Row, column) -> str:
     if column.key == WARNINGS:
         return "\n".join(notice.text for notice in row.notices)
-    return column.range(row) or column.text(row)
+    return column.remark(row) or column.text(row)
 
 
 class ResultsOrder(QSortFilterProxyModel):

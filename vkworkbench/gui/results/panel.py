@@ -29,10 +29,11 @@ from vkworkbench.gui.qt.plain_text import lines, unbroken
 from vkworkbench.gui.qt.text import translate
 from vkworkbench.gui.results import findings
 from vkworkbench.gui.results.columns import STATE
-from vkworkbench.gui.results.details import GAUSS_MAP, page
+from vkworkbench.gui.results.details import GAUSS_MAP, MEASURED, page
 from vkworkbench.gui.results.export import as_text, save
 from vkworkbench.gui.results.filter import Filter
 from vkworkbench.gui.results.frozen_tree import FrozenTree
+from vkworkbench.gui.results.measured import analyze_again, learn
 from vkworkbench.gui.results.model import VALUE, ResultsModel, ResultsOrder
 from vkworkbench.gui.results.rows import Row, rows_of
 from vkworkbench.report import Cancelled, is_switched_off
@@ -275,6 +276,12 @@ class ResultsDock(QDockWidget):
             from vkworkbench.gui.gauss import command as gauss_map_command
 
             gauss_map_command.show()
+            return
+        if link == MEASURED:
+            rows = self._selected_rows()
+            (row,) = rows if len(rows) == 1 else self._together(rows)[:1]
+            if learn(row, self):
+                analyze_again(FreeCAD.ActiveDocument)
             return
         self._opened ^= {link}
         where = self.details.verticalScrollBar().value()

@@ -40,6 +40,8 @@ class Row:
         Number of the job's operations that are posted; 0 for an operation.
     rows : tuple of Row
         The operations of a job.
+    is_counted : bool
+        Whether an operation counts in its job's total.
     """
 
     found: OperationReport | Record | Total
@@ -50,6 +52,7 @@ class Row:
     mark: Record | None = None
     posted: int = 0
     rows: tuple[Row, ...] = ()
+    is_counted: bool = True
 
     @property
     def is_total(self) -> bool:
@@ -99,7 +102,8 @@ def _operation(finding: Finding, chosen: Preferences) -> Row:
         inactive = translate("Vk_Results", "This operation is not included in the total, because it is switched off.")
         notices.append(Notice(Level.NOTE, dressed if finding.operation.active else inactive))
     found = finding.report or finding.mark
-    return Row(found, obj.Name, obj.Label, tuple(notices), finding.mark.outdated, finding.mark)
+    counted = finding.operation.counted
+    return Row(found, obj.Name, obj.Label, tuple(notices), finding.mark.outdated, finding.mark, is_counted=counted)
 
 
 def _job(job, findings: list[Finding], chosen: Preferences) -> Row:

@@ -54,9 +54,14 @@ def _machining(record: Record) -> str:
     if not record.machining_seconds:  # "at least 0 s" says nothing
         return translate("Pills", "Cutting length: {length}.").format(length=length)
     time = user().clock(record.machining_seconds)
-    text = translate("Pills", "Machining time: {time}. Cutting length: {length}.")
     if record.left_out:
-        text = translate("Pills", "Machining time: at least {time}. Cutting length: {length}.")
+        time = translate("Pills", "at least {time}").format(time=time)
+    text = translate("Pills", "Machining time: {time}. Cutting length: {length}.")
+    if not record.setup.planned:
+        text = translate("Pills", "Machining time at constant feed: {time}. Cutting length: {length}.")
+    elif record.strategy is None and record.setup.change:
+        setup = translate("Pills", "Tool changes and starts of the spindle: {time}.")
+        text += " " + setup.format(time=user().clock(record.setup.change))
     return text.format(time=time, length=length)
 
 

@@ -75,6 +75,10 @@ class Machine:
         Index of the last M6 since the last move, if no T word before the M6 names a new tool.
     seconds : float
         Duration of this line's move under G93, s; 0 under other feed modes.
+    dwells : list of (int, float)
+        Line and duration in s of each dwell.
+    pause : float
+        Dwell of the present canned cycle, s.
     later : dict or None
         Words of a canned cycle with L0, which drills no hole yet.
     angles : dict
@@ -93,6 +97,8 @@ class Machine:
         self.commands = Commands()
         self.lines = array("q")
         self.inverse_time: dict[int, float] = {}
+        self.dwells: list[tuple[int, float]] = []
+        self.pause = 0.0
         self.problems: dict[Message, list[int]] = {}
         self.clues = Clues()
         self.number = 0

@@ -9,6 +9,7 @@ from vkworkbench.core.gcode.interpreter.machine import Machine
 from vkworkbench.core.gcode.interpreter.single_moves import SHAPES
 from vkworkbench.core.gcode.interpreter.target import target
 from vkworkbench.core.gcode.moves import codes
+from vkworkbench.core.gcode.moves.unread import dwell_of
 from vkworkbench.language import Message
 
 AXES = frozenset("XYZIJKR")
@@ -21,6 +22,7 @@ def move_of(machine: Machine, line: Line) -> None:
         motion = codes.RAPID if not AXES.isdisjoint(parameters) and not apart and line.once is None else None
     if motion is not None:
         machine.motion, machine.later, machine.written = motion, None, -1
+        machine.pause = 0.0
     mode = machine.motion
     feed = _feed(machine, parameters.get("F") if line.feeds else None)
     move = {} if apart else target(machine, mode, parameters)
@@ -51,6 +53,8 @@ def _move_along(machine: Machine, parameters: dict[str, float], move: dict[str, 
         if repeats <= 0:
             machine.later = move
             return
+        if machine.pause:
+            machine.dwells += [(machine.number, machine.pause)] * repeats
         if machine.later is not None:
             move, machine.later = {**machine.later, **move}, None
             machine.written = -1
@@ -75,8 +79,8 @@ def _note(machine: Machine, mode: int, parameters: dict[str, float], move: dict[
     elif machine.length_changed and mode > 0:
         machine.problem(Message("length-before-height"))
         machine.length_changed = False
-    if mode in codes.CYCLES and parameters.get("P", 0.0) > 0:
-        machine.problem(Message("dwell-untimed"))
+    if mode in codes.CYCLES and "P" in parameters:
+        machine.pause = dwell_of(parameters) or 0.0
 
 
 def _note_y(machine: Machine, y: float) -> None:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Handle the G-codes of moves for one line only: probes, threads and splines; and dwells and calls, which are not read."""
+"""Handle the G-codes of moves for one line only: probes, threads and splines; dwells; and calls, which are not read."""
 
 from __future__ import annotations
 
@@ -9,6 +9,7 @@ from vkworkbench.core.gcode.interpreter import splines
 from vkworkbench.core.gcode.interpreter.line import Line
 from vkworkbench.core.gcode.interpreter.machine import Handler, Machine
 from vkworkbench.core.gcode.moves import codes
+from vkworkbench.core.gcode.moves.unread import dwell_of
 from vkworkbench.language import Message
 
 # Adds the commands of a move with the given words, mm.
@@ -17,7 +18,12 @@ Shape = Callable[[Machine, Line, Dict[str, float]], None]
 
 def _dwell(machine: Machine, line: Line) -> None:
     line.feeds = not line.letters.isdisjoint("PXU")  # in G4 F2 of a Siemens, F is the time
-    machine.leave_out(line, Message("dwell-untimed"))
+    line.apart = True
+    seconds = dwell_of(dict(line.words))
+    if seconds is None:
+        machine.problem(Message("dwell-untimed"))
+    else:
+        machine.dwells.append((machine.number, seconds))
 
 
 def _macro_call(machine: Machine, line: Line) -> None:

@@ -44,7 +44,7 @@ from vkworkbench.core.gcode.moves.codes import (
     UNKNOWN,
     name_of,
 )
-from vkworkbench.core.gcode.moves.unread import unread
+from vkworkbench.core.gcode.moves.unread import dwells, unread
 from vkworkbench.core.gcode.moves.words import Words
 from vkworkbench.core.toolpath import COORDINATE_LIMIT, PLANE_AXES, Problem, Toolpath
 from vkworkbench.given import number, positive
@@ -116,6 +116,7 @@ def linearize(commands: Iterable[Any] | Words, *, tolerance: float = 0.01, infer
         tool_changes=np.searchsorted(command, np.flatnonzero(words.codes == TOOL_CHANGE)),
         comments=tuple((at, words.names[i].strip(" ()")) for at, i in zip(before, comments.tolist())),
         problems=tuple(program.problems),
+        dwells=program.dwells,
     )  # fmt: skip
 
 
@@ -153,6 +154,8 @@ class _Program:
         self.is_cycle = np.isin(self.motion, CYCLES)
         for rows, what in unread(words, self.motion):
             self.problems.add(rows, what)
+        dwelling, seconds = dwells(words, self.motion)
+        self.dwells = np.column_stack([dwelling, seconds])[~np.isnan(seconds)]
 
         self.plane = _mode(words, PLANES, 17)
         self.relative = _mode(words, {ABSOLUTE: 0, RELATIVE: 1}, 0) == 1

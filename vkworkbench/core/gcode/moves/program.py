@@ -41,6 +41,8 @@ class Program:
         Lines in which a rotary axis turns while the tool cuts.
     problems : tuple of Problem
         The parts of the program that were not read; `command` is a line of the text.
+    dwells : tuple of (int, float)
+        Line and duration in s of each dwell.
     """
 
     commands: Commands
@@ -53,6 +55,7 @@ class Program:
     other: Message | None
     rotary: tuple[int, ...]
     problems: tuple[Problem, ...]
+    dwells: tuple[tuple[int, float], ...] = ()
 
     def toolpath(self, *, tolerance: float = 0.01) -> Toolpath:
         """Return the trajectories of the whole program, with its problems.
@@ -88,4 +91,5 @@ class Program:
             commands=int(self.lines.max()) + 1,
             feed=feed,
             problems=self.problems + problems,
+            dwells=np.array(self.dwells).reshape(-1, 2),
         )

@@ -4,7 +4,8 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
+from typing import Any
 
 import numpy as np
 
@@ -27,6 +28,8 @@ ROTARY = "ABC"
 _READ = frozenset("XYZIJKRQF" + "GMNSTDH" + "LP")
 _INCHES = 200
 _CORNERS = frozenset("IJKR")  # in a straight move, some controls round or chamfer the next corner with these words
+# s. A longer dwell in a P word is in ms, as on Fanuc's controls.
+_LONGEST_DWELL = 60.0
 _M_CODE = re.compile(r"\s*[Mm]0*(2|30|97|98|198)(?:\.0*)?\s*", re.ASCII)
 
 
@@ -61,10 +64,8 @@ def unread(words: Words, motion: np.ndarray) -> Iterator[tuple[np.ndarray, Messa
     in_cycle = np.isin(motion, CYCLES)
     for letter in "KL" if in_cycle.any() else ():
         yield np.flatnonzero(in_cycle & (words.column(letter)[0] > 1)), Message("repeats-not-read", letter=letter)
-    if "P" in words.letters:
-        p = words.column("P")[0]
-        yield np.flatnonzero(in_cycle & (p > 0)), Message("dwell-untimed")
-    yield np.flatnonzero(codes == DWELL), Message("dwell-untimed")
+    rows, seconds = dwells(words, motion)
+    yield rows[np.isnan(seconds)], Message("dwell-untimed")
     yield np.flatnonzero(np.isin(codes, PROBES)), Message("probing-untimed")
     yield np.flatnonzero(codes == _INCHES), Message("inches-not-read")
     for code in COMPENSATION:
@@ -78,6 +79,28 @@ def unread(words: Words, motion: np.ndarray) -> Iterator[tuple[np.ndarray, Messa
         ends = np.flatnonzero((called == "2") | (called == "30"))
         if len(ends):
             yield ends[0] + np.flatnonzero(moves[ends[0] :]), Message("goes-on")
+
+
+def dwells(words: Words, motion: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Return the indices of the commands that dwell, (m,) int, and their times, (m,) s; NaN without a usable time."""
+    p = words.column("P")[0]
+    rows = np.flatnonzero((words.codes == DWELL) | (np.isin(motion, CYCLES) & (p > 0)))
+    seconds = np.full(len(rows), np.nan)
+    for letter in "XUP":
+        given = words.column(letter)[0][rows]
+        seconds = np.where(given >= 0, _in_seconds(given) if letter == "P" else given, seconds)
+    return rows, seconds
+
+
+def dwell_of(values: Mapping[str, float]) -> float | None:
+    """Return the time of a dwell from the words of its line, s; None without a usable time."""
+    if "P" in values:
+        return float(_in_seconds(values["P"])) if values["P"] >= 0 else None
+    return next((values[letter] for letter in "XUF" if values.get(letter, -1.0) >= 0), None)
+
+
+def _in_seconds(p: Any) -> Any:
+    return np.where(p > _LONGEST_DWELL, p / 1000, p)
 
 
 def _given(words: Words, letter: str) -> np.ndarray:
