@@ -15,7 +15,7 @@ import numpy as np
 from vkworkbench.core.gcode import dialects
 from vkworkbench.core.gcode.blocks import LARGEST_NUMBER, split_comments, split_words, whole
 from vkworkbench.core.gcode.comments.tool_table import tool_told
-from vkworkbench.core.gcode.flow import PROGRAM_NUMBER, Call, Ended, Flow, Step, Subprograms
+from vkworkbench.core.gcode.flow import PROGRAM_NUMBER, Call, Ended, Flow, Step, Subprograms, arguments
 from vkworkbench.core.gcode.interpreter import Interpreter
 from vkworkbench.core.gcode.moves.program import Program
 from vkworkbench.core.gcode.moves.units import INCH
@@ -255,7 +255,7 @@ class _Reader:
         before = words[: words.index(_MACRO_CALL)]
         self.machine.block(self.number, before, {letter for letter, _ in before}, deleted=self.deleted)
         times = whole(values.get("L", 1.0), LARGEST_NUMBER)
-        self._run_call(Call(first, self.subprograms.end(first), times, self.flow.arguments(words)))
+        self._run_call(Call(first, self.subprograms.end(first), times, arguments(words)))
         return True
 
     def _run_call(self, call: Call) -> None:

@@ -3,11 +3,13 @@
 
 Input: the lines of a program. Output: a line with numbers in place of its variables and expressions, and the line that
 follows it. `Flow` performs the macro statements of a line; `Subprograms` finds programs and blocks by their numbers.
-`Ended` says why the rest of a program cannot be followed.
+`arguments` are the variables that a macro call sets. `Ended` says why the rest of a program cannot be followed.
 """
 
 from vkworkbench.core.gcode.flow.ended import Ended
-from vkworkbench.core.gcode.flow.flow import Call, Flow, Step
+from vkworkbench.core.gcode.flow.fanuc import arguments
+from vkworkbench.core.gcode.flow.flow import Flow
+from vkworkbench.core.gcode.flow.step import Call, Step
 from vkworkbench.core.gcode.flow.subprograms import PROGRAM_NUMBER, Subprograms, calls_block
 
-__all__ = ["PROGRAM_NUMBER", "Call", "Ended", "Flow", "Step", "Subprograms", "calls_block"]
+__all__ = ["PROGRAM_NUMBER", "Call", "Ended", "Flow", "Step", "Subprograms", "arguments", "calls_block"]

@@ -6,11 +6,12 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable
 from functools import cached_property
-from typing import NamedTuple
 
 from vkworkbench.core.gcode.flow.ended import Ended, Unknown, Unreadable
 from vkworkbench.core.gcode.flow.expressions import Postfix, evaluate
+from vkworkbench.core.gcode.flow.fanuc import is_fanuc
 from vkworkbench.core.gcode.flow.lines import Control, Words, bare, parse_line
+from vkworkbench.core.gcode.flow.step import Call, Step
 from vkworkbench.core.gcode.flow.structure import Block, Structure
 from vkworkbench.core.gcode.flow.subprograms import Subprograms
 from vkworkbench.core.gcode.flow.variables import ALARM, Frame, Value, Variables
@@ -22,10 +23,6 @@ MOST_STEPS = 20_000_000  # largest number of steps in all calculations: it bound
 DEEPEST = 10  # largest depth of calls within calls
 MOST_COMMANDS = 5_000_000  # largest number of commands that loops, jumps and calls add: a toolpath has no more moves
 
-# Signs of a dialect. A program number (O1000) without a sign of LinuxCNC is a sign of a Fanuc control, too.
-_LINUXCNC = re.compile(r"#<|\*\*|EXISTS\[|O(?:\d+|<[^<>]*>)(?:SUB|CALL|IF|WHILE|DO|REPEAT)", re.IGNORECASE)
-_FANUC = re.compile(r"GOTO[\d#\[]|\]THEN|DO\d|END\d|G0*65(?!\d)|#0(?!\d)", re.IGNORECASE)
-_SIGNS = re.compile(r"[#\[*]|SUB|CALL|DO|GO|END|G\s*0*65|REPEAT", re.IGNORECASE)
 _UNREAD = re.compile(r"#(?:(\d+)|<([^<>]+)>)=")  # a variable that gets a value in a line that cannot be read
 # A statement that decides which line follows, also if it has an error.
 _JUMP = re.compile(
@@ -35,10 +32,6 @@ _JUMP = re.compile(
 _HARMLESS = frozenset("DEFHST")
 _NUMBER_ALONE = re.compile(r"(?:N[\d.]+)?")
 _DATA = re.compile(r"G0*(?:4|10)(?!\d)")
-_MACRO_LETTERS = {letter: number for number, letter in enumerate("ABC", 1)}
-_MACRO_LETTERS.update({"D": 7, "E": 8, "F": 9, "H": 11, "M": 13})
-_MACRO_LETTERS.update({letter: number for number, letter in enumerate("QRSTUVWXYZ", 17)})
-_MOST_SETS = 10  # largest number of I, J and K words in the line of a macro call
 # The methods of Flow that perform the control statements. A table of bound methods would be a circle of references, which
 # keeps the whole text in memory.
 _METHODS = {
@@ -49,46 +42,6 @@ _METHODS = {
     "GOTO": "_go_to", "IF-GOTO": "_if_go_to", "IF-THEN": "_if_then",
     "DO-N": "_while", "END-N": "_repeat_loop",
 }  # fmt: skip
-
-
-class Call(NamedTuple):
-    """A call of a subprogram in the same text.
-
-    Attributes
-    ----------
-    first, end : int
-        Indices of its first line, and of the line after its last line.
-    times : int
-        Number of runs.
-    frame : Frame or None
-        Its local variables; None if it uses the variables of its caller.
-    """
-
-    first: int
-    end: int
-    times: int = 1
-    frame: Frame | None = None
-
-
-class Step(NamedTuple):
-    """The effect of a macro statement.
-
-    Attributes
-    ----------
-    code : str
-        The line with numbers in place of its variables and expressions; empty if no words are left.
-    to : int or None
-        Index of the line that follows; None for the next line.
-    call : Call or None
-        The subprogram that the line calls.
-    returns : bool
-        Whether the line ends the current subprogram.
-    """
-
-    code: str = ""
-    to: int | None = None
-    call: Call | None = None
-    returns: bool = False
 
 
 class Flow:
@@ -127,15 +80,7 @@ class Flow:
 
     @cached_property
     def _fanuc(self) -> bool:
-        """Whether the program is written for a Fanuc control."""
-        for line in self._lines:
-            if _SIGNS.search(line):
-                code = bare(line)
-                if _LINUXCNC.search(code):
-                    return False
-                if _FANUC.search(code):
-                    return True
-        return bool(self._subprograms.heads)
+        return is_fanuc(self._lines, self._subprograms)
 
     @cached_property
     def _variables(self) -> Variables:
@@ -228,23 +173,6 @@ class Flow:
         """End a run of a subprogram."""
         if frame is not None:
             self._variables.frames.pop()
-
-    def arguments(self, words: Iterable[tuple[str, float]]) -> Frame:
-        """Return the local variables that the words of Fanuc's macro call G65 set.
-
-        I, J and K words may be repeated: the next set begins where their order in the alphabet is broken.
-        """
-        numbers: dict[int, Value] = {}
-        sets, last = 0, ""
-        for letter, value in words:
-            if letter in _MACRO_LETTERS:
-                numbers[_MACRO_LETTERS[letter]] = value
-            elif letter in "IJK":
-                sets += letter <= last
-                last = letter
-                if sets < _MOST_SETS:
-                    numbers[4 + 3 * sets + "IJK".index(letter)] = value
-        return Frame(numbers)
 
     def _forget(self, code: str) -> None:
         """Mark the variables as unknown that a line assigns and that cannot be read."""

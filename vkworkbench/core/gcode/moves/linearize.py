@@ -9,55 +9,27 @@ canned cycles.
 from __future__ import annotations
 
 from collections.abc import Iterable
-from typing import Any, List
+from typing import Any
 
 import numpy as np
 
 from vkworkbench.core.gcode.moves import arcs, cycles
+from vkworkbench.core.gcode.moves.arc_centres import resolve_arcs
 from vkworkbench.core.gcode.moves.codes import (
-    ABSOLUTE,
-    ABSOLUTE_CENTRES,
     ARCS,
-    CANCEL,
-    CLOCKWISE,
     COMMENT,
-    CYCLES,
-    FEED,
-    INVERSE_TIME,
-    MACHINE,
-    MACHINE_COORDINATES,
-    MODAL,
-    MOTIONS,
-    PECKING,
-    PER_MINUTE,
-    PER_TURN,
-    PLANES,
-    PROBES,
     RAPID,
-    RELATIVE,
-    RELATIVE_CENTRES,
-    STATES,
-    TAPPING,
-    TO_RETRACT_PLANE,
-    TO_START,
     TOOL_CHANGE,
-    UNKNOWN,
-    name_of,
 )
-from vkworkbench.core.gcode.moves.unread import dwells, unread
+from vkworkbench.core.gcode.moves.modal import ModalState
 from vkworkbench.core.gcode.moves.words import Words
-from vkworkbench.core.toolpath import COORDINATE_LIMIT, PLANE_AXES, Problem, Toolpath
+from vkworkbench.core.toolpath import PLANE_AXES, Toolpath
 from vkworkbench.given import number, positive
 from vkworkbench.language import Message, Unusable
 
 MOST_TRAJECTORIES = 5_000_000  # needs 2 GB of memory
-SLOWEST_FEED = 1e-6  # mm/s, eleven days for a millimetre; a lower feed is an error
-_COARSEST_PITCH = 10.0  # mm; a larger F word of a tap is a feed rate, not a pitch
 
-_MOST_NAMED = 10  # unknown codes with a message each; further codes are only counted
 _ZERO_LENGTH = 1e-9  # mm; shorter trajectories are left out
-_MOST_TURNS = 10_000  # turns of an arc (P)
-_OFF_CIRCLE = 0.05  # mm; if an arc ends farther from its circle, its centre words were probably misread
 
 
 def linearize(commands: Iterable[Any] | Words, *, tolerance: float = 0.01, infer_centres: bool = False) -> Toolpath:
@@ -98,7 +70,7 @@ def linearize(commands: Iterable[Any] | Words, *, tolerance: float = 0.01, infer
     """
     tolerance = number("tolerance", tolerance, "a positive number of mm", positive)
     words = commands if isinstance(commands, Words) else Words(commands)
-    program = _Program(words, infer_centres)
+    program = ModalState(words, infer_centres)
     points, rapid, command, sweep, is_cycle = _moves(program, tolerance)
 
     moved = _moved(points)
@@ -126,183 +98,7 @@ def _moved(points: np.ndarray) -> np.ndarray:
     return result
 
 
-class _Problems(List[Problem]):
-    """The problems found, one for each message."""
-
-    def add(self, rows: np.ndarray, what: Message) -> None:
-        if len(rows):
-            self.append(Problem.at(rows, what))
-
-
-class _Program:
-    """The modal state at every command (motion, position, plane, modes and feed), and the problems found so far."""
-
-    def __init__(self, words: Words, infer_centres: bool) -> None:
-        self.words, self.problems = words, _Problems()
-        codes = words.codes
-        self._report_codes()
-
-        # A command with an empty name continues the last motion, until G80 ends the motion.
-        is_motion = np.isin(codes, MOTIONS)
-        self.motion = np.where(is_motion, codes, -1)
-        modal = np.flatnonzero(codes == MODAL)
-        if len(modal):
-            setter = _last(is_motion | (codes == CANCEL))[modal]
-            inherited = np.where(setter >= 0, codes[setter], -1)
-            self.motion[modal] = np.where(inherited == CANCEL, -1, inherited)
-            self.problems.add(modal[self.motion[modal] < 0], Message("words-without-motion"))
-        self.is_cycle = np.isin(self.motion, CYCLES)
-        for rows, what in unread(words, self.motion):
-            self.problems.add(rows, what)
-        dwelling, seconds = dwells(words, self.motion)
-        self.dwells = np.column_stack([dwelling, seconds])[~np.isnan(seconds)]
-
-        self.plane = _mode(words, PLANES, 17)
-        self.relative = _mode(words, {ABSOLUTE: 0, RELATIVE: 1}, 0) == 1
-        self.to_machine, self.rises = self._moves_to_machine()
-        self.relative[self.to_machine] = False
-        self.motion[self.to_machine] = RAPID
-        self.absolute_centre = _mode(words, {ABSOLUTE_CENTRES: 1, RELATIVE_CENTRES: 0}, 0) == 1
-        self.infer_centres = infer_centres and not np.isin(codes, (ABSOLUTE_CENTRES, RELATIVE_CENTRES)).any()
-        self.to_retract_plane = _mode(words, {TO_START: 0, TO_RETRACT_PLANE: 1}, 0) == 1
-        self.feed = self._feed()
-        count = np.count_nonzero(self.is_cycle)
-        self.cycle_heights, self.cycle_peck, self.cycle_begins = (
-            np.empty((count, 4)),
-            np.empty(count),
-            np.ones(count, bool),
-        )
-        self.drilled = np.array([PLANE_AXES[p][2] for p in range(17, 20)])[self.plane - 17]  # axis of canned cycles
-        self.position, self.known = self._positions()
-
-    def _report_codes(self) -> None:
-        codes, names = self.words.codes, self.words.names
-        known = np.concatenate([MOTIONS, STATES, PROBES, MACHINE])
-        self.problems.add(self.words.two_codes, Message("two-codes"))
-        by_name: dict[str, list[int]] = {}
-        for row, code in zip(self.words.second_rows.tolist(), self.words.second_codes.tolist()):
-            if code == UNKNOWN or (code >= 0 and code not in known):
-                by_name.setdefault(name_of(code), []).append(row)
-        for row in np.flatnonzero((codes == UNKNOWN) | ((codes >= 0) & ~np.isin(codes, known))).tolist():
-            by_name.setdefault(names[row], []).append(row)
-        unknown = list(by_name.items())
-        for name, rows in unknown[:_MOST_NAMED]:
-            self.problems.add(np.array(rows), Message("unknown-code", name=repr(name[:40])))
-        rest = [row for _, rows in unknown[_MOST_NAMED:] for row in rows]
-        if rest:
-            self.problems.add(np.array(rest), Message("more-unknown-codes", count=len(unknown) - _MOST_NAMED))
-
-    def _moves_to_machine(self) -> tuple[np.ndarray, np.ndarray]:
-        """Return the indices of all moves to machine positions, (m,) int, and of the moves that rise in Z, (r,) int.
-
-        FreeCAD splits a line such as ``G53 G0 Z0`` or ``G28 G91 Z0`` into two commands.
-        """
-        codes = self.words.codes
-        rows = np.flatnonzero(np.isin(codes, MACHINE))
-        if not len(rows):
-            return rows, rows
-        along_x, along_y, along_z = (~np.isnan(self.words.column(letter)[0]) for letter in "XYZ")
-        across = along_x | along_y
-        alone = rows[~(across | along_z)[rows]]
-        behind = np.minimum(alone[codes[alone] == MACHINE_COORDINATES] + 1, len(codes) - 1)
-        behind = behind[np.isin(self.motion[behind], (RAPID, FEED))]
-        moving = np.union1d(rows, behind)
-        home = alone[codes[alone] != MACHINE_COORDINATES]
-        after = np.minimum(home + 1, len(codes) - 1)  # the G91 of G28 G91 Z0, with the axes
-        in_z = np.isin(codes[after], (ABSOLUTE, RELATIVE)) & along_z[after] & ~across[after]
-        aside = np.union1d(moving[across[moving]], home[~in_z])
-        aside = aside[aside < np.flatnonzero(self.motion >= 0).max(initial=0)]
-        told_by = np.where(np.isin(aside, behind), MACHINE_COORDINATES, codes[aside])
-        for code in MACHINE:
-            self.problems.add(aside[told_by == code], Message("machine-position", name=name_of(code)))
-        return moving, np.union1d(moving[along_z[moving]], home)
-
-    def before(self, rows: np.ndarray) -> np.ndarray:
-        """Return the position before each of the given commands, (m, 3) mm."""
-        result: np.ndarray = self.position[np.maximum(rows - 1, 0)]
-        return result
-
-    def _feed(self) -> np.ndarray:
-        values, unusable = self.words.column("F")
-        unusable |= (values != 0) & (values < SLOWEST_FEED)
-        self.problems.add(np.flatnonzero(unusable), Message("unusable-feed"))
-        tapping = np.flatnonzero(np.isin(self.motion, TAPPING) & (values <= _COARSEST_PITCH))
-        if len(tapping):  # a FreeCAD tap has the pitch in F and the speed in S; the feed rate is their product
-            speed = self.words.column("S", tapping)[0]  # turns/min
-            values[tapping] *= np.where(speed > 0, speed / 60, 1)
-        setter = _last(values >= SLOWEST_FEED)
-        per_minute = _mode(self.words, {INVERSE_TIME: 0, PER_MINUTE: 1, PER_TURN: 0}, 1) == 1
-        return np.where((setter >= 0) & per_minute, values[setter], 0.0)
-
-    def _positions(self) -> tuple[np.ndarray, np.ndarray]:
-        moves = self.motion >= 0
-        position = np.empty((len(moves), 3))
-        known = np.empty((len(moves), 3), bool)
-        for axis, letter in enumerate("XYZ"):
-            values, unusable = self.words.column(letter)
-            self.problems.add(np.flatnonzero(unusable & moves), Message("unusable-word", letter=letter))
-            values[~moves] = np.nan
-            values[self.to_machine] = np.nan
-            drills = self.is_cycle & (self.drilled == axis)
-            if letter == "Z":
-                values[self.rises] = self._highest(values, drills)
-            if drills.any():
-                if letter != "Z":
-                    self.problems.add(np.flatnonzero(drills), Message("cycle-outside-xy", letter=letter))
-                values, relative = self._resolve_cycles(values, drills), np.zeros(len(moves), bool)
-            else:
-                relative = self.relative
-            position[:, axis], known[:, axis] = _coordinate(values, relative)
-        beyond = np.abs(position) > COORDINATE_LIMIT
-        if beyond.any():  # the sum of relative words may exceed the limit
-            self.problems.add(np.flatnonzero(beyond.any(axis=1)), Message("position-cut-off"))
-            position = np.clip(position, -COORDINATE_LIMIT, COORDINATE_LIMIT)
-        return position, known
-
-    def _highest(self, z: np.ndarray, drills: np.ndarray) -> float:
-        """Return the greatest height to which Z words lead, mm; NaN without Z words.
-
-        In a canned cycle along Z (`drills`), the R word counts, because the Z word is the bottom of the hole. A cycle
-        under G91 does not count.
-        """
-        if drills.any():
-            z = np.where(drills, np.where(self.relative, np.nan, self.words.column("R")[0]), z)
-        given = ~np.isnan(z)
-        return float(_coordinate(z, self.relative)[0][given].max()) if given.any() else np.nan
-
-    def _resolve_cycles(self, along: np.ndarray, drills: np.ndarray) -> np.ndarray:
-        """Return the absolute coordinates along the axis of canned cycles, (n,) mm; NaN where a command sets none.
-
-        Parameters
-        ----------
-        along : (n,) float64
-            The words of the axis, mm; NaN where absent.
-        drills : (n,) bool
-            Whether each command is a cycle along this axis.
-        """
-        rows = np.flatnonzero(drills)
-        own = {"Z": along[rows]}
-        for letter in "RQ":
-            own[letter], unusable = self.words.column(letter, rows)
-            self.problems.add(rows[unusable], Message("unusable-word", letter=letter))
-        self.problems.add(rows[np.isnan(_held(own["Z"]))], Message("cycle-without-depth"))
-        self.problems.add(rows[np.isnan(_held(own["R"]))], Message("cycle-without-retract"))
-        parted = ((self.motion >= 0) & ~drills) | (self.words.codes == CANCEL)
-        along[rows] = np.nan
-        series = np.cumsum(parted)[rows]
-        along, heights = cycles.heights(
-            along, self.relative, rows, series, own["R"], own["Z"], self.to_retract_plane[rows]
-        )
-        peck = _held(own["Q"])
-        tiny = np.isin(self.motion[rows], PECKING) & cycles.has_tiny_pecks(heights, peck)
-        self.problems.add(rows[tiny], Message("tiny-pecks", most=cycles.MOST_PECKS))
-        among = np.searchsorted(np.flatnonzero(self.is_cycle), rows)
-        self.cycle_heights[among], self.cycle_peck[among] = heights, peck
-        self.cycle_begins[among] = np.diff(series, prepend=-1) != 0
-        return along
-
-
-def _moves(program: _Program, tolerance: float) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
+def _moves(program: ModalState, tolerance: float) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
     """Return points, rapid, command, sweep and cycle of all moves, including moves with zero length."""
     motion, position = program.motion, program.position
     is_arc = np.isin(motion, ARCS)
@@ -314,7 +110,7 @@ def _moves(program: _Program, tolerance: float) -> tuple[np.ndarray, np.ndarray,
         start, end = program.before(arc_rows), position[arc_rows]
         flat_start = np.take_along_axis(start, axes, 1)
         flat_end = np.take_along_axis(end, axes, 1)
-        resolved = _resolve_arcs(program, arc_rows, axes, flat_start, flat_end)
+        resolved = resolve_arcs(program, arc_rows, axes, flat_start, flat_end)
         counts[arc_rows] = arcs.chord_counts(resolved, tolerance)
     cycle_rows = np.flatnonzero(program.is_cycle)
     if len(cycle_rows):
@@ -344,55 +140,7 @@ def _moves(program: _Program, tolerance: float) -> tuple[np.ndarray, np.ndarray,
     return np.concatenate([start, points]), rapid, command, sweep, is_cycle
 
 
-def _resolve_arcs(
-    program: _Program, rows: np.ndarray, axes: np.ndarray, start: np.ndarray, end: np.ndarray
-) -> arcs.Arcs:
-    words, problems = program.words, program.problems
-    columns, unusable = zip(*(words.column(letter, rows) for letter in "IJK"))
-    problems.add(rows[np.any(unusable, axis=0)], Message("unusable-centre"))
-    offset = np.take_along_axis(np.column_stack(columns), axes[:, :2], 1)
-    radius, unusable = words.column("R", rows)
-    problems.add(rows[unusable], Message("unusable-word", letter="R"))
-    clockwise = program.motion[rows] == CLOCKWISE
-    ends = start[:, :2], end[:, :2], clockwise, offset, radius
-    resolved = arcs.resolve(*ends, program.absolute_centre[rows])
-    if program.infer_centres:
-        absolute = arcs.resolve(*ends, np.ones(len(rows), bool))
-        differ = np.abs(resolved.centre - absolute.centre).max(axis=1) > _OFF_CIRCLE
-        circles = differ & ~np.isnan(offset).any(axis=1) & (np.abs(resolved.sweep) > 2 * np.pi - 1e-9)
-        fits, fits_absolute = resolved.gap <= _OFF_CIRCLE, absolute.gap <= _OFF_CIRCLE
-        tells = differ & ~circles & (fits | fits_absolute)
-        off, off_absolute = (np.count_nonzero(tells & ~fit) for fit in (fits, fits_absolute))
-        if 2 * off > np.count_nonzero(tells) and 2 * off_absolute < off:
-            resolved = absolute
-            problems.add(rows[:1], Message("absolute-centres"))
-        elif not tells.any() and not _repeats(offset[circles]):
-            problems.add(rows[circles], Message("circles-alone"))
-
-    known = np.take_along_axis(program.known[np.maximum(rows - 1, 0)] & (rows > 0)[:, None], axes[:, :2], 1)
-    unknown_start = ~known.all(axis=1)
-    problems.add(rows[unknown_start], Message("arc-before-start"))
-    bad = resolved.degenerate & ~unknown_start
-    problems.add(rows[bad], Message("arc-as-line"))
-    uneven = (resolved.gap > np.maximum(0.1, 0.01 * resolved.radius[:, 0])) & (resolved.sweep != 0) & ~unknown_start
-    problems.add(rows[uneven], Message("arc-of-changing-radius"))
-    turns = np.nan_to_num(words.column("P", rows)[0], nan=1.0)
-    usable = (turns <= _MOST_TURNS) & (turns % 1 == 0)
-    problems.add(rows[~usable & (turns > 1)], Message("turns-not-read"))
-    resolved.sweep[:] += np.sign(resolved.sweep) * np.where(usable & (turns > 1), turns - 1, 0) * 2 * np.pi
-    resolved.sweep[unknown_start] = 0.0  # an unknown start equals the end, so the arc becomes a line with zero length
-    return resolved
-
-
-def _repeats(offset: np.ndarray) -> bool:
-    """Return whether two neighbouring circles have equal centre words, (m, 2) mm, as circles in a helix have.
-
-    Such words are offsets, because coordinates would rarely make two circles around one centre.
-    """
-    return bool((np.diff(offset, axis=0) == 0).all(axis=1).any())
-
-
-def _expand_cycles(program: _Program, rows: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+def _expand_cycles(program: ModalState, rows: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """Return the end points of the moves of all canned cycles, (k, 3) mm, and whether each move is a rapid, (k,) bool."""
     start = program.before(rows).copy()
     start[rows == 0] = program.position[0]
@@ -405,45 +153,3 @@ def _expand_cycles(program: _Program, rows: np.ndarray) -> tuple[np.ndarray, np.
     points = np.empty_like(flat)
     np.put_along_axis(points, np.repeat(axes, cycles.move_counts(code, heights, peck), axis=0), flat, 1)
     return points, rapid
-
-
-def _last(mask: np.ndarray) -> np.ndarray:
-    """Return the index of the last True at or before each element, -1 if there is none, (n,) int."""
-    return np.maximum.accumulate(np.where(mask, np.arange(len(mask)), -1))
-
-
-def _held(values: np.ndarray) -> np.ndarray:
-    """Fill each NaN with the last number before it."""
-    last = _last(~np.isnan(values))
-    return np.where(last >= 0, values[last], np.nan) if len(values) else values
-
-
-def _mode(words: Words, states: dict[int, int], default: int) -> np.ndarray:
-    """Return the state of a modal group at every command: the value for the group's last code, (n,) int."""
-    codes = words.codes
-    value, sets = np.full(len(codes), default, np.int64), np.zeros(len(codes), bool)
-    for code, code_value in states.items():
-        for own in (np.flatnonzero(codes == code), words.second_rows[words.second_codes == code]):
-            value[own], sets[own] = code_value, True
-    if not sets.any():
-        return value
-    setter = _last(sets)
-    return np.where(setter >= 0, value[setter], default)
-
-
-def _coordinate(values: np.ndarray, relative: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Return the position of one axis after every command, (n,) mm, and whether it is known, (n,) bool.
-
-    The position is not known before the axis's first word, and is set to the value of this word if the word is
-    absolute. Relative words before the first absolute word are added up from 0. The position of an axis without words
-    is 0.
-    """
-    given = ~np.isnan(values)
-    known = _last(given) >= 0
-    travelled = np.cumsum(np.where(given & relative, values, 0.0))
-    anchor = _last(given & ~relative)
-    anchored = np.where(anchor >= 0, values[anchor] - travelled[anchor], 0.0)
-    position = anchored + travelled
-    if known.any() and not relative[given.argmax()]:
-        position[~known] = values[given.argmax()]
-    return position, known

@@ -1,0 +1,48 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The effect of a macro statement on the lines that follow."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+from vkworkbench.core.gcode.flow.variables import Frame
+
+
+class Call(NamedTuple):
+    """A call of a subprogram in the same text.
+
+    Attributes
+    ----------
+    first, end : int
+        Indices of its first line, and of the line after its last line.
+    times : int
+        Number of runs.
+    frame : Frame or None
+        Its local variables; None if it uses the variables of its caller.
+    """
+
+    first: int
+    end: int
+    times: int = 1
+    frame: Frame | None = None
+
+
+class Step(NamedTuple):
+    """The effect of a macro statement.
+
+    Attributes
+    ----------
+    code : str
+        The line with numbers in place of its variables and expressions; empty if no words are left.
+    to : int or None
+        Index of the line that follows; None for the next line.
+    call : Call or None
+        The subprogram that the line calls.
+    returns : bool
+        Whether the line ends the current subprogram.
+    """
+
+    code: str = ""
+    to: int | None = None
+    call: Call | None = None
+    returns: bool = False

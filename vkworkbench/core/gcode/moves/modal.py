@@ -1,0 +1,266 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Resolve the modal state at every command: the motion, position, plane, modes and feed rate.
+
+A modal state has the value from the last row that sets the state, and a running maximum of row numbers finds this row.
+"""
+
+from __future__ import annotations
+
+from typing import List
+
+import numpy as np
+
+from vkworkbench.core.gcode.moves import cycles
+from vkworkbench.core.gcode.moves.codes import (
+    ABSOLUTE,
+    ABSOLUTE_CENTRES,
+    CANCEL,
+    CYCLES,
+    FEED,
+    INVERSE_TIME,
+    MACHINE,
+    MACHINE_COORDINATES,
+    MODAL,
+    MOTIONS,
+    PECKING,
+    PER_MINUTE,
+    PER_TURN,
+    PLANES,
+    PROBES,
+    RAPID,
+    RELATIVE,
+    RELATIVE_CENTRES,
+    STATES,
+    TAPPING,
+    TO_RETRACT_PLANE,
+    TO_START,
+    UNKNOWN,
+    name_of,
+)
+from vkworkbench.core.gcode.moves.unread import dwells, unread
+from vkworkbench.core.gcode.moves.words import Words
+from vkworkbench.core.toolpath import COORDINATE_LIMIT, PLANE_AXES, Problem
+from vkworkbench.language import Message
+
+_SLOWEST_FEED = 1e-6  # mm/s, eleven days for a millimetre; a lower feed is an error
+_COARSEST_PITCH = 10.0  # mm; a larger F word of a tap is a feed rate, not a pitch
+_MOST_NAMED = 10  # unknown codes with a message each; further codes are only counted
+
+
+class Problems(List[Problem]):
+    """The problems found, one for each message."""
+
+    def add(self, rows: np.ndarray, what: Message) -> None:
+        """Add a message on the commands with these indices, if there are any."""
+        if len(rows):
+            self.append(Problem.at(rows, what))
+
+
+class ModalState:
+    """The modal state at every command (motion, position, plane, modes and feed), and the problems found so far."""
+
+    def __init__(self, words: Words, infer_centres: bool) -> None:
+        self.words, self.problems = words, Problems()
+        codes = words.codes
+        self._report_codes()
+
+        # A command with an empty name continues the last motion, until G80 ends the motion.
+        is_motion = np.isin(codes, MOTIONS)
+        self.motion = np.where(is_motion, codes, -1)
+        modal = np.flatnonzero(codes == MODAL)
+        if len(modal):
+            setter = _last(is_motion | (codes == CANCEL))[modal]
+            inherited = np.where(setter >= 0, codes[setter], -1)
+            self.motion[modal] = np.where(inherited == CANCEL, -1, inherited)
+            self.problems.add(modal[self.motion[modal] < 0], Message("words-without-motion"))
+        self.is_cycle = np.isin(self.motion, CYCLES)
+        for rows, what in unread(words, self.motion):
+            self.problems.add(rows, what)
+        dwelling, seconds = dwells(words, self.motion)
+        self.dwells = np.column_stack([dwelling, seconds])[~np.isnan(seconds)]
+
+        self.plane = _mode(words, PLANES, 17)
+        self.relative = _mode(words, {ABSOLUTE: 0, RELATIVE: 1}, 0) == 1
+        self.to_machine, self.rises = self._moves_to_machine()
+        self.relative[self.to_machine] = False
+        self.motion[self.to_machine] = RAPID
+        self.absolute_centre = _mode(words, {ABSOLUTE_CENTRES: 1, RELATIVE_CENTRES: 0}, 0) == 1
+        self.infer_centres = infer_centres and not np.isin(codes, (ABSOLUTE_CENTRES, RELATIVE_CENTRES)).any()
+        self.to_retract_plane = _mode(words, {TO_START: 0, TO_RETRACT_PLANE: 1}, 0) == 1
+        self.feed = self._feed()
+        count = np.count_nonzero(self.is_cycle)
+        self.cycle_heights, self.cycle_peck, self.cycle_begins = (
+            np.empty((count, 4)),
+            np.empty(count),
+            np.ones(count, bool),
+        )
+        self.drilled = np.array([PLANE_AXES[p][2] for p in range(17, 20)])[self.plane - 17]  # axis of canned cycles
+        self.position, self.known = self._positions()
+
+    def _report_codes(self) -> None:
+        codes, names = self.words.codes, self.words.names
+        known = np.concatenate([MOTIONS, STATES, PROBES, MACHINE])
+        self.problems.add(self.words.two_codes, Message("two-codes"))
+        by_name: dict[str, list[int]] = {}
+        for row, code in zip(self.words.second_rows.tolist(), self.words.second_codes.tolist()):
+            if code == UNKNOWN or (code >= 0 and code not in known):
+                by_name.setdefault(name_of(code), []).append(row)
+        for row in np.flatnonzero((codes == UNKNOWN) | ((codes >= 0) & ~np.isin(codes, known))).tolist():
+            by_name.setdefault(names[row], []).append(row)
+        unknown = list(by_name.items())
+        for name, rows in unknown[:_MOST_NAMED]:
+            self.problems.add(np.array(rows), Message("unknown-code", name=repr(name[:40])))
+        rest = [row for _, rows in unknown[_MOST_NAMED:] for row in rows]
+        if rest:
+            self.problems.add(np.array(rest), Message("more-unknown-codes", count=len(unknown) - _MOST_NAMED))
+
+    def _moves_to_machine(self) -> tuple[np.ndarray, np.ndarray]:
+        """Return the indices of all moves to machine positions, (m,) int, and of the moves that rise in Z, (r,) int.
+
+        FreeCAD splits a line such as ``G53 G0 Z0`` or ``G28 G91 Z0`` into two commands.
+        """
+        codes = self.words.codes
+        rows = np.flatnonzero(np.isin(codes, MACHINE))
+        if not len(rows):
+            return rows, rows
+        along_x, along_y, along_z = (~np.isnan(self.words.column(letter)[0]) for letter in "XYZ")
+        across = along_x | along_y
+        alone = rows[~(across | along_z)[rows]]
+        behind = np.minimum(alone[codes[alone] == MACHINE_COORDINATES] + 1, len(codes) - 1)
+        behind = behind[np.isin(self.motion[behind], (RAPID, FEED))]
+        moving = np.union1d(rows, behind)
+        home = alone[codes[alone] != MACHINE_COORDINATES]
+        after = np.minimum(home + 1, len(codes) - 1)  # the G91 of G28 G91 Z0, with the axes
+        in_z = np.isin(codes[after], (ABSOLUTE, RELATIVE)) & along_z[after] & ~across[after]
+        aside = np.union1d(moving[across[moving]], home[~in_z])
+        aside = aside[aside < np.flatnonzero(self.motion >= 0).max(initial=0)]
+        told_by = np.where(np.isin(aside, behind), MACHINE_COORDINATES, codes[aside])
+        for code in MACHINE:
+            self.problems.add(aside[told_by == code], Message("machine-position", name=name_of(code)))
+        return moving, np.union1d(moving[along_z[moving]], home)
+
+    def before(self, rows: np.ndarray) -> np.ndarray:
+        """Return the position before each of the given commands, (m, 3) mm."""
+        result: np.ndarray = self.position[np.maximum(rows - 1, 0)]
+        return result
+
+    def _feed(self) -> np.ndarray:
+        values, unusable = self.words.column("F")
+        unusable |= (values != 0) & (values < _SLOWEST_FEED)
+        self.problems.add(np.flatnonzero(unusable), Message("unusable-feed"))
+        tapping = np.flatnonzero(np.isin(self.motion, TAPPING) & (values <= _COARSEST_PITCH))
+        if len(tapping):  # a FreeCAD tap has the pitch in F and the speed in S; the feed rate is their product
+            speed = self.words.column("S", tapping)[0]  # turns/min
+            values[tapping] *= np.where(speed > 0, speed / 60, 1)
+        setter = _last(values >= _SLOWEST_FEED)
+        per_minute = _mode(self.words, {INVERSE_TIME: 0, PER_MINUTE: 1, PER_TURN: 0}, 1) == 1
+        return np.where((setter >= 0) & per_minute, values[setter], 0.0)
+
+    def _positions(self) -> tuple[np.ndarray, np.ndarray]:
+        moves = self.motion >= 0
+        position = np.empty((len(moves), 3))
+        known = np.empty((len(moves), 3), bool)
+        for axis, letter in enumerate("XYZ"):
+            values, unusable = self.words.column(letter)
+            self.problems.add(np.flatnonzero(unusable & moves), Message("unusable-word", letter=letter))
+            values[~moves] = np.nan
+            values[self.to_machine] = np.nan
+            drills = self.is_cycle & (self.drilled == axis)
+            if letter == "Z":
+                values[self.rises] = self._highest(values, drills)
+            if drills.any():
+                if letter != "Z":
+                    self.problems.add(np.flatnonzero(drills), Message("cycle-outside-xy", letter=letter))
+                values, relative = self._resolve_cycles(values, drills), np.zeros(len(moves), bool)
+            else:
+                relative = self.relative
+            position[:, axis], known[:, axis] = _coordinate(values, relative)
+        beyond = np.abs(position) > COORDINATE_LIMIT
+        if beyond.any():  # the sum of relative words may exceed the limit
+            self.problems.add(np.flatnonzero(beyond.any(axis=1)), Message("position-cut-off"))
+            position = np.clip(position, -COORDINATE_LIMIT, COORDINATE_LIMIT)
+        return position, known
+
+    def _highest(self, z: np.ndarray, drills: np.ndarray) -> float:
+        """Return the greatest height to which Z words lead, mm; NaN without Z words.
+
+        In a canned cycle along Z (`drills`), the R word counts, because the Z word is the bottom of the hole. A cycle
+        under G91 does not count.
+        """
+        if drills.any():
+            z = np.where(drills, np.where(self.relative, np.nan, self.words.column("R")[0]), z)
+        given = ~np.isnan(z)
+        return float(_coordinate(z, self.relative)[0][given].max()) if given.any() else np.nan
+
+    def _resolve_cycles(self, along: np.ndarray, drills: np.ndarray) -> np.ndarray:
+        """Return the absolute coordinates along the axis of canned cycles, (n,) mm; NaN where a command sets none.
+
+        Parameters
+        ----------
+        along : (n,) float64
+            The words of the axis, mm; NaN where absent.
+        drills : (n,) bool
+            Whether each command is a cycle along this axis.
+        """
+        rows = np.flatnonzero(drills)
+        own = {"Z": along[rows]}
+        for letter in "RQ":
+            own[letter], unusable = self.words.column(letter, rows)
+            self.problems.add(rows[unusable], Message("unusable-word", letter=letter))
+        self.problems.add(rows[np.isnan(_held(own["Z"]))], Message("cycle-without-depth"))
+        self.problems.add(rows[np.isnan(_held(own["R"]))], Message("cycle-without-retract"))
+        parted = ((self.motion >= 0) & ~drills) | (self.words.codes == CANCEL)
+        along[rows] = np.nan
+        series = np.cumsum(parted)[rows]
+        along, heights = cycles.heights(
+            along, self.relative, rows, series, own["R"], own["Z"], self.to_retract_plane[rows]
+        )
+        peck = _held(own["Q"])
+        tiny = np.isin(self.motion[rows], PECKING) & cycles.has_tiny_pecks(heights, peck)
+        self.problems.add(rows[tiny], Message("tiny-pecks", most=cycles.MOST_PECKS))
+        among = np.searchsorted(np.flatnonzero(self.is_cycle), rows)
+        self.cycle_heights[among], self.cycle_peck[among] = heights, peck
+        self.cycle_begins[among] = np.diff(series, prepend=-1) != 0
+        return along
+
+
+def _last(mask: np.ndarray) -> np.ndarray:
+    """Return the index of the last True at or before each element, -1 if there is none, (n,) int."""
+    return np.maximum.accumulate(np.where(mask, np.arange(len(mask)), -1))
+
+
+def _held(values: np.ndarray) -> np.ndarray:
+    """Fill each NaN with the last number before it."""
+    last = _last(~np.isnan(values))
+    return np.where(last >= 0, values[last], np.nan) if len(values) else values
+
+
+def _mode(words: Words, states: dict[int, int], default: int) -> np.ndarray:
+    """Return the state of a modal group at every command: the value for the group's last code, (n,) int."""
+    codes = words.codes
+    value, sets = np.full(len(codes), default, np.int64), np.zeros(len(codes), bool)
+    for code, code_value in states.items():
+        for own in (np.flatnonzero(codes == code), words.second_rows[words.second_codes == code]):
+            value[own], sets[own] = code_value, True
+    if not sets.any():
+        return value
+    setter = _last(sets)
+    return np.where(setter >= 0, value[setter], default)
+
+
+def _coordinate(values: np.ndarray, relative: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Return the position of one axis after every command, (n,) mm, and whether it is known, (n,) bool.
+
+    The position is not known before the axis's first word, and is set to the value of this word if the word is
+    absolute. Relative words before the first absolute word are added up from 0. The position of an axis without words
+    is 0.
+    """
+    given = ~np.isnan(values)
+    known = _last(given) >= 0
+    travelled = np.cumsum(np.where(given & relative, values, 0.0))
+    anchor = _last(given & ~relative)
+    anchored = np.where(anchor >= 0, values[anchor] - travelled[anchor], 0.0)
+    position = anchored + travelled
+    if known.any() and not relative[given.argmax()]:
+        position[~known] = values[given.argmax()]
+    return position, known
