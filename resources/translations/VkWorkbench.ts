@@ -1234,10 +1234,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The tool length offset changes before a cut without a Z word. The height of the cut is unknown.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source> A closed contour finishes the walls.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -1351,6 +1347,14 @@
     </message>
     <message>
         <source>The time did not suffice to check all walls for gouges narrower than {pixel:mm2}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The height of a move to a machine position ({name}) is not in the program. The greatest height is used.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The tool length offset changes before a move without a Z word. The height of the move is unknown.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

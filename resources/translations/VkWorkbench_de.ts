@@ -1234,10 +1234,6 @@
         <translation>Ein F-Wort in der Zeile von {name} wird in der neuen Einheit gelesen. LinuxCNC liest es in der Einheit davor.</translation>
     </message>
     <message>
-        <source>The tool length offset changes before a cut without a Z word. The height of the cut is unknown.</source>
-        <translation>Die Werkzeuglängenkorrektur ändert sich vor einem Schnitt ohne Z-Wort. Die Höhe des Schnitts ist unbekannt.</translation>
-    </message>
-    <message>
         <source> A closed contour finishes the walls.</source>
         <translation> Eine geschlossene Kontur schlichtet die Wände.</translation>
     </message>
@@ -1352,6 +1348,14 @@
     <message>
         <source>The time did not suffice to check all walls for gouges narrower than {pixel:mm2}.</source>
         <translation>Die Zeit reichte nicht, um alle Wände auf Schnitte ins Modell zu prüfen, die schmaler als {pixel:mm2} sind.</translation>
+    </message>
+    <message>
+        <source>The height of a move to a machine position ({name}) is not in the program. The greatest height is used.</source>
+        <translation>Die Höhe einer Bewegung zu einer Maschinenposition ({name}) steht nicht im Programm. Die größte Höhe wird verwendet.</translation>
+    </message>
+    <message>
+        <source>The tool length offset changes before a move without a Z word. The height of the move is unknown.</source>
+        <translation>Die Werkzeuglängenkorrektur ändert sich vor einer Bewegung ohne Z-Wort. Die Höhe der Bewegung ist unbekannt.</translation>
     </message>
 </context>
 <context>

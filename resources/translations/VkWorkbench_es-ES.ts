@@ -1234,10 +1234,6 @@
         <translation>Una palabra F en la línea de {name} se lee en la unidad nueva. LinuxCNC la lee en la unidad anterior.</translation>
     </message>
     <message>
-        <source>The tool length offset changes before a cut without a Z word. The height of the cut is unknown.</source>
-        <translation>La compensación de longitud de herramienta cambia antes de un corte sin palabra Z. La altura del corte se desconoce.</translation>
-    </message>
-    <message>
         <source> A closed contour finishes the walls.</source>
         <translation> Un contorno cerrado acaba las paredes.</translation>
     </message>
@@ -1352,6 +1348,14 @@
     <message>
         <source>The time did not suffice to check all walls for gouges narrower than {pixel:mm2}.</source>
         <translation>El tiempo no alcanzó para buscar en todas las paredes cortes en el modelo más estrechos que {pixel:mm2}.</translation>
+    </message>
+    <message>
+        <source>The height of a move to a machine position ({name}) is not in the program. The greatest height is used.</source>
+        <translation>La altura de un movimiento a una posición de la máquina ({name}) no está en el programa. Se usa la altura mayor.</translation>
+    </message>
+    <message>
+        <source>The tool length offset changes before a move without a Z word. The height of the move is unknown.</source>
+        <translation>La compensación de longitud de herramienta cambia antes de un movimiento sin palabra Z. La altura del movimiento se desconoce.</translation>
     </message>
 </context>
 <context>

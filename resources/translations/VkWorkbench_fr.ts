@@ -1234,10 +1234,6 @@
         <translation>Un mot F dans la ligne de {name} est lu dans la nouvelle unité. LinuxCNC le lit dans l&apos;unité précédente.</translation>
     </message>
     <message>
-        <source>The tool length offset changes before a cut without a Z word. The height of the cut is unknown.</source>
-        <translation>La correction de longueur d&apos;outil change avant une coupe sans mot Z. La hauteur de la coupe est inconnue.</translation>
-    </message>
-    <message>
         <source> A closed contour finishes the walls.</source>
         <translation> Un contour fermé finit les parois.</translation>
     </message>
@@ -1352,6 +1348,14 @@
     <message>
         <source>The time did not suffice to check all walls for gouges narrower than {pixel:mm2}.</source>
         <translation>Le temps n&apos;a pas suffi pour chercher sur toutes les parois des coupes dans le modèle plus étroites que {pixel:mm2}.</translation>
+    </message>
+    <message>
+        <source>The height of a move to a machine position ({name}) is not in the program. The greatest height is used.</source>
+        <translation>La hauteur d&apos;un déplacement vers une position de la machine ({name}) n&apos;est pas dans le programme. La plus grande hauteur est utilisée.</translation>
+    </message>
+    <message>
+        <source>The tool length offset changes before a move without a Z word. The height of the move is unknown.</source>
+        <translation>La correction de longueur d&apos;outil change avant un déplacement sans mot Z. La hauteur du déplacement est inconnue.</translation>
     </message>
 </context>
 <context>

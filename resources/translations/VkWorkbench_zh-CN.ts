@@ -1234,10 +1234,6 @@
         <translation>{name} 所在行的 F 字按新单位读取。LinuxCNC 按之前的单位读取。</translation>
     </message>
     <message>
-        <source>The tool length offset changes before a cut without a Z word. The height of the cut is unknown.</source>
-        <translation>刀具长度补偿在没有 Z 字的切削之前改变。该切削的高度未知。</translation>
-    </message>
-    <message>
         <source> A closed contour finishes the walls.</source>
         <translation>最后用一圈封闭轮廓精加工侧壁。</translation>
     </message>
@@ -1352,6 +1348,14 @@
     <message>
         <source>The time did not suffice to check all walls for gouges narrower than {pixel:mm2}.</source>
         <translation>时间不足，未能在所有壁面上检查窄于 {pixel:mm2} 的切入模型之处。</translation>
+    </message>
+    <message>
+        <source>The height of a move to a machine position ({name}) is not in the program. The greatest height is used.</source>
+        <translation>到机床位置的移动（{name}）的高度不在程序中。使用最大高度。</translation>
+    </message>
+    <message>
+        <source>The tool length offset changes before a move without a Z word. The height of the move is unknown.</source>
+        <translation>刀具长度补偿在没有 Z 字的移动之前改变。该移动的高度未知。</translation>
     </message>
 </context>
 <context>

@@ -60,4 +60,10 @@ def test_relative_plunges_in_steps_are_one_plunge():
 
 def test_higher_r_plane_is_reached_before_the_hole():
     text = "G21 G90 G99\nG0 X0 Y0 Z5\nG81 X1 Y0 Z-1 R1 F100\nX2 R3\nG80"
-    assert points(text)[3:] == [[1, 0, -1], [1, 0, 1], [2, 0, 3], [2, 0, -1], [2, 0, 3]]
+    assert points(text)[3:] == [[1, 0, -1], [1, 0, 1], [1, 0, 3], [2, 0, 3], [2, 0, -1], [2, 0, 3]]
+
+
+def test_repeated_cycle_turns_by_the_same_angle():
+    text = "G21 G90\nG0 X10 Y0 Z5\nG91 G99 G81 ^90 Z-2 R-1 L3 F100\nG80"
+    holes = [point[:2] for point in points(text) if point[2] == 2]
+    assert holes == [[0, 10], [-10, 0], [0, -10]]

@@ -22,6 +22,10 @@ PROGRAMS: dict[str, str | tuple[str, str]] = {
     "coordinates-not-changed": QT_TRANSLATE_NOOP(
         "Sentences", "{name} is ignored. The coordinates after it are read as if it were not there."
     ),
+    "machine-height": QT_TRANSLATE_NOOP(
+        "Sentences",
+        "The height of a move to a machine position ({name}) is not in the program. The greatest height is used.",
+    ),
     "machine-position": QT_TRANSLATE_NOOP(
         "Sentences",
         "Moves to machine positions ({name}) are ignored, because the program does not contain these positions.",
@@ -48,7 +52,7 @@ PROGRAMS: dict[str, str | tuple[str, str]] = {
     ),
     "length-before-height": QT_TRANSLATE_NOOP(
         "Sentences",
-        "The tool length offset changes before a cut without a Z word. The height of the cut is unknown.",
+        "The tool length offset changes before a move without a Z word. The height of the move is unknown.",
     ),
     "spline-as-line": QT_TRANSLATE_NOOP("Sentences", "A spline ({name}) is read as a line."),
     "goes-on": QT_TRANSLATE_NOOP("Sentences", "Lines after M2 or M30 are read as part of the same program."),

@@ -26,6 +26,7 @@ def process(machine: Machine, value: float, letters: set[str]) -> bool:
     """Process an M-code; return whether it ends the program or subprogram at once (M99)."""
     machine.clues.m_code(value, letters, machine.number)
     if value in _STOPS and machine.moved:
+        machine.stop()
         machine.place.lose("XYZ")
     elif value in (_SAVE, _FORGET, _SAVE_FOR_CALL):
         machine.saved[-1] = None if value == _FORGET else replace(machine.modes), value == _SAVE_FOR_CALL

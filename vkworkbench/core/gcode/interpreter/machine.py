@@ -15,6 +15,8 @@ from vkworkbench.core.gcode.moves import codes
 from vkworkbench.core.gcode.moves.commands import Commands
 from vkworkbench.language import Message
 
+NO_LENGTH = (490, None)  # no tool length offset is in force
+
 
 class Machine:
     """The commands of the lines read so far, and the state in which these lines leave the machine.
@@ -57,8 +59,12 @@ class Machine:
         run the subprogram.
     calls_blocks : bool
         Whether the program calls subprograms by block numbers (M97, or M98 with Q).
+    tool_length : tuple
+        The code of the tool length offset in force, in tenths, and its number or length.
     length_changed : bool
         Whether the tool length offset changed since the last Z word.
+    stopped : bool
+        Whether the operator or the tool changer may have moved the tool since the last Z word.
     last_y : float or None
         The last absolute Y, mm.
     okuma : bool
@@ -113,7 +119,8 @@ class Machine:
         self.away: list[tuple[int, Message]] = []
         self.call: float | None = None
         self.calls_blocks = False
-        self.length_changed = False
+        self.tool_length: tuple[int, float | None] = NO_LENGTH
+        self.length_changed = self.stopped = False
         self.last_y: float | None = None
         self.okuma = False
         self.spindle = 0.0
@@ -170,6 +177,11 @@ class Machine:
             self.unknown(line.code, line)
         elif of_a_lathe:
             line.apart, line.feeds = True, False
+
+    def stop(self) -> None:
+        """Note that the operator or the tool changer may move the tool, for which it stands at a safe height."""
+        self.stopped = True
+        self.away = [(line, what) for line, what in self.away if what.code != "machine-height"]
 
     def measure_in(self, code: int) -> None:
         """Set the unit of lengths and feed rates by a G-code, in tenths."""

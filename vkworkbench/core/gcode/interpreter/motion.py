@@ -7,7 +7,7 @@ from vkworkbench.core.gcode.interpreter.cycles import repeats_of
 from vkworkbench.core.gcode.interpreter.line import Line
 from vkworkbench.core.gcode.interpreter.machine import Machine
 from vkworkbench.core.gcode.interpreter.single_moves import SHAPES
-from vkworkbench.core.gcode.interpreter.target import target
+from vkworkbench.core.gcode.interpreter.target import is_polar, polar_step, target
 from vkworkbench.core.gcode.moves import codes
 from vkworkbench.core.gcode.moves.unread import dwell_of
 from vkworkbench.language import Message
@@ -66,6 +66,10 @@ def _move_along(machine: Machine, parameters: dict[str, float], move: dict[str, 
         machine.inverse_time[len(machine.commands)] = 1 / machine.seconds
     for _ in range(repeats):
         machine.write(mode, move)
+        if (
+            repeats > 1 and machine.modes.relative and is_polar(parameters)
+        ):  # the next step of an angle has another direction
+            move.update(polar_step(machine, parameters))
 
 
 def _note(machine: Machine, mode: int, parameters: dict[str, float], move: dict[str, float]) -> None:
@@ -75,8 +79,8 @@ def _note(machine: Machine, mode: int, parameters: dict[str, float], move: dict[
     if mode in codes.ARCS:
         machine.clues.arc(set(parameters), machine.number)
     if "Z" in move:
-        machine.length_changed = False
-    elif machine.length_changed and mode > 0:
+        machine.length_changed = machine.stopped = False
+    elif machine.length_changed and (mode > 0 or not machine.stopped):
         machine.problem(Message("length-before-height"))
         machine.length_changed = False
     if mode in codes.CYCLES and "P" in parameters:

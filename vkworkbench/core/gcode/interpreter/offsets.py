@@ -96,7 +96,7 @@ def _data(machine: Machine, line: Line) -> None:
 def _machine_position(machine: Machine, line: Line) -> None:
     """Process a move to a machine position, which is not in the program.
 
-    A move in Z becomes a command, a move in X and Y is stored in `away`.
+    A move in Z becomes a command. Its place is reported only if another move follows without a stop at this height.
     """
     line.apart = True
     axes = line.letters & set("XYZ") or (set() if line.code == codes.MACHINE_COORDINATES else set("XYZ"))
@@ -105,8 +105,11 @@ def _machine_position(machine: Machine, line: Line) -> None:
     if "Z" in axes:
         machine.add(codes.name_of(line.code), {"Z": 0.0})
     machine.place.lose(axes)
+    name = codes.name_of(line.code)
     if not axes.isdisjoint("XY"):
-        machine.away.append((machine.number, Message("machine-position", name=codes.name_of(line.code))))
+        machine.away.append((machine.number, Message("machine-position", name=name)))
+    elif axes:
+        machine.away.append((machine.number, Message("machine-height", name=name)))
 
 
 def _coordinates(machine: Machine, line: Line) -> None:

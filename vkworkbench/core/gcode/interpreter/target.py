@@ -20,7 +20,7 @@ _KNOWN = _LENGTHS | {"F", "S", "P", "L", "H", "D", *_POLAR}
 
 def target(machine: Machine, mode: int, parameters: dict[str, float]) -> dict[str, float]:
     """Return the lengths of a move in the coordinates of the toolpath, mm; report words that are not read."""
-    if not parameters.keys().isdisjoint(_POLAR):
+    if is_polar(parameters):
         parameters = _cartesian(machine, parameters)
     unit = machine.modes.unit
     move = {letter: unit * value for letter, value in parameters.items() if letter in _LENGTHS}
@@ -33,6 +33,17 @@ def target(machine: Machine, mode: int, parameters: dict[str, float]) -> dict[st
         for letter in sorted(set(parameters) - _KNOWN):
             _unread(machine, letter, parameters[letter])
     return move
+
+
+def is_polar(parameters: dict[str, float]) -> bool:
+    """Return whether a line contains polar coordinates."""
+    return not parameters.keys().isdisjoint(_POLAR)
+
+
+def polar_step(machine: Machine, parameters: dict[str, float]) -> dict[str, float]:
+    """Return the X and Y words of the next step by relative polar coordinates, mm."""
+    unit, words = machine.modes.unit, _cartesian(machine, parameters)
+    return {letter: unit * words[letter] for letter in "XY" if letter in words}
 
 
 def _cartesian(machine: Machine, parameters: dict[str, float]) -> dict[str, float]:

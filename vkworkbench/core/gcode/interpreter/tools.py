@@ -23,6 +23,8 @@ def take(machine: Machine, line: Line, *, change: bool) -> None:
     if tools and not change and machine.unnamed is not None:
         machine.commands[machine.unnamed] = "G94", {}
         change = True
+    if tools or change:
+        machine.stop()
     if change:
         machine.changes = True
         tool = tools[0] if tools else machine.tool

@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 from vkworkbench.core.gcode.interpreter.line import Line
-from vkworkbench.core.gcode.interpreter.machine import Handler, Machine
+from vkworkbench.core.gcode.interpreter.machine import NO_LENGTH, Handler, Machine
 from vkworkbench.core.gcode.interpreter.modes import GROUPS
 from vkworkbench.core.gcode.moves import codes
 from vkworkbench.language import Message
@@ -56,7 +56,11 @@ def _compensation(machine: Machine, line: Line) -> None:
 
 
 def _tool_length(machine: Machine, line: Line) -> None:
-    machine.length_changed = machine.moved
+    words = dict(line.words)
+    number = words.get("Z" if line.code == 431 else "H", machine.spindle_tool)
+    length = NO_LENGTH if line.code == 490 or number == 0 else (line.code, number)
+    if length != machine.tool_length:
+        machine.tool_length, machine.length_changed = length, machine.moved
     line.apart |= line.code == 431 and "H" not in line.letters  # G43.1 with the length in Z
     machine.other(line)
 

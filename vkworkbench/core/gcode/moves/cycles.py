@@ -133,9 +133,8 @@ def moves(
     hole: np.ndarray,
     heights: np.ndarray,
     peck: np.ndarray,
-    begins: np.ndarray,
 ) -> tuple[np.ndarray, np.ndarray]:
-    """Return the moves of m cycles.
+    """Return the moves of m cycles. A tool below R first rises to R, and then moves to the hole, as in LinuxCNC.
 
     Parameters
     ----------
@@ -149,8 +148,6 @@ def moves(
         Height before the cycle, of the R plane, of the hole's bottom, and after the cycle (G98/G99), mm.
     peck : (m,) float64
         Q word, depth of one peck, mm; NaN where absent.
-    begins : (m,) bool
-        Whether each cycle begins a series: the tool then rises to R before it moves to the hole, as in LinuxCNC.
 
     Returns
     -------
@@ -173,7 +170,7 @@ def moves(
     points[:, 2] = np.choose(step % 3, [level, out, back])
     rapid = step % 3 != 0
     clear = np.where(bottom > retract, np.minimum(start[:, 2], retract), np.maximum(start[:, 2], retract))
-    points[first] = np.column_stack([start[:, :2], np.where(begins, clear, start[:, 2])])
+    points[first] = np.column_stack([start[:, :2], clear])
     points[first + 1, 2] = clear
     points[first + 2, 2] = retract
     rapid[first] = True

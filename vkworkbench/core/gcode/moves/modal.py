@@ -89,11 +89,7 @@ class ModalState:
         self.to_retract_plane = _mode(words, {TO_START: 0, TO_RETRACT_PLANE: 1}, 0) == 1
         self.feed = self._feed()
         count = np.count_nonzero(self.is_cycle)
-        self.cycle_heights, self.cycle_peck, self.cycle_begins = (
-            np.empty((count, 4)),
-            np.empty(count),
-            np.ones(count, bool),
-        )
+        self.cycle_heights, self.cycle_peck = np.empty((count, 4)), np.empty(count)
         self.drilled = np.array([PLANE_AXES[p][2] for p in range(17, 20)])[self.plane - 17]  # axis of canned cycles
         self.position, self.known = self._positions()
 
@@ -220,7 +216,6 @@ class ModalState:
         self.problems.add(rows[tiny], Message("tiny-pecks", most=cycles.MOST_PECKS))
         among = np.searchsorted(np.flatnonzero(self.is_cycle), rows)
         self.cycle_heights[among], self.cycle_peck[among] = heights, peck
-        self.cycle_begins[among] = np.diff(series, prepend=-1) != 0
         return along
 
 
