@@ -1357,6 +1357,34 @@
         <source>The tool length offset changes before a move without a Z word. The height of the move is unknown.</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>The tool length offset changes before a cut without a Z word. The height of the cut is unknown.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A clamp was not checked. {sentence}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This is a toolpath for a lathe. It is simulated like a mill&apos;s, so that the part is wrong.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The verdict of the simulation is outdated, because the job has changed. Simulate the job again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No {what} was found, checked to {pixel:mm2}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Not everything could be checked: {first}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Not everything could be checked, for {count:n} reasons. The first reason: {first}</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>Strategy</name>

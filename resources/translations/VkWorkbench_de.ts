@@ -1357,6 +1357,34 @@
         <source>The tool length offset changes before a move without a Z word. The height of the move is unknown.</source>
         <translation>Die Werkzeuglängenkorrektur ändert sich vor einer Bewegung ohne Z-Wort. Die Höhe der Bewegung ist unbekannt.</translation>
     </message>
+    <message>
+        <source>The tool length offset changes before a cut without a Z word. The height of the cut is unknown.</source>
+        <translation>Die Werkzeuglängenkorrektur ändert sich vor einem Schnitt ohne Z-Wort. Die Höhe des Schnitts ist unbekannt.</translation>
+    </message>
+    <message>
+        <source>A clamp was not checked. {sentence}</source>
+        <translation>Eine Spannvorrichtung wurde nicht geprüft. {sentence}</translation>
+    </message>
+    <message>
+        <source>This is a toolpath for a lathe. It is simulated like a mill&apos;s, so that the part is wrong.</source>
+        <translation>Dieser Werkzeugweg ist für eine Drehmaschine. Er wird wie auf einer Fräsmaschine simuliert, das Teil ist daher falsch.</translation>
+    </message>
+    <message>
+        <source>The verdict of the simulation is outdated, because the job has changed. Simulate the job again.</source>
+        <translation>Das Urteil der Simulation ist veraltet, weil sich der Auftrag geändert hat. Simulieren Sie ihn noch einmal.</translation>
+    </message>
+    <message>
+        <source>No {what} was found, checked to {pixel:mm2}.</source>
+        <translation>Nichts gefunden ({what}), auf {pixel:mm2} genau geprüft.</translation>
+    </message>
+    <message>
+        <source>Not everything could be checked: {first}</source>
+        <translation>Nicht alles konnte geprüft werden: {first}</translation>
+    </message>
+    <message>
+        <source>Not everything could be checked, for {count:n} reasons. The first reason: {first}</source>
+        <translation>Aus {count:n} Gründen konnte nicht alles geprüft werden. Der erste Grund: {first}</translation>
+    </message>
 </context>
 <context>
     <name>Strategy</name>

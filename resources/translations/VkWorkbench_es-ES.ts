@@ -1357,6 +1357,34 @@
         <source>The tool length offset changes before a move without a Z word. The height of the move is unknown.</source>
         <translation>La compensación de longitud de herramienta cambia antes de un movimiento sin palabra Z. La altura del movimiento se desconoce.</translation>
     </message>
+    <message>
+        <source>The tool length offset changes before a cut without a Z word. The height of the cut is unknown.</source>
+        <translation>La compensación de longitud de herramienta cambia antes de un corte sin palabra Z. La altura del corte se desconoce.</translation>
+    </message>
+    <message>
+        <source>A clamp was not checked. {sentence}</source>
+        <translation>No se ha comprobado una brida. {sentence}</translation>
+    </message>
+    <message>
+        <source>This is a toolpath for a lathe. It is simulated like a mill&apos;s, so that the part is wrong.</source>
+        <translation>Esta trayectoria es para un torno. Se simula como en una fresadora, por lo que la pieza es incorrecta.</translation>
+    </message>
+    <message>
+        <source>The verdict of the simulation is outdated, because the job has changed. Simulate the job again.</source>
+        <translation>El veredicto de la simulación está desactualizado, porque el trabajo ha cambiado. Simúlelo de nuevo.</translation>
+    </message>
+    <message>
+        <source>No {what} was found, checked to {pixel:mm2}.</source>
+        <translation>No se ha encontrado {what}, comprobado con una precisión de {pixel:mm2}.</translation>
+    </message>
+    <message>
+        <source>Not everything could be checked: {first}</source>
+        <translation>No se ha podido comprobar todo: {first}</translation>
+    </message>
+    <message>
+        <source>Not everything could be checked, for {count:n} reasons. The first reason: {first}</source>
+        <translation>No se ha podido comprobar todo, por {count:n} motivos. El primer motivo: {first}</translation>
+    </message>
 </context>
 <context>
     <name>Strategy</name>

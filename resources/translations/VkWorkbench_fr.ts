@@ -1357,6 +1357,34 @@
         <source>The tool length offset changes before a move without a Z word. The height of the move is unknown.</source>
         <translation>La correction de longueur d&apos;outil change avant un déplacement sans mot Z. La hauteur du déplacement est inconnue.</translation>
     </message>
+    <message>
+        <source>The tool length offset changes before a cut without a Z word. The height of the cut is unknown.</source>
+        <translation>La correction de longueur d&apos;outil change avant une coupe sans mot Z. La hauteur de la coupe est inconnue.</translation>
+    </message>
+    <message>
+        <source>A clamp was not checked. {sentence}</source>
+        <translation>Une bride n&apos;a pas été vérifiée. {sentence}</translation>
+    </message>
+    <message>
+        <source>This is a toolpath for a lathe. It is simulated like a mill&apos;s, so that the part is wrong.</source>
+        <translation>Ce parcours est destiné à un tour. Il est simulé comme sur une fraiseuse, la pièce est donc fausse.</translation>
+    </message>
+    <message>
+        <source>The verdict of the simulation is outdated, because the job has changed. Simulate the job again.</source>
+        <translation>Le verdict de la simulation est périmé, car le travail a changé. Simulez-le de nouveau.</translation>
+    </message>
+    <message>
+        <source>No {what} was found, checked to {pixel:mm2}.</source>
+        <translation>Aucun problème trouvé ({what}), vérifié à {pixel:mm2} près.</translation>
+    </message>
+    <message>
+        <source>Not everything could be checked: {first}</source>
+        <translation>Tout n&apos;a pas pu être vérifié : {first}</translation>
+    </message>
+    <message>
+        <source>Not everything could be checked, for {count:n} reasons. The first reason: {first}</source>
+        <translation>Tout n&apos;a pas pu être vérifié, pour {count:n} raisons. La première raison : {first}</translation>
+    </message>
 </context>
 <context>
     <name>Strategy</name>

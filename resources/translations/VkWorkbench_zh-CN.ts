@@ -1357,6 +1357,34 @@
         <source>The tool length offset changes before a move without a Z word. The height of the move is unknown.</source>
         <translation>刀具长度补偿在没有 Z 字的移动之前改变。该移动的高度未知。</translation>
     </message>
+    <message>
+        <source>The tool length offset changes before a cut without a Z word. The height of the cut is unknown.</source>
+        <translation>刀具长度补偿在没有 Z 字的切削之前改变。该切削的高度未知。</translation>
+    </message>
+    <message>
+        <source>A clamp was not checked. {sentence}</source>
+        <translation>有一个夹具未检查。{sentence}</translation>
+    </message>
+    <message>
+        <source>This is a toolpath for a lathe. It is simulated like a mill&apos;s, so that the part is wrong.</source>
+        <translation>这是车床的刀具路径。它按铣床模拟，因此零件不正确。</translation>
+    </message>
+    <message>
+        <source>The verdict of the simulation is outdated, because the job has changed. Simulate the job again.</source>
+        <translation>模拟的结论已过期，因为作业已更改。请重新模拟该作业。</translation>
+    </message>
+    <message>
+        <source>No {what} was found, checked to {pixel:mm2}.</source>
+        <translation>未发现{what}，检查精度为 {pixel:mm2}。</translation>
+    </message>
+    <message>
+        <source>Not everything could be checked: {first}</source>
+        <translation>并非全部都能检查：{first}</translation>
+    </message>
+    <message>
+        <source>Not everything could be checked, for {count:n} reasons. The first reason: {first}</source>
+        <translation>由于 {count:n} 个原因，并非全部都能检查。第一个原因：{first}</translation>
+    </message>
 </context>
 <context>
     <name>Strategy</name>

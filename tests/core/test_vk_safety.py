@@ -78,6 +78,7 @@ PLAIN = ["1+1", "a=b", "", "'=1", "x-y", "e@mail", "a\n=b", "Ж"]
 def test_cells_that_begin_like_a_formula_become_text(text, tmp_path):
     class Row:
         messages, simulated = (), None
+        document, job = "Doc", "Job"
 
         def as_dict(self):
             return {"label": text, "length": -1.5, "cautions": [text], "machining_notes": [text], "spans": [],

@@ -40,7 +40,8 @@ from vkworkbench.document.job.reading import IDENTITY, SETTINGS, Reading, read
 from vkworkbench.document.job.recognition import recognize_operation
 from vkworkbench.document.job.results import RESULTS, key_of
 from vkworkbench.document.job.setting import placed
-from vkworkbench.document.simulation.faults import with_faults
+from vkworkbench.document.job.work_offsets import WorkOffsets
+from vkworkbench.document.simulation.faults import verdict_on, with_faults
 from vkworkbench.language import Message, Unusable
 from vkworkbench.preferences import Preferences
 from vkworkbench.report import Cancelled, OperationReport, Report, extent_of, setup_of, with_travel, without_results
@@ -130,7 +131,12 @@ def analyze(
     _in_thread(lambda going_on: _estimate_shown(reports, wholes, chosen.simulators, going_on), cancelled)
     for whole in wholes:
         reports = with_travel(reports, whole, chosen.travel)
-    return Report(tuple(reports), job_labels, chosen.budget, fixtures, simulator=chosen.simulator)
+    verdicts = {}
+    for (key, job), names in zip(jobs.items(), posted):
+        known_verdict = verdict_on(job, (known[name].fingerprint if name in known else "" for name in names))
+        if known_verdict is not None:
+            verdicts[key] = known_verdict
+    return Report(tuple(reports), job_labels, chosen.budget, fixtures, verdicts=verdicts, simulator=chosen.simulator)
 
 
 def _estimate_shown(
@@ -218,6 +224,7 @@ def _analysed(
     remarks = list(reading.remarks)
     try:
         toolpath = placed(linearize(words, tolerance=chosen.tolerance), reading.placement)
+        offset = WorkOffsets().remark(words, toolpath)
     except Unusable as error:
         return _unknown(reading, error.what)
     going_on()
@@ -231,6 +238,7 @@ def _analysed(
         remarks.append(Message("box-of-cuts"))
         stock = stock_around(toolpath, tool)
     remarks += [problem.remark for problem in toolpath.problems if not problem.of_time]
+    remarks += [offset] if offset else []
     task = Task(toolpath, tool, stock, words, found)
     costs, advice = {}, {}
     if tool and stock and cuts:

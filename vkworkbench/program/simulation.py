@@ -107,7 +107,7 @@ class ReadProgram:
     cuts : tuple of Cut
         Moves and tools of the operations. Commands are lines of the text, counted from 1.
     remarks : tuple of Message
-        What was left out or simplified, and why.
+        What was left out or assumed, and why.
     """
 
     path: Path
@@ -231,7 +231,7 @@ class ProgramSimulation(SimulatedPart):
         names = tuple((str(program.path), lines) for lines in program.lines)
         operations, table = tuple(zip(program.labels, found.cuts)), trajectory_table(zbuffer, measured)
         prints = ("",) * len(operations)
-        verdict = replace(found.verdict, lines=True)
+        verdict = replace(found.verdict, lines=True, unread=program.remarks)
         return SimulationFacts(operations, found.job, names, prints, table, program.remarks, verdict)
 
     @cached_property

@@ -2,10 +2,11 @@
 """Results as plain data, which can be printed as a table and saved as CSV or JSON.
 
 In: the `Recognition`, costs, cautions and remarks (Messages) of each operation; the facts of a simulation.
-Out: `Report`, with an `OperationReport` for each operation and a `Total` for each job; `SimulationFacts`;
+Out: `Report`, with an `OperationReport` for each operation and a `Total` for each job; `SimulationFacts` and `JobVerdict`;
 `SimulatedPart`, the pictures and the solid of a simulated part.
 """
 
+from vkworkbench.report.job_verdict import JobVerdict, fingerprint_of_job
 from vkworkbench.report.operation import (
     HANGS,
     SERIOUS,
@@ -26,6 +27,6 @@ from vkworkbench.report.total import Total, has_unknown_cost, total_of
 from vkworkbench.report.travel import extent_of, with_travel
 
 __all__ = [
-    "HANGS", "SERIOUS", "Cancelled", "OperationReport", "Report", "Setup", "SimulatedPart", "SimulationFacts", "Total", "as_cell", "cells_of",
-    "contradiction", "extent_of", "files_left_out", "has_unknown_cost", "how_many", "is_switched_off", "printable", "setup_of", "total_of", "with_travel", "without_results",
+    "HANGS", "SERIOUS", "Cancelled", "JobVerdict", "OperationReport", "Report", "Setup", "SimulatedPart", "SimulationFacts", "Total", "as_cell", "cells_of",
+    "contradiction", "extent_of", "files_left_out", "fingerprint_of_job", "has_unknown_cost", "how_many", "is_switched_off", "printable", "setup_of", "total_of", "with_travel", "without_results",
 ]  # fmt: skip

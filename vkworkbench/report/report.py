@@ -12,8 +12,10 @@ from dataclasses import dataclass, field, replace
 from vkworkbench.core.simulators import ZBUFFER
 from vkworkbench.core.zbuffer import CutFacts
 from vkworkbench.given import check_file_name, of_kind
+from vkworkbench.report.job_verdict import JobVerdict
 from vkworkbench.report.operation import OperationReport, cells_of
 from vkworkbench.report.simulation_facts import SimulationFacts
+from vkworkbench.report.spreadsheet import as_cell
 from vkworkbench.report.table import table_of
 from vkworkbench.report.text_table import files_left_out, how_many
 from vkworkbench.report.total import Total, counted_in, total_of
@@ -40,6 +42,8 @@ class Report:
         Number of times that the operations of a job are posted, if known, by (document name, job name).
     simulated : dict
         Facts of a simulation of the whole job, if there was one, by (document name, job name).
+    verdicts : dict
+        The `JobVerdict` of a simulation of the whole job, if there was one, by (document name, job name).
     simulator : str
         Name of the simulator whose time and memory the table shows: the one that the marks show, if there are marks.
     left_out : tuple of str
@@ -51,14 +55,15 @@ class Report:
     budget: dict[str, float]
     fixtures: dict[tuple[str, str], int] = field(default_factory=dict)
     simulated: dict[tuple[str, str], CutFacts] = field(default_factory=dict)
+    verdicts: dict[tuple[str, str], JobVerdict] = field(default_factory=dict)
     simulator: str = ZBUFFER.name
     left_out: tuple[str, ...] = ()
 
     def with_facts(self, facts: SimulationFacts) -> Report:
         """Return the report with the facts of a simulation.
 
-        An operation gets its facts only if its toolpath, tool and stock are the simulated ones. A job gets its facts only if
-        all its operations have theirs.
+        An operation gets its facts only if its toolpath, tool and stock are the simulated ones. A job gets its facts and the
+        verdict only if all its operations have theirs, except for the ones that the verdict calls unread.
 
         Parameters
         ----------
@@ -78,12 +83,19 @@ class Report:
         operations = tuple(
             replace(o, simulated=known.get((o.document, o.name, o.fingerprint), o.simulated)) for o in self.operations
         )
-        jobs = {}
+        jobs, verdicts = {}, {}
         for key in self.jobs:
             cutting = [o for o in counted_in(self.operations, *key) if o.trajectories]
-            if {(o.document, o.name, o.fingerprint) for o in cutting} == set(known):
+            simulated = [o for o in cutting if (o.document, o.name) not in facts.left_out]
+            if {(o.document, o.name, o.fingerprint) for o in simulated} == set(known):
                 jobs[key] = facts.job
-        return replace(self, operations=operations, simulated={**self.simulated, **jobs})
+                verdicts[key] = JobVerdict(facts.sentence, facts.valid_for)
+        return replace(
+            self,
+            operations=operations,
+            simulated={**self.simulated, **jobs},
+            verdicts={**self.verdicts, **verdicts},
+        )
 
     @property
     def totals(self) -> tuple[Total, ...]:
@@ -93,7 +105,12 @@ class Report:
     def _total(self, document: str, job: str, label: str) -> Total:
         counted = counted_in(self.operations, document, job)
         total = total_of(document, job, label, counted, self.budget, self.fixtures.get((document, job), 1))
-        return replace(total, simulated=self.simulated.get((document, job)))
+        key = document, job
+        return replace(total, simulated=self.simulated.get(key), verdict=self.verdicts.get(key))
+
+    def _verdict_on_job_of(self, operation: OperationReport) -> str | None:
+        verdict = self.verdicts.get((operation.document, operation.job or ""))
+        return None if verdict is None else as_cell(str(verdict))
 
     def __repr__(self) -> str:
         """Return one line for consoles. `print` prints the table."""
@@ -110,9 +127,12 @@ class Report:
         return f"{table}\n{files_left_out(self.left_out)}" if self.left_out else table
 
     def to_csv(self, path: str | os.PathLike[str]) -> None:
-        """Write one line for each operation, with a header, in mm, s, rad and bytes; see `cells_of`."""
+        """Write one line for each operation, with a header, in mm, s, rad and bytes; see `cells_of`.
+
+        The column ``verdict`` holds the verdict of a simulation on the job of the operation.
+        """
         check_file_name(path)
-        rows = [cells_of(operation) for operation in self.operations]
+        rows = [{**cells_of(one), "verdict": self._verdict_on_job_of(one)} for one in self.operations]
         names = list(rows[0]) if rows else ["document", "name", "label", "strategy"]
         with open(path, "w", newline="", encoding="utf-8", errors=_NO_UTF8) as file:
             writer = csv.DictWriter(file, names, quoting=csv.QUOTE_NONNUMERIC)

@@ -42,6 +42,11 @@ class SimulationFacts:
         Remarks on the simulation, e.g. tools that were simulated only approximately.
     verdict : Verdict
         Faults, fineness and gaps of the check.
+    left_out : tuple of (str, str)
+        Internal names of document and object of the operations that were not simulated.
+    valid_for : str
+        Fingerprint of the job for its verdict; empty if only a part of the job was simulated, or with another stock or other
+        clamps, and for a program.
     """
 
     operations: tuple[tuple[str, CutFacts], ...]
@@ -51,6 +56,8 @@ class SimulationFacts:
     trajectories: Mapping[str, np.ndarray]
     remarks: tuple[Message, ...] = ()
     verdict: Verdict = PENDING
+    left_out: tuple[tuple[str, str], ...] = ()
+    valid_for: str = ""
 
     def __repr__(self) -> str:
         """Return one line for consoles. `print` prints the table."""
@@ -75,11 +82,15 @@ class SimulationFacts:
         }
 
     def to_csv(self, path: str | os.PathLike[str]) -> None:
-        """Write a header and one line for each operation, with the number of faults of each kind and the worst one."""
+        """Write a header, one line for each operation, and one for the job, with the number of faults and the worst ones.
+
+        The last column, ``verdict``, is filled in the line of the job.
+        """
         check_file_name(path)
         rows = [{"label": as_cell(label), **facts.cells()} for label, facts in self.operations]
+        rows.append({"label": "job", **self.job.cells(), "verdict": render(self.sentence)})
         with open(path, "w", newline="", encoding="utf-8") as file:
-            writer = csv.DictWriter(file, ["label", *FACT_COLUMNS])
+            writer = csv.DictWriter(file, ["label", *FACT_COLUMNS, "verdict"])
             writer.writeheader()
             writer.writerows(rows)
 
@@ -107,6 +118,7 @@ class SimulationFacts:
         header = (
             "operation",
             "removed, cm3",
+            "error, cm3",
             "rate, cm3/min",
             "peak, cm3/min",
             "air",
@@ -115,6 +127,7 @@ class SimulationFacts:
             "fast plunges",
             "gouged",
             "left",
+            "stock lacks",
         )
         rows = [header, *(_row(label, facts) for label, facts in (*self.operations, ("job", self.job)))]
         widths = widths_of(rows)
@@ -132,10 +145,13 @@ def _cells(column: np.ndarray) -> list[Any]:
 
 
 def _row(label: str, facts: CutFacts) -> tuple[str, ...]:
-    gouged, left = (max((one.depth for one in found), default=0.0) for found in (facts.gouges, facts.left))
+    cut = [one for one in facts.gouges if one.source is not None]
+    never = [one for one in facts.gouges if one.source is None]
+    gouged, left, lacking = (max((one.depth for one in found), default=0.0) for found in (cut, facts.left, never))
     return (
         printable(label),
         f"{facts.removed_volume / 1e3:.2f}",
+        "" if facts.removed_volume_error is None else f"{facts.removed_volume_error / 1e3:.2f}",
         f"{facts.mean_rate / 1e3:.2f}",
         f"{facts.peak_rate / 1e3:.2f}",
         f"{facts.air_length_share:.0%}",
@@ -144,4 +160,5 @@ def _row(label: str, facts: CutFacts) -> tuple[str, ...]:
         str(len(facts.fast_plunges) or ""),
         ENGLISH.length(gouged) if gouged else "",
         ENGLISH.length(left) if left else "",
+        ENGLISH.length(lacking) if lacking else "",
     )

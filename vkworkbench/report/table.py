@@ -14,6 +14,8 @@ from vkworkbench.report.operation import OperationReport, contradiction
 from vkworkbench.report.text_table import how_many, line, printable, widths_of
 from vkworkbench.report.total import Total, counted_in
 
+_VERDICT = 1000  # letters of a verdict
+
 
 def table_of(operations: Sequence[OperationReport], totals: Sequence[Total], simulator: str) -> str:
     """Return the table of operations with their costs in a simulator, and the totals of their jobs below a line."""
@@ -34,6 +36,7 @@ def table_of(operations: Sequence[OperationReport], totals: Sequence[Total], sim
     lines = [title, rule, *shown]
     if below:
         lines += [rule, *(line(row, widths, left) for row in below)]
+    lines += [f"{printable(t.label)}: {printable(str(t.verdict), _VERDICT)}" for t in totals if t.verdict]
     return "\n".join(lines)
 
 
@@ -70,7 +73,7 @@ def _measures(o: OperationReport, simulator: str) -> tuple[str, ...]:
 def _total_row(t: Total, operations: Sequence[OperationReport], simulator: str) -> tuple[str, ...]:
     measured = all(map(_is_measured, counted_in(operations, t.document, t.job)))
     return (
-        f"{printable(t.label)}: {how_many(t.operations, 'operation')}",
+        f"{printable(t.label)}: {how_many(t.operations, 'operation')}" + (f" x{t.fixtures}" if t.fixtures > 1 else ""),
         "",
         "",
         ENGLISH.count(t.trajectories),

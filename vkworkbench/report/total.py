@@ -10,6 +10,7 @@ from typing import Any
 from vkworkbench.core import Strategy
 from vkworkbench.core.simulators import SIMULATORS, ZBUFFER, Costs, together
 from vkworkbench.core.zbuffer import CutFacts
+from vkworkbench.report.job_verdict import JobVerdict
 from vkworkbench.report.operation import OperationReport, Setup
 from vkworkbench.report.text_table import how_many, printable
 
@@ -39,6 +40,8 @@ class Total(Costs):
         Time of tool changes and starts of the spindle, for all fixtures.
     simulated : CutFacts or None
         Facts of a simulation of all operations; None without a simulation.
+    verdict : JobVerdict or None
+        Its verdict.
     """
 
     document: str
@@ -55,6 +58,7 @@ class Total(Costs):
     advice: Mapping[str, Any]
     setup: Setup = field(default_factory=Setup)
     simulated: CutFacts | None = None
+    verdict: JobVerdict | None = None
 
     def __repr__(self) -> str:
         return f"<Total of {printable(self.label)}: {how_many(self.operations, 'operation')}>"
@@ -89,6 +93,7 @@ class Total(Costs):
             "incomplete": self.incomplete,
             **self.columns(),
             "simulated": self.simulated and self.simulated.as_dict(),
+            "verdict": self.verdict and str(self.verdict),
             "messages": self.advice_messages(),
         }
 

@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import csv
+import json
 import re
 from dataclasses import replace
 from types import SimpleNamespace
@@ -11,8 +12,9 @@ from types import SimpleNamespace
 import pytest
 
 from vkworkbench.core import MACHINES, Machining, Span, Strategy
+from vkworkbench.core.zbuffer import Verdict
 from vkworkbench.language import Message
-from vkworkbench.report import Report, Setup, SimulationFacts, setup_of, without_results
+from vkworkbench.report import JobVerdict, Report, Setup, SimulationFacts, setup_of, without_results
 from vkworkbench.report.table import table_of
 from vkworkbench.report.text_table import printable
 
@@ -114,6 +116,37 @@ def test_job_facts_need_all_cutting_operations():
     one = replace(both, operations=both.operations[:1], names=both.names[:1], fingerprints=both.fingerprints[:1])
     partly = told.with_facts(one)
     assert [row.simulated for row in partly.operations] == [FIRST, None, None] and partly.totals[0].simulated is None
+
+
+def test_verdict_of_a_job_is_in_table_and_files(tmp_path):
+    """An operation that was left out does not prevent the verdict, because the verdict names it."""
+    told = report(operation("One"), operation("Two"))
+    one = SimulationFacts(
+        (("One", None),), None, (("Doc", "One"),), ("",), {}, left_out=(("Doc", "Two"),), valid_for="x"
+    )
+    whole = told.with_facts(one)
+    assert whole.verdicts == {JOB: JobVerdict(one.sentence, "x")}
+    assert lines(whole)[-1] == "Part: Nothing is checked yet."
+    whole.to_csv(tmp_path / "report.csv")
+    whole.to_json(tmp_path / "report.json")
+    with open(tmp_path / "report.csv", newline="", encoding="utf-8") as file:
+        assert [row["verdict"] for row in csv.DictReader(file)] == ["Nothing is checked yet."] * 2
+    data = json.loads((tmp_path / "report.json").read_text(encoding="utf-8"))
+    assert data["totals"][0]["verdict"] == "Nothing is checked yet."
+    assert told.with_facts(replace(one, left_out=())).verdicts == {}
+
+
+def test_verdict_is_sound_until_it_is_outdated():
+    sound = JobVerdict(Verdict(pixel=0.1).message(()), "x")
+    assert sound.is_sound and not replace(sound, outdated=True).is_sound
+    assert "outdated" in str(replace(sound, outdated=True)) and "No collision" in str(sound)
+    unread = Verdict(pixel=0.1, unread=(Message("no-tool"),))
+    assert not JobVerdict(unread.message(()), "x").is_sound
+
+
+def test_row_of_a_job_names_its_fixtures():
+    assert "1 operation x3 " in lines(report(operation("One"), fixtures={JOB: 3}))[-1]
+    assert " x" not in lines(report(operation("One")))[-1]
 
 
 def test_a_total_without_any_cost_takes_nothing_that_is_known():

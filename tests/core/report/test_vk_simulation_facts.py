@@ -55,8 +55,8 @@ def read(path):
 def test_the_table_has_a_line_for_each_operation_and_one_for_all():
     header, clean, faulty, job, verdict = str(FOUND).splitlines()
     assert header.split()[0] == "operation"
-    assert clean.split() == ["Fräsen", "12.34", "18.51", "30.00", "25%"]  # nothing is wrong with it
-    assert faulty.split() == ["=Pocket", "12.34", "18.51", "30.00", "25%", "2", "1", "0.8", "mm", "1.5", "mm"]
+    assert clean.split() == ["Fräsen", "12.34", "0.01", "18.51", "30.00", "25%"]  # nothing is wrong with it
+    assert faulty.split() == ["=Pocket", "12.34", "0.01", "18.51", "30.00", "25%", "2", "1", "0.8", "mm", "1.5", "mm"]
     assert job.split() == ["job", *faulty.split()[1:]] and verdict == "Nothing is checked yet."
 
 
@@ -66,6 +66,17 @@ def test_simulation_remarks_stand_below_table(tmp_path):
     assert table == str(FOUND).splitlines() and remark.startswith("Top face: ")
     told.to_json(tmp_path / "facts.json")
     assert json.loads((tmp_path / "facts.json").read_text(encoding="utf-8"))["remarks"] == [render(told.remarks[0])]
+
+
+def test_missing_stock_has_a_column_of_its_own(tmp_path):
+    found = replace(FOUND, job=replace(FAULTY, gouges=(*FAULTY.gouges, fault(depth=4.0, area=1.0))))
+    header, _, faulty, job, _ = str(found).splitlines()
+    assert header.endswith("gouged    left  stock lacks")
+    assert job.split()[-6:] == ["0.8", "mm", "1.5", "mm", "4.0", "mm"]
+    assert faulty.split()[-2:] == ["1.5", "mm"]
+    found.to_csv(tmp_path / "facts.csv")
+    row = read(tmp_path / "facts.csv")[-1]
+    assert (row["deepest_gouge"], row["stock_lacks"]) == ("0.75", "4.0")
 
 
 def test_verdict_is_below_table_and_in_file(tmp_path):
@@ -103,7 +114,8 @@ def test_no_label_breaks_the_table_or_steers_the_terminal():
 def test_files_of_the_facts(tmp_path):
     FOUND.to_csv(tmp_path / "facts.csv")
     FOUND.to_json(tmp_path / "facts.json")
-    clean, faulty = read(tmp_path / "facts.csv")
+    clean, faulty, job = read(tmp_path / "facts.csv")
+    assert (job["label"], job["verdict"], clean["verdict"]) == ("job", "Nothing is checked yet.", "")
     assert (clean["label"], clean["crashes"], clean["first_crash_command"]) == ("Fräsen", "0", "")
     assert (faulty["label"], faulty["crashes"], faulty["first_crash_command"]) == ("'=Pocket", "2", "3")
     assert (faulty["deepest_gouge"], faulty["most_left"]) == ("0.75", "1.5")

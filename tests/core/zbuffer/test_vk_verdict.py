@@ -21,7 +21,7 @@ from vkworkbench.core.zbuffer import (
     facts,
     simulate_job,
 )
-from vkworkbench.language import render
+from vkworkbench.language import Message, render
 
 LABELS = ["Face", "Engrave"]
 SOUND = Verdict(pixel=0.12)
@@ -68,6 +68,18 @@ def test_collisions_of_shanks_are_faults():
         "The shank collides with material 3 mm high. Checked to 0.12 mm. Shank checked; no holder and no clamps given."
     )
     assert not checked.is_sound and replace(checked, collisions=replace(checked.collisions, found=())).is_sound
+
+
+def test_unread_parts_make_a_verdict_unsure():
+    first, second = Message("of", label="Pocket", sentence=Message("no-tool")), Message("stock-around-cuts")
+    unsure = replace(SOUND, unread=(first,))
+    assert not unsure.is_sound and text(unsure) == (
+        "No collision, gouge or fast plunge was found, checked to 0.12 mm. Not everything could be checked: Pocket: The "
+        "operation has no tool. Give it a tool controller. Shank, holder and clamps not checked."
+    )
+    assert "for 2 reasons. The first reason: Pocket" in text(replace(SOUND, unread=(first, second)))
+    assert text(replace(unsure, crashes=1)).startswith("1 rapid cuts into material. Checked to 0.12 mm. Not everything")
+    assert "no tool meets the stock. Not everything" in text(replace(unsure, met=False))
 
 
 def test_everything_without_a_check_is_named():

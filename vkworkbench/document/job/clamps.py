@@ -52,6 +52,19 @@ def set_clamps(job, clamps: Iterable) -> None:
     document.commitTransaction()
 
 
+def readable_clamps(clamps: Iterable) -> tuple[dict[str, Solid], tuple[Message, ...]]:
+    """Return the solids of the clamps that have one, by their labels, and a remark on each other clamp."""
+    solids, remarks = {}, []
+    for obj in clamps:
+        try:
+            label, solid = _solid_of(obj)
+        except Unusable as error:
+            remarks.append(Message("clamp-left-out", sentence=error.what))
+        else:
+            solids[label] = solid
+    return solids, tuple(remarks)
+
+
 def clamp_solids(clamps: Iterable) -> dict[str, Solid]:
     """Return the solids of clamps, by their labels.
 

@@ -12,13 +12,14 @@ import sys
 from collections.abc import Callable, Iterable, Iterator
 from itertools import islice
 
-from vkworkbench import freecad
+from vkworkbench import freecad, preferences
 from vkworkbench.core import Stock, Tool
 from vkworkbench.core.gcode import used_up
+from vkworkbench.document.job.clamps import clamps_of, shapes_of
 from vkworkbench.document.job.operations import job_of, names_of, through_bases
 from vkworkbench.document.job.path_prints import PATH_PRINTS
-from vkworkbench.document.job.setting import rapid_feeds, read_stock, read_tool
-from vkworkbench.document.job.solids import form_of_stock
+from vkworkbench.document.job.setting import exact_box, rapid_feeds, read_stock, read_tool
+from vkworkbench.document.job.solids import form_of_stock, measures_of, shapes_of_model
 
 # mm, added before the corners of a stock are rounded to 0.01 mm. Without it a usual length in mm or inches would lie halfway
 # between two rounded values, and the last digit, which differs between FreeCAD versions, would decide.
@@ -129,6 +130,25 @@ def setting_fingerprint(
     if any(rapids):
         parts.append([round(speed, 3) for speed in rapids])
     return _digest(repr(parts))
+
+
+def surroundings_fingerprint(job) -> str:
+    """Return the fingerprint of a job's model and clamps and of the holder in the preferences; empty without a job.
+
+    The verdict of a simulation depends on them, and the analysis does not.
+    """
+    if job is None:
+        return ""
+    shapes = [
+        [_shape_print(shape) for shape in some if shape is not None and not shape.isNull()]
+        for some in (shapes_of_model(job), shapes_of(clamps_of(job)))
+    ]
+    return _digest(repr((sorted(preferences.read().holder.items()), shapes)))
+
+
+def _shape_print(shape) -> tuple:
+    corners = [coordinate for corner in exact_box(shape) for coordinate in corner]
+    return (*(round(value + _OFFSET, 2) + 0.0 for value in corners), *measures_of(shape))
 
 
 def read_setting_fingerprints(obj, job) -> tuple[str, str]:

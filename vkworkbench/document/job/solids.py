@@ -79,6 +79,11 @@ def _form(shape, box: Stock) -> tuple:
     return ("Mesh", *(f"{_FACTOR * measure:.4e}" for measure in measures))
 
 
+def measures_of(shape) -> tuple[str, ...]:
+    """Return volume and area of a shape with five digits, for a fingerprint."""
+    return tuple(f"{_FACTOR * measure:.4e}" for measure in _measures_of(shape))
+
+
 def are_equal(one, other) -> bool:
     """Return whether shapes are identical, or copies of each other. An undo restores a copy."""
     return one.isSame(other) or (

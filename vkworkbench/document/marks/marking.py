@@ -23,11 +23,11 @@ from vkworkbench.document.job.operations import (
 )
 from vkworkbench.document.marks import marks
 from vkworkbench.given import of_kind
-from vkworkbench.report import OperationReport, Report
+from vkworkbench.report import JobVerdict, OperationReport, Report
 
 
 def mark(report: Report, *, undo_step: bool = True) -> int:
-    """Mark the operations of a report, and their jobs with totals, as one undo step for each document.
+    """Mark the operations of a report, and their jobs with totals and verdicts, as one undo step for each document.
 
     Operations that have changed since the analysis are marked as outdated.
 
@@ -50,6 +50,9 @@ def mark(report: Report, *, undo_step: bool = True) -> int:
     of_kind("report", report, Report, "the Report that analyze returns")
     marked = 0
     by_document: dict[str, list[OperationReport]] = {}
+    verdicts: dict[str, dict[str, JobVerdict]] = {}
+    for (name, job), verdict in report.verdicts.items():
+        verdicts.setdefault(name, {})[job] = verdict
     for operation in report.operations:
         by_document.setdefault(operation.document, []).append(operation)
     for name, operations in by_document.items():
@@ -57,11 +60,11 @@ def mark(report: Report, *, undo_step: bool = True) -> int:
         if document is None or document.Uid != operations[-1].document_id:
             continue
         with transaction(document, "Analyze Toolpaths") if undo_step else nullcontext():
-            marked += _mark(document, operations)
+            marked += _mark(document, operations, verdicts.get(name, {}))
     return marked
 
 
-def _mark(document, operations: list[OperationReport]) -> int:
+def _mark(document, operations: list[OperationReport], verdicts: dict[str, JobVerdict]) -> int:
     chosen, settings = preferences.read(), Settings()
     results.remember(operations)
     marked = set()
@@ -74,7 +77,7 @@ def _mark(document, operations: list[OperationReport]) -> int:
             marks.write(obj, operation, chosen, outdated=not fits)
             marked.add(obj.Name)
     for job in _jobs(document):
-        marks.write_total(job, chosen)
+        marks.write_total(job, chosen, verdicts.get(job.Name))
     return len(marked)
 
 

@@ -8,7 +8,7 @@ holds the whole mark, and which part of the text the mark has written. FreeCAD o
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from dataclasses import replace
 from typing import Any
 
@@ -16,14 +16,19 @@ from vkworkbench import preferences
 from vkworkbench.core import Strategy
 from vkworkbench.core.simulators import ZBUFFER
 from vkworkbench.document.job import results
-from vkworkbench.document.job.fingerprint import path_and_setting, path_fingerprint, text_fingerprint
+from vkworkbench.document.job.fingerprint import (
+    path_and_setting,
+    path_fingerprint,
+    surroundings_fingerprint,
+    text_fingerprint,
+)
 from vkworkbench.document.job.operations import find, fixtures_of, is_active
 from vkworkbench.document.marks import properties as mark_properties
 from vkworkbench.document.marks import record
 from vkworkbench.document.marks.record import Record
 from vkworkbench.document.marks.text import CLOSING, OPENING, SEPARATOR, SIMULATION, SWITCHED_OFF, text_of
 from vkworkbench.preferences import Preferences
-from vkworkbench.report import OperationReport, total_of
+from vkworkbench.report import JobVerdict, OperationReport, fingerprint_of_job, total_of
 
 _BRACKETS = re.compile(f" ?{OPENING}([^{OPENING}{CLOSING}]*){CLOSING}")
 # The text of a mark in any version: a confidence, a time, or only a strategy.
@@ -91,14 +96,44 @@ def write(obj, report: OperationReport, chosen: Preferences, *, outdated: bool) 
     _keep(obj, replace(made, outdated=outdated), chosen, new=True)
 
 
-def write_total(job, chosen: Preferences) -> None:
-    """Mark a job with the total of its operations' marks. A job with an unmarked operation gets no mark."""
+def write_total(job, chosen: Preferences, verdict: JobVerdict | None = None) -> None:
+    """Mark a job with the total of its operations' marks. A job with an unmarked operation gets no mark.
+
+    A verdict that is valid for the present job replaces the one of the earlier mark, which is kept otherwise.
+    """
     parts = _parts(job)
     if not parts or None in parts.values():
         if is_marked(job):
             erase(job)
         return
-    _keep(job, _total(job, parts), chosen, new=True)
+    if verdict is not None and verdict.valid_for == _verdict_fingerprint(job, parts):
+        _keep(job, replace(_total(job, parts), verdict=verdict), chosen, new=True)
+    else:
+        _keep(job, _total(job, parts), chosen, new=True)
+
+
+def verdict_of(job, fingerprints: Iterable[str]) -> JobVerdict | None:
+    """Return the verdict in the mark of a job if it is valid for operations with these fingerprints, else None."""
+    known = read(job)
+    if known is None or known.verdict is None:
+        return None
+    valid = known.verdict.valid_for == fingerprint_of_job(fingerprints, surroundings_fingerprint(job))
+    return replace(known.verdict, outdated=False) if valid else None
+
+
+def _verdict_fingerprint(job, parts: dict[Any, Record | None]) -> str:
+    return fingerprint_of_job(
+        (part.fingerprint if part else "" for part in parts.values()), surroundings_fingerprint(job)
+    )
+
+
+def _verdict(job, parts: dict[Any, Record | None]) -> JobVerdict | None:
+    """Return the verdict in the mark of a job, which is outdated if the job is."""
+    known = read(job)
+    if known is None or known.verdict is None:
+        return None
+    outdated = _is_outdated(parts) or known.verdict.valid_for != _verdict_fingerprint(job, parts)
+    return replace(known.verdict, outdated=outdated)
 
 
 def _parts(job) -> dict[Any, Record | None]:
@@ -112,7 +147,7 @@ def _total(job, parts: dict[Any, Record | None]) -> Record:
     known = [_with_estimate(obj, part) for obj, part in marked.items()]
     total = total_of(job.Document.Name, job.Name, job.Label, known, None, fixtures_of(job))
     made = record.of_total(total, list(marked.values()), _total_fingerprint(job, parts))
-    return replace(made, outdated=_is_outdated(parts))
+    return replace(made, outdated=_is_outdated(parts), verdict=_verdict(job, parts))
 
 
 def _is_outdated(parts: dict[Any, Record | None]) -> bool:
@@ -184,8 +219,10 @@ def refresh_total(job) -> None:
     parts = _parts(job)
     if known.fingerprint != _total_fingerprint(job, parts):
         _keep(job, _total(job, parts), preferences.read())
-    elif known.outdated != _is_outdated(parts):
-        _keep(job, replace(known, outdated=not known.outdated), preferences.read())
+        return
+    now = replace(known, outdated=_is_outdated(parts), verdict=_verdict(job, parts))
+    if (now.outdated, now.verdict) != (known.outdated, known.verdict):
+        _keep(job, now, preferences.read())
 
 
 def follow(obj, chosen: Preferences) -> None:

@@ -13,7 +13,7 @@ from vkworkbench import freecad
 from vkworkbench.core import Strategy
 from vkworkbench.core.simulators import SIMULATORS, Caution, Cost, Costs, cost_as_data, cost_from_data
 from vkworkbench.language import Message, render
-from vkworkbench.report import HANGS, SERIOUS, OperationReport, Setup, Total, has_unknown_cost
+from vkworkbench.report import HANGS, SERIOUS, JobVerdict, OperationReport, Setup, Total, has_unknown_cost
 
 _FORMAT = 2  # format 1 was never released
 _LARGEST = 1e15  # largest plausible number, in any unit; a larger one comes from a damaged file
@@ -51,6 +51,8 @@ class Record(Costs):
         Costs by name of the simulator.
     fingerprint : str
         Fingerprint of path, tool and stock; for a job, the fingerprints of its operations.
+    verdict : JobVerdict or None
+        The verdict of a simulation on a job.
     outdated : bool
     off : bool
         Whether the operation lost its toolpath because it was switched off. The other data becomes valid again with the
@@ -77,6 +79,7 @@ class Record(Costs):
     incomplete: bool = False
     costs: Mapping[str, Cost] = field(default_factory=dict)
     fingerprint: str = ""
+    verdict: JobVerdict | None = None
     outdated: bool = False
     off: bool = False
     text: str = ""
@@ -97,8 +100,11 @@ class Record(Costs):
 
     @property
     def english_remarks(self) -> str:
-        """Remarks and serious cautions in English."""
-        return " ".join([*map(render, self.remarks), *(c.message for c in self.cautions if c.code in SERIOUS)])
+        """Remarks, serious cautions and the verdict in English."""
+        verdict = [str(self.verdict)] if self.verdict else []
+        return " ".join(
+            [*map(render, self.remarks), *(c.message for c in self.cautions if c.code in SERIOUS), *verdict]
+        )
 
 
 def of_operation(report: OperationReport, simulator: str) -> Record:
@@ -174,6 +180,7 @@ def as_json(record: Record, shown: Iterable[str] = (), own: Iterable[str] = ()) 
         "incomplete": record.incomplete,
         "costs": {name: cost_as_data(name, cost) for name, cost in record.costs.items()},
         "fingerprint": record.fingerprint,
+        "verdict": record.verdict and _verdict_as_data(record.verdict),
     })  # fmt: skip
 
 
@@ -200,12 +207,24 @@ def from_json(text: str) -> Record | None:
             incomplete=bool(data["incomplete"]),
             costs=_costs(data["costs"]),
             fingerprint=str(data["fingerprint"]),
+            verdict=_verdict(data.get("verdict")),
             outdated=bool(data["outdated"]),
             off=bool(data["off"]),
             text=str(data["text"]),
         )
     except (AttributeError, LookupError, TypeError, ValueError, ArithmeticError, RecursionError):
         return None
+
+
+def _verdict_as_data(verdict: JobVerdict) -> dict[str, Any]:
+    return {"what": verdict.what.as_data(), "valid_for": verdict.valid_for, "outdated": verdict.outdated}
+
+
+def _verdict(data: Any) -> JobVerdict | None:
+    if data is None:
+        return None
+    (what,) = _messages([data["what"]])
+    return JobVerdict(what, str(data["valid_for"]), bool(data["outdated"]))
 
 
 def _costs(data: dict) -> dict[str, Cost]:

@@ -41,6 +41,8 @@ def is_warned(record: Record, chosen: Preferences) -> bool:
     """Return whether tree, tooltip and results show a warning for the simulator of the preferences."""
     if is_switched_off(record):  # the user has done it
         return False
+    if record.verdict is not None and not record.verdict.is_sound:
+        return True
     known = record.remarks or record.called or any(is_serious(caution, chosen) for caution in record.cautions)
     return burden(record, chosen) is Burden.OVER or bool(known)
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import time
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Any
 
@@ -61,7 +61,7 @@ class AlongAxis:
         if seen is not None:
             seconds = preferences.read().time_budget / 4
             thin = thin_gouges(self.job.cuts, self.job.stock, seen, tolerance=tolerance, seconds=seconds)
-        return facts(
+        found = facts(
             self.zbuffer,
             self.checked,
             self.measured,
@@ -70,6 +70,7 @@ class AlongAxis:
             tolerance=tolerance,
             collisions=self.collisions,
         )
+        return replace(found, verdict=replace(found.verdict, unread=self.job.unread))
 
 
 def simulate_along_axis(

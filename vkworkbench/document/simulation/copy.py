@@ -11,8 +11,8 @@ import FreeCAD
 
 from vkworkbench import preferences
 from vkworkbench.core import Cut, Stock, Tool, Toolpath, linearize
-from vkworkbench.core.gcode import in_seconds, used_up
-from vkworkbench.document.job.clamps import clamp_solids, clamps_of, shapes_of
+from vkworkbench.core.gcode import Words, in_seconds, used_up
+from vkworkbench.document.job.clamps import clamp_solids, clamps_of, readable_clamps, shapes_of
 from vkworkbench.document.job.fingerprint import (
     finding_path_fingerprint,
     fingerprint_of,
@@ -20,6 +20,7 @@ from vkworkbench.document.job.fingerprint import (
     path_fingerprint,
     read_setting_fingerprints,
     setting_fingerprint,
+    surroundings_fingerprint,
     text_fingerprint,
     text_of,
 )
@@ -43,9 +44,12 @@ from vkworkbench.document.job.setting import (
     vertical_feed,
 )
 from vkworkbench.document.job.solids import form_of_stock, have_equal_shapes, model_shapes, shapes_of_model, stock_solid
+from vkworkbench.document.job.work_offsets import WorkOffsets
 from vkworkbench.document.simulation.allowed_depth import allowed_depth, with_stroke_depth
 from vkworkbench.document.simulation.job import SimulatedJob, SimulatedOperation
+from vkworkbench.document.simulation.lathe import is_turned
 from vkworkbench.language import Message, Unusable
+from vkworkbench.report import fingerprint_of_job
 
 _WAIT = 0.05  # s between two calls of `going_on` while waiting for a copy
 
@@ -60,7 +64,8 @@ class _Copied:
     tool: Tool | None
     vertical_feed: float
     allowed_depth: float  # see `Cut`
-    remark: Message | None  # on the tool
+    simplified: Message | None  # the remark that the tool is simulated by a simpler shape
+    no_tool: Message | None  # why the tool is unknown
 
 
 @dataclass(frozen=True, eq=False)
@@ -76,13 +81,17 @@ class ReadCut:
     listing : Listing or None
         See `SimulatedJob`.
     remarks : tuple of Message
+        How the operation is simplified.
+    unread : tuple of Message
+        What could not be read.
     """
 
     operation: SimulatedOperation
     cut: Cut | None
-    as_read: Toolpath | None
-    listing: Listing | None
-    remarks: tuple[Message, ...]
+    as_read: Toolpath | None = None
+    listing: Listing | None = None
+    remarks: tuple[Message, ...] = ()
+    unread: tuple[Message, ...] = ()
 
 
 class JobCopy:
@@ -113,10 +122,19 @@ class JobCopy:
         self._paths: dict[str, str] = {}
         self._given_clamps = None if clamps is None else tuple(clamps)
         self._clamp_shapes = shapes_of(self._clamps_of(job))
-        self._clamps = clamp_solids(self._clamps_of(job))
+        self._unread = (remark,) if remark else ()
+        if clamps is None:
+            self._clamps, not_closed = readable_clamps(self._clamps_of(job))
+            self._unread += not_closed
+        else:
+            self._clamps = clamp_solids(self._given_clamps)
+        self._job_name = "" if job is None else job.Name
+        posted_by_job = [o.object.Name for o in find(job) if o.counted] if job is not None else []
+        is_whole = clamps is None and posted_by_job == list(self.names)
+        self._surroundings = surroundings_fingerprint(job) if is_whole else ""
+        self._offsets = WorkOffsets(job)
         chosen = preferences.read()
         self._tolerance, self._holder = chosen.tolerance, chosen.holder
-        self._remarks = (remark,) if remark else ()
         self._copied: SimpleQueue = SimpleQueue()
 
     def copying(self) -> Iterator[None]:
@@ -136,7 +154,7 @@ class JobCopy:
     def read(self, going_on: Callable[[], None] = lambda: None) -> Iterator[ReadCut]:
         """Yield each copied operation linearised. An exception from `going_on` ends the work."""
         for name in self.names:
-            read = _linearized(self._next(going_on), self._tolerance)
+            read = _linearized(self._next(going_on), self._tolerance, self._offsets)
             path, setting = path_and_setting(read.operation.fingerprint)
             if setting:
                 self._paths[name] = path
@@ -184,9 +202,10 @@ class JobCopy:
         """
         read = tuple(read)
         cuts = [one for one in read if one.cut is not None]
-        remarks = tuple(remark for one in read for remark in one.remarks)
+        remarks = tuple(remark for one in read for remark in (*one.unread, *one.remarks))
         if not cuts:
             raise Unusable(remarks[0] if remarks else Message("nothing-to-simulate"))
+        unread = tuple(remark for one in read for remark in one.unread)
         return SimulatedJob(
             tuple(one.operation for one in cuts),
             tuple(with_stroke_depth(one.operation, one.cut, self._top) for one in cuts),
@@ -194,8 +213,14 @@ class JobCopy:
             tuple(one.listing for one in cuts),
             self._stock,
             self._model_shapes,
-            remarks + self._remarks,
+            remarks + self._unread,
             self._clamps,
+            unread + self._unread,
+            tuple((one.operation.document, one.operation.name) for one in read if one.cut is None),
+            self._job_name,
+            fingerprint_of_job((one.operation.fingerprint for one in read), self._surroundings)
+            if self._surroundings
+            else "",
         )
 
     def _clamps_of(self, job) -> tuple:
@@ -230,43 +255,45 @@ def copy_job(what=None, clamps: Iterable | None = None) -> JobCopy:
 
 
 def _copied(obj, box: Stock, form: tuple, holder: dict[str, float]) -> _Copied:
+    tool = simplified = no_tool = None
     try:
-        tool, remark = read_tool(obj), tool_remark(obj)
+        tool, simplified = read_tool(obj), tool_remark(obj)
     except Unusable as error:
-        tool, remark = None, error.what
+        no_tool = error.what
     rapids = rapid_feeds(obj)
     setting = setting_fingerprint(tool, box, form, rapids)
     if tool is not None and tool.holder_diameter is None:
         tool = replace(tool, **holder)
     operation = SimulatedOperation(obj.Document.Name, obj.Name, obj.Label, rapids, is_imported(obj), setting)
-    allowed = allowed_depth(obj, tool, remark)
-    return _Copied(operation, obj.Path, obj.Placement, tool, vertical_feed(obj), allowed, remark)
+    allowed = allowed_depth(obj, tool, simplified)
+    return _Copied(operation, obj.Path, obj.Placement, tool, vertical_feed(obj), allowed, simplified, no_tool)
 
 
-def _linearized(copied: _Copied, tolerance: float) -> ReadCut:
-    operation, found = copied.operation, [copied.remark]
-    cut = toolpath = listing = None
-    if copied.tool is not None:
-        try:
-            commands = copied.path.Commands
-            text = text_of(copied.path, commands)
-            listing = Listing(text, commands)
-            path = text_fingerprint(text, copied.placement)
-            operation = replace(operation, fingerprint=fingerprint_of(path, operation.fingerprint))
-            toolpath = placed(linearize(used_up(commands), tolerance=tolerance), copied.placement)
-        except Unusable as error:
-            found = [error.what]
-        else:
-            feeding, minutes = in_seconds(toolpath) if operation.imported else (toolpath, None)
-            listing.in_minutes = minutes is not None
-            unread = [problem.remark for problem in toolpath.problems if not problem.of_time]
-            if rotary_cut(toolpath) or not len(toolpath):
-                found = unread
-            else:
-                cut = Cut(feeding, copied.tool, copied.vertical_feed, copied.allowed_depth)
-                found = [*found, minutes, *unread]
-    remarks = tuple(Message("of", label=operation.label, sentence=remark) for remark in found if remark)
-    return ReadCut(operation, cut, toolpath, listing, remarks)
+def _linearized(copied: _Copied, tolerance: float, offsets: WorkOffsets) -> ReadCut:
+    def of(*found: Message | None) -> tuple[Message, ...]:
+        return tuple(Message("of", label=copied.operation.label, sentence=remark) for remark in found if remark)
+
+    commands = copied.path.Commands
+    text = text_of(copied.path, commands)
+    listing, path = Listing(text, commands), text_fingerprint(text, copied.placement)
+    operation = replace(copied.operation, fingerprint=fingerprint_of(path, copied.operation.fingerprint))
+    try:
+        words = Words(used_up(commands))
+        toolpath = linearize(words, tolerance=tolerance)
+        offset = offsets.remark(words, toolpath)
+        toolpath = placed(toolpath, copied.placement)
+    except Unusable as error:
+        return ReadCut(operation, None, unread=of(error.what))
+    unread = of(*(problem.remark for problem in toolpath.problems if not problem.of_time), offset)
+    if not len(toolpath) or rotary_cut(toolpath):
+        return ReadCut(operation, None, unread=unread)
+    if copied.tool is None:
+        return ReadCut(operation, None, unread=of(copied.no_tool))
+    feeding, minutes = in_seconds(toolpath) if operation.imported else (toolpath, None)
+    listing.in_minutes = minutes is not None
+    cut = Cut(feeding, copied.tool, copied.vertical_feed, copied.allowed_depth)
+    turned = Message("turned") if is_turned(toolpath) else None
+    return ReadCut(operation, cut, toolpath, listing, of(copied.simplified, minutes), (*unread, *of(turned)))
 
 
 def _posted(what) -> tuple[list, object]:

@@ -1,29 +1,32 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Faults of operations that simulations of this session have found.
+"""Faults of operations, and verdicts on jobs, that simulations of this session have found.
 
-A fault is valid for the toolpath, tool and stock of its operation, which the fingerprint covers, and for all operations before
+A verdict is valid until a toolpath or a setting of the document changes. A fault is valid for the toolpath, tool and stock of its operation, which the fingerprint covers, and for all operations before
 it. All faults of a document are dropped when a toolpath or the order of its operations changes.
 """
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import replace
 from typing import TypeVar
 
 import FreeCAD
 
 from vkworkbench import freecad
+from vkworkbench.core.zbuffer import Verdict
 from vkworkbench.document.marks import marks
 from vkworkbench.document.marks.record import Record
-from vkworkbench.document.simulation.job import SimulatedOperation
+from vkworkbench.document.simulation.job import SimulatedJob, SimulatedOperation
 from vkworkbench.language import Message
-from vkworkbench.report import OperationReport
+from vkworkbench.report import JobVerdict, OperationReport
 
 _Found = TypeVar("_Found", OperationReport, Record)
 _CHANGES = freecad.names_in_fingerprint("path") | freecad.names_in_fingerprint("setting")
 # By document and operation: the fingerprint of the operation, and its fault.
 _found: dict[str, dict[str, tuple[str, Message]]] = {}
+# By document and job.
+_verdicts: dict[str, dict[str, JobVerdict]] = {}
 _observer: _Observer | None = None
 
 
@@ -35,10 +38,7 @@ def keep_faults(faults: Mapping[SimulatedOperation, list[tuple[int, Message]]]) 
     faults : mapping
         Lists of commands with their faults, by operation; an empty list if there is no fault.
     """
-    global _observer
-    if _observer is None:
-        _observer = _Observer()
-        FreeCAD.addDocumentObserver(_observer)
+    _observe()
     changed = False
     for operation, wrong in faults.items():
         known = _found.setdefault(operation.document, {})
@@ -50,6 +50,29 @@ def keep_faults(faults: Mapping[SimulatedOperation, list[tuple[int, Message]]]) 
             known[operation.name] = operation.fingerprint, remark
         changed |= known.get(operation.name) != before
     return changed
+
+
+def keep_verdict(job: SimulatedJob, verdict: Verdict) -> bool:
+    """Store the verdict on a job that was simulated as a whole; return whether its sentence has changed."""
+    if not job.valid_for:
+        return False
+    _observe()
+    known = _verdicts.setdefault(job.operations[0].document, {})
+    before, what = known.get(job.name), verdict.message([operation.label for operation in job.operations])
+    known[job.name] = JobVerdict(what, job.valid_for)
+    return known[job.name] != before
+
+
+def verdict_on(job, fingerprints: Iterable[str]) -> JobVerdict | None:
+    """Return the verdict of a simulation of this session on a job, or the valid one in its mark; None without one.
+
+    Parameters
+    ----------
+    job : DocumentObject
+    fingerprints : iterable of str
+        Fingerprints of the job's operations.
+    """
+    return _verdicts.get(job.Document.Name, {}).get(job.Name) or marks.verdict_of(job, fingerprints)
 
 
 def with_faults(found: _Found, document: str, name: str) -> _Found:
@@ -69,18 +92,33 @@ def with_faults(found: _Found, document: str, name: str) -> _Found:
 
 
 def read_with_faults(obj: FreeCAD.DocumentObject) -> Record | None:
-    """Return the mark of an object with its fault from a simulation; None without a mark."""
+    """Return the mark of an object with its fault or verdict from a simulation; None without a mark."""
     record = marks.read(obj)
-    return None if record is None else with_faults(record, obj.Document.Name, obj.Name)
+    if record is None:
+        return None
+    verdict = _verdicts.get(obj.Document.Name, {}).get(obj.Name)
+    return with_faults(replace(record, verdict=verdict) if verdict else record, obj.Document.Name, obj.Name)
+
+
+def _observe() -> None:
+    global _observer
+    if _observer is None:
+        _observer = _Observer()
+        FreeCAD.addDocumentObserver(_observer)
+
+
+def _drop(document: str) -> None:
+    _found.pop(document, None)
+    _verdicts.pop(document, None)
 
 
 class _Observer:
     def slotChangedObject(self, obj, name: str) -> None:
         if name in _CHANGES:
-            _found.pop(obj.Document.Name, None)
+            _drop(obj.Document.Name)
 
     def slotDeletedObject(self, obj) -> None:
-        _found.pop(obj.Document.Name, None)
+        _drop(obj.Document.Name)
 
     def slotDeletedDocument(self, document) -> None:
-        _found.pop(document.Name, None)
+        _drop(document.Name)

@@ -62,6 +62,15 @@ class SimulatedJob:
         What the simulation leaves out or simplifies, and why.
     clamps : mapping of str to Solid
         Solids that no tool may touch, by the labels of their objects.
+    unread : tuple of Message
+        The remarks on parts of the job that could not be read, so that the verdict on the job is not sure.
+    left_out : tuple of (str, str)
+        Internal names of document and object of the operations that are not simulated.
+    name : str
+        Internal name of the job; empty without a job.
+    valid_for : str
+        Fingerprint of the job for its verdict, see `fingerprint_of_job`; empty if only a part of the job is simulated, or with
+        another stock or other clamps.
     """
 
     operations: tuple[SimulatedOperation, ...]
@@ -72,6 +81,10 @@ class SimulatedJob:
     model_shapes: tuple
     remarks: tuple[Message, ...]
     clamps: Mapping[str, Solid] = field(default_factory=dict)
+    unread: tuple[Message, ...] = ()
+    left_out: tuple[tuple[str, str], ...] = ()
+    name: str = ""
+    valid_for: str = ""
 
     @cached_property
     def model(self) -> Solid | None:

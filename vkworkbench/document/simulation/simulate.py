@@ -103,10 +103,12 @@ def _with_stock(job: SimulatedJob, stock: Simulation | Solid | None) -> Simulate
         (Simulation, Stock, Cylinder, MeshStock),
         "a simulation, or a solid such as a Stock(lower, upper)",
     )
+    job = replace(job, valid_for="")
     if not isinstance(stock, Simulation):
         return replace(job, stock=stock)
     left, remark = stock_after(stock.triangles(), stock.job.model_shapes, job)
-    return replace(job, stock=left, remarks=(*job.remarks, *([remark] if remark else [])))
+    unread = (*([remark] if remark else []), *stock.job.unread)
+    return replace(job, stock=left, remarks=(*job.remarks, *unread), unread=(*job.unread, *unread))
 
 
 def _coarser_image(image: View, stock: Solid) -> Message:
@@ -187,7 +189,10 @@ class Simulation(SimulatedPart):
         found = axis.facts(tolerance)
         fingerprints = tuple(operation.fingerprint for operation in self.job.operations)
         operations, table = tuple(zip(labels, found.cuts)), trajectory_table(axis.zbuffer, axis.measured)
-        return SimulationFacts(operations, found.job, names, fingerprints, table, self.job.remarks, found.verdict)
+        job = self.job
+        return SimulationFacts(
+            operations, found.job, names, fingerprints, table, job.remarks, found.verdict, job.left_out, job.valid_for
+        )
 
     def source(self, trajectory: int) -> tuple[SimulatedOperation, int]:
         """Return the operation of a trajectory and the index of its command in the operation's Path.

@@ -51,4 +51,5 @@ def report_of(findings: list[Finding]) -> Report | None:
     labels = {key: job.Label for key, job in jobs.items()}
     fixtures = {key: fixtures_of(job) for key, job in jobs.items()}
     chosen = preferences.read()
-    return Report(operations, labels, chosen.budget, fixtures, simulator=chosen.simulator)
+    verdicts = {key: own.verdict for key, job in jobs.items() if (own := read_with_faults(job)) and own.verdict}
+    return Report(operations, labels, chosen.budget, fixtures, verdicts=verdicts, simulator=chosen.simulator)

@@ -12,6 +12,7 @@ from vkworkbench.core import Strategy
 from vkworkbench.document.job.operations import find, fixtures_of
 from vkworkbench.document.marks import marks
 from vkworkbench.document.marks.record import Record, of_total
+from vkworkbench.document.simulation.faults import read_with_faults
 from vkworkbench.gui.qt.sentences import plural
 from vkworkbench.gui.qt.text import translate
 from vkworkbench.gui.results.findings import Finding
@@ -118,7 +119,8 @@ def _job(job, findings: list[Finding], chosen: Preferences) -> Row:
         total = replace(total, costs={**total.costs, **mark.costs}) if mark else total
     outdated = marks.is_outdated(job) or any(finding.mark.outdated for finding in counted)
     # Like the mark of the job, but without computing the costs in simulators that are not shown.
-    record = replace(of_total(replace(total, costs={}), [f.mark for f in counted], ""), costs=total.costs)
+    of_parts, own = of_total(replace(total, costs={}), [f.mark for f in counted], ""), read_with_faults(job)
+    record = replace(of_parts, costs=total.costs, verdict=own and own.verdict)
     notices = notices_of(record, chosen)
     if total.operations < posted:
         text = translate("Vk_Results", "This total covers the analyzed operations only.")

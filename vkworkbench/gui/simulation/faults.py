@@ -8,8 +8,8 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from vkworkbench.core.zbuffer import TOLERANCE, Deviation, worst_places
-from vkworkbench.document.simulation.faults import keep_faults
+from vkworkbench.core.zbuffer import PENDING, TOLERANCE, Deviation, Verdict, worst_places
+from vkworkbench.document.simulation.faults import keep_faults, keep_verdict
 from vkworkbench.document.simulation.job import SimulatedJob
 from vkworkbench.gui.qt import docks
 from vkworkbench.gui.qt.sentences import sentence, user
@@ -137,6 +137,7 @@ class KnownFaults:
     def __init__(self, job: SimulatedJob, clock: Clock) -> None:
         self.job, self.clock = job, clock
         self._proved: list[Fault] | None = None  # None until the job was checked
+        self._verdict = PENDING
         self._holds = False  # whether the document is unchanged since it was read
 
     def text(self, fault: Fault) -> str:
@@ -165,9 +166,9 @@ class KnownFaults:
             if fault.trajectory is not None
         )
 
-    def keep(self, proved: list[Fault]) -> None:
-        """Use the faults of a check, and show them in marks and results."""
-        self._proved = proved
+    def keep(self, proved: list[Fault], verdict: Verdict) -> None:
+        """Use the faults and the verdict of a check, and show them in marks and results."""
+        self._proved, self._verdict = proved, verdict
         self._publish()
 
     def follow(self, holds: bool) -> None:
@@ -182,6 +183,7 @@ class KnownFaults:
             operation: [(fault.command, fault.what) for fault in self._proved if fault.cut == number]
             for number, operation in enumerate(self.job.operations)
         })  # fmt: skip
+        changed |= keep_verdict(self.job, self._verdict)
         if changed:
             pills.show()
             results = docks.find(docks.RESULTS)

@@ -233,7 +233,7 @@ class Player(QWidget):
         if judged.differences is not None:
             self.scene_bar.list_worst(judged.differences, self.known.text_with_place)
         self._show_removal()
-        self.known.keep(judged.proved)
+        self.known.keep(judged.proved, self.drawing.findings.facts.verdict)
 
     def _show_removal(self) -> None:
         removal = self.drawing.removal

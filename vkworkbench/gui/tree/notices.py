@@ -51,6 +51,8 @@ def level_of_remarks(record: Record) -> Level:
 
 
 def _notices(record: Record, chosen: Preferences) -> Iterator[Notice]:
+    if record.verdict is not None:
+        yield Notice(Level.NOTE if record.verdict.is_sound else Level.WARNING, sentence(record.verdict.message))
     for remark in record.remarks:
         yield Notice(level_of_remarks(record), sentence(remark))
     wrong = contradiction(record)

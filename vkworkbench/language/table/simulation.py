@@ -47,6 +47,10 @@ SIMULATION: dict[str, str | tuple[str, str]] = {
         QT_TRANSLATE_NOOP("Sentences", "{count:n} clamps were checked."),
     ),
     "no-clamps": QT_TRANSLATE_NOOP("Sentences", "No clamps are given."),
+    "clamp-left-out": QT_TRANSLATE_NOOP("Sentences", "A clamp was not checked. {sentence}"),
+    "turned": QT_TRANSLATE_NOOP(
+        "Sentences", "This is a toolpath for a lathe. It is simulated like a mill's, so that the part is wrong."
+    ),
     "stock-not-moved": QT_TRANSLATE_NOOP(
         "Sentences", "The stock is where the other job leaves it, because the jobs have different models."
     ),
@@ -56,9 +60,19 @@ SIMULATION: dict[str, str | tuple[str, str]] = {
     ),
     # The verdict on a job.
     "verdict": QT_TRANSLATE_NOOP("Sentences", "{sentences}"),
+    "verdict-outdated": QT_TRANSLATE_NOOP(
+        "Sentences", "The verdict of the simulation is outdated, because the job has changed. Simulate the job again."
+    ),
     "verdict-pending": QT_TRANSLATE_NOOP("Sentences", "Nothing is checked yet."),
     "verdict-nothing": QT_TRANSLATE_NOOP("Sentences", "Nothing was checked, because no tool meets the stock."),
     "verdict-sound": QT_TRANSLATE_NOOP("Sentences", "No {what}, checked to {pixel:mm2}."),
+    "verdict-unsure": QT_TRANSLATE_NOOP("Sentences", "No {what} was found, checked to {pixel:mm2}."),
+    "verdict-unread": (
+        QT_TRANSLATE_NOOP("Sentences", "Not everything could be checked: {first}"),
+        QT_TRANSLATE_NOOP(
+            "Sentences", "Not everything could be checked, for {count:n} reasons. The first reason: {first}"
+        ),
+    ),
     "verdict-checked": QT_TRANSLATE_NOOP("Sentences", "Checked to {pixel:mm2}."),
     "verdict-kinds": QT_TRANSLATE_NOOP("Sentences", "collision, gouge or fast plunge"),
     "verdict-kinds-without-model": QT_TRANSLATE_NOOP("Sentences", "collision or fast plunge"),

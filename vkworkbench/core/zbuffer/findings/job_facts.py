@@ -30,7 +30,7 @@ _NUMBERS = (
     "air_time_share", "mean_rate", "peak_rate", "depth_of_cut", "width_of_cut", "tool_diameter", "pixel",
 )  # fmt: skip
 _Fault = TypeVar("_Fault", Crash, Plunge)
-_FAULTS = ("crashes", "first_crash_command", "fast_plunges", "deepest_gouge", "most_left", "collisions")
+_FAULTS = ("crashes", "first_crash_command", "fast_plunges", "deepest_gouge", "stock_lacks", "most_left", "collisions")
 
 
 @dataclass(frozen=True)
@@ -143,7 +143,8 @@ class CutFacts:
             len(self.crashes),
             self.crashes[0].source.command if self.crashes else None,
             len(self.fast_plunges),
-            max((gouge.depth for gouge in self.gouges), default=0.0),
+            max((gouge.depth for gouge in self.gouges if gouge.source is not None), default=0.0),
+            max((lacking.depth for lacking in self.gouges if lacking.source is None), default=0.0),
             max((left.depth for left in self.left), default=0.0),
             len(self.collisions),
         )

@@ -40,6 +40,8 @@ class Verdict:
         Collisions of shanks, holders and clamps; None if they were not checked.
     lines : bool
         Whether commands are lines of a program, counted from 1.
+    unread : tuple of Message
+        Parts of the job that could not be read, and assumptions. A job with an unread part is never sound.
     """
 
     pixel: float | None = None
@@ -55,6 +57,7 @@ class Verdict:
     unjudged: tuple[int, ...] = ()
     collisions: Collisions | None = None
     lines: bool = False
+    unread: tuple[Message, ...] = ()
 
     @property
     def is_checked(self) -> bool:
@@ -63,8 +66,8 @@ class Verdict:
 
     @property
     def is_sound(self) -> bool:
-        """Whether the job was checked and nothing is wrong. Moves without a check may still be wrong, see `unchecked`."""
-        return self.is_checked and not self._faults()
+        """Whether the whole job was read and checked, and nothing is wrong. `unchecked` moves may still be wrong."""
+        return self.is_checked and not self.unread and not self._faults()
 
     def message(self, labels: Sequence[str]) -> Message:
         """Return the verdict as one message.
@@ -77,13 +80,22 @@ class Verdict:
         if self.pixel is None:
             return Message("verdict-pending")
         if not self.met:
-            return Message("verdict-nothing")
+            return Message("verdict", sentences=(Message("verdict-nothing"), *self._unread()))
         faults = self._faults()
-        what = Message("verdict-kinds") if self.compared else Message("verdict-kinds-without-model")
-        sound = Message("verdict-sound", what=what, pixel=self.pixel)
-        result = Message("verdict-checked", pixel=self.pixel) if faults else sound
+        result = Message("verdict-checked", pixel=self.pixel) if faults else self._no_faults()
         attachments = self.collisions.attachments(labels) if self.collisions else UNATTACHED
-        return Message("verdict", sentences=(*faults, result, *self._left_out(labels), attachments))
+        return Message("verdict", sentences=(*faults, result, *self._unread(), *self._left_out(labels), attachments))
+
+    def _no_faults(self) -> Message:
+        what = Message("verdict-kinds") if self.compared else Message("verdict-kinds-without-model")
+        if self.unread:
+            return Message("verdict-unsure", what=what, pixel=self.pixel)
+        return Message("verdict-sound", what=what, pixel=self.pixel)
+
+    def _unread(self) -> tuple[Message, ...]:
+        if not self.unread:
+            return ()
+        return (Message("verdict-unread", count=len(self.unread), first=self.unread[0]),)
 
     def _faults(self) -> tuple[Message, ...]:
         found = (

@@ -1,0 +1,51 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Work offsets that the commands of a job select: G55 moves the origin, and a document does not contain where to."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from vkworkbench import freecad
+from vkworkbench.core import Toolpath
+from vkworkbench.core.gcode import OFFSETS, Words
+from vkworkbench.language import Message
+
+_OFFSETS = tuple(OFFSETS)
+
+
+class WorkOffsets:
+    """The work offset in force, from one operation to the next.
+
+    Parameters
+    ----------
+    job : DocumentObject, optional
+        A job, whose first fixture is in force before its operations. Without a job, the first move decides.
+    """
+
+    def __init__(self, job=None) -> None:
+        listed = freecad.FIXTURES.of(job)
+        self._now = str(listed[0]) if isinstance(listed, list) and listed else None
+        self._first: str | None = None  # in force at the first move; its origin is the one of all coordinates
+
+    def remark(self, words: Words, toolpath: Toolpath) -> Message | None:
+        """Follow the next operation; return a remark if it moves at another work offset than the first move of all operations.
+
+        Parameters
+        ----------
+        words : Words
+            The commands of the operation.
+        toolpath : Toolpath
+            Their trajectories.
+        """
+        rows = np.flatnonzero(np.isin(words.codes, _OFFSETS)).tolist()
+        names = [self._now, *(words.names[row] for row in rows)]
+        begins = np.searchsorted(toolpath.command, [0, *rows, len(words)]).tolist()
+        self._now = names[-1]
+        for row, name, begin, end in zip([None, *rows], names, begins, begins[1:]):
+            if begin == end:
+                continue
+            self._first = self._first or name or "G54"
+            if (name or "G54") != self._first:
+                ignored = Message("coordinates-not-changed", name=name)
+                return ignored if row is None else Message("in-commands", sentence=ignored, count=1, command=row + 1)
+        return None

@@ -1,0 +1,46 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The verdict of a simulation on a whole job, and what it is valid for."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+
+from vkworkbench.language import Message, render
+
+
+@dataclass(frozen=True)
+class JobVerdict:
+    """The verdict of a simulation on a job.
+
+    Attributes
+    ----------
+    what : Message
+        The verdict in one message.
+    valid_for : str
+        Fingerprint of the simulated job, see `fingerprint_of_job`.
+    outdated : bool
+        Whether the job has changed since.
+    """
+
+    what: Message
+    valid_for: str
+    outdated: bool = False
+
+    @property
+    def is_sound(self) -> bool:
+        """Whether the whole job was read and checked, nothing is wrong, and the job has not changed since."""
+        return "verdict-sound" in self.what.codes and not self.outdated
+
+    @property
+    def message(self) -> Message:
+        """The verdict, or the message that it is outdated."""
+        return Message("verdict-outdated") if self.outdated else self.what
+
+    def __str__(self) -> str:
+        return render(self.message)
+
+
+def fingerprint_of_job(operations: Iterable[str], surroundings: str) -> str:
+    """Return the fingerprint of a job from the fingerprints of its operations and of its model, clamps and holder."""
+    return " ".join([*operations, surroundings])
