@@ -1358,10 +1358,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The tool length offset changes before a cut without a Z word. The height of the cut is unknown.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>A clamp was not checked. {sentence}</source>
         <translation type="unfinished"></translation>
     </message>

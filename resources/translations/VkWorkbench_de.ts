@@ -1358,10 +1358,6 @@
         <translation>Die Werkzeuglängenkorrektur ändert sich vor einer Bewegung ohne Z-Wort. Die Höhe der Bewegung ist unbekannt.</translation>
     </message>
     <message>
-        <source>The tool length offset changes before a cut without a Z word. The height of the cut is unknown.</source>
-        <translation>Die Werkzeuglängenkorrektur ändert sich vor einem Schnitt ohne Z-Wort. Die Höhe des Schnitts ist unbekannt.</translation>
-    </message>
-    <message>
         <source>A clamp was not checked. {sentence}</source>
         <translation>Eine Spannvorrichtung wurde nicht geprüft. {sentence}</translation>
     </message>

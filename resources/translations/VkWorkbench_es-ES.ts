@@ -1358,10 +1358,6 @@
         <translation>La compensación de longitud de herramienta cambia antes de un movimiento sin palabra Z. La altura del movimiento se desconoce.</translation>
     </message>
     <message>
-        <source>The tool length offset changes before a cut without a Z word. The height of the cut is unknown.</source>
-        <translation>La compensación de longitud de herramienta cambia antes de un corte sin palabra Z. La altura del corte se desconoce.</translation>
-    </message>
-    <message>
         <source>A clamp was not checked. {sentence}</source>
         <translation>No se ha comprobado una brida. {sentence}</translation>
     </message>

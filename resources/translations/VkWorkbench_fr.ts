@@ -1358,10 +1358,6 @@
         <translation>La correction de longueur d&apos;outil change avant un déplacement sans mot Z. La hauteur du déplacement est inconnue.</translation>
     </message>
     <message>
-        <source>The tool length offset changes before a cut without a Z word. The height of the cut is unknown.</source>
-        <translation>La correction de longueur d&apos;outil change avant une coupe sans mot Z. La hauteur de la coupe est inconnue.</translation>
-    </message>
-    <message>
         <source>A clamp was not checked. {sentence}</source>
         <translation>Une bride n&apos;a pas été vérifiée. {sentence}</translation>
     </message>

@@ -1358,10 +1358,6 @@
         <translation>刀具长度补偿在没有 Z 字的移动之前改变。该移动的高度未知。</translation>
     </message>
     <message>
-        <source>The tool length offset changes before a cut without a Z word. The height of the cut is unknown.</source>
-        <translation>刀具长度补偿在没有 Z 字的切削之前改变。该切削的高度未知。</translation>
-    </message>
-    <message>
         <source>A clamp was not checked. {sentence}</source>
         <translation>有一个夹具未检查。{sentence}</translation>
     </message>
