@@ -4,6 +4,8 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from functools import cached_property
+from typing import NamedTuple
 
 import numpy as np
 
@@ -14,7 +16,7 @@ from vkworkbench.core.recognition.patterns.pieces import LOOP, STROKE, WINDING, 
 from vkworkbench.core.recognition.patterns.rings import Rings, relate_rings
 from vkworkbench.core.recognition.patterns.rows import Rows, filling, find_rows
 from vkworkbench.core.recognition.patterns.spurs import without_spurs
-from vkworkbench.core.recognition.patterns.strokes import relate_strokes
+from vkworkbench.core.recognition.patterns.strokes import Strokes, relate_strokes
 from vkworkbench.core.recognition.patterns.tags import joined_over_tags
 from vkworkbench.core.recognition.thresholds import (
     LETTERS,
@@ -32,111 +34,178 @@ from vkworkbench.core.recognition.thresholds import (
 _LOW = np.array([1.0, 1.0, -1.0, -1.0])  # with it the lowest of boxes are their outermost sides
 
 
+class Corrections(NamedTuple):
+    """Turns of k rings against the sense of their winding; 0 for rings that are closed loops.
+
+    Attributes
+    ----------
+    angle : (k,) float
+        Sum of these turns, rad.
+    places : (k,) int
+        Number of places where the ring turns so.
+    """
+
+    angle: np.ndarray
+    places: np.ndarray
+
+
 class Section:
-    """The measures of moves that are judged as one operation.
+    """The moves that are judged as one operation. Every measure is computed when it is first used, and cached.
 
     Parameters
     ----------
-    moves : Areas
-        At least one.
+    areas : Areas
+        At least one move.
     tool : float
         Tool diameter, mm; 0 where unknown.
 
     Attributes
     ----------
-    areas : Areas
-        The moves as given.
     moves : Areas
         The pattern: without leads and spurs, with contours over tags joined.
     wound : float
         Share of the length in helical lead-ins, which are not in `moves`.
     in_strokes : float
         Share of the length in contours that are cut in strokes with lifts between them.
-    tool : float
-        Tool diameter, mm; 0 if unknown.
-    pieces : Pieces
-    length : float
-        Length of all pieces, mm.
-    rings : Rings
-    aside : (k,) bool
-        Rings that step aside to the next ring: windings that turn against their sense and back.
-    hunting : (k,) bool
-        Rings with continual corrections of the direction, as in adaptive clearing, which keeps its engagement constant.
-    lattice : (k,) bool
-        Rings that may be rows: passes from wall to wall that wind by chance.
-    strokes : Strokes
-    families : list of Rows
-        Families of parallel passes, at most two.
-    rows : list of Rows
-        Families that fill an area.
-    zigzag : float
-        Share of the length in pieces that go back and forth.
-    retraced : float
-        Share of the length in pieces that go back and forth on one line.
-    ring_pieces, row_pieces : (p,) bool
-        Pieces that count as rings; pieces that count as rows or strokes.
     """
 
-    def __init__(self, moves: Areas, tool: float) -> None:
-        self.areas = moves
-        moves, self.in_strokes = joined_over_tags(moves)
-        moves, self.wound = without_entries(moves)
-        self.moves, self.tool = (moves := without_spurs(moves)), tool
-        self.pieces = p = cut_pieces(moves)
-        self.length = float(p.length.sum())
-        kind = _absorbed(p)
-        slots = _retraced(moves, p)
-        kind[slots] = STROKE
-        self.retraced = float(p.length[slots].sum()) / self.length
-        self.rings = r = relate_rings(p, _long(p, (kind == LOOP) | (kind == WINDING)), tool)
-        opened = kind == STROKE
-        if p.length[opened].sum() < NEGLIGIBLE.LINKS * self.length:
+    def __init__(self, areas: Areas, tool: float) -> None:
+        self.areas, self.tool = areas, tool
+        joined, self.in_strokes = joined_over_tags(areas)
+        pattern, self.wound = without_entries(joined)
+        self.moves = without_spurs(pattern)
+
+    @cached_property
+    def pieces(self) -> Pieces:
+        """The p pieces of the pattern."""
+        return cut_pieces(self.moves)
+
+    @cached_property
+    def length(self) -> float:
+        """Length of all pieces, mm."""
+        return float(self.pieces.length.sum())
+
+    def _share_of_pieces(self, chosen: np.ndarray) -> float:
+        return float(self.pieces.length[chosen].sum()) / self.length
+
+    @cached_property
+    def _slots(self) -> np.ndarray:
+        return _retraced(self.moves, self.pieces)
+
+    @cached_property
+    def _kinds(self) -> np.ndarray:
+        """Kinds of the pieces, (p,) int. Unlike in `pieces`, small loops belong to the zigzag around them, and slots are strokes."""
+        kinds = _absorbed(self.pieces)
+        kinds[self._slots] = STROKE
+        return kinds
+
+    @cached_property
+    def zigzag(self) -> float:
+        """Share of the length in pieces that go back and forth."""
+        return self._share_of_pieces(self._kinds == ZIGZAG)
+
+    @cached_property
+    def retraced(self) -> float:
+        """Share of the length in pieces that go back and forth on one line."""
+        return self._share_of_pieces(self._slots)
+
+    @cached_property
+    def rings(self) -> Rings:
+        """The k closed loops and turns of windings."""
+        index = _long(self.pieces, (self._kinds == LOOP) | (self._kinds == WINDING))
+        return relate_rings(self.pieces, index, self.tool)
+
+    @cached_property
+    def strokes(self) -> Strokes:
+        """The open strokes; none if they are only links."""
+        opened = self._kinds == STROKE
+        if self.pieces.length[opened].sum() < NEGLIGIBLE.LINKS * self.length:
             opened[:] = False
-        self.strokes = relate_strokes(p, _long(p, opened))
-        angle, places = _turned_against(moves, p, r)
-        self.aside = angle > WINDINGS.STEP_ASIDE * TURN
-        # Concave corners and links to the next loop are larger turns at few places.
-        self.hunting = p.flat[r.index] & (places >= WINDINGS.CORRECTIONS) & (angle < WINDINGS.CORRECTION * places)
+        return relate_strokes(self.pieces, _long(self.pieces, opened))
+
+    @cached_property
+    def _corrections(self) -> Corrections:
+        return _turned_against(self.moves, self.pieces, self.rings)
+
+    @cached_property
+    def aside(self) -> np.ndarray:
+        """Rings that step aside to the next ring, (k,) bool: windings that turn against their sense and back."""
+        return self._corrections.angle > WINDINGS.STEP_ASIDE * TURN
+
+    @cached_property
+    def hunting(self) -> np.ndarray:
+        """Rings that correct their direction all the time, (k,) bool: adaptive clearing keeps its engagement constant.
+
+        Concave corners and links to the next loop are larger turns at few places.
+        """
+        angle, places = self._corrections
+        small: np.ndarray = (places >= WINDINGS.CORRECTIONS) & (angle < WINDINGS.CORRECTION * places)
+        return self.pieces.flat[self.rings.index] & small
+
+    @cached_property
+    def lattice(self) -> np.ndarray:
+        """Rings that may be rows, (k,) bool: passes from wall to wall that wind by chance."""
+        rings = self.rings
+        wavy = self.pieces.wavy[rings.index]
         # Wavy loops that are offsets of each other follow a concave contour and are not rows.
-        wavy = p.wavy[r.index]
-        if wavy.any() and r.nested[wavy].mean() > MAJORITY.SHARE:
+        if wavy.any() and rings.nested[wavy].mean() > MAJORITY.SHARE:
             wavy[:] = False
-        bouncing = r.winding & ~self.hunting & (r.back > WINDINGS.LATTICE_TURN * TURN)
-        self.lattice = ~r.nested & (r.crossing | bouncing | wavy)
-        rowlike = (kind == ZIGZAG) | (kind == STROKE)
-        rowlike[r.index[self.lattice]] = True
-        self.zigzag = float(p.length[kind == ZIGZAG].sum()) / self.length
-        self.families, self.rows = self._rows(rowlike, rowlike & (kind == LOOP))
-        self.ring_pieces = np.zeros(len(p), bool)
-        self.ring_pieces[r.index] = True
-        if self.rows:
-            closed = r.index[self._two_rows()]
-            rowlike[closed] = True
-            self.ring_pieces[np.append(closed, r.index[self.lattice])] = False
-        self.row_pieces = rowlike & ~self.ring_pieces
+        bouncing = rings.winding & ~self.hunting & (rings.back > WINDINGS.LATTICE_TURN * TURN)
+        return ~rings.nested & (rings.crossing | bouncing | wavy)
 
-    def _rows(self, rowlike: np.ndarray, closed: np.ndarray) -> tuple[list[Rows], list[Rows]]:
-        """Return `families` and `rows` of pieces that may contain rows; `closed` marks the loops among the pieces."""
-        p = self.pieces
-        length = float(p.length[rowlike].sum())
-        if length <= NEGLIGIBLE.ROWS * self.length:
-            return [], []  # the links between loops
-        chosen = np.arange(len(self.moves))
-        if not rowlike.all():
-            chosen = np.flatnonzero(np.repeat(rowlike, p.end - p.start))
-        contour = p.length[closed].sum() > MAJORITY.SHARE * length
-        families = find_rows(self.moves, chosen)
-        return families, filling(families, self.tool, length=length, contour=contour)
+    @cached_property
+    def _rowlike(self) -> np.ndarray:
+        """Pieces that may contain rows, (p,) bool."""
+        rowlike = (self._kinds == ZIGZAG) | (self._kinds == STROKE)
+        rowlike[self.rings.index[self.lattice]] = True
+        return rowlike
 
-    def _two_rows(self) -> np.ndarray:
-        """Return which rings are two neighbouring rows that are closed by links, (k,)."""
-        m, p, k = self.moves, self.pieces, self.rings.index
-        main = max(self.rows, key=lambda f: f.length)
-        along = np.abs(m.dx * np.cos(main.axis) + m.dy * np.sin(main.axis)) > np.cos(ROWS.ALIGNED) * m.length
-        of_rows = np.add.reduceat(np.where(along, m.length, 0.0), p.start)[k]
-        narrow = 2 * np.abs(p.enclosed[k]) < ROWS.MAX_DISTANCE * main.step * of_rows
-        result: np.ndarray = narrow & (of_rows > MAJORITY.SHARE * p.length[k]) & ~self.rings.nested
-        return result
+    @cached_property
+    def families(self) -> list[Rows]:
+        """Families of parallel passes, at most two."""
+        pieces, rowlike = self.pieces, self._rowlike
+        if float(pieces.length[rowlike].sum()) <= NEGLIGIBLE.ROWS * self.length:
+            return []  # the links between loops
+        if rowlike.all():
+            return find_rows(self.moves, np.arange(len(self.moves)))
+        return find_rows(self.moves, np.flatnonzero(np.repeat(rowlike, pieces.end - pieces.start)))
+
+    @cached_property
+    def rows(self) -> list[Rows]:
+        """Families that fill an area."""
+        length, rowlike = self.pieces.length, self._rowlike
+        searched = float(length[rowlike].sum())
+        contour = length[rowlike & (self._kinds == LOOP)].sum() > MAJORITY.SHARE * searched
+        return filling(self.families, self.tool, length=searched, contour=contour)
+
+    @cached_property
+    def _closed_rows(self) -> np.ndarray:
+        """Pieces that are rings but also two neighbouring rows, closed by links, (p,) bool."""
+        moves, pieces, rings = self.moves, self.pieces, self.rings
+        closed = np.zeros(len(pieces), bool)
+        if self.rows and len(rings):
+            main = max(self.rows, key=lambda family: family.length)
+            along = (
+                np.abs(moves.dx * np.cos(main.axis) + moves.dy * np.sin(main.axis))
+                > np.cos(ROWS.ALIGNED) * moves.length
+            )
+            of_rows = np.add.reduceat(np.where(along, moves.length, 0.0), pieces.start)[rings.index]
+            narrow = 2 * np.abs(pieces.enclosed[rings.index]) < ROWS.MAX_DISTANCE * main.step * of_rows
+            closed[rings.index] = narrow & (of_rows > MAJORITY.SHARE * rings.length) & ~rings.nested
+        return closed
+
+    @cached_property
+    def ring_pieces(self) -> np.ndarray:
+        """Pieces that count as rings, (p,) bool."""
+        chosen = ~(self._rowlike | self._closed_rows) if self.rows else np.ones(len(self.pieces), bool)
+        found = np.zeros(len(self.pieces), bool)
+        found[self.rings.index] = chosen[self.rings.index]
+        return found
+
+    @cached_property
+    def row_pieces(self) -> np.ndarray:
+        """Pieces that count as rows or strokes, (p,) bool."""
+        return (self._rowlike | self._closed_rows) & ~self.ring_pieces
 
     def share(self, rings: np.ndarray) -> float:
         """Return the share of the cutting length in the chosen rings."""
@@ -171,17 +240,17 @@ class Section:
 
         A contour around the part and a contour inside a pocket are both larger than half of the ground that is cut.
         """
-        p = self.pieces
-        k = np.flatnonzero(p.flat & (p.length > NEGLIGIBLE.PASS * p.length.max()))
-        if not len(k):
+        pieces = self.pieces
+        level = np.flatnonzero(pieces.flat & (pieces.length > NEGLIGIBLE.PASS * pieces.length.max()))
+        if not len(level):
             return False
-        depth = number_depths(p.z[k])
+        depth = number_depths(pieces.z[level])
         around, last = np.full((int(depth.max()) + 1, 4), np.inf), np.zeros(int(depth.max()) + 1, np.int64)
-        np.minimum.at(around, depth, p.box[k] * _LOW)
-        last[depth] = k  # of several pieces of one depth, numpy keeps the last
-        large = p.box[last, 2:] - p.box[last, :2] > -MAJORITY.SHARE * (around[:, :2] + around[:, 2:])
-        ends = (p.kind[last] == LOOP) & large.all(axis=1) & (np.bincount(depth) > 2)
-        return bool(p.length[k][ends[depth]].sum() > MAJORITY.SHARE * p.length[k].sum())
+        np.minimum.at(around, depth, pieces.box[level] * _LOW)
+        last[depth] = level  # of several pieces of one depth, numpy keeps the last
+        large = pieces.box[last, 2:] - pieces.box[last, :2] > -MAJORITY.SHARE * (around[:, :2] + around[:, 2:])
+        ends = (pieces.kind[last] == LOOP) & large.all(axis=1) & (np.bincount(depth) > 2)
+        return bool(pieces.length[level][ends[depth]].sum() > MAJORITY.SHARE * pieces.length[level].sum())
 
     def bordered(self) -> tuple[float, float]:
         """Return how much rows and rings of one depth belong together.
@@ -193,34 +262,34 @@ class Section:
         float
             Share of the rings' length in single level rings amid rows, which are contours of islands.
         """
-        p, k, ring = self.pieces, np.flatnonzero(self.row_pieces), self.rings.index
-        if not len(k) or not len(ring):
+        pieces, row, ring = self.pieces, np.flatnonzero(self.row_pieces), self.rings.index
+        if not len(row) or not len(ring):
             return 0.0, 0.0
-        depth = number_depths(np.concatenate([p.z[k], p.z[ring]]))
-        of_row, of_ring, depths = depth[: len(k)], depth[len(k) :], int(depth.max()) + 1
+        depth = number_depths(np.concatenate([pieces.z[row], pieces.z[ring]]))
+        of_row, of_ring, depths = depth[: len(row)], depth[len(row) :], int(depth.max()) + 1
         # The largest rings of each depth; smaller rings go around islands or lie inside.
-        order = np.lexsort((-np.hypot(*(p.box[ring, 2:] - p.box[ring, :2]).T), of_ring))
+        order = np.lexsort((-np.hypot(*(pieces.box[ring, 2:] - pieces.box[ring, :2]).T), of_ring))
         rank = np.arange(len(ring)) - np.searchsorted(of_ring[order], of_ring[order])
-        inside = np.zeros(len(k), bool)
+        inside = np.zeros(len(row), bool)
         for place in np.unique(rank)[: RINGS.WALLS]:
             wall, largest = np.full((depths, 4), np.nan), order[rank == place]
-            wall[of_ring[largest]] = p.box[ring[largest]]
-            inside |= _inward(p.box[k], wall[of_row]) >= -ROUNDING.PLACE
-        rows = np.full((depths, 4), np.inf)
-        np.minimum.at(rows, of_row, p.box[k] * _LOW)
-        amid = p.flat[ring] & ~self.rings.nested & (_inward(p.box[ring], rows[of_ring] * _LOW) >= -ROUNDING.PLACE)
-        of_rows = float(p.length[k[inside]].sum() / p.length[k].sum())
+            wall[of_ring[largest]] = pieces.box[ring[largest]]
+            inside |= _inward(pieces.box[row], wall[of_row]) >= -ROUNDING.PLACE
+        ground = np.full((depths, 4), np.inf)
+        np.minimum.at(ground, of_row, pieces.box[row] * _LOW)
+        amid = pieces.flat[ring] & ~self.rings.nested & (_inward(pieces.box[ring], ground[of_ring] * _LOW) >= -ROUNDING.PLACE)
+        of_rows = float(pieces.length[row[inside]].sum() / pieces.length[row].sum())
         return of_rows, float(self.rings.length[amid].sum() / self.rings.length.sum())
 
-    def _beside(self, k: np.ndarray) -> Iterator[tuple[np.ndarray, np.ndarray, np.ndarray]]:
-        """Yield the rings cut after pieces k, (k,) int, and the rings cut before them, as pieces.
+    def _beside(self, strokes: np.ndarray) -> Iterator[tuple[np.ndarray, np.ndarray, np.ndarray]]:
+        """Yield the rings cut after some strokes, (s,) int, and the rings cut before them, as pieces.
 
         Each with the distance of the piece inside the ring's box, mm, and whether both have the same depth.
         """
-        p, ring = self.pieces, self.rings.index
-        after = np.clip(np.searchsorted(ring, k), 0, len(ring) - 1)
+        pieces, ring = self.pieces, self.rings.index
+        after = np.clip(np.searchsorted(ring, strokes), 0, len(ring) - 1)
         for beside in (ring[after], ring[np.maximum(after - 1, 0)]):
-            yield beside, _inward(p.box[k], p.box[beside]), np.abs(p.z[k] - p.z[beside]) < ROUNDING.HEIGHT
+            yield beside, _inward(pieces.box[strokes], pieces.box[beside]), np.abs(pieces.z[strokes] - pieces.z[beside]) < ROUNDING.HEIGHT
 
     def filled(self) -> float:
         """Return the share of the cutting length in open strokes that clear the inside of a ring.
@@ -230,16 +299,16 @@ class Section:
         another contour that does not quite close. A stroke encloses little area with its chord for its length; a stroke that
         encloses as much as the ring is a repetition of the ring.
         """
-        p, k = self.pieces, self.strokes.index
-        k = k[p.passes[k] > 1]
-        if not len(k):
+        pieces, strokes = self.pieces, self.strokes.index
+        strokes = strokes[pieces.passes[strokes] > 1]
+        if not len(strokes):
             return 0.0
-        inside = np.zeros(len(k), bool)
-        width = np.abs(p.enclosed) / p.length
-        for beside, gap, level in self._beside(k):
+        inside = np.zeros(len(strokes), bool)
+        width = np.abs(pieces.enclosed) / pieces.length
+        for beside, gap, level in self._beside(strokes):
             within = (gap >= -ROUNDING.PLACE) & ((gap < NESTS.REACH * self.tool) | (self.tool == 0))
-            inside |= level & within & (width[k] < POCKET.WIDTH * width[beside])
-        return float(p.length[k[inside]].sum()) / self.length
+            inside |= level & within & (width[strokes] < POCKET.WIDTH * width[beside])
+        return float(pieces.length[strokes[inside]].sum()) / self.length
 
 
 def _inward(inner: np.ndarray, outer: np.ndarray) -> np.ndarray:
@@ -248,62 +317,60 @@ def _inward(inner: np.ndarray, outer: np.ndarray) -> np.ndarray:
     return least
 
 
-def _absorbed(p: Pieces) -> np.ndarray:
+def _absorbed(pieces: Pieces) -> np.ndarray:
     """Return the kinds of the pieces, with small loops inside a zigzag joined to the zigzag.
 
     A zigzag that follows the boundary between its rows makes small loops. Only a loop that surrounds the rows is a contour.
     """
-    kind = p.kind.copy()
+    kind = pieces.kind.copy()
     zigzag = np.flatnonzero(kind == ZIGZAG)
     if not len(zigzag) or not (kind == LOOP).any():
         return kind
-    around = np.full((int(p.area[-1]) + 1, 4), np.nan)
-    around[p.area[zigzag]] = p.box[zigzag]
-    box = around[p.area]
+    around = np.full((int(pieces.area[-1]) + 1, 4), np.nan)
+    around[pieces.area[zigzag]] = pieces.box[zigzag]
+    box = around[pieces.area]
     low, high = box[:, :2], box[:, 2:]
     slack = RINGS.SURROUNDS * (high - low)
-    surrounds = (p.box[:, :2] <= low + slack).all(axis=1) & (p.box[:, 2:] >= high - slack).all(axis=1)
-    kind[(kind == LOOP) & ~np.isnan(box[:, 0]) & ~surrounds & ~p.wavy] = ZIGZAG
+    surrounds = (pieces.box[:, :2] <= low + slack).all(axis=1) & (pieces.box[:, 2:] >= high - slack).all(axis=1)
+    kind[(kind == LOOP) & ~np.isnan(box[:, 0]) & ~surrounds & ~pieces.wavy] = ZIGZAG
     return kind
 
 
-def _retraced(moves: Areas, p: Pieces) -> np.ndarray:
+def _retraced(moves: Areas, pieces: Pieces) -> np.ndarray:
     """Return the indices of zigzags that stay on one line, such as ramps into a slot. They are not rows."""
-    index = np.flatnonzero(p.kind == ZIGZAG)
+    index = np.flatnonzero(pieces.kind == ZIGZAG)
     # Zigzags on a line enclose no area.
-    index = index[np.abs(p.enclosed[index]) < ROUNDING.PLACE * p.length[index]]
-    on_line: np.ndarray = index[off_line(moves, p.start[index], p.end[index]) < ROUNDING.PLACE]
+    index = index[np.abs(pieces.enclosed[index]) < ROUNDING.PLACE * pieces.length[index]]
+    on_line: np.ndarray = index[off_line(moves, pieces.start[index], pieces.end[index]) < ROUNDING.PLACE]
     return on_line
 
 
-def _long(p: Pieces, which: np.ndarray) -> np.ndarray:
+def _long(pieces: Pieces, which: np.ndarray) -> np.ndarray:
     """Return the indices of the chosen pieces without short ones, which are links and leads."""
     index = np.flatnonzero(which)
     if not len(index):
         return index
-    length = p.length[index]
+    length = pieces.length[index]
     result: np.ndarray = index[length > NEGLIGIBLE.PIECE * length.max()]
     return result
 
 
-def _turned_against(moves: Areas, p: Pieces, r: Rings) -> tuple[np.ndarray, np.ndarray]:
-    """Return the turning of each winding against its sense, rad, and the number of places.
+def _turned_against(moves: Areas, pieces: Pieces, rings: Rings) -> Corrections:
+    """Return the turning of each winding against its sense.
 
     Bends within rounding do not count, because finely sampled spirals have many of them.
     """
-    angle: np.ndarray = np.zeros(len(r))
-    places: np.ndarray = np.zeros(len(r), np.int64)
-    some = np.flatnonzero(r.winding)
-    if len(some):
-        ring = np.full(len(p), -1)
-        ring[r.index[some]] = some
-        of = np.repeat(ring, p.end - p.start)
-        inside = np.flatnonzero(of >= 0)
-        of = of[inside]
-        turning = -moves.turning[inside] * np.sign(p.net[r.index])[of]
-        run = np.flatnonzero(np.append(True, ((turning[1:] > 0) != (turning[:-1] > 0)) | (of[1:] != of[:-1])))
-        bent, of = np.add.reduceat(turning, run), of[run]
-        true = bent * np.add.reduceat(moves.length[inside], run) > WINDINGS.ROUGH
-        angle = np.bincount(of[true], weights=bent[true], minlength=len(r))
-        places = np.bincount(of[true], minlength=len(r))
-    return angle, places
+    number = len(rings)
+    if not rings.winding.any():
+        return Corrections(np.zeros(number), np.zeros(number, np.int64))
+    ring_of_piece = np.full(len(pieces), -1)
+    ring_of_piece[rings.index[rings.winding]] = np.flatnonzero(rings.winding)
+    ring = np.repeat(ring_of_piece, pieces.end - pieces.start)
+    inside = np.flatnonzero(ring >= 0)
+    ring = ring[inside]
+    against = -moves.turning[inside] * np.sign(pieces.net[rings.index])[ring]
+    begin = np.flatnonzero(np.append(True, ((against[1:] > 0) != (against[:-1] > 0)) | (ring[1:] != ring[:-1])))
+    bend, ring = np.add.reduceat(against, begin), ring[begin]
+    counts = bend * np.add.reduceat(moves.length[inside], begin) > WINDINGS.ROUGH
+    bend, ring = bend[counts], ring[counts]
+    return Corrections(np.bincount(ring, weights=bend, minlength=number), np.bincount(ring, minlength=number))
