@@ -6,15 +6,33 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from vkworkbench.core.recognition.patterns.nesting import Inward, evenness, middle, reach
+from vkworkbench.core.recognition.patterns.nesting import Inward, Shapes, evenness, middle, next_steps, reach
 
 
-def inward(*sides, aside=0.0, enclosed=None, slack=1.0):
+def shapes(sides, area, length, slack=1.0, z=None):
+    count = len(area)
+    yes, no = np.ones(count, bool), np.zeros(count, bool)
+    return Shapes(
+        sides=sides,
+        size=-(sides[0] + sides[2]),
+        z=np.zeros(count) if z is None else np.array(z),
+        flat=yes,
+        enclosed=area,
+        length=length,
+        sense=np.ones(count),
+        wavy=no,
+        slack=np.full(count, slack),
+        turn=no,
+        rest=no,
+    )
+
+
+def inward(*sides, aside=0.0, enclosed=None, **drawn):
     """Return squares with a common centre, or with centres that move by `aside` along X from square to square."""
     half, x = np.array(sides) / 2, aside * np.arange(len(sides))
     borders = np.array([x - half, -half, -(x + half), -half])
     area = np.array(sides) ** 2.0 if enclosed is None else np.array(enclosed)
-    return Inward(borders, area, 4.0 * np.array(sides), np.full(len(sides), slack), np.zeros(len(sides), bool))
+    return Inward(shapes(borders, area, 4.0 * np.array(sides), **drawn))
 
 
 def distance(*sides, lag=1, **drawn):
@@ -41,7 +59,7 @@ def open_pocket(*steps, low=(), wide=60.0, tall=40.0, slack=1.0):
     sides = np.array([steps, 0 * steps, steps - wide, steps - tall])
     sides[list(low)] = sides[list(low), :1]
     width, height = -(sides[0] + sides[2]), -(sides[1] + sides[3])
-    return Inward(sides, width * height, 2 * (width + height), np.full(len(steps), slack), np.zeros(len(steps), bool))
+    return Inward(shapes(sides, width * height, 2 * (width + height), slack))
 
 
 def test_offsets_in_a_pocket_that_is_open_at_a_side_share_it():
@@ -77,9 +95,10 @@ def test_ring_of_equal_area_may_be_twice_as_far(step, found):
 
 
 def reached(*sides, tool=0.0, z=None, areas=None):
-    heights = np.zeros(len(sides)) if z is None else np.array(z)
+    """Return the largest distance in a nest, and the steps and drops from each ring to the next."""
+    rings = inward(*sides, z=z)
     area = np.arange(len(sides)) if areas is None else np.array(areas)
-    return reach(inward(*sides), np.array(sides), heights, np.full(len(sides), True), tool, area)
+    return reach(rings, tool, area), *next_steps(rings)
 
 
 def test_rings_lie_no_farther_apart_than_the_tool_reaches():

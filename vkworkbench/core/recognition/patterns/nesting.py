@@ -3,19 +3,69 @@
 
 from __future__ import annotations
 
-from typing import Dict, Tuple
+from typing import Dict, NamedTuple
 
 import numpy as np
 
 from vkworkbench.core.recognition.thresholds import MAJORITY, NESTS, ROUNDING, WATERLINES
 
 
-class Inward(Dict[int, Tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]]):
-    """Distances of each ring inside the ring that was cut `lag` rings earlier: inward[lag], each (k - lag,).
+class Shapes(NamedTuple):
+    """The measures by which k rings are compared.
 
-    Four arrays in mm: the least and the most that one of the four sides of the bounding box lies inside, their
-    mean (negative where the later ring is the outer one), and the distance between the two rings, 0 where
-    neither is an offset of the other.
+    Attributes
+    ----------
+    sides : (4, k) float
+        Lowest x and y, highest x and y with their signs changed, mm.
+    size, z : (k,) float
+        Longer side of the box, and mean height, mm.
+    flat : (k,) bool
+        Whether the ring stays at one height.
+    enclosed, length : (k,) float
+        mm2, mm.
+    sense : (k,) float
+        +1 for a counter-clockwise ring, -1 for a clockwise one.
+    wavy : (k,) bool
+        Rings that may be passes of a lattice, whose boxes show no distance.
+    slack : (k,) float
+        1 for closed loops; 2 for turns of windings, which are open, so that their areas are approximate.
+    turn, rest : (k,) bool
+        Full level turns of windings; rests of windings after their last full turn.
+    """
+
+    sides: np.ndarray
+    size: np.ndarray
+    z: np.ndarray
+    flat: np.ndarray
+    enclosed: np.ndarray
+    length: np.ndarray
+    sense: np.ndarray
+    wavy: np.ndarray
+    slack: np.ndarray
+    turn: np.ndarray
+    rest: np.ndarray
+
+
+class Shift(NamedTuple):
+    """How far each ring lies inside the ring that was cut `lag` rings earlier, (k - lag,) mm each.
+
+    Attributes
+    ----------
+    low, high, mean : array
+        The least and the most that one of the four sides of the bounding box lies inside, and the mean of the four; negative
+        where the later ring is the outer one.
+    step : array
+        Distance between the two rings, 0 where neither is an offset of the other.
+    """
+
+    low: np.ndarray
+    high: np.ndarray
+    mean: np.ndarray
+    step: np.ndarray
+
+
+class Inward(Dict[int, Shift]):
+    """The shifts of rings by lag, computed when they are first used.
 
     Two parallel curves are 2 dA / (P1 + P2) apart, with the difference of their areas and the sum of their lengths (Steiner's
     formula), in any orientation. All four sides of an offset's box move inwards, the least by about this distance, or by more if
@@ -25,23 +75,15 @@ class Inward(Dict[int, Tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]]):
 
     Parameters
     ----------
-    sides : (4, k) float
-        Lowest x and y, highest x and y with their signs changed, mm.
-    enclosed, length : (k,) float
-        mm2, mm.
-    slack : (k,) float
-        1 for closed loops; 2 for turns of windings, which are open, so that their areas are approximate.
-    wavy : (k,) bool
-        Rings that may be passes of a lattice, whose boxes show no distance.
+    shapes : Shapes
+        The k rings in the order of cutting.
     """
 
-    def __init__(
-        self, sides: np.ndarray, enclosed: np.ndarray, length: np.ndarray, slack: np.ndarray, wavy: np.ndarray
-    ) -> None:
-        self._of = sides, enclosed, length, slack, wavy
+    def __init__(self, shapes: Shapes) -> None:
+        self.shapes = shapes
 
-    def __missing__(self, lag: int) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
-        sides, enclosed, length, slack, wavy = self._of
+    def __missing__(self, lag: int) -> Shift:
+        sides, length, slack, wavy = self.shapes.sides, self.shapes.length, self.shapes.slack, self.shapes.wavy
         moved = sides[:, lag:] - sides[:, :-lag]
         low, high, mean = moved.min(axis=0), moved.max(axis=0), moved.sum(axis=0) / 4
         around, one_way = length[lag:] + length[:-lag], low * high > 0
@@ -52,15 +94,26 @@ class Inward(Dict[int, Tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]]):
             some = some[shares]
             one_way[some], near[some] = alike, least
             around[some] = np.maximum(around[some] - shared, ROUNDING.PLACE)
-        step = 2 * np.abs(enclosed[lag:] - enclosed[:-lag]) / around
+        step = 2 * np.abs(self.shapes.enclosed[lag:] - self.shapes.enclosed[:-lag]) / around
         fits = near > NESTS.SIDE_AT_LEAST * step / loose - ROUNDING.PLACE
         fits &= near < NESTS.SIDE_AT_MOST * step * loose + ROUNDING.PLACE
         # An offset that runs around an island, too, is longer than the ring around it, but all its sides move alike.
         longer = (length[lag:] - length[:-lag]) * mean > 0
         alike = (high - low <= NESTS.EQUAL_SIDES * np.abs(mean)) & longer & ~(wavy[lag:] | wavy[:-lag])
         step = np.where(alike & ~fits, near, np.minimum(step, near))
-        self[lag] = low, high, mean, np.where(one_way & (fits | alike), step, 0.0)
-        return self[lag]
+        self[lag] = found = Shift(low, high, mean, np.where(one_way & (fits | alike), step, 0.0))
+        return found
+
+    def is_step(self, lag: int) -> np.ndarray:
+        """Return whether the distance to the ring `lag` later is a step: not rounding, and small for the rings, (k - lag,) bool."""
+        size, step = self.shapes.size, self[lag].step
+        found: np.ndarray = (step > ROUNDING.RING) & (step <= NESTS.LARGEST_STEP * np.maximum(size[lag:], size[:-lag]))
+        return found
+
+    def drop(self, lag: int) -> np.ndarray:
+        """Return the difference in height to the ring `lag` later, (k - lag,) mm."""
+        drop: np.ndarray = np.abs(self.shapes.z[lag:] - self.shapes.z[:-lag])
+        return drop
 
 
 def _beside_shared_sides(moved: np.ndarray, sides: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
@@ -93,10 +146,8 @@ def _beside_shared_sides(moved: np.ndarray, sides: np.ndarray) -> tuple[np.ndarr
     return shares, (low * high > 0) & (most <= NESTS.SIDE_AT_MOST * least), least, along
 
 
-def reach(
-    inward: Inward, size: np.ndarray, z: np.ndarray, flat: np.ndarray, tool: float, area: np.ndarray
-) -> tuple[float, np.ndarray, np.ndarray]:
-    """Return the largest distance of rings in one nest, with their even steps.
+def reach(inward: Inward, tool: float, area: np.ndarray) -> float:
+    """Return the largest distance of rings in one nest, mm.
 
     With a tool, the distance is slightly more than the tool's diameter: rings that are farther apart leave uncut ground between
     them and are separate contours. Without a tool, the distance is twice the usual step, but only if at least three rings are
@@ -106,55 +157,61 @@ def reach(
     Parameters
     ----------
     inward : Inward
-    size, z : (k,) float
-        Longer side of the box and mean height of each ring, mm.
-    flat : (k,) bool
     tool : float
         Tool diameter, mm; 0 where unknown.
     area : (k,) int
         Monotonous area of each ring.
-
-    Returns
-    -------
-    limit : float
-        Largest distance, mm.
-    steps, drops : (s,) float
-        Even distances from each ring to the next one, in the plane and in height, mm.
     """
-    steps = drops = np.zeros(0)
-    found, chained, joined = [], False, False
-    for lag in range(1, min(NESTS.NEXT, len(z) - 1) + 1):
-        mean, step = inward[lag][2:]
-        even = (step > ROUNDING.RING) & (step <= NESTS.LARGEST_STEP * np.maximum(size[lag:], size[:-lag]))
-        drop = np.abs(z[lag:] - z[:-lag])
-        if lag == 1:
-            steps, drops = step[even], drop[even]
-            pair = even & (drop < ROUNDING.HEIGHT) & (area[1:] == area[:-1])
-            linked = np.append(pair, False) | np.append(False, pair)
-            joined = bool(linked.mean() > MAJORITY.SHARE)
-        signed = np.copysign(step, mean)
+    if tool:
+        return NESTS.REACH * tool
+    steps, chained = _steps_in_nests(inward)
+    if not len(steps):
+        return 0.0
+    # If rings around islands are cut between boundary rings, the smaller steps are right.
+    usual, largest = middle(steps, 4), float(inward.shapes.size.max())
+    regular = np.count_nonzero(np.abs(steps - usual) < NESTS.SIMILAR_STEP * usual) / len(steps)
+    is_nest = chained and regular >= MAJORITY.SHARE and usual <= NESTS.TOO_LARGE * largest
+    if is_nest or _are_linked(inward, area):
+        return NESTS.STEPS * usual
+    return min(NESTS.STEPS * usual, NESTS.REACH_OF_SIZE * largest)
+
+
+def _steps_in_nests(inward: Inward) -> tuple[np.ndarray, bool]:
+    """Return the steps between rings of one depth, (s,) mm, and whether three rings in a row are nested with equal steps."""
+    flat, found, chained = inward.shapes.flat, [], False
+    for lag in range(1, min(NESTS.NEXT, len(flat) - 1) + 1):
+        step, even = inward[lag].step, inward.is_step(lag)
+        signed = np.copysign(step, inward[lag].mean)
         chain = even[lag:] & even[:-lag] & (np.abs(signed[lag:] - signed[:-lag]) < NESTS.SIMILAR_STEP * step[lag:])
         # At another depth, a slightly sloped wall shifts the ring by less than a step.
-        true = even & ((drop < ROUNDING.HEIGHT) | ~flat[lag:] | ~flat[:-lag])
-        if chain.any():
-            chained = True
+        true = even & ((inward.drop(lag) < ROUNDING.HEIGHT) | ~flat[lag:] | ~flat[:-lag])
+        chained = bool(chain.any())
+        if chained:
             # The next ring of the nest is `lag` rings later. Steps from a lead-in, or to a wall, differ.
             of_chain = np.zeros(len(step), bool)
             of_chain[lag:] = chain
             of_chain[:-lag] |= chain
-            found.append(step[true & of_chain])
-            break
+            true &= of_chain
         found.append(step[true])
-    every = np.concatenate(found) if any(map(len, found)) else steps
-    if tool or not len(every):
-        return NESTS.REACH * tool, steps, drops
-    # If rings around islands are cut between boundary rings, the smaller steps are right.
-    usual = middle(every, 4)
-    regular = np.count_nonzero(np.abs(every - usual) < NESTS.SIMILAR_STEP * usual) / len(every)
-    too_large = usual > NESTS.TOO_LARGE * size.max()
-    if not joined and (not chained or regular < MAJORITY.SHARE or too_large):
-        return min(NESTS.STEPS * usual, NESTS.REACH_OF_SIZE * float(size.max())), steps, drops
-    return NESTS.STEPS * usual, steps, drops
+        if chained:
+            break
+    if any(map(len, found)):
+        return np.concatenate(found), chained
+    return next_steps(inward)[0], chained
+
+
+def _are_linked(inward: Inward, area: np.ndarray) -> bool:
+    """Return whether most rings are linked with the next at their depth, without a lift."""
+    pair = inward.is_step(1) & (inward.drop(1) < ROUNDING.HEIGHT) & (area[1:] == area[:-1])
+    return bool((np.append(pair, False) | np.append(False, pair)).mean() > MAJORITY.SHARE)
+
+
+def next_steps(inward: Inward) -> tuple[np.ndarray, np.ndarray]:
+    """Return the steps from each ring to the next one, (s,), in the plane and in height, mm."""
+    if len(inward.shapes.z) < 2:
+        return np.zeros(0), np.zeros(0)
+    even = inward.is_step(1)
+    return inward[1].step[even], inward.drop(1)[even]
 
 
 def evenness(steps: np.ndarray, drops: np.ndarray) -> float:

@@ -3,14 +3,15 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
-from typing import NamedTuple
+from functools import cached_property
 
 import numpy as np
 
 from vkworkbench.core.paper import TURN
 from vkworkbench.core.recognition.patterns.footprints import come_again, count_depths
-from vkworkbench.core.recognition.patterns.nesting import Inward, evenness, middle, reach
+from vkworkbench.core.recognition.patterns.nesting import Inward, Shapes, evenness, middle, next_steps, reach
 from vkworkbench.core.recognition.patterns.pieces import WINDING, Pieces
 from vkworkbench.core.recognition.patterns.rows import weighted_median
 from vkworkbench.core.recognition.thresholds import MAJORITY, NESTS, RINGS, ROUNDING, TROCHOIDS, WATERLINES, WINDINGS
@@ -100,27 +101,28 @@ def relate_rings(pieces: Pieces, index: np.ndarray, tool: float) -> Rings:
     tool : float
         Tool diameter, mm; 0 where unknown.
     """
-    k = len(index)
     shapes = _shapes(pieces, index)
-    inward = Inward(shapes.sides, shapes.enclosed, shapes.length, shapes.slack, shapes.wavy)
-    limit, next_step, next_drop = reach(inward, shapes.size, shapes.z, shapes.flat, tool, pieces.area[index])
-    names = ("nested", "opposite", "deeper", "repeated", "moved", "crossing")
-    flags = {name: np.zeros(k, bool) for name in names}
+    inward = Inward(shapes)
+    limit = reach(inward, tool, pieces.area[index])
+    k = len(index)
+    flags = {name: np.zeros(k, bool) for name in ("opposite", *RELATIONS)}
     next_turn = np.zeros(0)
     all_steps, inner = [], np.full(k, np.inf)  # how far the next ring inside is; the next but one is two steps away
     for lag in range(1, min(NESTS.NEXT, k - 1) + 1):
-        a, b = slice(None, -lag), slice(lag, None)
-        found = _compare(shapes, inward, limit, lag)
-        for name, flag in found.items():
-            flags[name][a] |= flag
-            flags[name][b] |= flag
-        mean, step = inward[lag][2:]
+        pairs = Pairs(inward, limit, lag)
+        one, two = slice(None, -lag), slice(lag, None)
+        relations = RELATIONS if lag > 1 else {**RELATIONS, "opposite": _is_opposite}
+        for name, relation in relations.items():
+            found = relation(pairs)
+            flags[name][one] |= found
+            flags[name][two] |= found
+        nested, mean, step = pairs.nested, pairs.shift.mean, pairs.shift.step
         if lag == 1 and shapes.turn.any():
-            next_turn = step[found["nested"] & shapes.turn[a] & shapes.turn[b]]
-        all_steps.append(mean[found["nested"]])
+            next_turn = step[nested & shapes.turn[one] & shapes.turn[two]]
+        all_steps.append(mean[nested])
         # Both views may be of the same rings: one after the other.
-        np.minimum(inner[a], np.where(found["nested"] & (mean > 0), step, np.inf), out=inner[a])
-        np.minimum(inner[b], np.where(found["nested"] & (mean < 0), step, np.inf), out=inner[b])
+        np.minimum(inner[one], np.where(nested & (mean > 0), step, np.inf), out=inner[one])
+        np.minimum(inner[two], np.where(nested & (mean < 0), step, np.inf), out=inner[two])
         if flags["nested"].all():
             steps_inside = inner[np.isfinite(inner)]
             if steps_inside.max() < 2 * steps_inside.min():  # no room for another ring between two
@@ -151,37 +153,17 @@ def relate_rings(pieces: Pieces, index: np.ndarray, tool: float) -> Rings:
         distinct=distinct,
         depths=depths,
         depth_range=float(np.ptp(shapes.z)) if k else 0.0,
-        evenness=evenness(next_step, next_drop) if depths > 2 else 0.0,
+        evenness=evenness(*next_steps(inward)) if depths > 2 else 0.0,
         **flags,
     )
 
 
-class _Shapes(NamedTuple):
-    """The measures by which k rings are compared, (k,) each.
-
-    Sides (4, k) and slack as in :class:`Inward`; size is the longer side; turn marks full level turns of windings, rest marks the
-    rest of a winding after its last full turn.
-    """
-
-    sides: np.ndarray
-    size: np.ndarray
-    z: np.ndarray
-    flat: np.ndarray
-    enclosed: np.ndarray
-    length: np.ndarray
-    sense: np.ndarray
-    wavy: np.ndarray
-    slack: np.ndarray
-    turn: np.ndarray
-    rest: np.ndarray
-
-
-def _shapes(pieces: Pieces, index: np.ndarray) -> _Shapes:
+def _shapes(pieces: Pieces, index: np.ndarray) -> Shapes:
     sides, winding = pieces.box.T.take(index, axis=1), pieces.kind[index] == WINDING
     size = np.maximum(*(sides[2:] - sides[:2]))
     whole = np.abs(pieces.net[index]) > WINDINGS.LAST_TURN * TURN
     sides[2:] *= -1
-    return _Shapes(
+    return Shapes(
         sides=sides,
         size=size,
         z=pieces.z[index],
@@ -196,47 +178,133 @@ def _shapes(pieces: Pieces, index: np.ndarray) -> _Shapes:
     )
 
 
-def _compare(r: _Shapes, inward: Inward, limit: float, lag: int) -> dict[str, np.ndarray]:
-    """Return the relations of each ring to the ring that is cut `lag` rings later, (k - lag,) bool each."""
-    a, b = slice(None, -lag), slice(lag, None)
-    low, high, mean, step = inward[lag]
-    larger, smaller = np.maximum(r.size[a], r.size[b]), np.minimum(r.size[a], r.size[b])
-    same_height = np.abs(r.z[a] - r.z[b]) < ROUNDING.HEIGHT
-    # Rings on a sculptured surface have no own depth, so the distance in the plane decides.
-    beside = same_height | ~r.flat[a] | ~r.flat[b]
-    same_side = np.minimum(
-        ROUNDING.RING + ROUNDING.RING_OF_SIZE * larger, max(ROUNDING.RING_OF_REACH * limit, ROUNDING.RING)
-    )
-    same_box = np.maximum(-low, high) < same_side
-    same_area = np.abs(r.enclosed[a] - r.enclosed[b]) < ROUNDING.AREA * np.maximum(r.enclosed[a], r.enclosed[b])
-    # At one height, a shift of all four sides by the full step is an offset, even if it is within the rounding allowed for large
-    # rings.
-    even = (~same_box | (same_height & (step > ROUNDING.RING))) & (step > NESTS.APART) & (step <= limit)
-    # All sides of an offset move by the same distance. Passes of a lattice that wind by chance rarely do.
-    alike = high - low <= NESTS.EQUAL_SIDES * np.abs(mean) + ROUNDING.PLACE
-    even &= ~(r.wavy[a] & r.wavy[b]) | alike
-    # Parallel curves differ in length by distance times turn (Steiner), unless bays close between them.
-    longer, shorter = np.maximum(r.length[a], r.length[b]), np.minimum(r.length[a], r.length[b])
-    parallel = (longer - shorter < NESTS.LONGER * np.abs(mean)) | (shorter > NESTS.LENGTH_ALIKE * longer)
-    even &= parallel | (r.slack[a] + r.slack[b] > 2)  # a winding is as long as all its turns
-    moved = beside & ~same_box & (low < 0) & (high > 0)
+class Pairs:
+    """Pairs of rings, p = k - lag: each ring and the ring that is cut `lag` rings later.
+
+    Parameters
+    ----------
+    inward : Inward
+    limit : float
+        Largest distance of rings in one nest, mm.
+    lag : int
+    """
+
+    def __init__(self, inward: Inward, limit: float, lag: int) -> None:
+        self.shapes, self.limit, self.lag = inward.shapes, limit, lag
+        self.shift = inward[lag]
+
+    def both(self, values: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        """Return values of rings, (k,), for the first and for the second ring of each pair."""
+        return values[: -self.lag], values[self.lag :]
+
+    @cached_property
+    def smaller(self) -> np.ndarray:
+        """Size of the smaller ring, (p,) mm."""
+        return np.minimum(*self.both(self.shapes.size))
+
+    @cached_property
+    def larger(self) -> np.ndarray:
+        """Size of the larger ring, (p,) mm."""
+        return np.maximum(*self.both(self.shapes.size))
+
+    @cached_property
+    def level(self) -> np.ndarray:
+        """Whether both rings have one height, (p,) bool."""
+        one, two = self.both(self.shapes.z)
+        level: np.ndarray = np.abs(one - two) < ROUNDING.HEIGHT
+        return level
+
+    @cached_property
+    def beside(self) -> np.ndarray:
+        """Whether both rings have one depth, (p,) bool. Rings on a sculptured surface have no own depth: the plane decides."""
+        one, two = self.both(self.shapes.flat)
+        return self.level | ~one | ~two
+
+    @cached_property
+    def same_box(self) -> np.ndarray:
+        """Whether the boxes are equal but for rounding, (p,) bool."""
+        rounding = ROUNDING.RING + ROUNDING.RING_OF_SIZE * self.larger
+        same: np.ndarray = np.maximum(-self.shift.low, self.shift.high) < np.minimum(
+            rounding, max(ROUNDING.RING_OF_REACH * self.limit, ROUNDING.RING)
+        )
+        return same
+
+    @cached_property
+    def same_area(self) -> np.ndarray:
+        """Whether the rings enclose the same area, (p,) bool."""
+        one, two = self.both(self.shapes.enclosed)
+        same: np.ndarray = np.abs(one - two) < ROUNDING.AREA * np.maximum(one, two)
+        return same
+
+    @cached_property
+    def alike(self) -> np.ndarray:
+        """Whether all sides move by the same distance, (p,) bool. Sides of passes of a lattice that wind by chance rarely do."""
+        low, high, mean, _ = self.shift
+        alike: np.ndarray = high - low <= NESTS.EQUAL_SIDES * np.abs(mean) + ROUNDING.PLACE
+        return alike
+
+    @cached_property
+    def offset(self) -> np.ndarray:
+        """Whether one ring is an offset of the other within the reach of the tool, at any depth, (p,) bool."""
+        step, shapes = self.shift.step, self.shapes
+        # At one height, a shift of all four sides by the full step is an offset, even if it is within the rounding allowed for
+        # large rings.
+        apart = ~self.same_box | (self.level & (step > ROUNDING.RING))
+        wavy, other_wavy = self.both(shapes.wavy)
+        # Parallel curves differ in length by distance times turn (Steiner), unless bays close between them.
+        one, two = self.both(shapes.length)
+        longer, shorter = np.maximum(one, two), np.minimum(one, two)
+        parallel = (longer - shorter < NESTS.LONGER * np.abs(self.shift.mean)) | (shorter > NESTS.LENGTH_ALIKE * longer)
+        slack, other_slack = self.both(shapes.slack)
+        parallel |= slack + other_slack > 2  # a winding is as long as all its turns
+        near = (step > NESTS.APART) & (step <= self.limit)
+        return apart & near & parallel & (self.alike | ~(wavy & other_wavy))
+
+    @cached_property
+    def nested(self) -> np.ndarray:
+        """Whether one ring is an offset of the other at its depth, (p,) bool."""
+        return self.offset & self.beside
+
+
+def _is_opposite(pairs: Pairs) -> np.ndarray:
+    """Return whether the next ring is an offset that turns the other way, and so is a third ring.
+
+    An outline and its hole also have opposite senses. The loops of one pattern keep their shape; a boundary and an island between
+    its offsets do not.
+    """
+    one, two = pairs.both(pairs.shapes.sense)
+    turns, mean = pairs.offset & pairs.alike & (one != two), pairs.shift.mean
+    onward = turns[1:] & turns[:-1] & (mean[1:] * mean[:-1] > 0)
+    result = np.zeros(len(turns), bool)
+    result[:-1] |= onward
+    result[1:] |= onward
+    return result
+
+
+def _is_moved(pairs: Pairs) -> np.ndarray:
+    """Return whether a ring of similar size is shifted and overlaps.
+
+    Trochoids overlap; ribs in a row, and loops around them, do not. A part of a turn has no place.
+    """
+    (low, high, mean, _), shapes = pairs.shift, pairs.shapes
+    moved: np.ndarray = pairs.beside & ~pairs.same_box & (low < 0) & (high > 0)
     if moved.any():
-        # Trochoids overlap; ribs in a row, and loops around them, do not. A part of a turn has no place.
-        centre, width = (r.sides[:2] - r.sides[2:]) / 2, _widths(r.length, r.enclosed, r.slack)
-        moved &= np.hypot(*(centre[:, b] - centre[:, a])) < np.minimum(width[a], width[b])
-        moved &= (np.abs(mean) < TROCHOIDS.SWAY * (high - low)) & (high - low < TROCHOIDS.STEP * smaller)
-        moved &= (smaller > TROCHOIDS.SIZE * larger) & ~(r.rest[a] | r.rest[b])
-    found = {
-        "nested": even & beside,
-        "deeper": ~same_box & ~beside & (low > -smaller),
-        "repeated": same_box & same_area & ~same_height,
-        "moved": moved,
-        "crossing": same_height & same_box & ~same_area,
-    }
-    if lag == 1:
-        # The loops of one pattern keep their shape; a boundary and an island between its offsets do not.
-        found["opposite"] = _go_on(even & alike & (r.sense[a] != r.sense[b]), mean)
-    return found
+        (x, other_x), (y, other_y) = map(pairs.both, (shapes.sides[:2] - shapes.sides[2:]) / 2)
+        width = _widths(shapes.length, shapes.enclosed, shapes.slack)
+        moved &= np.hypot(other_x - x, other_y - y) < np.minimum(*pairs.both(width))
+        moved &= (np.abs(mean) < TROCHOIDS.SWAY * (high - low)) & (high - low < TROCHOIDS.STEP * pairs.smaller)
+        moved &= (pairs.smaller > TROCHOIDS.SIZE * pairs.larger) & ~np.logical_or(*pairs.both(shapes.rest))
+    return moved
+
+
+#: The relations of pairs of rings, by their names in `Rings`: functions of `Pairs` that return (p,) bool.
+RELATIONS: dict[str, Callable[[Pairs], np.ndarray]] = {
+    "nested": lambda pairs: pairs.nested,
+    "deeper": lambda pairs: ~pairs.same_box & ~pairs.beside & (pairs.shift.low > -pairs.smaller),
+    "repeated": lambda pairs: pairs.same_box & pairs.same_area & ~pairs.level,
+    "moved": _is_moved,
+    "crossing": lambda pairs: pairs.level & pairs.same_box & ~pairs.same_area,
+}
 
 
 def _equal(steps: np.ndarray) -> bool:
@@ -250,15 +318,6 @@ def _equal(steps: np.ndarray) -> bool:
 def _widths(length: np.ndarray, enclosed: np.ndarray, slack: np.ndarray) -> np.ndarray:
     """Return the shorter side of a rectangle with the same area and perimeter, (k,) mm, in any orientation of a ring."""
     result: np.ndarray = slack * (length / 4 - np.sqrt(np.maximum((length / 4) ** 2 - enclosed, 0)))
-    return result
-
-
-def _go_on(turns: np.ndarray, mean: np.ndarray) -> np.ndarray:
-    """Return which turns continue to a third ring. An outline and its hole also have opposite senses."""
-    onward = turns[1:] & turns[:-1] & (mean[1:] * mean[:-1] > 0)
-    result = np.zeros(len(turns), bool)
-    result[:-1] |= onward
-    result[1:] |= onward
     return result
 
 

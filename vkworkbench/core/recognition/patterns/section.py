@@ -277,7 +277,11 @@ class Section:
             inside |= _inward(pieces.box[row], wall[of_row]) >= -ROUNDING.PLACE
         ground = np.full((depths, 4), np.inf)
         np.minimum.at(ground, of_row, pieces.box[row] * _LOW)
-        amid = pieces.flat[ring] & ~self.rings.nested & (_inward(pieces.box[ring], ground[of_ring] * _LOW) >= -ROUNDING.PLACE)
+        amid = (
+            pieces.flat[ring]
+            & ~self.rings.nested
+            & (_inward(pieces.box[ring], ground[of_ring] * _LOW) >= -ROUNDING.PLACE)
+        )
         of_rows = float(pieces.length[row[inside]].sum() / pieces.length[row].sum())
         return of_rows, float(self.rings.length[amid].sum() / self.rings.length.sum())
 
@@ -289,7 +293,11 @@ class Section:
         pieces, ring = self.pieces, self.rings.index
         after = np.clip(np.searchsorted(ring, strokes), 0, len(ring) - 1)
         for beside in (ring[after], ring[np.maximum(after - 1, 0)]):
-            yield beside, _inward(pieces.box[strokes], pieces.box[beside]), np.abs(pieces.z[strokes] - pieces.z[beside]) < ROUNDING.HEIGHT
+            yield (
+                beside,
+                _inward(pieces.box[strokes], pieces.box[beside]),
+                np.abs(pieces.z[strokes] - pieces.z[beside]) < ROUNDING.HEIGHT,
+            )
 
     def filled(self) -> float:
         """Return the share of the cutting length in open strokes that clear the inside of a ring.
