@@ -5,6 +5,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from functools import cached_property
+from typing import NamedTuple
 
 import numpy as np
 
@@ -111,7 +112,9 @@ def cut_pieces(moves: Areas) -> Pieces:
         kind, passes, wavy = kind[of], passes[of], wavy[of]
         parts = _Stretches(moves, start)
         net, _ = parts.net()
-    area = np.searchsorted(moves.start, start, side="right") - 1
+    area = np.zeros(len(start), np.int64)
+    if len(moves.start) > 1:
+        area = np.searchsorted(moves.start, start, side="right") - 1
     return parts.measure(kind, area, net, passes, wavy)
 
 
@@ -127,6 +130,8 @@ def _comes_back(moves: Areas, cut: np.ndarray) -> np.ndarray:
     cut : (m + 1,) bool
         Moves before which a piece begins for other reasons.
     """
+    if not len(moves.reversals):
+        return moves.reversals
     begins = cut.copy()
     begins[moves.reversals] = begins[-1] = True
     back: np.ndarray = moves.reversals[~cut[moves.reversals]]
@@ -240,9 +245,26 @@ class _Stretches:
         )
 
 
-def half_turns(
-    moves: Areas, parts: _Stretches, able: np.ndarray
-) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
+class HalfTurns(NamedTuple):
+    """The half-turns between the passes of k stretches; see `half_turns`.
+
+    Attributes
+    ----------
+    alternating, constant : (k,) float
+        Length of the passes between two half-turns of opposite and of equal sign, mm.
+    passes : (k,) int
+        Number of passes; 1 for a stretch that was not measured.
+    parallel : (k,) float
+        Share of the passes' length that is parallel; only for a stretch of few passes, otherwise 0.
+    """
+
+    alternating: np.ndarray
+    constant: np.ndarray
+    passes: np.ndarray
+    parallel: np.ndarray
+
+
+def half_turns(moves: Areas, parts: _Stretches, able: np.ndarray) -> HalfTurns:
     """Distinguish back-and-forth from around by the signs of the half-turns between passes.
 
     A pass is a run of moves one way along the axis of its stretch. Between two opposite passes phi turns by pi or
@@ -255,24 +277,12 @@ def half_turns(
     moves : Areas
     parts : _Stretches
     able : (k,) bool
-        Stretches to measure; other stretches have one pass.
-
-    Returns
-    -------
-    alternating, constant : (k,) float
-        Length of the passes between two half-turns of opposite and of equal sign, mm.
-    passes : (k,) int
-    parallel : (k,) float
-        Share of the passes' length that is parallel.
+        Stretches to measure.
     """
     k = len(parts.start)
-    alternating: np.ndarray = np.zeros(k)
-    constant: np.ndarray = np.zeros(k)
-    parallel: np.ndarray = np.zeros(k)
-    passes = np.ones(k, np.int64)
     stretch = np.flatnonzero(able)
     if not len(stretch):
-        return alternating, constant, passes, parallel
+        return HalfTurns(np.zeros(k), np.zeros(k), np.ones(k, np.int64), np.zeros(k))
     size = (parts.end - parts.start)[stretch]
     of, dx, dy, length = np.repeat(stretch, size), moves.dx, moves.dy, moves.length
     chosen = None  # all of them
@@ -285,25 +295,35 @@ def half_turns(
     u, v = np.cos(axis), np.sin(axis)
     if len(stretch) > 1:
         u, v = np.repeat(u, size), np.repeat(v, size)
-    along = dx * u
+    along = np.multiply(dx, u, out=cos)
     along += dy * v
     on = np.flatnonzero(np.abs(along) > PASSES.ALONG * length)
     if not len(on):
-        return alternating, constant, passes, parallel
-    along, length, of = along.take(on), length.take(on), of.take(on)
-    forward, exactly = along > 0, np.abs(along) > PASSES.PARALLEL * length
-    passed = np.maximum(np.bincount(of, weights=length, minlength=k), 1e-9)
-    parallel = np.bincount(of, weights=length * exactly, minlength=k) / passed
-    begin = np.flatnonzero(np.concatenate([[True], (forward[1:] != forward[:-1]) | (of[1:] != of[:-1])]))
-    length, of = np.add.reduceat(length, begin), of.take(begin)
-    first = on.take(begin)
-    phi = moves.phi.take(first if chosen is None else chosen.take(first))
+        return HalfTurns(np.zeros(k), np.zeros(k), np.ones(k, np.int64), np.zeros(k))
+    forward = (along > 0).take(on)
+    new = forward[1:] != forward[:-1]
+    if len(stretch) > 1:
+        new |= np.diff(of.take(on)) > 0
+    begin = np.flatnonzero(np.concatenate([[True], new]))
+    first, passed = on.take(begin), np.add.reduceat(length.take(on), begin)
+    of = of.take(first)
     passes = np.maximum(np.bincount(of, minlength=k), 1)
+    few = passes <= PASSES.OF_A_LETTER
+    parallel = np.zeros(k)
+    if few[stretch].any():
+        exactly = np.abs(along) > PASSES.PARALLEL * length
+        exact = np.add.reduceat((length * exactly).take(on), begin)
+        parallel = np.bincount(of, exact, k) / np.maximum(np.bincount(of, passed, k), 1e-9)
+        parallel[~few] = 0.0
+    phi = moves.phi.take(first if chosen is None else chosen.take(first))
     half_turn = np.rint((phi[1:] - phi[:-1]) * (1 / np.pi))
     same = of[1:] == of[:-1]
     between = same[1:] & same[:-1]  # passes between two others of their stretch
     alternates = half_turn[1:] * half_turn[:-1] <= 0
-    of, length = of[1:-1], length[1:-1]
-    alternating = np.bincount(of, weights=np.where(between & alternates, length, 0.0), minlength=k)
-    constant = np.bincount(of, weights=np.where(between & ~alternates, length, 0.0), minlength=k)
-    return alternating, constant, passes, parallel
+    of, passed = of[1:-1], passed[1:-1]
+    return HalfTurns(
+        alternating=np.bincount(of, np.where(between & alternates, passed, 0.0), k),
+        constant=np.bincount(of, np.where(between & ~alternates, passed, 0.0), k),
+        passes=passes,
+        parallel=parallel,
+    )

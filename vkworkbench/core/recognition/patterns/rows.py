@@ -12,6 +12,7 @@ from vkworkbench.core.paper import Areas, axis_of
 from vkworkbench.core.recognition.thresholds import MAJORITY, NEGLIGIBLE, NESTS, ROUNDING, ROWS
 
 _ROUNDING = 1e-9  # rad; an axis less than this below 0 is 0 and not pi
+_EQUAL = 1e-12  # share; gaps that differ by less are equal but for the rounding of float64
 
 
 @dataclass(frozen=True)
@@ -82,7 +83,7 @@ def find_rows(moves: Areas, chosen: np.ndarray) -> list[Rows]:
         Moves to search, ascending.
     """
     found: list[Rows] = []
-    total = moves.length.take(chosen).sum()
+    total = (moves.length if len(chosen) == len(moves) else moves.length.take(chosen)).sum()
     while len(chosen):
         family = _densest(moves, chosen)
         if family is None:
@@ -170,61 +171,67 @@ def _is_fine(step: np.ndarray, lateral: np.ndarray) -> bool:
     return bool(((small[1:] > 0) == (small[:-1] > 0)).mean() > ROWS.EVEN)
 
 
+def _in_half_turn(axis: float) -> float:
+    """Return the same axis in [0, pi), rad."""
+    axis %= np.pi
+    return 0.0 if np.pi - axis < _ROUNDING else axis
+
+
+class _Passes(NamedTuple):
+    """The p passes along an axis.
+
+    Attributes
+    ----------
+    first, last : (p,) int
+        First and last move.
+    length : (p,) float
+        mm.
+    forward : (p,) bool
+        Whether the pass runs along the axis, and not against it.
+    area : (p,) int
+        Monotonous area in which the pass begins.
+    place, height : (p,) float
+        Position across the axis, and mean height, mm.
+    typical : float
+        Length of a pass (median by length), mm.
+    """
+
+    first: np.ndarray
+    last: np.ndarray
+    length: np.ndarray
+    forward: np.ndarray
+    area: np.ndarray
+    place: np.ndarray
+    height: np.ndarray
+    typical: float
+
+
 def _densest(moves: Areas, chosen: np.ndarray) -> Rows | None:
     """Return the rows along the densest direction; None if no move has this direction."""
     axis, along, aligned, length = _main_axis(moves, chosen)
-    u, v = np.cos(axis), np.sin(axis)
-    on, forward, length = chosen.take(aligned), along.take(aligned) > 0, length.take(aligned)
-    if not len(on):
+    if not len(aligned):
         return None
-    area = np.searchsorted(moves.start, on, side="right") if len(moves.start) > 1 else np.zeros(len(on), np.int64)
-    # A pass ends where the next move runs the other way. It continues over links and lifts on the same line, so that a row
-    # interrupted by islands is one row.
-    new = forward[1:] != forward[:-1]
-    apart = np.flatnonzero(((on[1:] > on[:-1] + 1) | (area[1:] > area[:-1])) & ~new)
-    before, after = on[apart], on[apart + 1]
-    gap_x = moves.x[after] - moves.x[before] - moves.dx[before]
-    gap_y = moves.y[after] - moves.y[before] - moves.dy[before]
-    back = (gap_x * u + gap_y * v > 0) != forward[apart]
-    new[apart] = np.abs(gap_y * u - gap_x * v) > np.where(back, ROWS.FINEST, ROUNDING.PLACE)
-    begin = np.flatnonzero(np.concatenate([[True], new]))
-    passed = np.add.reduceat(length, begin)
-    typical = weighted_median(passed, passed)
-    # Short links along the boundary that happen to be parallel to the axis are not rows.
-    long = passed > NEGLIGIBLE.PASS * typical
-    first, last = on[begin[long]], on[np.append(begin[1:], len(on))[long] - 1]
-    height = np.add.reduceat(moves.z[on] * length, begin)[long] / passed[long] if moves.climbs else moves.z[first]
-    begin, passed = begin[long], passed[long]
-    # The middle of a pass, because links along a slanting boundary may turn the axis a little.
-    middle_x, middle_y = (
-        (moves.x[first] + moves.x[last] + moves.dx[last]) / 2,
-        (moves.y[first] + moves.y[last] + moves.dy[last]) / 2,
-    )
-    q, sense, area = middle_y * u - middle_x * v, forward[begin], area[begin]
-    axis, total = axis % np.pi, float(passed.sum())
-    if np.pi - axis < _ROUNDING:
-        axis = 0.0
-    steps = steps_between(q, passed)
-    some = slice(None, None, len(begin) // ROWS.CROSSING + 1)
-    x, y, reach = moves.x[first[some]], moves.y[first[some]], np.where(sense, passed, -passed)[some]
-    end_x, end_y = x + reach * u, y + reach * v
-    u, v = np.cos(axis), np.sin(axis)
-    lies = np.column_stack([y * u - x * v, *np.sort([x * u + y * v, end_x * u + end_y * v], axis=0)])
+    on = chosen.take(aligned)
+    passes = _cut_passes(moves, on, (along > 0).take(aligned), length.take(aligned), axis)
+    lies = _sampled_lines(moves, passes, axis)
+    axis = _in_half_turn(axis)
+    total, steps = float(passes.length.sum()), steps_between(passes.place, passes.length)
     if steps is None:
-        return Rows(axis, total, passed[0], typical, 1, 1, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, False, lies, on)
-    turned = sense[1:] != sense[:-1]
+        once = passes.length[0]
+        return Rows(axis, total, once, passes.typical, 1, 1, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, False, lies, on)
+    turned = passes.forward[1:] != passes.forward[:-1]
     # Two passes in the same direction in one area, without a lift, are steps of one stroke and not rows: a contour that was
     # sampled on a grid looks like a staircase.
-    onward = steps.neighbour & ~turned & (area[1:] != area[:-1])
-    steep = np.abs(np.diff(height)) > np.abs(np.diff(q))
-    q = np.sort(q[: ROWS.SAMPLE])
-    gaps = np.diff(q[np.append(True, q[1:] - q[:-1] > steps.line)])
+    onward = steps.neighbour & ~turned & (passes.area[1:] != passes.area[:-1])
+    steep = np.abs(np.diff(passes.height)) > np.abs(np.diff(passes.place))
+    place = np.sort(passes.place[: ROWS.SAMPLE])
+    gaps = np.diff(place[np.append(True, np.diff(place) > steps.line)])
     pitch = float(np.median(gaps)) if len(gaps) else steps.usual
     return Rows(
         axis=axis,
         length=total,
-        once=float(passed[0] + passed[1:][steps.aside].sum()),
-        typical=typical,
+        once=float(passes.length[0] + passes.length[1:][steps.aside].sum()),
+        typical=passes.typical,
         count=1 + int(steps.aside.sum()),
         lines=1 + len(gaps),
         opposite=float(steps.shorter[steps.neighbour & turned].sum()),
@@ -239,28 +246,94 @@ def _densest(moves: Areas, chosen: np.ndarray) -> Rows | None:
     )
 
 
+def _cut_passes(moves: Areas, on: np.ndarray, forward: np.ndarray, length: np.ndarray, axis: float) -> _Passes:
+    """Cut aligned moves into passes, without short links along the boundary that happen to be parallel to the axis.
+
+    Parameters
+    ----------
+    moves : Areas
+    on : (k,) int
+        Moves that are parallel to the axis, ascending.
+    forward, length : (k,) bool and float
+        Whether each runs along the axis, and its length, mm.
+    axis : float
+        rad.
+    """
+    several = len(moves.start) > 1
+    area = np.searchsorted(moves.start, on, side="right") if several else np.zeros(len(on), np.int64)
+    # A pass ends where the next move runs the other way. It continues over links and lifts on the same line, so that a row
+    # interrupted by islands is one row.
+    new = forward[1:] != forward[:-1]
+    apart = on[1:] - on[:-1] > 1
+    if several:
+        apart |= area[1:] > area[:-1]
+    apart = np.flatnonzero(apart & ~new)
+    new[apart] = _leaves_line(moves, on[apart], on[apart + 1], forward[apart], axis)
+    begin = np.flatnonzero(np.concatenate([[True], new]))
+    passed = np.add.reduceat(length, begin)
+    typical = weighted_median(passed, passed)
+    long = passed > NEGLIGIBLE.PASS * typical
+    first, last = on[begin[long]], on[np.append(begin[1:], len(on))[long] - 1]
+    height = moves.z[first]
+    if moves.climbs:
+        height = np.add.reduceat(moves.z[on] * length, begin)[long] / passed[long]
+    # The middle of a pass, because links along a slanting boundary may turn the axis a little.
+    middle_x = (moves.x[first] + moves.x[last] + moves.dx[last]) / 2
+    middle_y = (moves.y[first] + moves.y[last] + moves.dy[last]) / 2
+    place = middle_y * np.cos(axis) - middle_x * np.sin(axis)
+    begin = begin[long]
+    return _Passes(first, last, passed[long], forward[begin], area[begin], place, height, typical)
+
+
+def _leaves_line(moves: Areas, before: np.ndarray, after: np.ndarray, forward: np.ndarray, axis: float) -> np.ndarray:
+    """Return whether moves `after` (k,) lie on other lines than moves `before` (k,), which run along or against an axis."""
+    u, v = np.cos(axis), np.sin(axis)
+    gap_x = moves.x[after] - moves.x[before] - moves.dx[before]
+    gap_y = moves.y[after] - moves.y[before] - moves.dy[before]
+    back = (gap_x * u + gap_y * v > 0) != forward
+    result: np.ndarray = np.abs(gap_y * u - gap_x * v) > np.where(back, ROWS.FINEST, ROUNDING.PLACE)
+    return result
+
+
+def _sampled_lines(moves: Areas, passes: _Passes, axis: float) -> np.ndarray:
+    """Return a sample of the passes for `Rows.lies`, (p, 3) mm."""
+    some = slice(None, None, len(passes.first) // ROWS.CROSSING + 1)
+    first, reach = passes.first[some], np.where(passes.forward, passes.length, -passes.length)[some]
+    x, y = moves.x[first], moves.y[first]
+    end_x, end_y = x + reach * np.cos(axis), y + reach * np.sin(axis)
+    u, v = np.cos(_in_half_turn(axis)), np.sin(_in_half_turn(axis))
+    return np.column_stack([y * u - x * v, *np.sort([x * u + y * v, end_x * u + end_y * v], axis=0)])
+
+
 def _period(gaps: np.ndarray, pitch: float, line: float) -> float:
-    """Return the distance after which most lines repeat, mm, from the gaps between all lines in order; otherwise their pitch.
+    """Return the distance after which most lines repeat, mm; the pitch if they do not.
 
     A lattice has two sets of lines in each pocket. The distance between two sets is arbitrary; only inside a set it repeats.
+
+    Parameters
+    ----------
+    gaps : (g,) float
+        Distances between neighbouring lines, in order, mm.
+    pitch, line : float
+        Usual gap, and largest distance of passes on one line, mm.
     """
-    place = np.append(0.0, np.cumsum(gaps))
-    apart = [place[lag:] - place[:-lag] for lag in range(1, min(ROWS.MAX_PERIOD, len(gaps)) + 1)]
-    if not apart:
+    if len(gaps) < 2 or np.ptp(gaps) < _EQUAL * pitch:
         return pitch
-    distance = np.concatenate(apart)
+    place = np.append(0.0, np.cumsum(gaps))
+    lags = range(1, min(ROWS.MAX_PERIOD, len(gaps)) + 1)
+    distance = np.concatenate([place[lag:] - place[:-lag] for lag in lags])
     distance = distance[distance < ROWS.FARTHEST * pitch]  # farther on begins another pocket, however far away
     width = max(line, ROWS.SAME_GAP * pitch)
     cell = np.rint(distance / width).astype(np.int64)
-    often = np.bincount(cell, minlength=2)
-    often[:-1] += often[1:]  # no border between cells divides what is one distance
-    able = np.searchsorted(place, place[-1] - width * np.arange(-1, len(often) - 1))  # lines with room for another
-    share = np.where(2 * able >= len(place), often / np.maximum(able, 1), 0.0)
-    score = often * share  # what comes again after many lines by chance comes seldom
-    most = int(np.argmax(score > ROWS.PITCH_FREQUENCY * score.max()))  # twice the distance comes as often
-    if share[most] <= MAJORITY.SHARE:
+    count = np.bincount(cell, minlength=2)
+    count[:-1] += count[1:]  # no border between cells divides what is one distance
+    with_room = np.searchsorted(place, place[-1] - width * np.arange(-1, len(count) - 1))  # lines with room for another
+    share = np.where(2 * with_room >= len(place), count / np.maximum(with_room, 1), 0.0)
+    score = count * share  # a distance that repeats by chance repeats for few lines
+    nearest = int(np.argmax(score > ROWS.PITCH_FREQUENCY * score.max()))  # twice the distance is as frequent
+    if share[nearest] <= MAJORITY.SHARE:
         return pitch
-    return float(np.median(distance[(cell == most) | (cell == most + 1)]))
+    return float(np.median(distance[(cell == nearest) | (cell == nearest + 1)]))
 
 
 def _main_axis(moves: Areas, chosen: np.ndarray) -> tuple[float, np.ndarray, np.ndarray, np.ndarray]:
@@ -280,10 +353,10 @@ def _main_axis(moves: Areas, chosen: np.ndarray) -> tuple[float, np.ndarray, np.
     dx, dy, length = moves.dx, moves.dy, moves.length
     if len(chosen) < len(moves):
         dx, dy, length = dx[chosen], dy[chosen], length[chosen]
-    cos = dx / length
-    axis = axis_of(dot(cos, dx), dot(cos, dy), float(length.sum()))
+    cos, total = dx / length, float(length.sum())
+    axis = axis_of(dot(cos, dx), dot(cos, dy), total)
     along, aligned = _aligned(dx, dy, length, axis)
-    kept = length.take(aligned).sum() / length.sum()
+    kept = length.take(aligned).sum() / total
     if kept < ROWS.ONE_AXIS:
         # With several axes the mean lies between them, so use the densest direction and its neighbours.
         bins = np.rint(moves.alpha[chosen] * (ROWS.DIRECTIONS / np.pi)).astype(np.int64) % ROWS.DIRECTIONS
@@ -321,13 +394,16 @@ def filling(families: list[Rows], tool: float, *, length: float, contour: bool) 
     contour : bool
         Whether the moves are closed loops, which may be contours.
     """
-    good = [f for f in families if _fills(f, tool) and not (contour and _walls(f))]
-    if good or len(families) < 2 or (tool and max(f.period for f in families) > NESTS.REACH * tool):
+    good = [family for family in families if _fills(family, tool) and not (contour and _walls(family))]
+    if good or len(families) < 2 or (tool and max(family.period for family in families) > NESTS.REACH * tool):
         return good
     # The tool cuts a lattice like a ball on a billiard table, so that consecutive rows are not neighbours. Two families of many
     # long rows with nearly the whole length fill the area nevertheless. The sides of contours do not cross.
-    if sum(f.length for f in families) > ROWS.GRID * length and _cross(*families):
-        if all(f.count >= MAJORITY.REPETITIONS and f.typical > ROWS.MIN_LENGTH * f.pitch for f in families):
+    if sum(family.length for family in families) > ROWS.GRID * length and _cross(*families):
+        if all(
+            family.count >= MAJORITY.REPETITIONS and family.typical > ROWS.MIN_LENGTH * family.pitch
+            for family in families
+        ):
             return families
     return []
 
@@ -347,24 +423,24 @@ def _cross(one: Rows, other: Rows) -> bool:
     return bool((inside[0] & inside[1]).any(axis=1).mean() > MAJORITY.SHARE)
 
 
-def _fills(f: Rows, tool: float) -> bool:
+def _fills(family: Rows, tool: float) -> bool:
     """Return whether passes lie side by side like rows: long moves, short steps between them (paper, section 2.1)."""
     # In teeth of two steps width the rows are short, but many and even.
-    longer = ROWS.MIN_LENGTH_IF_MANY if f.lines >= ROWS.MANY and f.even > ROWS.EVEN else ROWS.MIN_LENGTH
-    if f.opposite + f.same <= ROWS.WITH_NEIGHBOUR * f.once or f.typical <= longer * f.step:
+    longer = ROWS.MIN_LENGTH_IF_MANY if family.lines >= ROWS.MANY and family.even > ROWS.EVEN else ROWS.MIN_LENGTH
+    if family.opposite + family.same <= ROWS.WITH_NEIGHBOUR * family.once or family.typical <= longer * family.step:
         return False
-    if f.step < max(ROWS.RETRACED * tool, ROUNDING.PLACE) and (f.lines < ROWS.MANY or f.steep):
+    if family.step < max(ROWS.RETRACED * tool, ROUNDING.PLACE) and (family.lines < ROWS.MANY or family.steep):
         return False  # the same pass again, or deeper along a wall
     reach = NESTS.REACH * tool
-    if tool and f.step > reach and (f.period > reach or f.step > ROWS.LEFT_BETWEEN * f.period):
+    if tool and family.step > reach and (family.period > reach or family.step > ROWS.LEFT_BETWEEN * family.period):
         return False
-    regular = f.count > 2 and f.even > MAJORITY.SHARE
-    return regular or (f.count == 2 and f.step <= tool)
+    regular = family.count > 2 and family.even > MAJORITY.SHARE
+    return regular or (family.count == 2 and family.step <= tool)
 
 
-def _walls(f: Rows) -> bool:
+def _walls(family: Rows) -> bool:
     """Return whether passes of a closed contour are the walls of its teeth, with alternating gaps and teeth.
 
     A zigzag rarely returns to its start; a contour always does.
     """
-    return f.period > ROWS.WALLS * f.pitch
+    return family.period > ROWS.WALLS * family.pitch
