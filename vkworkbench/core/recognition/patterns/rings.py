@@ -200,12 +200,14 @@ class Pairs:
     @cached_property
     def smaller(self) -> np.ndarray:
         """Size of the smaller ring, (p,) mm."""
-        return np.minimum(*self.both(self.shapes.size))
+        found: np.ndarray = np.minimum(*self.both(self.shapes.size))
+        return found
 
     @cached_property
     def larger(self) -> np.ndarray:
         """Size of the larger ring, (p,) mm."""
-        return np.maximum(*self.both(self.shapes.size))
+        found: np.ndarray = np.maximum(*self.both(self.shapes.size))
+        return found
 
     @cached_property
     def level(self) -> np.ndarray:
@@ -218,7 +220,8 @@ class Pairs:
     def beside(self) -> np.ndarray:
         """Whether both rings have one depth, (p,) bool. Rings on a sculptured surface have no own depth: the plane decides."""
         one, two = self.both(self.shapes.flat)
-        return self.level | ~one | ~two
+        found: np.ndarray = self.level | ~one | ~two
+        return found
 
     @cached_property
     def same_box(self) -> np.ndarray:
@@ -258,12 +261,14 @@ class Pairs:
         slack, other_slack = self.both(shapes.slack)
         parallel |= slack + other_slack > 2  # a winding is as long as all its turns
         near = (step > NESTS.APART) & (step <= self.limit)
-        return apart & near & parallel & (self.alike | ~(wavy & other_wavy))
+        found: np.ndarray = apart & near & parallel & (self.alike | ~(wavy & other_wavy))
+        return found
 
     @cached_property
     def nested(self) -> np.ndarray:
         """Whether one ring is an offset of the other at its depth, (p,) bool."""
-        return self.offset & self.beside
+        found: np.ndarray = self.offset & self.beside
+        return found
 
 
 def _is_opposite(pairs: Pairs) -> np.ndarray:

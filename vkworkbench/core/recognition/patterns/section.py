@@ -140,7 +140,8 @@ class Section:
         """
         angle, places = self._corrections
         small: np.ndarray = (places >= WINDINGS.CORRECTIONS) & (angle < WINDINGS.CORRECTION * places)
-        return self.pieces.flat[self.rings.index] & small
+        found: np.ndarray = self.pieces.flat[self.rings.index] & small
+        return found
 
     @cached_property
     def lattice(self) -> np.ndarray:
@@ -151,14 +152,16 @@ class Section:
         if wavy.any() and rings.nested[wavy].mean() > MAJORITY.SHARE:
             wavy[:] = False
         bouncing = rings.winding & ~self.hunting & (rings.back > WINDINGS.LATTICE_TURN * TURN)
-        return ~rings.nested & (rings.crossing | bouncing | wavy)
+        found: np.ndarray = ~rings.nested & (rings.crossing | bouncing | wavy)
+        return found
 
     @cached_property
     def _rowlike(self) -> np.ndarray:
         """Pieces that may contain rows, (p,) bool."""
         rowlike = (self._kinds == ZIGZAG) | (self._kinds == STROKE)
         rowlike[self.rings.index[self.lattice]] = True
-        return rowlike
+        found: np.ndarray = rowlike
+        return found
 
     @cached_property
     def families(self) -> list[Rows]:
@@ -205,7 +208,8 @@ class Section:
     @cached_property
     def row_pieces(self) -> np.ndarray:
         """Pieces that count as rows or strokes, (p,) bool."""
-        return (self._rowlike | self._closed_rows) & ~self.ring_pieces
+        found: np.ndarray = (self._rowlike | self._closed_rows) & ~self.ring_pieces
+        return found
 
     def share(self, rings: np.ndarray) -> float:
         """Return the share of the cutting length in the chosen rings."""
