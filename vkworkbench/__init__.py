@@ -17,11 +17,15 @@ Importing this package is cheap, because the functions load their modules when t
 from __future__ import annotations
 
 import sys
+import warnings
 from collections.abc import Callable, Iterable
 from importlib import import_module
 
 __version__ = "0.1.0"
 __all__ = ["Cancelled", "Report", "analyze", "clear", "mark", "set_clamps", "simulate"]
+
+# numpy before 1.20 warns when NaN is compared; newer versions do not.
+warnings.filterwarnings("ignore", "invalid value encountered in (less|greater)", RuntimeWarning, r"vkworkbench\.")
 
 _HOMES = {
     "Cancelled": "vkworkbench.report",

@@ -100,11 +100,12 @@ class Worker:
 
     def kill(self) -> None:
         """Kill the process. A thread that waits for a result gets a `WorkerDied`. Any thread may call this."""
-        self._process.kill()
+        with suppress(ProcessLookupError):  # Python before 3.9 raises it if the process has just ended
+            self._process.kill()
 
     def end(self) -> None:
         """Kill the process, and wait until it has ended."""
-        self._process.kill()
+        self.kill()
         self._process.wait()
         for pipe in (self._process.stdin, self._process.stdout):
             with suppress(OSError), _broken_pipes_are_errors():  # closing flushes the buffered message

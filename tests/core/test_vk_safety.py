@@ -6,6 +6,7 @@ from __future__ import annotations
 import ast
 import csv
 import re
+import sys
 from pathlib import Path
 
 import pytest
@@ -76,6 +77,9 @@ PLAIN = ["1+1", "a=b", "", "'=1", "x-y", "e@mail", "a\n=b", "Ж"]
 
 @pytest.mark.parametrize("text", FORMULAS + PLAIN)
 def test_cells_that_begin_like_a_formula_become_text(text, tmp_path):
+    if "\0" in text and sys.version_info < (3, 11):
+        pytest.skip("csv reads NUL since Python 3.11")
+
     class Row:
         messages, simulated = (), None
         document, job = "Doc", "Job"

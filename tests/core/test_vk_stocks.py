@@ -177,5 +177,8 @@ def test_solids_are_the_same_to_the_last_bit():
 def test_different_rows_are_found_as_numpy_finds_them(count):
     rows = np.random.default_rng(3).integers(-2, 3, (count, 3))
     first, number = _distinct(rows)
+    if count == 0:  # numpy 1.17 cannot do this
+        assert first.tolist() == number.tolist() == []
+        return
     _, its_first, its_number = np.unique(rows, axis=0, return_index=True, return_inverse=True)
     assert first.tolist() == its_first.tolist() and number.tolist() == its_number.ravel().tolist()

@@ -17,8 +17,8 @@ def test_strokes_and_links_join_at_their_ends():
     areas = monotonous_areas(linearize(programs.program(strokes)))
     gap = (np.nan, np.nan)
     first, second = ([point[:2] for point in stroke] for stroke in strokes)
-    assert np.array_equal(outline(areas), [*first, gap, *second, gap], equal_nan=True)
-    assert np.array_equal(links(areas), [first[-1], second[0], gap], equal_nan=True)
+    np.testing.assert_array_equal(outline(areas), [*first, gap, *second, gap])
+    np.testing.assert_array_equal(links(areas), [first[-1], second[0], gap])
 
 
 def test_an_arc_is_drawn_in_chords_of_four_degrees_at_most():

@@ -294,7 +294,7 @@ def test_a_bomb_costs_only_its_row(folder, tmp_path, monkeypatch):
     bomb = tmp_path / "bomb.nc.xz"
     bomb.write_bytes(lzma.compress(b"G1 X1\nX2\n" * 400_000, preset=0))
     assert bomb.stat().st_size < 10_000
-    before, found, after = apart_in_a_thread((folder / "a.nc", 60), (bomb, 60), (folder / "a.nc", 60))
+    before, found, after = apart_in_a_thread((folder / "a.nc", 3600), (bomb, 3600), (folder / "a.nc", 3600))
     assert not found.counted and found.error == (
         "The memory is not sufficient for this program. Divide it into smaller programs."
     )

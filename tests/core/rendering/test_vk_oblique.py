@@ -164,7 +164,7 @@ def test_walls_are_lit_by_their_direction(angle):
     ends = [point for start in path for point in (start, start - 2 * along * ((start - (30, 20)) @ along))]
     moves = [("G1", {"X": float(x), "Y": float(y), "Z": 2.0}) for x, y in ends]
     done = simulate_job(
-        [cut([("G0", moves[0][1] | {"Z": 20.0}), *moves])], stock=BLOCK, view=View(width=300, height=200)
+        [cut([("G0", {**moves[0][1], "Z": 20.0}), *moves])], stock=BLOCK, view=View(width=300, height=200)
     )
     direction = (*-across, -0.3)
     drawn = scene(Field(done), View(direction, WIDTH, HEIGHT).frame(BLOCK), palette((200, 200, 200)))

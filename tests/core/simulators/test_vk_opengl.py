@@ -71,8 +71,9 @@ def test_area_of_a_straight_motion_is_its_outline(angle):
     front = 3.0 * (np.cos(turn) * along + np.sin(turn) * across)
     there = dict(zip("XY", 20.0 * along))
     rows = [("G0", {"X": 0.0, "Y": 0.0, "Z": 10.0}), ("G1", there), ("G1", {"Z": 0.0})]
+    made = motions(linearize(rows))
     with np.errstate(all="raise"):
-        line, plunge = opengl_work(motions(linearize(rows)), diameter=6.0).area
+        line, plunge = opengl_work(made, diameter=6.0).area
     swept = [end * 20.0 * along + side * 3.0 * across for end in (0, 1) for side in (-1, 1)]
     assert line == pytest.approx(outline(swept, front), rel=0.002)
     assert plunge == pytest.approx(outline(np.concatenate((front, -front))), rel=0.002)
