@@ -258,7 +258,7 @@ def test_commands_keep_their_lines():
         ("G1 Y[FOO[2]]", "Line 5: Words with variables or expressions are ignored."),
         ("O100 call [1]", "Line 5: A subprogram or macro call is ignored."),
         ("IF R1 == 5 GOTO TOP", "Line 5: Jumps, loops and calls are ignored."),
-        ("G68 X0 Y0 R45", "Line 5: G68 is ignored. The coordinates after it are read as if it were not there."),
+        ("G68 X0 Y0", "Line 5: G68 is ignored. The coordinates after it are read as if it were not there."),
         ("M0\nG92 X0", "Line 6: G92 is ignored. The coordinates after it are read as if it were not there."),
         ("G5 X10 Y2 P1 Q1", "Line 5: A spline (G5) is read as a line."),
         ("G999", "Line 5: The unknown code 'G999' is ignored."),

@@ -71,9 +71,7 @@ def test_words_of_an_unknown_code_have_a_remark():
 def test_axes_of_a_mirror_code_are_not_targets():
     assert last("G50.1 X0. Y0.") == last("G51.1 X0.") == (10, 2, -1)
     assert said("G50.1 X0. Y0.\n" + PLAIN + "G50.1 X0.\nX5") == []
-    mirrored = "Line {}: G51.1 is ignored. The coordinates after it are read as if it were not there."
-    assert said(PLAIN + "G51.1 X0.\nX5\nG50.1 X0.\nX6") == [mirrored.format(5)]
-    assert said("G51.1 X0.\n" + PLAIN + "G50.1 X0.") == [mirrored.format(1)]
+    assert said(PLAIN + "G51.1 X0.\nX5\nG50.1 X0.\nX6") == []
 
 
 def test_a_program_is_not_its_own_subprogram():

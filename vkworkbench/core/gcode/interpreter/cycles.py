@@ -4,8 +4,8 @@
 from __future__ import annotations
 
 from vkworkbench.core.gcode.blocks import whole
-from vkworkbench.core.gcode.interpreter.line import Line
-from vkworkbench.core.gcode.interpreter.machine import Handler, Machine
+from vkworkbench.core.gcode.interpreter.state.line import Line
+from vkworkbench.core.gcode.interpreter.state.machine import Handler, Machine
 from vkworkbench.core.gcode.moves import codes
 from vkworkbench.language import Message
 

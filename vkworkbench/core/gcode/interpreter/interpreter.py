@@ -10,17 +10,17 @@ from __future__ import annotations
 
 from vkworkbench.core.gcode.blocks import whole
 from vkworkbench.core.gcode.dialects import HEIDENHAIN
-from vkworkbench.core.gcode.interpreter import cycles, m_codes, offsets, single_moves, tools, units
-from vkworkbench.core.gcode.interpreter.line import Line
-from vkworkbench.core.gcode.interpreter.machine import Handler, Machine
+from vkworkbench.core.gcode.interpreter import cycles, m_codes, mapping, offsets, single_moves, tools, units
 from vkworkbench.core.gcode.interpreter.motion import AXES, move_of
+from vkworkbench.core.gcode.interpreter.state.line import Line
+from vkworkbench.core.gcode.interpreter.state.machine import Handler, Machine
 from vkworkbench.core.gcode.moves import codes
 from vkworkbench.core.gcode.moves.commands import Commands
 from vkworkbench.language import Message
 
 _MOST_CODES = 1000
 _HANDLERS: dict[int, Handler] = {
-    **units.HANDLERS, **offsets.HANDLERS, **cycles.HANDLERS, **single_moves.HANDLERS,
+    **units.HANDLERS, **offsets.HANDLERS, **cycles.HANDLERS, **mapping.HANDLERS, **single_moves.HANDLERS,
 }  # fmt: skip
 
 

@@ -6,9 +6,9 @@ from __future__ import annotations
 from dataclasses import replace
 
 from vkworkbench.core.gcode.flow import calls_block
-from vkworkbench.core.gcode.interpreter.machine import Machine
-from vkworkbench.core.gcode.interpreter.modes import Modes
 from vkworkbench.core.gcode.interpreter.offsets import select
+from vkworkbench.core.gcode.interpreter.state.machine import Machine
+from vkworkbench.core.gcode.interpreter.state.modes import Modes
 from vkworkbench.core.gcode.moves import codes
 from vkworkbench.language import Message
 

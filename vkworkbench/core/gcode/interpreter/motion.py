@@ -4,9 +4,10 @@
 from __future__ import annotations
 
 from vkworkbench.core.gcode.interpreter.cycles import repeats_of
-from vkworkbench.core.gcode.interpreter.line import Line
-from vkworkbench.core.gcode.interpreter.machine import Machine
+from vkworkbench.core.gcode.interpreter.mapping import turned
 from vkworkbench.core.gcode.interpreter.single_moves import SHAPES
+from vkworkbench.core.gcode.interpreter.state.line import Line
+from vkworkbench.core.gcode.interpreter.state.machine import Machine
 from vkworkbench.core.gcode.interpreter.target import is_polar, polar_step, target
 from vkworkbench.core.gcode.moves import codes
 from vkworkbench.core.gcode.moves.unread import dwell_of
@@ -64,8 +65,9 @@ def _move_along(machine: Machine, parameters: dict[str, float], move: dict[str, 
         machine.stand(stands=machine.modes.per_turn is not None and not machine.spindle and mode > 0)
     if machine.seconds and mode > 0 and mode not in codes.CYCLES:
         machine.inverse_time[len(machine.commands)] = 1 / machine.seconds
+    motion = turned(machine, mode) if machine.maps.mirrors else mode
     for _ in range(repeats):
-        machine.write(mode, move)
+        machine.write(motion, move)
         if (
             repeats > 1 and machine.modes.relative and is_polar(parameters)
         ):  # the next step of an angle has another direction

@@ -3,9 +3,9 @@
 
 from __future__ import annotations
 
-from vkworkbench.core.gcode.interpreter.line import Line
-from vkworkbench.core.gcode.interpreter.machine import Handler, Machine
-from vkworkbench.core.gcode.interpreter.origins import NUMBERED
+from vkworkbench.core.gcode.interpreter.state.line import Line
+from vkworkbench.core.gcode.interpreter.state.machine import Handler, Machine
+from vkworkbench.core.gcode.interpreter.state.origins import NUMBERED
 from vkworkbench.core.gcode.moves import codes
 from vkworkbench.language import Message
 
@@ -46,7 +46,9 @@ def _shift(machine: Machine, line: Line) -> None:
     """Process G52, G92, G92.1, G92.2 and G92.3."""
     values = line.lengths(machine.modes.unit)
     line.apart = True
-    if line.code == codes.LOCAL:
+    if machine.maps.fixes_origin:
+        _coordinates(machine, line)
+    elif line.code == codes.LOCAL:
         machine.origins.shift_by(values)
         if not values:
             _coordinates(machine, line)
@@ -64,7 +66,7 @@ def _name_place(machine: Machine, values: dict[str, float]) -> None:
     Coordinates before the first move along their axis shift nothing. After a move to a place that is not in the
     program, the coordinates stay as they are.
     """
-    place = machine.place.now()
+    place = machine.here()
     if not machine.place.lost.isdisjoint(values):
         machine.problem(Message("coordinates-not-changed", name="G92"))
     for letter in values.keys() & place.keys():
@@ -78,15 +80,18 @@ def _data(machine: Machine, line: Line) -> None:
     kind, values = words.get("L"), line.lengths(machine.modes.unit)
     if kind not in (2.0, 20.0):
         return
-    system, place = NUMBERED.get(words.get("P", -1.0)), machine.place.now()
-    if words.get("R") or (kind == 2.0 and machine.modes.relative and values):
+    system, place = NUMBERED.get(words.get("P", -1.0)), machine.here()
+    angle = words.get("R") if kind == 2.0 else None
+    if system is not None and angle is not None:
+        machine.maps.rotate_system(system, angle)
+    if machine.modes.relative and (kind == 2.0) and (values or angle):
         known = False
     elif system is None:
         known = not machine.moved
     elif kind == 2.0:
         known = machine.origins.set_machine(system, values, moved=machine.moved)
     else:
-        known = not machine.moved or values.keys() <= place.keys()
+        known = not machine.moved or (values.keys() <= place.keys() and not machine.maps.angles)
         if machine.moved and known:
             machine.origins.set_here(system, place, values)
     if not known:

@@ -6,8 +6,8 @@ from __future__ import annotations
 from typing import Callable, Dict
 
 from vkworkbench.core.gcode.interpreter import splines
-from vkworkbench.core.gcode.interpreter.line import Line
-from vkworkbench.core.gcode.interpreter.machine import Handler, Machine
+from vkworkbench.core.gcode.interpreter.state.line import Line
+from vkworkbench.core.gcode.interpreter.state.machine import Handler, Machine
 from vkworkbench.core.gcode.moves import codes
 from vkworkbench.core.gcode.moves.unread import dwell_of
 from vkworkbench.language import Message
@@ -53,7 +53,11 @@ def _spline(machine: Machine, line: Line) -> None:
     if line.letters.isdisjoint("XYZ"):
         line.apart = True
         return
-    if splines.is_complete(line.code, dict(line.words)) and {"X", "Y"} <= machine.place.now().keys():
+    if (
+        not machine.maps.used
+        and splines.is_complete(line.code, dict(line.words))
+        and {"X", "Y"} <= machine.place.now().keys()
+    ):
         machine.problem(Message("spline-as-chords", name=codes.name_of(line.code)))
         line.once = line.code
     else:

@@ -5,7 +5,8 @@ from __future__ import annotations
 
 import math
 
-from vkworkbench.core.gcode.interpreter.machine import Machine
+from vkworkbench.core.gcode.interpreter.mapping import map_move
+from vkworkbench.core.gcode.interpreter.state.machine import Machine
 from vkworkbench.core.gcode.moves import codes
 from vkworkbench.core.gcode.moves.unread import ROTARY
 from vkworkbench.language import Message
@@ -26,6 +27,8 @@ def target(machine: Machine, mode: int, parameters: dict[str, float]) -> dict[st
     move = {letter: unit * value for letter, value in parameters.items() if letter in _LENGTHS}
     if machine.origins.used:
         move = _shifted(machine, mode, move)
+    if machine.maps.used:
+        map_move(machine, mode, move)
     if machine.dialect.has_pole:
         move = _centred(machine, mode, move)
     if not _KNOWN.issuperset(parameters):
@@ -48,7 +51,7 @@ def polar_step(machine: Machine, parameters: dict[str, float]) -> dict[str, floa
 
 def _cartesian(machine: Machine, parameters: dict[str, float]) -> dict[str, float]:
     """Return the words of a line with X and Y instead of LinuxCNC's polar coordinates @ and ^."""
-    place, unit = machine.place.now(), machine.modes.unit
+    place, unit = machine.here(), machine.modes.unit
     if not {"X", "Y"} <= place.keys() and (machine.modes.relative or not {*_POLAR} <= parameters.keys()):
         for letter in sorted({*_POLAR} & parameters.keys()):
             machine.problem(Message("word-not-read", letter=letter))

@@ -4,8 +4,8 @@
 from __future__ import annotations
 
 from vkworkbench.core.gcode.blocks import LARGEST_NUMBER, whole
-from vkworkbench.core.gcode.interpreter.line import Line
-from vkworkbench.core.gcode.interpreter.machine import Machine
+from vkworkbench.core.gcode.interpreter.state.line import Line
+from vkworkbench.core.gcode.interpreter.state.machine import Machine
 from vkworkbench.core.gcode.moves.commands import Commands
 
 

@@ -3,9 +3,9 @@
 
 from __future__ import annotations
 
-from vkworkbench.core.gcode.interpreter.line import Line
-from vkworkbench.core.gcode.interpreter.machine import NO_LENGTH, Handler, Machine
-from vkworkbench.core.gcode.interpreter.modes import GROUPS
+from vkworkbench.core.gcode.interpreter.state.line import Line
+from vkworkbench.core.gcode.interpreter.state.machine import NO_LENGTH, Handler, Machine
+from vkworkbench.core.gcode.interpreter.state.modes import GROUPS
 from vkworkbench.core.gcode.moves import codes
 from vkworkbench.language import Message
 

@@ -46,9 +46,8 @@ STATES = (
 KEPT = frozenset([*PLANES, CANCEL, ABSOLUTE, ABSOLUTE_CENTRES, RELATIVE, RELATIVE_CENTRES, TO_START, TO_RETRACT_PLANE])
 CENTRES = frozenset([ABSOLUTE_CENTRES, RELATIVE_CENTRES])
 PROBES_OF_PROGRAMS = frozenset([310, *PROBES])
-# Codes whose axis words are not a target in the program's coordinates: stored positions for G28 and G30
-# (G28.1, G30.1), and end of mirroring (G50.1; its start, G51.1, is reported).
-APART = frozenset([281, 301, 501])
+# Codes whose axis words are not a target in the program's coordinates: stored positions for G28 and G30.
+APART = frozenset([281, 301])
 NUMBERED_OFFSETS = frozenset([541, 1540])  # G54.1 and G154: the P word is the number of the work offset
 OFFSETS = NUMBERED_OFFSETS | frozenset([
     540, 550, 560, 570, 580, 590, 591, 592, 593,
@@ -60,7 +59,8 @@ OFFSETS = NUMBERED_OFFSETS | frozenset([
 OKUMA_OFFSET = 150
 LOCAL = 520  # G52, shifts the coordinates by its axis words
 POSITION, END_SHIFT, SUSPEND_SHIFT, RESUME_SHIFT = 920, 921, 922, 923  # G92 shifts the coordinates to its axis words
-CHANGES_COORDINATES = frozenset([71, 160, 510, 511, LOCAL, 680, 682])
+ROTATE, END_ROTATION, SCALE, END_SCALE, MIRROR, END_MIRROR = 680, 690, 510, 500, 511, 501
+CHANGES_COORDINATES = frozenset([71, 160, LOCAL, 682])
 DATA = 100
 TOOL_LENGTH = (430, 431, 432, 490)
 THREAD, RIGID_TAP = 330, 331

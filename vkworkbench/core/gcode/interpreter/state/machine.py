@@ -7,10 +7,11 @@ from array import array
 from typing import Callable
 
 from vkworkbench.core.gcode.dialects import Clues, Dialect
-from vkworkbench.core.gcode.interpreter.line import Line
-from vkworkbench.core.gcode.interpreter.modes import Modes
-from vkworkbench.core.gcode.interpreter.origins import Origins
-from vkworkbench.core.gcode.interpreter.place import Place
+from vkworkbench.core.gcode.interpreter.state.line import Line
+from vkworkbench.core.gcode.interpreter.state.maps import Map, Maps
+from vkworkbench.core.gcode.interpreter.state.modes import Modes
+from vkworkbench.core.gcode.interpreter.state.origins import Origins
+from vkworkbench.core.gcode.interpreter.state.place import Place
 from vkworkbench.core.gcode.moves import codes
 from vkworkbench.core.gcode.moves.commands import Commands
 from vkworkbench.language import Message
@@ -39,6 +40,8 @@ class Machine:
         For each level of calls, the modal state that M70 or M73 saved, and whether the return restores it (M73).
     origins : Origins
         The origins of the coordinates.
+    maps : Maps
+        How coordinates are mirrored, scaled and rotated.
     place : Place
         The place of the tool.
     first_unit : float or None
@@ -112,6 +115,7 @@ class Machine:
         self.modes = Modes()
         self.saved: list[tuple[Modes | None, bool]] = [(None, False)]
         self.origins = Origins()
+        self.maps = Maps()
         self.place = Place(self.commands)
         self.first_unit: float | None = None
         self.motion = self.written = -1
@@ -177,6 +181,22 @@ class Machine:
             self.unknown(line.code, line)
         elif of_a_lathe:
             line.apart, line.feeds = True, False
+
+    def map(self) -> Map:
+        """Return the map of the XY plane in force, from the program's points to the toolpath's."""
+        of, shift = self.origins.of, self.origins.shift
+        origin = complex(of("X"), of("Y"))
+        of_system = origin - complex(shift.get("X", 0.0), shift.get("Y", 0.0))
+        return self.maps.xy(self.origins.system, of_system, origin)
+
+    def here(self) -> dict[str, float]:
+        """Return the tool's place before the maps in force, mm, along the axes where it is known."""
+        place = self.place.now()
+        if not self.maps.used or "X" not in place or "Y" not in place:
+            return place
+        before = self.map().back(complex(place["X"], place["Y"]))
+        height = self.maps.height_before(place["Z"], self.origins.of("Z")) if "Z" in place else None
+        return {**place, "X": before.real, "Y": before.imag, **({} if height is None else {"Z": height})}
 
     def stop(self) -> None:
         """Note that the operator or the tool changer may move the tool, for which it stands at a safe height."""
