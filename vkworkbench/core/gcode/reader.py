@@ -19,6 +19,7 @@ from vkworkbench.core.gcode.flow import PROGRAM_NUMBER, Call, Ended, Flow, Step,
 from vkworkbench.core.gcode.interpreter import Interpreter
 from vkworkbench.core.gcode.moves.program import Program
 from vkworkbench.core.gcode.moves.units import INCH
+from vkworkbench.core.gcode.plain_lines import PlainLines
 from vkworkbench.core.toolpath import Problem
 from vkworkbench.language import Message
 
@@ -90,6 +91,7 @@ class _Reader:
         self.lines = lines
         self.subprograms = Subprograms(lines)
         self.flow = Flow(lines, self.subprograms)
+        self.plain = PlainLines(lines)
         self.machine = Interpreter(dialect)
         if dialect is dialects.RAW_PATH:
             self.machine.problem(Message("feeds-per-second"), 1)
@@ -126,6 +128,11 @@ class _Reader:
         """
         while index < end:
             self.again = self.number > index
+            if not (self.again or self.calls or self.in_called):
+                index, blocks = self.plain.read(self.machine, index, end)
+                self.blocks += blocks
+                if index == end:
+                    break
             if self.again or self.calls:
                 self.flow.count_line(len(self.machine.commands))
                 self.ran.add(index)

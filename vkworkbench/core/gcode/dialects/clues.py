@@ -96,6 +96,11 @@ class Clues:
             elif self._per_turn is not None and mode > 0:
                 self._slow = "G99", self._per_turn
 
+    @property
+    def notes_feeds(self) -> bool:
+        """bool : Whether the feed rate of a move may indicate the machine."""
+        return self._per_turn is not None
+
     def axes(self, parameters: dict[str, float], cuts: bool, line: int) -> None:
         """Note the words of a line that moves other axes than X, Y and Z."""
         for letter in "ABC":

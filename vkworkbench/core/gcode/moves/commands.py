@@ -6,6 +6,8 @@ from __future__ import annotations
 from array import array
 from collections.abc import Iterator, Mapping
 
+import numpy as np
+
 
 class Commands:
     """A list of (name, parameters) pairs.
@@ -33,11 +35,38 @@ class Commands:
         self._first.append(len(self._values))
         self._values.extend(parameters.values())
 
+    def extend(self, names: list[str], letters: list[str], counts: np.ndarray, values: np.ndarray) -> None:
+        """Add commands.
+
+        Parameters
+        ----------
+        names, letters : list of str
+            For each command, its name and the letters of its parameters.
+        counts : (n,) int64
+            Number of parameters of each command.
+        values : (m,) float64
+            The values of all parameters.
+        """
+        first = len(self._values) + np.cumsum(counts) - counts
+        self.names += names
+        self._letters += letters
+        self._first.frombytes(first.tobytes())
+        self._values.frombytes(values.tobytes())
+
     def __setitem__(self, index: int, command: tuple[str, Mapping[str, float]]) -> None:
         self.append(command)
         self.names[index] = self.names.pop()
         self._letters[index] = self._letters.pop()
         self._first[index] = self._first.pop()
+
+    def table(self) -> tuple[np.ndarray, str, np.ndarray]:
+        """Return the number of parameters of each command, and the letters and the values of all parameters."""
+        counts = np.fromiter(map(len, self._letters), np.int64, len(self))
+        values, first = np.array(self._values), np.array(self._first)
+        behind = first - (np.cumsum(counts) - counts)  # values of commands that were replaced are between the others
+        if behind.any() or len(values) > counts.sum():
+            values = values[np.repeat(behind, counts) + np.arange(counts.sum())]
+        return counts, "".join(self._letters), values
 
     def __len__(self) -> int:
         return len(self.names)

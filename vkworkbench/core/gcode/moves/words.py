@@ -22,6 +22,7 @@ from vkworkbench.core.gcode.moves.codes import (
     UNKNOWN,
     code_of,
 )
+from vkworkbench.core.gcode.moves.commands import Commands
 from vkworkbench.core.toolpath import COORDINATE_LIMIT
 
 _MOVES = (*MOTIONS, *PROBES, *MACHINE)
@@ -56,23 +57,15 @@ class Words:
     """
 
     def __init__(self, commands: Iterable[Any]) -> None:
-        self.names: list[str] = []
-        known: dict[str, str] = {}
-        tables: list[tuple[np.ndarray, str, np.ndarray]] = []
-        if not isinstance(commands, Iterable) or isinstance(commands, str):
-            raise _no_commands(commands)
-        source = iter(commands)
-        while (piece := list(islice(source, _PIECE))) or not tables:
-            names, parameters = _columns(piece)
-            _read_word_names(names, parameters)
-            self.names += [known.setdefault(name, name) for name in names]
-            tables.append(_table_of(parameters))
-        counts, letters, values = zip(*tables)
-        count, self._values = np.concatenate(counts), np.concatenate(values)
-        table = {name: code_of(name) for name in known}
+        if isinstance(commands, Commands):
+            self.names = commands.names
+            count, letters, self._values = commands.table()
+        else:
+            self.names, count, letters, self._values = _read(commands)
+        table = {name: code_of(name) for name in set(self.names)}
         self.codes = np.fromiter(map(table.__getitem__, self.names), np.int64, len(self.names))
         # Lower-case letters are valid, too; FreeCAD's own letters are upper-case.
-        self._letters = np.frombuffer("".join(letters).encode("ascii", "replace").upper(), np.uint8)
+        self._letters = np.frombuffer(letters.encode("ascii", "replace").upper(), np.uint8)
         self._rows = np.repeat(np.arange(len(count), dtype=np.int32), count)
         self.second_rows, self.second_codes = self._second_codes(_CARRIERS.intersection(table.values()))
 
@@ -152,6 +145,23 @@ def _codes_of(numbers: np.ndarray) -> np.ndarray:
     tenths = np.rint(10 * np.where(usable, numbers, 0.0))
     codes: np.ndarray = np.where(usable, tenths, UNKNOWN).astype(np.int64)
     return codes
+
+
+def _read(commands: Iterable[Any]) -> tuple[list[str], np.ndarray, str, np.ndarray]:
+    """Return the names of commands, and the table of their parameters as `Commands.table` does."""
+    if not isinstance(commands, Iterable) or isinstance(commands, str):
+        raise _no_commands(commands)
+    names: list[str] = []
+    known: dict[str, str] = {}
+    tables: list[tuple[np.ndarray, str, np.ndarray]] = []
+    source = iter(commands)
+    while (piece := list(islice(source, _PIECE))) or not tables:
+        names_of_piece, parameters = _columns(piece)
+        _read_word_names(names_of_piece, parameters)
+        names += [known.setdefault(name, name) for name in names_of_piece]
+        tables.append(_table_of(parameters))
+    counts, letters, values = zip(*tables)
+    return names, np.concatenate(counts), "".join(letters), np.concatenate(values)
 
 
 def _columns(piece: list[Any]) -> tuple[list[str], list[Any]]:
