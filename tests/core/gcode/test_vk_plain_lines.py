@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Runs of plain lines become the same commands as the interpreter makes of them line by line."""
+"""Reading runs of plain lines as columns gives the same commands as reading line by line."""
 
 import random
 

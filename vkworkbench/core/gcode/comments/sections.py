@@ -11,10 +11,14 @@ from dataclasses import dataclass, field, replace
 from math import inf
 from typing import NamedTuple
 
+import numpy as np
+
 from vkworkbench.core.gcode.comments.titles import title_before_tool, title_of
 from vkworkbench.core.gcode.comments.tool_table import ToldTool, number_named, tool_told
-from vkworkbench.core.gcode.moves.codes import CYCLES, MOTION_NAMES, name_of
+from vkworkbench.core.gcode.moves import codes
+from vkworkbench.core.gcode.moves.codes import FEED, MODAL, MOTIONS, RAPID
 from vkworkbench.core.gcode.moves.program import Program
+from vkworkbench.core.gcode.moves.words import Words
 from vkworkbench.core.tool import Tool
 
 # Largest number of titles that differ only in their numbers. A program with more titles numbers its passes, not its
@@ -22,7 +26,6 @@ from vkworkbench.core.tool import Tool
 MANY_TITLES = 50
 
 _AXES = frozenset("XYZ")
-_CYCLE_NAMES = frozenset(map(name_of, CYCLES))
 # pcb-gcode writes these words in one comment and the diameter in the next.
 _TOOL_SIZE = re.compile(r"\s*tool size\s*", re.IGNORECASE)
 # NX writes the tool's name in one comment, and its diameter in a comment in the next line.
@@ -171,7 +174,7 @@ class _Groups:
         marks, cuts = _marks(program), _cuts(program)
         # Tool numbers by the lines of their T words, and by the lines of the tool changes.
         self._named = {
-            line: int(name[1:]) for line, name in zip(program.lines.tolist(), program.commands.names) if name[:1] == "T"
+            int(program.lines[at]): int(name[1:]) for at, name in enumerate(program.commands.names) if name[:1] == "T"
         }
         self._changes = {mark.line: mark.number for mark in marks if not isinstance(mark.what, str)}
         self._ended = {ended for _, _, text in program.comments if (ended := _named(_TO, text))}
@@ -286,7 +289,7 @@ def _beside_a_move(program: Program, at: int, line: int) -> bool:
     return at < len(program.commands) and program.lines[at] == line and not _AXES.isdisjoint(program.commands[at][1])
 
 
-def _listed(marks: list[_Mark], cuts: list[int]) -> set[tuple[int, str]]:
+def _listed(marks: list[_Mark], cuts: np.ndarray) -> set[tuple[int, str]]:
     """Return the comments that list later tools, as pairs of the number of cuts before the comment and its text.
 
     A comment lists a later tool if its text is repeated at the change of another tool. A single repeated comment is not
@@ -313,39 +316,55 @@ def _with_sizes(comments: Iterable[tuple[int, int, str]]) -> Iterator[tuple[int,
         before = text if size or _TOOL_NAME.match(text) else ""
 
 
-def _cuts(program: Program) -> list[int]:
-    """Return the indices of the commands that cut.
+def _cuts(program: Program) -> np.ndarray:
+    """Return the indices of the commands that cut, ascending, (n,) int.
 
     A plunge counts only if no cut in the plane follows it, as in a drilled hole.
     """
-    cuts: list[int] = []
-    plunge: int | None = None  # index of the first command of a plunge that no other move has followed yet
-    motion, height, relative = "", inf, False  # the height is infinite before the first Z word
-    for at, (name, words) in enumerate(program.commands):
-        relative = name == "G91" or (relative and name != "G90")
-        motion = name if name in MOTION_NAMES else motion
-        if name not in ("", motion) or not motion or _AXES.isdisjoint(words):
-            continue
-        before, height = height, _height(motion, words, height, relative=relative)
-        vertical = motion == "G1" and _AXES.isdisjoint(words.keys() - {"Z"})
-        if vertical and height < before:
-            plunge = at if plunge is None else plunge
-            continue
-        if plunge is not None and (motion == "G0" or vertical):
-            cuts.append(plunge)  # a hole
-        plunge = None
-        if motion != "G0" and not vertical:
-            cuts.append(at)
-    return cuts if plunge is None else [*cuts, plunge]
+    words = Words(program.commands)
+    columns = {letter: words.column(letter) for letter in "XYZ"}
+    given = {letter: ~np.isnan(values) | unusable for letter, (values, unusable) in columns.items()}
+    motion = np.where(np.isin(words.codes, (*MOTIONS, MODAL)), _held(words.codes, MOTIONS), -1)
+    rows = np.flatnonzero((motion >= 0) & np.any(list(given.values()), axis=0))
+    motion = motion[rows]
+    vertical = (motion == FEED) & ~(given["X"] | given["Y"])[rows]
+    heights = _heights(words, rows, motion)
+    falls = vertical & (heights[1:] < heights[:-1])
+    last = np.flatnonzero(falls & ~np.append(falls[1:], False))
+    first = np.flatnonzero(falls & ~np.append(False, falls[:-1]))
+    after = np.minimum(last + 1, len(rows) - 1)
+    is_hole = (last == len(rows) - 1) | (motion[after] == RAPID) | vertical[after]
+    cuts: np.ndarray = np.union1d(rows[first[is_hole]], rows[(motion != RAPID) & ~vertical])
+    return cuts
 
 
-def _height(motion: str, words: dict[str, float], before: float, *, relative: bool) -> float:
-    """Return the height after a move, mm: at the R plane after a canned cycle, whose Z word is the hole's bottom."""
-    if motion in _CYCLE_NAMES:
-        return before if relative else words.get("R", before)
-    if relative and "Z" in words:
-        return words["Z"] + (0.0 if before == inf else before)
-    return words.get("Z", before)
+def _heights(words: Words, rows: np.ndarray, motion: np.ndarray) -> np.ndarray:
+    """Return the height before the first move and after each move, mm, (n + 1,).
+
+    It is infinite before the first Z word, and at the R plane after a canned cycle, whose Z word is the hole's bottom.
+
+    Parameters
+    ----------
+    words : Words
+    rows, motion : (n,) int
+        The commands of the moves, and their motions.
+    """
+    relative = _held(words.codes, (codes.ABSOLUTE, codes.RELATIVE))[rows] == codes.RELATIVE
+    cycle = np.isin(motion, codes.CYCLES)
+    values = np.where(cycle, np.where(relative, np.nan, words.column("R", rows)[0]), words.column("Z", rows)[0])
+    sets = ~np.isnan(values)
+    heights, height = [inf], 0.0
+    for value, is_relative in zip(values[sets].tolist(), relative[sets].tolist()):
+        height = height + value if is_relative else value
+        heights.append(height)
+    return np.array(heights)[np.append(0, np.cumsum(sets))]
+
+
+def _held(all_codes: np.ndarray, group: tuple[int, ...]) -> np.ndarray:
+    """Return the last code of a group at each command, (n,) int; -1 before the first."""
+    last = np.maximum.accumulate(np.where(np.isin(all_codes, group), np.arange(len(all_codes)), -1))
+    held: np.ndarray = np.where(last >= 0, all_codes[last], -1)
+    return held
 
 
 def _form(title: str) -> str:
