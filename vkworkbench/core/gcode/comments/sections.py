@@ -357,7 +357,8 @@ def _heights(words: Words, rows: np.ndarray, motion: np.ndarray) -> np.ndarray:
     for value, is_relative in zip(values[sets].tolist(), relative[sets].tolist()):
         height = height + value if is_relative else value
         heights.append(height)
-    return np.array(heights)[np.append(0, np.cumsum(sets))]
+    result: np.ndarray = np.array(heights)[np.append(0, np.cumsum(sets))]
+    return result
 
 
 def _held(all_codes: np.ndarray, group: tuple[int, ...]) -> np.ndarray:
