@@ -13,9 +13,11 @@ from functools import cached_property
 
 import numpy as np
 
-from vkworkbench.core.rendering.shading import shadow, slope
+from vkworkbench.core.rendering.shading import STEEPEST, shadow, slope
 from vkworkbench.core.zbuffer import STOCK, ZBuffer
 
+# Cells around the top of a wall that determine its direction: offsets along x and y.
+_AROUND = [(x, y) for x in range(-4, 5) for y in range(-4, 5) if 0 < x * x + y * y <= 17]
 # Height of the top of an empty cell, and with the other sign of its bottom, mm. Finite, because vertical views multiply it by 0.
 EMPTY = -1e9
 
@@ -74,6 +76,36 @@ class Layer:
         result[self.top <= EMPTY] = 1
         return result
 
+    def wall_normals(self, cell: np.ndarray) -> np.ndarray:
+        """Return the level normals of the walls of cells (k,): away from the material around their tops.
+
+        Returns
+        -------
+        (2, k) float32
+            x and y of unit vectors; 0 for a pin, or a wall between two slots.
+        """
+        known = self._wall_normals
+        unknown = np.zeros(self.top.size, bool)
+        unknown[cell[np.isnan(known[0][cell])]] = True
+        walls = np.flatnonzero(unknown)
+        if len(walls):
+            top, width = self.top.ravel(), self.top.shape[1]
+            height, step = top[walls], STEEPEST * np.float32(self.cell)
+            normal = np.zeros((2, len(walls)), np.float32)
+            for x, y in _AROUND:
+                lower = np.clip(height - top.take(walls + (y * width + x), mode="clip"), 0, step)
+                normal[0] += lower * np.float32(x / np.hypot(x, y))
+                normal[1] += lower * np.float32(y / np.hypot(x, y))
+            length = np.hypot(*normal)
+            length[length < 1e-3 * step] = np.inf
+            known[:, walls] = normal / length
+        return known[:, cell]
+
+    @cached_property
+    def _wall_normals(self) -> np.ndarray:
+        """The normals that were computed, by cell, (2, cells) float32; NaN for the others."""
+        return np.full((2, self.top.size), np.nan, np.float32)
+
 
 class Field:
     """The columns of a simulated part, or of chips, at one moment.
@@ -113,12 +145,15 @@ class Field:
         height : (k,) float32
             Height of the place on the wall, mm.
         """
-        columns, found = self.frame.width, np.full(len(cell), STOCK, np.int32)
-        row, column = np.divmod(cell, columns + 2)
-        inside = np.flatnonzero((row > 0) & (row <= self.frame.height) & (column > 0) & (column <= columns))
-        pixel = (row[inside] - 1) * columns + column[inside] - 1
-        found[inside] = self._zbuffer.removers(pixel.astype(np.int64), -height[inside])
+        found, pixel = np.full(len(cell), STOCK, np.int32), self._pixel_of_cell[cell]
+        inside = np.flatnonzero(pixel >= 0)
+        found[inside] = self._zbuffer.removers(pixel[inside], -height[inside])
         return found
+
+    @cached_property
+    def _pixel_of_cell(self) -> np.ndarray:
+        """The pixel of the z-buffer at each cell of a layer, (cells,) int64; -1 in the border."""
+        return self._in_border(np.arange(self.frame.width * self.frame.height), -1).ravel()
 
     def _layer(self, near: np.ndarray, far: np.ndarray, owner: np.ndarray, is_part: bool) -> Layer:
         """Return the layer of the columns between depths (pixels,), NaN for a ray without one."""
@@ -129,7 +164,8 @@ class Field:
         bordered = np.full((self.frame.height + 2, self.frame.width + 2), outside, values.dtype)
         inner = bordered[1:-1, 1:-1]
         inner[...] = values.reshape(inner.shape)
-        inner[np.isnan(inner)] = outside
+        if values.dtype.kind == "f":
+            inner[np.isnan(inner)] = outside
         return bordered
 
 

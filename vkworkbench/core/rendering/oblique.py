@@ -10,6 +10,7 @@ of its top it sees the wall. The running minimum of the lower ends of the column
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import lru_cache
 from typing import NamedTuple
 
 import numpy as np
@@ -24,18 +25,21 @@ _FRACTION = 16  # bits of the fraction in positions of cells
 
 @dataclass(frozen=True, eq=False)
 class Seen:
-    """The surface in each pixel of an image. All arrays have one row for each column of pixels, from the lowest pixel up.
+    """The surfaces that the pixels of an image see. Pixels without a surface are left out.
 
     Attributes
     ----------
-    cell : (width, height) int32
-        Cell of the layer; a cell of the border for the background.
-    depth : (width, height) float32
-        Depth along the view, mm; NaN for the background.
+    pixel : (k,) int64
+        Pixels, counted row by row from below.
+    cell : (k,) int64
+        Cell of the layer.
+    depth : (k,) float32
+        Depth along the view, mm.
     walls : Walls
         The pixels that see the wall of the column, not its top.
     """
 
+    pixel: np.ndarray
     cell: np.ndarray
     depth: np.ndarray
     walls: Walls
@@ -46,15 +50,15 @@ class Walls(NamedTuple):
 
     Attributes
     ----------
-    pixel : (k,) int64
-        Pixels, counted over the flat image.
-    cell, front : (k,) int32
+    number : (k,) int64
+        Positions in the arrays of `Seen`.
+    cell, front : (k,) int64
         Cell of the column, and the cell in front of it.
     height : (k,) float32
         Height of the seen place in the coordinates of the layer, mm.
     """
 
-    pixel: np.ndarray
+    number: np.ndarray
     cell: np.ndarray
     front: np.ndarray
     height: np.ndarray
@@ -65,6 +69,7 @@ class Walls(NamedTuple):
         return Walls(*(part[number] for part in self))
 
 
+# Arrays are indexed with brackets and int64, because `take`, and indices of 32 bits, are several times slower.
 def look(layer: Layer, of_layer: Frame, frame: Frame) -> Seen:
     """Return what the pixels of an image see.
 
@@ -79,41 +84,51 @@ def look(layer: Layer, of_layer: Frame, frame: Frame) -> Seen:
     """
     sine, cosine = abs(float(frame.direction[2])), float(np.hypot(*frame.direction[:2]))
     turned = _Turned(layer, of_layer, frame, sine, cosine)
-    scale = np.float32(cosine / frame.pixel)
-    back = layer.top.ravel().take(turned.cell)
+    scale, width = np.float32(cosine / frame.pixel), frame.width
+    tops, bottoms, cells = layer.top.ravel(), layer.bottom.ravel(), turned.cell.ravel()
+    back = tops[turned.cell]
     back *= scale
-    back += turned.rise + np.float32(turned.step * sine / frame.pixel)
-    row = np.arange(0.5, frame.height, dtype=np.float32)
-    first = _first_above(np.maximum.accumulate(back, axis=1), frame.height)
-    if not layer.is_even and cosine > _LEVEL:
-        low = layer.bottom.ravel().take(turned.cell) * scale + turned.rise
-        first = _past_lower_ends(first, low, back, row)
-    cell = turned.cell.ravel().take(first)
-    place = first - np.arange(0, turned.cell.size, turned.cell.shape[1], dtype=np.int32)[:, None]
-    rise, top = turned.rise.take(place), layer.top.ravel().take(cell)
-    wall = top * scale + rise > row
-    empty = (top <= EMPTY) | (layer.bottom.ravel().take(cell) * scale + rise > row)
+    back += turned.rise[:, None] + np.float32(turned.step * sine / frame.pixel)
+    row, column = _places(frame.height, width)
+    if layer.is_even or cosine < _LEVEL:
+        step = _first_above(back, frame.height)
+    else:
+        low = bottoms[turned.cell] * scale + turned.rise[:, None]
+        step = _first_between(low, back, row)
+    pixel = np.flatnonzero(step < len(turned.rise) - 1)
+    step, row = step.ravel()[pixel], row[pixel]
+    index = step * np.int64(width) + column[pixel]
+    cell, rise = cells[index], turned.rise[step]
+    bottom = bottoms[cell]
+    solid = np.flatnonzero((bottom < -EMPTY) & (bottom * scale + rise <= row))
+    pixel, step, row, index, cell, rise = (part[solid] for part in (pixel, step, row, index, cell, rise))
+    top = tops[cell]
+    number = np.flatnonzero(top * scale + rise > row)
     height = (row - np.float32(frame.height / 2)) * np.float32(frame.pixel)  # on the screen, mm
     # Division by nearly 0 occurs only for the kind of surface that such a view does not see.
     depth = (height * np.float32(cosine) - np.float32(turned.lift) - top) / np.float32(max(sine, _LEVEL))
-    pixel = np.flatnonzero(wall & ~empty)
-    along = np.float32(turned.first) + place.ravel()[pixel] * np.float32(turned.step)
-    height = height[pixel % frame.height]
-    depth.ravel()[pixel] = of_walls = (along - height * np.float32(sine)) / np.float32(max(cosine, _LEVEL))
-    depth[empty] = np.nan
-    cell[empty] = 0
-    walls = Walls(pixel, cell.ravel()[pixel], turned.cell.ravel()[np.maximum(first.ravel()[pixel] - 1, 0)],
+    along = np.float32(turned.first) + step[number] * np.float32(turned.step)
+    height = height[number]
+    depth[number] = of_walls = (along - height * np.float32(sine)) / np.float32(max(cosine, _LEVEL))
+    walls = Walls(number, cell[number], cells[np.maximum(index[number] - width, 0)],
                   height * np.float32(cosine) - of_walls * np.float32(sine) - np.float32(turned.lift))  # fmt: skip
-    return Seen(cell, depth, walls)
+    return Seen(pixel, cell, depth, walls)
+
+
+@lru_cache(maxsize=2)
+def _places(height: int, width: int) -> tuple[np.ndarray, np.ndarray]:
+    """Return the centre of each pixel's row, in pixels from the lower edge, and its column, (pixels,)."""
+    row, column = np.arange(0.5, height, dtype=np.float32), np.arange(width)
+    return np.repeat(row, width), np.tile(column, height)
 
 
 class _Turned:
-    """The cells of a layer, turned so that each column of pixels has a row of cells from the front to the back.
+    """The cells of a layer, turned so that each column of pixels has a column of cells from the front to the back.
 
     Attributes
     ----------
-    cell : (width, n) int32
-        Cells of the layer. The last one in each row belongs to the border.
+    cell : (n, width) int64
+        Cells of the layer. Those of the last row belong to the border.
     step, first : float
         Length of a cell away from the eye, and distance of the front edge of the first one from the image's centre, mm.
     lift : float
@@ -144,18 +159,20 @@ class _Turned:
         # Sums of fixed-point numbers instead of a rotation of each cell.
         side = layer.top.shape[1]
         index = [
-            _sums(across * right[axis], (edges + self.step / 2) * away[axis], of_layer.pixel,
+            _sums((edges + self.step / 2) * away[axis], across * right[axis], of_layer.pixel,
                   half[axis] - from_centre[axis], layer.top.shape[1 - axis])
             for axis in (0, 1)
         ]  # fmt: skip
-        self.cell = index[1] * np.int32(side) + index[0]
-        self.cell[:, -1] = 0
+        index[1] *= np.int32(side)
+        index[1] += index[0]
+        self.cell = index[1].astype(np.int64)
+        self.cell[-1] = 0
 
 
-def _sums(across: np.ndarray, along: np.ndarray, cell: float, offset: float, count: int) -> np.ndarray:
-    """Return the row or column of a layer at each sum of two coordinates, (len(across), len(along)) int32."""
+def _sums(along: np.ndarray, across: np.ndarray, cell: float, offset: float, count: int) -> np.ndarray:
+    """Return the row or column of a layer at each sum of two coordinates, (len(along), len(across)) int32."""
     one = 1 << _FRACTION
-    fixed = [np.rint(part / cell * one).astype(np.int64) for part in (across + offset + cell, along)]
+    fixed = [np.rint(part / cell * one).astype(np.int64) for part in (along, across + offset + cell)]
     limit = 1 << 29
     one_, other = (np.clip(part, -limit, limit).astype(np.int32) for part in fixed)
     sums = one_[:, None] + other
@@ -163,45 +180,55 @@ def _sums(across: np.ndarray, along: np.ndarray, cell: float, offset: float, cou
     return np.clip(sums, 0, count - 1, out=sums)
 
 
-def _first_above(horizon: np.ndarray, height: int) -> np.ndarray:
-    """Return the first cell whose horizon reaches each pixel, (width, height) int32, counted over all rows of cells."""
-    covered = np.clip(np.floor(horizon + np.float32(0.5)), 0, height).astype(np.int32)
-    covered[:, -1] = height
-    return _repeated(np.diff(covered, axis=1, prepend=0), height)
-
-
-def _repeated(counts: np.ndarray, height: int) -> np.ndarray:
-    width, length = counts.shape
-    return np.repeat(np.arange(width * length, dtype=np.int32), counts.ravel()).reshape(width, height)
-
-
-def _past_lower_ends(first: np.ndarray, low: np.ndarray, back: np.ndarray, row: np.ndarray) -> np.ndarray:
-    """Return the first column that each pixel sees if columns end at different heights.
+def _first_above(back: np.ndarray, height: int) -> np.ndarray:
+    """Return the first step at which the horizon reaches each pixel, (height, width) int32; the last step if it never does.
 
     Parameters
     ----------
-    first : (width, height) int32
-        First column that reaches up to each pixel.
-    low, back : (width, n) float32
-        Heights on the screen of the lower end of each column, and of the back edge of its top, pixels.
-    row : (height,) float32
-        Centres of the pixels.
+    back : (n, width) float32
+        Heights on the screen of the back edges of the tops, pixels.
     """
-    height, length = len(row), low.shape[1]
-    below = np.clip(np.ceil(np.minimum.accumulate(low, axis=1) - np.float32(0.5)), 0, height).astype(np.int32)
-    below[:, -1] = 0
-    first = np.maximum(first, _repeated(-np.diff(below, axis=1, prepend=height), height)[:, ::-1])
+    steps, width = back.shape
+    covered = np.empty((steps, width), np.int32)  # pixels below the horizon before each step
+    covered[0] = 0
+    horizon = np.zeros(width, np.float32)
+    for step in range(steps - 1):  # much faster than accumulate
+        np.maximum(horizon, back[step], out=horizon)
+        covered[step + 1] = horizon + np.float32(0.5)
+    np.minimum(covered, height, out=covered)
+    covered *= np.int32(width)
+    covered += np.arange(width, dtype=np.int32)
+    found = np.zeros((height + 1, width), np.int32)
+    # Of the steps with the same horizon before them, the last one is assigned last: it raises the horizon.
+    found.ravel()[covered.astype(np.int64)] = np.arange(steps, dtype=np.int32)[:, None]
+    for below, row in zip(found, found[1:-1]):
+        np.maximum(below, row, out=row)
+    return found[:-1]
+
+
+def _first_between(low: np.ndarray, back: np.ndarray, row: np.ndarray) -> np.ndarray:
+    """Return the first step that each pixel sees if columns end at different heights, (height, width) int32.
+
+    Parameters
+    ----------
+    low, back : (n, width) float32
+        Heights on the screen of the lower end of each column, and of the back edge of its top, pixels.
+    row : (pixels,) float32
+        Centre of the row of each pixel.
+    """
+    steps, width = low.shape
+    height = len(row) // width
+    first = np.maximum(_first_above(back, height), _first_above(np.float32(height) - low, height)[::-1])
     low, back = low.ravel(), back.ravel()
-    at, seen = np.broadcast_to(row, first.shape).ravel(), first.ravel()
-    pending = np.flatnonzero((low.take(seen) > at) | (back.take(seen) < at))
+    index = (first * np.int64(width) + np.arange(width)).ravel()
+    pending = np.flatnonzero((low[index] > row) | (back[index] < row))
     # Rays that pass below one column and above another: look on, column by column.
-    last = (pending // height + 1) * length - 1
-    for _ in range(length):
-        on = seen[pending] < last
-        pending, last = pending[on], last[on]
+    last = (steps - 1) * width
+    for _ in range(steps):
+        pending = pending[index[pending] < last]
         if not len(pending):
             break
-        seen[pending] += 1
-        on = (low.take(seen[pending]) > at[pending]) | (back.take(seen[pending]) < at[pending])
-        pending, last = pending[on], last[on]
-    return seen.reshape(first.shape)
+        index[pending] += width
+        at, where = row[pending], index[pending]
+        pending = pending[(low[where] > at) | (back[where] < at)]
+    return (index // width).reshape(height, width)

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import reduce
 from typing import NamedTuple
@@ -11,14 +12,13 @@ import numpy as np
 
 from vkworkbench.core.rendering.field import EMPTY, Field, Layer
 from vkworkbench.core.rendering.oblique import Walls, look
-from vkworkbench.core.rendering.palettes import CUT, colors_of, palette
+from vkworkbench.core.rendering.palettes import CUT, palette
 from vkworkbench.core.rendering.shading import BACKGROUND, EDGE, LIGHT, STEEPEST, light
 from vkworkbench.core.view import Frame
+from vkworkbench.core.zbuffer import STOCK
 
 # Colour of highlighted surfaces.
 LIT = np.array((255, 170, 40), np.uint8)
-# Cells around the top of a wall that determine its direction: offsets along x and y.
-_AROUND = [(x, y) for x in range(-4, 5) for y in range(-4, 5) if 0 < x * x + y * y <= 17]
 # Difference in depth between neighbouring pixels that is an edge, in pixels.
 _JUMP = 8.0
 
@@ -33,13 +33,19 @@ class Scene:
         mm, row 0 below; NaN where the image is empty.
     owner : (height, width) int32
         Trajectory that made the visible surface, or that cuts the visible chip; -1 for the raw stock.
-    image : (height, width, 3) uint8
-        Row 0 at the top.
+    pixels : (height, width) uint32
+        Colours as 0xffRRGGBB, row 0 at the top.
     """
 
     depth: np.ndarray
     owner: np.ndarray
-    image: np.ndarray
+    pixels: np.ndarray
+
+    @property
+    def image(self) -> np.ndarray:
+        """The colours, (height, width, 3) uint8, row 0 at the top."""
+        result: np.ndarray = (self.pixels[..., None] >> np.array((16, 8, 0), np.uint32)).astype(np.uint8)
+        return result
 
 
 def scene(
@@ -65,27 +71,39 @@ def scene(
         Colour of empty pixels.
     """
     drawn = reduce(_nearest, (_draw(field, layer, frame, colors) for layer in field.layers))
-    depth, owner, shown, brightness = drawn
+    size = frame.height, frame.width
+    depth, owner = np.full(size, np.nan, np.float32), np.full(size, STOCK, np.int32)
+    depth.ravel()[drawn.pixel], owner.ravel()[drawn.pixel] = drawn.depth, drawn.owner
+    channels = drawn.red, drawn.green, drawn.blue
     if lit is not None:
-        shown[(owner >= lit[0]) & (owner < lit[1])] = LIT
-    brightness[_edges(depth, frame.pixel)] *= 1 - EDGE
-    empty, down = np.isnan(depth), frame.direction[2] <= 0
-    image = np.empty((frame.height, frame.width, 3), np.uint8)
-    for channel in range(3):
-        bright = np.minimum(shown[..., channel] * brightness, 255).astype(np.uint8)
-        bright[empty] = background[channel]
-        image[..., channel] = bright.T[::-1] if down else bright.T
-    upwards = slice(None, None, 1 if down else -1)
-    return Scene(depth.T[upwards], owner.T[upwards], image)
+        is_lit = np.flatnonzero((drawn.owner >= lit[0]) & (drawn.owner < lit[1]))
+        for channel, value in zip(channels, LIT):
+            channel[is_lit] = value
+    drawn.brightness[_edges(depth, frame.pixel).ravel()[drawn.pixel]] *= 1 - EDGE
+    pixels = np.full(size, _packed(np.array(background)), np.uint32)
+    pixels.ravel()[drawn.pixel] = _packed([np.minimum(channel * drawn.brightness, 255) for channel in channels])
+    upwards = slice(None, None, 1 if frame.direction[2] <= 0 else -1)
+    return Scene(depth[upwards], owner[upwards], pixels[upwards][::-1])
+
+
+def _packed(channels: Sequence[np.ndarray]) -> np.ndarray:
+    """Return colours as 0xffRRGGBB."""
+    packed = np.asarray(0xFF, np.uint32)
+    for channel in channels:
+        packed = packed << np.uint32(8) | channel.astype(np.uint32)
+    return packed
 
 
 class _Drawn(NamedTuple):
-    """Depth, owner, colour and brightness of the surface in each pixel, (width, height); see `Seen`."""
+    """The pixels that see a surface, see `Seen`, with its colour and brightness, (k,) each."""
 
+    pixel: np.ndarray
     depth: np.ndarray
     owner: np.ndarray
-    shown: np.ndarray
     brightness: np.ndarray
+    red: np.ndarray
+    green: np.ndarray
+    blue: np.ndarray
 
 
 def _draw(field: Field, layer: Layer, frame: Frame, colors: np.ndarray) -> _Drawn:
@@ -93,50 +111,59 @@ def _draw(field: Field, layer: Layer, frame: Frame, colors: np.ndarray) -> _Draw
     below = frame.direction[2] > 0
     layer, towards = layer.upside_down if below else layer, _light_of(frame)
     seen = look(layer, field.frame, frame)
-    owner = layer.owner.ravel().take(seen.cell)
-    brightness = _light_tops(layer, towards).take(seen.cell)
+    owner = layer.owner.ravel()[seen.cell]
+    brightness = _light_tops(layer, seen.cell, towards)
     walls, steep = seen.walls, []
     if not layer.is_even:
         # Below the end of the column in front, a pixel sees the lower end of its column.
-        below_front = walls.height < layer.bottom.ravel().take(walls.front)
-        below_front &= layer.top.ravel().take(walls.front) > EMPTY
+        below_front = walls.height < layer.bottom.ravel()[walls.front]
+        below_front &= layer.top.ravel()[walls.front] > EMPTY
         lower, towards_lower = walls.chosen(below_front), towards * (1, 1, -1)
         under, walls = layer.upside_down, walls.chosen(~below_front)
-        owner.ravel()[lower.pixel] = under.owner.ravel().take(lower.cell)
-        brightness.ravel()[lower.pixel] = _light_tops(under, towards_lower).take(lower.cell)
+        owner[lower.number] = under.owner.ravel()[lower.cell]
+        brightness[lower.number] = _light_tops(under, lower.cell, towards_lower)
         steep = [_paint_walls(under, lower, frame, towards_lower, brightness)]
     steep.append(_paint_walls(layer, walls, frame, towards, brightness))
     for those in steep if layer.is_part else ():
-        owner.ravel()[those.pixel] = field.owner_of_wall(those.front, -those.height if below else those.height)
+        owner[those.number] = field.owner_of_wall(those.front, -those.height if below else those.height)
+    number = owner + np.int64(1)
     if colors.ndim == 3 and layer.is_part and not below:
-        return _Drawn(seen.depth, owner, _in_border(colors).take(seen.cell, axis=0), brightness)
-    return _Drawn(seen.depth, owner, colors_of(owner, colors if colors.ndim == 2 else palette(CUT)), brightness)
+        number, colors = seen.cell, _in_border(colors)
+    elif colors.ndim == 3 or len(colors) == 2:  # all trajectories have one colour
+        np.minimum(number, 1, out=number)
+        colors = palette(CUT) if colors.ndim == 3 else colors
+    return _Drawn(seen.pixel, seen.depth, owner, brightness, *(channel[number] for channel in colors.T.astype(np.float32)))
 
 
-def _light_tops(layer: Layer, towards: np.ndarray) -> np.ndarray:
-    """Return the brightness of the top of each cell, (cells,) float32."""
-    slope_x, slope_y = layer.slopes
+def _light_tops(layer: Layer, cell: np.ndarray, towards: np.ndarray) -> np.ndarray:
+    """Return the brightness of the tops of cells, (k,) float32."""
+    slope_x, slope_y = (slopes.ravel()[cell] for slopes in layer.slopes)
     upright = 1 / np.sqrt(1 + slope_x * slope_x + slope_y * slope_y)
     brightness = light((-slope_x * upright, -slope_y * upright, upright), towards)
-    brightness *= layer.shadow
-    return brightness.ravel()
+    brightness *= layer.shadow.ravel()[cell]
+    return brightness
 
 
 def _paint_walls(layer: Layer, walls: Walls, frame: Frame, towards: np.ndarray, brightness: np.ndarray) -> Walls:
     """Light the walls that are steeper than a slope, and return them."""
     top, shadow = layer.top.ravel(), layer.shadow.ravel()
-    steep = walls.chosen(top.take(walls.cell) - top.take(walls.front) > STEEPEST * layer.cell)
-    lit = light((*_wall_normals(layer, steep.cell, frame), np.zeros(1, np.float32)), towards)
-    brightness.ravel()[steep.pixel] = lit * np.sqrt(shadow.take(steep.front) * shadow.take(steep.cell))
+    steep = walls.chosen(top[walls.cell] - top[walls.front] > STEEPEST * layer.cell)
+    x, y = layer.wall_normals(steep.cell)
+    lone = (x == 0) & (y == 0)  # as if the wall faced the eye
+    x[lone], y[lone] = frame.right[1], -frame.right[0]
+    lit = light((x, y, np.zeros(1, np.float32)), towards)
+    brightness[steep.number] = lit * np.sqrt(shadow[steep.front] * shadow[steep.cell])
     return steep
 
 
 def _nearest(one: _Drawn, other: _Drawn) -> _Drawn:
     """Return the nearer of two surfaces in each pixel."""
-    nearer = (other.depth < one.depth) | np.isnan(one.depth)
-    for mine, its in zip(one, other):
-        mine[nearer] = its[nearer]
-    return one
+    depth = np.full(1 + max(drawn.pixel.max(initial=0) for drawn in (one, other)), np.nan, np.float32)
+    depth[one.pixel] = one.depth
+    its = ~(depth[other.pixel] <= other.depth)
+    depth[other.pixel[its]] = np.nan
+    mine = ~np.isnan(depth[one.pixel])
+    return _Drawn(*(np.concatenate((first[mine], second[its])) for first, second in zip(one, other)))
 
 
 def _light_of(frame: Frame) -> np.ndarray:
@@ -144,27 +171,6 @@ def _light_of(frame: Frame) -> np.ndarray:
     mirror = np.array([1.0, 1.0, -1.0 if frame.direction[2] > 0 else 1.0])
     towards: np.ndarray = mirror * (LIGHT @ np.array([frame.right, frame.up, -frame.direction]))
     return towards
-
-
-def _wall_normals(layer: Layer, cell: np.ndarray, frame: Frame) -> tuple[np.ndarray, np.ndarray]:
-    """Return the level normals of walls, (k,) float32 each: away from the material around the top of the wall."""
-    top, width = layer.top.ravel(), layer.top.shape[1]
-    is_wall = np.zeros(len(top), bool)
-    is_wall[cell] = True
-    walls = np.flatnonzero(is_wall)
-    height, step = top[walls], STEEPEST * np.float32(layer.cell)
-    normal = np.zeros((2, len(walls)), np.float32)
-    for x, y in _AROUND:
-        lower = np.clip(height - top.take(walls + (y * width + x), mode="clip"), 0, step)
-        normal[0] += lower * np.float32(x / np.hypot(x, y))
-        normal[1] += lower * np.float32(y / np.hypot(x, y))
-    length = np.hypot(*normal)
-    lone = length < 1e-3 * step  # a pin, or a wall between two slots: as if it faced the eye
-    normal[:, lone] = np.array([[frame.right[1]], [-frame.right[0]]])
-    normal[:, ~lone] /= length[~lone]
-    of_cell = np.zeros((2, len(top)), np.float32)
-    of_cell[:, walls] = normal
-    return of_cell[0].take(cell), of_cell[1].take(cell)
 
 
 def _in_border(colors: np.ndarray) -> np.ndarray:

@@ -176,7 +176,7 @@ def first_not_below(values: np.ndarray, first: np.ndarray, end: np.ndarray, soug
     low, high = first, end
     for _ in range(int((end - first).max(initial=0)).bit_length()):
         middle = (low + high) // 2
-        below = (low < high) & (values.take(middle, mode="clip") < sought)
+        below = (low < high) & (values[np.minimum(middle, len(values) - 1)] < sought)
         low, high = np.where(below, middle + 1, low), np.where(below, high, middle)
     return low
 
