@@ -96,21 +96,27 @@ def look(layer: Layer, of_layer: Frame, frame: Frame) -> Seen:
         low = bottoms[turned.cell] * scale + turned.rise[:, None]
         step = _first_between(low, back, row)
     pixel = np.flatnonzero(step < len(turned.rise) - 1)
-    step, row = step.ravel()[pixel], row[pixel]
-    index = step * np.int64(width) + column[pixel]
-    cell, rise = cells[index], turned.rise[step]
-    bottom = bottoms[cell]
-    solid = np.flatnonzero((bottom < -EMPTY) & (bottom * scale + rise <= row))
-    pixel, step, row, index, cell, rise = (part[solid] for part in (pixel, step, row, index, cell, rise))
-    top = tops[cell]
+    step = step.ravel()[pixel].astype(np.int64)
+    cell = cells[step * width + column[pixel]]
+    row, top, rise = row[pixel], tops[cell], turned.rise[step]
+    lower = np.float32(layer.extent[0]) if layer.is_even else bottoms[cell]
+    solid = np.flatnonzero((top > EMPTY) & (lower * scale + rise <= row))
+    if len(solid) < len(pixel):
+        pixel, step, cell, row, top, rise = (part[solid] for part in (pixel, step, cell, row, top, rise))
     number = np.flatnonzero(top * scale + rise > row)
-    height = (row - np.float32(frame.height / 2)) * np.float32(frame.pixel)  # on the screen, mm
     # Division by nearly 0 occurs only for the kind of surface that such a view does not see.
-    depth = (height * np.float32(cosine) - np.float32(turned.lift) - top) / np.float32(max(sine, _LEVEL))
-    along = np.float32(turned.first) + step[number] * np.float32(turned.step)
-    height = height[number]
-    depth[number] = of_walls = (along - height * np.float32(sine)) / np.float32(max(cosine, _LEVEL))
-    walls = Walls(number, cell[number], cells[np.maximum(index[number] - width, 0)],
+    row -= np.float32(frame.height / 2)
+    depth = row * np.float32(frame.pixel * cosine / max(sine, _LEVEL))
+    top += np.float32(turned.lift)
+    top *= np.float32(1 / max(sine, _LEVEL))
+    depth -= top
+    height, step = row[number] * np.float32(frame.pixel), step[number]
+    of_walls = (turned.first + turned.step * np.arange(len(turned.rise))).astype(np.float32)[step]
+    of_walls -= height * np.float32(sine)
+    of_walls *= np.float32(1 / max(cosine, _LEVEL))
+    depth[number] = of_walls
+    front = cells[np.maximum(step - 1, 0) * width + column[pixel[number]]]
+    walls = Walls(number, cell[number], front,
                   height * np.float32(cosine) - of_walls * np.float32(sine) - np.float32(turned.lift))  # fmt: skip
     return Seen(pixel, cell, depth, walls)
 
@@ -231,4 +237,5 @@ def _first_between(low: np.ndarray, back: np.ndarray, row: np.ndarray) -> np.nda
         index[pending] += width
         at, where = row[pending], index[pending]
         pending = pending[(low[where] > at) | (back[where] < at)]
-    return (index // width).reshape(height, width)
+    result: np.ndarray = (index // width).reshape(height, width)
+    return result

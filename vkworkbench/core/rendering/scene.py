@@ -80,7 +80,7 @@ def scene(
         for channel, value in zip(channels, LIT):
             channel[is_lit] = value
     drawn.brightness[_edges(depth, frame.pixel).ravel()[drawn.pixel]] *= 1 - EDGE
-    pixels = np.full(size, _packed(np.array(background)), np.uint32)
+    pixels = np.full(size, _packed([np.array(part) for part in background]), np.uint32)
     pixels.ravel()[drawn.pixel] = _packed([np.minimum(channel * drawn.brightness, 255) for channel in channels])
     upwards = slice(None, None, 1 if frame.direction[2] <= 0 else -1)
     return Scene(depth[upwards], owner[upwards], pixels[upwards][::-1])
@@ -132,7 +132,9 @@ def _draw(field: Field, layer: Layer, frame: Frame, colors: np.ndarray) -> _Draw
     elif colors.ndim == 3 or len(colors) == 2:  # all trajectories have one colour
         np.minimum(number, 1, out=number)
         colors = palette(CUT) if colors.ndim == 3 else colors
-    return _Drawn(seen.pixel, seen.depth, owner, brightness, *(channel[number] for channel in colors.T.astype(np.float32)))
+    return _Drawn(
+        seen.pixel, seen.depth, owner, brightness, *(channel[number] for channel in colors.T.astype(np.float32))
+    )
 
 
 def _light_tops(layer: Layer, cell: np.ndarray, towards: np.ndarray) -> np.ndarray:

@@ -6,7 +6,6 @@ from __future__ import annotations
 import time
 from collections.abc import Callable
 from dataclasses import dataclass, replace
-from functools import cached_property
 from typing import Any
 
 from vkworkbench import preferences
@@ -42,6 +41,8 @@ class AlongAxis:
     collisions : Collisions
     measured : Volumes or None
         None if the time did not suffice to measure the volumes.
+    seen : SeenModel or None
+        The model in the image; None without a model.
     """
 
     job: SimulatedJob
@@ -49,18 +50,19 @@ class AlongAxis:
     checked: CrashCheck
     collisions: Collisions
     measured: Volumes | None
+    seen: SeenModel | None
 
-    @cached_property
-    def seen(self) -> SeenModel | None:
-        """The model in the image; None without a model."""
-        return None if self.job.model is None else SeenModel(self.job.model, self.zbuffer.frame)
+    def facts(self, tolerance: float, going_on: Callable[[], None] = lambda: None) -> JobFacts:
+        """Return the facts on the operations and the job, and the verdict; see `core.zbuffer.facts`.
 
-    def facts(self, tolerance: float) -> JobFacts:
-        """Return the facts on the operations and the job, and the verdict; see `core.zbuffer.facts`."""
+        `going_on` is called many times a second during most of the work. An exception from it ends the work.
+        """
         thin, seen = None, self.seen
         if seen is not None:
             seconds = preferences.read().time_budget / 4
-            thin = thin_gouges(self.job.cuts, self.job.stock, seen, tolerance=tolerance, seconds=seconds)
+            thin = thin_gouges(
+                self.job.cuts, self.job.stock, seen, tolerance=tolerance, seconds=seconds, going_on=going_on
+            )
         found = facts(
             self.zbuffer,
             self.checked,
@@ -110,7 +112,9 @@ def simulate_along_axis(
     collisions = holder_collisions(
         zbuffer.cuts, job.stock, clamps=job.clamps, memory_budget=memory_budget, going_on=lambda _: going_on(1.0)
     )
-    return AlongAxis(job, zbuffer, checked, collisions, measure_volumes(job.cuts, job.stock, **left()))
+    measured = measure_volumes(job.cuts, job.stock, **left())
+    seen = None if job.model is None else SeenModel(job.model, zbuffer.frame, lambda: going_on(1.0))
+    return AlongAxis(job, zbuffer, checked, collisions, measured, seen)
 
 
 class OnceAlongAxis:

@@ -136,11 +136,9 @@ class PartView(QWidget):
     def show_scene(self, scene: Scene, frame: Frame) -> None:
         """Show a scene that was drawn with this frame."""
         self._scene, self._frame = scene, frame
-        height, width = scene.image.shape[:2]
-        pixels = np.full((height, width, 4), 255, np.uint8)
-        pixels[..., :3] = scene.image[..., ::-1]
+        height, width = scene.pixels.shape
         # A copy, because the image must live longer than the array.
-        self._image = QImage(pixels.tobytes(), width, height, 4 * width, QImage.Format_RGB32).copy()
+        self._image = QImage(scene.pixels.tobytes(), width, height, 4 * width, QImage.Format_RGB32).copy()
         self.update()
 
     def show_tool(self, tool: Tool, tip: np.ndarray) -> None:

@@ -173,7 +173,7 @@ class Simulating:
     def _check(self, memory: float, going_on: Callable[[], None]) -> Findings:
         found = simulate_along_axis(self.job, memory, self._reported(going_on))
         zbuffer = found.zbuffer
-        return Findings(found, found.facts(TOLERANCE), removed_volumes(zbuffer), cuts_air(zbuffer))
+        return Findings(found, found.facts(TOLERANCE, going_on), removed_volumes(zbuffer), cuts_air(zbuffer))
 
     def _reported(self, going_on: Callable[[], None]) -> Callable[[float], None]:
         self.share = 0.0

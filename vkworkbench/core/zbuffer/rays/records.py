@@ -173,11 +173,12 @@ def first_not_below(values: np.ndarray, first: np.ndarray, end: np.ndarray, soug
     (k,) int64
         Position of the first value in each stretch that is not below `sought`; `end` without one.
     """
-    low, high = first, end
-    for _ in range(int((end - first).max(initial=0)).bit_length()):
-        middle = (low + high) // 2
-        below = (low < high) & (values[np.minimum(middle, len(values) - 1)] < sought)
-        low, high = np.where(below, middle + 1, low), np.where(below, high, middle)
+    low = first.copy()
+    for bit in reversed(range(int((end - first).max(initial=0)).bit_length())):
+        probe = low + (1 << bit)
+        below = values[np.minimum(probe, len(values)) - 1] < sought
+        below &= probe <= end
+        low += below.astype(np.int64) << bit
     return low
 
 
