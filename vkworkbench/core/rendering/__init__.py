@@ -6,7 +6,7 @@ of points in the image, and the image as a PNG file.
 """
 
 from vkworkbench.core.rendering.camera import direction_of, project, turned
-from vkworkbench.core.rendering.field import Field
+from vkworkbench.core.rendering.field import Field, Section
 from vkworkbench.core.rendering.palettes import (
     CUT,
     DEEPEST,
@@ -22,12 +22,13 @@ from vkworkbench.core.rendering.palettes import (
     palette,
     scale_colors,
 )  # fmt: skip
+from vkworkbench.core.rendering.path import draw_path
 from vkworkbench.core.rendering.png import png
-from vkworkbench.core.rendering.scene import LIT, Scene, scene
+from vkworkbench.core.rendering.scene import CUT_OPEN, LIT, SECTION, Scene, scene
 from vkworkbench.core.rendering.shading import BACKGROUND, shade
 from vkworkbench.core.rendering.tool_outline import tool_outline
 
 __all__ = [
-    "BACKGROUND", "CUT", "DEEPEST", "GOUGED", "LEFT", "LIT", "MET", "NO_MODEL", "RAW", "SCALE", "Field", "Scene",
-    "colors_of", "difference_colors", "direction_of", "distinct_colors", "palette", "png", "project", "scale_colors", "scene", "shade", "tool_outline", "turned",
+    "BACKGROUND", "CUT", "CUT_OPEN", "DEEPEST", "GOUGED", "LEFT", "LIT", "MET", "NO_MODEL", "RAW", "SCALE", "SECTION", "Field", "Scene", "Section",
+    "colors_of", "difference_colors", "direction_of", "distinct_colors", "draw_path", "palette", "png", "project", "scale_colors", "scene", "shade", "tool_outline", "turned",
 ]  # fmt: skip

@@ -8,8 +8,9 @@ to the end of the stock. Only a stock with undercuts has several columns on a ra
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
+from typing import NamedTuple
 
 import numpy as np
 
@@ -20,6 +21,24 @@ from vkworkbench.core.zbuffer import STOCK, ZBuffer
 _AROUND = [(x, y) for x in range(-4, 5) for y in range(-4, 5) if 0 < x * x + y * y <= 17]
 # Height of the top of an empty cell, and with the other sign of its bottom, mm. Finite, because vertical views multiply it by 0.
 EMPTY = -1e9
+
+
+class Section(NamedTuple):
+    """A plane that divides the part.
+
+    Attributes
+    ----------
+    axis : int
+        Axis at right angles to the plane: 0 for X, 1 for Y, 2 for Z.
+    place : float
+        Coordinate of the plane, mm.
+    hides_above : bool
+        Whether the part is hidden above the plane, where the coordinate is greater, or below.
+    """
+
+    axis: int
+    place: float
+    hides_above: bool
 
 
 @dataclass(frozen=True, eq=False)
@@ -36,6 +55,8 @@ class Layer:
         Side of a cell, mm.
     is_part : bool
         Whether the material belongs to the part, not to chips.
+    cut : (rows + 2, columns + 2) bool, optional
+        Cells with a face of a section: on their own tops, or on the walls behind them.
     """
 
     top: np.ndarray
@@ -43,12 +64,13 @@ class Layer:
     owner: np.ndarray
     cell: float
     is_part: bool
+    cut: np.ndarray | None = None
 
     @cached_property
     def upside_down(self) -> Layer:
         """The layer for views from below. The lower ends of the part's columns are surfaces of the raw stock."""
         owner = np.full_like(self.owner, STOCK) if self.is_part else self.owner
-        turned = Layer(-self.bottom, -self.top, owner, self.cell, self.is_part)
+        turned = Layer(-self.bottom, -self.top, owner, self.cell, self.is_part, self.cut)
         vars(turned)["upside_down"] = self
         return turned
 
@@ -118,6 +140,8 @@ class Field:
         Also show the material that the trajectories chips[0] .. chips[1] - 1 remove.
     part : bool
         Whether the part is shown.
+    section : Section, optional
+        Hide everything on one side of a plane.
 
     Attributes
     ----------
@@ -127,13 +151,21 @@ class Field:
         Layers of the part, then of the chips.
     """
 
-    def __init__(self, zbuffer: ZBuffer, chips: tuple[int, int] | None = None, part: bool = True) -> None:
+    def __init__(
+        self,
+        zbuffer: ZBuffer,
+        chips: tuple[int, int] | None = None,
+        part: bool = True,
+        section: Section | None = None,
+    ) -> None:
         self.frame, self._zbuffer = zbuffer.frame, zbuffer
         self.layers: list[Layer] = []
         if part:
             self.layers += [self._layer(*columns, is_part=True) for columns in _columns_of_part(zbuffer)]
         if chips is not None:
             self.layers.append(self._layer(*zbuffer.chips(*chips), is_part=False))
+        if section is not None:
+            self.layers = [self._cut(layer, section) for layer in self.layers]
 
     def owner_of_wall(self, cell: np.ndarray, height: np.ndarray) -> np.ndarray:
         """Return the trajectories that removed the material beside walls, (k,) int32.
@@ -154,6 +186,24 @@ class Field:
     def _pixel_of_cell(self) -> np.ndarray:
         """The pixel of the z-buffer at each cell of a layer, (cells,) int64; -1 in the border."""
         return self._in_border(np.arange(self.frame.width * self.frame.height), -1).ravel()
+
+    def _cut(self, layer: Layer, section: Section) -> Layer:
+        """Return a layer without the material on one side of a plane."""
+        place = section.place - float(self.frame.centre[section.axis])
+        if section.axis == 2:
+            beyond, kept = (layer.top, layer.bottom) if section.hides_above else (-layer.bottom, -layer.top)
+            height = np.float32(place if section.hides_above else -place)
+            cut = (beyond > height) & (kept < height)
+            beyond, hidden = np.where(cut, height, beyond), kept >= height
+            top, bottom = (beyond, kept) if section.hides_above else (-kept, -beyond)
+        else:
+            count = layer.top.shape[1 - section.axis]
+            centres = (np.arange(count) + 0.5 - count / 2) * layer.cell
+            hidden = centres > place if section.hides_above else centres < place
+            hidden = np.broadcast_to(hidden if section.axis == 0 else hidden[:, None], layer.top.shape)
+            top, bottom, cut = layer.top, layer.bottom, hidden
+        top = np.where(hidden, np.float32(EMPTY), top)
+        return replace(layer, top=top, bottom=np.where(hidden, np.float32(-EMPTY), bottom), cut=cut)
 
     def _layer(self, near: np.ndarray, far: np.ndarray, owner: np.ndarray, is_part: bool) -> Layer:
         """Return the layer of the columns between depths (pixels,), NaN for a ray without one."""

@@ -17,6 +17,8 @@ from vkworkbench.core.rendering.shading import BACKGROUND, EDGE, LIGHT, STEEPEST
 from vkworkbench.core.view import Frame
 from vkworkbench.core.zbuffer import STOCK
 
+# Colour of the faces of a section, and the number that stands for the trajectory that made them.
+SECTION, CUT_OPEN = np.array((206, 128, 96), np.uint8), -2
 # Colour of highlighted surfaces.
 LIT = np.array((255, 170, 40), np.uint8)
 # Difference in depth between neighbouring pixels that is an edge, in pixels.
@@ -32,7 +34,7 @@ class Scene:
     depth : (height, width) float32
         mm, row 0 below; NaN where the image is empty.
     owner : (height, width) int32
-        Trajectory that made the visible surface, or that cuts the visible chip; -1 for the raw stock.
+        Trajectory that made the visible surface, or that cuts the visible chip; -1 for the raw stock, `CUT_OPEN` for the face of a section.
     pixels : (height, width) uint32
         Colours as 0xffRRGGBB, row 0 at the top.
     """
@@ -132,9 +134,14 @@ def _draw(field: Field, layer: Layer, frame: Frame, colors: np.ndarray) -> _Draw
     elif colors.ndim == 3 or len(colors) == 2:  # all trajectories have one colour
         np.minimum(number, 1, out=number)
         colors = palette(CUT) if colors.ndim == 3 else colors
-    return _Drawn(
-        seen.pixel, seen.depth, owner, brightness, *(channel[number] for channel in colors.T.astype(np.float32))
-    )
+    channels = [channel[number] for channel in colors.T.astype(np.float32)]
+    if layer.cut is not None:
+        is_face = layer.cut.ravel()[seen.cell]
+        is_face[seen.walls.number] = layer.cut.ravel()[seen.walls.front]
+        owner[is_face] = CUT_OPEN
+        for channel, value in zip(channels, SECTION):
+            channel[is_face] = value
+    return _Drawn(seen.pixel, seen.depth, owner, brightness, *channels)
 
 
 def _light_tops(layer: Layer, cell: np.ndarray, towards: np.ndarray) -> np.ndarray:

@@ -1,0 +1,50 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The path of the tool, drawn over a picture as a line of one pixel."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from vkworkbench.core.rendering.camera import project
+from vkworkbench.core.view import Frame
+
+# Most pixels of a drawn path: more would take longer than the picture.
+_MOST = 1_000_000
+
+
+def draw_path(pixels: np.ndarray, points: np.ndarray, frame: Frame, color: tuple[int, int, int]) -> None:
+    """Draw a path over a picture, from its first point on until it has about a million pixels.
+
+    Parameters
+    ----------
+    pixels : (height, width) uint32
+        Colours as 0xffRRGGBB, row 0 at the top. They are changed.
+    points : (n, 3) ndarray
+        Corners of the path, mm.
+    frame : Frame
+        Frame of the picture.
+    color : tuple of int
+    """
+    corners = project(points, frame)[:, :2]
+    start, move = corners[:-1], np.diff(corners, axis=0)
+    first, last = _inside(start, move, np.array([frame.width, frame.height], float))
+    count = np.ceil(np.abs(move).max(axis=1, initial=0) * np.maximum(last - first, 0)).astype(np.int64) + (first <= last)
+    count = count[: int(np.searchsorted(np.cumsum(count), _MOST)) + 1]
+    number = np.repeat(np.arange(len(count)), count)
+    own = np.arange(len(number)) - np.repeat(np.cumsum(count) - count, count)
+    share = first[number] + (last - first)[number] * (own / np.maximum(count - 1, 1)[number])
+    column, row = (start[number] + share[:, None] * move[number]).astype(np.int64).T
+    seen = (column >= 0) & (column < frame.width) & (row >= 0) & (row < frame.height)
+    red, green, blue = color
+    pixels[row[seen], column[seen]] = 0xFF000000 | red << 16 | green << 8 | blue
+
+
+def _inside(start: np.ndarray, move: np.ndarray, size: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Return the shares of moves at which they enter and leave an image, (n,); the first is greater if they miss it."""
+    with np.errstate(divide="ignore", invalid="ignore"):
+        one, other = -start / move, (size - start) / move
+    still = move == 0
+    beside = still & ((start < 0) | (start >= size))
+    enter, leave = np.where(still, -np.inf, np.minimum(one, other)), np.where(still, np.inf, np.maximum(one, other))
+    first, last = np.maximum(enter.max(axis=1), 0), np.minimum(leave.min(axis=1), 1)
+    return np.where(beside.any(axis=1), 2.0, first), last
