@@ -165,6 +165,9 @@ class Desk:
         bar.colorings.setCurrentIndex(0)
         bar.chips.setCurrentIndex(0)
         bar.tolerance.setValue(self._tolerance)
+        bar.path.setChecked(False)
+        bar.measure.setChecked(False)
+        bar.section.begin(None)
         player.play_bar.speeds.setCurrentIndex(player.play_bar.speeds.count() - 1)
         if self._path != self.example:
             player.setFixedSize(*PLAYER)

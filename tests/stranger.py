@@ -68,7 +68,7 @@ def main() -> int:
     (tab,) = tabs(window)
     window.wait(lambda: tab.player is not None and tab.player.simulation is not None)
     window.screenshot("stranger-4-simulation")
-    window.wait(lambda: tab.player.view.owner_at(tab.player.view.rect().center()) is not None)
+    window.wait(lambda: tab.player.view.surface_at(tab.player.view.rect().center()) is not None)
     window.press(tab, QtCore.Qt.Key_Escape)
     window.wait(lambda: not tabs(window))
 

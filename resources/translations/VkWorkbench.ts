@@ -2448,10 +2448,6 @@ Memory</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Direction from which the part is viewed.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Property that colors the surfaces.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -2585,6 +2581,58 @@ Memory</source>
     </message>
     <message>
         <source>Gray: removal rate. Orange: cuts air. Triangles: warnings.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Direction of the view, path of the tool, section, and measuring.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Path of the Tool</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Shows the path of the operation: blue is done, pink to come.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Measure</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Two clicks on the part show their distance. Esc ends it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Section in {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No Section</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Moves the section through the stock.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Depth below the stock&apos;s top: {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Measuring: click on the first point.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Click on the second point.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Distance: {}   ΔX {}   ΔY {}   ΔZ {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This is the section.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

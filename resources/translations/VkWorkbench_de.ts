@@ -2378,10 +2378,6 @@ höchstens</translation>
         <translation>Ansicht</translation>
     </message>
     <message>
-        <source>Direction from which the part is viewed.</source>
-        <translation>Richtung, aus der das Teil gesehen wird.</translation>
-    </message>
-    <message>
         <source>Property that colors the surfaces.</source>
         <translation>Eigenschaft, nach der die Flächen gefärbt sind.</translation>
     </message>
@@ -2592,6 +2588,58 @@ höchstens</translation>
     <message>
         <source>Gray: removal rate. Orange: cuts air. Triangles: warnings.</source>
         <translation>Grau: Zeitspanvolumen. Orange: Luftschnitte. Dreiecke: Warnungen.</translation>
+    </message>
+    <message>
+        <source>Direction of the view, path of the tool, section, and measuring.</source>
+        <translation>Blickrichtung, Weg des Werkzeugs, Schnitt und Messen.</translation>
+    </message>
+    <message>
+        <source>Path of the Tool</source>
+        <translation>Weg des Werkzeugs</translation>
+    </message>
+    <message>
+        <source>Shows the path of the operation: blue is done, pink to come.</source>
+        <translation>Zeigt den Weg der Operation: Blau ist erledigt, Rosa kommt noch.</translation>
+    </message>
+    <message>
+        <source>Measure</source>
+        <translation>Messen</translation>
+    </message>
+    <message>
+        <source>Two clicks on the part show their distance. Esc ends it.</source>
+        <translation>Zwei Klicks auf das Teil zeigen ihren Abstand. Esc beendet das Messen.</translation>
+    </message>
+    <message>
+        <source>Section in {}</source>
+        <translation>Schnitt in {}</translation>
+    </message>
+    <message>
+        <source>No Section</source>
+        <translation>Kein Schnitt</translation>
+    </message>
+    <message>
+        <source>Moves the section through the stock.</source>
+        <translation>Bewegt den Schnitt durch das Rohteil.</translation>
+    </message>
+    <message>
+        <source>Depth below the stock&apos;s top: {}</source>
+        <translation>Tiefe unter der Oberseite des Rohteils: {}</translation>
+    </message>
+    <message>
+        <source>Measuring: click on the first point.</source>
+        <translation>Messen: Klicken Sie auf den ersten Punkt.</translation>
+    </message>
+    <message>
+        <source>Click on the second point.</source>
+        <translation>Klicken Sie auf den zweiten Punkt.</translation>
+    </message>
+    <message>
+        <source>Distance: {}   ΔX {}   ΔY {}   ΔZ {}</source>
+        <translation>Abstand: {}   ΔX {}   ΔY {}   ΔZ {}</translation>
+    </message>
+    <message>
+        <source>This is the section.</source>
+        <translation>Das ist die Schnittfläche.</translation>
     </message>
 </context>
 <context>

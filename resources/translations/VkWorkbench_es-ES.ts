@@ -2378,10 +2378,6 @@ como mucho</translation>
         <translation>Vista</translation>
     </message>
     <message>
-        <source>Direction from which the part is viewed.</source>
-        <translation>Dirección desde la que se ve la pieza.</translation>
-    </message>
-    <message>
         <source>Property that colors the surfaces.</source>
         <translation>Propiedad según la que se colorean las superficies.</translation>
     </message>
@@ -2592,6 +2588,58 @@ como mucho</translation>
     <message>
         <source>Gray: removal rate. Orange: cuts air. Triangles: warnings.</source>
         <translation>Gris: caudal de viruta. Naranja: corte en el aire. Triángulos: avisos.</translation>
+    </message>
+    <message>
+        <source>Direction of the view, path of the tool, section, and measuring.</source>
+        <translation>Dirección de la vista, trayectoria de la herramienta, sección y medición.</translation>
+    </message>
+    <message>
+        <source>Path of the Tool</source>
+        <translation>Trayectoria de la herramienta</translation>
+    </message>
+    <message>
+        <source>Shows the path of the operation: blue is done, pink to come.</source>
+        <translation>Muestra la trayectoria de la operación: azul, lo hecho; rosa, lo pendiente.</translation>
+    </message>
+    <message>
+        <source>Measure</source>
+        <translation>Medir</translation>
+    </message>
+    <message>
+        <source>Two clicks on the part show their distance. Esc ends it.</source>
+        <translation>Dos clics en la pieza muestran su distancia. Esc termina la medición.</translation>
+    </message>
+    <message>
+        <source>Section in {}</source>
+        <translation>Sección en {}</translation>
+    </message>
+    <message>
+        <source>No Section</source>
+        <translation>Sin sección</translation>
+    </message>
+    <message>
+        <source>Moves the section through the stock.</source>
+        <translation>Mueve la sección por el material en bruto.</translation>
+    </message>
+    <message>
+        <source>Depth below the stock&apos;s top: {}</source>
+        <translation>Profundidad bajo la cara superior del material en bruto: {}</translation>
+    </message>
+    <message>
+        <source>Measuring: click on the first point.</source>
+        <translation>Medición: haga clic en el primer punto.</translation>
+    </message>
+    <message>
+        <source>Click on the second point.</source>
+        <translation>Haga clic en el segundo punto.</translation>
+    </message>
+    <message>
+        <source>Distance: {}   ΔX {}   ΔY {}   ΔZ {}</source>
+        <translation>Distancia: {}   ΔX {}   ΔY {}   ΔZ {}</translation>
+    </message>
+    <message>
+        <source>This is the section.</source>
+        <translation>Esta es la superficie de corte.</translation>
     </message>
 </context>
 <context>

@@ -2378,10 +2378,6 @@ au plus</translation>
         <translation>Vue</translation>
     </message>
     <message>
-        <source>Direction from which the part is viewed.</source>
-        <translation>Direction d&apos;où la pièce est vue.</translation>
-    </message>
-    <message>
         <source>Property that colors the surfaces.</source>
         <translation>Propriété selon laquelle les surfaces sont colorées.</translation>
     </message>
@@ -2592,6 +2588,58 @@ au plus</translation>
     <message>
         <source>Gray: removal rate. Orange: cuts air. Triangles: warnings.</source>
         <translation>Gris : débit de matière. Orange : coupe dans l&apos;air. Triangles : avertissements.</translation>
+    </message>
+    <message>
+        <source>Direction of the view, path of the tool, section, and measuring.</source>
+        <translation>Direction de la vue, trajectoire de l’outil, coupe et mesure.</translation>
+    </message>
+    <message>
+        <source>Path of the Tool</source>
+        <translation>Trajectoire de l’outil</translation>
+    </message>
+    <message>
+        <source>Shows the path of the operation: blue is done, pink to come.</source>
+        <translation>Affiche la trajectoire de l’opération : le bleu est fait, le rose est à venir.</translation>
+    </message>
+    <message>
+        <source>Measure</source>
+        <translation>Mesurer</translation>
+    </message>
+    <message>
+        <source>Two clicks on the part show their distance. Esc ends it.</source>
+        <translation>Deux clics sur la pièce affichent leur distance. Échap termine la mesure.</translation>
+    </message>
+    <message>
+        <source>Section in {}</source>
+        <translation>Coupe en {}</translation>
+    </message>
+    <message>
+        <source>No Section</source>
+        <translation>Pas de coupe</translation>
+    </message>
+    <message>
+        <source>Moves the section through the stock.</source>
+        <translation>Déplace la coupe dans le brut.</translation>
+    </message>
+    <message>
+        <source>Depth below the stock&apos;s top: {}</source>
+        <translation>Profondeur sous le dessus du brut : {}</translation>
+    </message>
+    <message>
+        <source>Measuring: click on the first point.</source>
+        <translation>Mesure : cliquez sur le premier point.</translation>
+    </message>
+    <message>
+        <source>Click on the second point.</source>
+        <translation>Cliquez sur le second point.</translation>
+    </message>
+    <message>
+        <source>Distance: {}   ΔX {}   ΔY {}   ΔZ {}</source>
+        <translation>Distance : {}   ΔX {}   ΔY {}   ΔZ {}</translation>
+    </message>
+    <message>
+        <source>This is the section.</source>
+        <translation>C’est la surface de coupe.</translation>
     </message>
 </context>
 <context>

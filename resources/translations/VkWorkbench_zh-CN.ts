@@ -2378,10 +2378,6 @@ at Most</source>
         <translation>视图</translation>
     </message>
     <message>
-        <source>Direction from which the part is viewed.</source>
-        <translation>观察工件的方向。</translation>
-    </message>
-    <message>
         <source>Property that colors the surfaces.</source>
         <translation>表面着色的依据。</translation>
     </message>
@@ -2592,6 +2588,58 @@ at Most</source>
     <message>
         <source>Gray: removal rate. Orange: cuts air. Triangles: warnings.</source>
         <translation>灰色：材料去除率。橙色：空切。三角：警告。</translation>
+    </message>
+    <message>
+        <source>Direction of the view, path of the tool, section, and measuring.</source>
+        <translation>视图方向、刀具路径、剖切和测量。</translation>
+    </message>
+    <message>
+        <source>Path of the Tool</source>
+        <translation>刀具路径</translation>
+    </message>
+    <message>
+        <source>Shows the path of the operation: blue is done, pink to come.</source>
+        <translation>显示该操作的路径：蓝色为已完成，粉色为未完成。</translation>
+    </message>
+    <message>
+        <source>Measure</source>
+        <translation>测量</translation>
+    </message>
+    <message>
+        <source>Two clicks on the part show their distance. Esc ends it.</source>
+        <translation>在零件上点击两处即显示其距离。按 Esc 结束测量。</translation>
+    </message>
+    <message>
+        <source>Section in {}</source>
+        <translation>{} 向剖切</translation>
+    </message>
+    <message>
+        <source>No Section</source>
+        <translation>不剖切</translation>
+    </message>
+    <message>
+        <source>Moves the section through the stock.</source>
+        <translation>在毛坯中移动剖切面。</translation>
+    </message>
+    <message>
+        <source>Depth below the stock&apos;s top: {}</source>
+        <translation>毛坯顶面以下深度：{}</translation>
+    </message>
+    <message>
+        <source>Measuring: click on the first point.</source>
+        <translation>测量：请点击第一个点。</translation>
+    </message>
+    <message>
+        <source>Click on the second point.</source>
+        <translation>请点击第二个点。</translation>
+    </message>
+    <message>
+        <source>Distance: {}   ΔX {}   ΔY {}   ΔZ {}</source>
+        <translation>距离：{}   ΔX {}   ΔY {}   ΔZ {}</translation>
+    </message>
+    <message>
+        <source>This is the section.</source>
+        <translation>这是剖切面。</translation>
     </message>
 </context>
 <context>

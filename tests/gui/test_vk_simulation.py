@@ -51,7 +51,7 @@ def test_click_shows_the_simulated_part(whole, window):
     window.screenshot("simulation-small")
     assert whole.job.operations[0].label == "Face"
     view = whole.view
-    assert view.owner_at(view.rect().center()) is not None
+    assert view.surface_at(view.rect().center()) is not None
     shown = view.grab().toImage()
     colors = {shown.pixel(x, y) for x in range(0, shown.width(), 4) for y in range(0, shown.height(), 4)}
     assert len(colors) > 50
@@ -134,7 +134,7 @@ def test_click_on_a_surface_selects_its_operation(whole_from_above, window):
     assert chosen.Name == operation.name
     window.wait(lambda: player.pictures.is_current)
     assert f"command {command + 1}: {code_of(chosen, command)}" in player.play_bar.text.text()
-    assert view.owner_at(view.rect().center()) == player.moment.done - 1
+    assert view.surface_at(view.rect().center()).owner == player.moment.done - 1
     window.screenshot("simulation-asked")
 
 

@@ -11,7 +11,16 @@ import numpy as np
 import pytest
 
 from vkworkbench.core import Cut, Stock, Strategy, Tool, View, linearize, simulate_job
-from vkworkbench.core.zbuffer import TOLERANCE, Collisions, CrashCheck, OverBudget, Speed, estimate_job, memory_needed
+from vkworkbench.core.zbuffer import (
+    TOLERANCE,
+    Collisions,
+    CrashCheck,
+    OverBudget,
+    SeenModel,
+    Speed,
+    estimate_job,
+    memory_needed,
+)  # fmt: skip
 from vkworkbench.document.simulation.along_axis import AlongAxis
 from vkworkbench.document.simulation.job import SimulatedJob, SimulatedOperation
 from vkworkbench.document.simulation.simulate import simulate_read
@@ -92,7 +101,8 @@ def test_missing_stock_is_not_a_gouge():
     vars(job)["model"] = model
     known, zbuffer = KnownFaults(job, Clock(job)), simulate_job(job.cuts, stock=STOCK, view=WHOLE)
     along_axis = [
-        AlongAxis(job, at, CrashCheck(), Collisions((), 0.0, (), (), 0), None) for at in (zbuffer.at(0), zbuffer)
+        AlongAxis(job, at, CrashCheck(), Collisions((), 0.0, (), (), 0), None, SeenModel(model, at.frame))
+        for at in (zbuffer.at(0), zbuffer)
     ]
     uncut, finished = (Findings(axis, axis.facts(TOLERANCE), None, None) for axis in along_axis)
     judged = judge(finished, TOLERANCE, compares=False)

@@ -28,7 +28,9 @@ def draw_path(pixels: np.ndarray, points: np.ndarray, frame: Frame, color: tuple
     corners = project(points, frame)[:, :2]
     start, move = corners[:-1], np.diff(corners, axis=0)
     first, last = _inside(start, move, np.array([frame.width, frame.height], float))
-    count = np.ceil(np.abs(move).max(axis=1, initial=0) * np.maximum(last - first, 0)).astype(np.int64) + (first <= last)
+    count = np.ceil(np.abs(move).max(axis=1, initial=0) * np.maximum(last - first, 0)).astype(np.int64) + (
+        first <= last
+    )
     count = count[: int(np.searchsorted(np.cumsum(count), _MOST)) + 1]
     number = np.repeat(np.arange(len(count)), count)
     own = np.arange(len(number)) - np.repeat(np.cumsum(count) - count, count)

@@ -13,6 +13,7 @@ from vkworkbench.gui.qt.names import (
     QDoubleSpinBox,
     QHBoxLayout,
     QMenu,
+    QSlider,
     QStyle,
     QStyleOptionComboBox,
     QStylePainter,
@@ -43,6 +44,7 @@ _VIEWS = (
     (QT_TRANSLATE_NOOP("Vk_Simulate", "Bottom"), "Bottom"),
     (QT_TRANSLATE_NOOP("Vk_Simulate", "As in the 3D View"), None),
 )
+_AXES = "XYZ"
 PART, CHIPS, BOTH = range(3)
 GAP = 4  # px between rows, and within them
 _MIN_LETTERS = 4  # minimum width of a box, in letters
@@ -62,6 +64,10 @@ class SceneBar(QWidget):
         The user chose a fault in a list.
     saved : Signal of object
         The user asked to save; the argument is a function of `exports`.
+    measure, path : QAction
+        Whether clicks measure, and whether the path of the tool is drawn.
+    section : SectionBar
+        The row of the section.
     controls, differences : QWidget
         The permanent row; the row for differences from the model, if surfaces are coloured by them.
     """
@@ -73,11 +79,14 @@ class SceneBar(QWidget):
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.views = _menu(
-            translate("Vk_Simulate", "View"), translate("Vk_Simulate", "Direction from which the part is viewed.")
+            translate("Vk_Simulate", "View"),
+            translate("Vk_Simulate", "Direction of the view, path of the tool, section, and measuring."),
         )
         for text, name in _VIEWS:
             action = self.views.menu().addAction(user().translate("Vk_Simulate", text))
             action.triggered.connect(lambda *_, n=name: self.looked.emit(n))
+        self.section = SectionBar()
+        self._add_aids(self.views.menu())
         self.colorings = _combo(translate("Vk_Simulate", "Property that colors the surfaces."))
         for text, _ in COLORINGS:
             self.colorings.addItem(user().translate("Vk_Simulate", text))
@@ -127,7 +136,7 @@ class SceneBar(QWidget):
         layout = QVBoxLayout(self)
         layout.setContentsMargins(0, 0, 0, 0)
         layout.setSpacing(GAP)
-        for widget in (self.controls, self.differences, self.legend):
+        for widget in (self.controls, self.differences, self.section, self.legend):
             layout.addWidget(widget)
 
     @property
@@ -151,6 +160,23 @@ class SceneBar(QWidget):
         self._list(self.worst, found, text)
         self.worst.setEnabled(bool(found))
 
+    def _add_aids(self, menu: QMenu) -> None:
+        """Add the path of the tool, sections and measuring to the menu of views."""
+        menu.addSeparator()
+        self.path = menu.addAction(translate("Vk_Simulate", "Path of the Tool"))
+        self.path.setToolTip(translate("Vk_Simulate", "Shows the path of the operation: blue is done, pink to come."))
+        self.measure = menu.addAction(translate("Vk_Simulate", "Measure"))
+        self.measure.setToolTip(translate("Vk_Simulate", "Two clicks on the part show their distance. Esc ends it."))
+        for action in (self.path, self.measure):
+            action.setCheckable(True)
+        self.path.toggled.connect(lambda *_: self.chosen.emit())
+        menu.addSeparator()
+        for axis, name in enumerate(_AXES):
+            action = menu.addAction(translate("Vk_Simulate", "Section in {}").format(name))
+            action.triggered.connect(lambda *_, axis=axis: self.section.begin(axis))
+        none = menu.addAction(translate("Vk_Simulate", "No Section"))
+        none.triggered.connect(lambda *_: self.section.begin(None))
+
     def _saving(self, menu: QMenu, text: str, work: Callable) -> QAction:
         action = menu.addAction(text)
         action.triggered.connect(lambda *_: self.saved.emit(work))
@@ -164,6 +190,48 @@ class SceneBar(QWidget):
             action = button.menu().addAction(short.replace("&", "&&"))
             action.setToolTip(as_html(words))
             action.triggered.connect(lambda *_, fault=fault: self.pointed.emit(fault))
+
+
+class SectionBar(QWidget):
+    """A slider that moves the section.
+
+    Attributes
+    ----------
+    axis : int or None
+        Axis at right angles to the section; None without a section.
+    changed : Signal
+        The section has moved, begun or ended.
+    """
+
+    changed = Signal()
+    _STEPS = 1000
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.axis: int | None = None
+        self.place = OneLine()
+        self.slider = QSlider(Qt.Horizontal)
+        self.slider.setRange(0, self._STEPS)
+        self.slider.setValue(self._STEPS // 2)
+        explain(self.slider, translate("Vk_Simulate", "Moves the section through the stock."))
+        self.slider.valueChanged.connect(lambda *_: self.changed.emit())
+        row = _fill(self, self.slider, self.place)
+        row.setStretch(0, 3)
+        row.setStretch(1, 1)
+
+    @property
+    def share(self) -> float:
+        """Place of the section in the stock, 0 to 1."""
+        return self.slider.value() / self._STEPS
+
+    def begin(self, axis: int | None) -> None:
+        """Show a section at right angles to an axis, or none."""
+        self.axis = axis
+        self.changed.emit()
+
+    def show_place(self, millimetres: float) -> None:
+        """Show the coordinate of the section."""
+        self.place.show_text(f"{_AXES[self.axis or 0]} {user().measure(millimetres, 4)}")
 
 
 class PlayBar(QWidget):

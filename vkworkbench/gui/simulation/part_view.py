@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 from math import floor, log10
+from typing import NamedTuple
 
 import FreeCAD
 import numpy as np
@@ -66,12 +67,29 @@ _ZOOM = 1.2  # factor for each notch of the wheel
 _RING = 14  # radius, px
 _MARGIN = 1.06  # size of the image relative to the stock
 _SCALE, _SCALE_GAP = 120, 8  # longest scale bar, and its distance from the corner, px
+_TRIAD, _LETTER = 26, 12  # length of the drawn axes, and the distance of their letters, px
+_AXIS_COLORS = ("#d64545", "#3f9b46", "#4477cc")
 
 
 def round_length(most: float) -> float:
     """Return the largest of the numbers 1, 2 and 5, multiplied by powers of ten, that is at most `most`."""
     power = 10.0 ** floor(log10(most))
     return next(digit * power for digit in (5, 2, 1) if digit * power <= most * (1 + 1e-9))
+
+
+class Surface(NamedTuple):
+    """A place on the part.
+
+    Attributes
+    ----------
+    owner : int
+        Trajectory that made the surface; -1 for the raw stock, `CUT_OPEN` for the face of a section.
+    place : (3,) ndarray
+        mm.
+    """
+
+    owner: int
+    place: np.ndarray
 
 
 class PartView(QWidget):
@@ -81,14 +99,14 @@ class PartView(QWidget):
     ----------
     changed, resized : Signal
         The view has changed, also by another size of the widget.
-    asked : Signal of int
-        The user clicked on a surface; the argument is the trajectory that made it, or -1 for the raw stock.
+    asked : Signal of Surface
+        The user clicked on a surface.
     restyled : Signal
         The theme and the background have changed.
     """
 
     changed, resized = Signal(), Signal()
-    asked = Signal(int)
+    asked = Signal(object)
     restyled = Signal()
 
     def __init__(self, stock: Stock, direction: tuple[float, float, float], parent: QWidget | None = None) -> None:
@@ -101,6 +119,7 @@ class PartView(QWidget):
         self._frame: Frame | None = None
         self._tool: tuple[Tool, np.ndarray] | None = None
         self._place_shown: tuple[float, float, float] | None = None
+        self._measured: tuple[np.ndarray, ...] = ()
         self._pressed = self._last = None
         self.setMinimumSize(160, 50)
         self.setSizePolicy(QSizePolicy.Expanding, QSizePolicy.Expanding)
@@ -151,6 +170,11 @@ class PartView(QWidget):
         self._place_shown = place
         self.update()
 
+    def show_measured(self, points: tuple[np.ndarray, ...]) -> None:
+        """Draw one or two measured points, mm, and the line between them."""
+        self._measured = points
+        self.update()
+
     def paintEvent(self, event) -> None:
         painter = QPainter(self)
         try:
@@ -183,8 +207,18 @@ class PartView(QWidget):
             for color, width in (("#ffffff", 5), ("#d32f2f", 2.5)):  # visible on any surface
                 painter.setPen(QPen(QColor(color), width * ratio))
                 painter.drawEllipse(QPointF(column, row), _RING * ratio, _RING * ratio)
+        if self._measured:
+            points = [QPointF(x, y) for x, y, _ in project(np.array(self._measured), wanted).tolist()]
+            painter.setRenderHint(QPainter.Antialiasing)
+            for color, width in (("#ffffff", 4), ("#1a5fb4", 2)):
+                painter.setPen(QPen(QColor(color), width * ratio))
+                painter.setBrush(QColor(color))
+                painter.drawPolyline(QPolygonF(points))
+                for point in points:
+                    painter.drawEllipse(point, width * ratio, width * ratio)
         painter.restore()
         self._paint_scale(painter, wanted.pixel * ratio)
+        self._paint_axes(painter, wanted)
 
     def _paint_scale(self, painter: QPainter, pixel: float) -> None:
         """Paint a bar of a round length; `pixel` is the size of the widget's pixels, mm."""
@@ -197,6 +231,20 @@ class PartView(QWidget):
             (left, bottom - _SCALE_GAP / 2), (left, bottom), (right, bottom), (right, bottom - _SCALE_GAP / 2)
         )]))  # fmt: skip
         painter.drawText(QPointF(left + _SCALE_GAP / 2, bottom - _SCALE_GAP / 2), user().measure(length, 1))
+
+    def _paint_axes(self, painter: QPainter, frame: Frame) -> None:
+        """Paint the directions of X, Y and Z, the nearest to the eye last."""
+        painter.setRenderHint(QPainter.Antialiasing)
+        centre = QPointF(self.width() - _TRIAD - _LETTER, self.height() - _TRIAD - _LETTER)
+        axes = zip(frame.direction, frame.right, frame.up, "XYZ", _AXIS_COLORS)
+        for _, right, up, name, color in sorted(axes, key=lambda axis: -axis[0]):
+            end = QPointF(centre.x() + _TRIAD * right, centre.y() - _TRIAD * up)
+            painter.setPen(QPen(QColor(color), 2))
+            painter.drawLine(centre, end)
+            away = 1 + _LETTER / (2 * _TRIAD)
+            letter = QPointF(centre.x() + _TRIAD * right * away, centre.y() - _TRIAD * up * away)
+            place = QRectF(letter.x() - _LETTER, letter.y() - _LETTER, 2 * _LETTER, 2 * _LETTER)
+            painter.drawText(place, int(Qt.AlignCenter), name)
 
     def _place(self, wanted: Frame) -> QRectF:
         """Return the rectangle of the shown scene in the image of the present view."""
@@ -238,12 +286,12 @@ class PartView(QWidget):
         clicked = self._pressed is not None and self._last == self._pressed and event.button() == Qt.LeftButton
         self._pressed = self._last = None
         if clicked:
-            owner = self.owner_at(event.pos())
-            if owner is not None:
-                self.asked.emit(owner)
+            surface = self.surface_at(event.pos())
+            if surface is not None:
+                self.asked.emit(surface)
 
-    def owner_at(self, where) -> int | None:
-        """Return the trajectory that made the surface at a pixel; -1 for raw stock, None for the background or before a scene."""
+    def surface_at(self, where) -> Surface | None:
+        """Return the surface at a pixel; None for the background, or before a scene."""
         if self._scene is None:
             return None
         ratio = self.devicePixelRatioF()
@@ -253,7 +301,8 @@ class PartView(QWidget):
         row = height - 1 - int((where.y() * ratio - place.top()) / place.height() * height)
         if not (0 <= column < width and 0 <= row < height) or np.isnan(self._scene.depth[row, column]):
             return None
-        return int(self._scene.owner[row, column])
+        (point,) = self._frame.points([column], [row], self._scene.depth[row, column : column + 1])
+        return Surface(int(self._scene.owner[row, column]), point)
 
     def wheelEvent(self, event) -> None:
         factor = _ZOOM ** (event.angleDelta().y() / 120)

@@ -10,7 +10,7 @@ from functools import lru_cache, partial
 import numpy as np
 
 from vkworkbench.core import Frame, Strategy
-from vkworkbench.core.rendering import CUT, Field, Scene, palette, scene
+from vkworkbench.core.rendering import CUT, Field, Scene, Section, draw_path, palette, scene
 from vkworkbench.document.simulation.job import SimulatedJob
 from vkworkbench.document.simulation.simulate import Simulation
 from vkworkbench.gui.qt.background import Background
@@ -20,6 +20,9 @@ from vkworkbench.gui.simulation.controls import CHIPS, PART, SceneBar
 from vkworkbench.gui.simulation.moment import Clock, Moment
 from vkworkbench.gui.simulation.part_view import PartView
 from vkworkbench.gui.simulation.simulating import Findings, Simulated
+
+# Colours of the path of the tool.
+PATH_DONE, PATH_TO_COME = (20, 90, 200), (200, 60, 160)
 
 
 class Drawing:
@@ -99,16 +102,33 @@ class Drawing:
         lit = None if moment.noticed is None else moment.of_command(moment.noticed)
         at = self.simulation, moment.done
         return Picture(
-            partial(self._field, *at, chips, shown != CHIPS),
+            partial(self._field, *at, chips, shown != CHIPS, self._section(frame)),
             self._coloring,
             partial(self._colors, *at),
             partial(scene, frame=frame, lit=lit, background=background),
+            self._paths(moment) if self.bar.path.isChecked() else (),
             frame,
         )
 
+    def _section(self, frame: Frame) -> Section | None:
+        """Return the chosen section, which hides the side of the eye."""
+        axis = self.bar.section.axis
+        if axis is None:
+            return None
+        low, high = self.job.stock.lower[axis], self.job.stock.upper[axis]
+        return Section(axis, float(low + self.bar.section.share * (high - low)), bool(frame.direction[axis] <= 0))
 
-def _field_of(simulation: Simulation, step: int, chips: tuple[int, int] | None, part: bool) -> Field:
-    return Field(simulation.at(step).zbuffer, chips, part)
+    def _paths(self, moment: Moment) -> tuple[np.ndarray, np.ndarray]:
+        """Return the path of the present operation from the moment back, and from the moment on."""
+        source = self.clock.cuts.source(moment.last)
+        points, at = self.clock.cuts.cuts[source.cut].toolpath.points, source.trajectory + (moment.done > 0)
+        return points[at::-1], points[at:]
+
+
+def _field_of(
+    simulation: Simulation, step: int, chips: tuple[int, int] | None, part: bool, section: Section | None
+) -> Field:
+    return Field(simulation.at(step).zbuffer, chips, part, section)
 
 
 def _colors_of(simulation: Simulation, step: int, coloring: Coloring) -> np.ndarray:
@@ -127,6 +147,8 @@ class Picture:
         Returns the colours of a colouring at the moment.
     scene : callable
         Returns the coloured scene of a field.
+    paths : tuple of (n, 3) ndarray
+        Paths to draw: the one done, and the one to come; empty for none.
     frame : Frame
         The frame of the image.
     """
@@ -135,12 +157,16 @@ class Picture:
     coloring: Callable[[], Coloring]
     colors: Callable[[Coloring], np.ndarray]
     scene: Callable[..., Scene]
+    paths: tuple[np.ndarray, ...]
     frame: Frame
 
     def draw(self) -> Drawn:
         """Draw the picture, in any thread. A picture takes about 0.05 s."""
         coloring = self.coloring()
-        return Drawn(self.scene(self.field(), colors=self.colors(coloring)), self.frame, coloring.legend)
+        drawn = self.scene(self.field(), colors=self.colors(coloring))
+        for path, color in zip(self.paths, (PATH_DONE, PATH_TO_COME)):
+            draw_path(drawn.pixels, path, self.frame, color)
+        return Drawn(drawn, self.frame, coloring.legend)
 
 
 @dataclass(frozen=True, eq=False)

@@ -10,7 +10,7 @@ import numpy as np
 
 from vkworkbench import preferences
 from vkworkbench.core import Frame, Strategy
-from vkworkbench.core.rendering import Scene, direction_of
+from vkworkbench.core.rendering import CUT_OPEN, Scene, direction_of
 from vkworkbench.document.computer.calibration import known_speed
 from vkworkbench.document.simulation.job import SimulatedJob
 from vkworkbench.document.simulation.simulate import Simulation
@@ -20,8 +20,9 @@ from vkworkbench.gui.qt.sentences import strategy_name, user
 from vkworkbench.gui.qt.text import translate
 from vkworkbench.gui.simulation.controls import GAP, PlayBar, SceneBar
 from vkworkbench.gui.simulation.faults import Fault, Judgement, KnownFaults, judge
+from vkworkbench.gui.simulation.measuring import Measuring
 from vkworkbench.gui.simulation.moment import Clock, Moment
-from vkworkbench.gui.simulation.part_view import PartView
+from vkworkbench.gui.simulation.part_view import PartView, Surface
 from vkworkbench.gui.simulation.pictures import Drawing, Pictures
 from vkworkbench.gui.simulation.simulating import Budgets, Findings, Simulated, Simulating
 from vkworkbench.gui.simulation.time_line import Block, TimeLine
@@ -68,6 +69,8 @@ class Player(QWidget):
         self.scene_bar, self.play_bar, self.state = SceneBar(), PlayBar(), StateLine()
         self.drawing = Drawing(job, self.clock, self.scene_bar)
         self.known = KnownFaults(job, self.clock)
+        self.measuring = Measuring(float(job.stock.upper[2]))
+        self._asked: Surface | None = None
         self._simulating: Simulating | None = None
         self._begin = single_shot(self.simulate, self)
         self._work, self._recognizing, self._judging = Background(self), Background(self), Background(self)
@@ -109,9 +112,11 @@ class Player(QWidget):
         """Show as many rows as fit, in the order of importance. FreeCAD's area ignores minimum heights."""
         always = (self.scene_bar.controls, self.play_bar.controls, self.time_line)
         left = self.height() - _PART - sum(widget.sizeHint().height() + GAP for widget in always)
-        for widget in (self.play_bar.text, self.scene_bar.differences, self.scene_bar.legend, self.state):
+        bar = self.scene_bar
+        unwanted = {bar.differences: not bar.compares, bar.section: bar.section.axis is None}
+        for widget in (self.play_bar.text, bar.section, bar.differences, bar.legend, self.state):
             needed = widget.sizeHint().height() + GAP
-            wanted = widget is not self.scene_bar.differences or self.scene_bar.compares
+            wanted = not unwanted.get(widget, False)
             widget.setVisible(wanted and needed <= left)
             left -= needed if wanted and needed <= left else 0
 
@@ -132,6 +137,8 @@ class Player(QWidget):
         self.scene_bar.pointed.connect(self.point)
         self.scene_bar.chosen.connect(self.pictures.draw)
         self.scene_bar.saved.connect(lambda save: save(self))
+        self.scene_bar.section.changed.connect(self._move_section)
+        self.scene_bar.measure.toggled.connect(lambda *_: self._measure())
 
     def _show_blocks(self) -> None:
         begins = self.clock.ends[self.clock.cuts.first]
@@ -246,6 +253,7 @@ class Player(QWidget):
     # Showing
 
     def _show_moment(self) -> None:
+        self._asked = None
         self.view.show_place(None)
         self.time_line.show_moment(self.moment.seconds)
         self.play_bar.show_playing(self.moment.plays)
@@ -262,7 +270,8 @@ class Player(QWidget):
         self.pictures.draw()
 
     def _show_text(self) -> None:
-        self.play_bar.text.show_text(self._moment_text())
+        measures = self.scene_bar.measure.isChecked()
+        self.play_bar.text.show_text(self.measuring.text() if measures else self._moment_text())
 
     def _moment_text(self) -> str:
         """Return the time, the command and its removed volume as text."""
@@ -276,7 +285,8 @@ class Player(QWidget):
         first, end = moment.of_command(moment.noticed)
         volume = float(self.volumes[first:end].sum())
         removed = translate("Vk_Simulate", "Removed: {}").format(user().volume(volume, 2))
-        return text + "   " + (removed if volume else translate("Vk_Simulate", "Nothing removed"))
+        text += "   " + (removed if volume else translate("Vk_Simulate", "Nothing removed"))
+        return text if self._asked is None else f"{text}   {self.measuring.depth(self._asked.place)}"
 
     # Requests of the user
 
@@ -299,15 +309,44 @@ class Player(QWidget):
         if fault.cut is not None:
             self._select(fault.cut)
 
-    def ask(self, trajectory: int) -> None:
-        """Go to the moment at which a surface was made, and select its operation."""
+    def ask(self, surface: Surface) -> None:
+        """Measure a surface; or go to the moment at which it was made, and select its operation."""
         if self.simulation is None:  # the shown scene comes from reading the job
             return
-        if trajectory < 0:
-            self.play_bar.text.show_text(translate("Vk_Simulate", "This is uncut stock."))
-            return
-        self.moment.after(trajectory)
-        self._select(self.clock.cuts.source(trajectory).cut)
+        if self.scene_bar.measure.isChecked():
+            self._measure(surface.place)
+        elif surface.owner < 0:
+            depth = self.measuring.depth(surface.place)
+            section = translate("Vk_Simulate", "This is the section.")
+            text = section if surface.owner == CUT_OPEN else translate("Vk_Simulate", "This is uncut stock.")
+            self.play_bar.text.show_text(f"{text}   {depth}")
+        else:
+            self.moment.after(surface.owner)
+            self._asked = surface
+            self._select(self.clock.cuts.source(surface.owner).cut)
+
+    def _measure(self, point: np.ndarray | None = None) -> None:
+        """Measure a point, or begin or end measuring."""
+        self.measuring.points = () if point is None else self.measuring.points
+        if point is not None:
+            self.measuring.add(point)
+        self.view.show_measured(self.measuring.points)
+        self._show_text()
+
+    def end_measuring(self) -> bool:
+        """End measuring, and return whether the user was measuring."""
+        measures = self.scene_bar.measure.isChecked()
+        self.scene_bar.measure.setChecked(False)
+        return measures
+
+    def _move_section(self) -> None:
+        """Show the section at its new place."""
+        section, stock = self.scene_bar.section, self.job.stock
+        if section.axis is not None:
+            low, high = stock.lower[section.axis], stock.upper[section.axis]
+            section.show_place(float(low + section.share * (high - low)))
+        self._make_room()
+        self.pictures.draw()
 
     def _select(self, cut: int) -> None:
         """Select an operation in the tree."""

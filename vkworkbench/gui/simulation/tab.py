@@ -62,7 +62,7 @@ class SimulationTab(KeyedWidget):
         self._asked = QTimer(self)
         self._asked.setSingleShot(True)
         self._asked.setInterval(_SELECTED)
-        self.keys = {int(Qt.Key_Escape): lambda: self.window_of().close()}
+        self.keys = {int(Qt.Key_Escape): self._leave}
         FreeCAD.addDocumentObserver(self)
         self.reading = Reading(copy)
         self.reading.read.connect(self._simulate)
@@ -98,6 +98,11 @@ class SimulationTab(KeyedWidget):
         self.setFocusProxy(player.time_line)
 
     # The tab
+
+    def _leave(self) -> None:
+        """End measuring, or close the tab."""
+        if self.player is None or not self.player.end_measuring():
+            self.window_of().close()
 
     def come_to_front(self) -> None:
         """Show the tab in front of FreeCAD's other tabs."""
