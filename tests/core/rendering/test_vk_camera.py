@@ -6,12 +6,12 @@ from __future__ import annotations
 import colorsys
 import struct
 import zlib
-from math import pi, radians, sqrt
+from math import pi, sqrt
 
 import numpy as np
 import pytest
 
-from vkworkbench.core import Stock, Tool, View
+from vkworkbench.core import Stock, View
 from vkworkbench.core.rendering import (
     RAW,
     colors_of,
@@ -21,7 +21,6 @@ from vkworkbench.core.rendering import (
     png,
     project,
     scale_colors,
-    tool_outline,
     turned,
 )  # fmt: skip
 
@@ -74,44 +73,6 @@ def test_points_lie_where_their_pixels_are():
 def polygon_area(corners):
     (x, y), (x1, y1) = corners.T, np.roll(corners, -1, axis=0).T
     return abs((x * y1 - x1 * y).sum()) / 2
-
-
-def test_outlines_have_area_of_tools_and_few_corners():
-    """A shank of three diameters above a flat end, a cone, and a half circle in twelve chords."""
-    shank, (front, above) = 6 * 18, (View(direction, 800, 600).frame(STOCK) for direction in ((0, 1, 0), (0, 0, -1)))
-    for tool, tip, corners in (
-        (Tool("endmill", 6), 0, 4),
-        (Tool("vbit", 6, tip_angle=pi / 2), 9, 5),
-        (Tool("ballend", 6), 9 * 6 * np.sin(pi / 12), 15),
-        (Tool("vbit", 6, tip_angle=pi / 2, tip_diameter=2), 8, 6),
-        (Tool("vbit", 6, tip_angle=pi / 2, tip_diameter=4.4), 5.2 * 0.8, 6),
-    ):
-        outline = tool_outline(tool, (40, 30, 5), front) * front.pixel
-        assert len(outline) == corners and polygon_area(outline) == pytest.approx(shank + tip, rel=1e-5)
-        assert np.ptp(outline[:, 1]) == pytest.approx(18 + float(tool.height(3.0)))
-        assert len(tool_outline(tool, (40, 30, 5), above)) == 32
-
-
-def test_the_outline_of_a_bull_nose_has_all_of_its_flat():
-    frame = View((0, 1, 0), 800, 600).frame(STOCK)
-    for corner in (0.3, 1.0):
-        outline = tool_outline(Tool("bullnose", 6, corner), (40, 30, 5), frame)
-        x, y = ((outline - project([(40, 30, 5)], frame)[0, :2]) * frame.pixel).T
-        assert sorted(x[np.isclose(y, 0)]) == pytest.approx([corner - 3, 3 - corner])
-
-
-@pytest.mark.parametrize("tool", [
-    Tool("endmill", 6), Tool("ballend", 6), Tool("bullnose", 6, 1.0), Tool("vbit", 6, tip_angle=radians(60)),
-    Tool("drill", 6),
-])  # fmt: skip
-def test_tool_outline_begins_at_the_tip(tool):
-    frame = View((0, 1, 0), 800, 600).frame(STOCK)
-    column, row = (tool_outline(tool, (40, 30, 5), frame) * frame.pixel).T
-    tip = project([(40, 30, 5)], frame)[0] * frame.pixel
-    assert row.max() == pytest.approx(tip[1]) and np.ptp(column) == pytest.approx(6)
-    assert (column.min() + column.max()) / 2 == pytest.approx(tip[0])
-    from_above = tool_outline(tool, (40, 30, 5), View(width=800, height=600).frame(STOCK)) * frame.pixel
-    assert np.ptp(from_above, axis=0) == pytest.approx([6, 6])
 
 
 def test_a_png_holds_the_image():

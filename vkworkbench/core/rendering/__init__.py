@@ -26,9 +26,9 @@ from vkworkbench.core.rendering.path import draw_path
 from vkworkbench.core.rendering.png import png
 from vkworkbench.core.rendering.scene import CUT_OPEN, LIT, SECTION, Scene, scene
 from vkworkbench.core.rendering.shading import BACKGROUND, shade
-from vkworkbench.core.rendering.tool_outline import tool_outline
+from vkworkbench.core.rendering.tool_picture import draw_tool
 
 __all__ = [
     "BACKGROUND", "CUT", "CUT_OPEN", "DEEPEST", "GOUGED", "LEFT", "LIT", "MET", "NO_MODEL", "RAW", "SCALE", "SECTION", "Field", "Scene", "Section",
-    "colors_of", "difference_colors", "direction_of", "distinct_colors", "draw_path", "palette", "png", "project", "scale_colors", "scene", "shade", "tool_outline", "turned",
+    "colors_of", "difference_colors", "direction_of", "distinct_colors", "draw_path", "draw_tool", "palette", "png", "project", "scale_colors", "scene", "shade", "turned",
 ]  # fmt: skip

@@ -9,8 +9,8 @@ from typing import NamedTuple
 import FreeCAD
 import numpy as np
 
-from vkworkbench.core import Frame, Stock, Tool, View
-from vkworkbench.core.rendering import Scene, project, tool_outline, turned
+from vkworkbench.core import Frame, Stock, View
+from vkworkbench.core.rendering import Scene, project, turned
 from vkworkbench.gui.qt.colors import paper
 from vkworkbench.gui.qt.names import (
     QApplication,
@@ -117,7 +117,6 @@ class PartView(QWidget):
         self._scene: Scene | None = None
         self._image = QImage()
         self._frame: Frame | None = None
-        self._tool: tuple[Tool, np.ndarray] | None = None
         self._place_shown: tuple[float, float, float] | None = None
         self._measured: tuple[np.ndarray, ...] = ()
         self._pressed = self._last = None
@@ -160,11 +159,6 @@ class PartView(QWidget):
         self._image = QImage(scene.pixels.tobytes(), width, height, 4 * width, QImage.Format_RGB32).copy()
         self.update()
 
-    def show_tool(self, tool: Tool, tip: np.ndarray) -> None:
-        """Draw the tool with its tip at a point, mm."""
-        self._tool = tool, tip
-        self.update()
-
     def show_place(self, place: tuple[float, float, float] | None) -> None:
         """Draw a ring around a place, mm; remove the ring for None."""
         self._place_shown = place
@@ -192,14 +186,6 @@ class PartView(QWidget):
         # The scene of the latest change is still being drawn; its place shows where the part is going.
         wanted = self.frame
         painter.drawImage(self._place(wanted), self._image)
-        if self._tool is not None:
-            outline = QPolygonF([QPointF(x, y) for x, y in tool_outline(*self._tool, wanted).tolist()])
-            painter.setRenderHint(QPainter.Antialiasing)
-            color = QColor("#f2c14e")
-            painter.setPen(QPen(color, 1.5 * ratio))
-            color.setAlpha(90)
-            painter.setBrush(color)
-            painter.drawPolygon(outline)
         if self._place_shown is not None:
             column, row, _ = project(np.array([self._place_shown]), wanted)[0]
             painter.setRenderHint(QPainter.Antialiasing)

@@ -9,8 +9,8 @@ from functools import lru_cache, partial
 
 import numpy as np
 
-from vkworkbench.core import Frame, Strategy
-from vkworkbench.core.rendering import CUT, Field, Scene, Section, draw_path, palette, scene
+from vkworkbench.core import Frame, Strategy, Tool
+from vkworkbench.core.rendering import CUT, Field, Scene, Section, draw_path, draw_tool, palette, scene
 from vkworkbench.document.simulation.job import SimulatedJob
 from vkworkbench.document.simulation.simulate import Simulation
 from vkworkbench.gui.qt.background import Background
@@ -107,6 +107,7 @@ class Drawing:
             partial(self._colors, *at),
             partial(scene, frame=frame, lit=lit, background=background),
             self._paths(moment) if self.bar.path.isChecked() else (),
+            self._tool(moment),
             frame,
         )
 
@@ -117,6 +118,10 @@ class Drawing:
             return None
         low, high = self.job.stock.lower[axis], self.job.stock.upper[axis]
         return Section(axis, float(low + self.bar.section.share * (high - low)), bool(frame.direction[axis] <= 0))
+
+    def _tool(self, moment: Moment) -> tuple[Tool, np.ndarray]:
+        number, tip = moment.tool_tip()
+        return self.job.cuts[number].tool, tip
 
     def _paths(self, moment: Moment) -> tuple[np.ndarray, np.ndarray]:
         """Return the path of the present operation from the moment back, and from the moment on."""
@@ -149,6 +154,8 @@ class Picture:
         Returns the coloured scene of a field.
     paths : tuple of (n, 3) ndarray
         Paths to draw: the one done, and the one to come; empty for none.
+    tool : tuple of Tool and (3,) ndarray
+        The tool, and the position of its tip, mm.
     frame : Frame
         The frame of the image.
     """
@@ -158,6 +165,7 @@ class Picture:
     colors: Callable[[Coloring], np.ndarray]
     scene: Callable[..., Scene]
     paths: tuple[np.ndarray, ...]
+    tool: tuple[Tool, np.ndarray]
     frame: Frame
 
     def draw(self) -> Drawn:
@@ -166,6 +174,7 @@ class Picture:
         drawn = self.scene(self.field(), colors=self.colors(coloring))
         for path, color in zip(self.paths, (PATH_DONE, PATH_TO_COME)):
             draw_path(drawn.pixels, path, self.frame, color)
+        draw_tool(drawn, *self.tool, self.frame)
         return Drawn(drawn, self.frame, coloring.legend)
 
 
@@ -236,8 +245,7 @@ class Pictures(QObject):
         if self._drawing.simulation is None:
             return
         picture = self._drawing.picture(self._moment, self._view.frame, self._view.background)
-        show = partial(self._show, self._moment.tool_tip())
-        self._background.start("", lambda _: [picture.draw()], show, self._ended)
+        self._background.start("", lambda _: [picture.draw()], self._show, self._ended)
         self.begun.emit()
 
     def show_now(self) -> None:
@@ -245,17 +253,15 @@ class Pictures(QObject):
         self._background.give_up()
         self._changed = False
         picture = self._drawing.picture(self._moment, self._view.frame, self._view.background)
-        self._show(self._moment.tool_tip(), picture.draw())
+        self._show(picture.draw())
         self.begun.emit()
 
     def end(self) -> None:
         """Stop drawing."""
         self._background.give_up()
 
-    def _show(self, tool: tuple[int, np.ndarray], drawn: Drawn) -> None:
+    def _show(self, drawn: Drawn) -> None:
         self._view.show_scene(drawn.scene, drawn.frame)
-        number, tip = tool
-        self._view.show_tool(self._drawing.job.cuts[number].tool, tip)
         if drawn.legend is not self._legend:
             self._legend = drawn.legend
             self._drawing.bar.legend.show_entries(drawn.legend())

@@ -1,0 +1,145 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The tool in a picture: a shaded solid with flutes, shank and holder, hidden by the part before it."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import NamedTuple
+
+import numpy as np
+
+from vkworkbench.core.rendering.camera import project
+from vkworkbench.core.rendering.scene import Scene
+from vkworkbench.core.rendering.shading import LIGHT, light
+from vkworkbench.core.tool import Tool
+from vkworkbench.core.view import Frame
+
+# Lengths of flutes and of a shank with unknown sizes, in diameters; rings of a rounded tip.
+_FLUTES, _SHANK, _RINGS = 3.0, 2.0, 7
+# Colours of cutter, shank and holder, and their opacities: what a holder covers stays visible.
+_CUTTER, _SHAFT, _HOLDER = ((236, 196, 92), 0.9), ((176, 182, 192), 0.9), ((112, 120, 138), 0.5)
+# Drawn flutes: their number, their pitch in diameters, their share of the surface, and the light that they lose.
+_NUMBER, _PITCH, _SHARE, _DARKER = 3, 3.0, 0.35, 0.35
+
+
+class _Ring(NamedTuple):
+    """A ring around the axis of the tool: its radius and its height above the tip, mm."""
+
+    radius: float
+    height: float
+
+
+class _Hits(NamedTuple):
+    """Where the rays of pixels meet a part of the tool: depth and place (k,), normals and place relative to the tip (k, 3)."""
+
+    column: np.ndarray
+    row: np.ndarray
+    depth: np.ndarray
+    normal: np.ndarray
+    place: np.ndarray
+
+
+def draw_tool(scene: Scene, tool: Tool, tip: np.ndarray, frame: Frame) -> None:
+    """Draw a tool into a picture.
+
+    Parameters
+    ----------
+    scene : Scene
+        Its pixels are changed.
+    tool : Tool
+    tip : (3,) array_like
+        Position of the tip, mm.
+    frame : Frame
+        Frame of the picture.
+    """
+    towards = LIGHT @ np.array([frame.right, frame.up, -frame.direction])
+    nearest = np.where(np.isnan(scene.depth), np.float32(np.inf), scene.depth)
+    part = scene.pixels.copy()
+    for one, other, (color, opacity), is_fluted in _pieces(tool):
+        hits = _meet(one, other, np.asarray(tip, float), frame)
+        near = hits.depth < nearest[hits.row, hits.column]
+        column, row, depth, normal, place = (values[near] for values in hits)
+        nearest[row, column] = depth
+        brightness = light((normal[:, 0], normal[:, 1], normal[:, 2]), towards)
+        if is_fluted:
+            turns = _NUMBER * (
+                np.arctan2(place[:, 1], place[:, 0]) / (2 * np.pi) + place[:, 2] / (_PITCH * tool.diameter)
+            )
+            brightness *= 1 - _DARKER * (turns % 1 < _SHARE)
+        top_row = frame.height - 1 - row
+        behind = part[top_row, column]
+        mixed = np.full(len(row), 0xFF, np.uint32)
+        for channel, shift in zip(color, (16, 8, 0)):
+            under = (behind >> np.uint32(shift)) & np.uint32(0xFF)
+            shown = opacity * np.minimum(channel * brightness, 255) + (1 - opacity) * under
+            mixed = mixed << np.uint32(8) | shown.astype(np.uint32)
+        scene.pixels[top_row, column] = mixed
+
+
+def _pieces(tool: Tool) -> Iterator[tuple[_Ring, _Ring, tuple[tuple[int, int, int], float], bool]]:
+    """Yield the rings at both ends of each piece of the tool's surface, its colour, and whether it has flutes."""
+    share = np.sin(np.linspace(0, np.pi / 2, _RINGS)) if tool.rounding else np.array([0.0, 1.0])
+    radii = np.union1d(tool.radius * share, (tool.tip, tool.radius - tool.rounding))
+    rings = [_Ring(*pair) for pair in zip(radii.tolist(), tool.height(radii).tolist())]
+    end = max(tool.cutting_edge_height or tool.rim + _FLUTES * tool.diameter, tool.rim)
+    rings.append(_Ring(tool.radius, end))
+    kinds = [_CUTTER] * (len(rings) - 1)
+    shank = (tool.shank_diameter or tool.diameter) / 2
+    top = max(tool.length or end + _SHANK * tool.diameter, end)
+    rings += [_Ring(shank, end), _Ring(shank, top)]
+    kinds += [_SHAFT] * 2
+    if tool.holder_diameter and tool.holder_length:
+        rings += [_Ring(tool.holder_diameter / 2, top), _Ring(tool.holder_diameter / 2, top + tool.holder_length)]
+        kinds += [_HOLDER] * 2
+    rings.append(_Ring(0.0, rings[-1].height))
+    kinds.append(kinds[-1])
+    for one, other, kind in zip(rings, rings[1:], kinds):
+        if one != other:
+            yield one, other, kind, kind is _CUTTER
+
+
+def _meet(one: _Ring, other: _Ring, tip: np.ndarray, frame: Frame) -> _Hits:
+    """Return where rays meet the surface of a cone between two rings, or the disc if both have one height."""
+    column, row = _around(one, other, tip, frame)
+    origin = frame.origins(*frame.pixel_centres(column, row)) - tip
+    direction = frame.direction
+    depths: list[np.ndarray] = []
+    if one.height == other.height:
+        slope, bounds = np.inf, sorted((one.radius, other.radius))
+        if direction[2]:  # otherwise the disc is seen from its edge
+            depths = [(one.height - origin[:, 2]) / direction[2]]
+    else:
+        slope, bounds = (other.radius - one.radius) / (other.height - one.height), sorted((one.height, other.height))
+        radius = one.radius + slope * (origin[:, 2] - one.height)
+        a = direction[:2] @ direction[:2] - (slope * direction[2]) ** 2
+        b = origin[:, :2] @ direction[:2] - slope * direction[2] * radius
+        c = (origin[:, :2] ** 2).sum(axis=1) - radius**2
+        if a:  # otherwise the surface is seen from its edge
+            root = np.sqrt(np.where(b * b < a * c, np.nan, b * b - a * c))
+            depths = [(-b - root) / a, (-b + root) / a]
+    best = np.full(len(column), np.inf)
+    for depth in depths:
+        place = origin + depth[:, None] * direction
+        within = np.hypot(place[:, 0], place[:, 1]) if np.isinf(slope) else place[:, 2]
+        best = np.where((within >= bounds[0]) & (within <= bounds[1]) & (depth < best), depth, best)
+    hit = np.flatnonzero(np.isfinite(best))
+    depth, place = best[hit], origin[hit] + best[hit, None] * direction
+    normal = np.zeros_like(place)
+    if np.isinf(slope):
+        normal[:, 2] = -np.sign(direction[2])
+    else:
+        normal[:, :2] = place[:, :2] / np.maximum(np.hypot(place[:, 0], place[:, 1]), 1e-9)[:, None]
+        normal[:, 2] = -slope
+        normal /= np.hypot(1, slope)
+    return _Hits(column[hit], row[hit], depth.astype(np.float32), normal.astype(np.float32), place)
+
+
+def _around(one: _Ring, other: _Ring, tip: np.ndarray, frame: Frame) -> tuple[np.ndarray, np.ndarray]:
+    """Return columns and rows, from below, of the pixels around two rings."""
+    centres = project(tip + np.array([(0, 0, one.height), (0, 0, other.height)]), frame)[:, :2]
+    reach = np.array([one.radius, other.radius])[:, None] / frame.pixel * (1, abs(frame.direction[2]))
+    low, high = (centres - reach).min(axis=0), (centres + reach).max(axis=0)
+    size = np.array([frame.width, frame.height])
+    first, end = np.clip(np.floor(low), 0, size).astype(int), np.clip(np.ceil(high) + 1, 0, size).astype(int)
+    row, column = np.mgrid[first[1] : end[1], first[0] : end[0]]
+    return column.ravel(), frame.height - 1 - row.ravel()
