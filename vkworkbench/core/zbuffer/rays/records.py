@@ -158,6 +158,10 @@ class Records:
         return result
 
 
+# Stretches that are searched at once.
+_BLOCK = 1 << 14
+
+
 def first_not_below(values: np.ndarray, first: np.ndarray, end: np.ndarray, sought: np.ndarray | float) -> np.ndarray:
     """Search ascending stretches ``values[first:end]`` of an array, by simultaneous binary searches.
 
@@ -174,11 +178,15 @@ def first_not_below(values: np.ndarray, first: np.ndarray, end: np.ndarray, soug
         Position of the first value in each stretch that is not below `sought`; `end` without one.
     """
     low = first.copy()
-    for bit in reversed(range(int((end - first).max(initial=0)).bit_length())):
-        probe = low + (1 << bit)
-        below = values[np.minimum(probe, len(values)) - 1] < sought
-        below &= probe <= end
-        low += below.astype(np.int64) << bit
+    for begin in range(0, len(low), _BLOCK):  # blocks that fit into the cache of a processor
+        part = slice(begin, begin + _BLOCK)
+        own, own_end = low[part], end[part]
+        own_sought = sought[part] if isinstance(sought, np.ndarray) else sought
+        for bit in reversed(range(int((own_end - own).max(initial=0)).bit_length())):
+            probe = own + (1 << bit)
+            below = values[np.minimum(probe, len(values)) - 1] < own_sought
+            below &= probe <= own_end
+            own += below.astype(np.int64) << bit
     return low
 
 
