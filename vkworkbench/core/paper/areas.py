@@ -7,7 +7,7 @@ from functools import cached_property
 
 import numpy as np
 
-from vkworkbench.core.paper.directions import signs_of_reversals, top_level, total_turns
+from vkworkbench.core.paper.directions import extremes, signs_of_reversals, top_level, total_turns
 from vkworkbench.core.paper.loops import closed_loops, closing_turns, is_closed, may_be_closed
 from vkworkbench.core.paper.moves import Moves, cutting_moves
 from vkworkbench.core.paper.signature import Signature
@@ -126,12 +126,16 @@ class Areas(Moves):
         return result
 
     @cached_property
+    def signed_extremes(self) -> tuple[np.ndarray, np.ndarray]:
+        """Lowest and highest phi of each area with a sign for every half turn, (a,) rad each, without closing turns."""
+        return extremes(self.signed[1], self.start) if len(self.unsigned) else self.phi_extremes
+
+    @cached_property
     def phi_ranges(self) -> np.ndarray:
         """Lowest and highest phi reached in each area, closing turns included, (a, 2) rad."""
         if not len(self):
             return np.empty((0, 2))
-        phi, total = self.signed[1], self.total_turning
-        low, high = np.minimum.reduceat(phi, self.start), np.maximum.reduceat(phi, self.start)
+        (low, high), total = self.signed_extremes, self.total_turning
         return np.array([np.minimum(low, total), np.maximum(high, total)]).T
 
     @cached_property

@@ -64,7 +64,8 @@ def paper_verdict(areas: Areas) -> PaperVerdict | None:
         return None
     area = int(np.argmax(areas.area_length))
     found = areas.signature(area)
-    phi_range = float(found.phi.min()), float(found.phi.max())
+    low, high = areas.signed_extremes
+    phi_range = float(low[area]), float(high[area])
     reached = abs(farthest(phi_range))
     strategy = Strategy.UNKNOWN
     if reached > TURN + TURNS.EXACT:
@@ -77,7 +78,7 @@ def paper_verdict(areas: Areas) -> PaperVerdict | None:
     turns(theta, out=turned[1:], scratch=image[1:])
     np.cumsum(turned, out=image)
     net, both_ways = float(image[-1]), float(np.abs(turned, out=turned).sum())
-    image += theta[0]
+    theta_range = float(image.min() + theta[0]), float(image.max() + theta[0])
     sense = None
     if both_ways > TURNS.EXACT and both_ways - abs(net) <= 2 * TURNS.BACK_AND_FORTH * both_ways:
         sense = "ccw" if net > 0 else "cw"
@@ -87,6 +88,6 @@ def paper_verdict(areas: Areas) -> PaperVerdict | None:
         top_level(phi_range),
         phi_range,
         (float(found.x[-1] + found.dx[-1] - found.x[0]), float(found.y[-1] + found.dy[-1] - found.y[0])),
-        (float(image.min()), float(image.max())),
+        theta_range,
         sense,
     )

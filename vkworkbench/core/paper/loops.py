@@ -127,10 +127,12 @@ def _returns(
     moves: Moves, x: np.ndarray, y: np.ndarray, at: np.ndarray, area: np.ndarray, width: float, origin: float
 ) -> tuple[np.ndarray, np.ndarray]:
     """Return the stretches that turn by +-2 pi between two visits of a cell; cells are `width` times LOOPS.CLOSE wide."""
-    column, row = ((v * (1 / width) + origin).astype(np.int32).view(np.uint32) for v in (x, y))
+    scaled = (x, y) if width == 1 else (x * (1 / width), y * (1 / width))
+    column, row = ((v + origin).astype(np.int32).view(np.uint32) for v in scaled)
     # Hashing the cells takes O(n), sorting all vertices O(n log n). The products overflow on purpose; their high bits are
-    # the hash. The table has at least four places per vertex, because cells with equal hashes have to be sorted.
-    bits = (4 * len(x)).bit_length()
+    # the hash. The table has at least two places per vertex: cells with equal hashes have to be sorted, and a larger
+    # table is not kept in the processor's cache.
+    bits = (2 * len(x)).bit_length()
     cell = column * np.uint32(2654435769)
     cell += row * np.uint32(2246822519)
     if len(area):
@@ -144,15 +146,19 @@ def _returns(
     one = np.flatnonzero(latest != order)  # every visit but the last
     two, own = latest[one], cell[one]
     table[own] = one
-    last_but_one = table.take(own)
-    table[np.flip(own)] = np.flip(one)
-    crowded = last_but_one != table.take(own)
+    last = table.take(own) == one  # the last but one visit of its hash
+    table[own[~last]] = -1
+    crowded = table.take(own) < 0
     if crowded.any():
         # Most cells are visited twice, at the beginning and the end of a loop. Visits with a crowded hash are sorted by
         # cell: they may belong to several cells, or to a cell with more than two visits.
-        many = np.append(one[crowded], two[crowded & (one == last_but_one)])
-        keys = (many, row[many], column[many])
-        many = many[np.lexsort((*keys, area[many]) if len(area) else keys)]
+        among = np.zeros(len(cell), bool)
+        among[one[crowded]] = among[two[crowded & last]] = True
+        many = np.flatnonzero(among)
+        keys = column[many].astype(np.uint64)
+        keys <<= np.uint64(32)
+        keys |= row[many]
+        many = many[np.lexsort((keys, area[many])) if len(area) else np.argsort(keys, kind="stable")]
         one, two = np.append(one[~crowded], many[:-1]), np.append(two[~crowded], many[1:])
     near = np.maximum(np.abs(x[one] - x[two]), np.abs(y[one] - y[two])) <= 1
     if len(area):

@@ -8,7 +8,7 @@ from functools import cached_property
 
 import numpy as np
 
-from vkworkbench.core.paper.directions import directions, turns
+from vkworkbench.core.paper.directions import directions, extremes, turns
 from vkworkbench.core.paper.plane import plane_of_toolpath
 from vkworkbench.core.paper.thresholds import MOVES, TURNS
 from vkworkbench.core.toolpath import Toolpath
@@ -64,10 +64,16 @@ class Moves:
         return len(self.index)
 
     @cached_property
+    def phi_extremes(self) -> tuple[np.ndarray, np.ndarray]:
+        """Lowest and highest phi of each area, (a,) rad each."""
+        return extremes(self.phi, self.start)
+
+    @cached_property
     def phi_extent(self) -> np.ndarray:
         """Difference between the highest and the lowest phi of each area, (a,) rad."""
-        extent: np.ndarray = np.maximum.reduceat(self.phi, self.start) - np.minimum.reduceat(self.phi, self.start)
-        return extent
+        low, high = self.phi_extremes
+        found: np.ndarray = high - low
+        return found
 
 
 def cutting_moves(toolpath: Toolpath, first: int, end: int) -> Moves:

@@ -66,7 +66,7 @@ class Pieces:
         """Return the number of pieces."""
         return len(self.start)
 
-    @property
+    @cached_property
     def flat(self) -> np.ndarray:
         """Whether each piece stays at one height, (k,)."""
         return self.rise < ROUNDING.HEIGHT
@@ -175,7 +175,8 @@ class _Stretches:
         last = self.end - 1
         self.x, self.y = moves.x[start], moves.y[start]
         self.end_x, self.end_y = moves.x[last] + moves.dx[last], moves.y[last] + moves.dy[last]
-        self.gap = np.hypot(self.end_x - self.x, self.end_y - self.y)
+        gap_x, gap_y = self.end_x - self.x, self.end_y - self.y
+        self.gap = np.sqrt(gap_x * gap_x + gap_y * gap_y)  # many times faster than np.hypot
         twice_area = np.add.reduceat(moves.twice_swept, start)
         self.enclosed = (twice_area + self.end_x * self.y - self.end_y * self.x) / 2
 
@@ -217,11 +218,10 @@ class _Stretches:
         """Return the pieces with all their measures."""
         moves, start = self.moves, self.start
         low, high = np.minimum, np.maximum
-        last_z = moves.z[self.end - 1]
+        z = last_z = moves.z[self.end - 1]
         first_z = moves.z[start] - moves.dz[start]
-        if not moves.climbs:
-            z, rise = last_z, np.zeros(len(start))
-        else:
+        rise = np.zeros(len(start))
+        if moves.climbs:
             middle = moves.z - moves.dz / 2
             middle *= moves.length
             z = np.add.reduceat(middle, start) / self.length

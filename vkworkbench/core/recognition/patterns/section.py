@@ -85,9 +85,6 @@ class Section:
         """Length of all pieces, mm."""
         return float(self.pieces.length.sum())
 
-    def _share_of_pieces(self, chosen: np.ndarray) -> float:
-        return float(self.pieces.length[chosen].sum()) / self.length
-
     @cached_property
     def _slots(self) -> np.ndarray:
         return _retraced(self.moves, self.pieces)
@@ -102,12 +99,12 @@ class Section:
     @cached_property
     def zigzag(self) -> float:
         """Share of the length in pieces that go back and forth."""
-        return self._share_of_pieces(self._kinds == ZIGZAG)
+        return float((self.pieces.length * (self._kinds == ZIGZAG)).sum()) / self.length
 
     @cached_property
     def retraced(self) -> float:
         """Share of the length in pieces that go back and forth on one line."""
-        return self._share_of_pieces(self._slots)
+        return float(self.pieces.length[self._slots].sum()) / self.length
 
     @cached_property
     def rings(self) -> Rings:

@@ -144,8 +144,8 @@ def _measure_rings(section: Section, extent: float) -> dict[str, float]:
     round_ = 4 * np.pi * float((np.abs(pieces.enclosed[rings.index]) / rings.length).sum())
     return {
         **dict(zip((*FLAGS, "hunting", "aside"), shares.tolist())),
-        "loops": float(pieces.length[pieces.kind == LOOP].sum()) / section.length,
-        "windings": float(pieces.length[pieces.kind == WINDING].sum()) / section.length,
+        "loops": float((pieces.length * (pieces.kind == LOOP)).sum()) / section.length,
+        "windings": float((pieces.length * (pieces.kind == WINDING)).sum()) / section.length,
         "ring_step": float(np.log1p(100 * rings.step / extent)) if np.isfinite(rings.step) else -1.0,
         "roundness": round_ / length if length else 0.0,
         "rings": float(np.log1p(len(rings))),

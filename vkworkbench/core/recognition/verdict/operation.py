@@ -46,7 +46,8 @@ def recognize_one(toolpath: Toolpath, moves: Areas, first: int, last: int, tool:
     spans = spans_of(toolpath, runs)
     strategy = verdict.strategy
     entered = strategy.is_answer and strategy not in (Strategy.MIXED, Strategy.HELIX)
-    entry = find_entry(moves) if entered and (np.diff(toolpath.points[: last + 2, 2]) < 0).any() else None
+    z = toolpath.points[: last + 2, 2]
+    entry = find_entry(moves) if entered and (z[1:] < z[:-1]).any() else None
     finishing = verdict.finished and strategy.family is Family.ROWS
     finishing |= strategy is Strategy.ADAPTIVE and section.ends_with_contour()
     numbers = {**vars(evidence), "entry": entry, "finishing": finishing}
