@@ -9,8 +9,8 @@ from vkworkbench.core.paper import monotonous_areas
 from vkworkbench.core.recognition.patterns.entries import find_entry, without_entries
 from vkworkbench.core.recognition.patterns.footprints import count_depths
 from vkworkbench.core.recognition.patterns.neighbours import _percentiles
+from vkworkbench.core.recognition.patterns.rows import median
 from vkworkbench.core.recognition.thresholds import ROUNDING
-from vkworkbench.core.recognition.verdict.crossings import _median
 from vkworkbench.core.recognition.verdict.forest import Forest
 
 
@@ -18,7 +18,7 @@ from vkworkbench.core.recognition.verdict.forest import Forest
 def test_median_equals_numpy(number):
     rng = np.random.default_rng(number)
     for values in (rng.normal(size=number), rng.integers(0, 4, number).astype(float)):
-        assert _median(values) == np.median(values)
+        assert median(values) == np.median(values)
 
 
 def test_percentiles_by_row_equal_numpy():

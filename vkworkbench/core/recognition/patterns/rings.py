@@ -6,6 +6,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass
 from functools import cached_property
+from typing import NamedTuple
 
 import numpy as np
 
@@ -104,29 +105,8 @@ def relate_rings(pieces: Pieces, index: np.ndarray, tool: float) -> Rings:
     shapes = _shapes(pieces, index)
     inward = Inward(shapes)
     limit = reach(inward, tool, pieces.area[index])
-    k = len(index)
-    flags = {name: np.zeros(k, bool) for name in ("opposite", *RELATIONS)}
-    next_turn = np.zeros(0)
-    all_steps, inner = [], np.full(k, np.inf)  # how far the next ring inside is; the next but one is two steps away
-    for lag in range(1, min(NESTS.NEXT, k - 1) + 1):
-        pairs = Pairs(inward, limit, lag)
-        one, two = slice(None, -lag), slice(lag, None)
-        relations = RELATIONS if lag > 1 else {**RELATIONS, "opposite": _is_opposite}
-        for name, relation in relations.items():
-            found = relation(pairs)
-            flags[name][one] |= found
-            flags[name][two] |= found
-        nested, mean, step = pairs.nested, pairs.shift.mean, pairs.shift.step
-        if lag == 1 and shapes.turn.any():
-            next_turn = step[nested & shapes.turn[one] & shapes.turn[two]]
-        all_steps.append(mean[nested])
-        # Both views may be of the same rings: one after the other.
-        np.minimum(inner[one], np.where(nested & (mean > 0), step, np.inf), out=inner[one])
-        np.minimum(inner[two], np.where(nested & (mean < 0), step, np.inf), out=inner[two])
-        if flags["nested"].all():
-            steps_inside = inner[np.isfinite(inner)]
-            if steps_inside.max() < 2 * steps_inside.min():  # no room for another ring between two
-                break
+    found = _compare_rings(inward, limit)
+    flags, inner, k = found.flags, found.inner, len(index)
     depths = count_depths(shapes.z)
     again, distinct = come_again(pieces, index) if depths > 1 else (np.zeros(k, bool), k)
     flags["stacked"] = flags["repeated"].copy()
@@ -138,7 +118,6 @@ def relate_rings(pieces: Pieces, index: np.ndarray, tool: float) -> Rings:
     # Large loops show the stepover. The turns of windings count alike, because their areas are approximate.
     weight = np.where(shapes.slack > 1, shapes.enclosed.mean(), shapes.enclosed)[inside] if k else shapes.enclosed
     related = flags["nested"] | flags["deeper"] | flags["repeated"] | flags["moved"] | flags["crossing"]
-    steps: np.ndarray = np.concatenate(all_steps) if all_steps else np.zeros(0)
     return Rings(
         index=index,
         length=shapes.length,
@@ -148,14 +127,62 @@ def relate_rings(pieces: Pieces, index: np.ndarray, tool: float) -> Rings:
         sloped=_sloped(pieces, index),
         back=pieces.back[index],
         step=weighted_median(inner[inside], weight) if inside.any() else np.nan,
-        growing=np.count_nonzero(steps < 0) / len(steps) if len(steps) else np.nan,
-        equidistant=_equal(next_turn),
+        growing=np.count_nonzero(found.shifts < 0) / len(found.shifts) if len(found.shifts) else np.nan,
+        equidistant=_equal(found.turns),
         distinct=distinct,
         depths=depths,
         depth_range=float(np.ptp(shapes.z)) if k else 0.0,
         evenness=evenness(*next_steps(inward)) if depths > 2 else 0.0,
         **flags,
     )
+
+
+class _Compared(NamedTuple):
+    """The relations of k rings.
+
+    Attributes
+    ----------
+    flags : dict of (k,) bool
+        The relations by their names in `Rings`.
+    inner : (k,) float
+        Distance to the next ring inside, mm; infinite without one.
+    shifts : (s,) float
+        Mean shift of the sides from each ring to a nested one that is cut later, mm.
+    turns : (t,) float
+        Steps between full level turns of a winding that are cut one after the other, mm.
+    """
+
+    flags: dict[str, np.ndarray]
+    inner: np.ndarray
+    shifts: np.ndarray
+    turns: np.ndarray
+
+
+def _compare_rings(inward: Inward, limit: float) -> _Compared:
+    """Compare every ring with the next three; `limit` is the largest distance of rings in one nest, mm."""
+    shapes, k = inward.shapes, len(inward.shapes.z)
+    flags = {name: np.zeros(k, bool) for name in ("opposite", *RELATIONS)}
+    turns, shifts, inner = np.zeros(0), [np.zeros(0)], np.full(k, np.inf)
+    for lag in range(1, min(NESTS.NEXT, k - 1) + 1):
+        pairs = Pairs(inward, limit, lag)
+        one, two = slice(None, -lag), slice(lag, None)
+        relations = RELATIONS if lag > 1 else {**RELATIONS, "opposite": _is_opposite}
+        for name, relation in relations.items():
+            found = relation(pairs)
+            flags[name][one] |= found
+            flags[name][two] |= found
+        nested, mean, step = pairs.nested, pairs.shift.mean, pairs.shift.step
+        if lag == 1 and shapes.turn.any():
+            turns = step[nested & shapes.turn[one] & shapes.turn[two]]
+        shifts.append(mean[nested])
+        # The next ring but one is two steps away. Both views may be of the same rings: one after the other.
+        np.minimum(inner[one], np.where(nested & (mean > 0), step, np.inf), out=inner[one])
+        np.minimum(inner[two], np.where(nested & (mean < 0), step, np.inf), out=inner[two])
+        if flags["nested"].all():
+            steps = inner[np.isfinite(inner)]
+            if steps.max() < 2 * steps.min():  # no room for another ring between two
+                break
+    return _Compared(flags, inner, np.concatenate(shifts), turns)
 
 
 def _shapes(pieces: Pieces, index: np.ndarray) -> Shapes:

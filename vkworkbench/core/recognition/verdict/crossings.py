@@ -8,6 +8,7 @@ from typing import NamedTuple
 import numpy as np
 
 from vkworkbench.core.paper import Areas, directions
+from vkworkbench.core.recognition.patterns.rows import median
 from vkworkbench.core.recognition.thresholds import ROUNDING, SCAN
 
 NAMES = (
@@ -197,7 +198,7 @@ def _neighbours(crossed: Crossings, extent: float, by_depth: bool) -> dict[str, 
     count = np.append(np.bincount(bins), 0)
     around = np.concatenate([count[-1:], count, count[:1]])
     most = int(np.argmax(2 * count + around[:-2] + around[2:]))
-    usual = float(np.exp(_median(logarithm[np.abs(bins - most) <= 1])))
+    usual = float(np.exp(median(logarithm[np.abs(bins - most) <= 1])))
     even = beside & (np.abs(aside / usual - 1) < SCAN.EVEN)
     number = np.count_nonzero(even)  # never 0: the median lies in these bins
     opposite = slope[1:] * slope[:-1] < 0
@@ -213,18 +214,9 @@ def _neighbours(crossed: Crossings, extent: float, by_depth: bool) -> dict[str, 
         "opposite": np.count_nonzero(even & opposite) / number,
         "even": number / passes,
         "count": float(np.log1p(number / np.count_nonzero(np.bincount(line)))),
-        "tight": _median(np.abs(aside[even] / usual - 1)),
+        "tight": median(np.abs(aside[even] / usual - 1)),
         "run": threes / number,
         "next": np.count_nonzero(np.abs(later[even]) == 1) / number,
         "cover": float(gap[even].sum() / gap[same].sum()),
     })  # fmt: skip
     return told
-
-
-def _median(values: np.ndarray) -> float:
-    """Return the median of k > 0 numbers, (k,). For so few numbers np.median spends most of its time on checks."""
-    half = len(values) // 2
-    if len(values) % 2:
-        return float(np.partition(values, half)[half])
-    parted = np.partition(values, (half - 1, half))
-    return float((parted[half - 1] + parted[half]) / 2)
