@@ -18,7 +18,7 @@ Shape = Callable[[Machine, Line, Dict[str, float]], None]
 
 def _dwell(machine: Machine, line: Line) -> None:
     line.feeds = not line.letters.isdisjoint("PXU")  # in G4 F2 of a Siemens, F is the time
-    line.apart = True
+    line.apart |= "P" not in line.letters  # beside P, the axis words of a line are its target
     seconds = dwell_of(dict(line.words))
     if seconds is None:
         machine.problem(Message("dwell-untimed"))
