@@ -70,7 +70,7 @@ def test_feed_rate_counts_in_every_line(line):
 
 @pytest.mark.parametrize("line, x", [("G1 X5 G4 P0.5", 5), ("G4 P0.5 X5", 5), ("G4 X5", 1), ("G4 U5", 1)])
 def test_line_with_a_dwell_moves_where_its_axis_is_no_time(line, x):
-    assert places(f"G1 X1\n{line}")[-1][0] == x
+    assert end(f"G1 X1\n{line}")[0] == x
 
 
 def test_the_time_of_a_dwell_is_not_a_feed_rate():

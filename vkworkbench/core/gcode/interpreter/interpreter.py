@@ -10,7 +10,16 @@ from __future__ import annotations
 
 from vkworkbench.core.gcode.blocks import whole
 from vkworkbench.core.gcode.dialects import HEIDENHAIN
-from vkworkbench.core.gcode.interpreter import cycles, m_codes, mapping, offsets, single_moves, tools, units
+from vkworkbench.core.gcode.interpreter import (
+    compensation,
+    cycles,
+    m_codes,
+    mapping,
+    offsets,
+    single_moves,
+    tools,
+    units,
+)
 from vkworkbench.core.gcode.interpreter.motion import AXES, move_of
 from vkworkbench.core.gcode.interpreter.state.line import Line
 from vkworkbench.core.gcode.interpreter.state.machine import Handler, Machine
@@ -20,7 +29,7 @@ from vkworkbench.language import Message
 
 _MOST_CODES = 1000
 _HANDLERS: dict[int, Handler] = {
-    **units.HANDLERS, **offsets.HANDLERS, **cycles.HANDLERS, **mapping.HANDLERS, **single_moves.HANDLERS,
+    **units.HANDLERS, **offsets.HANDLERS, **compensation.HANDLERS, **cycles.HANDLERS, **mapping.HANDLERS, **single_moves.HANDLERS,
 }  # fmt: skip
 
 

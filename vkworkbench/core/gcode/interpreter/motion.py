@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+from vkworkbench.core.gcode.interpreter import compensation
 from vkworkbench.core.gcode.interpreter.cycles import repeats_of
 from vkworkbench.core.gcode.interpreter.mapping import turned
 from vkworkbench.core.gcode.interpreter.single_moves import SHAPES
@@ -38,6 +39,8 @@ def move_of(machine: Machine, line: Line) -> None:
     if machine.away or machine.ended or not machine.moved:
         _begin_move(machine)
     machine.unnamed = None
+    if machine.compensation is not None and (line.once is not None or machine.motion in codes.CYCLES):
+        compensation.stop(machine)
     if line.once is None:
         _move_along(machine, parameters, move)
     else:
@@ -65,12 +68,14 @@ def _move_along(machine: Machine, parameters: dict[str, float], move: dict[str, 
         machine.stand(stands=machine.modes.per_turn is not None and not machine.spindle and mode > 0)
     if machine.seconds and mode > 0 and mode not in codes.CYCLES:
         machine.inverse_time[len(machine.commands)] = 1 / machine.seconds
+    if machine.compensation is not None and mode not in codes.CYCLES:
+        compensation.follow(machine, mode, move)
+        return
     motion = turned(machine, mode) if machine.maps.mirrors else mode
     for _ in range(repeats):
         machine.write(motion, move)
-        if (
-            repeats > 1 and machine.modes.relative and is_polar(parameters)
-        ):  # the next step of an angle has another direction
+        if repeats > 1 and machine.modes.relative and is_polar(parameters):
+            # The next step of an angle has another direction.
             move.update(polar_step(machine, parameters))
 
 

@@ -9,6 +9,8 @@ from vkworkbench.core.gcode.interpreter.state.origins import NUMBERED
 from vkworkbench.core.gcode.moves import codes
 from vkworkbench.language import Message
 
+_RADII = (1.0, 12.0)  # L words of G10 that set the radius of a tool: LinuxCNC's tool table, Fanuc's geometry offset
+
 
 def select(machine: Machine, offset: tuple[int, float]) -> None:
     """Select a work offset; report it if the program does not contain its origin."""
@@ -78,6 +80,8 @@ def _data(machine: Machine, line: Line) -> None:
     line.apart = True
     words = dict(line.words)
     kind, values = words.get("L"), line.lengths(machine.modes.unit)
+    if kind in _RADII and {"P", "R"} <= words.keys():
+        machine.radii[words["P"]] = machine.modes.unit * words["R"]
     if kind not in (2.0, 20.0):
         return
     system, place = NUMBERED.get(words.get("P", -1.0)), machine.here()

@@ -51,10 +51,6 @@ def _feed_mode(machine: Machine, line: Line) -> None:
     machine.modes.feed_mode, machine.modes.per_turn = line.code, None
 
 
-def _compensation(machine: Machine, line: Line) -> None:
-    machine.problem(Message("compensation-not-read", name=codes.name_of(line.code)))
-
-
 def _tool_length(machine: Machine, line: Line) -> None:
     words = dict(line.words)
     number = words.get("Z" if line.code == 431 else "H", machine.spindle_tool)
@@ -70,6 +66,5 @@ HANDLERS: dict[int, Handler] = {
     **dict.fromkeys(codes.UNITS, _unit),
     **dict.fromkeys(codes.PATTERNS, _pattern),
     **dict.fromkeys(codes.FEED_MODES, _feed_mode),
-    **dict.fromkeys(codes.COMPENSATION, _compensation),
     **dict.fromkeys(codes.TOOL_LENGTH, _tool_length),
 }

@@ -30,7 +30,7 @@ ABSOLUTE, RELATIVE, ABSOLUTE_CENTRES, RELATIVE_CENTRES = 900, 910, 901, 911
 TO_START, TO_RETRACT_PLANE = 980, 990  # height after a canned cycle
 INVERSE_TIME, PER_MINUTE, PER_TURN = 930, 940, 950
 FEED_MODES = (INVERSE_TIME, PER_MINUTE, PER_TURN)
-COMPENSATION = (410, 411, 420, 421)
+COMPENSATION, END_COMPENSATION = (410, 411, 420, 421), 400
 DWELL = 40
 
 # Codes that `linearize` accepts and that do not move the tool. `linearize` reads the state that a code sets, ignores

@@ -18,6 +18,7 @@ class Heights:
 
     def __init__(self) -> None:
         self._begin: float | None = None  # height at the start of the series; None between two series
+        self.rises = False  # whether R is beyond this height
         self._level = self._depth = 0.0
         self._r = self._z = nan
 
@@ -50,6 +51,7 @@ class Heights:
         if begins or own_z or (own_r and relative):
             self._depth = self._level if isnan(self._z) else self._z + (self._level if relative else 0.0)
         clear = min if self._depth > self._level else max
+        self.rises = clear(begin, self._level) != begin
         return height, self._level, self._depth, self._level if to_retract_plane else clear(begin, self._level)
 
 
@@ -61,7 +63,7 @@ def heights(
     retract: np.ndarray,
     bottom: np.ndarray,
     to_retract_plane: np.ndarray,
-) -> tuple[np.ndarray, np.ndarray]:
+) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """Resolve Z in a program with canned cycles, in which each cycle starts at the height of the last motion.
 
     R and Z words are valid for the rest of a series of cycles. Under G91, R is relative to the height at the start of
@@ -89,9 +91,12 @@ def heights(
         Absolute Z after each command that sets Z, mm; NaN elsewhere.
     heights : (m, 4) float64
         For each cycle, the height before the cycle, of its R plane, of the hole's bottom, and after the cycle, mm.
+    rises : (m,) bool
+        Whether R is beyond the height at the start of the series: the tool then rises to R before it moves to the hole,
+        as in LinuxCNC.
     """
     absolute = z.copy()
-    resolved = np.empty((len(rows), 4))
+    resolved, rises = np.empty((len(rows), 4)), np.zeros(len(rows), bool)
     height: float | None = None
     number, state = -1, Heights()
     cycle_at = dict(zip(rows.tolist(), range(len(rows))))
@@ -105,9 +110,9 @@ def heights(
                 number = int(series[i])
             resolved[i] = state.drill(height, float(retract[i]), float(bottom[i]), relative=bool(relative[row]),
                                       to_retract_plane=bool(to_retract_plane[i]))  # fmt: skip
-            height = float(resolved[i, 3])
+            height, rises[i] = float(resolved[i, 3]), state.rises
         absolute[row] = height
-    return absolute, resolved
+    return absolute, resolved, rises
 
 
 def has_tiny_pecks(heights: np.ndarray, peck: np.ndarray) -> np.ndarray:
@@ -133,8 +138,9 @@ def moves(
     hole: np.ndarray,
     heights: np.ndarray,
     peck: np.ndarray,
+    rises: np.ndarray,
 ) -> tuple[np.ndarray, np.ndarray]:
-    """Return the moves of m cycles. A tool below R first rises to R, and then moves to the hole, as in LinuxCNC.
+    """Return the moves of m cycles.
 
     Parameters
     ----------
@@ -148,6 +154,8 @@ def moves(
         Height before the cycle, of the R plane, of the hole's bottom, and after the cycle (G98/G99), mm.
     peck : (m,) float64
         Q word, depth of one peck, mm; NaN where absent.
+    rises : (m,) bool
+        Whether the tool rises to R before it moves to the hole.
 
     Returns
     -------
@@ -170,7 +178,7 @@ def moves(
     points[:, 2] = np.choose(step % 3, [level, out, back])
     rapid = step % 3 != 0
     clear = np.where(bottom > retract, np.minimum(start[:, 2], retract), np.maximum(start[:, 2], retract))
-    points[first] = np.column_stack([start[:, :2], clear])
+    points[first] = np.column_stack([start[:, :2], np.where(rises, clear, start[:, 2])])
     points[first + 1, 2] = clear
     points[first + 2, 2] = retract
     rapid[first] = True

@@ -90,6 +90,7 @@ class ModalState:
         self.feed = self._feed()
         count = np.count_nonzero(self.is_cycle)
         self.cycle_heights, self.cycle_peck = np.empty((count, 4)), np.empty(count)
+        self.cycle_rises = np.zeros(count, bool)
         self.drilled = np.array([PLANE_AXES[p][2] for p in range(17, 20)])[self.plane - 17]  # axis of canned cycles
         self.position, self.known = self._positions()
 
@@ -208,14 +209,14 @@ class ModalState:
         parted = ((self.motion >= 0) & ~drills) | (self.words.codes == CANCEL)
         along[rows] = np.nan
         series = np.cumsum(parted)[rows]
-        along, heights = cycles.heights(
+        along, heights, rises = cycles.heights(
             along, self.relative, rows, series, own["R"], own["Z"], self.to_retract_plane[rows]
         )
         peck = _held(own["Q"])
         tiny = np.isin(self.motion[rows], PECKING) & cycles.has_tiny_pecks(heights, peck)
         self.problems.add(rows[tiny], Message("tiny-pecks", most=cycles.MOST_PECKS))
         among = np.searchsorted(np.flatnonzero(self.is_cycle), rows)
-        self.cycle_heights[among], self.cycle_peck[among] = heights, peck
+        self.cycle_heights[among], self.cycle_peck[among], self.cycle_rises[among] = heights, peck, rises
         return along
 
 

@@ -10,6 +10,7 @@ from vkworkbench.core.gcode.dialects import Clues, Dialect
 from vkworkbench.core.gcode.interpreter.state.line import Line
 from vkworkbench.core.gcode.interpreter.state.maps import Map, Maps
 from vkworkbench.core.gcode.interpreter.state.modes import Modes
+from vkworkbench.core.gcode.interpreter.state.offset_path import Compensation
 from vkworkbench.core.gcode.interpreter.state.origins import Origins
 from vkworkbench.core.gcode.interpreter.state.place import Place
 from vkworkbench.core.gcode.moves import codes
@@ -44,6 +45,10 @@ class Machine:
         How coordinates are mirrored, scaled and rotated.
     place : Place
         The place of the tool.
+    compensation : Compensation or None
+        The cutter compensation in force, if it is followed.
+    radii : dict
+        The radii of tool offsets that the program contains (G10), mm, by their numbers.
     first_unit : float or None
         The program's first unit, mm: 25.4 for inches, 1 for mm; None before the first unit word.
     motion : int
@@ -116,6 +121,8 @@ class Machine:
         self.saved: list[tuple[Modes | None, bool]] = [(None, False)]
         self.origins = Origins()
         self.maps = Maps()
+        self.compensation: Compensation | None = None
+        self.radii: dict[float, float] = {}
         self.place = Place(self.commands)
         self.first_unit: float | None = None
         self.motion = self.written = -1

@@ -1,0 +1,211 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Follow cutter compensation (G41, G42) along lines and arcs in the XY plane, as LinuxCNC does.
+
+The first move leads to a point beside its end. Then the tool follows curves at the distance of its radius: around an
+outer corner along an arc, and in an inner corner as far as both curves meet. The end of a move is therefore known only
+at the next move, which changes the command before.
+"""
+
+from __future__ import annotations
+
+from cmath import phase
+from math import pi
+from typing import NamedTuple
+
+import numpy as np
+
+from vkworkbench.core.gcode.interpreter.state.line import Line
+from vkworkbench.core.gcode.interpreter.state.machine import Handler, Machine
+from vkworkbench.core.gcode.interpreter.state.offset_path import Compensation, Curve
+from vkworkbench.core.gcode.moves import arcs, codes
+from vkworkbench.language import Message
+
+_SAME = 1e-6  # mm, largest distance of equal points
+_XY_PLANE = 170
+_LEFT = (410, 411)
+_STRAIGHT_ON = 0.05  # rad; LinuxCNC adds nothing at a smaller corner
+
+
+class _Target(NamedTuple):
+    """A programmed move: its end, and the centre of an arc, mm."""
+
+    end: complex
+    centre: complex | None
+
+
+def _start(machine: Machine, line: Line) -> None:
+    """Process G41, G42, G41.1 and G42.1; the tool's radius is known from D in the line or from G10."""
+    words, name = dict(line.words), codes.name_of(line.code)
+    if line.code % 10:
+        radius = machine.modes.unit * words["D"] / 2 if "D" in words else None
+    else:
+        radius = machine.radii.get(words.get("D", -1.0))
+    before, machine.compensation = machine.compensation, None
+    place = machine.here()
+    usable = machine.modes.plane == _XY_PLANE and not machine.maps.used and {"X", "Y"} <= place.keys()
+    if radius is None or radius < 0 or not usable or machine.modes.feed_mode == codes.INVERSE_TIME:
+        machine.problem(Message("compensation-not-read", name=name))
+    elif radius > 0:
+        tool = complex(place["X"], place["Y"])
+        programmed = tool if before is None else before.programmed
+        machine.compensation = Compensation(name, 1 if line.code in _LEFT else -1, radius, programmed, tool)
+
+
+def _end(machine: Machine, line: Line) -> None:
+    """Process G40: the next move leads to the programmed path."""
+    if machine.compensation is not None:
+        machine.compensation.ends = True
+    machine.other(line)
+
+
+def follow(machine: Machine, mode: int, move: dict[str, float]) -> None:
+    """Add the commands of a line or an arc under compensation.
+
+    Parameters
+    ----------
+    machine : Machine
+        Its `compensation` must not be None.
+    mode : int
+        The motion, in tenths of its G-code.
+    move : dict
+        The words of the move in the coordinates of the toolpath, mm.
+    """
+    compensation = machine.compensation
+    if compensation is None:
+        return
+    if mode not in codes.ARCS and {"X", "Y"}.isdisjoint(move) and not compensation.ends:
+        machine.write(mode, move)
+        return
+    target = _target(machine, compensation, mode, move)
+    begin, compensation.programmed = compensation.programmed, target.end
+    if compensation.ends:
+        machine.compensation = None
+        _leave(machine, compensation, mode, move, begin)
+        return
+    if mode not in codes.ARCS and compensation.last is not None and abs(target.end - begin) <= _SAME:
+        machine.write(mode, {letter: value for letter, value in move.items() if letter not in "XY"})
+        return
+    curve = _beside(compensation, mode, begin, target)
+    joined = curve is not None and (compensation.last is None or _join(machine, compensation, mode, move, curve, begin))
+    if curve is None or not joined:
+        machine.problem(Message("compensation-not-read", name=compensation.name))
+        machine.compensation = None
+        _leave(machine, compensation, mode, move, begin)
+        return
+    compensation.last = curve
+    compensation.command = len(machine.commands)
+    _write(machine, compensation, mode, move, curve)
+
+
+def stop(machine: Machine) -> None:
+    """End the compensation at a move that cannot be followed, for example a hole."""
+    compensation, machine.compensation = machine.compensation, None
+    if compensation is not None and not compensation.ends:
+        machine.problem(Message("compensation-not-read", name=compensation.name))
+    if compensation is not None and abs(compensation.tool - compensation.programmed) > _SAME:
+        _write(machine, compensation, codes.FEED, {}, Curve(compensation.tool, compensation.programmed))
+
+
+def _target(machine: Machine, compensation: Compensation, mode: int, move: dict[str, float]) -> _Target:
+    """Return the end and the centre of a programmed move."""
+    begin, modes = compensation.programmed, machine.modes
+    if modes.relative:
+        end = begin + complex(move.get("X", 0.0), move.get("Y", 0.0))
+    else:
+        end = complex(move.get("X", begin.real), move.get("Y", begin.imag))
+    if mode not in codes.ARCS:
+        return _Target(end, None)
+    word = np.array([[move.get("I", np.nan), move.get("J", np.nan)]])
+    resolved = arcs.resolve(
+        np.array([[begin.real, begin.imag]]),
+        np.array([[end.real, end.imag]]),
+        np.array([mode == codes.CLOCKWISE]),
+        word,
+        np.array([move.get("R", np.nan)]),
+        np.array([modes.absolute_centres]),
+    )
+    return _Target(end, complex(*resolved.centre[0]) if not resolved.degenerate[0] else None)
+
+
+def _beside(compensation: Compensation, mode: int, begin: complex, target: _Target) -> Curve | None:
+    """Return the curve beside a programmed move; None if there is none."""
+    side, radius, end = compensation.side, compensation.radius, target.end
+    if mode not in codes.ARCS:
+        way = end - begin
+        if abs(way) <= (radius if compensation.last is None else _SAME):
+            return None
+        normal = side * 1j * way / abs(way) * radius
+        return Curve(begin + normal, end + normal)
+    centre, turn = target.centre, -1 if mode == codes.CLOCKWISE else 1
+    if centre is None or compensation.last is None:
+        return None
+    beside = abs(begin - centre) - side * turn * radius
+    if beside <= _SAME:
+        return None
+    scale = beside / abs(begin - centre)
+    return Curve(centre + scale * (begin - centre), centre + scale * (end - centre), centre, turn)
+
+
+def _join(
+    machine: Machine, compensation: Compensation, mode: int, move: dict[str, float], curve: Curve, corner: complex
+) -> bool:
+    """Join a curve to the one before, at a programmed corner; return whether the tool fits into the corner."""
+    last, side = compensation.last, compensation.side
+    if last is None:
+        return True
+    feed = {"F": move["F"]} if "F" in move else {}
+    turn = side * phase(curve.way(curve.start) / last.way(last.end))
+    if abs(turn) <= _STRAIGHT_ON:
+        curve.start = last.end
+        return True
+    if turn < 0 or turn > pi - _STRAIGHT_ON:
+        around = codes.CLOCKWISE if side > 0 else codes.COUNTER_CLOCKWISE
+        if mode == codes.RAPID:
+            _write(machine, compensation, mode, feed, Curve(last.end, curve.start))
+        else:
+            _write(machine, compensation, around, feed, Curve(last.end, curve.start, corner, -side))
+        return True
+    meeting = [point for point in last.meets(curve) if last.contains(point) and curve.contains(point)]
+    if not meeting:
+        return False
+    point = min(meeting, key=lambda one: abs(one - corner))
+    _move_end(machine, compensation, point)
+    curve.start = point
+    return True
+
+
+def _move_end(machine: Machine, compensation: Compensation, point: complex) -> None:
+    """Change the end of the command before."""
+    name, words = machine.commands[compensation.command]
+    way = point - compensation.tool
+    relative = compensation.relative
+    words["X"] = words["X"] + way.real if relative else point.real
+    words["Y"] = words["Y"] + way.imag if relative else point.imag
+    machine.commands[compensation.command] = name, words
+    compensation.tool = point
+
+
+def _write(machine: Machine, compensation: Compensation, mode: int, move: dict[str, float], curve: Curve) -> None:
+    """Add the command of a curve, with the other words of its move; the curve begins at the tool."""
+    start, end = compensation.tool, curve.end
+    compensation.relative = machine.modes.relative
+    target = end - start if compensation.relative else end
+    words = {letter: value for letter, value in move.items() if letter not in "IJR"}
+    words["X"], words["Y"] = target.real, target.imag
+    if curve.centre is not None:
+        centre = curve.centre if machine.modes.absolute_centres else curve.centre - start
+        words["I"], words["J"] = centre.real, centre.imag
+    machine.write(mode, words)
+    compensation.tool = end
+
+
+def _leave(machine: Machine, compensation: Compensation, mode: int, move: dict[str, float], begin: complex) -> None:
+    """Add a programmed move at the end of the compensation; an arc begins on the programmed path."""
+    if mode in codes.ARCS:
+        _write(machine, compensation, codes.FEED, {}, Curve(compensation.tool, begin))
+        machine.write(mode, move)
+    else:
+        _write(machine, compensation, mode, move, Curve(compensation.tool, compensation.programmed))
+
+
+HANDLERS: dict[int, Handler] = {**dict.fromkeys(codes.COMPENSATION, _start), codes.END_COMPENSATION: _end}

@@ -1,0 +1,113 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The path beside a programmed path: lines and arcs in the plane. A point is a complex number, mm."""
+
+from __future__ import annotations
+
+from cmath import phase
+from dataclasses import dataclass
+from math import pi, sqrt
+
+_SAME = 1e-6  # mm, largest distance of equal points
+
+
+@dataclass
+class Curve:
+    """A line or an arc.
+
+    Attributes
+    ----------
+    start, end : complex
+        The end points.
+    centre : complex or None
+        The centre of an arc; None for a line.
+    turn : int
+        1 for an arc counter-clockwise, -1 for an arc clockwise.
+    """
+
+    start: complex
+    end: complex
+    centre: complex | None = None
+    turn: int = 0
+
+    def way(self, point: complex) -> complex:
+        """Return the direction of the curve at one of its points, of length 1."""
+        way = self.end - self.start if self.centre is None else self.turn * 1j * (point - self.centre)
+        return way / abs(way)
+
+    def contains(self, point: complex) -> bool:
+        """Return whether a point of the whole line or circle is between the end points."""
+        if min(abs(point - self.start), abs(point - self.end)) <= _SAME:
+            return True
+        if self.centre is None:
+            along = (self.way(point).conjugate() * (point - self.start)).real
+            return 0 < along < abs(self.end - self.start)
+        whole, part = (
+            (self.turn * phase((one - self.centre) / (self.start - self.centre))) % (2 * pi)
+            for one in (self.end, point)
+        )
+        return part < whole or abs(self.end - self.start) <= _SAME
+
+    def meets(self, other: Curve) -> list[complex]:
+        """Return the points that the whole line or circle shares with another one."""
+        if self.centre is not None and other.centre is not None:
+            return _of_circles(self.centre, abs(self.end - self.centre), other.centre, abs(other.end - other.centre))
+        if self.centre is None and other.centre is None:
+            way, across = self.way(0), other.way(0)
+            sine = (way.conjugate() * across).imag
+            if abs(sine) < 1e-12:
+                return []
+            return [self.start + way * ((other.start - self.start).conjugate() * across).imag / sine]
+        line, arc = (self, other) if self.centre is None else (other, self)
+        centre = arc.centre or 0.0
+        way, foot = line.way(0), centre - line.start
+        along, off = (way.conjugate() * foot).real, (way.conjugate() * foot).imag
+        half = abs(arc.end - centre) ** 2 - off**2
+        if half < 0:
+            return []
+        return [line.start + way * (along + sign * sqrt(half)) for sign in (-1, 1)]
+
+
+def _of_circles(centre: complex, radius: float, other: complex, other_radius: float) -> list[complex]:
+    way = other - centre
+    if abs(way) <= _SAME:
+        return []
+    along = (abs(way) ** 2 + radius**2 - other_radius**2) / (2 * abs(way))
+    half = radius**2 - along**2
+    if half < 0:
+        return []
+    return [centre + way / abs(way) * complex(along, sign * sqrt(half)) for sign in (-1, 1)]
+
+
+@dataclass
+class Compensation:
+    """The cutter compensation in force.
+
+    Attributes
+    ----------
+    name : str
+        Its G-code.
+    side : int
+        1 if the tool is to the left of the path, -1 if it is to the right.
+    radius : float
+        Distance of the tool's centre from the path, mm.
+    programmed, tool : complex
+        The end of the programmed path, and the place of the tool's centre.
+    last : Curve or None
+        The last curve beside the path; None before the first move.
+    command : int
+        Index of the command of the last curve.
+    relative : bool
+        Whether the words of this command are relative.
+    ends : bool
+        Whether the next move leads to the programmed path.
+    """
+
+    name: str
+    side: int
+    radius: float
+    programmed: complex
+    tool: complex
+    last: Curve | None = None
+    command: int = -1
+    relative: bool = False
+    ends: bool = False
