@@ -63,7 +63,7 @@ def test_higher_r_plane_is_reached_before_the_hole():
     assert points(text)[3:] == [[1, 0, -1], [1, 0, 1], [2, 0, 3], [2, 0, -1], [2, 0, 3]]
 
 
-def test_tool_rises_to_an_r_plane_above_the_start_before_it_moves():
+def test_tool_rises_first_to_an_r_plane_above_the_start():
     text = "G21 G90 G99\nG0 X0 Y0 Z0\nG81 X1 Y0 Z-1 R1 F100\nX2 R3\nG80"
     assert points(text)[1:] == [
         [0, 0, 1], [1, 0, 1], [1, 0, -1], [1, 0, 1], [1, 0, 3], [2, 0, 3], [2, 0, -1], [2, 0, 3]

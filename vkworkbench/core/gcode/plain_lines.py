@@ -272,6 +272,7 @@ def _is_ready(machine: Interpreter) -> bool:
         and machine.motion in _MOTIONS
         and modes.feed_mode == codes.PER_MINUTE
         and not (machine.ended or machine.away or machine.length_changed or machine.stands or machine.origins.used)
+        and not (machine.maps.used or machine.compensation is not None)
         and machine.unnamed is None
         and machine.later is None
         and dialect.codes is None
@@ -295,6 +296,7 @@ def _add(machine: Interpreter, block: _Block, index: int, after: int) -> None:
         machine.motion = machine.written = int(selected[-1])
     if is_feed.any():
         modes.feed = float(values[is_feed][-1])
+    machine.stopped &= not (of == ord("Z")).any()
     y = values[of == ord("Y")]
     if len(y) and modes.relative:
         machine.clues.y(bool((y != 0).any()))

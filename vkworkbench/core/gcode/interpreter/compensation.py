@@ -3,7 +3,7 @@
 
 The first move leads to a point beside its end. Then the tool follows curves at the distance of its radius: around an
 outer corner along an arc, and in an inner corner as far as both curves meet. The end of a move is therefore known only
-at the next move, which changes the command before.
+at the next move, which changes the previous command.
 """
 
 from __future__ import annotations
@@ -175,7 +175,7 @@ def _join(
 
 
 def _move_end(machine: Machine, compensation: Compensation, point: complex) -> None:
-    """Change the end of the command before."""
+    """Change the end of the previous command."""
     name, words = machine.commands[compensation.command]
     way = point - compensation.tool
     relative = compensation.relative
