@@ -39,8 +39,8 @@ from vkworkbench.core.zbuffer import (
 from vkworkbench.report import OperationReport, extent_of, with_travel
 
 JOBS, SEED = 25, 47
-# The memory that a simulation may take, bytes. The default of the preferences is four times as large.
-MEMORY = 250e6
+# The memory that a simulation may take, bytes. The default of the preferences is 25 times as large, so that its images are finer.
+MEMORY = 40e6
 FEED, PLUNGE = 10.0, 2.0  # mm/s
 ABOVE = 5.0  # height of rapids above the block, mm
 # A copy of the standard output, because FreeCAD writes its progress to the original.
@@ -103,7 +103,8 @@ class Job:
             axis = int(rng.integers(3))
             self.travel[axis] = self.extent[axis] * rng.uniform(0.5, 0.999)
             self.made_by = "XYZ"[axis]
-        self.clamp = Stock((self.size[0] + 1, 0, 0), (self.size[0] + 30, self.size[1], self.top + ABOVE / 2))
+        beside = self.size[0] + 1 + (self.tool.holder_diameter or 0) / 2
+        self.clamp = Stock((beside, 0, 0), (beside + 30, self.size[1], self.top + ABOVE / 2))
         if fault == "clamp":
             self.clamp = self.clamp_in_the_way()
 
@@ -315,7 +316,7 @@ def found_in(job: Job):
     view = axis_view(cuts, stock, memory_bytes=MEMORY, seconds=60)
     zbuffer = simulate_job(cuts, stock=stock, view=view)
     seen = SeenModel(job.model, zbuffer.frame)
-    collisions = holder_collisions(zbuffer.cuts, stock, clamps={"clamp": job.clamp}, memory_budget=MEMORY)
+    collisions = holder_collisions(zbuffer.cuts, stock, clamps={"clamp": job.clamp})
     thin = thin_gouges(cuts, stock, seen)
     found = facts(zbuffer, check_crashes(cuts, stock), thin=thin, model=seen, collisions=collisions).job
     faults = {

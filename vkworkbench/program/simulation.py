@@ -224,7 +224,7 @@ class ProgramSimulation(SimulatedPart):
         """
         program, zbuffer = self.program, self._along_axis
         seconds = preferences.read().time_budget
-        collisions = holder_collisions(zbuffer.cuts, self.stock, clamps=self.clamps, memory_budget=self.memory_budget)
+        collisions = holder_collisions(zbuffer.cuts, self.stock, clamps=self.clamps)
         checked = check_crashes(program.cuts, self.stock, seconds=seconds)
         measured = measure_volumes(program.cuts, self.stock, seconds=seconds)
         found = facts(zbuffer, checked, measured, tolerance=tolerance, collisions=collisions)

@@ -70,9 +70,19 @@ def test_tool_with_long_flutes_has_no_collision():
     assert told((moves, replace(MILL, length=30))).keys() == {("shank", 0)}
 
 
-def test_thin_shank_does_not_touch_the_wall():
-    """The flutes have cut the wall before, layer by layer."""
-    assert told((pocket(range(38, 8, -2)), replace(MILL, shank_diameter=3.0, length=60))) == {}
+@pytest.mark.parametrize("thicker, command", [(0.0, None), (0.05, 104), (1.0, 104)])
+def test_shank_thicker_than_flutes_rubs_at_the_wall(thicker, command):
+    """The flutes have cut the wall before, layer by layer. The first plunge below 8 mm is the first that rubs."""
+    found = told((pocket(range(38, 8, -2)), replace(MILL, shank_diameter=3 + thicker, length=60)))
+    assert found == ({("shank", 0): (command, 387, 22.0)} if command else {})
+
+
+@pytest.mark.parametrize("thicker, collides", [(0.0, False), (0.05, True)])
+def test_shank_rubs_at_the_walls_of_a_slot(thicker, collides):
+    """A slot of 60 mm along a row of pixels, in layers of 7 mm with flutes of 8 mm."""
+    tool = Tool("endmill", 6, cutting_edge_height=8, shank_diameter=6 + thicker)
+    found = told((slot(7), tool), (slot(14), tool))
+    assert found == ({("shank", 1): (1, 1, 6.0)} if collides else {})
 
 
 @pytest.mark.parametrize("shank", [4.0, 6.0, None])

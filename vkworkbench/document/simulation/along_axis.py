@@ -109,9 +109,7 @@ def simulate_along_axis(
         return {"seconds": max(end - time.monotonic(), 0.0), "going_on": lambda: going_on(1.0)}
 
     checked = check_crashes(job.cuts, job.stock, **left())
-    collisions = holder_collisions(
-        zbuffer.cuts, job.stock, clamps=job.clamps, memory_budget=memory_budget, going_on=lambda _: going_on(1.0)
-    )
+    collisions = holder_collisions(zbuffer.cuts, job.stock, clamps=job.clamps, going_on=lambda: going_on(1.0))
     measured = measure_volumes(job.cuts, job.stock, **left())
     seen = None if job.model is None else SeenModel(job.model, zbuffer.frame, lambda: going_on(1.0))
     return AlongAxis(job, zbuffer, checked, collisions, measured, seen)

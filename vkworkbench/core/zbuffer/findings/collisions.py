@@ -2,8 +2,8 @@
 """Find collisions of shanks and holders, cuts deeper than the flutes, tools that are too short, and collisions with clamps.
 
 The parts of a tool above its flutes are bodies that do not cut. A body collides where it meets material that the tool has not
-removed before. The z-buffer along the tool axis finds this material: tools and bodies move alternately, and a piece that a body
-removes is a collision. A body that moves first finds every collision, but also material that the tool removes in the same move
+removed before. Vertical rays find this material: tools and bodies move alternately, and a piece that a body removes is a
+collision. The rows of rays are turned against the axes, because a wall along a row would lie between two rows. A body that moves first finds every collision, but also material that the tool removes in the same move
 before the body arrives. The moves found in this way are divided into parts, and the body moves after the tool in each part: what it
 removes then is a collision.
 """
@@ -12,16 +12,16 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
+from math import inf, pi, sqrt
 
 import numpy as np
 
 from vkworkbench.core.stocks import Solid
 from vkworkbench.core.tool import Tool
 from vkworkbench.core.toolpath import Toolpath
-from vkworkbench.core.view import LONGEST_SIDE, View
-from vkworkbench.core.zbuffer.memory.memory import BUDGET, OverBudget
-from vkworkbench.core.zbuffer.simulator.moments import ZBuffer
-from vkworkbench.core.zbuffer.simulator.simulate import simulate_job
+from vkworkbench.core.zbuffer.findings.fine_rays import FineRays
+from vkworkbench.core.zbuffer.findings.removed_pieces import RemovedPieces
+from vkworkbench.core.zbuffer.rays.dexels import THINNEST
 from vkworkbench.core.zbuffer.sweeps.bodies import Alternation, Body, alternate, slimmer
 from vkworkbench.core.zbuffer.sweeps.cuts import Cut, Cuts, Source
 from vkworkbench.language import Message
@@ -33,10 +33,17 @@ _TOUCHES, _OF_RISE = 0.02, 2.0
 _NARROWEST_HOLDER = 1.5
 # Largest fall of a part of a sloped move, mm, for cuts deeper than the flutes.
 _FALL = 0.5
-# Parts of a sloped or level move, as a share of the width by which a body is wider than its tool; and the largest number of parts.
-_SHARE, _MOST_PARTS = 0.5, 1000
-# Number of pixels of an image.
-_PIXELS = 150_000
+# Parts of a sloped or level move, as a share of the width by which a body is wider than its tool; and the largest number of parts
+# of one move, and of all moves together.
+_SHARE, _MOST_PARTS, _PARTS_TOGETHER = 0.5, 1000, 200_000
+# Angle between the rows of rays and the X axis, rad: not close to the directions of most walls.
+_TURN = 0.3
+# Number of rays in the rectangle around the moves of a body, and across the radius of a body, at least.
+_RAYS, _ACROSS = 150_000, 4.0
+# Least number of rays in the ring by which a standing body is wider than its tool, so that walls that it rubs are found.
+_IN_RING = 12.0
+# Smallest distance between rays, mm.
+_CLOSEST = 2.0**-7
 
 
 @dataclass(frozen=True)
@@ -94,7 +101,7 @@ class Collisions:
     found : tuple of Collision
         In the order of the first trajectories.
     pixel : float
-        Largest pixel of the images in which collisions were sought, mm; 0 if no body is as low as the material.
+        Largest distance between the rays on which collisions were sought, mm; 0 if no body is as low as the material.
     shanks, holders : tuple of bool
         Whether the sizes of the shank and of the holder of each cut's tool are known.
     clamps : int
@@ -145,8 +152,7 @@ def holder_collisions(
     stock: Solid,
     *,
     clamps: Mapping[str, Solid] | None = None,
-    memory_budget: float = BUDGET,
-    going_on: Callable[[float], None] = lambda _: None,
+    going_on: Callable[[], None] = lambda: None,
 ) -> Collisions:
     """Find the collisions of all parts of the tools that do not cut, with the workpiece and with clamps.
 
@@ -157,8 +163,6 @@ def holder_collisions(
     stock : Solid
     clamps : mapping of str to Solid, optional
         Solids that nothing may touch, by their names.
-    memory_budget : float
-        Largest peak memory, bytes. Images that need more are made coarser.
     going_on : callable, optional
         Called many times a second. An exception from it ends the work.
 
@@ -167,7 +171,7 @@ def holder_collisions(
     Collisions
     """
     clamps = clamps or {}
-    search = _Search(memory_budget, going_on)
+    search = _Search(going_on)
     found = [one for body in (FLUTES, SHANK, HOLDER, LENGTH) for one in search.in_workpiece(cuts, stock, body)]
     slim = Cuts(replace(cut, tool=slimmer(cut.tool, _margin(cut.toolpath))) for cut in cuts.cuts)
     for name, clamp in clamps.items():
@@ -214,8 +218,8 @@ def _width(tool: Tool, body: str) -> float | None:
 
 
 class _Search:
-    def __init__(self, memory_budget: float, going_on: Callable[[float], None]) -> None:
-        self._budget, self._going_on = memory_budget, going_on
+    def __init__(self, going_on: Callable[[], None]) -> None:
+        self._going_on = going_on
         self.pixel = 0.0
 
     def in_workpiece(self, cuts: Cuts, stock: Solid, body: str) -> Iterator[Collision]:
@@ -224,24 +228,24 @@ class _Search:
         low = _low_moves(cuts, bodies, stock)
         if not low.any():
             return
-        view = _view_of(cuts, bodies, low, stock)
+        pixels = _pixels(cuts, bodies, low, stock)
         if body == FLUTES:
-            removed = self._removed(_lifted(cuts, bodies, low), stock, view)
+            removed = self._removed(_lifted(cuts, bodies, low), stock, pixels)
         else:
-            removed = self._of_wider(cuts, bodies, low, stock, view)
+            removed = self._of_wider(cuts, bodies, low, stock, pixels)
         if body == HOLDER:
             removed = removed.within_holders(cuts, bodies)
         yield from removed.collisions(cuts, body)
 
     def _of_wider(
-        self, cuts: Cuts, bodies: Sequence[Body | None], low: np.ndarray, stock: Solid, view: View
+        self, cuts: Cuts, bodies: Sequence[Body | None], low: np.ndarray, stock: Solid, pixels: np.ndarray
     ) -> _Removed:
         """Return what bodies that are wider than their tools meet before the tools have removed it."""
-        removed = self._removed(alternate(cuts, bodies, low, body_first=True), stock, view)
+        removed = self._removed(alternate(cuts, bodies, low, body_first=True), stock, pixels)
         candidates = removed.is_by(len(cuts))
         if not candidates.any():
             return removed
-        removed = self._removed(alternate(cuts, bodies, candidates, body_first=False), stock, view)
+        removed = self._removed(alternate(cuts, bodies, candidates, body_first=False), stock, pixels)
         undecided = candidates & ~removed.is_by(len(cuts))
         if not undecided.any():
             return removed
@@ -249,7 +253,7 @@ class _Search:
         run = np.where(undecided, np.hypot(*(end - start)[:, :2].T), 0)
         wider = np.array([own.radius - cut.tool.radius if own else 1.0 for own, cut in zip(bodies, cuts.cuts)])
         parts = _parts(run / (_SHARE * wider[cuts.cut]))
-        return self._removed(alternate(cuts, bodies, candidates, body_first=False, parts=parts), stock, view)
+        return self._removed(alternate(cuts, bodies, candidates, body_first=False, parts=parts), stock, pixels)
 
     def in_clamp(self, cuts: Cuts, clamp: Solid, name: str, body: str) -> Iterator[Collision]:
         """Yield the collisions of one part of the tools with a clamp."""
@@ -260,29 +264,31 @@ class _Search:
         low = _low_moves(cuts, bodies, clamp)
         if not low.any():
             return
-        view = _view_of(cuts, bodies, low, clamp)
-        alternation = alternate(cuts, bodies, low & (body != TOOL), body_first=True)
-        removed = self._removed(alternation, clamp, view, of_tools=body == TOOL)
+        pixels = _pixels(cuts, bodies, low, clamp)
+        carries = low & (body != TOOL)
+        removed = self._removed(
+            alternate(cuts, bodies, carries, body_first=True), clamp, pixels, of=low if body == TOOL else None
+        )
         if body == HOLDER:
             removed = removed.within_holders(cuts, bodies)
         yield from removed.collisions(cuts, body, name)
 
-    def _removed(self, alternation: Alternation, stock: Solid, view: View, of_tools: bool = False) -> _Removed:
-        zbuffer = self._simulated(alternation, stock, view)
-        self.pixel = max(self.pixel, zbuffer.frame.pixel)
-        return _Removed.by(zbuffer, alternation.trajectory, alternation.of_body ^ of_tools)
-
-    def _simulated(self, alternation: Alternation, stock: Solid, view: View) -> ZBuffer:
-        wanted = view
-        while True:
-            try:
-                return simulate_job(
-                    alternation.moves, stock=stock, view=view, memory_budget=self._budget, going_on=self._going_on
-                )
-            except OverBudget as refused:
-                if refused.size is None:
-                    raise
-                view = wanted.of_size(*refused.size)
+    def _removed(
+        self, alternation: Alternation, solid: Solid, pixels: np.ndarray, of: np.ndarray | None = None
+    ) -> _Removed:
+        """Return the pieces of a solid that bodies remove, or that the tools remove in trajectories `of` (n,) bool."""
+        chosen = np.flatnonzero(alternation.of_body if of is None else of[alternation.trajectory])
+        moves = alternation.moves
+        radius = np.array([cut.tool.radius for cut in moves.cuts])[moves.cut[chosen]]
+        pixel = pixels[alternation.trajectory[chosen]]
+        found = []
+        for size in np.unique(pixel).tolist():
+            own = pixel == size
+            rays = FineRays(moves, solid, size, _TURN)
+            removed = rays.removed_by(chosen[own], radius[own], self._going_on)
+            found += [_Removed.by(pieces, alternation.trajectory) for pieces in removed]
+            self.pixel = max(self.pixel, size)
+        return _Removed.joined(found)
 
 
 def _low_moves(cuts: Cuts, bodies: Sequence[Body | None], stock: Solid) -> np.ndarray:
@@ -295,18 +301,24 @@ def _low_moves(cuts: Cuts, bodies: Sequence[Body | None], stock: Solid) -> np.nd
     return low
 
 
-def _view_of(cuts: Cuts, bodies: Sequence[Body | None], low: np.ndarray, stock: Solid) -> View:
-    """Return the view along the tool axis of the part of the stock where bodies are low."""
+def _pixels(cuts: Cuts, bodies: Sequence[Body | None], low: np.ndarray, solid: Solid) -> np.ndarray:
+    """Return the distance between the rays on which the body of each trajectory is checked, (n,) mm.
+
+    The rays lie close together where a body is narrow, or hardly wider than its tool.
+    """
     own = cuts.cut[low]
     radius = np.array([body.radius if body else 0.0 for body in bodies])[own][:, None]
     ends = [points[low, :2] for points in cuts.ends]
-    lower = np.maximum((np.minimum(*ends) - radius).min(axis=0), stock.lower[:2])
-    upper = np.minimum((np.maximum(*ends) + radius).max(axis=0), stock.upper[:2])
-    size = upper - lower
-    pixel = max(float(np.sqrt(size.prod() / _PIXELS)), float(size.max()) / LONGEST_SIDE, _TOUCHES)
-    width, height = np.maximum(np.ceil(size / pixel), 1).astype(int).tolist()
-    offset = (lower + upper) / 2 - ((stock.lower + stock.upper) / 2)[:2]
-    return View(width=width, height=height, pixel=pixel, offset=tuple(offset.tolist()))
+    lower = np.maximum((np.minimum(*ends) - radius).min(axis=0), solid.lower[:2])
+    upper = np.minimum((np.maximum(*ends) + radius).max(axis=0), solid.upper[:2])
+    pixel = np.full(len(bodies), sqrt(float((upper - lower).prod()) / _RAYS))
+    for number, (cut, body) in enumerate(zip(cuts.cuts, bodies)):
+        if body:
+            ring = 2 * pi * body.radius * (body.radius - cut.tool.radius)
+            pixel[number] = min(pixel[number], body.radius / _ACROSS, sqrt(ring / _IN_RING) if ring > 0 else inf)
+    of_cut = 2.0 ** np.floor(np.log2(np.maximum(pixel, _CLOSEST)))
+    result: np.ndarray = of_cut[cuts.cut]
+    return result
 
 
 def _lifted(cuts: Cuts, bodies: Sequence[Body | None], low: np.ndarray) -> Alternation:
@@ -318,7 +330,8 @@ def _lifted(cuts: Cuts, bodies: Sequence[Body | None], low: np.ndarray) -> Alter
 
 
 def _parts(wanted: np.ndarray) -> np.ndarray:
-    result: np.ndarray = np.clip(np.ceil(wanted), 1, _MOST_PARTS).astype(np.int64)
+    most = max(1, min(_MOST_PARTS, _PARTS_TOGETHER // max(1, np.count_nonzero(wanted > 1))))
+    result: np.ndarray = np.clip(np.ceil(wanted), 1, most).astype(np.int64)
     return result
 
 
@@ -342,18 +355,24 @@ class _Removed:
     height: np.ndarray
 
     @classmethod
-    def by(cls, zbuffer: ZBuffer, trajectory: np.ndarray, chosen: np.ndarray) -> _Removed:
-        """Return the pieces that chosen moves (n,) of given trajectories (n,) remove."""
-        records = zbuffer.records
-        piece, pixel, near = records.pieces_of(chosen)
-        far = records.far[piece]
+    def by(cls, pieces: RemovedPieces, trajectory: np.ndarray) -> _Removed:
+        """Return removed pieces, in the order of rays and depths, of moves of given trajectories (n,)."""
+        every = np.arange(len(pieces.owner))
         # The pieces directly above were removed by the same bodies before. They belong to the colliding material.
-        begins = np.ones(len(piece), bool)
-        begins[1:] = (np.diff(piece) != 1) | (np.diff(pixel) != 0)
-        top = near[np.flatnonzero(begins)][np.cumsum(begins) - 1] if len(piece) else near
-        row, column = np.divmod(pixel, zbuffer.frame.width)
-        lower, upper = (zbuffer.frame.points(column, row, depth.astype(float)) for depth in (far, near))
-        return cls(trajectory[records.owner[piece]], lower, upper, far.astype(float) - top)
+        begins = np.ones(len(every), bool)
+        begins[1:] = (
+            (np.diff(pieces.x) != 0) | (np.diff(pieces.y) != 0) | (pieces.near[1:] > pieces.far[:-1] + THINNEST)
+        )
+        top = pieces.near[np.flatnonzero(begins)][np.cumsum(begins) - 1] if len(every) else pieces.near
+        lower, upper = (pieces.points(every, depth) for depth in (pieces.far, pieces.near))
+        return cls(trajectory[pieces.owner], lower, upper, pieces.far - top)
+
+    @classmethod
+    def joined(cls, parts: Sequence[_Removed]) -> _Removed:
+        """Join pieces."""
+        nothing = cls(np.empty(0, np.int64), np.empty((0, 3)), np.empty((0, 3)), np.empty(0))
+        columns = zip(*((one.trajectory, one.lower, one.upper, one.height) for one in (nothing, *parts)))
+        return cls(*map(np.concatenate, columns))
 
     def is_by(self, trajectories: int) -> np.ndarray:
         """Return which trajectories remove pieces, (trajectories,) bool."""
