@@ -154,8 +154,9 @@ class Job:
             sizes.update(length=between, cutting_edge_height=between, shank_diameter=diameter)
             if fault == "short":
                 sizes.update(holder_diameter=None, holder_length=None)
-        elif rng.random() < 0.5:
-            # The shank is as wide as the flutes, and rubs at the walls. Or the holder is just above the block.
+        elif rng.random() < 0.5 and fault not in ("no retract", "wall"):
+            # The shank is as wide as the flutes, and rubs at the walls. Or the holder is just above the block. These flutes are too short
+            # for cuts beside the pocket.
             if rng.random() < 0.5:
                 thickness = max(-np.diff(layers, prepend=self.top))
                 sizes.update(cutting_edge_height=1.01 * thickness + 0.05, shank_diameter=diameter)

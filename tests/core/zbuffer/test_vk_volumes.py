@@ -11,7 +11,7 @@ import pytest
 from zbuffer_inputs import toolpath
 
 from vkworkbench.core import Cut, Cylinder, Stock, Tool, View
-from vkworkbench.core.zbuffer import CrashCheck, cuts_air, facts, measure_volumes, simulate_job
+from vkworkbench.core.zbuffer import CrashCheck, Volumes, cuts_air, facts, measure_volumes, simulate_job
 
 SHEET = Stock((0, 0, 0), (600, 400, 2))
 
@@ -40,6 +40,23 @@ def test_volume_of_slots_in_a_sheet_is_within_its_error(diameter, slope):
     error = measured.error(range(1))
     assert abs(measured.each.sum() - exact) <= error <= 0.01 * exact
     assert measured.depths[[1, 5]] == pytest.approx(1.5) and measured.depths[3] == 0
+
+
+def test_slope_that_is_mostly_beside_the_stock_is_measured_finely():
+    """A slope of 352 mm, of which only the first 7 mm are in the stock. The volume is from a height map of 0.01 mm."""
+    stock = Stock((0, 0, 0), (55.5, 276.7, 3.13558877))
+    slope = path((0.785063, 122.320424, 8), (0.785063, 122.320424, 1.512902), (-338.219062, 219.931914, 0.313559))
+    cut = Cut(slope, Tool("endmill", 11.97761577755422))
+    measured = measure_volumes([cut], stock)
+    fine = View(width=800, height=3000, pixel=0.01, offset=(4 - 55.5 / 2, 127 - 276.7 / 2))
+    exact = simulate_job([cut], stock=stock, view=fine).records.lengths.sum() * 0.01**2
+    assert abs(measured.each.sum() - exact) <= measured.error(range(1)) <= 0.001 * exact
+
+
+def test_error_is_at_least_one_ray():
+    """Four images that agree by chance do not make the error small."""
+    agreeing = Volumes(np.array([900.0]), np.array([1.0]), np.full((4, 1), 900.0), np.array([1.2]))
+    assert agreeing.error(range(1)) == 1.2
 
 
 def test_errors_hold_in_95_of_100_jobs():

@@ -330,7 +330,7 @@ def _lifted(cuts: Cuts, bodies: Sequence[Body | None], low: np.ndarray) -> Alter
 
 
 def _parts(wanted: np.ndarray) -> np.ndarray:
-    most = max(1, min(_MOST_PARTS, _PARTS_TOGETHER // max(1, np.count_nonzero(wanted > 1))))
+    most = max(1, min(_MOST_PARTS, _PARTS_TOGETHER // max(1, int((wanted > 1).sum()))))
     result: np.ndarray = np.clip(np.ceil(wanted), 1, most).astype(np.int64)
     return result
 

@@ -25,7 +25,7 @@ _TURNS = tuple(pi / 180 * angle for angle in (9.0, 33.0, 57.0, 81.0))
 _RAYS = 60_000
 # Factor for the standard error of the mean of four images, so that 95 of 100 errors are smaller: Student's t with 3 degrees of freedom.
 _STUDENT = 3.18
-# Smallest relative error, for the rounding of depths and for four images that agree by chance.
+# Smallest relative error, for the rounding of depths.
 _LEAST = 5e-4
 
 
@@ -41,17 +41,21 @@ class Volumes:
         Height of the highest piece that each trajectory removes from a ray, mm.
     images : (4, cuts) float64
         Volume that each cut removes in each image, mm^3.
+    rays : (cuts,) float64
+        Largest volume that each cut removes from one ray, mm^3. Errors are not smaller, because four images may agree by chance.
     """
 
     each: np.ndarray
     depths: np.ndarray
     images: np.ndarray
+    rays: np.ndarray
 
     def error(self, cuts: range) -> float:
         """Return the error of the volume that some cuts remove together, mm^3: 95 of 100 errors are smaller."""
         together = self.images[:, cuts.start : cuts.stop].sum(axis=1)
         spread = float(together.std(ddof=1)) / sqrt(len(together))
-        return max(_STUDENT * spread, _LEAST * float(together.mean()))
+        ray = float(self.rays[cuts.start : cuts.stop].max(initial=0.0))
+        return max(_STUDENT * spread, _LEAST * float(together.mean()), ray)
 
 
 def measure_volumes(
@@ -81,6 +85,7 @@ def measure_volumes(
     numbered, end = Cuts(cuts), time.monotonic() + seconds
     each, depths = np.zeros((2, len(numbered)))
     images = np.zeros((len(_TURNS), len(numbered.cuts)))
+    largest = np.zeros(len(numbered.cuts))
     for number in range(len(numbered.cuts)):
         moves, half_width, pixel = _strips(numbered, number, stock)
         for image, turn in enumerate(_TURNS if len(moves) else ()):
@@ -90,9 +95,11 @@ def measure_volumes(
                     return None
                 volumes = pieces.volumes(len(numbered))
                 each += volumes / len(_TURNS)
-                np.maximum.at(depths, pieces.owner, pieces.far - pieces.near)
+                deep = pieces.far - pieces.near
+                np.maximum.at(depths, pieces.owner, deep)
+                largest[number] = max(largest[number], float(deep.max(initial=0.0)) * pixel**2)
                 images[image, number] += volumes.sum()
-    return Volumes(each, depths, images)
+    return Volumes(each, depths, images, largest)
 
 
 def _strips(cuts: Cuts, number: int, stock: Solid) -> tuple[np.ndarray, np.ndarray, float]:
@@ -105,7 +112,18 @@ def _strips(cuts: Cuts, number: int, stock: Solid) -> tuple[np.ndarray, np.ndarr
     met = (low[:, 2] < stock.upper[2]) & (low[:, :2] < stock.upper[:2] + tool.radius).all(axis=1)
     met &= (high[:, :2] > stock.lower[:2] - tool.radius).all(axis=1)
     moves, half_width = np.flatnonzero(met), half_width[met]
-    run = np.hypot(*(end - start)[met, :2].T)
+    run = np.hypot(*(end - start)[met, :2].T) * _shares_inside(start[met, :2], end[met, :2], half_width[:, None], stock)
     area = float(((run + 2 * half_width) * 2 * half_width).sum())
     block = float(np.prod((stock.upper - stock.lower)[:2]))
     return moves + own.start, half_width, sqrt(max(min(area, block), 1e-6) / _RAYS)
+
+
+def _shares_inside(start: np.ndarray, end: np.ndarray, margin: np.ndarray, stock: Solid) -> np.ndarray:
+    """Return the share of each segment (k, 2) that is inside the box of the stock, enlarged by a margin (k, 1), mm."""
+    move = end - start
+    moving = np.where(move == 0, 1.0, move)
+    to_lower = np.where(move == 0, -np.inf, (stock.lower[:2] - margin - start) / moving)
+    to_upper = np.where(move == 0, np.inf, (stock.upper[:2] + margin - start) / moving)
+    first, last = np.minimum(to_lower, to_upper).max(axis=1), np.maximum(to_lower, to_upper).min(axis=1)
+    result: np.ndarray = np.maximum(np.minimum(last, 1.0) - np.maximum(first, 0.0), 0.0)
+    return result
