@@ -8,6 +8,7 @@
     vkworkbench.mark(report)           # marks the tree in one undo step
     vkworkbench.clear()
     vkworkbench.set_clamps(job, [vice])     # what no tool may touch, for the simulation
+    vkworkbench.set_previous_job(second, first)     # the simulation begins with what the first job leaves
     vkworkbench.simulate(job, view="Isometric").at(100)     # the part after 100 trajectories
     vkworkbench.simulate("program.nc").facts()      # crashes and collisions of an NC program; works without FreeCAD
 
@@ -22,7 +23,7 @@ from collections.abc import Callable, Iterable
 from importlib import import_module
 
 __version__ = "0.1.0"
-__all__ = ["Cancelled", "Report", "analyze", "clear", "mark", "set_clamps", "simulate"]
+__all__ = ["Cancelled", "Report", "analyze", "clear", "mark", "set_clamps", "set_previous_job", "simulate"]
 
 # numpy before 1.20 warns when NaN is compared; newer versions do not.
 warnings.filterwarnings("ignore", "invalid value encountered in (less|greater)", RuntimeWarning, r"vkworkbench\.")
@@ -33,6 +34,7 @@ _HOMES = {
     "clear": "vkworkbench.document.marks.marking",
     "Report": "vkworkbench.report",
     "set_clamps": "vkworkbench.document.job.clamps",
+    "set_previous_job": "vkworkbench.document.job.previous",
 }
 
 

@@ -157,6 +157,8 @@ STOCK = Property("Stock", fingerprint="setting")
 MODEL = Property("Model")
 # Objects that hold the workpiece; a property of this add-on.
 CLAMPS = Property("ToolpathClamps", fingerprint="setting")
+# The job whose finished part is the stock of a job; a property of this add-on.
+PREVIOUS_JOB = Property("ToolpathPreviousJob", fingerprint="setting")
 SHAPE = Property("Shape", fingerprint="setting")
 # A tool controller.
 TOOL = Property("Tool", fingerprint="setting")

@@ -1381,6 +1381,10 @@
         <source>Not everything could be checked, for {count:n} reasons. The first reason: {first}</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>{label} already begins with what this job leaves. Choose another job.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>Strategy</name>
@@ -1789,6 +1793,21 @@
     </message>
 </context>
 <context>
+    <name>Vk_AddMesh</name>
+    <message>
+        <source>Add Simulated Part as Mesh</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Simulates the job, and adds the part that it leaves to the document as a mesh.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{} was added to the document.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>Vk_Analyze</name>
     <message>
         <source>No document is open. Open one with a job or a toolpath first.</source>
@@ -1840,6 +1859,37 @@
     </message>
     <message>
         <source>Toolpath Analysis</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>Vk_Clamps</name>
+    <message>
+        <source>Set Clamps from Selection</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Makes the selected solids, such as clamps and vices, the clamps of the job. The simulation warns if a tool, shank or holder collides with them. If no solid is selected, shows the present clamps.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>To set others, select their solids first, and the job if there are several.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{} has no clamps.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>To set them, select their solids first, and the job if there are several.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Remove Clamps</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Clamps of {}: {}.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -1942,6 +1992,56 @@
     </message>
     <message>
         <source>Save Picture</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>Vk_Jobs</name>
+    <message>
+        <source>The document has no job.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose the job:</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Simulating {}…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The simulation was cancelled. Nothing has changed.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>Vk_PreviousJob</name>
+    <message>
+        <source>Begin with the Part of Another Job</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Lets the simulation of the job begin with the part that another job leaves, as for the second side of a part. The part is moved and turned with the model.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No other job of this document machines the part of {}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The simulation of {} begins with:</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The stock of {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{} begins with its own stock.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{} begins with the part that {} leaves.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -2270,6 +2370,25 @@ Memory</source>
     </message>
     <message>
         <source>This is not a possible time. Enter it like 17:30 or 1:02:30.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>Vk_SaveStl</name>
+    <message>
+        <source>Save Simulated Part as STL</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Simulates the job, and saves the part that it leaves as an STL file.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{} cannot be written: {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The part is saved in {}.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

@@ -1381,6 +1381,10 @@
         <source>Not everything could be checked, for {count:n} reasons. The first reason: {first}</source>
         <translation>Aus {count:n} Gründen konnte nicht alles geprüft werden. Der erste Grund: {first}</translation>
     </message>
+    <message>
+        <source>{label} already begins with what this job leaves. Choose another job.</source>
+        <translation>{label} beginnt bereits mit dem, was dieser Auftrag zurücklässt. Wählen Sie einen anderen Auftrag.</translation>
+    </message>
 </context>
 <context>
     <name>Strategy</name>
@@ -1789,6 +1793,21 @@
     </message>
 </context>
 <context>
+    <name>Vk_AddMesh</name>
+    <message>
+        <source>Add Simulated Part as Mesh</source>
+        <translation>Simuliertes Teil als Netz hinzufügen</translation>
+    </message>
+    <message>
+        <source>Simulates the job, and adds the part that it leaves to the document as a mesh.</source>
+        <translation>Simuliert den Auftrag und fügt das Teil, das er zurücklässt, dem Dokument als Netz hinzu.</translation>
+    </message>
+    <message>
+        <source>{} was added to the document.</source>
+        <translation>{} wurde dem Dokument hinzugefügt.</translation>
+    </message>
+</context>
+<context>
     <name>Vk_Analyze</name>
     <message>
         <source>Recognizes the machining strategy of each selected operation, or of all operations of the active document. Estimates what simulating each operation costs, and marks it in the tree.</source>
@@ -1841,6 +1860,37 @@
     <message>
         <source>Measuring how fast this computer simulates…</source>
         <translation>Es wird gemessen, wie schnell dieser Computer simuliert…</translation>
+    </message>
+</context>
+<context>
+    <name>Vk_Clamps</name>
+    <message>
+        <source>Set Clamps from Selection</source>
+        <translation>Auswahl als Spannvorrichtungen festlegen</translation>
+    </message>
+    <message>
+        <source>Makes the selected solids, such as clamps and vices, the clamps of the job. The simulation warns if a tool, shank or holder collides with them. If no solid is selected, shows the present clamps.</source>
+        <translation>Macht die ausgewählten Körper, zum Beispiel Spannpratzen und Schraubstöcke, zu den Spannvorrichtungen des Auftrags. Die Simulation warnt, wenn Werkzeug, Schaft oder Halter mit ihnen kollidieren. Ist kein Körper ausgewählt, werden die jetzigen Spannvorrichtungen gezeigt.</translation>
+    </message>
+    <message>
+        <source>To set others, select their solids first, and the job if there are several.</source>
+        <translation>Um andere festzulegen, wählen Sie zuerst deren Körper aus, und den Auftrag, wenn es mehrere gibt.</translation>
+    </message>
+    <message>
+        <source>{} has no clamps.</source>
+        <translation>{} hat keine Spannvorrichtungen.</translation>
+    </message>
+    <message>
+        <source>To set them, select their solids first, and the job if there are several.</source>
+        <translation>Um welche festzulegen, wählen Sie zuerst deren Körper aus, und den Auftrag, wenn es mehrere gibt.</translation>
+    </message>
+    <message>
+        <source>Remove Clamps</source>
+        <translation>Spannvorrichtungen entfernen</translation>
+    </message>
+    <message>
+        <source>Clamps of {}: {}.</source>
+        <translation>Spannvorrichtungen von {}: {}.</translation>
     </message>
 </context>
 <context>
@@ -1943,6 +1993,56 @@
     <message>
         <source>&lt;p&gt;The left plot shows the toolpath with the vector V&lt;sub&gt;k&lt;/sub&gt; from the first point of the area. The unit circle shows the directions of the trajectory v&lt;sub&gt;k&lt;/sub&gt; and of V&lt;sub&gt;k&lt;/sub&gt;. Its arcs show how these directions have moved. In a zigzag, the direction of v&lt;sub&gt;k&lt;/sub&gt; moves back and forth on a part of the circle. In a contour, it moves all around the circle. The direction of V&lt;sub&gt;k&lt;/sub&gt; moves all around only if the path begins inside the contour. The right plot shows the cumulative angular function φ and the angle θ on level n. A contour-parallel path reaches the dashed lines ±2π, and a zigzag stays between them.&lt;/p&gt;</source>
         <translation>&lt;p&gt;Das linke Diagramm zeigt den Werkzeugweg mit dem Vektor V&lt;sub&gt;k&lt;/sub&gt; vom ersten Punkt des Bereichs aus. Der Einheitskreis zeigt die Richtungen der Bewegung v&lt;sub&gt;k&lt;/sub&gt; und von V&lt;sub&gt;k&lt;/sub&gt;. Seine Bögen zeigen, wie diese Richtungen gewandert sind. Bei einem Zickzack wandert die Richtung von v&lt;sub&gt;k&lt;/sub&gt; auf einem Teil des Kreises hin und her. Bei einer Kontur wandert sie ganz herum. Die Richtung von V&lt;sub&gt;k&lt;/sub&gt; wandert nur dann ganz herum, wenn der Weg innerhalb der Kontur beginnt. Das rechte Diagramm zeigt die kumulierte Winkelfunktion φ und den Winkel θ auf Stufe n. Ein konturparalleler Weg erreicht die gestrichelten Linien ±2π, und ein Zickzack bleibt dazwischen.&lt;/p&gt;</translation>
+    </message>
+</context>
+<context>
+    <name>Vk_Jobs</name>
+    <message>
+        <source>The document has no job.</source>
+        <translation>Das Dokument hat keinen Auftrag.</translation>
+    </message>
+    <message>
+        <source>Choose the job:</source>
+        <translation>Wählen Sie den Auftrag:</translation>
+    </message>
+    <message>
+        <source>Simulating {}…</source>
+        <translation>{} wird simuliert…</translation>
+    </message>
+    <message>
+        <source>The simulation was cancelled. Nothing has changed.</source>
+        <translation>Die Simulation wurde abgebrochen. Nichts hat sich geändert.</translation>
+    </message>
+</context>
+<context>
+    <name>Vk_PreviousJob</name>
+    <message>
+        <source>Begin with the Part of Another Job</source>
+        <translation>Mit dem Teil eines anderen Auftrags beginnen</translation>
+    </message>
+    <message>
+        <source>Lets the simulation of the job begin with the part that another job leaves, as for the second side of a part. The part is moved and turned with the model.</source>
+        <translation>Lässt die Simulation des Auftrags mit dem Teil beginnen, das ein anderer Auftrag zurücklässt, wie für die zweite Seite eines Teils. Das Teil wird mit dem Modell verschoben und gedreht.</translation>
+    </message>
+    <message>
+        <source>No other job of this document machines the part of {}.</source>
+        <translation>Kein anderer Auftrag dieses Dokuments bearbeitet das Teil von {}.</translation>
+    </message>
+    <message>
+        <source>The simulation of {} begins with:</source>
+        <translation>Die Simulation von {} beginnt mit:</translation>
+    </message>
+    <message>
+        <source>The stock of {}</source>
+        <translation>Rohteil von {}</translation>
+    </message>
+    <message>
+        <source>{} begins with its own stock.</source>
+        <translation>{} beginnt mit dem eigenen Rohteil.</translation>
+    </message>
+    <message>
+        <source>{} begins with the part that {} leaves.</source>
+        <translation>{} beginnt mit dem Teil, das {} zurücklässt.</translation>
     </message>
 </context>
 <context>
@@ -2277,6 +2377,25 @@ höchstens</translation>
     <message>
         <source>This is not a possible time. Enter it like 17:30 or 1:02:30.</source>
         <translation>Diese Zeit ist nicht möglich. Geben Sie sie in der Form 17:30 oder 1:02:30 ein.</translation>
+    </message>
+</context>
+<context>
+    <name>Vk_SaveStl</name>
+    <message>
+        <source>Save Simulated Part as STL</source>
+        <translation>Simuliertes Teil als STL speichern</translation>
+    </message>
+    <message>
+        <source>Simulates the job, and saves the part that it leaves as an STL file.</source>
+        <translation>Simuliert den Auftrag und speichert das Teil, das er zurücklässt, als STL-Datei.</translation>
+    </message>
+    <message>
+        <source>{} cannot be written: {}</source>
+        <translation>{} kann nicht geschrieben werden: {}</translation>
+    </message>
+    <message>
+        <source>The part is saved in {}.</source>
+        <translation>Das Teil ist in {} gespeichert.</translation>
     </message>
 </context>
 <context>

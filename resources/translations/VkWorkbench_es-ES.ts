@@ -1381,6 +1381,10 @@
         <source>Not everything could be checked, for {count:n} reasons. The first reason: {first}</source>
         <translation>No se ha podido comprobar todo, por {count:n} motivos. El primer motivo: {first}</translation>
     </message>
+    <message>
+        <source>{label} already begins with what this job leaves. Choose another job.</source>
+        <translation>{label} ya empieza con lo que deja este trabajo. Elija otro trabajo.</translation>
+    </message>
 </context>
 <context>
     <name>Strategy</name>
@@ -1789,6 +1793,21 @@
     </message>
 </context>
 <context>
+    <name>Vk_AddMesh</name>
+    <message>
+        <source>Add Simulated Part as Mesh</source>
+        <translation>Añadir la pieza simulada como malla</translation>
+    </message>
+    <message>
+        <source>Simulates the job, and adds the part that it leaves to the document as a mesh.</source>
+        <translation>Simula el trabajo y añade al documento la pieza que deja, como malla.</translation>
+    </message>
+    <message>
+        <source>{} was added to the document.</source>
+        <translation>Se ha añadido {} al documento.</translation>
+    </message>
+</context>
+<context>
     <name>Vk_Analyze</name>
     <message>
         <source>Recognizes the machining strategy of each selected operation, or of all operations of the active document. Estimates what simulating each operation costs, and marks it in the tree.</source>
@@ -1841,6 +1860,37 @@
     <message>
         <source>Measuring how fast this computer simulates…</source>
         <translation>Midiendo a qué velocidad simula este ordenador…</translation>
+    </message>
+</context>
+<context>
+    <name>Vk_Clamps</name>
+    <message>
+        <source>Set Clamps from Selection</source>
+        <translation>Definir las bridas a partir de la selección</translation>
+    </message>
+    <message>
+        <source>Makes the selected solids, such as clamps and vices, the clamps of the job. The simulation warns if a tool, shank or holder collides with them. If no solid is selected, shows the present clamps.</source>
+        <translation>Convierte los sólidos seleccionados, por ejemplo bridas y mordazas, en las bridas del trabajo. La simulación avisa si una herramienta, un vástago o un portaherramientas choca con ellas. Si no hay ningún sólido seleccionado, muestra las bridas actuales.</translation>
+    </message>
+    <message>
+        <source>To set others, select their solids first, and the job if there are several.</source>
+        <translation>Para definir otras, seleccione primero sus sólidos, y el trabajo si hay varios.</translation>
+    </message>
+    <message>
+        <source>{} has no clamps.</source>
+        <translation>{} no tiene bridas.</translation>
+    </message>
+    <message>
+        <source>To set them, select their solids first, and the job if there are several.</source>
+        <translation>Para definirlas, seleccione primero sus sólidos, y el trabajo si hay varios.</translation>
+    </message>
+    <message>
+        <source>Remove Clamps</source>
+        <translation>Quitar las bridas</translation>
+    </message>
+    <message>
+        <source>Clamps of {}: {}.</source>
+        <translation>Bridas de {}: {}.</translation>
     </message>
 </context>
 <context>
@@ -1943,6 +1993,56 @@
     <message>
         <source>&lt;p&gt;The left plot shows the toolpath with the vector V&lt;sub&gt;k&lt;/sub&gt; from the first point of the area. The unit circle shows the directions of the trajectory v&lt;sub&gt;k&lt;/sub&gt; and of V&lt;sub&gt;k&lt;/sub&gt;. Its arcs show how these directions have moved. In a zigzag, the direction of v&lt;sub&gt;k&lt;/sub&gt; moves back and forth on a part of the circle. In a contour, it moves all around the circle. The direction of V&lt;sub&gt;k&lt;/sub&gt; moves all around only if the path begins inside the contour. The right plot shows the cumulative angular function φ and the angle θ on level n. A contour-parallel path reaches the dashed lines ±2π, and a zigzag stays between them.&lt;/p&gt;</source>
         <translation>&lt;p&gt;El gráfico izquierdo muestra la trayectoria de la herramienta con el vector V&lt;sub&gt;k&lt;/sub&gt; desde el primer punto de la zona. El círculo unidad muestra las direcciones del tramo v&lt;sub&gt;k&lt;/sub&gt; y de V&lt;sub&gt;k&lt;/sub&gt;. Sus arcos muestran cómo se han movido estas direcciones. En un zigzag, la dirección de v&lt;sub&gt;k&lt;/sub&gt; va y viene por una parte del círculo. En un contorno, da la vuelta entera. La dirección de V&lt;sub&gt;k&lt;/sub&gt; solo da la vuelta entera si la trayectoria empieza dentro del contorno. El gráfico derecho muestra la función angular acumulada φ y el ángulo θ en el nivel n. Una trayectoria de contornos paralelos alcanza las líneas discontinuas ±2π, y un zigzag queda entre ellas.&lt;/p&gt;</translation>
+    </message>
+</context>
+<context>
+    <name>Vk_Jobs</name>
+    <message>
+        <source>The document has no job.</source>
+        <translation>El documento no tiene ningún trabajo.</translation>
+    </message>
+    <message>
+        <source>Choose the job:</source>
+        <translation>Elija el trabajo:</translation>
+    </message>
+    <message>
+        <source>Simulating {}…</source>
+        <translation>Simulando {}…</translation>
+    </message>
+    <message>
+        <source>The simulation was cancelled. Nothing has changed.</source>
+        <translation>La simulación se ha cancelado. Nada ha cambiado.</translation>
+    </message>
+</context>
+<context>
+    <name>Vk_PreviousJob</name>
+    <message>
+        <source>Begin with the Part of Another Job</source>
+        <translation>Empezar con la pieza de otro trabajo</translation>
+    </message>
+    <message>
+        <source>Lets the simulation of the job begin with the part that another job leaves, as for the second side of a part. The part is moved and turned with the model.</source>
+        <translation>Hace que la simulación del trabajo empiece con la pieza que deja otro trabajo, como para la segunda cara de una pieza. La pieza se mueve y se gira con el modelo.</translation>
+    </message>
+    <message>
+        <source>No other job of this document machines the part of {}.</source>
+        <translation>Ningún otro trabajo de este documento mecaniza la pieza de {}.</translation>
+    </message>
+    <message>
+        <source>The simulation of {} begins with:</source>
+        <translation>La simulación de {} empieza con:</translation>
+    </message>
+    <message>
+        <source>The stock of {}</source>
+        <translation>El material bruto de {}</translation>
+    </message>
+    <message>
+        <source>{} begins with its own stock.</source>
+        <translation>{} empieza con su propio material bruto.</translation>
+    </message>
+    <message>
+        <source>{} begins with the part that {} leaves.</source>
+        <translation>{} empieza con la pieza que deja {}.</translation>
     </message>
 </context>
 <context>
@@ -2277,6 +2377,25 @@ como mucho</translation>
     <message>
         <source>This is not a possible time. Enter it like 17:30 or 1:02:30.</source>
         <translation>Este tiempo no es posible. Introdúzcalo como 17:30 o 1:02:30.</translation>
+    </message>
+</context>
+<context>
+    <name>Vk_SaveStl</name>
+    <message>
+        <source>Save Simulated Part as STL</source>
+        <translation>Guardar la pieza simulada como STL</translation>
+    </message>
+    <message>
+        <source>Simulates the job, and saves the part that it leaves as an STL file.</source>
+        <translation>Simula el trabajo y guarda la pieza que deja como archivo STL.</translation>
+    </message>
+    <message>
+        <source>{} cannot be written: {}</source>
+        <translation>No se puede escribir {}: {}</translation>
+    </message>
+    <message>
+        <source>The part is saved in {}.</source>
+        <translation>La pieza se ha guardado en {}.</translation>
     </message>
 </context>
 <context>

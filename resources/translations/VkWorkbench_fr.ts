@@ -1381,6 +1381,10 @@
         <source>Not everything could be checked, for {count:n} reasons. The first reason: {first}</source>
         <translation>Tout n&apos;a pas pu être vérifié, pour {count:n} raisons. La première raison : {first}</translation>
     </message>
+    <message>
+        <source>{label} already begins with what this job leaves. Choose another job.</source>
+        <translation>{label} commence déjà par ce que ce travail laisse. Choisissez un autre travail.</translation>
+    </message>
 </context>
 <context>
     <name>Strategy</name>
@@ -1789,6 +1793,21 @@
     </message>
 </context>
 <context>
+    <name>Vk_AddMesh</name>
+    <message>
+        <source>Add Simulated Part as Mesh</source>
+        <translation>Ajouter la pièce simulée comme maillage</translation>
+    </message>
+    <message>
+        <source>Simulates the job, and adds the part that it leaves to the document as a mesh.</source>
+        <translation>Simule le travail et ajoute au document la pièce qu&apos;il laisse, comme maillage.</translation>
+    </message>
+    <message>
+        <source>{} was added to the document.</source>
+        <translation>{} a été ajouté au document.</translation>
+    </message>
+</context>
+<context>
     <name>Vk_Analyze</name>
     <message>
         <source>Recognizes the machining strategy of each selected operation, or of all operations of the active document. Estimates what simulating each operation costs, and marks it in the tree.</source>
@@ -1841,6 +1860,37 @@
     <message>
         <source>Measuring how fast this computer simulates…</source>
         <translation>Mesure de la vitesse de simulation de cet ordinateur…</translation>
+    </message>
+</context>
+<context>
+    <name>Vk_Clamps</name>
+    <message>
+        <source>Set Clamps from Selection</source>
+        <translation>Définir les brides depuis la sélection</translation>
+    </message>
+    <message>
+        <source>Makes the selected solids, such as clamps and vices, the clamps of the job. The simulation warns if a tool, shank or holder collides with them. If no solid is selected, shows the present clamps.</source>
+        <translation>Fait des solides sélectionnés, par exemple des brides et des étaux, les brides du travail. La simulation avertit si un outil, une queue ou un porte-outil les heurte. Sans solide sélectionné, montre les brides actuelles.</translation>
+    </message>
+    <message>
+        <source>To set others, select their solids first, and the job if there are several.</source>
+        <translation>Pour en définir d&apos;autres, sélectionnez d&apos;abord leurs solides, et le travail s&apos;il y en a plusieurs.</translation>
+    </message>
+    <message>
+        <source>{} has no clamps.</source>
+        <translation>{} n&apos;a pas de brides.</translation>
+    </message>
+    <message>
+        <source>To set them, select their solids first, and the job if there are several.</source>
+        <translation>Pour en définir, sélectionnez d&apos;abord leurs solides, et le travail s&apos;il y en a plusieurs.</translation>
+    </message>
+    <message>
+        <source>Remove Clamps</source>
+        <translation>Retirer les brides</translation>
+    </message>
+    <message>
+        <source>Clamps of {}: {}.</source>
+        <translation>Brides de {} : {}.</translation>
     </message>
 </context>
 <context>
@@ -1943,6 +1993,56 @@
     <message>
         <source>&lt;p&gt;The left plot shows the toolpath with the vector V&lt;sub&gt;k&lt;/sub&gt; from the first point of the area. The unit circle shows the directions of the trajectory v&lt;sub&gt;k&lt;/sub&gt; and of V&lt;sub&gt;k&lt;/sub&gt;. Its arcs show how these directions have moved. In a zigzag, the direction of v&lt;sub&gt;k&lt;/sub&gt; moves back and forth on a part of the circle. In a contour, it moves all around the circle. The direction of V&lt;sub&gt;k&lt;/sub&gt; moves all around only if the path begins inside the contour. The right plot shows the cumulative angular function φ and the angle θ on level n. A contour-parallel path reaches the dashed lines ±2π, and a zigzag stays between them.&lt;/p&gt;</source>
         <translation>&lt;p&gt;Le graphique de gauche montre le parcours d&apos;outil avec le vecteur V&lt;sub&gt;k&lt;/sub&gt; issu du premier point de la zone. Le cercle unité montre les directions de la trajectoire v&lt;sub&gt;k&lt;/sub&gt; et de V&lt;sub&gt;k&lt;/sub&gt;. Ses arcs montrent comment ces directions ont bougé. Pour un zigzag, la direction de v&lt;sub&gt;k&lt;/sub&gt; va et vient sur une partie du cercle. Pour un contour, elle en fait le tour. La direction de V&lt;sub&gt;k&lt;/sub&gt; n&apos;en fait le tour que si le parcours commence à l&apos;intérieur du contour. Le graphique de droite montre la fonction angulaire cumulée φ et l&apos;angle θ au niveau n. Un parcours à contours parallèles atteint les lignes tiretées ±2π, et un zigzag reste entre elles.&lt;/p&gt;</translation>
+    </message>
+</context>
+<context>
+    <name>Vk_Jobs</name>
+    <message>
+        <source>The document has no job.</source>
+        <translation>Le document n&apos;a pas de travail.</translation>
+    </message>
+    <message>
+        <source>Choose the job:</source>
+        <translation>Choisissez le travail :</translation>
+    </message>
+    <message>
+        <source>Simulating {}…</source>
+        <translation>Simulation de {}…</translation>
+    </message>
+    <message>
+        <source>The simulation was cancelled. Nothing has changed.</source>
+        <translation>La simulation a été annulée. Rien n&apos;a changé.</translation>
+    </message>
+</context>
+<context>
+    <name>Vk_PreviousJob</name>
+    <message>
+        <source>Begin with the Part of Another Job</source>
+        <translation>Commencer par la pièce d&apos;un autre travail</translation>
+    </message>
+    <message>
+        <source>Lets the simulation of the job begin with the part that another job leaves, as for the second side of a part. The part is moved and turned with the model.</source>
+        <translation>Fait commencer la simulation du travail par la pièce qu&apos;un autre travail laisse, comme pour la seconde face d&apos;une pièce. La pièce est déplacée et tournée avec le modèle.</translation>
+    </message>
+    <message>
+        <source>No other job of this document machines the part of {}.</source>
+        <translation>Aucun autre travail de ce document n&apos;usine la pièce de {}.</translation>
+    </message>
+    <message>
+        <source>The simulation of {} begins with:</source>
+        <translation>La simulation de {} commence par :</translation>
+    </message>
+    <message>
+        <source>The stock of {}</source>
+        <translation>Le brut de {}</translation>
+    </message>
+    <message>
+        <source>{} begins with its own stock.</source>
+        <translation>{} commence par son propre brut.</translation>
+    </message>
+    <message>
+        <source>{} begins with the part that {} leaves.</source>
+        <translation>{} commence par la pièce que {} laisse.</translation>
     </message>
 </context>
 <context>
@@ -2277,6 +2377,25 @@ au plus</translation>
     <message>
         <source>This is not a possible time. Enter it like 17:30 or 1:02:30.</source>
         <translation>Ce temps n&apos;est pas possible. Entrez-le sous la forme 17:30 ou 1:02:30.</translation>
+    </message>
+</context>
+<context>
+    <name>Vk_SaveStl</name>
+    <message>
+        <source>Save Simulated Part as STL</source>
+        <translation>Enregistrer la pièce simulée en STL</translation>
+    </message>
+    <message>
+        <source>Simulates the job, and saves the part that it leaves as an STL file.</source>
+        <translation>Simule le travail et enregistre la pièce qu&apos;il laisse dans un fichier STL.</translation>
+    </message>
+    <message>
+        <source>{} cannot be written: {}</source>
+        <translation>{} ne peut pas être écrit : {}</translation>
+    </message>
+    <message>
+        <source>The part is saved in {}.</source>
+        <translation>La pièce est enregistrée dans {}.</translation>
     </message>
 </context>
 <context>

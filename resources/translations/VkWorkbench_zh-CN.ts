@@ -1381,6 +1381,10 @@
         <source>Not everything could be checked, for {count:n} reasons. The first reason: {first}</source>
         <translation>由于 {count:n} 个原因，并非全部都能检查。第一个原因：{first}</translation>
     </message>
+    <message>
+        <source>{label} already begins with what this job leaves. Choose another job.</source>
+        <translation>{label} 已经从此作业留下的零件开始。请选择其他作业。</translation>
+    </message>
 </context>
 <context>
     <name>Strategy</name>
@@ -1789,6 +1793,21 @@
     </message>
 </context>
 <context>
+    <name>Vk_AddMesh</name>
+    <message>
+        <source>Add Simulated Part as Mesh</source>
+        <translation>将模拟零件添加为网格</translation>
+    </message>
+    <message>
+        <source>Simulates the job, and adds the part that it leaves to the document as a mesh.</source>
+        <translation>模拟该作业，并将其留下的零件作为网格添加到文档中。</translation>
+    </message>
+    <message>
+        <source>{} was added to the document.</source>
+        <translation>{} 已添加到文档中。</translation>
+    </message>
+</context>
+<context>
     <name>Vk_Analyze</name>
     <message>
         <source>Recognizes the machining strategy of each selected operation, or of all operations of the active document. Estimates what simulating each operation costs, and marks it in the tree.</source>
@@ -1841,6 +1860,37 @@
     <message>
         <source>Measuring how fast this computer simulates…</source>
         <translation>正在测量本机的模拟速度…</translation>
+    </message>
+</context>
+<context>
+    <name>Vk_Clamps</name>
+    <message>
+        <source>Set Clamps from Selection</source>
+        <translation>将所选对象设为夹具</translation>
+    </message>
+    <message>
+        <source>Makes the selected solids, such as clamps and vices, the clamps of the job. The simulation warns if a tool, shank or holder collides with them. If no solid is selected, shows the present clamps.</source>
+        <translation>将所选实体（例如压板和虎钳）设为该作业的夹具。如果刀具、刀柄或夹头与其碰撞，模拟会发出警告。如果没有选择实体，则显示当前的夹具。</translation>
+    </message>
+    <message>
+        <source>To set others, select their solids first, and the job if there are several.</source>
+        <translation>要设置其他夹具，请先选择其实体；如果有多个作业，还要选择作业。</translation>
+    </message>
+    <message>
+        <source>{} has no clamps.</source>
+        <translation>{} 没有夹具。</translation>
+    </message>
+    <message>
+        <source>To set them, select their solids first, and the job if there are several.</source>
+        <translation>要设置夹具，请先选择其实体；如果有多个作业，还要选择作业。</translation>
+    </message>
+    <message>
+        <source>Remove Clamps</source>
+        <translation>移除夹具</translation>
+    </message>
+    <message>
+        <source>Clamps of {}: {}.</source>
+        <translation>{} 的夹具：{}。</translation>
     </message>
 </context>
 <context>
@@ -1943,6 +1993,56 @@
     <message>
         <source>&lt;p&gt;The left plot shows the toolpath with the vector V&lt;sub&gt;k&lt;/sub&gt; from the first point of the area. The unit circle shows the directions of the trajectory v&lt;sub&gt;k&lt;/sub&gt; and of V&lt;sub&gt;k&lt;/sub&gt;. Its arcs show how these directions have moved. In a zigzag, the direction of v&lt;sub&gt;k&lt;/sub&gt; moves back and forth on a part of the circle. In a contour, it moves all around the circle. The direction of V&lt;sub&gt;k&lt;/sub&gt; moves all around only if the path begins inside the contour. The right plot shows the cumulative angular function φ and the angle θ on level n. A contour-parallel path reaches the dashed lines ±2π, and a zigzag stays between them.&lt;/p&gt;</source>
         <translation>&lt;p&gt;左图显示刀具路径以及从区域起点出发的向量 V&lt;sub&gt;k&lt;/sub&gt;。单位圆显示轨迹 v&lt;sub&gt;k&lt;/sub&gt; 和 V&lt;sub&gt;k&lt;/sub&gt; 的方向。圆弧显示这些方向如何移动。在往复路径中，v&lt;sub&gt;k&lt;/sub&gt; 的方向在圆的一部分上来回移动。在轮廓路径中，它绕圆一周。V&lt;sub&gt;k&lt;/sub&gt; 的方向只有当路径从轮廓内部开始时才绕圆一周。右图显示累积角函数 φ 和层级 n 上的角 θ。环切路径达到虚线 ±2π，往复路径保持在其间。&lt;/p&gt;</translation>
+    </message>
+</context>
+<context>
+    <name>Vk_Jobs</name>
+    <message>
+        <source>The document has no job.</source>
+        <translation>该文档没有作业。</translation>
+    </message>
+    <message>
+        <source>Choose the job:</source>
+        <translation>选择作业：</translation>
+    </message>
+    <message>
+        <source>Simulating {}…</source>
+        <translation>正在模拟 {}…</translation>
+    </message>
+    <message>
+        <source>The simulation was cancelled. Nothing has changed.</source>
+        <translation>模拟已取消。没有任何更改。</translation>
+    </message>
+</context>
+<context>
+    <name>Vk_PreviousJob</name>
+    <message>
+        <source>Begin with the Part of Another Job</source>
+        <translation>从另一个作业的零件开始</translation>
+    </message>
+    <message>
+        <source>Lets the simulation of the job begin with the part that another job leaves, as for the second side of a part. The part is moved and turned with the model.</source>
+        <translation>让该作业的模拟从另一个作业留下的零件开始，例如加工零件的第二面。零件随模型一起移动和旋转。</translation>
+    </message>
+    <message>
+        <source>No other job of this document machines the part of {}.</source>
+        <translation>该文档中没有其他作业加工 {} 的零件。</translation>
+    </message>
+    <message>
+        <source>The simulation of {} begins with:</source>
+        <translation>{} 的模拟开始于：</translation>
+    </message>
+    <message>
+        <source>The stock of {}</source>
+        <translation>{} 的毛坯</translation>
+    </message>
+    <message>
+        <source>{} begins with its own stock.</source>
+        <translation>{} 从自己的毛坯开始。</translation>
+    </message>
+    <message>
+        <source>{} begins with the part that {} leaves.</source>
+        <translation>{} 从 {} 留下的零件开始。</translation>
     </message>
 </context>
 <context>
@@ -2277,6 +2377,25 @@ at Most</source>
     <message>
         <source>This is not a possible time. Enter it like 17:30 or 1:02:30.</source>
         <translation>该时间无效。请输入如 17:30 或 1:02:30 的时间。</translation>
+    </message>
+</context>
+<context>
+    <name>Vk_SaveStl</name>
+    <message>
+        <source>Save Simulated Part as STL</source>
+        <translation>将模拟零件保存为 STL</translation>
+    </message>
+    <message>
+        <source>Simulates the job, and saves the part that it leaves as an STL file.</source>
+        <translation>模拟该作业，并将其留下的零件保存为 STL 文件。</translation>
+    </message>
+    <message>
+        <source>{} cannot be written: {}</source>
+        <translation>无法写入 {}：{}</translation>
+    </message>
+    <message>
+        <source>The part is saved in {}.</source>
+        <translation>零件已保存到 {}。</translation>
     </message>
 </context>
 <context>

@@ -11,6 +11,7 @@ import FreeCADGui as Gui
 
 from vkworkbench import freecad, preferences
 from vkworkbench.document.computer import idle
+from vkworkbench.document.job.operations import kind
 from vkworkbench.document.marks.properties import may_have_mark
 from vkworkbench.gui import machine_page, preferences_page
 from vkworkbench.gui.qt.document_command import selected_operations
@@ -21,7 +22,8 @@ from vkworkbench.gui.simulators import watch as simulator_watch
 ROOT = Path(__file__).resolve().parents[2]
 ICONS = ROOT / "resources" / "icons"
 TRANSLATIONS = ROOT / "resources" / "translations"
-COMMANDS = ["Vk_Analyze", "Vk_Clear", "Vk_Results", "Vk_Strategies", "Vk_GaussMap", "Vk_Simulate"]
+COMMANDS = ["Vk_Analyze", "Vk_Clear", "Vk_Results", "Vk_Strategies", "Vk_GaussMap", "Vk_Simulate", "Vk_Clamps"]
+JOB_COMMANDS = ["Vk_PreviousJob", "Vk_AddMesh", "Vk_SaveStl"]  # in the menu, and in the context menu of a job
 TITLE = QT_TRANSLATE_NOOP("Workbench", "Toolpath Analysis")  # of toolbar and menu
 
 
@@ -39,7 +41,7 @@ class VkWorkbench(Gui.Workbench):
     def Initialize(self) -> None:
         _load_commands()
         self.appendToolbar(TITLE, COMMANDS)
-        self.appendMenu(TITLE, COMMANDS)
+        self.appendMenu(TITLE, [*COMMANDS, *JOB_COMMANDS])
 
     def ContextMenu(self, recipient: str) -> None:
         _append_to_context_menu(self)
@@ -80,7 +82,7 @@ def _extend(workbench, menu: str) -> None:
         initialize()
         _load_commands()
         workbench.appendToolbar(TITLE, COMMANDS)
-        workbench.appendMenu([menu], ["Separator", *COMMANDS])
+        workbench.appendMenu([menu], ["Separator", *COMMANDS, *JOB_COMMANDS])
 
     def ContextMenu(recipient: str) -> None:
         try:
@@ -170,11 +172,14 @@ class _Recomputes:
 def _load_commands() -> None:
     import vkworkbench.gui.commands
     import vkworkbench.gui.gauss.command
+    import vkworkbench.gui.job_commands
     import vkworkbench.gui.results.command
     import vkworkbench.gui.simulation.command
     import vkworkbench.gui.strategies.command  # noqa: F401
 
 
 def _append_to_context_menu(workbench) -> None:
-    if selected_operations():
-        workbench.appendContextMenu("", [*COMMANDS, "Separator"])
+    selected = selected_operations()
+    if selected:
+        of_job = JOB_COMMANDS if any(kind(obj) == "job" for obj in selected) else []
+        workbench.appendContextMenu("", [*COMMANDS, *of_job, "Separator"])

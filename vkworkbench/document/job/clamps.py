@@ -12,6 +12,7 @@ from vkworkbench import freecad
 from vkworkbench.core import Solid, Stock
 from vkworkbench.document.job.setting import exact_box
 from vkworkbench.document.job.solids import solid_of
+from vkworkbench.document.job.undo_step import transaction
 from vkworkbench.language import Message, Unusable
 
 # A hidden link does not make the job depend on its clamps, so that moving a clamp recomputes no operation.
@@ -38,18 +39,12 @@ def set_clamps(job, clamps: Iterable) -> None:
     Unusable
         If an object has no closed solid.
     """
-    clamps = list(clamps)
+    clamps, name = list(clamps), freecad.CLAMPS.name
     clamp_solids(clamps)  # raises the error before anything changes
-    document, name = job.Document, freecad.CLAMPS.name
-    document.openTransaction("Set clamps")
-    try:
+    with transaction(job.Document, "Set Clamps"):
         if not freecad.CLAMPS.is_in(job):
             job.addProperty(_TYPE, name, "Toolpath analysis", "Objects that no tool may touch", _HIDDEN_AND_OUTPUT)
         setattr(job, name, clamps)
-    except BaseException:
-        document.abortTransaction()
-        raise
-    document.commitTransaction()
 
 
 def readable_clamps(clamps: Iterable) -> tuple[dict[str, Solid], tuple[Message, ...]]:
@@ -77,8 +72,8 @@ def clamp_solids(clamps: Iterable) -> dict[str, Solid]:
 
 
 def _solid_of(obj) -> tuple[str, Solid]:
-    shape = freecad.SHAPE.of(obj)
-    if not isinstance(shape, Part.Shape) or shape.isNull():
+    shape = _shape_of(obj)
+    if shape is None:
         raise Unusable(Message("of", label=obj.Label, sentence=Message("solid-not-closed")))
     try:
         return obj.Label, solid_of(shape, Stock(*map(np.array, exact_box(shape))))
@@ -87,5 +82,24 @@ def _solid_of(obj) -> tuple[str, Solid]:
 
 
 def shapes_of(clamps: Iterable) -> list:
-    """Return the shapes of clamps."""
-    return [freecad.SHAPE.of(obj) for obj in clamps]
+    """Return the shapes of the clamps that have one, where they are in the document."""
+    return [shape for shape in map(_shape_of, clamps) if shape is not None]
+
+
+def has_solid(obj) -> bool:
+    """Return whether an object has a solid, so that it can be a clamp."""
+    shape = _shape_of(obj)
+    return shape is not None and bool(shape.Solids)
+
+
+def _shape_of(obj):
+    """Return the shape of an object, or of all objects in a part, where it is in the document; None without a shape."""
+    shape = freecad.SHAPE.of(obj) or Part.getShape(obj)
+    if not isinstance(shape, Part.Shape) or shape.isNull():
+        return None
+    above = obj.getGlobalPlacement().multiply(obj.Placement.inverse()) if hasattr(obj, "getGlobalPlacement") else None
+    if above is None or above.isIdentity():
+        return shape
+    moved = shape.copy()
+    moved.Placement = above.multiply(moved.Placement)
+    return moved

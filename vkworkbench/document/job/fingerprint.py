@@ -16,8 +16,9 @@ from vkworkbench import freecad, preferences
 from vkworkbench.core import Stock, Tool
 from vkworkbench.core.gcode import used_up
 from vkworkbench.document.job.clamps import clamps_of, shapes_of
-from vkworkbench.document.job.operations import job_of, names_of, through_bases
+from vkworkbench.document.job.operations import find, job_of, names_of, through_bases
 from vkworkbench.document.job.path_prints import PATH_PRINTS
+from vkworkbench.document.job.previous import previous_job
 from vkworkbench.document.job.setting import exact_box, rapid_feeds, read_stock, read_tool
 from vkworkbench.document.job.solids import form_of_stock, measures_of, shapes_of_model
 
@@ -133,7 +134,7 @@ def setting_fingerprint(
 
 
 def surroundings_fingerprint(job) -> str:
-    """Return the fingerprint of a job's model and clamps and of the holder in the preferences; empty without a job.
+    """Return the fingerprint of a job's model, clamps and previous job and of the holder in the preferences; empty without a job.
 
     The verdict of a simulation depends on them, and the analysis does not.
     """
@@ -143,7 +144,13 @@ def surroundings_fingerprint(job) -> str:
         [_shape_print(shape) for shape in some if shape is not None and not shape.isNull()]
         for some in (shapes_of_model(job), shapes_of(clamps_of(job)))
     ]
-    return _digest(repr((sorted(preferences.read().holder.items()), shapes)))
+    parts = [sorted(preferences.read().holder.items()), shapes]
+    previous = previous_job(job)
+    if previous is not None:  # jobs are never in a circle, see `set_previous_job`
+        posted = [operation.object for operation in find(previous) if operation.counted]
+        parts += [(path_fingerprint(obj), read_setting_fingerprints(obj, previous)[0]) for obj in posted]
+        parts.append(surroundings_fingerprint(previous))
+    return _digest(repr(parts))
 
 
 def _shape_print(shape) -> tuple:

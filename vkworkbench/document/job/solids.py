@@ -96,6 +96,16 @@ def have_equal_shapes(shapes: Sequence, others: Sequence) -> bool:
     return len(shapes) == len(others) and all(map(are_equal, shapes, others))
 
 
+def move_between(before: Sequence, after: Sequence):
+    """Return the placement that moves one model to another place; None if the models differ, or have several shapes."""
+    if len(before) != 1 or len(after) != 1:
+        return None
+    move = after[0].Placement.multiply(before[0].Placement.inverse())
+    moved = before[0].copy()
+    moved.Placement = move.multiply(moved.Placement)
+    return move if are_equal(moved, after[0]) else None
+
+
 def _measures_of(shape) -> tuple[float, float]:
     return _measures.of(shape, lambda: (shape.Volume, shape.Area))
 

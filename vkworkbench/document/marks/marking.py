@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
-from contextlib import contextmanager, nullcontext
+from contextlib import nullcontext
 
 import FreeCAD
 
@@ -21,6 +21,7 @@ from vkworkbench.document.job.operations import (
     members,
     or_active_document,
 )
+from vkworkbench.document.job.undo_step import transaction
 from vkworkbench.document.marks import marks
 from vkworkbench.given import of_kind
 from vkworkbench.report import JobVerdict, OperationReport, Report
@@ -112,23 +113,6 @@ def clear(what=None) -> int:
             for obj in objects.values():
                 marks.erase(obj)
     return sum(map(len, marked.values()))
-
-
-@contextmanager
-def transaction(document, name: str):
-    """Make changes as one undo step, or as part of a step that is open. If a change fails, the step is undone."""
-    if document.HasPendingTransaction or FreeCAD.getActiveTransaction():
-        yield
-        return
-    document.openTransaction(name)
-    try:
-        yield
-    except BaseException:
-        FreeCAD.closeActiveTransaction(True)
-        raise
-    # document.commitTransaction() would leave the step open if nothing changed or the document keeps no undo steps. The user's
-    # next changes, in any document, would then join the step.
-    FreeCAD.closeActiveTransaction()
 
 
 def _jobs(document) -> list:

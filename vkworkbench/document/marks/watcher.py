@@ -16,6 +16,7 @@ from vkworkbench import freecad
 from vkworkbench.document.computer import idle
 from vkworkbench.document.job.fingerprint import Settings, finding_path_fingerprint
 from vkworkbench.document.job.operations import find, has_toolpath, job_of, kind
+from vkworkbench.document.job.previous import previous_job
 from vkworkbench.document.marks import marks
 from vkworkbench.document.marks.properties import is_mark, may_have_mark
 
@@ -121,6 +122,9 @@ def comparing(
             if job is not None:
                 jobs[job.Name] = job
         yield
+    for obj in document.Objects if jobs else ():
+        if kind(obj) == "job" and getattr(previous_job(obj), "Name", None) in jobs:
+            jobs.setdefault(obj.Name, obj)
     for job in jobs.values():
         marks.refresh_total(job)
         yield

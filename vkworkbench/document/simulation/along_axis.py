@@ -93,17 +93,8 @@ def simulate_along_axis(
     OverBudget
         If the memory does not suffice for an image of one pixel.
     """
-    seconds = preferences.read().time_budget
-    end = time.monotonic() + seconds
-    view = axis_view(job.cuts, job.stock, memory_bytes=memory_budget, seconds=seconds / 2, speed=known_speed())
-    zbuffer = None
-    while zbuffer is None:
-        try:
-            zbuffer = simulate_job(job.cuts, stock=job.stock, view=view, memory_budget=memory_budget, going_on=going_on)
-        except OverBudget as refused:
-            if refused.size is None:
-                raise
-            view = view.of_size(*refused.size)
+    end = time.monotonic() + preferences.read().time_budget
+    zbuffer = zbuffer_along_axis(job, memory_budget, going_on)
 
     def left() -> dict[str, Any]:
         return {"seconds": max(end - time.monotonic(), 0.0), "going_on": lambda: going_on(1.0)}
@@ -113,6 +104,19 @@ def simulate_along_axis(
     measured = measure_volumes(job.cuts, job.stock, **left())
     seen = None if job.model is None else SeenModel(job.model, zbuffer.frame, lambda: going_on(1.0))
     return AlongAxis(job, zbuffer, checked, collisions, measured, seen)
+
+
+def zbuffer_along_axis(job: SimulatedJob, memory_budget: float, going_on: Callable[[float], None]) -> ZBuffer:
+    """Simulate a job along its tool axis, as finely as is useful, in half of the time budget; see `simulate_along_axis`."""
+    seconds = preferences.read().time_budget
+    view = axis_view(job.cuts, job.stock, memory_bytes=memory_budget, seconds=seconds / 2, speed=known_speed())
+    while True:
+        try:
+            return simulate_job(job.cuts, stock=job.stock, view=view, memory_budget=memory_budget, going_on=going_on)
+        except OverBudget as refused:
+            if refused.size is None:
+                raise
+            view = view.of_size(*refused.size)
 
 
 class OnceAlongAxis:

@@ -12,6 +12,7 @@ import FreeCAD
 from vkworkbench import preferences
 from vkworkbench.core import Cut, Stock, Tool, Toolpath, linearize
 from vkworkbench.core.gcode import Words, in_seconds, used_up
+from vkworkbench.core.zbuffer import part_triangles
 from vkworkbench.document.job.clamps import clamp_solids, clamps_of, readable_clamps, shapes_of
 from vkworkbench.document.job.fingerprint import (
     finding_path_fingerprint,
@@ -34,6 +35,7 @@ from vkworkbench.document.job.operations import (
     or_active_document,
     posted,
 )
+from vkworkbench.document.job.previous import previous_job
 from vkworkbench.document.job.recognition import rotary_cut
 from vkworkbench.document.job.setting import (
     placed,
@@ -46,8 +48,10 @@ from vkworkbench.document.job.setting import (
 from vkworkbench.document.job.solids import form_of_stock, have_equal_shapes, model_shapes, shapes_of_model, stock_solid
 from vkworkbench.document.job.work_offsets import WorkOffsets
 from vkworkbench.document.simulation.allowed_depth import allowed_depth, with_stroke_depth
+from vkworkbench.document.simulation.along_axis import zbuffer_along_axis
 from vkworkbench.document.simulation.job import SimulatedJob, SimulatedOperation
 from vkworkbench.document.simulation.lathe import is_turned
+from vkworkbench.document.simulation.solid import stock_after
 from vkworkbench.language import Message, Unusable
 from vkworkbench.report import fingerprint_of_job
 
@@ -106,6 +110,9 @@ class JobCopy:
     """
 
     def __init__(self, objects: list, job, asked: list, clamps: Iterable | None = None) -> None:
+        previous = None if job is None else previous_job(job)
+        self._previous = None if previous is None else _copy_previous(previous)
+        self._previous_name = previous and previous.Name
         self._asked = tuple(obj.Name for obj in asked if is_object(obj))
         self.document = objects[0].Document.Name
         self.names = tuple(obj.Name for obj in objects)
@@ -145,6 +152,8 @@ class JobCopy:
         ReferenceError
             If an operation was deleted meanwhile.
         """
+        if self._previous is not None:
+            yield from self._previous.copying()
         for obj in self._objects:
             copied = _copied(obj, self._box, self._form, self._holder)
             self._settings[obj.Name] = copied.operation.fingerprint
@@ -152,13 +161,25 @@ class JobCopy:
             yield
 
     def read(self, going_on: Callable[[], None] = lambda: None) -> Iterator[ReadCut]:
-        """Yield each copied operation linearised. An exception from `going_on` ends the work."""
+        """Yield each copied operation linearised. An exception from `going_on` ends the work.
+
+        If the job has a previous one, the previous job is simulated first, and its part becomes the stock.
+        """
+        if self._previous is not None:
+            self._begin_with(self._previous.job(self._previous.read(going_on)), going_on)
         for name in self.names:
             read = _linearized(self._next(going_on), self._tolerance, self._offsets)
             path, setting = path_and_setting(read.operation.fingerprint)
             if setting:
                 self._paths[name] = path
             yield read
+
+    def _begin_with(self, previous: SimulatedJob, going_on: Callable[[], None]) -> None:
+        """Use what the previous job leaves as the stock."""
+        budget = preferences.read().memory_budget_bytes
+        zbuffer = zbuffer_along_axis(previous, budget, lambda _: going_on())
+        self._stock, remark = stock_after(part_triangles(zbuffer), previous.model_shapes, self._model_shapes)
+        self._unread += (*((remark,) if remark else ()), *previous.unread)
 
     def asked(self):
         """Return the objects that were asked for and still exist; the whole document if none exists."""
@@ -175,6 +196,11 @@ class JobCopy:
         """
         try:
             objects, job = _posted(self.asked())
+            previous = None if job is None else previous_job(job)
+            if (previous and previous.Name) != self._previous_name:
+                return False
+            if self._previous is not None and not (yield from self._previous.comparing(changed)):
+                return False
             same = have_equal_shapes(shapes_of_model(job), self._model) and have_equal_shapes(
                 shapes_of(self._clamps_of(job)), self._clamp_shapes
             )
@@ -252,6 +278,13 @@ def copy_job(what=None, clamps: Iterable | None = None) -> JobCopy:
     if not objects:
         raise Unusable(Message("nothing-to-simulate"))
     return JobCopy(objects, job, asked, clamps)
+
+
+def _copy_previous(job) -> JobCopy:
+    try:
+        return copy_job(job)
+    except Unusable as error:
+        raise Unusable(Message("of", label=job.Label, sentence=error.what)) from None
 
 
 def _copied(obj, box: Stock, form: tuple, holder: dict[str, float]) -> _Copied:

@@ -14,7 +14,7 @@ from vkworkbench import preferences
 from vkworkbench.core import Cylinder, Solid, Stock, View, ZBuffer, simulate_job
 from vkworkbench.core import Mesh as MeshStock
 from vkworkbench.core.zbuffer import TOLERANCE, OverBudget, trajectory_table
-from vkworkbench.document.simulation.along_axis import OnceAlongAxis
+from vkworkbench.document.simulation.along_axis import OnceAlongAxis, zbuffer_along_axis
 from vkworkbench.document.simulation.copy import read_job
 from vkworkbench.document.simulation.job import SimulatedJob, SimulatedOperation
 from vkworkbench.document.simulation.solid import add_mesh, mesh_of, stock_after
@@ -106,7 +106,7 @@ def _with_stock(job: SimulatedJob, stock: Simulation | Solid | None) -> Simulate
     job = replace(job, valid_for="")
     if not isinstance(stock, Simulation):
         return replace(job, stock=stock)
-    left, remark = stock_after(stock.triangles(), stock.job.model_shapes, job)
+    left, remark = stock_after(stock.triangles(), stock.job.model_shapes, job.model_shapes)
     unread = (*([remark] if remark else []), *stock.job.unread)
     return replace(job, stock=left, remarks=(*job.remarks, *unread), unread=(*job.unread, *unread))
 
@@ -135,6 +135,12 @@ def simulate_read(
     """Simulate a job that was read; see :func:`simulate`. Runs in any thread, because it uses nothing of FreeCAD."""
     zbuffer = simulate_job(job.cuts, stock=job.stock, view=view, memory_budget=memory_budget, going_on=going_on)
     return Simulation(job, zbuffer, OnceAlongAxis(job, memory_budget))
+
+
+def simulate_solid(what, going_on: Callable[[float], None]) -> Simulation:
+    """Simulate operations along the tool axis only, for the part as a solid; see :func:`simulate`."""
+    job, budget = read_job(what), preferences.read().memory_budget_bytes
+    return Simulation(job, zbuffer_along_axis(job, budget, going_on), OnceAlongAxis(job, budget))
 
 
 @dataclass(frozen=True, eq=False)

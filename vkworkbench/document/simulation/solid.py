@@ -12,8 +12,8 @@ import numpy as np
 
 from vkworkbench import core
 from vkworkbench.core.zbuffer import write_stl
-from vkworkbench.document.job.solids import are_equal
-from vkworkbench.document.simulation.job import SimulatedJob
+from vkworkbench.document.job.solids import move_between
+from vkworkbench.document.job.undo_step import transaction
 from vkworkbench.language import Message
 
 
@@ -30,18 +30,13 @@ def mesh_of(triangles: np.ndarray) -> Mesh.Mesh:
 def add_mesh(name: str, mesh: Mesh.Mesh) -> FreeCAD.DocumentObject:
     """Add a mesh to the document with an internal name, in one undo step, and return the new object."""
     document = FreeCAD.getDocument(name)
-    document.openTransaction("Add what is left")
-    try:
+    with transaction(document, "Add Simulated Part as Mesh"):
         added = document.addObject("Mesh::Feature", "WhatIsLeft")
         added.Mesh = mesh
-    except BaseException:
-        document.abortTransaction()
-        raise
-    document.commitTransaction()
     return added
 
 
-def stock_after(triangles: np.ndarray, before: tuple, job: SimulatedJob) -> tuple[core.Mesh, Message | None]:
+def stock_after(triangles: np.ndarray, before: tuple, after: tuple) -> tuple[core.Mesh, Message | None]:
     """Return what one job leaves as the stock of another job, and a remark if it is not moved with the model.
 
     If both jobs have one model and the second only places it elsewhere, as for the other side of a part, the stock is moved in
@@ -53,16 +48,11 @@ def stock_after(triangles: np.ndarray, before: tuple, job: SimulatedJob) -> tupl
         Surface of what the first job leaves, mm.
     before : tuple of Shape
         Shapes of the first job's model.
-    job : SimulatedJob
-        The second job.
+    after : tuple of Shape
+        Shapes of the second job's model.
     """
-    after = job.model_shapes
-    if len(before) != 1 or len(after) != 1:
-        return core.Mesh(triangles), Message("stock-not-moved")
-    move = after[0].Placement.multiply(before[0].Placement.inverse())
-    moved = before[0].copy()
-    moved.Placement = move.multiply(moved.Placement)
-    if not are_equal(moved, after[0]):
+    move = move_between(before, after)
+    if move is None:
         return core.Mesh(triangles), Message("stock-not-moved")
     matrix = np.array(move.toMatrix().A).reshape(4, 4)
     return core.Mesh(np.einsum("tki,ji->tkj", triangles, matrix[:3, :3]) + matrix[:3, 3]), None

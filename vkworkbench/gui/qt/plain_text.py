@@ -7,6 +7,7 @@ Qt interprets a text that looks like HTML: a label such as ``<img src='file:...'
 from __future__ import annotations
 
 import re
+from collections.abc import Callable
 from html import escape
 
 from vkworkbench.gui.qt.names import (
@@ -110,6 +111,13 @@ def inform(title: str, text: str, parent: QWidget) -> QMessageBox:
 def warn(title: str, text: str, parent: QWidget) -> QMessageBox:
     """Show a warning in a box that does not block."""
     return _box(QMessageBox.Warning, title, text, parent)
+
+
+def offer(title: str, text: str, button: str, action: Callable[[], object], parent: QWidget) -> QMessageBox:
+    """Show a message in a box that does not block, with a button that calls `action`."""
+    box = inform(title, text, parent)
+    box.addButton(button, QMessageBox.ActionRole).clicked.connect(lambda *_: action())
+    return box
 
 
 def _box(icon, title: str, text: str, parent: QWidget) -> QMessageBox:

@@ -3,6 +3,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+
 import FreeCADGui as Gui
 
 import vkworkbench
@@ -49,6 +52,31 @@ def calibrate(parent: QWidget) -> None:
         calibration.calibrate(note_renderer(again=True), going_on=progress.going_on)
     finally:
         progress.close()
+
+
+@contextmanager
+def simulating(title: str, text: str) -> Iterator[Callable[[float], None]]:
+    """Show the progress of a simulation; yield the function that the simulation calls with its completed share.
+
+    Raises
+    ------
+    Cancelled
+        If the user pressed Esc or Cancel.
+    """
+    dialog = dialog_of(title, text, Gui.getMainWindow(), delay=_DELAY)
+    dialog.setMaximum(100)
+
+    def going_on(share: float) -> None:
+        dialog.setValue(min(99, int(100 * share)))  # 100 would close the dialog
+        QApplication.processEvents(QEventLoop.AllEvents if dialog.isVisible() else QEventLoop.ExcludeUserInputEvents)
+        if dialog.wasCanceled():
+            raise Cancelled("the simulation was cancelled; nothing has been changed")
+
+    try:
+        yield going_on
+    finally:
+        dialog.close()
+        dialog.deleteLater()
 
 
 def dialog_of(title: str, text: str, parent: QWidget, delay: int) -> QProgressDialog:

@@ -48,6 +48,9 @@ SIMULATION: dict[str, str | tuple[str, str]] = {
     ),
     "no-clamps": QT_TRANSLATE_NOOP("Sentences", "No clamps are given."),
     "clamp-left-out": QT_TRANSLATE_NOOP("Sentences", "A clamp was not checked. {sentence}"),
+    "previous-in-circle": QT_TRANSLATE_NOOP(
+        "Sentences", "{label} already begins with what this job leaves. Choose another job."
+    ),
     "turned": QT_TRANSLATE_NOOP(
         "Sentences", "This is a toolpath for a lathe. It is simulated like a mill's, so that the part is wrong."
     ),

@@ -1,0 +1,218 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The commands of a job: its clamps, the job before it, and its simulated part as a mesh or an STL file."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import FreeCAD
+import FreeCADGui as Gui
+
+from vkworkbench.document.job.clamps import clamps_of, has_solid, set_clamps
+from vkworkbench.document.job.operations import has_toolpath, job_of, kind
+from vkworkbench.document.job.previous import possible_previous_jobs, previous_job, set_previous_job
+from vkworkbench.document.simulation.simulate import Simulation, simulate_solid
+from vkworkbench.gui.qt.document_command import DocumentCommand
+from vkworkbench.gui.qt.names import QFileDialog, QInputDialog, Qt
+from vkworkbench.gui.qt.plain_text import inform, offer, warn
+from vkworkbench.gui.qt.progress import simulating
+from vkworkbench.gui.qt.saving import proposed, with_suffix
+from vkworkbench.gui.qt.sentences import sentence
+from vkworkbench.gui.qt.text import QT_TRANSLATE_NOOP, translate
+from vkworkbench.language import Unusable
+from vkworkbench.report import Cancelled
+
+_SHOWN = 10_000  # ms for which the status bar shows a message
+
+
+class JobCommand(DocumentCommand):
+    """A command on the selected job, or on the job of a selected operation, or on the only job of the active document."""
+
+    def Activated(self) -> None:
+        if FreeCAD.ActiveDocument is None:
+            return
+        selected = Gui.Selection.getSelection()
+        jobs = {obj.Name: obj for obj in map(_job_of, selected) if obj is not None}
+        found = list(jobs.values()) or [obj for obj in FreeCAD.ActiveDocument.Objects if kind(obj) == "job"]
+        if not found:
+            self.tell(translate("Vk_Jobs", "The document has no job."))
+        elif len(found) == 1:
+            self._try(found[0], selected)
+        else:
+            text = translate("Vk_Jobs", "Choose the job:")
+            _ask(self._title, text, found, [], lambda job: self._try(job, selected))
+
+    def run(self, job, selected: list) -> None:
+        """Run the command.
+
+        Parameters
+        ----------
+        job : DocumentObject
+        selected : list of DocumentObject
+        """
+        raise NotImplementedError
+
+    @property
+    def _title(self) -> str:
+        return translate(self.name, self.menu)
+
+    def tell(self, text: str) -> None:
+        """Show a message."""
+        inform(self._title, text, Gui.getMainWindow())
+
+    def _try(self, job, selected: list) -> None:
+        try:
+            self.run(job, selected)
+        except Unusable as error:
+            self.tell(sentence(error.what))
+
+
+class ClampsCommand(JobCommand):
+    """Make the selected solids the clamps of a job. Without a selected solid, show the clamps, and offer to remove them."""
+
+    name = "Vk_Clamps"
+    menu = QT_TRANSLATE_NOOP("Vk_Clamps", "Set Clamps from Selection")
+    tooltip = QT_TRANSLATE_NOOP(
+        "Vk_Clamps",
+        "Makes the selected solids, such as clamps and vices, the clamps of the job. "
+        "The simulation warns if a tool, shank or holder collides with them. If no solid is selected, shows the present clamps.",
+    )
+
+    def run(self, job, selected: list) -> None:
+        of_job = {obj.Name for obj in job.OutListRecursive} - {obj.Name for obj in clamps_of(job)}
+        solids = [obj for obj in selected if not has_toolpath(obj) and obj.Name not in of_job and has_solid(obj)]
+        if solids:
+            set_clamps(job, solids)
+            _status(_clamps_text(job))
+            return
+        advice = translate("Vk_Clamps", "To set others, select their solids first, and the job if there are several.")
+        if not clamps_of(job):
+            none = translate("Vk_Clamps", "{} has no clamps.").format(job.Label)
+            advice = translate("Vk_Clamps", "To set them, select their solids first, and the job if there are several.")
+            self.tell(f"{none} {advice}")
+            return
+        offer(
+            self._title,
+            f"{_clamps_text(job)} {advice}",
+            translate("Vk_Clamps", "Remove Clamps"),
+            lambda: _remove_clamps(job),
+            Gui.getMainWindow(),
+        )
+
+
+def _remove_clamps(job) -> None:
+    set_clamps(job, [])
+    _status(translate("Vk_Clamps", "{} has no clamps.").format(job.Label))
+
+
+def _clamps_text(job) -> str:
+    labels = ", ".join(obj.Label for obj in clamps_of(job))
+    return translate("Vk_Clamps", "Clamps of {}: {}.").format(job.Label, labels)
+
+
+class PreviousJobCommand(JobCommand):
+    """Choose the job whose finished part is the stock of a job, among the jobs of the same part."""
+
+    name = "Vk_PreviousJob"
+    menu = QT_TRANSLATE_NOOP("Vk_PreviousJob", "Begin with the Part of Another Job")
+    tooltip = QT_TRANSLATE_NOOP(
+        "Vk_PreviousJob",
+        "Lets the simulation of the job begin with the part that another job leaves, as for the second side of a part. "
+        "The part is moved and turned with the model.",
+    )
+
+    def run(self, job, selected: list) -> None:
+        jobs = possible_previous_jobs(job)
+        if not jobs:
+            text = translate("Vk_PreviousJob", "No other job of this document machines the part of {}.")
+            self.tell(text.format(job.Label))
+            return
+        text = translate("Vk_PreviousJob", "The simulation of {} begins with:").format(job.Label)
+        own = translate("Vk_PreviousJob", "The stock of {}").format(job.Label)
+        _ask(self._title, text, [None, *jobs], [own], lambda other: self._choose(job, other), previous_job(job))
+
+    def _choose(self, job, other) -> None:
+        set_previous_job(job, other)
+        if other is None:
+            _status(translate("Vk_PreviousJob", "{} begins with its own stock.").format(job.Label))
+        else:
+            text = translate("Vk_PreviousJob", "{} begins with the part that {} leaves.")
+            _status(text.format(job.Label, other.Label))
+
+
+class AddMeshCommand(JobCommand):
+    """Simulate a job, and add its part to the document as a mesh."""
+
+    name = "Vk_AddMesh"
+    menu = QT_TRANSLATE_NOOP("Vk_AddMesh", "Add Simulated Part as Mesh")
+    tooltip = QT_TRANSLATE_NOOP(
+        "Vk_AddMesh", "Simulates the job, and adds the part that it leaves to the document as a mesh."
+    )
+
+    def run(self, job, selected: list) -> None:
+        done = _simulated(job, self._title)
+        if done is not None:
+            added = done.add_mesh()
+            _status(translate("Vk_AddMesh", "{} was added to the document.").format(added.Label))
+
+
+class SaveStlCommand(JobCommand):
+    """Simulate a job, and save its part as an STL file."""
+
+    name = "Vk_SaveStl"
+    menu = QT_TRANSLATE_NOOP("Vk_SaveStl", "Save Simulated Part as STL")
+    tooltip = QT_TRANSLATE_NOOP("Vk_SaveStl", "Simulates the job, and saves the part that it leaves as an STL file.")
+
+    def run(self, job, selected: list) -> None:
+        window, default = Gui.getMainWindow(), proposed(job.Document, f"{job.Document.Name}.stl")
+        path, _ = QFileDialog.getSaveFileName(window, self._title, default, "STL (*.stl)")
+        path = with_suffix(path, ".stl")
+        done = _simulated(job, self._title) if path else None
+        if done is None:
+            return
+        try:
+            done.save_stl(path)
+        except (OSError, ValueError) as error:
+            text = translate("Vk_SaveStl", "{} cannot be written: {}").format(
+                path, getattr(error, "strerror", None) or error
+            )
+            warn(self._title, text, window)
+        else:
+            _status(translate("Vk_SaveStl", "The part is saved in {}.").format(path))
+
+
+def _simulated(job, title: str) -> Simulation | None:
+    """Return the simulation of a job; None if the user cancelled it."""
+    text = translate("Vk_Jobs", "Simulating {}…").format(job.Label)
+    try:
+        with simulating(title, text) as going_on:
+            return simulate_solid(job, going_on)
+    except Cancelled:
+        _status(translate("Vk_Jobs", "The simulation was cancelled. Nothing has changed."))
+        return None
+
+
+def _job_of(obj):
+    return obj if kind(obj) == "job" else job_of(obj) if has_toolpath(obj) else None
+
+
+def _ask(title: str, text: str, jobs: list, names: list[str], take: Callable, present=None) -> None:
+    """Ask for one of several jobs, and call `take` with the answer. `names` replace the labels of the first entries."""
+    labels = names + [f"{number}. {job.Label}" for number, job in enumerate(jobs[len(names) :], 1)]
+    dialog = QInputDialog(Gui.getMainWindow())
+    dialog.setAttribute(Qt.WA_DeleteOnClose)
+    dialog.setWindowTitle(title)
+    dialog.setLabelText(text)
+    dialog.setComboBoxItems(labels)
+    if present in jobs:
+        dialog.setTextValue(labels[jobs.index(present)])
+    dialog.textValueSelected.connect(lambda label: take(jobs[labels.index(label)]))
+    dialog.open()
+
+
+def _status(text: str) -> None:
+    Gui.getMainWindow().statusBar().showMessage(text, _SHOWN)
+
+
+for command in (ClampsCommand, PreviousJobCommand, AddMeshCommand, SaveStlCommand):
+    command.add()
