@@ -54,7 +54,7 @@ class JobCommand(DocumentCommand):
 
     @property
     def _title(self) -> str:
-        return translate(self.name, self.menu)
+        return FreeCAD.Qt.translate(self.name, self.menu)
 
     def tell(self, text: str) -> None:
         """Show a message."""
