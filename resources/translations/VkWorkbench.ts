@@ -1385,6 +1385,10 @@
         <source>{label} already begins with what this job leaves. Choose another job.</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>The cuts of a pocket or circle ({name}) are ignored.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>Strategy</name>

@@ -1385,6 +1385,10 @@
         <source>{label} already begins with what this job leaves. Choose another job.</source>
         <translation>{label} beginnt bereits mit dem, was dieser Auftrag zurücklässt. Wählen Sie einen anderen Auftrag.</translation>
     </message>
+    <message>
+        <source>The cuts of a pocket or circle ({name}) are ignored.</source>
+        <translation>Die Schnitte einer Tasche oder eines Kreises ({name}) werden übergangen.</translation>
+    </message>
 </context>
 <context>
     <name>Strategy</name>

@@ -1385,6 +1385,10 @@
         <source>{label} already begins with what this job leaves. Choose another job.</source>
         <translation>{label} ya empieza con lo que deja este trabajo. Elija otro trabajo.</translation>
     </message>
+    <message>
+        <source>The cuts of a pocket or circle ({name}) are ignored.</source>
+        <translation>Los cortes de una cajera o de un círculo ({name}) se ignoran.</translation>
+    </message>
 </context>
 <context>
     <name>Strategy</name>

@@ -1385,6 +1385,10 @@
         <source>{label} already begins with what this job leaves. Choose another job.</source>
         <translation>{label} commence déjà par ce que ce travail laisse. Choisissez un autre travail.</translation>
     </message>
+    <message>
+        <source>The cuts of a pocket or circle ({name}) are ignored.</source>
+        <translation>Les coupes d&apos;une poche ou d&apos;un cercle ({name}) sont ignorées.</translation>
+    </message>
 </context>
 <context>
     <name>Strategy</name>

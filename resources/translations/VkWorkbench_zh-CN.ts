@@ -1385,6 +1385,10 @@
         <source>{label} already begins with what this job leaves. Choose another job.</source>
         <translation>{label} 已经从此作业留下的零件开始。请选择其他作业。</translation>
     </message>
+    <message>
+        <source>The cuts of a pocket or circle ({name}) are ignored.</source>
+        <translation>型腔或圆（{name}）的切削被忽略。</translation>
+    </message>
 </context>
 <context>
     <name>Strategy</name>

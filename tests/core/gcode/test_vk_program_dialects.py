@@ -68,6 +68,16 @@ def test_words_of_an_unknown_code_have_a_remark():
     ]
 
 
+@pytest.mark.parametrize(
+    "cycle", ["G13 Z-5 I10 K20 Q2 D1 F500", "G12 I10 D1 F500", "G150 P2 X0 Y0 Z-3 I2 J1 Q1 D1 F500"]
+)
+def test_cuts_of_a_pocket_cycle_are_named(cycle):
+    text = PLAIN + cycle + "\nX20"
+    name = cycle.split()[0]
+    assert said(text) == [f"Line 5: The cuts of a pocket or circle ({name}) are ignored."]
+    assert read_program(text).toolpath().feed[-1] == read_program(PLAIN + "X20").toolpath().feed[-1]
+
+
 def test_axes_of_a_mirror_code_are_not_targets():
     assert last("G50.1 X0. Y0.") == last("G51.1 X0.") == (10, 2, -1)
     assert said("G50.1 X0. Y0.\n" + PLAIN + "G50.1 X0.\nX5") == []

@@ -31,6 +31,7 @@ PROGRAMS: dict[str, str | tuple[str, str]] = {
         "Moves to machine positions ({name}) are ignored, because the program does not contain these positions.",
     ),
     "hole-pattern-not-read": QT_TRANSLATE_NOOP("Sentences", "The holes of a pattern ({name}) are ignored."),
+    "pocket-not-read": QT_TRANSLATE_NOOP("Sentences", "The cuts of a pocket or circle ({name}) are ignored."),
     "probing-as-rapid": QT_TRANSLATE_NOOP(
         "Sentences",
         "A probing move is read as a rapid to its end. Where the probe touches is not in the program.",

@@ -31,6 +31,15 @@ def _macro_call(machine: Machine, line: Line) -> None:
     machine.leave_out(line, Message("subprogram-not-read"))
 
 
+def _pocket(machine: Machine, line: Line) -> None:
+    """Process G12, G13 and G150, with which Haas' controls mill circles and pockets."""
+    if line.letters.isdisjoint("IQ"):
+        machine.other(line)
+    else:
+        line.feeds = False
+        machine.leave_out(line, Message("pocket-not-read", name=codes.name_of(line.code)))
+
+
 def _probe(machine: Machine, line: Line) -> None:
     if line.letters.isdisjoint("XYZ"):
         line.apart = True
@@ -108,6 +117,7 @@ HANDLERS: dict[int, Handler] = {
     **dict.fromkeys([codes.THREAD, codes.RIGID_TAP], _thread),
     **dict.fromkeys(codes.SPLINES, _spline),
     **dict.fromkeys(codes.MACRO_CALLS, _macro_call),
+    **dict.fromkeys(codes.POCKETS, _pocket),
     codes.DWELL: _dwell,
 }
 SHAPES: dict[int, Shape] = {

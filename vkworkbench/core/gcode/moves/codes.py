@@ -67,6 +67,7 @@ THREAD, RIGID_TAP = 330, 331
 INCHES = frozenset([200, 700, 7000])
 UNITS = INCHES | frozenset([210, 710, 7100])
 PATTERNS = frozenset([700, 710, 720])
+POCKETS = frozenset([120, 130, 1500])
 MACRO_CALLS = frozenset([650, 660])
 HARMLESS = OFFSETS | frozenset([
     80, 90, 110, 150, 200, 210, 400, 401, 410, 411, 412, 420, 421, 422, 430, 431, 432, 434, 435, 440, 490, 500, 600,
