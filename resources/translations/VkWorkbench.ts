@@ -1788,11 +1788,11 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Measures how fast FreeCAD&apos;s simulators are on this computer, and saves the result. This takes about a second.</source>
+        <source>Last calibrated on {date}. The times of the {simulator} are right to within a factor of {factor}. Measured with FreeCAD {freecad} on {processor}, display {renderer}.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Last calibrated on {date}. The times of the {simulator} are right to within a factor of {factor}. Measured with FreeCAD {freecad} on {processor}, display {renderer}.</source>
+        <source>Measures how fast FreeCAD&apos;s simulators are on this computer, and saves the result. This takes some seconds.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -1858,11 +1858,23 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The marks are in the Description column of the tree, which is now visible. To hide the column again, open the context menu of the tree and choose Tree Settings, Show Description.</source>
+        <source>Toolpath Analysis</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Toolpath Analysis</source>
+        <source>Toolpath Results (V, R) lists them.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Reading the operations…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The job has a warning.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{count} jobs have warnings.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

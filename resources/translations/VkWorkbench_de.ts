@@ -1764,10 +1764,6 @@
         <translation>Kalibrierung</translation>
     </message>
     <message>
-        <source>Measures how fast FreeCAD&apos;s simulators are on this computer, and saves the result. This takes about a second.</source>
-        <translation>Misst, wie schnell die FreeCAD-Simulatoren auf diesem Computer sind, und speichert das Ergebnis. Das dauert etwa eine Sekunde.</translation>
-    </message>
-    <message>
         <source>FreeCAD&apos;s default ({simulator})</source>
         <translation>Wie FreeCADs Schaltfläche ({simulator})</translation>
     </message>
@@ -1794,6 +1790,10 @@
     <message>
         <source>Last calibrated on {date}. The times of the {simulator} are right to within a factor of {factor}. Measured with FreeCAD {freecad} on {processor}, display {renderer}.</source>
         <translation>Zuletzt kalibriert am {date}. Die Zeiten von „{simulator}“ stimmen bis auf den Faktor {factor}. Gemessen mit FreeCAD {freecad} auf {processor}, Anzeige {renderer}.</translation>
+    </message>
+    <message>
+        <source>Measures how fast FreeCAD&apos;s simulators are on this computer, and saves the result. This takes some seconds.</source>
+        <translation>Misst, wie schnell FreeCADs Simulatoren auf diesem Computer sind, und speichert das Ergebnis. Das dauert einige Sekunden.</translation>
     </message>
 </context>
 <context>
@@ -1834,10 +1834,6 @@
         <translation>In diesem Dokument gibt es keine Operation zu analysieren. Legen Sie einen Auftrag mit Operationen an oder importieren Sie G-Code.</translation>
     </message>
     <message>
-        <source>The marks are in the Description column of the tree, which is now visible. To hide the column again, open the context menu of the tree and choose Tree Settings, Show Description.</source>
-        <translation>Die Markierungen stehen in der Spalte „Beschreibung“ des Baums, die jetzt sichtbar ist. Um die Spalte wieder auszublenden, öffnen Sie das Kontextmenü des Baums und wählen Baumeinstellungen, Beschreibung anzeigen.</translation>
-    </message>
-    <message>
         <source>Toolpath Analysis</source>
         <translation>Werkzeugweg-Analyse</translation>
     </message>
@@ -1864,6 +1860,22 @@
     <message>
         <source>Measuring how fast this computer simulates…</source>
         <translation>Es wird gemessen, wie schnell dieser Computer simuliert…</translation>
+    </message>
+    <message>
+        <source>Toolpath Results (V, R) lists them.</source>
+        <translation>Werkzeugweg-Ergebnisse (V, R) führt sie auf.</translation>
+    </message>
+    <message>
+        <source>Reading the operations…</source>
+        <translation>Operationen werden gelesen…</translation>
+    </message>
+    <message>
+        <source>The job has a warning.</source>
+        <translation>Der Auftrag hat eine Warnung.</translation>
+    </message>
+    <message>
+        <source>{count} jobs have warnings.</source>
+        <translation>{count} Aufträge haben Warnungen.</translation>
     </message>
 </context>
 <context>

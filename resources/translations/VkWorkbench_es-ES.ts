@@ -1764,10 +1764,6 @@
         <translation>Calibración</translation>
     </message>
     <message>
-        <source>Measures how fast FreeCAD&apos;s simulators are on this computer, and saves the result. This takes about a second.</source>
-        <translation>Mide la velocidad de los simuladores de FreeCAD en este equipo y guarda el resultado. Tarda aproximadamente un segundo.</translation>
-    </message>
-    <message>
         <source>FreeCAD&apos;s default ({simulator})</source>
         <translation>El del botón de FreeCAD ({simulator})</translation>
     </message>
@@ -1794,6 +1790,10 @@
     <message>
         <source>Last calibrated on {date}. The times of the {simulator} are right to within a factor of {factor}. Measured with FreeCAD {freecad} on {processor}, display {renderer}.</source>
         <translation>Última calibración el {date}. Los tiempos del {simulator} aciertan dentro de un factor {factor}. Medido con FreeCAD {freecad} en {processor}, pantalla {renderer}.</translation>
+    </message>
+    <message>
+        <source>Measures how fast FreeCAD&apos;s simulators are on this computer, and saves the result. This takes some seconds.</source>
+        <translation>Mide la velocidad de los simuladores de FreeCAD en este equipo y guarda el resultado. Esto tarda unos segundos.</translation>
     </message>
 </context>
 <context>
@@ -1834,10 +1834,6 @@
         <translation>No hay ninguna operación que analizar en este documento. Cree un trabajo con operaciones o importe código G.</translation>
     </message>
     <message>
-        <source>The marks are in the Description column of the tree, which is now visible. To hide the column again, open the context menu of the tree and choose Tree Settings, Show Description.</source>
-        <translation>Las marcas están en la columna Descripción del árbol, que ahora es visible. Para ocultarla de nuevo, abra el menú contextual del árbol y elija: configuración del árbol, mostrar descripción.</translation>
-    </message>
-    <message>
         <source>Toolpath Analysis</source>
         <translation>Análisis de trayectorias</translation>
     </message>
@@ -1864,6 +1860,22 @@
     <message>
         <source>Measuring how fast this computer simulates…</source>
         <translation>Midiendo a qué velocidad simula este ordenador…</translation>
+    </message>
+    <message>
+        <source>Toolpath Results (V, R) lists them.</source>
+        <translation>Resultados de trayectorias (V, R) los muestra.</translation>
+    </message>
+    <message>
+        <source>Reading the operations…</source>
+        <translation>Leyendo las operaciones…</translation>
+    </message>
+    <message>
+        <source>The job has a warning.</source>
+        <translation>El trabajo tiene una advertencia.</translation>
+    </message>
+    <message>
+        <source>{count} jobs have warnings.</source>
+        <translation>{count} trabajos tienen advertencias.</translation>
     </message>
 </context>
 <context>

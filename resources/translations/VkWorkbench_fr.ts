@@ -1764,10 +1764,6 @@
         <translation>Étalonnage</translation>
     </message>
     <message>
-        <source>Measures how fast FreeCAD&apos;s simulators are on this computer, and saves the result. This takes about a second.</source>
-        <translation>Mesure la vitesse des simulateurs de FreeCAD sur cet ordinateur et enregistre le résultat. Cela prend environ une seconde.</translation>
-    </message>
-    <message>
         <source>FreeCAD&apos;s default ({simulator})</source>
         <translation>Celui du bouton de FreeCAD ({simulator})</translation>
     </message>
@@ -1794,6 +1790,10 @@
     <message>
         <source>Last calibrated on {date}. The times of the {simulator} are right to within a factor of {factor}. Measured with FreeCAD {freecad} on {processor}, display {renderer}.</source>
         <translation>Dernier étalonnage le {date}. Les temps de « {simulator} » sont justes à un facteur {factor} près. Mesuré avec FreeCAD {freecad} sur {processor}, affichage {renderer}.</translation>
+    </message>
+    <message>
+        <source>Measures how fast FreeCAD&apos;s simulators are on this computer, and saves the result. This takes some seconds.</source>
+        <translation>Mesure la vitesse des simulateurs de FreeCAD sur cet ordinateur et enregistre le résultat. Cela prend quelques secondes.</translation>
     </message>
 </context>
 <context>
@@ -1834,10 +1834,6 @@
         <translation>Ce document ne contient aucune opération à analyser. Créez une tâche avec des opérations, ou importez du G-code.</translation>
     </message>
     <message>
-        <source>The marks are in the Description column of the tree, which is now visible. To hide the column again, open the context menu of the tree and choose Tree Settings, Show Description.</source>
-        <translation>Les marques sont dans la colonne Description de l&apos;arborescence, désormais visible. Pour masquer à nouveau la colonne, ouvrez le menu contextuel de l&apos;arborescence et choisissez : paramètres de l&apos;arborescence, afficher la description.</translation>
-    </message>
-    <message>
         <source>Toolpath Analysis</source>
         <translation>Analyse des parcours d&apos;outil</translation>
     </message>
@@ -1864,6 +1860,22 @@
     <message>
         <source>Measuring how fast this computer simulates…</source>
         <translation>Mesure de la vitesse de simulation de cet ordinateur…</translation>
+    </message>
+    <message>
+        <source>Toolpath Results (V, R) lists them.</source>
+        <translation>Résultats des parcours (V, R) les énumère.</translation>
+    </message>
+    <message>
+        <source>Reading the operations…</source>
+        <translation>Lecture des opérations…</translation>
+    </message>
+    <message>
+        <source>The job has a warning.</source>
+        <translation>La tâche a un avertissement.</translation>
+    </message>
+    <message>
+        <source>{count} jobs have warnings.</source>
+        <translation>{count} tâches ont des avertissements.</translation>
     </message>
 </context>
 <context>

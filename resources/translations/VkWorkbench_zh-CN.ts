@@ -1764,10 +1764,6 @@
         <translation>校准</translation>
     </message>
     <message>
-        <source>Measures how fast FreeCAD&apos;s simulators are on this computer, and saves the result. This takes about a second.</source>
-        <translation>测量 FreeCAD 模拟器在此计算机上的速度，并保存结果。大约需要一秒。</translation>
-    </message>
-    <message>
         <source>FreeCAD&apos;s default ({simulator})</source>
         <translation>FreeCAD 默认（{simulator}）</translation>
     </message>
@@ -1794,6 +1790,10 @@
     <message>
         <source>Last calibrated on {date}. The times of the {simulator} are right to within a factor of {factor}. Measured with FreeCAD {freecad} on {processor}, display {renderer}.</source>
         <translation>上次校准于 {date}。{simulator}的时间误差在 {factor} 倍以内。测量环境：FreeCAD {freecad}，{processor}，显示 {renderer}。</translation>
+    </message>
+    <message>
+        <source>Measures how fast FreeCAD&apos;s simulators are on this computer, and saves the result. This takes some seconds.</source>
+        <translation>测量 FreeCAD 的仿真器在此计算机上的速度并保存结果。这需要几秒钟。</translation>
     </message>
 </context>
 <context>
@@ -1834,10 +1834,6 @@
         <translation>此文档中没有可分析的操作。请创建带有操作的作业，或导入 G 代码。</translation>
     </message>
     <message>
-        <source>The marks are in the Description column of the tree, which is now visible. To hide the column again, open the context menu of the tree and choose Tree Settings, Show Description.</source>
-        <translation>标记位于树的“描述”列，该列现已显示。要再次隐藏该列，请打开树的右键菜单并选择：树设置，显示描述。</translation>
-    </message>
-    <message>
         <source>Toolpath Analysis</source>
         <translation>刀具路径分析</translation>
     </message>
@@ -1864,6 +1860,22 @@
     <message>
         <source>Measuring how fast this computer simulates…</source>
         <translation>正在测量本机的模拟速度…</translation>
+    </message>
+    <message>
+        <source>Toolpath Results (V, R) lists them.</source>
+        <translation>刀具路径结果 (V, R) 中列出了它们。</translation>
+    </message>
+    <message>
+        <source>Reading the operations…</source>
+        <translation>正在读取操作…</translation>
+    </message>
+    <message>
+        <source>The job has a warning.</source>
+        <translation>该作业有一个警告。</translation>
+    </message>
+    <message>
+        <source>{count} jobs have warnings.</source>
+        <translation>{count} 个作业有警告。</translation>
     </message>
 </context>
 <context>

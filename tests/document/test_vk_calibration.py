@@ -57,17 +57,10 @@ def test_measured_constants_are_of_the_order_of_the_known_ones(measured):
         assert 0.1 < getattr(found, name) / getattr(DEFAULTS, name) < 20, name
 
 
-def test_in_a_window_the_computer_is_measured_the_first_time(folder, monkeypatch):
-    assert calibration.measured_constants("card") == DEFAULTS and calibration.load("card") is None
+def test_window_starts_with_the_default_speed(folder, monkeypatch):
     monkeypatch.setattr(FreeCAD, "GuiUp", 1)
-    found = calibration.measured_constants("card")
-    assert found == calibration.load("card").constants == calibration.measured_constants("card")
-
-
-def test_unsaved_calibration_gives_the_defaults(folder, monkeypatch):
-    monkeypatch.setattr(FreeCAD, "GuiUp", 1)
-    calibration._path().mkdir(parents=True)
-    assert calibration.measured_constants("card") == DEFAULTS
+    assert calibration.measured_speed() == calibration.known_speed() and not list(folder.rglob("calibration.json"))
+    assert calibration.measured_speed().factor == Speed().factor
 
 
 def test_the_folder_of_the_users_data_may_not_be_there_yet(folder, monkeypatch):

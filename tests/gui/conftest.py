@@ -32,6 +32,7 @@ from vkworkbench.document.computer import calibration, idle
 from vkworkbench.document.job.results import RESULTS
 from vkworkbench.gui.qt import docks, widgets
 from vkworkbench.gui.qt.renderer import note_renderer
+from vkworkbench.gui.results import command as results
 from vkworkbench.gui.tree import column as tree
 
 CAM_WORKBENCH = "PathWorkbench" if freecad.version() < (1, 0) else "CAMWorkbench"
@@ -221,6 +222,12 @@ class Window:
         self.click("Analyze Toolpaths")
         self.wait(lambda: document.getObject("Job").Label2)
         self.settle()
+
+    def show_results(self):
+        """Show the results panel and return it."""
+        results.show()
+        self.settle()
+        return self.first(QtGui.QDockWidget, docks.RESULTS)
 
     def start_simulator(self, name):
         """Start a simulator of FreeCAD as its command does, after removing the remains of earlier panels."""
@@ -424,7 +431,7 @@ def opened(kept_document, window, request):
 
 @pytest.fixture
 def marked(opened, kept_document, window):
-    """The example job after a click on *Analyze toolpaths*, which shows the results panel."""
+    """The example job after a click on *Analyze toolpaths*."""
     if not kept_document.is_marked:
         window.analyze(opened)
         window.dismiss()

@@ -29,6 +29,11 @@ def untouched(opened, window):
     window.settle()
 
 
+def view_of_tree(window):
+    """Return how many rows of the tree are visible."""
+    return window.tree.viewport().height() / window.tree.visualRect(window.cell("Face")).height()
+
+
 def assert_marks_are_seen(window, document):
     """Assert that strategy and time of two operations are in the viewport of the tree."""
     view = window.tree
@@ -120,11 +125,13 @@ def test_first_marks_in_a_small_window_with_the_report_view(untouched, opened, w
         assert window.main.width() <= 1024 and window.main.height() <= 700
         view = widgets.area_of_views()
         assert view.width() > 0.4 * window.main.width()  # the 3D view keeps most of the width
-        results = window.first(QtGui.QDockWidget, "VkResults")
+        assert not any(one.isVisible() for one in window.find(QtGui.QDockWidget, "VkResults"))
+        results, height = window.show_results(), view_of_tree(window)
+        assert height >= 8
         assert results in window.main.tabifiedDockWidgets(
             report
         )  # although the results panel was closed when the report view was opened
-        window.screenshot("first-1024")
+        window.screenshot("first-1024-results")
     finally:
         report.hide()
 

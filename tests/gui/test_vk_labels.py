@@ -67,7 +67,7 @@ def test_tooltips_show_labels_as_text(opened, window, trap):
     window.click("Analyze Toolpaths")
     window.wait(lambda: "⟦" in face.Label2)
     window.dismiss()
-    model = window.first(QtGui.QDockWidget, "VkResults").model
+    model = window.show_results().model
     job = model.index(0, 0)
     row = next(i for i in range(model.rowCount(job)) if model.index(i, 0, job).data() == trap)
     tooltips = [model.index(row, column, job).data(QtCore.Qt.ToolTipRole) for column in range(model.columnCount())]

@@ -9,7 +9,6 @@ from vkworkbench import preferences
 from vkworkbench.core import MACHINES
 from vkworkbench.document.marks import marks
 from vkworkbench.gui import machine_page
-from vkworkbench.gui.results import command as results
 from vkworkbench.gui.results import measured
 from vkworkbench.gui.results.details import MEASURED
 from vkworkbench.gui.tree.explanation import explanation
@@ -112,9 +111,7 @@ def test_next_analysis_uses_the_machine(page, opened, window):
 
 def row_page(window, label):
     """Select an operation or job in the results, and return the panel and the text of its page."""
-    results.show()
-    window.settle()
-    panel = window.first(QtGui.QDockWidget, "VkResults")
+    panel = window.show_results()
     model = panel.tree.model()
     (index,) = model.match(model.index(0, 0), QtCore.Qt.DisplayRole, label, 1, QtCore.Qt.MatchRecursive)
     panel.tree.setCurrentIndex(index)

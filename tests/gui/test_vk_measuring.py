@@ -1,17 +1,21 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The first analysis measures this computer: a dialog shows it, events are handled, and Esc ends the measurement."""
+"""The computer is measured when the user pauses after the first analysis, or by *Calibrate*, which Esc ends."""
 
 import time
+from dataclasses import replace
 
 import FreeCAD
 import pytest
-from PySide import QtCore
+from PySide import QtCore, QtGui
 
 from vkworkbench import preferences
 from vkworkbench.core import measure_speed
+from vkworkbench.core.simulators import DEFAULTS
+from vkworkbench.core.zbuffer import Speed
 from vkworkbench.document.computer import calibration
 from vkworkbench.document.job.operations import find
 from vkworkbench.document.marks import marks
+from vkworkbench.gui import measuring
 
 
 @pytest.fixture
@@ -47,40 +51,61 @@ def pressing_escape(window, labels, name=None):
     return timer
 
 
-def test_esc_ends_measurement_and_analysis(opened, window, never_measured, monkeypatch):
-    monkeypatch.setattr(calibration, "measure_speed", endless)
-    undo, labels = opened.UndoCount, []
-    timer = pressing_escape(window, labels, "measuring")
-    window.click("Analyze Toolpaths")
-    timer.stop()
-    assert set(labels) == {"Measuring how fast this computer simulates…"}
-    assert "cancelled" in window.main.statusBar().currentMessage() and window.progress_dialog() is None
-    assert not never_measured.exists() and opened.UndoCount == undo
+@pytest.fixture
+def first_session(never_measured, monkeypatch):
+    """A session that has not tried to measure, with short pauses."""
+    monkeypatch.setattr(measuring, "_measurement", None)
+    monkeypatch.setattr(measuring, "_PAUSE", 50)
+    yield
+    measuring._measurement._pauses.stop()
+
+
+def test_marks_come_first_and_are_refreshed(opened, window, first_session, monkeypatch):
+    monkeypatch.setattr(
+        calibration, "measure_legacy", lambda clock, going_on: replace(DEFAULTS, cell=9 * DEFAULTS.cell)
+    )
+    monkeypatch.setattr(calibration, "measure_speed", lambda clock, going_on: Speed(factor=2.0, record=1e-6, cell=1e-4))
+    preferences.write(mark_simulator="z-buffer")
+    monkeypatch.setattr(measuring, "_PAUSE", 10**6)
+    window.analyze(opened)
+    before, steps = marks.read(opened.Job), opened.UndoCount
+    assert calibration.load(preferences.read().renderer) is None and "about" in before.text
+    measuring._measurement._pauses.setInterval(10)
+    window.wait(lambda: marks.read(opened.Job).costs != before.costs)
+    assert marks.read(opened.Job).cost("z-buffer")[0] > 5 * before.cost("z-buffer")[0]
+    assert calibration.load(preferences.read().renderer) is not None and opened.UndoCount == steps
+    opened.undo()
     assert not any(marks.is_marked(operation.object) for operation in find(opened))
+    opened.redo()
+    assert marks.read(opened.Job).cost("z-buffer")[0] > 5 * before.cost("z-buffer")[0]
 
 
-def test_measurement_handles_events_between_its_pieces(opened, window, never_measured, monkeypatch):
-    beats, pieces = [0], []
+def test_measurement_handles_events_and_yields_to_the_pointer(opened, window, first_session, monkeypatch):
+    beats, pieces, tries = [0], [], []
 
     def watched(clock, going_on):
         def noted():
             going_on()
             pieces.append(beats[0])
+            if len(tries) == 1:
+                QtGui.QCursor.setPos(QtGui.QCursor.pos() - QtCore.QPoint(5, 5))
 
+        tries.append(clock)
         return measure_speed(clock, noted)
 
     def beat():
         beats[0] += 1
 
     monkeypatch.setattr(calibration, "measure_speed", watched)
+    monkeypatch.setattr(calibration, "measure_legacy", lambda clock, going_on: DEFAULTS)
     timer = QtCore.QTimer()
     timer.timeout.connect(beat)
     timer.start(0)
     window.analyze(opened)
+    window.wait(lambda: calibration.load(preferences.read().renderer) is not None)
     timer.stop()
-    assert len(pieces) >= 18 and all(before < after for before, after in zip(pieces, pieces[1:]))
-    assert calibration.load(preferences.read().renderer) is not None
-    assert all(marks.is_marked(operation.object) for operation in find(opened))
+    assert len(tries) == 2 and len(pieces) >= 18 and all(before < after for before, after in zip(pieces, pieces[1:]))
+    window.wait(lambda: not measuring._measurement._measures)
 
 
 def test_esc_ends_the_calibration_in_the_preferences(window, never_measured, monkeypatch):

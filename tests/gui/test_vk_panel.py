@@ -34,8 +34,8 @@ OPENGL = freecad.version() >= (1, 0)
 
 @pytest.fixture
 def panel(marked, window):
-    """The panel after a click on *Analyze Toolpaths*."""
-    yield dock(window)
+    """The panel of the example job."""
+    yield window.show_results()
     dock(window).tree.sortByColumn(-1, QtCore.Qt.AscendingOrder)
     dock(window).filter.words.clear()
     dock(window).filter.strategies.setCurrentIndex(0)
@@ -651,8 +651,6 @@ def test_switched_off_operation_is_not_an_error(panel, opened, window):
 
 def test_analysis_fills_the_panel_once_in_its_own_event(panel, opened, window, monkeypatch):
     """Filling the panel within the analysis would make the window wait for both."""
-    panel.hide()
-    window.settle()
     find, events = findings.read_findings, []
 
     def finds(document):
@@ -661,7 +659,7 @@ def test_analysis_fills_the_panel_once_in_its_own_event(panel, opened, window, m
 
     monkeypatch.setattr(findings, "read_findings", finds)
     window.click("Analyze Toolpaths")
-    window.wait(lambda: panel.isVisible() and events)
+    window.wait(lambda: events)
     window.settle()
     assert len(events) == 1 and "Activated" not in events[0]
     assert column(panel, "Strategy")["Face"] == "zigzag"
@@ -729,8 +727,8 @@ def test_total_of_selection_is_named(opened, window):
     posted = vkworkbench.analyze(opened).totals[0].operations
     Gui.Selection.addSelection(labelled(opened, "Face"))
     window.click("Analyze Toolpaths")
-    window.wait(lambda: dock(window) is not None and dock(window).isVisible())
-    window.dismiss()
+    window.wait(lambda: marks.is_marked(labelled(opened, "Face")))
+    window.show_results()
     assert column(dock(window), "Strategy")["Job"] == f"1 of {posted} operations"
     assert "This total covers the analyzed operations only." in column(dock(window), "Warnings")["Job"]
 
@@ -764,11 +762,12 @@ def test_panel_is_a_tab_beside_the_report_view(opened, window):
     window.settle()
     try:
         window.click("Analyze Toolpaths")
-        window.wait(lambda: dock(window) is not None and dock(window).isVisible())
-        window.dismiss()
-        panel = dock(window)
+        window.wait(lambda: marks.is_marked(opened.Job))
+        panel = window.show_results()
         assert view in window.main.tabifiedDockWidgets(panel) and not panel.visibleRegion().isEmpty()
-        assert panel.width() > 0.8 * window.main.width() and window.main.width() <= 1024 and window.main.height() <= 700
+        line = window.tree.visualRect(window.cell("Face")).height()
+        assert window.tree.viewport().height() > 8 * line and panel.width() > 0.45 * window.main.width()
+        assert window.main.width() <= 1024 and window.main.height() <= 700
         click_row(window, panel, "Face")
         window.screenshot("panel-1024-report-view")
     finally:
@@ -783,7 +782,7 @@ def test_results_and_gauss_map_share_their_place(opened, window):
     window.settle()
     results, gauss = (window.first(QtGui.QDockWidget, name) for name in ("VkResults", "VkGaussMap"))
     assert gauss in window.main.tabifiedDockWidgets(results)
-    assert gauss.width() > 0.9 * window.main.width() and not gauss.visibleRegion().isEmpty()
+    assert gauss.width() > 0.5 * window.main.width() and not gauss.visibleRegion().isEmpty()
     window.click("Toolpath Results")  # from behind to the front
     window.settle()
     assert not results.visibleRegion().isEmpty() and gauss.visibleRegion().isEmpty()
@@ -831,8 +830,8 @@ def test_total_of_the_z_buffer_is_one_number(opened, window, tmp_path):
     preferences.write(mark_simulator="z-buffer")
     try:
         window.click("Analyze Toolpaths")
-        window.wait(lambda: dock(window) is not None and dock(window).isVisible())
-        results = dock(window)
+        window.wait(lambda: marks.is_marked(opened.Job))
+        results = window.show_results()
         report = vkworkbench.analyze(opened)
         (total,) = report.totals
         told = user().estimated_time(total.seconds, total.factor("z-buffer"))

@@ -142,9 +142,8 @@ def test_window_in_each_language(language, opened, window):
     menus = {m.title().replace("&", "") for m in window.find(QtGui.QMenu)}
     assert title in menus
     window.click(command)
-    window.wait(lambda: any(d.objectName() == "VkResults" and d.isVisible()
-                            for d in window.find(QtGui.QDockWidget)))  # fmt: skip
-    window.dismiss()
+    window.wait(lambda: opened.Job.Label2)
+    window.show_results()
     Gui.Selection.clearSelection()
     Gui.Selection.addSelection(opened.getObjectsByLabel("Face")[0])
     window.settle()

@@ -287,8 +287,8 @@ def test_labels_are_not_html_in_results_and_views(html, window, trap):
 
     window.click("Analyze Toolpaths")
     window.wait(lambda: marks.is_marked(html.getObject("Stranger")))
+    results = window.show_results()
     look()
-    results = window.first(QtGui.QDockWidget, "VkResults")
     model, job = results.model, results.model.index(0, 0)
     for row in range(model.rowCount(job)):
         results.tree.setCurrentIndex(model.index(row, 0, job))

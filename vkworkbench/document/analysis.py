@@ -58,7 +58,7 @@ def analyze(
 ) -> Report:
     """Analyse operations: strategy, lengths, and the cost of simulating them. Writes nothing in a document.
 
-    The first analysis also measures this computer, which takes one to two seconds. An operation that was analysed before in this
+    Without a window, the first analysis also measures this computer, which takes one to two seconds. An operation that was analysed before in this
     session, and has not changed since, is not analysed again, unless preferences or calibration have changed.
 
     Parameters
@@ -104,7 +104,7 @@ def analyze(
     labels = [o.object.Label for o in operations]
     conditions = Conditions(
         version=freecad.version(),
-        constants=calibration.measured_constants(chosen.renderer, going_on),
+        constants=calibration.constants(chosen.renderer),
         speed=calibration.measured_speed(going_on),
         view=chosen.view,
         legacy_accuracy=chosen.legacy_accuracy,

@@ -12,6 +12,7 @@ from vkworkbench.document.job.operations import is_gone
 from vkworkbench.document.marks import marks
 from vkworkbench.document.marks.text import is_warned
 from vkworkbench.document.simulation.faults import read_with_faults
+from vkworkbench.gui import measuring
 from vkworkbench.gui.qt import progress
 from vkworkbench.gui.qt.document_command import DocumentCommand, selected_operations
 from vkworkbench.gui.qt.plain_text import inform
@@ -61,8 +62,9 @@ class AnalyzeCommand(DocumentCommand):
             column.expand(job.Label, job.Document.Label)
         mark(report)
         _show_marks()
-        results.show()
-        warned = _warned(report)
+        results.refresh()
+        measuring.measure_once()
+        warned, jobs = _warned(report)
         one, more = (
             translate("Vk_Analyze", "{count} operation was analyzed."), translate("Vk_Analyze", "{count} operations were analyzed.")
         )  # fmt: skip
@@ -73,6 +75,13 @@ class AnalyzeCommand(DocumentCommand):
                 translate("Vk_Analyze", "{count} has a warning."), translate("Vk_Analyze", "{count} have warnings.")
             )  # fmt: skip
             text += " " + plural(one, more, warned)
+        if jobs:
+            one, more = (
+                translate("Vk_Analyze", "The job has a warning."), translate("Vk_Analyze", "{count} jobs have warnings.")
+            )  # fmt: skip
+            text += " " + plural(one, more, jobs)
+        if warned or jobs:
+            text += " " + translate("Vk_Analyze", "Toolpath Results (V, R) lists them.")
         _status(text)
 
 
@@ -114,16 +123,20 @@ def _unmarked_jobs(report) -> list:
     return [job for job in jobs if job is not None and not marks.is_marked(job)]
 
 
-def _warned(report) -> int:
-    """Return the number of marked operations with a warning sign."""
+def _warned(report) -> tuple[int, int]:
+    """Return the numbers of marked operations and of jobs with a warning sign."""
     documents, chosen = FreeCAD.listDocuments(), preferences.read()
-    objects = (documents[o.document].getObject(o.name) for o in report.operations if o.document in documents)
-    marked = (read_with_faults(obj) for obj in objects if obj is not None)
-    return sum(is_warned(record, chosen) for record in marked if record is not None)
+
+    def count(names) -> int:
+        objects = (documents[document].getObject(name) for document, name in names if document in documents)
+        marked = (read_with_faults(obj) for obj in objects if obj is not None)
+        return sum(is_warned(record, chosen) for record in marked if record is not None)
+
+    return count((o.document, o.name) for o in report.operations), count(report.jobs)
 
 
 def _show_marks() -> None:
-    """Show the Description column at the first analysis, with a message. Later the user decides about the column."""
+    """Show the Description column at the first analysis. Later the user decides about the column."""
     column.bring_to_view()
     if not FreeCAD.ParamGet(GROUP).GetBool("DescriptionShown", False):
         column.when_seen(_show_description)
@@ -133,15 +146,8 @@ def _show_description() -> None:
     remembered = FreeCAD.ParamGet(GROUP)
     if not remembered.GetBool("DescriptionShown", False):
         remembered.SetBool("DescriptionShown", True)
-        was_hidden = column.show_description()
+        column.show_description()
         pills.fit_column()
-        if was_hidden:
-            _inform(translate(
-                "Vk_Analyze",
-                "The marks are in the Description column of the tree, which is now visible. To "
-                "hide the column again, open the context menu of the tree and choose Tree "
-                "Settings, Show Description.",
-            ))  # fmt: skip
 
 
 def _inform(text: str) -> None:

@@ -86,26 +86,10 @@ def constants(renderer: str = "") -> Constants:
     return known.constants if known else _for_renderer(DEFAULTS, renderer)
 
 
-def measured_constants(renderer: str = "", going_on: Callable[[], object] = lambda: None) -> Constants:
-    """Return the constants of this computer; in a window, measure them if they were never measured.
-
-    Without a window FreeCAD would write the progress of the calibration's meshes into a macro's output.
-
-    Parameters
-    ----------
-    renderer : str
-        OpenGL's name of its renderer; empty without a window.
-    going_on : callable
-        Called every tenth of a second during a measurement; it may raise an error to end the measurement.
-    """
-    if FreeCAD.GuiUp and load(renderer) is None:
-        with suppress(OSError):  # a calibration that cannot be saved is made again the next time
-            return calibrate(renderer, going_on=going_on).constants
-    return constants(renderer)
-
-
 def measured_speed(going_on: Callable[[], object] = lambda: None) -> Speed:
     """Return the speed of this computer in the extended z-buffer; measure it if it was never measured.
+
+    In a window, return the default speed then: the window measures the computer when the user pauses.
 
     Parameters
     ----------
@@ -113,6 +97,8 @@ def measured_speed(going_on: Callable[[], object] = lambda: None) -> Speed:
         Called every tenth of a second during a measurement; it may raise an error to end the measurement.
     """
     known = _speed()
+    if known is None and FreeCAD.GuiUp:
+        return known_speed()
     if known is None:
         known = measure_speed(going_on=going_on)
         with suppress(OSError):

@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import FreeCADGui as Gui
 
+from vkworkbench import freecad
 from vkworkbench.gui.qt import widgets
 from vkworkbench.gui.qt.names import QDockWidget, Qt
 
@@ -35,10 +36,21 @@ def add(dock: QDockWidget, height: int) -> None:
 def show(dock: QDockWidget) -> None:
     """Show a dock in front of the other tabs, including docks that were opened after it was closed."""
     window = Gui.getMainWindow()
+    _keep_tree_high()
     if dock.isHidden() and not dock.isFloating() and window.dockWidgetArea(dock) == Qt.BottomDockWidgetArea:
         _join(dock, _at_the_bottom(dock))
     dock.show()
     dock.raise_()
+
+
+def _keep_tree_high() -> None:
+    """Let docks at the bottom end beside the dock of the tree, which keeps the whole height of the window."""
+    window = Gui.getMainWindow()
+    corners = {Qt.LeftDockWidgetArea: Qt.BottomLeftCorner, Qt.RightDockWidgetArea: Qt.BottomRightCorner}
+    for dock in widgets.docks():
+        area = window.dockWidgetArea(dock)
+        if dock.objectName() in freecad.TREE_DOCKS and area in corners and not dock.isFloating():
+            window.setCorner(corners[area], area)
 
 
 def _at_the_bottom(dock: QDockWidget) -> list[QDockWidget]:

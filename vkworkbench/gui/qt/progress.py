@@ -28,7 +28,8 @@ def analyze(what) -> Report:
         If the user pressed Esc or Cancel.
     """
     note_renderer()
-    progress = _Progress(translate("Vk_Analyze", "Analyze Toolpaths"), Gui.getMainWindow())
+    title, text = translate("Vk_Analyze", "Analyze Toolpaths"), translate("Vk_Analyze", "Reading the operations…")
+    progress = _Progress(title, text, Gui.getMainWindow())
     try:
         return vkworkbench.analyze(what, progress=progress.show, cancelled=progress.cancelled)
     finally:
@@ -47,7 +48,8 @@ def calibrate(parent: QWidget) -> None:
     """
     from vkworkbench.document.computer import calibration  # loads FreeCAD's simulators
 
-    progress = _Progress(translate("VkPreferences", "Calibrate"), parent)
+    text = translate("Vk_Analyze", "Measuring how fast this computer simulates…")
+    progress = _Progress(translate("VkPreferences", "Calibrate"), text, parent)
     try:
         calibration.calibrate(note_renderer(again=True), going_on=progress.going_on)
     finally:
@@ -93,10 +95,9 @@ def dialog_of(title: str, text: str, parent: QWidget, delay: int) -> QProgressDi
 
 
 class _Progress:
-    """A dialog that shows first that this computer is being measured, then the operations being analysed."""
+    """A dialog that shows a text, and then the operations being analysed."""
 
-    def __init__(self, title: str, parent: QWidget) -> None:
-        text = translate("Vk_Analyze", "Measuring how fast this computer simulates…")
+    def __init__(self, title: str, text: str, parent: QWidget) -> None:
         self._dialog = dialog_of(title, text, parent, delay=_DELAY)
         self._dialog.setMinimumWidth(_WIDTH)
         self._dialog.setMaximum(0)  # an unknown time

@@ -70,8 +70,10 @@ class Column:
         value, factor = self.value(row), self.factor(row) if self.factor else 1.0
         if value is None:
             return ""
-        low, high = user().time(value / factor, factor), user().time(value * factor, factor)
-        between = user().between(low, high) if factor >= ROUGH else ""
+        between = ""
+        if factor >= ROUGH:
+            low, high = user().time(value / factor, factor), user().time(value * factor, factor)
+            between = user().between(low, high)
         return "\n".join(filter(None, [between, self.note(row)]))
 
 

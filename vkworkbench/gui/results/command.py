@@ -32,6 +32,13 @@ class ResultsCommand(DocumentCommand):
             docks.find(docks.RESULTS).setFocus()
 
 
+def refresh() -> None:
+    """Let the results panel, if there is one, show the results of the active document after pending events."""
+    dock = docks.find(docks.RESULTS)
+    if dock is not None:
+        dock.refresh_soon()
+
+
 def show() -> None:
     """Show the results panel and refresh it after pending events, without moving the focus."""
     from vkworkbench.gui.results.panel import ResultsDock

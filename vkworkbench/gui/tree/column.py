@@ -65,13 +65,11 @@ def when_seen(work: Callable[[], object]) -> None:
         _Sight(work)
 
 
-def show_description() -> bool:
-    """Show the Description column, wide enough to read; return whether it was hidden."""
+def show_description() -> None:
+    """Show the Description column, wide enough to read."""
     preferences = FreeCAD.ParamGet(_TREE_PREFERENCES)
     # Before FreeCAD 1.0 there was no preference, and the column was always visible.
-    can_hide = freecad.version() >= freecad.DESCRIPTION_HIDDEN_SINCE
-    was_hidden = can_hide and preferences.GetBool("HideColumn", True)
-    if was_hidden:
+    if freecad.version() >= freecad.DESCRIPTION_HIDDEN_SINCE and preferences.GetBool("HideColumn", True):
         preferences.SetBool("HideColumn", False)
     for tree in trees():
         tree.setColumnHidden(DESCRIPTION, False)
@@ -85,7 +83,6 @@ def show_description() -> bool:
                 dock.resize(width, dock.height())
             else:
                 window.resizeDocks([dock], [width], Qt.Horizontal)
-    return was_hidden
 
 
 def bring_to_view() -> None:

@@ -1,0 +1,81 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Measure this computer when the user pauses after the first analysis, and then refresh the times in the marks."""
+
+from __future__ import annotations
+
+from contextlib import suppress
+
+import FreeCAD
+import FreeCADGui as Gui
+
+import vkworkbench
+from vkworkbench.document.computer import calibration
+from vkworkbench.document.job.operations import find, is_there
+from vkworkbench.document.marks import marking, marks
+from vkworkbench.gui.qt.names import QApplication, QCursor, QTimer
+from vkworkbench.gui.qt.renderer import note_renderer
+from vkworkbench.report import Cancelled
+
+_PAUSE = 1500  # ms without a motion of the pointer
+
+
+class _Measurement:
+    """Waits for a pause of the user. Events are handled several times a second during the measurement."""
+
+    def __init__(self) -> None:
+        self._pointer = None
+        self._measures = False
+        self._pauses = QTimer(Gui.getMainWindow())
+        self._pauses.setInterval(_PAUSE)
+        self._pauses.timeout.connect(self._look)
+
+    def begin(self) -> None:
+        self._pauses.start()
+
+    def _look(self) -> None:
+        """Measure if the pointer has not moved since the last look."""
+        before, self._pointer = self._pointer, QCursor.pos()
+        busy = self._measures or QApplication.activeModalWidget() or QApplication.activePopupWidget()
+        if busy or before != self._pointer:
+            return
+        self._measures = True
+        try:
+            with suppress(OSError):  # without a place for the file, the usual constants stay
+                calibration.calibrate(note_renderer(), going_on=self._going_on)
+                for document in FreeCAD.listDocuments().values():
+                    with suppress(ReferenceError):  # closed meanwhile
+                        self._refresh(document)
+            self._pauses.stop()
+        except Cancelled:  # measured at the next pause
+            pass
+        finally:
+            self._measures = False
+
+    def _refresh(self, document) -> None:
+        """Analyse the operations with valid marks again, and mark them without an undo step."""
+        valid = [o.object for o in find(document) if marks.is_marked(o.object) and not marks.is_outdated(o.object)]
+        for obj in valid:
+            vkworkbench.analyze(obj, cancelled=self._is_ended)  # the results are kept
+        present = [obj for obj in valid if is_there(obj) and not marks.is_outdated(obj)]
+        if present:
+            marking.mark(vkworkbench.analyze(present), undo_step=False)
+
+    def _going_on(self) -> None:
+        if self._is_ended() or QCursor.pos() != self._pointer:
+            raise Cancelled("the user goes on")
+
+    @staticmethod
+    def _is_ended() -> bool:
+        QApplication.processEvents()
+        return not Gui.getMainWindow().isVisible()
+
+
+_measurement: _Measurement | None = None
+
+
+def measure_once() -> None:
+    """Measure this computer at the next pause of the user, if it was never measured. Tried once in a session."""
+    global _measurement
+    if _measurement is None and calibration.load(note_renderer()) is None:
+        _measurement = _Measurement()
+        _measurement.begin()
