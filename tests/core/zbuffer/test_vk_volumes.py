@@ -53,9 +53,24 @@ def test_slope_that_is_mostly_beside_the_stock_is_measured_finely():
     assert abs(measured.each.sum() - exact) <= measured.error(range(1)) <= 0.001 * exact
 
 
+@pytest.mark.parametrize("aside", [0.0, 4.0])
+def test_peak_rate_is_that_of_the_part_in_material(aside):
+    """A move of 400 mm in 40 s, of which the tool is in the plate for 50 mm: 6 mm wide and 1 mm deep, 10 mm/s."""
+    plate = Stock((0, 0, 0), (50, 40, 2))
+    one = path((-300, 20 - aside, 1), (100, 20 + aside, 1))
+    cut = Cut(replace(one, feed=np.full(1, 10.0)), Tool("endmill", 6))
+    zbuffer = simulate_job([cut], stock=plate, view=View(width=500, height=400))
+    measured = measure_volumes([cut], plate)
+    assert measured.of_parts.sum() == pytest.approx(measured.each.sum())
+    found = facts(zbuffer, CrashCheck(), measured).job
+    assert found.peak_rate == pytest.approx(60 * 6 * 10, rel=0.02)
+    assert found.mean_rate == pytest.approx(60 * 6 * 50 / 40, rel=0.02)
+
+
 def test_error_is_at_least_one_ray():
     """Four images that agree by chance do not make the error small."""
-    agreeing = Volumes(np.array([900.0]), np.array([1.0]), np.full((4, 1), 900.0), np.array([1.2]))
+    alone, parts = np.array([900.0]), np.array([0, 1])
+    agreeing = Volumes(alone, np.array([1.0]), np.full((4, 1), 900.0), parts, alone, np.array([1.2]))
     assert agreeing.error(range(1)) == 1.2
 
 

@@ -11,7 +11,7 @@ from vkworkbench.core.zbuffer.cost.axis_view import axis_view
 from vkworkbench.core.zbuffer.cost.bound import cauchy_crofton, cuts_surely, may_cut, most_bytes
 from vkworkbench.core.zbuffer.cost.effort import WORK_UNITS
 from vkworkbench.core.zbuffer.cost.estimate import Estimate, estimate, estimate_job
-from vkworkbench.core.zbuffer.cost.resolution import Resolution, best_resolution, heaviest, passes_apart
+from vkworkbench.core.zbuffer.cost.resolution import Resolution, best_resolution, heaviest
 from vkworkbench.core.zbuffer.cost.speed import Speed, fit_speed, measure_speed
 from vkworkbench.core.zbuffer.findings.collisions import Collision, Collisions, holder_collisions
 from vkworkbench.core.zbuffer.findings.crash_check import CrashCheck, check_crashes
@@ -99,7 +99,6 @@ __all__ = [
     "memory_needed",
     "most_bytes",
     "part_triangles",
-    "passes_apart",
     "removal_rates",
     "removed_volumes",
     "shared_seconds",

@@ -48,7 +48,8 @@ class CutFacts:
     air_length, air_seconds : float
         Length and time of the feed moves that remove nothing, mm and s.
     mean_rate, peak_rate : float
-        Material removal rate, mm^3/min: over the whole cutting time, and in the busiest second.
+        Material removal rate, mm^3/min: over the whole cutting time, and in the busiest second. A move is divided into parts that are as
+        long as the tool is wide, so that the peak is not a mean over a long move.
     depth_of_cut, width_of_cut : float
         Largest depth, and mean width over the length of the moves that cut, mm; 0 in a view from the side.
     tool_diameter : float
@@ -234,6 +235,15 @@ def facts(
         checked = replace(checked, unchecked=(*checked.unchecked, *thin.unchecked))
         gouged = with_thin(gouged, thin)
 
+    def divided(moves: slice) -> tuple[np.ndarray, np.ndarray]:
+        """Return the times and volumes of trajectories, or of their parts if these were measured."""
+        seconds, removed = cuts.seconds[moves], volumes[moves]
+        if measured is not None:
+            first = measured.parts[moves.start : moves.stop + 1]
+            count = np.diff(first)
+            seconds, removed = np.repeat(seconds / count, count), measured.of_parts[first[0] : first[-1]]
+        return seconds, np.where(seconds > 0, removed, 0.0)
+
     def facts_of(numbers: range, whole: bool = False) -> CutFacts:
         moves = slice(cuts.first[numbers.start], cuts.first[numbers.stop])
         feeding, seconds, removed = ~cuts.rapid[moves], cuts.seconds[moves], volumes[moves]
@@ -253,7 +263,7 @@ def facts(
             air_length=float(length[air[moves]].sum()),
             air_seconds=float(seconds[air[moves]].sum()),
             mean_rate=60 * float(in_time.sum()) / total if total else 0.0,
-            peak_rate=_peak_rate(seconds, in_time),
+            peak_rate=_peak_rate(*divided(moves)),
             depth_of_cut=float(depth[moves].max(initial=0.0)),
             width_of_cut=float((width[moves] * engaged).sum() / engaged.sum()) if engaged.any() else 0.0,
             tool_diameter=max((cuts.cuts[cut].tool.diameter for cut in numbers), default=0.0),

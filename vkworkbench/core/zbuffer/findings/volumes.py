@@ -17,6 +17,7 @@ import numpy as np
 
 from vkworkbench.core.stocks import Solid
 from vkworkbench.core.zbuffer.findings.fine_rays import FineRays, half_widths
+from vkworkbench.core.zbuffer.findings.removed_pieces import RemovedPieces
 from vkworkbench.core.zbuffer.sweeps.cuts import Cut, Cuts
 
 # Angles between the rows of rays and the X axis, rad: none is close to a multiple of 45 degrees, which many walls have.
@@ -25,6 +26,9 @@ _TURNS = tuple(pi / 180 * angle for angle in (9.0, 33.0, 57.0, 81.0))
 _RAYS = 60_000
 # Factor for the standard error of the mean of four images, so that 95 of 100 errors are smaller: Student's t with 3 degrees of freedom.
 _STUDENT = 3.18
+# Length of the parts of a move whose volumes are measured apart, as a multiple of the tool's diameter, and the largest number of parts
+# of a move. Longer parts: the removal rate at an instant becomes a mean. Shorter parts: the rate depends on single rays.
+_PART, _PARTS = 1.0, 100
 # Smallest relative error, for the rounding of depths.
 _LEAST = 5e-4
 
@@ -41,6 +45,10 @@ class Volumes:
         Height of the highest piece that each trajectory removes from a ray, mm.
     images : (4, cuts) float64
         Volume that each cut removes in each image, mm^3.
+    parts : (n + 1,) int64
+        First part of each trajectory; trajectories are divided into parts of equal lengths.
+    of_parts : (parts[-1],) float64
+        Volume that the tool removes while it moves along each part, mm^3.
     rays : (cuts,) float64
         Largest volume that each cut removes from one ray, mm^3. Errors are not smaller, because four images may agree by chance.
     """
@@ -48,6 +56,8 @@ class Volumes:
     each: np.ndarray
     depths: np.ndarray
     images: np.ndarray
+    parts: np.ndarray
+    of_parts: np.ndarray
     rays: np.ndarray
 
     def error(self, cuts: range) -> float:
@@ -86,6 +96,8 @@ def measure_volumes(
     each, depths = np.zeros((2, len(numbered)))
     images = np.zeros((len(_TURNS), len(numbered.cuts)))
     largest = np.zeros(len(numbered.cuts))
+    parts = _parts(numbered)
+    of_parts = np.zeros(parts[-1])
     for number in range(len(numbered.cuts)):
         moves, half_width, pixel = _strips(numbered, number, stock)
         for image, turn in enumerate(_TURNS if len(moves) else ()):
@@ -94,12 +106,35 @@ def measure_volumes(
                 if time.monotonic() > end:
                     return None
                 volumes = pieces.volumes(len(numbered))
+                part = _part_of(rays, pieces, parts)
+                of_parts += np.bincount(part, pieces.far - pieces.near, len(of_parts)) * pixel**2 / len(_TURNS)
                 each += volumes / len(_TURNS)
                 deep = pieces.far - pieces.near
                 np.maximum.at(depths, pieces.owner, deep)
                 largest[number] = max(largest[number], float(deep.max(initial=0.0)) * pixel**2)
                 images[image, number] += volumes.sum()
-    return Volumes(each, depths, images, largest)
+    return Volumes(each, depths, images, parts, of_parts, largest)
+
+
+def _parts(cuts: Cuts) -> np.ndarray:
+    """Return the first part of each trajectory, and the number of all parts, (n + 1,) int64."""
+    start, end = cuts.ends
+    diameter = np.array([cut.tool.diameter for cut in cuts.cuts])[cuts.cut]
+    count = np.ceil(np.hypot(*(end - start)[:, :2].T) / (_PART * diameter))
+    return np.append(0, np.cumsum(np.clip(count, 1, _PARTS))).astype(np.int64)
+
+
+def _part_of(rays: FineRays, pieces: RemovedPieces, parts: np.ndarray) -> np.ndarray:
+    """Return the part of its trajectory in which the front of the tool removes each piece, (k,) int64."""
+    trajectories = rays.trajectories
+    item = np.searchsorted(trajectories.index, pieces.owner)
+    (x, y, _), (ux, uy, run, _) = trajectories.start[:, item], trajectories.heading[:, item]
+    along, aside = (pieces.x - x) * ux + (pieces.y - y) * uy, (pieces.y - y) * ux - (pieces.x - x) * uy
+    along -= np.sqrt(np.maximum(trajectories.radius[item] ** 2 - aside**2, 0.0))
+    count = parts[pieces.owner + 1] - parts[pieces.owner]
+    number = np.floor(along / np.where(run > 0, run, 1.0) * count).astype(np.int64)
+    result: np.ndarray = parts[pieces.owner] + np.clip(number, 0, count - 1)
+    return result
 
 
 def _strips(cuts: Cuts, number: int, stock: Solid) -> tuple[np.ndarray, np.ndarray, float]:
