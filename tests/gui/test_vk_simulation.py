@@ -22,7 +22,7 @@ from vkworkbench.gui.qt.plain_text import OneLine
 from vkworkbench.gui.simulation import controls, exports, simulating
 from vkworkbench.gui.simulation import player as playing
 from vkworkbench.gui.simulation.faults import differences
-from vkworkbench.gui.simulation.pictures import Drawing, Picture
+from vkworkbench.gui.simulation.pictures import SMOOTH, Drawing, Picture
 from vkworkbench.gui.simulation.widgets import Legend, StateLine
 
 
@@ -362,7 +362,8 @@ def test_events_do_not_wait_for_pictures_or_faults(simulated, window, monkeypatc
     going_on.set()
     window.wait(lambda: simulated.pictures.is_current and not simulated.is_busy)
     monkeypatch.undo()
-    expected = simulated.drawing.picture(simulated.moment, simulated.view.frame, simulated.view.background).draw().scene
+    picture = simulated.drawing.picture(simulated.moment, simulated.view.frame, simulated.view.background)
+    expected = picture.draw(SMOOTH).scene
     assert (simulated.view._scene.image == expected.image).all() and simulated.moment.seconds == 0.3 * total
 
 

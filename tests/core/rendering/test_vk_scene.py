@@ -14,6 +14,7 @@ from vkworkbench.core.rendering import (
     MET,
     NO_MODEL,
     Field,
+    Scene,
     difference_colors,
     palette,
     scene,
@@ -98,3 +99,12 @@ def test_differences_are_coloured_up_to_ten_tolerances():
     assert (difference_colors(np.array([1.0, 0.9]), np.zeros(2), model[:2], 0.1)[0] == LEFT[-1]).all() and DEEPEST == 10
     middle = difference_colors(np.array([0.1 * (1 + DEEPEST) / 2]), np.zeros(1), np.array([True]), 0.1)
     assert np.abs(middle[0].astype(int) - LEFT[1]).max() < 3
+
+
+def test_averaged_picture_has_mean_colours():
+    depth = np.arange(24, dtype=np.float32).reshape(4, 6)
+    colors = np.array([[0x10, 0x30], [0x20, 0x40]], np.uint32)
+    pixels = np.tile(0xFF000000 | colors << 16 | colors, (2, 3)).astype(np.uint32)
+    small = Scene(depth, depth.astype(np.int32), pixels).averaged(2)
+    assert (small.image == (0x28, 0, 0x28)).all() and small.image.shape == (2, 3, 3)
+    assert (small.depth == depth[::2, ::2]).all() and small.owner.shape == (2, 3)

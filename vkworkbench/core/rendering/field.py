@@ -14,13 +14,11 @@ from typing import NamedTuple
 
 import numpy as np
 
-from vkworkbench.core.rendering.shading import STEEPEST, shadow, slope
+from vkworkbench.core.rendering.shading import EMPTY, STEEPEST, shadow, slope
 from vkworkbench.core.zbuffer import STOCK, ZBuffer
 
 # Cells around the top of a wall that determine its direction: offsets along x and y.
 _AROUND = [(x, y) for x in range(-4, 5) for y in range(-4, 5) if 0 < x * x + y * y <= 17]
-# Height of the top of an empty cell, and with the other sign of its bottom, mm. Finite, because vertical views multiply it by 0.
-EMPTY = -1e9
 
 
 class Section(NamedTuple):

@@ -15,7 +15,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from vkworkbench.core.rendering.field import EMPTY, Layer
+from vkworkbench.core.rendering.field import Layer
+from vkworkbench.core.rendering.shading import EMPTY
 from vkworkbench.core.view import Frame
 
 # Sine and cosine of the elevation below which tops, or walls, are not seen.

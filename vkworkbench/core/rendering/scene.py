@@ -10,10 +10,10 @@ from typing import NamedTuple
 
 import numpy as np
 
-from vkworkbench.core.rendering.field import EMPTY, Field, Layer
+from vkworkbench.core.rendering.field import Field, Layer
 from vkworkbench.core.rendering.oblique import Walls, look
 from vkworkbench.core.rendering.palettes import CUT, palette
-from vkworkbench.core.rendering.shading import BACKGROUND, EDGE, LIGHT, STEEPEST, light
+from vkworkbench.core.rendering.shading import BACKGROUND, EDGE, EMPTY, LIGHT, STEEPEST, light
 from vkworkbench.core.view import Frame
 from vkworkbench.core.zbuffer import STOCK
 
@@ -48,6 +48,19 @@ class Scene:
         """The colours, (height, width, 3) uint8, row 0 at the top."""
         result: np.ndarray = (self.pixels[..., None] >> np.array((16, 8, 0), np.uint32)).astype(np.uint8)
         return result
+
+    def averaged(self, factor: int) -> Scene:
+        """Return a smaller picture, in which each colour is the mean of `factor` times `factor` pixels."""
+        height, width = (side // factor for side in self.pixels.shape)
+        parts = np.ascontiguousarray(self.pixels).view(np.uint8).reshape(height, factor, width, factor, 4)
+        total = np.zeros((height, width, 4), np.uint16)
+        for row in range(factor):
+            for column in range(factor):
+                total += parts[:, row, :, column]
+        total //= factor**2
+        every = slice(None, None, factor)
+        pixels = total.astype(np.uint8).view(np.uint32).reshape(height, width)
+        return Scene(self.depth[every, every], self.owner[every, every], pixels)
 
 
 def scene(

@@ -9,6 +9,9 @@ BACKGROUND = (232, 235, 240)
 # Direction to the light (right, up, towards the eye): over the left shoulder of the viewer.
 LIGHT = np.array([-0.35, 0.5, 0.79], np.float32)
 _AMBIENT = np.float32(0.38)
+# Height of the top of an empty cell, mm. Finite, because vertical views multiply it by 0. And the slope above which a step
+# ends in an empty cell.
+EMPTY, _TO_NOTHING = -1e9, np.float32(1e5)
 # Slope above which a surface is a wall, which is lit as if it were vertical.
 STEEPEST = np.float32(3.0)
 # Soft shadow in pockets: the part of the light that the deepest pockets lose, the distance to the surroundings as a share of
@@ -44,8 +47,8 @@ def shade(
         The picture, row 0 at the top.
     """
     seen = ~np.isnan(depth)
-    # The slope at the outline is that of the one neighbour inside the part.
-    right, up = _slopes(depth, pixel, 1), _slopes(depth, pixel, 0)
+    height = np.pad(np.where(seen, -depth, np.float32(EMPTY)), 1, constant_values=EMPTY)
+    right, up = (slope(height, pixel, axis)[1:-1, 1:-1] for axis in (1, 0))
     bend = np.maximum(_bends(depth, pixel, 1), _bends(depth, pixel, 0))
     light = (LIGHT[2] - LIGHT[0] * right - LIGHT[1] * up) / np.sqrt(1 + right * right + up * up)
     light = _AMBIENT + (1 - _AMBIENT) * np.maximum(light, 0) / LIGHT[2]
@@ -57,12 +60,6 @@ def shade(
         image[..., channel] = np.minimum(light * colors[..., channel], 255)
         image[..., channel][~seen] = background[channel]
     return image[::-1]
-
-
-def _slopes(depth: np.ndarray, pixel: float, axis: int) -> np.ndarray:
-    """Return the slope of the surface towards the eye along an image axis; at a jump, the smaller slope of the two sides."""
-    before, after = _steps(depth, -pixel, axis)
-    return np.nan_to_num(np.where(np.abs(before) < np.abs(after), before, after))
 
 
 def _bends(depth: np.ndarray, pixel: float, axis: int) -> np.ndarray:
@@ -83,6 +80,8 @@ def _steps(depth: np.ndarray, unit: float, axis: int) -> tuple[np.ndarray, np.nd
 def slope(height: np.ndarray, cell: float, axis: int) -> np.ndarray:
     """Return the slope of a height field along an axis, (n, m) float32; at a step, the smaller slope of the two sides.
 
+    A cell between two empty cells is level.
+
     Parameters
     ----------
     height : (n, m) float32
@@ -96,6 +95,7 @@ def slope(height: np.ndarray, cell: float, axis: int) -> np.ndarray:
     size = np.abs(step)
     result = np.zeros_like(height)
     result[:, 1:-1] = np.where(size[:, :-1] < size[:, 1:], step[:, :-1], step[:, 1:])
+    result[np.abs(result) > _TO_NOTHING] = 0
     np.clip(result, -STEEPEST, STEEPEST, out=result)
     return result.T if axis == 0 else result
 

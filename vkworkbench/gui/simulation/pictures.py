@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import lru_cache, partial
 
 import numpy as np
@@ -14,7 +14,7 @@ from vkworkbench.core.rendering import CUT, Field, Scene, Section, draw_path, dr
 from vkworkbench.document.simulation.job import SimulatedJob
 from vkworkbench.document.simulation.simulate import Simulation
 from vkworkbench.gui.qt.background import Background
-from vkworkbench.gui.qt.names import QObject, Signal
+from vkworkbench.gui.qt.names import QObject, Signal, single_shot
 from vkworkbench.gui.simulation.coloring import COLORINGS, Coloring, Entries, Job
 from vkworkbench.gui.simulation.controls import CHIPS, PART, SceneBar
 from vkworkbench.gui.simulation.moment import Clock, Moment
@@ -105,7 +105,7 @@ class Drawing:
             partial(self._field, *at, chips, shown != CHIPS, self._section(frame)),
             self._coloring,
             partial(self._colors, *at),
-            partial(scene, frame=frame, lit=lit, background=background),
+            partial(scene, lit=lit, background=background),
             self._paths(moment) if self.bar.path.isChecked() else (),
             self._tool(moment),
             frame,
@@ -151,7 +151,7 @@ class Picture:
     colors : callable
         Returns the colours of a colouring at the moment.
     scene : callable
-        Returns the coloured scene of a field.
+        Returns the coloured scene of a field in a frame.
     paths : tuple of (n, 3) ndarray
         Paths to draw: the one done, and the one to come; empty for none.
     tool : tuple of Tool and (3,) ndarray
@@ -168,13 +168,16 @@ class Picture:
     tool: tuple[Tool, np.ndarray]
     frame: Frame
 
-    def draw(self) -> Drawn:
-        """Draw the picture, in any thread. A picture takes about 0.05 s."""
-        coloring = self.coloring()
-        drawn = self.scene(self.field(), colors=self.colors(coloring))
+    def draw(self, smoothness: int = 1) -> Drawn:
+        """Draw the picture, in any thread; each pixel is the mean of `smoothness` times `smoothness` pixels."""
+        coloring, size = self.coloring(), self.frame
+        frame = replace(size, pixel=size.pixel / smoothness, width=size.width * smoothness,
+                        height=size.height * smoothness)  # fmt: skip
+        drawn = self.scene(self.field(), frame, self.colors(coloring))
+        draw_tool(drawn, *self.tool, frame)
+        drawn = drawn.averaged(smoothness) if smoothness > 1 else drawn
         for path, color in zip(self.paths, (PATH_DONE, PATH_TO_COME)):
             draw_path(drawn.pixels, path, self.frame, color)
-        draw_tool(drawn, *self.tool, self.frame)
         return Drawn(drawn, self.frame, coloring.legend)
 
 
@@ -200,11 +203,13 @@ def _uncolored() -> Coloring:
     return Coloring(palette(CUT), tuple)
 
 
+SMOOTH = 2  # pixels along each side of which a pixel of a resting picture is the mean
+_REST = 150  # ms without a change until a picture rests
 _LOOK = 3  # ms between two checks whether a picture was drawn
 
 
 class Pictures(QObject):
-    """Shows the picture of the moment, and updates it after each change.
+    """Shows the picture of the moment, updates it after each change, and smooths it when it rests.
 
     Parameters
     ----------
@@ -225,17 +230,21 @@ class Pictures(QObject):
         super().__init__(parent)
         self._drawing, self._moment, self._view = drawing, moment, view
         self._background = Background(self, _LOOK)
+        self._smoothing = Background(self, _LOOK)
+        self._rest = single_shot(self._smooth, self, _REST)
         self._changed = False  # since drawing of the last picture began
         self._legend: Callable[[], Entries] | None = None  # the shown legend
 
     @property
     def is_current(self) -> bool:
-        """Whether the shown picture is up to date."""
-        return not (self._changed or self._background.works)
+        """Whether the shown picture is up to date and smooth."""
+        return not (self._changed or self._background.works or self._rest.isActive() or self._smoothing.works)
 
     def draw(self) -> None:
         """Redraw at the next `begin`, or after the picture that is being drawn."""
         self._changed = True
+        self._rest.stop()
+        self._smoothing.give_up()
 
     def begin(self) -> None:
         """Begin to draw a picture, if something has changed and no picture is being drawn."""
@@ -249,16 +258,18 @@ class Pictures(QObject):
         self.begun.emit()
 
     def show_now(self) -> None:
-        """Draw and show the picture in the window's thread."""
-        self._background.give_up()
+        """Draw and show the smooth picture in the window's thread."""
+        self.end()
         self._changed = False
         picture = self._drawing.picture(self._moment, self._view.frame, self._view.background)
-        self._show(picture.draw())
+        self._show(picture.draw(SMOOTH))
         self.begun.emit()
 
     def end(self) -> None:
         """Stop drawing."""
         self._background.give_up()
+        self._rest.stop()
+        self._smoothing.give_up()
 
     def _show(self, drawn: Drawn) -> None:
         self._view.show_scene(drawn.scene, drawn.frame)
@@ -267,6 +278,16 @@ class Pictures(QObject):
             self._drawing.bar.legend.show_entries(drawn.legend())
 
     def _ended(self, error: Exception | None) -> None:
+        self._report(error)
+        if error is None and not self._changed:
+            self._rest.start()
+        self.begin()
+
+    def _smooth(self) -> None:
+        """Draw the picture again, smoothly."""
+        picture = self._drawing.picture(self._moment, self._view.frame, self._view.background)
+        self._smoothing.start("", lambda _: [picture.draw(SMOOTH)], self._show, self._report)
+
+    def _report(self, error: Exception | None) -> None:
         if error is not None:
             self.failed.emit(error)
-        self.begin()
