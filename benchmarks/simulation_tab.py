@@ -10,7 +10,7 @@ event had to wait, in parentheses the longest that FreeCAD worked meanwhile: the
 that came on top. Below stand how long FreeCAD alone holds the window for the longest path, the expected cost of the finest
 picture, the time until the job is checked, the verdict, and the pictures a second while the part is turned.
 FreeCAD's simulators show a finished part only at the end of their fast-forward, or of a play at their fastest. The slider of
-the OpenGL simulator is not dragged here. `VKWORKBENCH_PATIENCE` is how long each may take, s.
+the OpenGL simulator is dragged before the play, and the line above its row tells how long one move of the mouse held the window. `VKWORKBENCH_PATIENCE` is how long each may take, s.
 """
 
 from __future__ import annotations
@@ -35,6 +35,7 @@ sys.path[:0] = [str(ROOT), str(ROOT / "examples"), str(ROOT / "tests")]
 
 from inside_freecad import run_and_leave
 from make_example import make_example
+from opengl_window import DRAG, FASTER, MOVE, PLAY, PRESS, RELEASE, THUMB, click, send
 
 from vkworkbench import freecad
 from vkworkbench.core.rendering import turned
@@ -297,7 +298,6 @@ def legacy(document):
 def opengl(document):
     """FreeCAD's OpenGL simulator."""
     module = importlib.import_module("Path.Main.Gui.SimulatorGL")
-    from opengl_window import FASTER, PLAY, click
 
     from vkworkbench.core.simulators import opengl_speeds
 
@@ -313,6 +313,9 @@ def opengl(document):
     first = watch()
     frames = Frames(shown)
     window.installEventFilter(frames)
+    slid = slide(window, shown)
+    shown.clear()
+    dragged = [after - before for after, before in zip(watch(), first)]
     for _ in opengl_speeds(freecad.version())[1:]:
         click(window, *FASTER)
         rest(0.3)
@@ -326,13 +329,34 @@ def opengl(document):
         still, last = picture == last, picture
         finest = finest if still else changed
     longest, memory = waiting.end(), resident() - memory
+    finest = finest[0] - dragged[0], finest[1] - dragged[1]
+    played = len(shown) / (finest[0] - first[0])
+    print(f"    the slider dragged: {slid}; {played:.0f} pictures/s in play", file=OUT)
     window.removeEventFilter(frames)
     window.close()
     Gui.Control.closeDialog()
     return (
-        opengl.__doc__[:-1], f"{said(first)} raw", said(finest, bool(still)), f"{len(shown) / (finest[0] - first[0]):.0f} in play",
-        longest, f"{memory / 1e6:.0f} MB",
+        opengl.__doc__[:-1], f"{said(first)} raw", said(finest, bool(still)), "see above", longest, f"{memory / 1e6:.0f} MB",
     )  # fmt: skip
+
+
+def slide(window, shown: list) -> str:
+    """Drag the slider to the middle and back; return the pictures a second, and how long a move of the mouse held the window."""
+    before, held, changed, (left, below) = grabbed(window), [], False, THUMB
+    send(window, left, below, MOVE)
+    send(window, left, below, PRESS)
+    begin = time.perf_counter()
+    while (spent := time.perf_counter() - begin) < DRAGGED:
+        watch = Watch()
+        send(window, left + int(150 * (1 - abs(1 - 2 * spent / DRAGGED))), below, DRAG)
+        QtGui.QApplication.processEvents()
+        held.append(watch()[0])
+        changed |= len(held) % 10 == 1 and grabbed(window) != before
+        time.sleep(MOUSE)
+    send(window, left, below, RELEASE)
+    moved = "" if changed else " (the part did not change)"
+    longest, median = 1e3 * max(held), 1e3 * statistics.median(held)
+    return f"{len(shown) / spent:.1f} pictures/s, a move held the window for {median:.0f} ms, at most {longest:.0f} ms{moved}"
 
 
 class Frames(QtCore.QObject):

@@ -5,18 +5,26 @@ from PySide import QtCore, QtGui
 
 from vkworkbench import freecad
 
-# Where they are, from the window's lower left corner.
-PLAY, FASTER = ((52, -34), (136, -34)) if freecad.version() < (1, 1, 0) else ((42, -36), (172, -36))
+# Where they are, and the thumb of the slider at the beginning, from the window's lower left corner.
+PLAY, FASTER, THUMB = (
+    ((52, -34), (136, -34), (240, -34)) if freecad.version() < (1, 1, 0) else ((42, -36), (172, -36), (30, -78))
+)
+
+
+_NONE, _LEFT = QtCore.Qt.NoButton, QtCore.Qt.LeftButton
+MOVE, PRESS = (QtCore.QEvent.MouseMove, _NONE, _NONE), (QtCore.QEvent.MouseButtonPress, _LEFT, _LEFT)
+DRAG, RELEASE = (QtCore.QEvent.MouseMove, _NONE, _LEFT), (QtCore.QEvent.MouseButtonRelease, _LEFT, _NONE)
+
+
+def send(window, x, y, kind):
+    """Send an event of the mouse, y from below."""
+    where, (event, button, buttons) = QtCore.QPointF(x, window.height() + y), kind
+    QtCore.QCoreApplication.sendEvent(
+        window, QtGui.QMouseEvent(event, where, where, button, buttons, QtCore.Qt.NoModifier)
+    )
 
 
 def click(window, x, y):
     """Click with the left button, y from below."""
-    where = QtCore.QPointF(x, window.height() + y)
-    none, left = QtCore.Qt.NoButton, QtCore.Qt.LeftButton
-    for kind, button, buttons in (
-        (QtCore.QEvent.MouseMove, none, none),
-        (QtCore.QEvent.MouseButtonPress, left, left),
-        (QtCore.QEvent.MouseButtonRelease, left, none),
-    ):
-        event = QtGui.QMouseEvent(kind, where, where, button, buttons, QtCore.Qt.NoModifier)
-        QtCore.QCoreApplication.sendEvent(window, event)
+    for kind in (MOVE, PRESS, RELEASE):
+        send(window, x, y, kind)

@@ -156,6 +156,8 @@ def test_differences_to_the_model_have_colours_and_places(whole_from_above, wind
     kinds = [fault.what.code for fault in differences(player.drawing.findings, bar.tolerance_mm)]
     assert kinds and set(kinds) == {"leaves-material"}  # the sound example leaves inside corners, and gouges nothing
     before = view.grab().toImage()
+    bar.worst.menu().actions()[0].hover()
+    assert view.grab().toImage() != before  # the ring is shown before a choice
     bar.worst.menu().actions()[0].trigger()
     window.wait(lambda: player.pictures.is_current)
     assert (

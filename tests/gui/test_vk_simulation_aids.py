@@ -100,3 +100,23 @@ def test_path_shows_what_is_done_and_to_come(player, window):
     finest(player, window)
     assert count(PATH_DONE) > 50 and count(PATH_TO_COME) > 50
     window.screenshot("simulation-path")
+
+
+def test_zoomed_in_part_is_simulated_finer(player, window):
+    view, whole = player.view, player.simulation
+    coarse = whole.zbuffer.frame.pixel
+    player.look("Isometric")
+    finest(player, window)
+    window.wheel(view, view.rect().center(), 10)
+    assert view.frame.pixel < coarse / 3
+    window.wait(lambda: player.drawing.detail is not None, 60)
+    detail = player.drawing.detail
+    finest(player, window)
+    assert player.simulation is whole and player.drawing.finest_for(view.frame) is detail
+    assert detail.zbuffer.frame.pixel < 0.7 * coarse
+    frame, stock = detail.zbuffer.frame, player.job.stock
+    assert frame.width * frame.pixel < 0.6 * (stock.upper - stock.lower)[0]  # only what is visible
+    window.screenshot("simulation-zoomed")
+    player.look("Isometric")
+    assert player.drawing.finest_for(view.frame) is whole
+    finest(player, window)

@@ -60,8 +60,8 @@ class SceneBar(QWidget):
         The user chose a standard direction, given by its name, or the direction of the 3D view (None).
     recolored, chosen : Signal
         The user changed the colouring or tolerance; the user changed the chips.
-    pointed : Signal of Fault
-        The user chose a fault in a list.
+    hinted, pointed : Signal of Fault
+        The pointer is on a fault in a list; the user chose it.
     saved : Signal of object
         The user asked to save; the argument is a function of `exports`.
     measure, path : QAction
@@ -74,7 +74,7 @@ class SceneBar(QWidget):
 
     looked, saved = Signal(object), Signal(object)
     recolored, chosen = Signal(), Signal()
-    pointed = Signal(object)
+    hinted, pointed = Signal(object), Signal(object)
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -189,6 +189,7 @@ class SceneBar(QWidget):
             short = self.fontMetrics().elidedText(words, Qt.ElideRight, self.window().width() - _BORDERS)
             action = button.menu().addAction(short.replace("&", "&&"))
             action.setToolTip(as_html(words))
+            action.hovered.connect(lambda *_, fault=fault: self.hinted.emit(fault))
             action.triggered.connect(lambda *_, fault=fault: self.pointed.emit(fault))
 
 

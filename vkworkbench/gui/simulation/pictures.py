@@ -19,7 +19,7 @@ from vkworkbench.gui.simulation.coloring import COLORINGS, Coloring, Entries, Jo
 from vkworkbench.gui.simulation.controls import CHIPS, PART, SceneBar
 from vkworkbench.gui.simulation.moment import Clock, Moment
 from vkworkbench.gui.simulation.part_view import PartView
-from vkworkbench.gui.simulation.simulating import Findings, Simulated
+from vkworkbench.gui.simulation.simulating import Findings, Simulated, region_of, seen_region
 
 # Colours of the path of the tool.
 PATH_DONE, PATH_TO_COME = (20, 90, 200), (200, 60, 160)
@@ -41,6 +41,8 @@ class Drawing:
         The finest simulation until now.
     findings : Findings or None
         The check of the job.
+    detail : Simulation or None
+        A finer simulation of a part of the stock.
     strategies : tuple of Strategy
         Strategies of the operations.
     """
@@ -49,6 +51,7 @@ class Drawing:
         self.job, self.clock, self.bar = job, clock, bar
         self.simulated: Simulated | None = None
         self.findings: Findings | None = None
+        self.detail: Simulation | None = None
         self.strategies = (Strategy.UNKNOWN,) * len(job.operations)
         self._coloring: Callable[[], Coloring] = _uncolored
         # Turning draws one moment many times.
@@ -73,7 +76,7 @@ class Drawing:
 
     def clear(self) -> None:
         """Drop all results."""
-        self.simulated = self.findings = None
+        self.simulated = self.findings = self.detail = None
         self._coloring = _uncolored
         self._field.cache_clear()
         self._colors.cache_clear()
@@ -102,7 +105,7 @@ class Drawing:
         lit = None if moment.noticed is None else moment.of_command(moment.noticed)
         at = self.simulation, moment.done
         return Picture(
-            partial(self._field, *at, chips, shown != CHIPS, self._section(frame)),
+            partial(self._field, self.finest_for(frame), moment.done, chips, shown != CHIPS, self._section(frame)),
             self._coloring,
             partial(self._colors, *at),
             partial(scene, lit=lit, background=background),
@@ -110,6 +113,14 @@ class Drawing:
             self._tool(moment),
             frame,
         )
+
+    def finest_for(self, frame: Frame) -> Simulation | None:
+        """Return the detail if it contains what an image shows. Differences from the model are known for the whole only."""
+        if self.detail is not None and not self.bar.compares:
+            seen = seen_region(frame, self.job)
+            if seen is not None and region_of(self.detail.zbuffer.frame).contains(seen):
+                return self.detail
+        return self.simulation
 
     def _section(self, frame: Frame) -> Section | None:
         """Return the chosen section, which hides the side of the eye."""

@@ -24,11 +24,12 @@ from vkworkbench.gui.simulation.measuring import Measuring
 from vkworkbench.gui.simulation.moment import Clock, Moment
 from vkworkbench.gui.simulation.part_view import PartView, Surface
 from vkworkbench.gui.simulation.pictures import Drawing, Pictures
-from vkworkbench.gui.simulation.simulating import Budgets, Findings, Simulated, Simulating
+from vkworkbench.gui.simulation.simulating import Budgets, Findings, Simulated, Simulating, detail_view, simulate_detail
 from vkworkbench.gui.simulation.time_line import Block, TimeLine
 from vkworkbench.gui.simulation.widgets import StateLine
 
 _PART = 120  # minimum height of the part, px; optional rows are hidden if it would be lower
+_CLOSER = 400  # ms without another view until the visible part is simulated more finely
 _TICK = 20  # ms between two updates
 
 
@@ -74,6 +75,7 @@ class Player(QWidget):
         self._simulating: Simulating | None = None
         self._begin = single_shot(self.simulate, self)
         self._work, self._recognizing, self._judging = Background(self), Background(self), Background(self)
+        self._detailing, self._look_closer = Background(self), single_shot(self._simulate_detail, self, _CLOSER)
         self.pictures = Pictures(self.drawing, self.moment, self.view, self)
         self._lay_out()
         self._connect()
@@ -122,6 +124,7 @@ class Player(QWidget):
 
     def _connect(self) -> None:
         self.view.changed.connect(self.pictures.draw)
+        self.view.changed.connect(self._look_closer.start)
         self.view.resized.connect(self._sized)
         self.view.asked.connect(self.ask)
         self.view.restyled.connect(self.pictures.draw)
@@ -134,6 +137,7 @@ class Player(QWidget):
         self.play_bar.play_clicked.connect(self.moment.play)
         self.scene_bar.looked.connect(self.look)
         self.scene_bar.recolored.connect(self._recolor)
+        self.scene_bar.hinted.connect(lambda fault: self.view.show_place(fault.place))
         self.scene_bar.pointed.connect(self.point)
         self.scene_bar.chosen.connect(self.pictures.draw)
         self.scene_bar.saved.connect(lambda save: save(self))
@@ -186,10 +190,28 @@ class Player(QWidget):
         self._work.give_up()
         self._recognizing.give_up()
         self._judging.give_up()
+        self._detailing.give_up()
+        self._look_closer.stop()
         self.pictures.end()
         self._begin.stop()
         self._simulating = None
         self.drawing.clear()
+
+    def _simulate_detail(self) -> None:
+        """Simulate the visible part of the stock more finely, if the user has zoomed in."""
+        self._detailing.give_up()
+        done = self.drawing.simulated
+        if self.refines or done is None:
+            return
+        shown = self.drawing.finest_for(self.view.frame).zbuffer
+        view = detail_view(self.view.frame, self.job, shown.frame.pixel)
+        if view is not None:
+            memory = preferences.read().memory_budget_bytes - done.simulation.zbuffer.peak.bytes()
+            self._detailing.start("", simulate_detail(self.job, view, memory), self._take_detail, self._show_error)
+
+    def _take_detail(self, done: Simulation) -> None:
+        self.drawing.detail = done
+        self.pictures.draw()
 
     def _tick(self) -> None:
         if self._work.works:

@@ -7,11 +7,12 @@ import time
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from functools import cached_property
+from math import ceil, sqrt
 from typing import NamedTuple
 
 import numpy as np
 
-from vkworkbench.core import View
+from vkworkbench.core import Frame, View
 from vkworkbench.core.zbuffer import (
     TOLERANCE,
     Deviations,
@@ -33,6 +34,10 @@ from vkworkbench.language import Message, Unusable
 
 # Direction along the tool axis. All other directions are drawn from this simulation.
 ABOVE = (0.0, 0.0, -1.0)
+# Smallest vertical part of the direction of views with details: a flatter view shows most of the stock.
+_FLATTEST = 0.2
+# Largest pixel of a detail, as a share of the pixel that is shown before; and cells around the visible part.
+_FINER, _MARGIN = 0.7, 3
 # Rays of the coarse image, as a share of the rays of the finest, and smallest number of rays: fewer show nothing.
 _COARSE, _FEWEST = 1 / 25, 2000
 
@@ -183,3 +188,72 @@ class Simulating:
             going_on()
 
         return report
+
+
+class Region(NamedTuple):
+    """A rectangle along X and Y: its corners, (2,) mm."""
+
+    low: np.ndarray
+    high: np.ndarray
+
+    def contains(self, other: Region) -> bool:
+        """Return whether another rectangle lies inside."""
+        return bool((self.low <= other.low).all() and (self.high >= other.high).all())
+
+
+def seen_region(frame: Frame, job: SimulatedJob) -> Region | None:
+    """Return the part of the stock that an image can show; None if it shows nothing, or from too flat."""
+    if abs(frame.direction[2]) < _FLATTEST:
+        return None
+    half = np.array([frame.width, frame.height]) * frame.pixel / 2
+    corners = frame.origins(*(half[:, None] * np.array([(-1, -1, 1, 1), (-1, 1, -1, 1)])))
+    ends = []
+    for height in (job.stock.lower[2], job.stock.upper[2]):
+        along = (height - corners[:, 2]) / frame.direction[2]
+        ends.append((corners + along[:, None] * frame.direction)[:, :2])
+    points = np.concatenate(ends)
+    low = np.maximum(points.min(axis=0), job.stock.lower[:2])
+    high = np.minimum(points.max(axis=0), job.stock.upper[:2])
+    return Region(low, high) if (low < high).all() else None
+
+
+def region_of(frame: Frame) -> Region:
+    """Return the rectangle of an image from above."""
+    half = np.array([frame.width, frame.height]) * frame.pixel / 2
+    return Region(frame.centre[:2] - half, frame.centre[:2] + half)
+
+
+def detail_view(frame: Frame, job: SimulatedJob, pixel: float) -> View | None:
+    """Return the view from above of the part of the stock in an image; None if it would not be finer.
+
+    Parameters
+    ----------
+    frame : Frame
+        Frame of the image.
+    job : SimulatedJob
+    pixel : float
+        Pixel of the simulation of the whole stock, mm.
+    """
+    seen = seen_region(frame, job)
+    if seen is None:
+        return None
+    side = seen.high - seen.low
+    finer = max(frame.pixel, sqrt(float(side.prod()) / (frame.width * frame.height)))
+    if finer > _FINER * pixel:
+        return None
+    width, height = (ceil(length / finer) + 2 * _MARGIN for length in side.tolist())
+    offset = (seen.low + seen.high - job.stock.lower[:2] - job.stock.upper[:2]) / 2
+    return View(ABOVE, width, height, finer, tuple(offset.tolist()))
+
+
+def simulate_detail(
+    job: SimulatedJob, view: View, memory: float
+) -> Callable[[Callable[[], None]], Iterator[Simulation]]:
+    """Return the work of a `Background` that simulates a detail."""
+
+    def work(going_on: Callable[[], None]) -> Iterator[Simulation]:
+        done = simulate_read(job, view, memory, lambda _: going_on())
+        done.zbuffer.surface.prepare()
+        yield done
+
+    return work
