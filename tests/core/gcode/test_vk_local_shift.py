@@ -101,12 +101,10 @@ def test_work_offsets_from_the_tools_place_are_read():
     assert points(text)[-2:] == [(23, 14, 5), (1, 14, 5)] and said(text) == []
 
 
-def test_rotated_work_offset_has_a_remark():
-    assert said("G10 L2 P1 R30\nG1 X1") == [
-        "Line 4: G10 is ignored. The coordinates after it are read as if it were not there."
-    ]
-    rotated = read_program("G10 L2 P1 R30\nG21\nG0 X0 Y0 Z5\nG1 X9 F60")
-    assert [problem.what.code for problem in rotated.problems] == ["coordinates-not-changed"]
+def test_work_offset_is_rotated():
+    assert points("G10 L2 P1 R30\nG1 X10")[-1] == (8.660254, 5, 5)
+    rotated = read_program("G10 L2 P1 R30\nG21\nG0 X0 Y0 Z5\nG1 X10 F60")
+    assert rotated.toolpath().points[-1].round(6).tolist() == [8.660254, 5, 5] and rotated.problems == ()
 
 
 def test_polar_coordinates_of_linuxcnc():

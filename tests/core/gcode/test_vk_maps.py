@@ -35,6 +35,7 @@ def codes(text):
     ("G51.1 X0\nG68 X0 Y0 R90\nX5 Y0", [[0, -5, -1]]),  # mirrors first, then rotates
     ("G52 X100\nG68 X0 Y0 R90\nX10 Y0", [[100, 10, -1]]),
     ("G10 L2 P1 R90\nX10 Y0\nG92 X0 Y0\nX5 Y0", [[0, 10, -1], [0, 15, -1]]),
+    ("G10 L2 P0 R90\nX10 Y0", [[0, 10, -1]]),
     ("G10 L2 P1 R90\nX10\nG10 L2 P1 R0\nX0 Y0", [[0, 10, -1], [0, 0, -1]]),
     ("G20 G68 X1 Y0 R90\nX2 Y0", [[25.4, 25.4, -1]]),
 ])  # fmt: skip

@@ -28,7 +28,7 @@ def test_machine_height_at_the_end_has_no_remark():
 
 
 @pytest.mark.parametrize("change", ["G43 H1", "G43.1 Z2", "G43 H1\nG43 H2 Z5\nG43 H1", "G43 H1 Z5\nG49"])
-@pytest.mark.parametrize("move", ["G0 X5", "G1 X5"])
+@pytest.mark.parametrize("move", ["G0 X5", "G1 X5", "G91 G1 Z-2\nG90"])
 def test_move_after_another_tool_length_has_a_remark(change, move):
     assert codes(f"{CUT}{change}\n{move}\nG0 Z5") == ["length-before-height"]
 

@@ -85,7 +85,7 @@ def _note(machine: Machine, mode: int, parameters: dict[str, float], move: dict[
         _note_y(machine, move["Y"])
     if mode in codes.ARCS:
         machine.clues.arc(set(parameters), machine.number)
-    if "Z" in move:
+    if "Z" in move and not machine.modes.relative:
         machine.length_changed = machine.stopped = False
     elif machine.length_changed and (mode > 0 or not machine.stopped):
         machine.problem(Message("length-before-height"))

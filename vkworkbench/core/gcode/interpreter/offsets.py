@@ -86,6 +86,8 @@ def _data(machine: Machine, line: Line) -> None:
         return
     system, place = NUMBERED.get(words.get("P", -1.0)), machine.here()
     angle = words.get("R") if kind == 2.0 else None
+    if angle is not None and words.get("P") == 0:  # only LinuxCNC has R: P0 is the work offset in force
+        system = machine.origins.system
     if system is not None and angle is not None:
         machine.maps.rotate_system(system, angle)
     if machine.modes.relative and (kind == 2.0) and (values or angle):
