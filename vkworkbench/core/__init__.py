@@ -70,7 +70,7 @@ def __dir__() -> list[str]:
 if not TYPE_CHECKING:  # mypy reads the imports above
 
     def __getattr__(name: str) -> object:
-        """Load a name's module when the name is first used: importing all modules takes many times as long as one of them."""
+        """Load the module of a name when the name is first used, because loading all modules takes long."""
         if name not in _HOMES:
             raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
         globals()[name] = value = getattr(import_module(f"{__name__}.{_HOMES[name]}"), name)

@@ -35,14 +35,14 @@ _LOW = np.array([1.0, 1.0, -1.0, -1.0])  # with it the lowest of boxes are their
 
 
 class Corrections(NamedTuple):
-    """Turns of k rings against the sense of their winding; 0 for rings that are closed loops.
+    """Turns of k rings against the sense of the winding; 0 for closed loops.
 
     Attributes
     ----------
     angle : (k,) float
-        Sum of these turns, rad.
+        Sum of the turns against the sense, rad.
     places : (k,) int
-        Number of places where the ring turns so.
+        Number of places with a turn against the sense.
     """
 
     angle: np.ndarray
@@ -367,7 +367,7 @@ def _long(pieces: Pieces, which: np.ndarray) -> np.ndarray:
 def _turned_against(moves: Areas, pieces: Pieces, rings: Rings) -> Corrections:
     """Return the turning of each winding against its sense.
 
-    Bends within rounding do not count, because finely sampled spirals have many of them.
+    Bends within rounding do not count, because finely sampled spirals have many such bends.
     """
     number = len(rings)
     if not rings.winding.any():
