@@ -1389,6 +1389,14 @@
         <source>The cuts of a pocket or circle ({name}) are ignored.</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>{label} from line {line:#} on is not simulated, because its tool is unknown. Name the tool in a comment before it, for example (T1 D=6 end mill), or give the tool to vkworkbench.simulate.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing was checked, because no tool meets the stock. Check the stock and its position.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>Strategy</name>
@@ -1795,6 +1803,10 @@
         <source>Measures how fast FreeCAD&apos;s simulators are on this computer, and saves the result. This takes some seconds.</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Measures how fast FreeCAD&apos;s simulators are on this computer, and saves the result. This takes about a second.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>Vk_AddMesh</name>
@@ -1875,6 +1887,10 @@
     </message>
     <message>
         <source>{count} jobs have warnings.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The marks are in the Description column of the tree, which is now visible. To hide the column again, open the context menu of the tree and choose Tree Settings, Show Description.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

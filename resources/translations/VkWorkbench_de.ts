@@ -1389,6 +1389,14 @@
         <source>The cuts of a pocket or circle ({name}) are ignored.</source>
         <translation>Die Schnitte einer Tasche oder eines Kreises ({name}) werden übergangen.</translation>
     </message>
+    <message>
+        <source>{label} from line {line:#} on is not simulated, because its tool is unknown. Name the tool in a comment before it, for example (T1 D=6 end mill), or give the tool to vkworkbench.simulate.</source>
+        <translation>{label} ab Zeile {line:#} wird nicht simuliert, weil das Werkzeug unbekannt ist. Nennen Sie es davor in einem Kommentar, zum Beispiel (T1 D=6 end mill), oder übergeben Sie es an vkworkbench.simulate.</translation>
+    </message>
+    <message>
+        <source>Nothing was checked, because no tool meets the stock. Check the stock and its position.</source>
+        <translation>Nichts wurde geprüft, weil kein Werkzeug das Rohteil trifft. Prüfen Sie das Rohteil und seine Lage.</translation>
+    </message>
 </context>
 <context>
     <name>Strategy</name>
@@ -1795,6 +1803,10 @@
         <source>Measures how fast FreeCAD&apos;s simulators are on this computer, and saves the result. This takes some seconds.</source>
         <translation>Misst, wie schnell FreeCADs Simulatoren auf diesem Computer sind, und speichert das Ergebnis. Das dauert einige Sekunden.</translation>
     </message>
+    <message>
+        <source>Measures how fast FreeCAD&apos;s simulators are on this computer, and saves the result. This takes about a second.</source>
+        <translation>Misst, wie schnell die FreeCAD-Simulatoren auf diesem Computer sind, und speichert das Ergebnis. Das dauert etwa eine Sekunde.</translation>
+    </message>
 </context>
 <context>
     <name>Vk_AddMesh</name>
@@ -1876,6 +1888,10 @@
     <message>
         <source>{count} jobs have warnings.</source>
         <translation>{count} Aufträge haben Warnungen.</translation>
+    </message>
+    <message>
+        <source>The marks are in the Description column of the tree, which is now visible. To hide the column again, open the context menu of the tree and choose Tree Settings, Show Description.</source>
+        <translation>Die Markierungen stehen in der Spalte „Beschreibung“ des Baums, die jetzt sichtbar ist. Um die Spalte wieder auszublenden, öffnen Sie das Kontextmenü des Baums und wählen Baumeinstellungen, Beschreibung anzeigen.</translation>
     </message>
 </context>
 <context>

@@ -1389,6 +1389,14 @@
         <source>The cuts of a pocket or circle ({name}) are ignored.</source>
         <translation>Los cortes de una cajera o de un círculo ({name}) se ignoran.</translation>
     </message>
+    <message>
+        <source>{label} from line {line:#} on is not simulated, because its tool is unknown. Name the tool in a comment before it, for example (T1 D=6 end mill), or give the tool to vkworkbench.simulate.</source>
+        <translation>{label} a partir de la línea {line:#} no se simula, porque se desconoce su herramienta. Nombre la herramienta antes en un comentario, por ejemplo (T1 D=6 end mill), o indíquela a vkworkbench.simulate.</translation>
+    </message>
+    <message>
+        <source>Nothing was checked, because no tool meets the stock. Check the stock and its position.</source>
+        <translation>No se ha comprobado nada, porque ninguna herramienta toca el material bruto. Revise el material bruto y su posición.</translation>
+    </message>
 </context>
 <context>
     <name>Strategy</name>
@@ -1795,6 +1803,10 @@
         <source>Measures how fast FreeCAD&apos;s simulators are on this computer, and saves the result. This takes some seconds.</source>
         <translation>Mide la velocidad de los simuladores de FreeCAD en este equipo y guarda el resultado. Esto tarda unos segundos.</translation>
     </message>
+    <message>
+        <source>Measures how fast FreeCAD&apos;s simulators are on this computer, and saves the result. This takes about a second.</source>
+        <translation>Mide la velocidad de los simuladores de FreeCAD en este equipo y guarda el resultado. Tarda aproximadamente un segundo.</translation>
+    </message>
 </context>
 <context>
     <name>Vk_AddMesh</name>
@@ -1876,6 +1888,10 @@
     <message>
         <source>{count} jobs have warnings.</source>
         <translation>{count} trabajos tienen advertencias.</translation>
+    </message>
+    <message>
+        <source>The marks are in the Description column of the tree, which is now visible. To hide the column again, open the context menu of the tree and choose Tree Settings, Show Description.</source>
+        <translation>Las marcas están en la columna Descripción del árbol, que ahora es visible. Para ocultarla de nuevo, abra el menú contextual del árbol y elija: configuración del árbol, mostrar descripción.</translation>
     </message>
 </context>
 <context>

@@ -1389,6 +1389,14 @@
         <source>The cuts of a pocket or circle ({name}) are ignored.</source>
         <translation>Les coupes d&apos;une poche ou d&apos;un cercle ({name}) sont ignorées.</translation>
     </message>
+    <message>
+        <source>{label} from line {line:#} on is not simulated, because its tool is unknown. Name the tool in a comment before it, for example (T1 D=6 end mill), or give the tool to vkworkbench.simulate.</source>
+        <translation>{label} à partir de la ligne {line:#} n&apos;est pas simulé, car son outil est inconnu. Nommez l&apos;outil dans un commentaire qui précède, par exemple (T1 D=6 end mill), ou donnez-le à vkworkbench.simulate.</translation>
+    </message>
+    <message>
+        <source>Nothing was checked, because no tool meets the stock. Check the stock and its position.</source>
+        <translation>Rien n&apos;a été vérifié, car aucun outil ne touche le brut. Vérifiez le brut et sa position.</translation>
+    </message>
 </context>
 <context>
     <name>Strategy</name>
@@ -1795,6 +1803,10 @@
         <source>Measures how fast FreeCAD&apos;s simulators are on this computer, and saves the result. This takes some seconds.</source>
         <translation>Mesure la vitesse des simulateurs de FreeCAD sur cet ordinateur et enregistre le résultat. Cela prend quelques secondes.</translation>
     </message>
+    <message>
+        <source>Measures how fast FreeCAD&apos;s simulators are on this computer, and saves the result. This takes about a second.</source>
+        <translation>Mesure la vitesse des simulateurs de FreeCAD sur cet ordinateur et enregistre le résultat. Cela prend environ une seconde.</translation>
+    </message>
 </context>
 <context>
     <name>Vk_AddMesh</name>
@@ -1876,6 +1888,10 @@
     <message>
         <source>{count} jobs have warnings.</source>
         <translation>{count} tâches ont des avertissements.</translation>
+    </message>
+    <message>
+        <source>The marks are in the Description column of the tree, which is now visible. To hide the column again, open the context menu of the tree and choose Tree Settings, Show Description.</source>
+        <translation>Les marques sont dans la colonne Description de l&apos;arborescence, désormais visible. Pour masquer à nouveau la colonne, ouvrez le menu contextuel de l&apos;arborescence et choisissez : paramètres de l&apos;arborescence, afficher la description.</translation>
     </message>
 </context>
 <context>

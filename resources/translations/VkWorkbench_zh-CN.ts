@@ -1389,6 +1389,14 @@
         <source>The cuts of a pocket or circle ({name}) are ignored.</source>
         <translation>型腔或圆（{name}）的切削被忽略。</translation>
     </message>
+    <message>
+        <source>{label} from line {line:#} on is not simulated, because its tool is unknown. Name the tool in a comment before it, for example (T1 D=6 end mill), or give the tool to vkworkbench.simulate.</source>
+        <translation>从第 {line:#} 行起的 {label} 未模拟，因为其刀具未知。请在前面的注释中写明刀具，例如 (T1 D=6 end mill)，或将刀具传给 vkworkbench.simulate。</translation>
+    </message>
+    <message>
+        <source>Nothing was checked, because no tool meets the stock. Check the stock and its position.</source>
+        <translation>没有检查任何内容，因为没有刀具接触毛坯。请检查毛坯及其位置。</translation>
+    </message>
 </context>
 <context>
     <name>Strategy</name>
@@ -1795,6 +1803,10 @@
         <source>Measures how fast FreeCAD&apos;s simulators are on this computer, and saves the result. This takes some seconds.</source>
         <translation>测量 FreeCAD 的仿真器在此计算机上的速度并保存结果。这需要几秒钟。</translation>
     </message>
+    <message>
+        <source>Measures how fast FreeCAD&apos;s simulators are on this computer, and saves the result. This takes about a second.</source>
+        <translation>测量 FreeCAD 模拟器在此计算机上的速度，并保存结果。大约需要一秒。</translation>
+    </message>
 </context>
 <context>
     <name>Vk_AddMesh</name>
@@ -1876,6 +1888,10 @@
     <message>
         <source>{count} jobs have warnings.</source>
         <translation>{count} 个作业有警告。</translation>
+    </message>
+    <message>
+        <source>The marks are in the Description column of the tree, which is now visible. To hide the column again, open the context menu of the tree and choose Tree Settings, Show Description.</source>
+        <translation>标记位于树的“描述”列，该列现已显示。要再次隐藏该列，请打开树的右键菜单并选择：树设置，显示描述。</translation>
     </message>
 </context>
 <context>

@@ -7,7 +7,7 @@ import pytest
 
 from vkworkbench import preferences
 from vkworkbench.core.zbuffer import Cuts, holder_collisions
-from vkworkbench.document.job.clamps import clamps_of, set_clamps
+from vkworkbench.document.job.clamps import clamp_solids, clamps_of, has_solid, set_clamps, shapes_of
 from vkworkbench.document.job.fingerprint import read_setting_fingerprints
 from vkworkbench.document.job.setting import read_tool
 from vkworkbench.document.simulation.copy import copy_job, read_job
@@ -100,6 +100,26 @@ def test_moved_clamp_outdates_the_simulation(small, slot):
     assert is_same()
     clamp.Shape = Part.makeBox(15, 20, 40, FreeCAD.Vector(-20, 10, 0))
     assert not is_same()
+
+
+def test_clamp_in_a_part_is_where_the_part_places_it(small):
+    """The part itself can be a clamp, too."""
+    clamp, part = box(small, "Clamp", 0, 0, 0, 10, 10, 10), small.document.addObject("App::Part", "Vice")
+    part.addObject(clamp)
+    part.Placement.Base = FreeCAD.Vector(0, 100, 5)
+    small.document.recompute()
+    for obj in (clamp, part):
+        (solid,) = clamp_solids([obj]).values()
+        assert solid.lower.tolist() == pytest.approx([0, 100, 5]) and has_solid(obj)
+    moved = shapes_of([clamp])[0]
+    assert moved.BoundBox.YMin == pytest.approx(100) and clamp.Shape.BoundBox.YMin == pytest.approx(0)
+
+
+def test_same_clamps_leave_no_open_step(small, slot):
+    clamp = box(small, "Clamp", -20, 100, 0, 15, 20, 30)
+    set_clamps(small.job, [clamp])
+    set_clamps(small.job, [clamp])
+    assert not small.document.HasPendingTransaction and FreeCAD.getActiveTransaction() is None
 
 
 def test_object_without_solid_is_not_a_clamp(small):

@@ -17,6 +17,7 @@ from simulation_window import COMMAND, close, drag, finest, shown, tabs, working
 
 import vkworkbench
 from vkworkbench.core import linearize
+from vkworkbench.document.marks import marks
 from vkworkbench.document.simulation.simulate import simulate_read
 from vkworkbench.gui.qt.plain_text import OneLine
 from vkworkbench.gui.simulation import controls, exports, simulating
@@ -248,6 +249,8 @@ def test_crash_is_found_in_three_clicks(desk, window):
     Gui.Selection.clearSelection()
     window.analyze(document)
     window.dismiss()
+    verdict = marks.read(document.getObject("Job")).verdict
+    assert str(verdict).startswith("1 rapid cuts into material.") and not verdict.is_sound
     Gui.Selection.addSelection(op)
     window.idle(0.5)
     window.screenshot("simulation-results")

@@ -12,6 +12,7 @@ import pytest
 
 from vkworkbench.core import Cut, Stock, Strategy, Tool, View, linearize, simulate_job
 from vkworkbench.core.zbuffer import (
+    PENDING,
     TOLERANCE,
     Collisions,
     CrashCheck,
@@ -123,8 +124,8 @@ def test_marks_have_the_latest_faults():
         patched.setattr("vkworkbench.gui.simulation.faults.keep_faults", told.append)
         known.follow(True)
         assert not told  # nothing was compared with the model yet
-        known.keep([gouge(0, 20.0, command=2)])
-        known.keep([crash, gouge(0, 0.3)])
+        known.keep([gouge(0, 20.0, command=2)], PENDING)
+        known.keep([crash, gouge(0, 0.3)], PENDING)
         known.follow(False)
     *_, last = told
     ((_, wrong),) = last.items()

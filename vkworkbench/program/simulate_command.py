@@ -68,6 +68,8 @@ def check_options(asked: argparse.Namespace, programs: int) -> str | None:
             return f"--{name} takes one program, not {programs}"
         if path is not None and Path(path).suffix.lower() != f".{name}":
             return f"the name of the file of --{name} must end with .{name}, unlike {path}"
+        if path is not None and not Path(path).parent.is_dir():
+            return f"cannot write {path}: there is no folder {Path(path).parent}"
     return None
 
 

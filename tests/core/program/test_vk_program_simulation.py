@@ -153,6 +153,27 @@ def test_impossible_options_are_refused(program, options, why, capsys):
     assert why in capsys.readouterr().err
 
 
+@pytest.mark.parametrize(
+    "text, stock, told",
+    [
+        ("G0 X0 Y0 Z5\nG0 X10\n", None, "The toolpath has no cutting move."),
+        ("G1 X40 Z-2 F600\n", "100,100,-9,200,200,0", "no tool meets the stock. Check the stock and its position."),
+        ("G1 X40 Z-2 F600\n", None, "Not everything could be checked: No stock is given."),
+    ],
+)
+def test_command_says_what_cannot_be_checked(tmp_path, capsys, text, stock, told):
+    path = tmp_path / "part.nc"
+    path.write_text("(T1 D=6. CR=0. - flat end mill)\nG21\nT1 M6\nG0 X0 Y0 Z5\n" + text)
+    main([str(path), "--simulate", *([f"--stock={stock}"] if stock else [])])
+    out = capsys.readouterr().out
+    assert told in out and ("error, cm3" in out) is ("G1" in text)
+
+
+def test_missing_program_is_told(tmp_path, capsys):
+    assert main([str(tmp_path / "none.nc"), "--simulate"]) == 1
+    assert "The file cannot be read: No such file or directory." in capsys.readouterr().out
+
+
 def test_program_without_tool_is_not_simulated(tmp_path, capsys):
     (tmp_path / "a.nc").write_text("G21\nG0 Z5\nG1 X40 Z-2 F600\n")
     assert main([str(tmp_path / "a.nc"), "--simulate"]) == 1

@@ -36,7 +36,7 @@ def test_nothing_wrong_nothing_checked_and_nothing_met_differ():
     assert texts == [
         "No collision, gouge or fast plunge, checked to 0.12 mm. Shank, holder and clamps not checked.",
         "Nothing is checked yet.",
-        "Nothing was checked, because no tool meets the stock.",
+        "Nothing was checked, because no tool meets the stock. Check the stock and its position.",
     ]
     assert [one.is_sound for one in (SOUND, PENDING, replace(SOUND, met=False))] == [True, False, False]
 
@@ -79,7 +79,7 @@ def test_unread_parts_make_a_verdict_unsure():
     )
     assert "for 2 reasons. The first reason: Pocket" in text(replace(SOUND, unread=(first, second)))
     assert text(replace(unsure, crashes=1)).startswith("1 rapid cuts into material. Checked to 0.12 mm. Not everything")
-    assert "no tool meets the stock. Not everything" in text(replace(unsure, met=False))
+    assert "and its position. Not everything" in text(replace(unsure, met=False))
 
 
 def test_everything_without_a_check_is_named():

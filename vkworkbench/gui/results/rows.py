@@ -130,8 +130,9 @@ def _job(job, findings: list[Finding], chosen: Preferences) -> Row:
 
 
 def in_total(row: Row) -> str:
-    """Return the number of operations in a job's total, e.g. "3 operations" or "2 of 3 operations"."""
-    count = row.found.operations
+    """Return the number of operations in a job's total and of work offsets, e.g. "2 of 3 operations" or "3 operations x2"."""
+    count, times = row.found.operations, f" x{row.found.fixtures}" if row.found.fixtures > 1 else ""
     if count < row.posted:
-        return translate("Vk_Results", "{count} of {all} operations").format(count=count, all=row.posted)
-    return plural(translate("Vk_Results", "{count} operation"), translate("Vk_Results", "{count} operations"), count)
+        return translate("Vk_Results", "{count} of {all} operations").format(count=count, all=row.posted) + times
+    one, more = translate("Vk_Results", "{count} operation"), translate("Vk_Results", "{count} operations")
+    return plural(one, more, count) + times

@@ -183,8 +183,8 @@ class KnownFaults:
             operation: [(fault.command, fault.what) for fault in self._proved if fault.cut == number]
             for number, operation in enumerate(self.job.operations)
         })  # fmt: skip
-        changed |= keep_verdict(self.job, self._verdict)
-        if changed:
+        judged = keep_verdict(self.job, self._verdict)
+        if changed or judged:
             pills.show()
             results = docks.find(docks.RESULTS)
             if results is not None:

@@ -132,7 +132,9 @@ PROGRAMS: dict[str, str | tuple[str, str]] = {
         "Sentences", "The program has no unit and looks like inches. It is simulated in inches."
     ),
     "section-without-tool": QT_TRANSLATE_NOOP(
-        "Sentences", "{label} from line {line:#} on is not simulated, because its tool is unknown. Give the tool."
+        "Sentences",
+        "{label} from line {line:#} on is not simulated, because its tool is unknown. Name the tool in a comment before "
+        "it, for example (T1 D=6 end mill), or give the tool to vkworkbench.simulate.",
     ),
     "stock-around-cuts": QT_TRANSLATE_NOOP(
         "Sentences", "No stock is given. The simulation uses a box around the cuts."

@@ -67,7 +67,9 @@ SIMULATION: dict[str, str | tuple[str, str]] = {
         "Sentences", "The verdict of the simulation is outdated, because the job has changed. Simulate the job again."
     ),
     "verdict-pending": QT_TRANSLATE_NOOP("Sentences", "Nothing is checked yet."),
-    "verdict-nothing": QT_TRANSLATE_NOOP("Sentences", "Nothing was checked, because no tool meets the stock."),
+    "verdict-nothing": QT_TRANSLATE_NOOP(
+        "Sentences", "Nothing was checked, because no tool meets the stock. Check the stock and its position."
+    ),
     "verdict-sound": QT_TRANSLATE_NOOP("Sentences", "No {what}, checked to {pixel:mm2}."),
     "verdict-unsure": QT_TRANSLATE_NOOP("Sentences", "No {what} was found, checked to {pixel:mm2}."),
     "verdict-unread": (
