@@ -1118,10 +1118,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Nothing was checked, because no tool meets the stock.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>No {what}, checked to {pixel:mm2}.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -1331,10 +1327,6 @@
     </message>
     <message>
         <source>The program has no unit and looks like inches. It is simulated in inches.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>{label} from line {line:#} on is not simulated, because its tool is unknown. Give the tool.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1803,10 +1795,6 @@
         <source>Measures how fast FreeCAD&apos;s simulators are on this computer, and saves the result. This takes some seconds.</source>
         <translation type="unfinished"></translation>
     </message>
-    <message>
-        <source>Measures how fast FreeCAD&apos;s simulators are on this computer, and saves the result. This takes about a second.</source>
-        <translation type="unfinished"></translation>
-    </message>
 </context>
 <context>
     <name>Vk_AddMesh</name>
@@ -1887,10 +1875,6 @@
     </message>
     <message>
         <source>{count} jobs have warnings.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The marks are in the Description column of the tree, which is now visible. To hide the column again, open the context menu of the tree and choose Tree Settings, Show Description.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

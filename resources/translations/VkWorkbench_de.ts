@@ -1118,10 +1118,6 @@
         <translation>Noch ist nichts geprüft.</translation>
     </message>
     <message>
-        <source>Nothing was checked, because no tool meets the stock.</source>
-        <translation>Nichts wurde geprüft, weil kein Werkzeug das Rohteil trifft.</translation>
-    </message>
-    <message>
         <source>No {what}, checked to {pixel:mm2}.</source>
         <translation>Ohne {what}, auf {pixel:mm2} genau geprüft.</translation>
     </message>
@@ -1332,10 +1328,6 @@
     <message>
         <source>The program has no unit and looks like inches. It is simulated in inches.</source>
         <translation>Das Programm nennt keine Einheit und sieht nach Zoll aus. Es wird in Zoll simuliert.</translation>
-    </message>
-    <message>
-        <source>{label} from line {line:#} on is not simulated, because its tool is unknown. Give the tool.</source>
-        <translation>{label} ab Zeile {line:#} wird nicht simuliert, weil das Werkzeug unbekannt ist. Geben Sie das Werkzeug an.</translation>
     </message>
     <message>
         <source>No stock is given. The simulation uses a box around the cuts.</source>
@@ -1803,10 +1795,6 @@
         <source>Measures how fast FreeCAD&apos;s simulators are on this computer, and saves the result. This takes some seconds.</source>
         <translation>Misst, wie schnell FreeCADs Simulatoren auf diesem Computer sind, und speichert das Ergebnis. Das dauert einige Sekunden.</translation>
     </message>
-    <message>
-        <source>Measures how fast FreeCAD&apos;s simulators are on this computer, and saves the result. This takes about a second.</source>
-        <translation>Misst, wie schnell die FreeCAD-Simulatoren auf diesem Computer sind, und speichert das Ergebnis. Das dauert etwa eine Sekunde.</translation>
-    </message>
 </context>
 <context>
     <name>Vk_AddMesh</name>
@@ -1888,10 +1876,6 @@
     <message>
         <source>{count} jobs have warnings.</source>
         <translation>{count} Aufträge haben Warnungen.</translation>
-    </message>
-    <message>
-        <source>The marks are in the Description column of the tree, which is now visible. To hide the column again, open the context menu of the tree and choose Tree Settings, Show Description.</source>
-        <translation>Die Markierungen stehen in der Spalte „Beschreibung“ des Baums, die jetzt sichtbar ist. Um die Spalte wieder auszublenden, öffnen Sie das Kontextmenü des Baums und wählen Baumeinstellungen, Beschreibung anzeigen.</translation>
     </message>
 </context>
 <context>

@@ -1118,10 +1118,6 @@
         <translation>Todavía no se ha comprobado nada.</translation>
     </message>
     <message>
-        <source>Nothing was checked, because no tool meets the stock.</source>
-        <translation>No se ha comprobado nada, porque ninguna herramienta toca el material en bruto.</translation>
-    </message>
-    <message>
         <source>No {what}, checked to {pixel:mm2}.</source>
         <translation>Sin {what}, comprobado con una precisión de {pixel:mm2}.</translation>
     </message>
@@ -1332,10 +1328,6 @@
     <message>
         <source>The program has no unit and looks like inches. It is simulated in inches.</source>
         <translation>El programa no indica unidad y parece estar en pulgadas. Se simula en pulgadas.</translation>
-    </message>
-    <message>
-        <source>{label} from line {line:#} on is not simulated, because its tool is unknown. Give the tool.</source>
-        <translation>{label} desde la línea {line:#} no se simula, porque su herramienta es desconocida. Indique la herramienta.</translation>
     </message>
     <message>
         <source>No stock is given. The simulation uses a box around the cuts.</source>
@@ -1803,10 +1795,6 @@
         <source>Measures how fast FreeCAD&apos;s simulators are on this computer, and saves the result. This takes some seconds.</source>
         <translation>Mide la velocidad de los simuladores de FreeCAD en este equipo y guarda el resultado. Esto tarda unos segundos.</translation>
     </message>
-    <message>
-        <source>Measures how fast FreeCAD&apos;s simulators are on this computer, and saves the result. This takes about a second.</source>
-        <translation>Mide la velocidad de los simuladores de FreeCAD en este equipo y guarda el resultado. Tarda aproximadamente un segundo.</translation>
-    </message>
 </context>
 <context>
     <name>Vk_AddMesh</name>
@@ -1888,10 +1876,6 @@
     <message>
         <source>{count} jobs have warnings.</source>
         <translation>{count} trabajos tienen advertencias.</translation>
-    </message>
-    <message>
-        <source>The marks are in the Description column of the tree, which is now visible. To hide the column again, open the context menu of the tree and choose Tree Settings, Show Description.</source>
-        <translation>Las marcas están en la columna Descripción del árbol, que ahora es visible. Para ocultarla de nuevo, abra el menú contextual del árbol y elija: configuración del árbol, mostrar descripción.</translation>
     </message>
 </context>
 <context>

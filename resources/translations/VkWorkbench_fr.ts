@@ -1118,10 +1118,6 @@
         <translation>Rien n&apos;est encore vérifié.</translation>
     </message>
     <message>
-        <source>Nothing was checked, because no tool meets the stock.</source>
-        <translation>Rien n&apos;a été vérifié, car aucun outil ne rencontre le brut.</translation>
-    </message>
-    <message>
         <source>No {what}, checked to {pixel:mm2}.</source>
         <translation>Aucun problème ({what}), vérifié à {pixel:mm2} près.</translation>
     </message>
@@ -1332,10 +1328,6 @@
     <message>
         <source>The program has no unit and looks like inches. It is simulated in inches.</source>
         <translation>Le programme n&apos;indique pas d&apos;unité et semble être en pouces. Il est simulé en pouces.</translation>
-    </message>
-    <message>
-        <source>{label} from line {line:#} on is not simulated, because its tool is unknown. Give the tool.</source>
-        <translation>{label} à partir de la ligne {line:#} n&apos;est pas simulé, car son outil est inconnu. Indiquez l&apos;outil.</translation>
     </message>
     <message>
         <source>No stock is given. The simulation uses a box around the cuts.</source>
@@ -1803,10 +1795,6 @@
         <source>Measures how fast FreeCAD&apos;s simulators are on this computer, and saves the result. This takes some seconds.</source>
         <translation>Mesure la vitesse des simulateurs de FreeCAD sur cet ordinateur et enregistre le résultat. Cela prend quelques secondes.</translation>
     </message>
-    <message>
-        <source>Measures how fast FreeCAD&apos;s simulators are on this computer, and saves the result. This takes about a second.</source>
-        <translation>Mesure la vitesse des simulateurs de FreeCAD sur cet ordinateur et enregistre le résultat. Cela prend environ une seconde.</translation>
-    </message>
 </context>
 <context>
     <name>Vk_AddMesh</name>
@@ -1888,10 +1876,6 @@
     <message>
         <source>{count} jobs have warnings.</source>
         <translation>{count} tâches ont des avertissements.</translation>
-    </message>
-    <message>
-        <source>The marks are in the Description column of the tree, which is now visible. To hide the column again, open the context menu of the tree and choose Tree Settings, Show Description.</source>
-        <translation>Les marques sont dans la colonne Description de l&apos;arborescence, désormais visible. Pour masquer à nouveau la colonne, ouvrez le menu contextuel de l&apos;arborescence et choisissez : paramètres de l&apos;arborescence, afficher la description.</translation>
     </message>
 </context>
 <context>

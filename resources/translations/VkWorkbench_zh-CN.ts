@@ -1118,10 +1118,6 @@
         <translation>尚未检查。</translation>
     </message>
     <message>
-        <source>Nothing was checked, because no tool meets the stock.</source>
-        <translation>未检查任何内容，因为没有刀具接触毛坯。</translation>
-    </message>
-    <message>
         <source>No {what}, checked to {pixel:mm2}.</source>
         <translation>没有{what}，检查精度为 {pixel:mm2}。</translation>
     </message>
@@ -1332,10 +1328,6 @@
     <message>
         <source>The program has no unit and looks like inches. It is simulated in inches.</source>
         <translation>程序没有单位，看起来是英寸。按英寸仿真。</translation>
-    </message>
-    <message>
-        <source>{label} from line {line:#} on is not simulated, because its tool is unknown. Give the tool.</source>
-        <translation>{label}（从第 {line:#} 行起）未仿真，因为刀具未知。请给出刀具。</translation>
     </message>
     <message>
         <source>No stock is given. The simulation uses a box around the cuts.</source>
@@ -1803,10 +1795,6 @@
         <source>Measures how fast FreeCAD&apos;s simulators are on this computer, and saves the result. This takes some seconds.</source>
         <translation>测量 FreeCAD 的仿真器在此计算机上的速度并保存结果。这需要几秒钟。</translation>
     </message>
-    <message>
-        <source>Measures how fast FreeCAD&apos;s simulators are on this computer, and saves the result. This takes about a second.</source>
-        <translation>测量 FreeCAD 模拟器在此计算机上的速度，并保存结果。大约需要一秒。</translation>
-    </message>
 </context>
 <context>
     <name>Vk_AddMesh</name>
@@ -1888,10 +1876,6 @@
     <message>
         <source>{count} jobs have warnings.</source>
         <translation>{count} 个作业有警告。</translation>
-    </message>
-    <message>
-        <source>The marks are in the Description column of the tree, which is now visible. To hide the column again, open the context menu of the tree and choose Tree Settings, Show Description.</source>
-        <translation>标记位于树的“描述”列，该列现已显示。要再次隐藏该列，请打开树的右键菜单并选择：树设置，显示描述。</translation>
     </message>
 </context>
 <context>
