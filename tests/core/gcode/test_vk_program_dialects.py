@@ -186,3 +186,37 @@ def test_a_foreign_word_does_not_cost_its_line():
         "Line 5: Text that does not consist of words like G1 X10 is ignored. The words beside it are read."
     ]
     assert last("G1 X1.2.3 Y6") == (10, 2, -1)  # the number is not known
+
+
+@pytest.mark.parametrize(
+    ("line", "end", "remarks"),
+    [
+        ("#<a>=5\nG1 X[#<a> * 2]", 10, []), ("o1 repeat [2]\nG91 G1 X5\no1 endrepeat", 10, []), ("G1 @10 ^0", 10, []),
+        ("S100 M3\nG33 X5 K1", 5, ["thread-at-pitch"]), ("G10 L20 P1 X-5\nG1 X1", 6, []), ("M70\nG20\nM72\nG1 X2", 2, []),
+        ("G5.2 X10 Y0 P1", 0, ["unknown-code-with-words"]), ("G41 D1\nG1 X9", 9, ["compensation-not-read"]),
+        ("G38.2 X9", 9, ["probing-as-rapid"]), ("g1x5 ; grbl", 5, []), ("G12 I5", 0, ["pocket-not-read"]),
+        ("$J=G91 X10\nG1 X1", 1, ["line-with-variables"]), ("G16\nG1 X10", 10, ["coordinates-not-changed"]),
+        ("G51 X2 Y2\nG1 X9", 9, ["coordinates-not-changed"]), ("M98 P1 L2\nM30\nO1\nG91 G1 X5\nM99", 10, []),
+        ("G65 P1 A5\nM30\nO1\nG1 X#1\nM99", 5, []), ("#1=0\nWHILE [#1 LT 3] DO1\n#1=#1+1\nG1 X#1\nEND1", 3, []),
+        ("IF [1 EQ 1] GOTO 5\nG1 X99\nN5 G1 X3", 3, []), ("G1 X10 ,R2", 10, ["word-not-read"]), ("G1 X10 ,C2", 10, ["word-not-read"]),
+        ("G68 X0 Y0 R180\nG1 X10", -10, []), ("G51 X0 Y0 P2000\nG1 X10", 20, []), ("G51.1 X0\nG1 X10", -10, []), ("G52 X5\nG1 X5", 10, []),
+        ("G54.1 P3\nG1 X5", 5, ["coordinates-not-changed"]), ("M97 P5\nM30\nN5 G1 X5\nM99", 5, []), ("G13 I5 D1", 0, ["pocket-not-read"]),
+        ("G47 P0 X5 Y0 J5", 0, ["unknown-code-with-words"]), ("G150 P1 X5 Y0 Z-5", 0, ["unknown-code-with-words"]),
+        ("G70 I10 J0 L4", 0, ["hole-pattern-not-read"]), ("G154 P2\nG1 X1", 1, ["coordinates-not-changed"]),
+        ("G200 Q200=2\nG1 X5", 5, ["line-with-variables"]), ("G2 X10 Y0 CR=5", 10, []), ("G1 X=10", 10, []), ("G642\nG1 X1", 1, []),
+        ("G505\nG1 X1", 1, ["coordinates-not-changed"]), ("L10 P3", 0, ["subprogram-not-read"]), ('MSG("x")\nG1 X1', 1, ["words-not-read"]),
+        ("G15 H2\nG1 X3", 3, ["coordinates-not-changed"]), ("CALL O9\nG1 X1", 1, ["words-not-read"]), ("VC1=5\nG1 X1", 1, ["line-with-variables"]),
+    ],
+)  # fmt: skip
+def test_table_of_dialects_in_the_guide_is_true(line, end, remarks):
+    path = read_program(f"G21 G90\nG0 X0 Y0 Z5\nG1 Z-1 F100\n{line}\n").toolpath()
+    assert path.points[-1][0] == pytest.approx(end, abs=1e-9)
+    assert sorted(problem.what.code for problem in path.problems) == remarks
+
+
+@pytest.mark.parametrize(
+    "line", ["L X+10 Y+5 R0 FMAX", "G1 X=AC(10)", "TRANS X5", "CYCLE81(5,0,1,-5)", "MCALL CYCLE81(5)", "R1=5", "G2 X5 I5 TURN=2", "G1 X9 RND=2"]
+)  # fmt: skip
+def test_other_languages_in_the_guide_are_refused(line):
+    with pytest.raises(Unusable, match=r"The program is written for (Heidenhain|Siemens) controls"):
+        read_program(f"G21 G90\nG0 X0 Y0 Z5\n{line}\n")

@@ -564,3 +564,23 @@ def test_comment_of_a_tool_is_not_a_title():
     text = "G90 G21\n(Trace1)\nT1 M6\n(wood cutter, blue)\nS5000 M3\nG0 X0 Y0 Z5\nG1 Z-1 F100\nG1 X9\n"
     assert [section.title for section in split_sections(read_program(listed + text))] == ["Trace1"]
     assert [section.title for section in split_sections(read_program(text))] == ["wood cutter, blue"]
+
+
+@pytest.mark.parametrize(
+    ("comment", "number", "shape", "diameter"),
+    [
+        ("6mm 엔드밀", None, "endmill", 6), ("볼엔드밀 D8", None, "ballend", 8), ("공구 3 직경 4mm", 3, "endmill", 4),
+        ("T2 드릴 8.5mm", 2, "drill", 8.5), ("エンドミル φ10", None, "endmill", 10), ("ドリル 3mm", None, "drill", 3),
+        ("Фреза Ф6", None, "endmill", 6), ("сверло ф8", None, "drill", 8), ("T1 6平刀", 1, "endmill", 6),
+    ],
+)  # fmt: skip
+def test_tools_in_korean_japanese_and_russian(comment, number, shape, diameter):
+    told = tool_told(comment, inches=False)
+    assert (told.number, told.tool.shape, told.tool.diameter) == (number, shape, diameter)
+
+
+@pytest.mark.parametrize("line", ["#<TOOL_DIAMETER> = 6", "#<_tool_dia>=6.0", "N5 #<tool_diameter> = 6 (mm)"])
+def test_variable_with_the_diameter_is_the_tool(line):
+    program = read_program(f"G21 G90\n{line}\nG0 X0 Y0 Z5\nG1 Z-1 F100\nX40\nM30\n")
+    (section,) = split_sections(program)
+    assert section.tool.diameter == 6

@@ -15,10 +15,11 @@ from dataclasses import replace
 from pathlib import Path
 
 import pytest
+from counting import memory
 
 import vkworkbench
 from vkworkbench.core import MACHINES
-from vkworkbench.language import Unusable
+from vkworkbench.language import Unusable, render
 from vkworkbench.preferences import Preferences
 from vkworkbench.program import analysis, files, is_path
 from vkworkbench.program.analysis import analyze_file
@@ -467,7 +468,7 @@ def test_the_tool_of_inches_without_g20_is_in_inches(tmp_path, monkeypatch):
     rings = "".join(f"G1 X{a} Y{a}\nX{4 - a}\nY{4 - a}\nX{a}\nY{a}\n" for a in (0.4, 0.1))
     path = tmp_path / "inch.nc"
     path.write_text(f"(T1 D=0.5 - end mill)\nT1 M6\nG0 X1 Y1 Z.5\nG1 Z-.1 F20\n{rings}G0 Z.5\n")
-    (row,) = vkworkbench.analyze(path).operations
+    (row,) = analyze_file(path, Preferences())
     assert str(row.strategy) == "contour-parallel"  # rings 0.3 inches apart, for a tool of half an inch
     assert told == [pytest.approx(12.7)]
 
@@ -585,3 +586,18 @@ def test_unknown_machine_is_refused(tmp_path, machine):
         vkworkbench.analyze(tmp_path / "two.nc", machine=str(tmp_path / machine) if machine else machine)
     with pytest.raises(TypeError, match="machine"):
         vkworkbench.analyze(tmp_path / "two.nc", machine=5)
+
+
+@pytest.mark.parametrize("times", [999_999_999, 1_000_001])
+def test_endless_call_ends_at_once(tmp_path, times):
+    (tmp_path / "a.nc").write_text(f"G0 X0 Y0 Z0\nM98 P1 L{times}\nM30\nO1\nG1 X1 F100\nM99\n")
+    (row,) = vkworkbench.analyze(tmp_path).operations
+    assert any("would run more than 1,000,000 lines" in render(remark) for remark in row.remarks)
+
+
+@pytest.mark.parametrize("start, repeated", [("", "/"), ("", "("), ("", "X1"), ("G1 X", "1"), ("", "X[")])
+def test_memory_for_long_lines_is_bounded(tmp_path, start, repeated):
+    line = start + 100_000 * repeated
+    (tmp_path / "a.nc.gz").write_bytes(gzip.compress(f"{line}\n".encode() * 2))
+    report, _, peak = memory(lambda: vkworkbench.analyze(tmp_path))
+    assert not report.operations[0].trajectories and peak < 500 * len(line)

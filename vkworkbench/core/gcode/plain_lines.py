@@ -3,7 +3,7 @@
 
 A plain line consists of the words of a straight move or an arc (G0 to G3, X, Y, Z, I, J, K, R, F) and a line number, each
 word at most once; an empty line is plain, too. `PlainLines.read` adds the same commands as the interpreter does for the
-same lines, and leaves the machine in the same state. In other states than `_is_ready` describes, it reads nothing. The
+same lines, and leaves the machine in the same state. Unless `Machine.moves_plainly`, it reads nothing. The
 interpreter reads all other lines.
 """
 
@@ -106,7 +106,7 @@ class PlainLines:
         int
             Number of the lines read that are not empty.
         """
-        if not _is_ready(machine):
+        if not machine.moves_plainly:
             return index, 0
         begin, blocks = index, 0
         while index < end:
@@ -261,23 +261,6 @@ def _words(text: str, count: int) -> tuple[np.ndarray, np.ndarray, np.ndarray, n
     line = np.searchsorted(ends, letters)
     plain[line[~short]] = False
     return plain, characters[letters], line, np.where(characters[letters + 1] == ord("-"), -value, value)
-
-
-def _is_ready(machine: Interpreter) -> bool:
-    """Return whether the commands of plain lines depend on units, on G90 or G91 and on the motion only."""
-    modes, dialect = machine.modes, machine.dialect
-    return (
-        machine.moved
-        and machine.motion == machine.written
-        and machine.motion in _MOTIONS
-        and modes.feed_mode == codes.PER_MINUTE
-        and not (machine.ended or machine.away or machine.length_changed or machine.stands or machine.origins.used)
-        and not (machine.maps.used or machine.compensation is not None)
-        and machine.unnamed is None
-        and machine.later is None
-        and dialect.codes is None
-        and not (dialect.has_pole or machine.clues.notes_feeds)
-    )
 
 
 def _add(machine: Interpreter, block: _Block, index: int, after: int) -> None:

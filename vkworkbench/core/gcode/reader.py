@@ -45,6 +45,7 @@ _MOVE = re.compile(r"(?:N\s*\d+\s*)?G\s*0*[0-3](?![\d.])")
 # Words for jumps, loops and calls in lines that cannot be read.
 _FLOW = re.compile(r"\b(IF|THEN|ELSE|WHILE|GOTO|DO\s*\d|END\s*\d|ENDIF|ENDWHILE|REPEAT)|^O\s*[\d<].*\b(SUB|CALL|DO)\b")
 _MACRO_CALL = ("G", 65.0)
+_TOOL_DIAMETER = re.compile(r"#\s*<\s*_?TOOL_?DIA(?:METER)?\s*>\s*=\s*(\d+\.?\d*|\.\d+)$")
 # A word whose number is a variable or an expression: X#1, Z#<depth>, Y[1 + 2].
 _MACRO_WORD = re.compile(r"[A-Z]\s*[-+]?\s*(?:#+(?:\d+|<[^>]*>)|\[[^\[\]]*(?:\[[^\[\]]*\][^\[\]]*)*\])")
 
@@ -206,6 +207,8 @@ class _Reader:
         self.blocks += 1
         words, rest = split_words(code)
         if rest:
+            if diameter := _TOOL_DIAMETER.search(code):  # a variable describes the tool as a comment does
+                comments = [f"tool diameter = {diameter[1]}", *comments]
             step = self.flow.step(index, code)
             self._remark()
             if step is not None:

@@ -27,25 +27,26 @@ _SIZE = rf"(?P<size>{_FRACTION}|{_NUMBER})"
 _METRIC = ("mm", "мм", "m")  # M8: a metric thread
 _MM = r"mm(?![a-z\d_])"  # 6mm立铣刀: Chinese words follow without a space
 _UNIT = rf"\s*(?P<unit>{_MM}|мм\b|inch(?:es)?\b|in\b\.?|\"|'')?"
-_CHINESE = "[铣钻镗铰]刀|[球角头]刀|钻头|中心钻|丝锥"  # tool words, which need no space before them
+# Tool words that need no space before them, in Chinese, Korean and Japanese.
+_UNSPACED = "[铣钻镗铰]刀|[球角头平底]刀|钻头|中心钻|丝锥|엔드밀|볼밀|드릴|커터|리머|탭|챔퍼|페이스밀|공구|エンドミル|ドリル|タップ|リーマ|カッター|フライス|工具"
 _MILLING_WORD = (
     r"end ?mills?(?![a-z])|mill\b|em\b|face ?mills?(?![a-z])|slot ?(?:cutter|drill)|(?<!laser )(?<!plasma )cutter\b|flycutter\b|ball ?(?:nose|end)|bull ?(?:nose|end)|v[- ]?bit|"
     r"engrav\w*\b(?!\s+(?:an?|the)\b)|chamfer\w*|router|bit\b|drills?\b|(?:spot|twist|start|step) ?drill|facing ?tool|reamer|tap\b|crb\b|carbide|"
     r"\w*fr(?:ä|ae|.)ser\b|bohrer|gravier\w*|freza|sverlo|fresa|broca|fraise|foret|frees|фреза|сверло|гравер|"
-    + _CHINESE
+    + _UNSPACED
 )
 # A word for "tool" in another language names a tool only at the beginning of a comment: "trajectoire d'outil 3" is a
 # toolpath.
 _NUMBERED = re.compile(
     r"(?:\b(?:T|tool(?:\s*(?:no\.?|nr\.?|number))?)"
-    r"|^\W*(?:werkzeug|wkz\.?|wz\.?|outil|herramienta|ferramenta|utensile|narz[eę]dzie|n[aá]stroj|gereedschap|инструмент)"
+    r"|^\W*(?:werkzeug|wkz\.?|wz\.?|outil|herramienta|ferramenta|utensile|공구|工具|narz[eę]dzie|n[aá]stroj|gereedschap|инструмент)"
     r"(?:[\s-]*(?:nr\.?|n[°º]|nummer))?)"
     r"\s*(?:[-#:=]\s*)?(?P<number>\d{1,8})\b(?![./]\d|\")(?!\s*(?:mm|мм)\b)",
     re.IGNORECASE,
 )
 _LETTER = re.compile(rf"(?<![A-Za-z])D\s*=\s*{_SIZE}{_UNIT}", re.IGNORECASE)
 _WORD = re.compile(
-    rf"(?:\bdia(?:meter|m)?\b\.?|\bdiametro\b|\bdiámetro\b|\bdiamètre\b|\bdurchmesser\b|[øØ⌀φΦ]|\bдиаметр|\btool size)\s*[:=.\-]*\s*{_SIZE}{_UNIT}(?![\d.,]*\s*(?:mcl|loc|oal)\b)",
+    rf"(?:\bdia(?:meter|m)?\b\.?|\bdiametro\b|\bdiámetro\b|\bdiamètre\b|\bdurchmesser\b|[øØ⌀φΦ]|지름|직경|直径|(?<![а-я])ф(?=\s*\d)|\bдиаметр|\btool size)\s*[:=.\-]*\s*{_SIZE}{_UNIT}(?![\d.,]*\s*(?:mcl|loc|oal)\b)",
     re.IGNORECASE,
 )
 # A number before "diameter". The end of a range is not a tool's diameter: SPOT DRILL .06 TO .125 DIA. drills holes
@@ -116,7 +117,7 @@ _INCH_THREAD = re.compile(
 _FOR_TAP = re.compile(r"(?<=drill)\b.*\bfor\b.*\btap\b.*", re.IGNORECASE)
 # T9 3/16 HARVEY EM: a fraction after a tool's number is the diameter of the tool or of a thread (1/4-20).
 _NEXT_TO_NUMBER = re.compile(rf"[\s:=-]*(?P<size>{_FRACTION})(?P<across>){_UNIT}(?!\s*-\s*\d)", re.IGNORECASE)
-_IS_TOOL = re.compile(rf"(?<![a-zà-ÿа-я])(?:{_MILLING_WORD})|{_CHINESE}", re.IGNORECASE)
+_IS_TOOL = re.compile(rf"(?<![a-zà-ÿа-я])(?:{_MILLING_WORD})|{_UNSPACED}", re.IGNORECASE)
 _CORNER = re.compile(rf"\b(?:CR|corner radius|torus_radius)\s*[=:]\s*(?P<size>{_NUMBER})", re.IGNORECASE)
 _TAPER = re.compile(rf"\bTAPER\s*=\s*(?P<size>{_NUMBER})\s*deg", re.IGNORECASE)
 _ANGLE = re.compile(rf"(?<![\d.,]){_SIZE}\s*(?:°|deg(?:ree)?s?\b)", re.IGNORECASE)
@@ -126,13 +127,13 @@ _BARE_ANGLE = re.compile(
     re.IGNORECASE,
 )
 _SHAPES = (
-    ("ballend", r"ball|kugel|radiusfr|esf.rica|h.misph|сферич|球"),
+    ("ballend", r"ball|kugel|radiusfr|esf.rica|h.misph|сферич|球|볼|ボール"),
     ("bullnose", r"bull|torus|corner"),
     (
         "vbit",
-        r"v[- ]?bit|v-?carv|chamfer|engrav|conical|gravier|fase|cent(?:er|re)[- ]?drill|spot|countersink|гравер|senker|chafl|倒角|中心钻",
+        r"v[- ]?bit|v-?carv|chamfer|engrav|conical|gravier|fase|cent(?:er|re)[- ]?drill|spot|countersink|гравер|senker|chafl|倒角|中心钻|챔퍼",
     ),
-    ("drill", r"drill|bohrer|broca|foret|sverlo|сверло|钻"),
+    ("drill", r"drill|bohrer|broca|foret|sverlo|сверло|钻|드릴|ドリル"),
 )
 
 

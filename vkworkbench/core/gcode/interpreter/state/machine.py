@@ -149,6 +149,27 @@ class Machine:
         """Store a message on a part of the program that is not read, with its line or else the current line."""
         self.problems.setdefault(what, []).append(self.number if line is None else line)
 
+    @property
+    def moves_plainly(self) -> bool:
+        """bool : Whether the commands of moves depend on the units, on G90 or G91, and on the motion only.
+
+        `plain_lines` then reads many lines at once, without the handlers of this package. Each state that changes moves or
+        adds remarks in another way must be excluded here.
+        """
+        return (
+            self.moved
+            and self.motion == self.written
+            and self.motion in (codes.RAPID, codes.FEED, *codes.ARCS)
+            and self.modes.feed_mode == codes.PER_MINUTE
+            and not (self.ended or self.away or self.length_changed or self.stopped or self.stands)
+            and not (self.origins.used or self.maps.used)
+            and self.compensation is None
+            and self.unnamed is None
+            and self.later is None
+            and self.dialect.codes is None
+            and not (self.dialect.has_pole or self.clues.notes_feeds)
+        )
+
     def add(self, name: str, parameters: dict[str, float]) -> None:
         """Add a command of the current line."""
         self.commands.append((name, parameters))
