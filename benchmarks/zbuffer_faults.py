@@ -121,7 +121,7 @@ class Job:
             lower, upper = middle - half, middle + half
             top = self.safe + self.rng.uniform(0.5, 5)
             hits = [entered(self.cuts, lower - more, upper + more, top + more) for more in (-0.1, 0.0, 0.1)]
-            if upper[1] < self.low[1] - 3 * self.radius and hits[0] == hits[1] == hits[2] != []:
+            if upper[1] < self.low[1] - max(3 * self.radius, 1) and hits[0] == hits[1] == hits[2] != []:
                 self.made_by = hits[0]
                 return Stock((*lower, self.top), (*upper, top))
             self.hole_places = self.places(4)
@@ -154,9 +154,9 @@ class Job:
             sizes.update(length=between, cutting_edge_height=between, shank_diameter=diameter)
             if fault == "short":
                 sizes.update(holder_diameter=None, holder_length=None)
-        elif rng.random() < 0.5 and fault not in ("no retract", "wall"):
+        elif rng.random() < 0.5 and fault not in ("no retract", "wall", "clamp"):
             # The shank is as wide as the flutes, and rubs at the walls. Or the holder is just above the block. These flutes are too short
-            # for cuts beside the pocket.
+            # for cuts beside the pocket, and this holder is too low for a clamp beside it.
             if rng.random() < 0.5:
                 thickness = max(-np.diff(layers, prepend=self.top))
                 sizes.update(cutting_edge_height=1.01 * thickness + 0.05, shank_diameter=diameter)

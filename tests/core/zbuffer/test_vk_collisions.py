@@ -171,6 +171,13 @@ def test_clamps_are_not_touched():
     assert told((over, tool), clamps=clamps) == {}
 
 
+def test_clamp_is_hit_by_every_operation():
+    """Two operations along the same path: the first must not hide the collision of the second."""
+    tool, clamps = Tool("endmill", 6), {"left": Stock((-30, 0, 0), (0, 40, 42))}
+    hit = (0, 1, 7.0)
+    assert told((slot(5), tool), (slot(5), tool), clamps=clamps) == {("tool", 0): hit, ("tool", 1): hit}
+
+
 def reference(moves, tool, body_radius, bottom, before):
     """Return the depth at which each move collides, on a height map, by small steps."""
     x, y = np.meshgrid(np.arange(0.1, 30, 0.2), np.arange(0.1, 20, 0.2))

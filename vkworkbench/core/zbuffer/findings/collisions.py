@@ -173,13 +173,18 @@ def holder_collisions(
     clamps = clamps or {}
     search = _Search(going_on)
     found = [one for body in (FLUTES, SHANK, HOLDER, LENGTH) for one in search.in_workpiece(cuts, stock, body)]
-    slim = Cuts(replace(cut, tool=slimmer(cut.tool, _margin(cut.toolpath))) for cut in cuts.cuts)
+    slimmed = [replace(cut, tool=slimmer(cut.tool, _margin(cut.toolpath))) for cut in cuts.cuts]
     for name, clamp in clamps.items():
-        of_cut: dict[int, Collision] = {}
-        for body in (TOOL, SHANK, HOLDER):
-            for one in search.in_clamp(slim if body == TOOL else cuts, clamp, name, body):
-                of_cut.setdefault(one.source.cut, one)
-        found += of_cut.values()
+        # Every operation meets the whole clamp: a collision before it must not hide its own.
+        for number, first in enumerate(cuts.first[:-1].tolist()):
+            alone, slim = Cuts([cuts.cuts[number]]), Cuts([slimmed[number]])
+            of_bodies = (
+                search.in_clamp(slim if body == TOOL else alone, clamp, name, body) for body in (TOOL, SHANK, HOLDER)
+            )
+            one = next((one for body in of_bodies for one in body), None)
+            if one:
+                source, last = replace(one.source, cut=number), replace(one.last, cut=number)
+                found.append(replace(one, trajectory=one.trajectory + first, source=source, last=last))
     tools = [cut.tool for cut in cuts.cuts]
     return Collisions(
         tuple(sorted(found, key=lambda one: one.trajectory)),
