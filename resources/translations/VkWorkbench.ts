@@ -1389,6 +1389,42 @@
         <source>Nothing was checked, because no tool meets the stock. Check the stock and its position.</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Nothing was checked, because no tool meets the stock.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{label} from line {line:#} on is not simulated, because its tool is unknown. Give the tool.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Playing takes about {longer:estimate} in the {simulator:simulator}. Use fast-forward, which takes about {time:estimate}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Playing takes about {time:estimate} in the {simulator:simulator} at its fastest. Simulate fewer operations at a time.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Playing this simulation takes {bound} {time:estimate} in the {simulator:simulator}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Fast-forward takes {bound} {time:estimate}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Fast-forward in the {simulator:simulator} takes {bound} {time:estimate}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The {simulator:simulator} takes {bound} {time:estimate}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The {simulator:simulator} takes {bound} {time:estimate}, which is over your {allowed:s} limit. {better}</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>Strategy</name>

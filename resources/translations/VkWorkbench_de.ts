@@ -650,12 +650,12 @@
         <translation>„{simulator:simulator}“ schneidet {count:n} Rampen in falscher Tiefe, bis zu {error:mm2} {way} (Befehl {command:#}). Beurteilen Sie Tiefen nicht danach.</translation>
     </message>
     <message>
-        <source>Playing takes about {longer:s} in the {simulator:simulator}. Use fast-forward, which takes about {time:s}.</source>
-        <translation>Das Abspielen dauert mit „{simulator:simulator}“ etwa {longer:s}. Benutzen Sie den schnellen Vorlauf, der etwa {time:s} dauert.</translation>
+        <source>Playing takes about {longer:estimate} in the {simulator:simulator}. Use fast-forward, which takes about {time:estimate}.</source>
+        <translation>Das Abspielen dauert mit „{simulator:simulator}“ etwa {longer:estimate}. Benutzen Sie den schnellen Vorlauf, der etwa {time:estimate} dauert.</translation>
     </message>
     <message>
-        <source>Playing takes about {time:s} in the {simulator:simulator} at its fastest. Simulate fewer operations at a time.</source>
-        <translation>Das Abspielen dauert mit „{simulator:simulator}“ auch bei höchster Geschwindigkeit etwa {time:s}. Simulieren Sie weniger Operationen auf einmal.</translation>
+        <source>Playing takes about {time:estimate} in the {simulator:simulator} at its fastest. Simulate fewer operations at a time.</source>
+        <translation>Das Abspielen dauert mit „{simulator:simulator}“ auch bei höchster Geschwindigkeit etwa {time:estimate}. Simulieren Sie weniger Operationen auf einmal.</translation>
     </message>
     <message>
         <source>{count:n} moves are shorter than a cell of the {simulator:simulator} ({cell:mm2}). They take time, but cannot be seen. Choose a coarser tolerance for the operation.</source>
@@ -870,20 +870,20 @@
         <translation> (und {count:n} weitere Operationen)</translation>
     </message>
     <message>
-        <source>Playing this simulation takes {bound} {time:s} in the {simulator:simulator}.</source>
-        <translation>Diese Simulation abzuspielen dauert mit „{simulator:simulator}“ {bound} {time:s}.</translation>
+        <source>Playing this simulation takes {bound} {time:estimate} in the {simulator:simulator}.</source>
+        <translation>Diese Simulation abzuspielen dauert mit „{simulator:simulator}“ {bound} {time:estimate}.</translation>
     </message>
     <message>
-        <source>Fast-forward takes {bound} {time:s}.</source>
-        <translation>Der schnelle Vorlauf dauert {bound} {time:s}.</translation>
+        <source>Fast-forward takes {bound} {time:estimate}.</source>
+        <translation>Der schnelle Vorlauf dauert {bound} {time:estimate}.</translation>
     </message>
     <message>
-        <source>Fast-forward in the {simulator:simulator} takes {bound} {time:s}.</source>
-        <translation>Der schnelle Vorlauf dauert mit „{simulator:simulator}“ {bound} {time:s}.</translation>
+        <source>Fast-forward in the {simulator:simulator} takes {bound} {time:estimate}.</source>
+        <translation>Der schnelle Vorlauf dauert mit „{simulator:simulator}“ {bound} {time:estimate}.</translation>
     </message>
     <message>
-        <source>The {simulator:simulator} takes {bound} {time:s}.</source>
-        <translation>„{simulator:simulator}“ braucht {bound} {time:s}.</translation>
+        <source>The {simulator:simulator} takes {bound} {time:estimate}.</source>
+        <translation>„{simulator:simulator}“ braucht {bound} {time:estimate}.</translation>
     </message>
     <message>
         <source>about</source>
@@ -966,8 +966,8 @@
         <translation>„{simulator:simulator}“ wird hier auf etwa {frames:g1} Bilder pro Sekunde langsamer, vor allem wegen der Bögen. Simulieren Sie diese Operation allein.</translation>
     </message>
     <message>
-        <source>The {simulator:simulator} takes {bound} {time:s}, which is over your {allowed:s} limit. {better}</source>
-        <translation>„{simulator:simulator}“ braucht {bound} {time:s}, mehr als Ihre Grenze von {allowed:s}. {better}</translation>
+        <source>The {simulator:simulator} takes {bound} {time:estimate}, which is over your {allowed:s} limit. {better}</source>
+        <translation>„{simulator:simulator}“ braucht {bound} {time:estimate}, mehr als Ihre Grenze von {allowed:s}. {better}</translation>
     </message>
     <message>
         <source>The centers of arcs are read as positions (as with G90.1). The arcs only close this way.</source>

@@ -650,12 +650,12 @@
         <translation>El {simulator:simulator} corta {count:n} rampas a una profundidad falsa, hasta {error:mm2} {way} (orden {command:#}). No juzgue las profundidades por él.</translation>
     </message>
     <message>
-        <source>Playing takes about {longer:s} in the {simulator:simulator}. Use fast-forward, which takes about {time:s}.</source>
-        <translation>La reproducción dura unos {longer:s} en el {simulator:simulator}. Use el avance rápido, que dura unos {time:s}.</translation>
+        <source>Playing takes about {longer:estimate} in the {simulator:simulator}. Use fast-forward, which takes about {time:estimate}.</source>
+        <translation>La reproducción dura unos {longer:estimate} en el {simulator:simulator}. Use el avance rápido, que dura unos {time:estimate}.</translation>
     </message>
     <message>
-        <source>Playing takes about {time:s} in the {simulator:simulator} at its fastest. Simulate fewer operations at a time.</source>
-        <translation>La reproducción dura unos {time:s} en el {simulator:simulator} a su máxima velocidad. Simule menos operaciones a la vez.</translation>
+        <source>Playing takes about {time:estimate} in the {simulator:simulator} at its fastest. Simulate fewer operations at a time.</source>
+        <translation>La reproducción dura unos {time:estimate} en el {simulator:simulator} a su máxima velocidad. Simule menos operaciones a la vez.</translation>
     </message>
     <message>
         <source>{count:n} moves are shorter than a cell of the {simulator:simulator} ({cell:mm2}). They take time, but cannot be seen. Choose a coarser tolerance for the operation.</source>
@@ -870,20 +870,20 @@
         <translation> (y {count:n} operaciones más)</translation>
     </message>
     <message>
-        <source>Playing this simulation takes {bound} {time:s} in the {simulator:simulator}.</source>
-        <translation>Reproducir esta simulación tarda {bound} {time:s} en el {simulator:simulator}.</translation>
+        <source>Playing this simulation takes {bound} {time:estimate} in the {simulator:simulator}.</source>
+        <translation>Reproducir esta simulación tarda {bound} {time:estimate} en el {simulator:simulator}.</translation>
     </message>
     <message>
-        <source>Fast-forward takes {bound} {time:s}.</source>
-        <translation>El avance rápido tarda {bound} {time:s}.</translation>
+        <source>Fast-forward takes {bound} {time:estimate}.</source>
+        <translation>El avance rápido tarda {bound} {time:estimate}.</translation>
     </message>
     <message>
-        <source>Fast-forward in the {simulator:simulator} takes {bound} {time:s}.</source>
-        <translation>El avance rápido en el {simulator:simulator} tarda {bound} {time:s}.</translation>
+        <source>Fast-forward in the {simulator:simulator} takes {bound} {time:estimate}.</source>
+        <translation>El avance rápido en el {simulator:simulator} tarda {bound} {time:estimate}.</translation>
     </message>
     <message>
-        <source>The {simulator:simulator} takes {bound} {time:s}.</source>
-        <translation>El {simulator:simulator} tarda {bound} {time:s}.</translation>
+        <source>The {simulator:simulator} takes {bound} {time:estimate}.</source>
+        <translation>El {simulator:simulator} tarda {bound} {time:estimate}.</translation>
     </message>
     <message>
         <source>about</source>
@@ -966,8 +966,8 @@
         <translation>El {simulator:simulator} baja aquí a unas {frames:g1} imágenes por segundo, sobre todo por los arcos. Simule esta operación sola.</translation>
     </message>
     <message>
-        <source>The {simulator:simulator} takes {bound} {time:s}, which is over your {allowed:s} limit. {better}</source>
-        <translation>El {simulator:simulator} tarda {bound} {time:s}, más que su límite de {allowed:s}. {better}</translation>
+        <source>The {simulator:simulator} takes {bound} {time:estimate}, which is over your {allowed:s} limit. {better}</source>
+        <translation>El {simulator:simulator} tarda {bound} {time:estimate}, más que su límite de {allowed:s}. {better}</translation>
     </message>
     <message>
         <source>The centers of arcs are read as positions (as with G90.1). The arcs only close this way.</source>

@@ -650,12 +650,12 @@
         <translation>« {simulator:simulator} » usine {count:n} rampes à une profondeur fausse, jusqu&apos;à {error:mm2} {way} (commande {command:#}). Ne jugez pas les profondeurs d&apos;après lui.</translation>
     </message>
     <message>
-        <source>Playing takes about {longer:s} in the {simulator:simulator}. Use fast-forward, which takes about {time:s}.</source>
-        <translation>La lecture prend environ {longer:s} dans « {simulator:simulator} ». Utilisez l&apos;avance rapide, qui prend environ {time:s}.</translation>
+        <source>Playing takes about {longer:estimate} in the {simulator:simulator}. Use fast-forward, which takes about {time:estimate}.</source>
+        <translation>La lecture prend environ {longer:estimate} dans « {simulator:simulator} ». Utilisez l&apos;avance rapide, qui prend environ {time:estimate}.</translation>
     </message>
     <message>
-        <source>Playing takes about {time:s} in the {simulator:simulator} at its fastest. Simulate fewer operations at a time.</source>
-        <translation>La lecture prend environ {time:s} dans « {simulator:simulator} » à la plus grande vitesse. Simulez moins d&apos;opérations à la fois.</translation>
+        <source>Playing takes about {time:estimate} in the {simulator:simulator} at its fastest. Simulate fewer operations at a time.</source>
+        <translation>La lecture prend environ {time:estimate} dans « {simulator:simulator} » à la plus grande vitesse. Simulez moins d&apos;opérations à la fois.</translation>
     </message>
     <message>
         <source>{count:n} moves are shorter than a cell of the {simulator:simulator} ({cell:mm2}). They take time, but cannot be seen. Choose a coarser tolerance for the operation.</source>
@@ -870,20 +870,20 @@
         <translation> (et {count:n} autres opérations)</translation>
     </message>
     <message>
-        <source>Playing this simulation takes {bound} {time:s} in the {simulator:simulator}.</source>
-        <translation>Lire cette simulation prend {bound} {time:s} dans « {simulator:simulator} ».</translation>
+        <source>Playing this simulation takes {bound} {time:estimate} in the {simulator:simulator}.</source>
+        <translation>Lire cette simulation prend {bound} {time:estimate} dans « {simulator:simulator} ».</translation>
     </message>
     <message>
-        <source>Fast-forward takes {bound} {time:s}.</source>
-        <translation>L&apos;avance rapide dure {bound} {time:s}.</translation>
+        <source>Fast-forward takes {bound} {time:estimate}.</source>
+        <translation>L&apos;avance rapide dure {bound} {time:estimate}.</translation>
     </message>
     <message>
-        <source>Fast-forward in the {simulator:simulator} takes {bound} {time:s}.</source>
-        <translation>L&apos;avance rapide dans « {simulator:simulator} » prend {bound} {time:s}.</translation>
+        <source>Fast-forward in the {simulator:simulator} takes {bound} {time:estimate}.</source>
+        <translation>L&apos;avance rapide dans « {simulator:simulator} » prend {bound} {time:estimate}.</translation>
     </message>
     <message>
-        <source>The {simulator:simulator} takes {bound} {time:s}.</source>
-        <translation>« {simulator:simulator} » prend {bound} {time:s}.</translation>
+        <source>The {simulator:simulator} takes {bound} {time:estimate}.</source>
+        <translation>« {simulator:simulator} » prend {bound} {time:estimate}.</translation>
     </message>
     <message>
         <source>about</source>
@@ -966,8 +966,8 @@
         <translation>« {simulator:simulator} » ralentit ici à environ {frames:g1} images par seconde, surtout à cause des arcs. Simulez cette opération seule.</translation>
     </message>
     <message>
-        <source>The {simulator:simulator} takes {bound} {time:s}, which is over your {allowed:s} limit. {better}</source>
-        <translation>« {simulator:simulator} » prend {bound} {time:s}, plus que votre limite de {allowed:s}. {better}</translation>
+        <source>The {simulator:simulator} takes {bound} {time:estimate}, which is over your {allowed:s} limit. {better}</source>
+        <translation>« {simulator:simulator} » prend {bound} {time:estimate}, plus que votre limite de {allowed:s}. {better}</translation>
     </message>
     <message>
         <source>The centers of arcs are read as positions (as with G90.1). The arcs only close this way.</source>

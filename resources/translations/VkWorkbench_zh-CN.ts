@@ -650,12 +650,12 @@
         <translation>{simulator:simulator}以错误深度切削 {count:n} 处斜坡，最多 {error:mm2} {way}（命令 {command:#}）。不要据此判断深度。</translation>
     </message>
     <message>
-        <source>Playing takes about {longer:s} in the {simulator:simulator}. Use fast-forward, which takes about {time:s}.</source>
-        <translation>在{simulator:simulator}中播放约需 {longer:s}。请使用快进，约需 {time:s}。</translation>
+        <source>Playing takes about {longer:estimate} in the {simulator:simulator}. Use fast-forward, which takes about {time:estimate}.</source>
+        <translation>在{simulator:simulator}中播放约需 {longer:estimate}。请使用快进，约需 {time:estimate}。</translation>
     </message>
     <message>
-        <source>Playing takes about {time:s} in the {simulator:simulator} at its fastest. Simulate fewer operations at a time.</source>
-        <translation>在{simulator:simulator}中以最快速度播放约需 {time:s}。请一次模拟较少的操作。</translation>
+        <source>Playing takes about {time:estimate} in the {simulator:simulator} at its fastest. Simulate fewer operations at a time.</source>
+        <translation>在{simulator:simulator}中以最快速度播放约需 {time:estimate}。请一次模拟较少的操作。</translation>
     </message>
     <message>
         <source>{count:n} moves are shorter than a cell of the {simulator:simulator} ({cell:mm2}). They take time, but cannot be seen. Choose a coarser tolerance for the operation.</source>
@@ -870,20 +870,20 @@
         <translation>（另有 {count:n} 个操作）</translation>
     </message>
     <message>
-        <source>Playing this simulation takes {bound} {time:s} in the {simulator:simulator}.</source>
-        <translation>在{simulator:simulator}中播放此模拟需要{bound} {time:s}。</translation>
+        <source>Playing this simulation takes {bound} {time:estimate} in the {simulator:simulator}.</source>
+        <translation>在{simulator:simulator}中播放此模拟需要{bound} {time:estimate}。</translation>
     </message>
     <message>
-        <source>Fast-forward takes {bound} {time:s}.</source>
-        <translation>快进需要{bound} {time:s}。</translation>
+        <source>Fast-forward takes {bound} {time:estimate}.</source>
+        <translation>快进需要{bound} {time:estimate}。</translation>
     </message>
     <message>
-        <source>Fast-forward in the {simulator:simulator} takes {bound} {time:s}.</source>
-        <translation>在{simulator:simulator}中快进需要{bound} {time:s}。</translation>
+        <source>Fast-forward in the {simulator:simulator} takes {bound} {time:estimate}.</source>
+        <translation>在{simulator:simulator}中快进需要{bound} {time:estimate}。</translation>
     </message>
     <message>
-        <source>The {simulator:simulator} takes {bound} {time:s}.</source>
-        <translation>{simulator:simulator}需要{bound} {time:s}。</translation>
+        <source>The {simulator:simulator} takes {bound} {time:estimate}.</source>
+        <translation>{simulator:simulator}需要{bound} {time:estimate}。</translation>
     </message>
     <message>
         <source>about</source>
@@ -966,8 +966,8 @@
         <translation>{simulator:simulator}在此处降至约每秒 {frames:g1} 帧，主要由于圆弧。请单独模拟此操作。</translation>
     </message>
     <message>
-        <source>The {simulator:simulator} takes {bound} {time:s}, which is over your {allowed:s} limit. {better}</source>
-        <translation>{simulator:simulator}需要{bound} {time:s}，超过您的限额 {allowed:s}。{better}</translation>
+        <source>The {simulator:simulator} takes {bound} {time:estimate}, which is over your {allowed:s} limit. {better}</source>
+        <translation>{simulator:simulator}需要{bound} {time:estimate}，超过您的限额 {allowed:s}。{better}</translation>
     </message>
     <message>
         <source>The centers of arcs are read as positions (as with G90.1). The arcs only close this way.</source>

@@ -58,7 +58,7 @@ def test_a_long_play_has_its_fast_forward():
     assert found.way == "legacy"
     assert (
         said(found)
-        == "Playing this simulation takes about 1.7 h in the legacy simulator. Fast-forward takes about 34 s."
+        == "Playing this simulation takes about 2 h in the legacy simulator. Fast-forward takes about 30 s."
     )
 
 
@@ -66,7 +66,7 @@ def test_legacy_simulator_is_offered_for_slow_opengl():
     found = better_way("OpenGL", [record(opengl=6120.0, play=6120.0, forward=34.0)], BUDGET)
     assert found.way == "legacy"
     assert said(found) == (
-        "Playing this simulation takes about 1.7 h in the OpenGL simulator. Fast-forward in the legacy simulator takes about 34 s."
+        "Playing this simulation takes about 2 h in the OpenGL simulator. Fast-forward in the legacy simulator takes about 30 s."
     )
 
 
@@ -95,7 +95,7 @@ def test_unknown_costs_make_the_time_a_lower_bound(other):
     found = better_way("legacy", [record(play=6120.0, forward=34.0), other], BUDGET)
     assert (
         said(found)
-        == "Playing this simulation takes at least 1.7 h in the legacy simulator. Fast-forward takes at least 34 s."
+        == "Playing this simulation takes at least 2 h in the legacy simulator. Fast-forward takes at least 30 s."
     )
 
 
@@ -127,4 +127,4 @@ def test_mark_over_the_budget_names_the_offered_simulator(simulator, times):
 
 def test_operation_without_moves_keeps_the_total_complete():
     empty = Record(Strategy.EMPTY, remarks=(Message("no-toolpath"),))
-    assert "about 1.7 h" in said(better_way("legacy", [record(play=6120.0), empty], BUDGET))
+    assert "about 2 h" in said(better_way("legacy", [record(play=6120.0), empty], BUDGET))

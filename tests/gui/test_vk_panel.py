@@ -20,6 +20,7 @@ except ImportError:
 import vkworkbench
 from vkworkbench import freecad, preferences
 from vkworkbench.document.marks import marks
+from vkworkbench.document.marks.better_way import too_long
 from vkworkbench.document.marks.text import Burden, burden, is_warned, time_of
 from vkworkbench.gui.qt import colors
 from vkworkbench.gui.qt.colors import readable
@@ -28,6 +29,7 @@ from vkworkbench.gui.qt.sentences import user
 from vkworkbench.gui.results import findings
 from vkworkbench.gui.results.columns import Column
 from vkworkbench.gui.tree.explanation import explanation
+from vkworkbench.language import render
 
 OPENGL = freecad.version() >= (1, 0)
 
@@ -885,3 +887,26 @@ def test_page_without_document_says_what_to_do(window):
     FreeCAD.closeDocument(document.Name)
     window.wait(lambda: text_of(dock(window)).startswith("No document is open."))
     dock(window).hide()
+
+
+def test_one_number_has_one_text(panel, opened, window, tmp_path):
+    """Mark, tooltip, list, page, warning, table and CSV show one value of a time, rounded once."""
+    report, chosen = vkworkbench.analyze(opened), preferences.read()
+    window.answer_file_dialog(tmp_path / "results.csv", panel.csv.trigger)
+    rows = {row["label"]: row for row in csv.DictReader(open(tmp_path / "results.csv", encoding="utf-8"))}
+    machining, simulating = column(panel, "Machining Time"), column(panel, "Simulation Time")
+    for o in [*report.operations, *report.totals]:
+        record = marks.read(labelled(opened, o.label))
+        cost, factor = record.cost(chosen.simulator)[0], record.factor(chosen.simulator)
+        time, estimate = user().clock(record.machining_seconds), user().estimated_time(cost, factor)
+        click_row(window, panel, o.label)
+        told = [o.label, record.text, explanation(record, chosen), text_of(panel), str(report)]
+        assert all(time in text for text in told[1:]) and machining[o.label].split()[-1] == time, o.label
+        assert all(estimate in text for text in told[1:]) and simulating[o.label] == estimate, o.label
+        longer = too_long(record, chosen)
+        assert longer is None or estimate in render(longer)
+        if o.label in rows:
+            assert user().clock(float(rows[o.label]["machining_seconds"])) == time
+            assert (
+                user().estimated_time(float(rows[o.label][f"{chosen.simulator.lower()}_seconds"]), factor) == estimate
+            )

@@ -29,7 +29,7 @@ from typing import Any
 
 from vkworkbench.language.marking import QT_TRANSLATE_NOOP
 from vkworkbench.language.message import Argument, Message
-from vkworkbench.language.numbers import ENGLISH, Reader
+from vkworkbench.language.numbers import ENGLISH, ROUGH, Reader
 from vkworkbench.language.table import PLAIN, TABLE
 
 _PLACE = re.compile(r"\{(\w+)(?::([^{}\d]+)(\d*))?\}")
@@ -43,6 +43,7 @@ _QUANTITIES: dict[str, Callable[[Reader, Any, int], str]] = {
     "mm³": lambda reader, value, digits: reader.volume(float(value), digits),
     "mm/min": lambda reader, value, digits: f"{reader.measure(float(value), digits)}/min",
     "s": lambda reader, value, extra: reader.time(value, extra_digits=extra),
+    "estimate": lambda reader, value, extra: reader.time(value, ROUGH),
     "bytes": lambda reader, value, extra: reader.memory(value, extra),
     "%": lambda reader, value, digits: reader.share(value),
     "turns": lambda reader, value, digits: reader.turns(value),
@@ -70,7 +71,9 @@ def render(message: Message, reader: Reader = ENGLISH, *, plain: bool = False) -
         If the table has no such message. Another version may have written it.
     """
     arguments = message.arguments
-    template = reader.translate("Sentences", _template(message, reader, plain))
+    template = _with_different_times(
+        reader.translate("Sentences", _template(message, reader, plain)), arguments, reader
+    )
     extra = {quantity: _extra_digits(template, arguments, quantity, reader) for quantity in _ROUNDED}
 
     def fill(place: re.Match[str]) -> str:
@@ -78,6 +81,13 @@ def render(message: Message, reader: Reader = ENGLISH, *, plain: bool = False) -
         return _text(arguments[name], quantity, extra.get(quantity, int(digits or _DEFAULT_DIGITS)), reader, plain)
 
     return _PLACE.sub(fill, template)
+
+
+def _with_different_times(template: str, arguments: dict[str, Argument], reader: Reader) -> str:
+    """Return a template with exact times instead of estimates, if an estimate looks like another time."""
+    places = [place for place in _PLACE.finditer(template) if place[2] in ("s", "estimate")]
+    texts = {arguments[place[1]]: _QUANTITIES[place[2]](reader, arguments[place[1]], 0) for place in places}
+    return template if len(set(texts.values())) == len(texts) else template.replace(":estimate}", ":s}")
 
 
 def _extra_digits(template: str, arguments: dict[str, Argument], quantity: str, reader: Reader) -> int:

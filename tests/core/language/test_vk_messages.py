@@ -16,12 +16,12 @@ from readers import LANGUAGES, German, Inches, Translated
 
 from toolpaths import synthetic
 from vkworkbench.core import Strategy, linearize, recognize
-from vkworkbench.language import ENGLISH, Message, Reader, Unusable, render
+from vkworkbench.language import ENGLISH, ROUGH, Message, Reader, Unusable, render
 from vkworkbench.language.table import PLAIN, TABLE
 
 PACKAGE = Path(__file__).resolve().parents[3] / "vkworkbench"
 PLACE = re.compile(r"\{(\w+)(?::([^{}\d]+)\d*)?\}")
-VALUES = {"n": 3, "#": 12345, "g": 0.5, "mm": 2.5, "mm³": 212.0, "mm/min": 300.0, "s": 4.0, "bytes": 2e6, "%": 0.5, "turns": 9.0,
+VALUES = {"n": 3, "#": 12345, "g": 0.5, "mm": 2.5, "mm³": 212.0, "mm/min": 300.0, "s": 4.0, "estimate": 40.0, "bytes": 2e6, "%": 0.5, "turns": 9.0,
           "strategy": "zigzag", "simulator": "legacy", "": "Face"}  # fmt: skip
 
 
@@ -316,3 +316,13 @@ def test_list_argument_is_joined_for_the_reader():
 def test_clock_is_read(text, seconds):
     assert ENGLISH.seconds_of(text) == seconds
     assert seconds is None or ENGLISH.seconds_of(ENGLISH.clock(seconds)) == seconds
+
+
+@pytest.mark.parametrize("reader", [ENGLISH, German(), *map(Translated, LANGUAGES)])
+def test_estimate_in_a_sentence_is_the_time_in_the_mark(reader):
+    for seconds in np.geomspace(0.004, 90_000, 30):
+        mark = reader.time(seconds, ROUGH)
+        for code in ("fast-forward-takes", "legacy-takes", "opengl-takes", "started-takes", "over-budget"):
+            told = Message(code, simulator="legacy", bound=Message("bound-about"), time=seconds, allowed=1.0, better="")
+            assert mark in render(told, reader) and mark in reader.estimated_time(seconds, 4.0)
+        assert mark in render(Message("opengl-long-play", simulator="OpenGL", time=seconds), reader)

@@ -119,7 +119,7 @@ def columns(version: tuple[int, ...], marked: str) -> tuple[list[Column], list[C
         Column(REASON, translate("Vk_Results", "In Plain Words"),
                translate("Vk_Results", "The toolpath in one sentence: the reason for the strategy."), _reason),
         Column("longest", translate("Vk_Results", "Simulation Time\nat Most"), longest.format(simulator=user().simulator(marked)),
-               partial(_longest, marked), _as("time")),
+               partial(_longest, marked), lambda seconds: user().time(seconds, ROUGH)),
         Column("sure", translate("Vk_Results", "Confidence"), translate("Vk_Results", "The confidence of the recognition."),
                _confidence, _as("share")),
         Column("moves", translate("Vk_Results", "Moves"),

@@ -66,14 +66,13 @@ def _machining(record: Record) -> str:
 
 
 def _simulation(record: Record, name: str) -> str:
-    """Return time and memory of one simulator. A rough estimate of the time is shown as a range."""
+    """Return time and memory of one simulator. A rough estimate of the time has its range."""
     seconds, memory = record.cost(name)
     factor, reader = record.factor(name), user()
-    time = (
-        reader.time(seconds, factor)
-        if factor < ROUGH
-        else reader.between(reader.time(seconds / factor, factor), reader.time(seconds * factor, factor))
-    )
+    time = reader.estimated_time(seconds, factor)
+    if factor >= ROUGH:
+        between = reader.between(reader.time(seconds / factor, factor), reader.time(seconds * factor, factor))
+        time = f"{time} ({between})"
     text = translate("Pills", "Simulation time of this operation alone in the {simulator}: {time}. Memory: {memory}.")
     if record.strategy is None:
         text = translate("Pills", "Simulation time in the {simulator}: {time}. Memory: {memory}.")

@@ -24,11 +24,11 @@ SIMULATORS: dict[str, str | tuple[str, str]] = {
     ),
     "legacy-long-play": QT_TRANSLATE_NOOP(
         "Sentences",
-        "Playing takes about {longer:s} in the {simulator:simulator}. Use fast-forward, which takes about {time:s}.",
+        "Playing takes about {longer:estimate} in the {simulator:simulator}. Use fast-forward, which takes about {time:estimate}.",
     ),
     "opengl-long-play": QT_TRANSLATE_NOOP(
         "Sentences",
-        "Playing takes about {time:s} in the {simulator:simulator} at its fastest. "
+        "Playing takes about {time:estimate} in the {simulator:simulator} at its fastest. "
         "Simulate fewer operations at a time.",
     ),
     "legacy-short-moves": (
@@ -77,16 +77,18 @@ SIMULATORS: dict[str, str | tuple[str, str]] = {
         QT_TRANSLATE_NOOP("Sentences", " (also in {count:n} other operations)"),
     ),
     "started-takes": QT_TRANSLATE_NOOP(
-        "Sentences", "Playing this simulation takes {bound} {time:s} in the {simulator:simulator}."
+        "Sentences", "Playing this simulation takes {bound} {time:estimate} in the {simulator:simulator}."
     ),
-    "fast-forward-takes": QT_TRANSLATE_NOOP("Sentences", "Fast-forward takes {bound} {time:s}."),
-    "legacy-takes": QT_TRANSLATE_NOOP("Sentences", "Fast-forward in the {simulator:simulator} takes {bound} {time:s}."),
-    "opengl-takes": QT_TRANSLATE_NOOP("Sentences", "The {simulator:simulator} takes {bound} {time:s}."),
+    "fast-forward-takes": QT_TRANSLATE_NOOP("Sentences", "Fast-forward takes {bound} {time:estimate}."),
+    "legacy-takes": QT_TRANSLATE_NOOP(
+        "Sentences", "Fast-forward in the {simulator:simulator} takes {bound} {time:estimate}."
+    ),
+    "opengl-takes": QT_TRANSLATE_NOOP("Sentences", "The {simulator:simulator} takes {bound} {time:estimate}."),
     "bound-about": QT_TRANSLATE_NOOP("Sentences", "about"),
     "bound-least": QT_TRANSLATE_NOOP("Sentences", "at least"),
     "over-budget": QT_TRANSLATE_NOOP(
         "Sentences",
-        "The {simulator:simulator} takes {bound} {time:s}, which is over your {allowed:s} limit. {better}",
+        "The {simulator:simulator} takes {bound} {time:estimate}, which is over your {allowed:s} limit. {better}",
     ),
     "ours-instead": QT_TRANSLATE_NOOP(
         "Sentences", "Simulate Toolpaths shows the finished part at once, coarse at first."
