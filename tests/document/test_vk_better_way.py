@@ -57,8 +57,7 @@ def test_a_long_play_has_its_fast_forward():
     found = better_way("legacy", [record(play=6120.0, forward=34.0)], BUDGET)
     assert found.way == "legacy"
     assert (
-        said(found)
-        == "Playing this simulation takes about 2 h in the legacy simulator. Fast-forward takes about 30 s."
+        said(found) == "Playing this simulation takes about 2 h in the legacy simulator. Fast-forward takes about 30 s."
     )
 
 

@@ -222,7 +222,7 @@ def test_tooltip_has_reason_and_times(marked, window):
     (reason,) = known.reason
     assert plain_sentence(reason).replace("<", "&lt;").replace(">", "&gt;") in text and "φ" not in text
     assert (
-        f"Machining time: {user().clock(known.machining_seconds)}. Cutting length: {user().length(known.length)}."
+        f"Machining time at constant feed: {user().clock(known.machining_seconds)}. Cutting length: {user().length(known.length)}."
         in text
     )
     for name in freecad.own_simulators():
