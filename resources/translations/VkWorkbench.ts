@@ -290,10 +290,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Fast-forward takes {bound} {time:s}.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>about</source>
         <translation type="unfinished"></translation>
     </message>
@@ -926,14 +922,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Playing takes about {longer:s} in the {simulator:simulator}. Use fast-forward, which takes about {time:s}.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Playing takes about {time:s} in the {simulator:simulator} at its fastest. Simulate fewer operations at a time.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>One move is shorter than a cell of the {simulator:simulator} ({cell:mm2}). It takes time, but cannot be seen. Choose a coarser tolerance for the operation.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -951,22 +939,6 @@
     </message>
     <message>
         <source>The {simulator:simulator} hangs on this simulation: command {command:#} of {label}{others} is an arc {reason}.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Playing this simulation takes {bound} {time:s} in the {simulator:simulator}.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Fast-forward in the {simulator:simulator} takes {bound} {time:s}.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The {simulator:simulator} takes {bound} {time:s}.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The {simulator:simulator} takes {bound} {time:s}, which is over your {allowed:s} limit. {better}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1387,14 +1359,6 @@
     </message>
     <message>
         <source>Nothing was checked, because no tool meets the stock. Check the stock and its position.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Nothing was checked, because no tool meets the stock.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>{label} from line {line:#} on is not simulated, because its tool is unknown. Give the tool.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
