@@ -121,7 +121,7 @@ def test_marks_have_the_latest_faults():
     crash = Fault(0, 7, 0, (0.0, 0.0, 0.0), Message("rapid-cuts", volume=50.69), True)
     told = []
     with pytest.MonkeyPatch.context() as patched:
-        patched.setattr("vkworkbench.gui.simulation.faults.keep_faults", told.append)
+        patched.setattr("vkworkbench.gui.simulation.faults.keep_faults", lambda faults: bool(told.append(faults)))
         known.follow(True)
         assert not told  # nothing was compared with the model yet
         known.keep([gouge(0, 20.0, command=2)], PENDING)
