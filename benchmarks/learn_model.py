@@ -38,12 +38,12 @@ FOLDS = 10
 #: Weights of a row in the learning of the strategies, of what machines nothing, and of the confidence. Programs are what
 #: users have, and they are rare.
 WEIGHTS = {
-    "program": (4.0, 4.0, 1.0),
+    "program": (4.0, 6.0, 1.0),
     "program, told": (3.0, 0.0, 1.0),
     "freecad": (1.5, 1.0, 0.5),
     "freecad without tool": (1.0, 1.0, 0.0),
     "made": (3.0, 1.0, 0.0),
-    "nonsense": (0.0, 5.0, 0.0),
+    "nonsense": (0.0, 2.0, 0.0),
 }
 BEST = 2.0  # weight of the best label of a row; its other labels have the weight 1
 # Random forests (Breiman 2001) are right about the strategy more often; extremely randomised trees (Geurts, Ernst and

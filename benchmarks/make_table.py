@@ -10,10 +10,13 @@ add a program. The operations are
 * operations of the programs in real_programs.csv and real_programs_unseen.csv; the command fetches programs that are not in
   FOLDER/texts,
 * FreeCAD's operations, from all FOLDER/freecad-*.jsonl.gz, which make_operations.py makes in each FreeCAD,
-* toolpaths made by the modules synthetic, strokes, outlines, fine_rows and nonsense of toolpaths/.
+* toolpaths made by the modules synthetic, strokes, outlines, lathe, fine_rows and nonsense of toolpaths/.
 
-An operation with a tool has one row with the tool and one row without. Toolpaths that are the same to a micrometre have
-one row.
+An operation with a tool has one row with the tool and one row without. Rows with the same labels, measures and proposals
+are kept once.
+
+Programs that cannot be fetched, and versions of FreeCAD that FOLDER has no file of, keep their rows of the last table, unless
+the measures have changed since.
 """
 
 from __future__ import annotations
@@ -33,9 +36,9 @@ sys.path[:0] = [str(HERE.parent), str(HERE)]
 
 from fetching import HOST
 from real_programs import commands, label_program, programs_of
-from records import SEEDS, group_of, key, lines, rng_of, system_of
+from records import SEEDS, group_of, lines, rng_of, system_of
 
-from toolpaths import fine_rows, nonsense, outlines, strokes, synthetic
+from toolpaths import fine_rows, lathe, nonsense, outlines, strokes, synthetic
 from vkworkbench.core import Toolpath
 from vkworkbench.core.gcode import linearize
 from vkworkbench.core.paper import monotonous_areas, paper_verdict
@@ -45,7 +48,7 @@ from vkworkbench.core.recognition.verdict.rules import judge_section
 
 TABLE = HERE / "labelled_operations.csv"
 PROGRAMS = ("real_programs.csv", "real_programs_unseen.csv")
-MODULES = {module.__name__: module for module in (synthetic, strokes, outlines)}
+MODULES = {module.__name__: module for module in (synthetic, strokes, outlines, lathe)}
 
 
 class Labelled(NamedTuple):
@@ -76,6 +79,7 @@ class Labelled(NamedTuple):
     tool: float | None
 
 
+KINDS = ("program", "freecad", "made", "nonsense")
 COLUMNS = (*Labelled._fields[:6], "tool", "rules", "letter")
 
 
@@ -95,6 +99,16 @@ def sources(folder: Path, host: str) -> Iterator[Callable[[], Iterable[Labelled]
         yield partial(of_nonsense, kind)
 
 
+def source_of(row: dict[str, str]) -> str:
+    """Return the address of the program of a row of PROGRAMS."""
+    return f"https://github.com/{row['repository']}/blob/{row['commit']}/{row['path']}"
+
+
+def place_of(row: dict[str, str]) -> str:
+    """Return the lines of a row of PROGRAMS."""
+    return f"L{row['first_line']}-L{row['last_line']}"
+
+
 def of_program(rows: list[dict[str, str]], folder: Path, host: str) -> Iterator[Labelled]:
     """Yield the operations of a program."""
     _, path, found = label_program(rows, folder, host) or ("", None, [])
@@ -102,8 +116,8 @@ def of_program(rows: list[dict[str, str]], folder: Path, host: str) -> Iterator[
         row = one.row
         yield Labelled(
             "program",
-            f"https://github.com/{row['repository']}/blob/{row['commit']}/{row['path']}",
-            f"L{row['first_line']}-L{row['last_line']}",
+            source_of(row),
+            place_of(row),
             row["repository"],
             system_of({"source": row["system"]}),
             row["strategies"],
@@ -149,28 +163,59 @@ def of_nonsense(kind: Callable) -> Iterator[Labelled]:
         yield Labelled("nonsense", f"{nonsense.__name__}: {name}", f"seed {seed}", name, name, "unknown", path, None)
 
 
-def rows_of(one: Labelled) -> list[tuple[bytes, dict[str, object]]]:
-    """Return the rows of an operation, with its tool and without, and what equal toolpaths of one tool have in common.
-
-    Drilling has none: it needs no vote.
-    """
+def rows_of(one: Labelled) -> list[dict[str, str]]:
+    """Return the rows of an operation, with its tool and without. Drilling has none: it needs no vote."""
     moves, rows = monotonous_areas(one.path), []
     for tool in dict.fromkeys((one.tool or 0.0, 0.0)) if len(moves) else ():
         section, paper = Section(moves, tool), paper_verdict(moves)
-        row = {
-            **dict(zip(COLUMNS, one)),
-            "tool": f"{tool:.4g}",
-            "rules": judge_section(section).strategy.value,
-            "letter": paper.strategy.value if paper else "unknown",
-            **{name: f"{value:.4g}" for name, value in measure_section(section).items()},
-        }
-        rows.append((key(one.path, tool), row))
+        rows.append(
+            {
+                **dict(zip(COLUMNS, one)),
+                "tool": f"{tool:.4g}",
+                "rules": judge_section(section).strategy.value,
+                "letter": paper.strategy.value if paper else "unknown",
+                **{name: f"{value:.4g}" for name, value in measure_section(section).items()},
+            }
+        )
     return rows
 
 
-def rows_of_source(source: Callable[[], Iterable[Labelled]]) -> list[tuple[bytes, dict[str, object]]]:
+def rows_of_source(source: Callable[[], Iterable[Labelled]]) -> list[dict[str, str]]:
     """Return the rows of all operations of a source."""
     return [row for one in source() for row in rows_of(one)]
+
+
+def identity(row: dict[str, str]) -> tuple[str, ...]:
+    """Return which operation a row is of, and with which tool."""
+    return row["source"], row["place"], row["tool"]
+
+
+def values(row: dict[str, str]) -> tuple[str, ...]:
+    """Return the labels of a row and everything that is computed from its toolpath."""
+    return tuple(value for name, value in row.items() if name not in COLUMNS[:5])
+
+
+def rows_to_keep(last: list[dict[str, str]], made: list[dict[str, str]]) -> list[dict[str, str]]:
+    """Return the rows of the last table whose programs or FreeCADs cannot be had now, with their newest labels."""
+    labels = {
+        (source_of(row), place_of(row)): row["strategies"]
+        for table in PROGRAMS
+        for rows in programs_of(HERE / table)
+        for row in rows
+    }
+    had, kept = {row["source"] for row in made}, []
+    for row in last:
+        label = labels.get((row["source"], row["place"])) if row["kind"] == "program" else row["strategies"]
+        if row["kind"] in ("program", "freecad") and row["source"] not in had and label:
+            kept.append({**row, "strategies": label})
+    return kept
+
+
+def changed(last: list[dict[str, str]], made: list[dict[str, str]]) -> bool:
+    """Return whether any row of an operation differs from its row in the last table by more than its labels."""
+    measured = slice(1, None)
+    before = {identity(row): values(row)[measured] for row in last}
+    return any(before.get(identity(row), values(row)[measured]) != values(row)[measured] for row in made)
 
 
 def main() -> None:
@@ -178,16 +223,25 @@ def main() -> None:
     parser.add_argument("folder", type=Path)
     parser.add_argument("--from", dest="host", default=HOST)
     options = parser.parse_args()
-    found: dict[bytes, dict[str, object]] = {}
+    with open(TABLE, newline="") as file:
+        last = list(csv.DictReader(file))
     with Pool() as pool:
-        for rows in pool.imap(rows_of_source, sources(options.folder, options.host)):
-            for same, row in rows:
-                found.setdefault(same, row)
+        made = [row for rows in pool.imap(rows_of_source, sources(options.folder, options.host)) for row in rows]
+    kept = rows_to_keep(last, made)
+    if kept and changed(last, made):
+        sys.exit(
+            f"The measures have changed, and the sources of {len(kept)} rows cannot be had: the table stays as it was."
+        )
+    found: dict[tuple[str, ...], dict[str, str]] = {}
+    for row in (*made, *kept):
+        found.setdefault(values(row), row)
+    rows = sorted(found.values(), key=lambda row: KINDS.index(row["kind"]))
     with open(TABLE, "w", newline="") as file:
-        writer = csv.DictWriter(file, list(next(iter(found.values()))), lineterminator="\n")
+        writer = csv.DictWriter(file, list(rows[0]), lineterminator="\n")
         writer.writeheader()
-        writer.writerows(found.values())
-    print(f"{len(found)} rows in {TABLE}")
+        writer.writerows(rows)
+    print(f"{len(kept)} rows of {len({row['source'] for row in kept})} sources that cannot be had are kept")
+    print(f"{len(rows)} rows in {TABLE}")
 
 
 if __name__ == "__main__":

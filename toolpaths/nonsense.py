@@ -1,9 +1,15 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Paths that machine nothing: random walks, noise, rolling curves and curves that fill the plane."""
+"""Paths that machine nothing: random walks, noise, rolling curves and curves that fill the plane.
+
+chaos.py and figures.py have more of their KINDS.
+"""
 
 from __future__ import annotations
 
 import numpy as np
+
+from toolpaths import chaos, figures
+from toolpaths.turtle import grow
 
 CLEAR, DEPTH, FEED = 5.0, -1.0, 10.0
 
@@ -103,54 +109,54 @@ def star(rng):
 
 
 def hilbert(rng):
-    return _grown("A", {"A": "+BF-AFA-FB+", "B": "-AF+BFB+FA-"}, 90, rng.integers(3, 6), "F")
+    return grow("A", {"A": "+BF-AFA-FB+", "B": "-AF+BFB+FA-"}, 90, rng.integers(3, 6), "F")
 
 
 def peano(rng):
     rules = {"X": "XFYFX+F+YFXFY-F-XFYFX", "Y": "YFXFY-F-XFYFX+F+YFXFY"}
-    return _grown("X", rules, 90, rng.integers(2, 4), "F")
+    return grow("X", rules, 90, rng.integers(2, 4), "F")
 
 
 def dragon(rng):
-    return _grown("F", {"F": "F+G", "G": "F-G"}, 90, rng.integers(6, 11), "FG")
+    return grow("F", {"F": "F+G", "G": "F-G"}, 90, rng.integers(6, 11), "FG")
 
 
 def gosper(rng):
-    return _grown("A", {"A": "A-B--B+A++AA+B-", "B": "+A-BB--B-A++A+B"}, 60, rng.integers(2, 5), "AB")
+    return grow("A", {"A": "A-B--B+A++AA+B-", "B": "+A-BB--B-A++A+B"}, 60, rng.integers(2, 5), "AB")
 
 
 def koch(rng):
-    return _grown("F", {"F": "F+F-F-F+F"}, 90, rng.integers(2, 5), "F")
+    return grow("F", {"F": "F+F-F-F+F"}, 90, rng.integers(2, 5), "F")
 
 
 def moore(rng):
-    return _grown("LFL+F+LFL", {"L": "-RF+LFL+FR-", "R": "+LF-RFR-FL+"}, 90, rng.integers(2, 5), "F")
+    return grow("LFL+F+LFL", {"L": "-RF+LFL+FR-", "R": "+LF-RFR-FL+"}, 90, rng.integers(2, 5), "F")
 
 
 def meander(rng):
     """Peano's second curve, with bent rows."""
     rules = {"X": "FX+FX+FXFY-FY-", "Y": "+FX+FXFY-FY-FY"}
-    return _grown("X", rules, 90, rng.integers(3, 6), "F")
+    return grow("X", rules, 90, rng.integers(3, 6), "F")
 
 
 def levy(rng):
-    return _grown("F", {"F": "+F--F+"}, 45, rng.integers(7, 12), "F")
+    return grow("F", {"F": "+F--F+"}, 45, rng.integers(7, 12), "F")
 
 
 def arrowhead(rng):
-    return _grown("X", {"X": "YF+XF+Y", "Y": "XF-YF-X"}, 60, rng.integers(4, 8), "F")
+    return grow("X", {"X": "YF+XF+Y", "Y": "XF-YF-X"}, 60, rng.integers(4, 8), "F")
 
 
 def quadratic_island(rng):
-    return _grown("F-F-F-F", {"F": "F-F+F+FF-F-F+F"}, 90, rng.integers(1, 4), "F")
+    return grow("F-F-F-F", {"F": "F-F+F+FF-F-F+F"}, 90, rng.integers(1, 4), "F")
 
 
 def sierpinski(rng):
-    return _grown("F--XF--F--XF", {"X": "XF+G+XF--F--XF+G+X"}, 45, rng.integers(2, 5), "FG")
+    return grow("F--XF--F--XF", {"X": "XF+G+XF--F--XF+G+X"}, 45, rng.integers(2, 5), "FG")
 
 
 def terdragon(rng):
-    return _grown("F", {"F": "F+F-F"}, 120, rng.integers(4, 7), "F")
+    return grow("F", {"F": "F+F-F"}, 120, rng.integers(4, 7), "F")
 
 
 def gray(rng):
@@ -259,6 +265,7 @@ def spirolateral(rng):
 
 
 RANDOM = (
+    *chaos.RANDOM,
     walk,
     persistent_walk,
     walk_on_a_grid,
@@ -275,7 +282,7 @@ RANDOM = (
 KINDS = (
     *RANDOM, scribble, epicycloid, hypocycloid, lissajous, rose, three_arms, star, hilbert, moore, peano, meander, dragon,
     levy, gosper, arrowhead, koch, quadratic_island, morton, sierpinski, terdragon, gray, tour, attractor, sunflower,
-    spirolateral, wunderlich, odometer,
+    spirolateral, wunderlich, odometer, *chaos.OTHER, *figures.KINDS,
 )  # fmt: skip
 
 
@@ -316,13 +323,3 @@ def _count(rng) -> int:
 def _rolling(rng, radius, arm, turns):
     t = np.linspace(0, 2 * np.pi * rng.integers(5, 40), 2 * _count(rng))
     return np.column_stack([radius * np.cos(t) + arm * np.cos(turns * t), radius * np.sin(t) + arm * np.sin(turns * t)])
-
-
-def _grown(word, rules, degrees, times, forward):
-    """Return the path of a turtle along a word of a Lindenmayer system."""
-    for _ in range(times):
-        word = "".join(rules.get(letter, letter) for letter in word)
-    turn = np.cumsum([(letter == "+") - (letter == "-") for letter in word])
-    step = np.exp(1j * np.radians(degrees) * turn)[[letter in forward for letter in word]][:4000]
-    at = np.append(0, np.cumsum(step))
-    return np.column_stack([at.real, at.imag])

@@ -169,9 +169,13 @@ def test_votes_that_are_split_within_one_class_are_not_lost(other):
     assert elected(votes, Strategy.UNKNOWN) == (Strategy.CONTOUR_PARALLEL, pytest.approx(0.3))
 
 
-@pytest.mark.parametrize(("nonsense", "said"), [(0.49, Strategy.SPIRAL), (0.51, Strategy.UNKNOWN)])
+@pytest.mark.parametrize(("nonsense", "said"), [(0.59, Strategy.SPIRAL), (0.61, Strategy.UNKNOWN)])
 def test_most_votes_for_nonsense_make_it_unknown(nonsense, said):
     assert elected(votes_for(spiral=0.9, helix=0.1), Strategy.SPIRAL, nonsense)[0] is said
+
+
+def test_votes_for_nonsense_make_a_strategy_less_probable():
+    assert elected(votes_for(spiral=0.9, helix=0.1), Strategy.SPIRAL, 0.2)[1] == pytest.approx(0.72)
 
 
 def test_more_votes_make_a_verdict_surer():

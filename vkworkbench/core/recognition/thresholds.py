@@ -604,9 +604,9 @@ class SCAN:
 class VOTES:
     """How the votes of the learned trees make a verdict, and its confidence."""
 
-    #: share of the votes. With a larger share for nonsense, a section is unknown. 1: random walks are machining. 0:
-    #: engravings are nonsense.
-    NONSENSE = 0.5
+    #: share of the votes. With a larger share for nonsense, a section is unknown. 1: random walks are machining. 0.5:
+    #: outlines of snowflakes are nonsense. 0: engravings are nonsense.
+    NONSENSE = 0.6
     #: share of the votes. Smallest share in the odds of a verdict. 0: the odds of all votes, and of none, are infinite.
     MIN_SHARE = 0.01
     #: confidence. Upper limit: one in a hundred of the surest verdicts on unseen programs is wrong.

@@ -75,7 +75,9 @@ def decide(s: Section, rules: Verdict, paper: PaperVerdict | None) -> tuple[Verd
 
 
 def elect(nonsense: float, votes: np.ndarray, rules: int) -> tuple[int, float]:
-    """Return the strategy that most votes are for, within the class that most votes are for, and its share.
+    """Return the strategy that most votes are for, within the class that most votes are for, and its probability.
+
+    Its probability is its share of the votes of the trees for strategies, times the share of the votes against nonsense.
 
     Parameters
     ----------
@@ -94,4 +96,4 @@ def elect(nonsense: float, votes: np.ndarray, rules: int) -> tuple[int, float]:
     shares /= shares.sum() or 1.0
     of_class = (ALIKE * shares).sum(axis=1)
     said = int(np.argmax(np.where(of_class == of_class.max(), shares, -1.0)))
-    return said, float(shares[said])
+    return said, float((1 - nonsense) * shares[said])

@@ -1,0 +1,105 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Toolpaths of a lathe in X and Z, which no strategy of milling describes, as G-code commands.
+
+A facing cut, a groove or a finishing pass alone could also be a slot that a mill cuts in X and Z, so that none is here.
+Made as those of synthetic.py. SAMPLES lists (label, strategies that count as right, maker).
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+FEED = 3.0  # mm/s
+CLEAR = 2.0  # mm in front of the face
+
+
+class Turning:
+    """A list of commands that begins in front of the part; X is a diameter."""
+
+    def __init__(self, rng: np.random.Generator) -> None:
+        self.diameter, self.length = rng.uniform(15, 120), rng.uniform(10, 120)
+        self.commands: list[tuple[str, dict[str, float]]] = []
+        self.rapid(self.diameter + 4, CLEAR)
+
+    def rapid(self, x: float, z: float) -> None:
+        self.commands.append(("G0", {"X": round(x, 3), "Z": round(z, 3)}))
+
+    def cut(self, x: float, z: float) -> None:
+        self.commands.append(("G1", {"X": round(x, 3), "Z": round(z, 3), "F": FEED}))
+
+
+def steps_of(rng, part: Turning) -> list[tuple[float, float]]:
+    """Return the corners (x, z) of a finished part from its face backwards; its diameter grows."""
+    count = int(rng.integers(1, 6))
+    x = np.sort(rng.uniform(0.2, 0.95, count)) * part.diameter
+    z = -np.sort(rng.uniform(0.05, 1.0, count)) * part.length
+    corners, tapered = [(float(x[0]), 0.0)], rng.random() < 0.5
+    for k in range(count):
+        corners.append((float(x[k]), float(z[k])))
+        if k + 1 < count:
+            back = (z[k + 1] - z[k]) * rng.uniform(0.1, 0.6) if tapered else 0.0
+            corners.append((float(x[k + 1]), float(z[k] + back)))
+    return [*corners, (part.diameter, corners[-1][1])]
+
+
+def depth_at(corners, x: float) -> float:
+    """Return how far a pass at a diameter goes before it meets the finished part."""
+    for (x0, z0), (x1, z1) in zip(corners, corners[1:]):
+        if x0 <= x < x1:
+            return z0 + (z1 - z0) * (x - x0) / (x1 - x0)
+    return corners[-1][1]
+
+
+def rough(rng, part: Turning, corners) -> None:
+    """Cut passes along Z down to the finished part, each left by a short move outward."""
+    step, out = rng.uniform(0.5, 4.0), rng.choice([0.5, 1.0, 2.0])
+    fed = rng.random() < 0.3
+    for x in np.arange(part.diameter - step, corners[0][0], -step):
+        part.rapid(x, CLEAR)
+        if fed:
+            part.cut(x, CLEAR - 0.5)
+        z = depth_at(corners, x)
+        part.cut(x, z)
+        if fed or rng.random() < 0.5:
+            part.cut(x + step, z)
+        part.cut(x + step + out, z + out / 2)
+        part.rapid(x + step + out, CLEAR)
+
+
+def finish(rng, part: Turning, corners) -> None:
+    """Cut along the finished part, at times with rounded corners."""
+    part.rapid(max(0.0, corners[0][0] - 2), CLEAR)
+    for x, z in corners:
+        part.cut(x, z)
+    part.cut(part.diameter + 2, corners[-1][1])
+    part.rapid(part.diameter + 4, CLEAR)
+
+
+def face(rng, part: Turning) -> None:
+    """Cut along X to the axis, once or in some passes."""
+    for k in range(int(rng.integers(1, 6))):
+        part.rapid(part.diameter + 2, CLEAR - 0.5 * k)
+        part.cut(-1.0, CLEAR - 0.5 * k)
+        part.rapid(-1.0, CLEAR + 1)
+
+
+def roughing(rng):
+    part = Turning(rng)
+    rough(rng, part, steps_of(rng, part))
+    return part.commands
+
+
+def whole_part(rng):
+    """A face, then roughing, then the finishing pass."""
+    part = Turning(rng)
+    corners = steps_of(rng, part)
+    if rng.random() < 0.7:
+        face(rng, part)
+    rough(rng, part, corners)
+    part.rapid(part.diameter + 50, 100)
+    finish(rng, part, corners)
+    part.rapid(part.diameter + 50, 100)
+    return part.commands
+
+
+SAMPLES = tuple((f"lathe: {make.__name__}", {"unknown"}, make) for make in (roughing, whole_part))
