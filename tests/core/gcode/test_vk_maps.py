@@ -58,6 +58,13 @@ def test_arcs_keep_their_shape(code, turns, centre, radius, arc):
     assert mapped.problems == ()
 
 
+def test_rotation_of_another_work_offset_changes_nothing():
+    assert places("G10 L2 P2 R90\nX10 Y0\nG10 L20 P1 X0\nX5\nG41.1 D4 G1 X35\nX60") == [
+        [10, 0, -1], [15, 0, -1], [45, 2, -1], [70, 2, -1]
+    ]  # fmt: skip
+    assert codes("G10 L2 P2 R90\nX10 Y0") == []
+
+
 def test_holes_are_mapped():
     text = "G68 X0 Y0 R90\nG99 G81 X10 Y0 Z-3 R2\nX20\nG80\nG69"
     assert [point for point in places(text) if point[2] == -3] == [[0, 10, -3], [0, 20, -3]]
@@ -70,6 +77,7 @@ def test_holes_are_mapped():
     ("G68 X0 Y0", "G68"), ("G68 X0 Y0 Z0 I0 J0 K1 R30", "G68"), ("G91 G68 X0 Y0 R30", "G68"), ("G68.2 X0 Y0 Z0 I0 J30 K0", "G68.2"),
     ("G51 X0 Y0", "G51"), ("G51 X0 Y0 I1 J2", "G51"), ("G51 P0", "G51"), ("G51.1 Z0", "G51.1"), ("G91 G51.1 X0", "G51.1"),
     ("G68 X0 Y0 R30 G18", "G68"), ("G68 X0 Y0 R30\nG92 X1", "G92"), ("G51.1 X0\nG52 X1", "G52"),
+    ("G10 L2 P1 R30\nG10 L20 P2 X0", "G10"), ("G10 L2 P2 R30\nG10 L20 P2 X0", "G10"),
 ])  # fmt: skip
 def test_map_that_is_not_read_has_a_remark(code, name):
     assert codes(f"{code}\nG2 X5 Z-1 R9") == [("coordinates-not-changed", name)]

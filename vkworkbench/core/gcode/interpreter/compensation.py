@@ -42,7 +42,7 @@ def _start(machine: Machine, line: Line) -> None:
         radius = machine.radii.get(words.get("D", -1.0))
     before, machine.compensation = machine.compensation, None
     place = machine.here()
-    usable = machine.modes.plane == _XY_PLANE and not machine.maps.used and {"X", "Y"} <= place.keys()
+    usable = machine.modes.plane == _XY_PLANE and not machine.is_mapped and {"X", "Y"} <= place.keys()
     if radius is None or radius < 0 or not usable or machine.modes.feed_mode == codes.INVERSE_TIME:
         machine.problem(Message("compensation-not-read", name=name))
     elif radius > 0:

@@ -97,7 +97,8 @@ def _data(machine: Machine, line: Line) -> None:
     elif kind == 2.0:
         known = machine.origins.set_machine(system, values, moved=machine.moved)
     else:
-        known = not machine.moved or (values.keys() <= place.keys() and not machine.maps.angles)
+        rotated = machine.is_mapped or system in machine.maps.angles
+        known = not machine.moved or (values.keys() <= place.keys() and not rotated)
         if machine.moved and known:
             machine.origins.set_here(system, place, values)
     if not known:

@@ -63,7 +63,7 @@ def _spline(machine: Machine, line: Line) -> None:
         line.apart = True
         return
     if (
-        not machine.maps.used
+        not machine.is_mapped
         and splines.is_complete(line.code, dict(line.words))
         and {"X", "Y"} <= machine.place.now().keys()
     ):

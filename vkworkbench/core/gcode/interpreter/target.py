@@ -27,7 +27,7 @@ def target(machine: Machine, mode: int, parameters: dict[str, float]) -> dict[st
     move = {letter: unit * value for letter, value in parameters.items() if letter in _LENGTHS}
     if machine.origins.used:
         move = _shifted(machine, mode, move)
-    if machine.maps.used:
+    if machine.is_mapped:
         map_move(machine, mode, move)
     if machine.dialect.has_pole:
         move = _centred(machine, mode, move)

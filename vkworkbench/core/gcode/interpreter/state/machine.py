@@ -162,7 +162,7 @@ class Machine:
             and self.motion in (codes.RAPID, codes.FEED, *codes.ARCS)
             and self.modes.feed_mode == codes.PER_MINUTE
             and not (self.ended or self.away or self.length_changed or self.stopped or self.stands)
-            and not (self.origins.used or self.maps.used)
+            and not (self.origins.used or self.is_mapped)
             and self.compensation is None
             and self.unnamed is None
             and self.later is None
@@ -210,6 +210,11 @@ class Machine:
         elif of_a_lathe:
             line.apart, line.feeds = True, False
 
+    @property
+    def is_mapped(self) -> bool:
+        """bool : Whether coordinates are mirrored, scaled or rotated; False in most programs."""
+        return self.maps.fixes_origin or self.origins.system in self.maps.angles
+
     def map(self) -> Map:
         """Return the map of the XY plane in force, from the program's points to the toolpath's."""
         of, shift = self.origins.of, self.origins.shift
@@ -220,7 +225,7 @@ class Machine:
     def here(self) -> dict[str, float]:
         """Return the tool's place before the maps in force, mm, along the axes where it is known."""
         place = self.place.now()
-        if not self.maps.used or "X" not in place or "Y" not in place:
+        if not self.is_mapped or "X" not in place or "Y" not in place:
             return place
         before = self.map().back(complex(place["X"], place["Y"]))
         height = self.maps.height_before(place["Z"], self.origins.of("Z")) if "Z" in place else None

@@ -81,11 +81,6 @@ class Maps:
             self.angles[system] = degrees
 
     @property
-    def used(self) -> bool:
-        """bool : Whether any map is in force; False in most programs."""
-        return self.fixes_origin or bool(self.angles)
-
-    @property
     def fixes_origin(self) -> bool:
         """bool : Whether a map is in force under which controls forbid another origin (G52, G92)."""
         return bool(self.mirrors or self.scale or self.turn)
