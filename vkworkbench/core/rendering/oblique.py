@@ -10,7 +10,6 @@ of its top it sees the wall. The running minimum of the lower ends of the column
 from __future__ import annotations
 
 from dataclasses import dataclass
-from functools import lru_cache
 from typing import NamedTuple
 
 import numpy as np
@@ -122,7 +121,6 @@ def look(layer: Layer, of_layer: Frame, frame: Frame) -> Seen:
     return Seen(pixel, cell, depth, walls)
 
 
-@lru_cache(maxsize=2)
 def _places(height: int, width: int) -> tuple[np.ndarray, np.ndarray]:
     """Return the centre of each pixel's row, in pixels from the lower edge, and its column, (pixels,)."""
     row, column = np.arange(0.5, height, dtype=np.float32), np.arange(width)
