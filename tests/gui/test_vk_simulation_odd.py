@@ -99,7 +99,7 @@ def test_operation_is_deleted_while_the_tab_is_open(document, window, moment):
         finest(player, window)
         player.moment.go_to(0.2 * player.clock.total)
         window.wait(lambda: player.pictures.is_current)
-        player.ask(0)  # the operation of this surface is deleted
+        player.ask(part_view.Surface(0, np.zeros(3)))  # its operation is deleted
         window.idle(0.2)
         player.look("Top")
         player.look(None)
