@@ -20,9 +20,8 @@ from vkworkbench.core.gcode.moves import codes
 
 # Largest number of lines and of characters that are read at once; one line may be longer. More need more memory.
 _LINES, _CHARACTERS = 20_000, 2_000_000
-_MOST_DIGITS = (
-    15  # of a number: a whole number of 15 digits and a power of ten are exact, so that their quotient is rounded once
-)
+# Largest number of digits of a number. Up to 15 digits and the power of ten are exact, so their quotient is rounded once.
+_MOST_DIGITS = 15
 _MOTIONS = (codes.RAPID, codes.FEED, *codes.ARCS)
 _LETTERS = "NGXYZIJKRF"
 _BITS = {letter: 1 << number for number, letter in enumerate(_LETTERS)}
@@ -279,7 +278,6 @@ def _add(machine: Interpreter, block: _Block, index: int, after: int) -> None:
         machine.motion = machine.written = int(selected[-1])
     if is_feed.any():
         modes.feed = float(values[is_feed][-1])
-    machine.stopped &= not (of == ord("Z")).any()
     y = values[of == ord("Y")]
     if len(y) and modes.relative:
         machine.clues.y(bool((y != 0).any()))

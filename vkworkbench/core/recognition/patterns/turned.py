@@ -21,7 +21,7 @@ def is_turned(toolpath: Toolpath) -> bool:
         At least one trajectory cuts.
     """
     x, y, z = toolpath.points.T
-    if np.ptp(y[:100]) > 0 or np.ptp(y) > 0:  # most toolpaths move in Y at once
+    if np.ptp(y) > 0:
         return False
     cuts = ~toolpath.rapid
     dx, dz = np.abs(np.diff(x)), np.diff(z)
