@@ -10,7 +10,7 @@ event had to wait, in parentheses the longest that FreeCAD worked meanwhile: the
 that came on top. Below stand how long FreeCAD alone holds the window for the longest path, the expected cost of the finest
 picture, the time until the job is checked, the verdict, and the pictures a second while the part is turned.
 FreeCAD's simulators show a finished part only at the end of their fast-forward, or of a play at their fastest. The slider of
-the OpenGL simulator is dragged before the play, and the line above its row tells how long one move of the mouse held the window. `VKWORKBENCH_PATIENCE` is how long each may take, s.
+the OpenGL simulator is dragged before the play, and the line above its row prints how long one move of the mouse blocked the window. `VKWORKBENCH_PATIENCE` is how long each may take, s.
 """
 
 from __future__ import annotations

@@ -66,7 +66,7 @@ def test_jobs_of_the_same_part_are_offered(small, second):
         set_previous_job(small.job, small.job)
 
 
-def test_change_of_the_first_side_makes_the_verdict_on_the_second_outdated(small, second):
+def test_change_of_first_side_outdates_verdict_on_second(small, second):
     set_previous_job(second, small.job)
     facts = vkworkbench.simulate(second).facts()
     vkworkbench.mark(vkworkbench.analyze(small.document).with_facts(facts))

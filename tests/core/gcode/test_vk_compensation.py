@@ -88,7 +88,7 @@ def test_compensation_that_is_not_followed_has_a_remark(text, name):
     assert codes(text) == [("compensation-not-read", name)]
 
 
-def test_path_is_the_programmed_one_where_compensation_ends_early():
+def test_programmed_path_is_kept_if_compensation_ends_early():
     text = "G41.1 D20 G1 X30 Y0\nX60\nY5\nX30\nX0 Y40"
     assert ends(text)[-3:] == [[60, 5], [30, 5], [0, 40]]
     assert ends("G41.1 D4 G1 X30 Y0\nX60\nG3 X60 Y2 I0 J1\nG1 X0")[-3:] == [[60, 0], [60, 2], [0, 2]]

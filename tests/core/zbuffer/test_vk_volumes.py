@@ -42,7 +42,7 @@ def test_volume_of_slots_in_a_sheet_is_within_its_error(diameter, slope):
     assert measured.depths[[1, 5]] == pytest.approx(1.5) and measured.depths[3] == 0
 
 
-def test_slope_that_is_mostly_beside_the_stock_is_measured_finely():
+def test_slope_mostly_beside_the_stock_is_measured_finely():
     """A slope of 352 mm, of which only the first 7 mm are in the stock. The volume is from a height map of 0.01 mm."""
     stock = Stock((0, 0, 0), (55.5, 276.7, 3.13558877))
     slope = path((0.785063, 122.320424, 8), (0.785063, 122.320424, 1.512902), (-338.219062, 219.931914, 0.313559))

@@ -2,7 +2,7 @@
 """Recognize the dialect of a program, and texts that are not G-code for a mill.
 
 `Dialect` lists what differs in a dialect: a new dialect is an entry in `dialect.py`. `dialect_of` finds it by the text,
-`refuse` and `check` refuse other controls' languages and texts that are no programs, and `Clues` collects the signs of
+`refuse` and `check` refuse other controls' languages and texts that are not programs, and `Clues` collects the signs of
 other machines.
 """
 
