@@ -133,9 +133,10 @@ def analyze(
         reports = with_travel(reports, whole, chosen.travel)
     verdicts = {}
     for (key, job), names in zip(jobs.items(), posted):
-        known_verdict = verdict_on(job, (known[name].fingerprint if name in known else "" for name in names))
-        if known_verdict is not None:
-            verdicts[key] = known_verdict
+        with suppress(ReferenceError):  # the job was deleted meanwhile, or its document closed
+            verdict = verdict_on(job, (known[name].fingerprint if name in known else "" for name in names))
+            if verdict is not None:
+                verdicts[key] = verdict
     return Report(tuple(reports), job_labels, chosen.budget, fixtures, verdicts=verdicts, simulator=chosen.simulator)
 
 
