@@ -275,7 +275,7 @@ def test_narrow_floating_panel_has_two_rows_of_plots(view, window):
         window.main.tabifyDockWidget(results, view.dock)
     view.dock.setFloating(False)
     view.dock.show()
-    window.wait(lambda: view.dock.width() > 1000)
+    window.wait(lambda: not view.dock.isFloating() and view.dock.isVisible())
 
 
 @pytest.mark.parametrize("pack", ["FreeCAD Dark", "FreeCAD Light"])

@@ -29,7 +29,7 @@ from vkworkbench.gui.qt.sentences import user
 from vkworkbench.gui.results import findings
 from vkworkbench.gui.results.columns import Column
 from vkworkbench.gui.tree.explanation import explanation
-from vkworkbench.language import render
+from vkworkbench.language import ROUGH, render
 
 OPENGL = freecad.version() >= (1, 0)
 
@@ -144,7 +144,7 @@ def test_columns_are_chosen_in_a_menu(panel, opened, window):
     assert all(column(panel, "Simulation Time").values())
     costs = [o.costs[freecad.own_simulator()] for o in vkworkbench.analyze(opened).operations]
     at_most = list(column(panel, "Simulation Time at Most").values())[1:]
-    assert at_most == [user().time(cost.seconds * cost.factor) for cost in costs]
+    assert at_most == [user().time(cost.seconds * cost.factor, ROUGH) for cost in costs]
     sizes = [(o.resolution.view.width, o.resolution.view.height) for o in vkworkbench.analyze(opened).operations]
     assert list(column(panel, "Recommended Image").values())[1:] == [
         f"{width:,} × {height:,}" for width, height in sizes
