@@ -1,10 +1,15 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The paper's extended z-buffer with traces: simulation, findings, and cost estimates.
 
-In: one or several `Cut` (a toolpath with its tool), a stock and a view.
-Out: `ZBuffer`, exact dexels and traces at any moment; `JobFacts`, the facts on each operation; `Estimate`, numbers of records, memory and
-time estimated from sampled rays; `Resolution`, the finest image within a budget; `OverBudget`, the error of a simulation that needs
-too much memory; `Speed`, the speed of this computer.
+The functions of this package receive one or several `Cut` objects (a toolpath with its tool), a stock and a view.
+The main results are:
+
+* `ZBuffer`: the exact dexels and traces at any moment of the simulation.
+* `JobFacts`: the facts on each operation.
+* `Estimate`: the number of records, the memory and the time, estimated from sampled rays.
+* `Resolution`: the finest image within a budget.
+* `OverBudget`: the error raised if a simulation needs too much memory.
+* `Speed`: the speed of this computer.
 """
 
 from vkworkbench.core.zbuffer.cost.axis_view import axis_view

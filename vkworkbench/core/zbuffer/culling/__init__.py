@@ -1,2 +1,2 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Which trajectories can cut which pixels."""
+"""Find the trajectories that can cut each pixel."""

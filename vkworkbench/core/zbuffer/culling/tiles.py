@@ -1,14 +1,17 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Find the trajectories that can cut each pixel, by hierarchical culling along time.
+"""Find the trajectories that can cut each pixel, by hierarchical culling in the order of time.
 
-Greene, Kass and Miller (Hierarchical z-buffer visibility, 1993) drop objects behind an object that covers a whole tile of the
-image. Here "behind" becomes "later": a trajectory removes nothing from a tile that earlier trajectories have opened as deep as it
-reaches. The image is divided into tiles, and tiles into quarters, down to a few pixels. Each tile has a list of trajectories in the
-order of the sequence; a trajectory that is dropped from a tile is also dropped from its quarters. Each step works on whole arrays of
-pairs of tile and trajectory, sorted by tile and time. The cost grows with the number of trajectories plus the number of cuts, and
-not with their product.
+Greene, Kass and Miller (Hierarchical z-buffer visibility, 1993) drop each object that is behind an object covering a
+whole tile of the image. This module replaces "behind" by "later": a trajectory removes nothing from a tile if earlier
+trajectories have opened the tile at least as deep as the trajectory reaches. The image is divided into tiles, and the
+tiles are divided into quarters repeatedly, down to a few pixels. Each tile has a list of trajectories in the order
+of the sequence. A trajectory that is dropped from a tile is also dropped from the tile's quarters. Each step computes
+with whole arrays of pairs of a tile and a trajectory, sorted by tile and then by time. The cost grows with the number
+of trajectories plus the number of cuts, and not with the product of the two numbers.
 
-Only pairs that remove nothing are dropped, so the pieces of all rays stay the same.
+A trajectory opens a ray to a depth if the trajectory removes the stock from the ray's near end to this depth. A
+trajectory opens a tile to a depth if the trajectory opens all rays of the tile to this depth. The culling drops only
+pairs that remove nothing, so the pieces of all rays stay the same.
 """
 
 from __future__ import annotations
@@ -22,69 +25,73 @@ import numpy as np
 from vkworkbench.core.zbuffer.rays.dexels import before_in_group
 from vkworkbench.core.zbuffer.sweeps.trajectories import Trajectories
 
-# Side of the largest tiles, pixels; a power of two.
+# Side of the largest tiles, pixels. The side must be a power of two, because tiles are halved.
 TILE = 64
-# Number of pairs of tile and trajectory in one step, so that they fit into the processor's cache.
+# Number of pairs of a tile and a trajectory in one batch. The arrays of a larger batch would not fit into the
+# processor's cache, and in a smaller batch the overhead of numpy's calls would dominate.
 PAIRS_AT_ONCE = 65536
-# Smallest excess of a reach over the opened depth, mm. A smaller excess is a rounding error.
+# Length, mm, by which a trajectory must reach beyond the opened depth of a tile to stay in the tile's list. With a
+# smaller length, rounding errors would keep trajectories that cut nothing. With a larger length, trajectories that
+# remove a thin layer would be dropped.
 NOISE = 1e-8
 
 
 class Bounds(Protocol):
-    """Bounds of the depth that a trajectory cuts in a tile, for one kind of view."""
+    """Bounds of the depths that trajectories cut in tiles, for one type of view (vertical or oblique)."""
 
     @property
     def slow(self) -> np.ndarray:
-        """(m,) bool ndarray : trajectories for which a bound is as slow as the swept surface itself."""
+        """Whether the bounds of each trajectory take as long to compute as its swept surface, (m,) bool."""
 
     def quarters(
         self, column: np.ndarray, row: np.ndarray, tile: np.ndarray, item: np.ndarray, child: int
     ) -> Iterator[np.ndarray]:
-        """Find the pairs that may cut each quarter of the tiles.
+        """Find the pairs of a tile and a trajectory that can cut each quarter of the tiles.
 
         Parameters
         ----------
         column, row : (t,) ndarray of int
-            First pixel of each tile.
+            Column and row of each tile's first pixel.
         tile, item : (p,) ndarray of int
-            The pairs, sorted by tile and time.
+            The pairs: the number of the tile, and the trajectory's position in `Trajectories.index`. The pairs are
+            sorted by tile and then by time.
         child : int
             Side of a quarter, pixels.
 
         Yields
         ------
         (k,) int64
-            Positions of the remaining pairs, for each quarter in the order of `QUARTERS`.
+            Positions of the pairs that can cut the quarter. The quarters have the order of `QUARTERS`.
         """
 
     def removals(self, tiles: Tiles, tile: np.ndarray, near: np.ndarray, far: np.ndarray) -> Removals:
-        """Find the intervals that trajectories may remove from the rays of small tiles.
+        """Find the intervals that trajectories can remove from the rays of small tiles.
 
         Parameters
         ----------
         tiles : Tiles
         tile : (p,) ndarray of int
-            Tile of each pair.
+            Tile of each pair in `tiles`.
         near, far : (side * side, t) ndarray
-            Beginning and end of the stock on the rays of the tiles' pixels, row by row; ``near > far`` for rays that miss
-            the stock.
+            Depths at which the rays of the tiles' pixels enter and leave the stock, row by row; ``near > far`` for rays
+            that miss the stock.
         """
 
 
-# Column and row of the quarters of a tile.
+# Column and row of each quarter of a tile, in units of the quarter's side.
 QUARTERS = ((0, 0), (1, 0), (0, 1), (1, 1))
 
 
 class Removals(NamedTuple):
-    """Intervals that may be removed from rays, sorted by ray and time.
+    """Intervals that trajectories can remove from rays, sorted by ray and then by time.
 
     Attributes
     ----------
     hit : (k,) int64
-        Positions in the matrix (pixels of a tile, pairs), row by row.
+        Positions of the intervals in the matrix (pixels of a tile, pairs), counted row by row.
     enter, leave : (k,) ndarray
-        Ends of the intervals, inside the rays, mm. If `enter` is None, all intervals begin at the near end of their rays, and
-        each is deeper than the previous ones.
+        Ends of the intervals, clipped to the stock, mm. If `enter` is None, all intervals begin at the near end of
+        their rays, and each interval ends deeper than the previous intervals of its ray.
     """
 
     hit: np.ndarray
@@ -94,18 +101,18 @@ class Removals(NamedTuple):
 
 @dataclass(frozen=True, eq=False)
 class Tiles:
-    """Square tiles of the image, each with a list of trajectories that may cut it.
+    """Square tiles of the image, each with a list of the trajectories that can cut the tile.
 
     Attributes
     ----------
     side : int
         Side of the tiles, pixels.
     column, row : (t,) int64
-        First pixel of each tile.
+        Column and row of each tile's first pixel.
     first : (t + 1,) int64
-        Beginning of each tile's list.
+        Position in `item` at which each tile's list begins; the last entry is the end of the last list.
     item : (p,) int64
-        The lists: positions in `Trajectories.index`, ascending.
+        The lists of all tiles, one after the other: positions in `Trajectories.index`, ascending within a list.
     """
 
     side: int
@@ -115,12 +122,12 @@ class Tiles:
     item: np.ndarray
 
     def pixels(self) -> tuple[np.ndarray, np.ndarray]:
-        """Return columns and rows (side, t) of the tiles' pixels."""
+        """Return the columns (side, t) and the rows (side, t) of the tiles' pixels."""
         inner = np.arange(self.side)[:, None]
         return self.column + inner, self.row + inner
 
     def selected(self, chosen: np.ndarray) -> Tiles:
-        """Return the tiles selected by a mask (t,) bool."""
+        """Return the tiles that the mask `chosen` (t,) bool selects."""
         if chosen.all():
             return self
         count = np.diff(self.first)
@@ -128,14 +135,14 @@ class Tiles:
         return Tiles(self.side, self.column[chosen], self.row[chosen], first, self.item[np.repeat(chosen, count)])
 
     def part(self, begin: int, end: int) -> Tiles:
-        """Return the tiles begin .. end - 1."""
+        """Return the tiles from number `begin` to number `end` - 1."""
         first = self.first[begin : end + 1]
         return Tiles(
             self.side, self.column[begin:end], self.row[begin:end], first - first[0], self.item[first[0] : first[-1]]
         )
 
     def blocks(self, pairs: int) -> Iterator[Tiles]:
-        """Yield parts with at most `pairs` pairs, or a single tile."""
+        """Yield parts that have at most `pairs` pairs, or that are a single tile with more pairs."""
         begin = 0
         while begin < len(self.column):
             end = int(np.searchsorted(self.first, self.first[begin] + pairs, side="right")) - 1
@@ -145,7 +152,7 @@ class Tiles:
 
 
 class Region(NamedTuple):
-    """A part of the image, `TILE` rows high, made of tiles of the largest size (cut at the image's border).
+    """A part of the image that is `TILE` rows high and consists of largest tiles, which end at the image's border.
 
     Attributes
     ----------
@@ -162,21 +169,21 @@ class Region(NamedTuple):
 
 
 def small_tiles(trajectories: Trajectories, bounds: Bounds, region: Region) -> Iterator[tuple[Tiles, int]]:
-    """Yield the small tiles of a part of the image, with the trajectories that may cut them.
+    """Yield the small tiles of a part of the image, with the trajectories that can cut each tile.
 
     Parameters
     ----------
     trajectories : Trajectories
     bounds : Bounds
-        Bounds of the same view.
+        Bounds for the view of `trajectories`.
     region : Region
 
     Yields
     ------
     tiles : Tiles
-        Small tiles, each once; tiles that nothing cuts are left out.
+        Small tiles, each yielded once. Tiles that no trajectory can cut are not yielded.
     tested : int
-        Number of pairs of a tile or pixel and a trajectory that were tested for these tiles.
+        Number of pairs that were tested to find `tiles`: pairs of a tile or pixel and a trajectory.
     """
     left = np.arange(region.left, region.right, TILE)
     return divided(trajectories, bounds, first_tiles(trajectories, left, np.full(len(left), region.bottom)))
@@ -185,16 +192,17 @@ def small_tiles(trajectories: Trajectories, bounds: Bounds, region: Region) -> I
 def divided(
     trajectories: Trajectories, bounds: Bounds, tiles: Tiles, needed: Callable[[Tiles], Tiles] = lambda tiles: tiles
 ) -> Iterator[tuple[Tiles, int]]:
-    """Divide tiles, which may lie anywhere in the image, and yield the small tiles as `small_tiles` does.
+    """Divide tiles from any places of the image, and yield the small tiles as `small_tiles` does.
 
     Parameters
     ----------
     trajectories : Trajectories
     bounds : Bounds
-        Bounds of the same view.
+        Bounds for the view of `trajectories`.
     tiles : Tiles
     needed : callable, optional
-        Returns the needed part of tiles: some of the tiles, each with the first trajectories of its list. Called at each level.
+        Function that returns the part of the tiles that the caller needs: some of the tiles, each with the first
+        trajectories of its list. The function is called for the tiles of each size.
     """
     pending = [tiles]
     tested = 0
@@ -213,7 +221,7 @@ def divided(
 
 
 def are_small(tiles: Tiles, slow: np.ndarray) -> np.ndarray:
-    """Return whether cutting the pixels of each tile (t,) is faster than dividing the tile, see `Bounds.slow`."""
+    """Return whether cutting the pixels of a tile is faster than dividing the tile (`Bounds.slow`), (t,) bool."""
     if tiles.side != 4:
         return np.full(len(tiles.column), tiles.side < 4)
     running = np.append(0, np.cumsum(slow.take(tiles.item)))
@@ -222,7 +230,7 @@ def are_small(tiles: Tiles, slow: np.ndarray) -> np.ndarray:
 
 
 def first_tiles(trajectories: Trajectories, left: np.ndarray, bottom: np.ndarray) -> Tiles:
-    """Return the largest tiles with first pixels at `left`, `bottom` (t,), and all trajectories that pass through them."""
+    """Return the largest tiles with first pixels at `left`, `bottom` (t,), and the trajectories that can meet them."""
     frame = trajectories.frame
     x0, y0 = frame.pixel_centres(left, bottom)
     x1, y1 = frame.pixel_centres(np.minimum(left + TILE, frame.width) - 1, np.minimum(bottom + TILE, frame.height) - 1)
@@ -231,7 +239,7 @@ def first_tiles(trajectories: Trajectories, left: np.ndarray, bottom: np.ndarray
 
 
 def quartered(trajectories: Trajectories, bounds: Bounds, tiles: Tiles) -> Tiles:
-    """Return the quarters of tiles, with the trajectories that may cut them, without quarters that nothing cuts."""
+    """Return the quarters of tiles that a trajectory can cut, each with the trajectories that can cut the quarter."""
     frame, side = trajectories.frame, tiles.side // 2
     tile = np.repeat(np.arange(len(tiles.column)), np.diff(tiles.first))
     columns, rows, counts, items = [], [], [], []
@@ -253,7 +261,7 @@ def quartered(trajectories: Trajectories, bounds: Bounds, tiles: Tiles) -> Tiles
 def deeper_pairs(
     tile: np.ndarray, start: np.ndarray, reach: np.ndarray, opens: np.ndarray, near: float, far: float
 ) -> np.ndarray:
-    """Return the positions of pairs that reach deeper than earlier pairs have opened their tile.
+    """Return the positions of the pairs that reach deeper than earlier pairs have opened the same tile.
 
     Parameters
     ----------
@@ -262,10 +270,11 @@ def deeper_pairs(
     start : (t,) ndarray of int
         First pair of each tile.
     reach, opens : (p,) ndarray
-        Largest depth that the trajectory reaches, and the depth to which it opens all rays of the tile from their near
-        end; -inf or NaN if it does not. Both are overwritten.
+        Largest depth that each pair's trajectory reaches in its tile, and the depth to which the trajectory opens all
+        rays of the tile from their near end. A `reach` of -inf or NaN means that the trajectory does not meet the tile,
+        and an `opens` of -inf or NaN means that the trajectory does not open the tile. Both arrays are overwritten.
     near, far : float
-        Smallest beginning and largest end of the tiles' rays.
+        Smallest depth at which a ray of the tiles enters the stock, and largest depth at which a ray leaves the stock.
     """
     stretch = far - near + 1
     np.minimum(np.fmax(opens, near, out=opens), far, out=opens)

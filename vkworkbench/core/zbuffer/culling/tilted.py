@@ -1,12 +1,13 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Bounds for oblique views: which trajectories can cut a tile.
+"""Find the trajectories that can cut a tile in an oblique view.
 
-The rays of a tile are the ray through its middle, moved sideways by up to half a tile. A larger tool, grown by this distance, removes
-from the middle ray at least what the tool removes from any ray of the tile. A smaller tool, shrunk by this distance, removes from the
-middle ray only what the tool removes from all rays of the tile.
+Each ray of a tile is the ray through the tile's middle, moved sideways by up to half a tile. A tool that is grown by
+this distance removes from the middle ray at least what the original tool removes from any ray of the tile. A tool that
+is shrunk by this distance removes from the middle ray only what the original tool removes from all rays of the tile.
 
-Depths of different rays are measured from a horizontal plane, so that a level floor has the same depth on all of them. If all tools
-are balls, which have no flat floor, and in views from the side, depths are measured from a plane perpendicular to the view.
+The depths of different rays are measured from a horizontal plane, so that a level floor has the same depth on all rays.
+If all tools are balls, which have no flat floor, or if the view is from the side, depths are measured from a plane
+perpendicular to the view.
 """
 
 from __future__ import annotations
@@ -25,9 +26,14 @@ from vkworkbench.core.zbuffer.rays.dexels import THINNEST, before_in_group, begi
 from vkworkbench.core.zbuffer.sweeps.slots import ROUNDING
 from vkworkbench.core.zbuffer.sweeps.trajectories import Trajectories
 
-# Smallest cosine of the view's tilt at which depths are measured from a horizontal plane.
+# Largest absolute cosine of the view's tilt from the vertical at which depths are measured from a plane perpendicular
+# to the view. With a smaller limit, the bounds would be useless in views from the side, because the larger and the
+# smaller tool would differ too much from the original tool. With a larger limit, a level floor would have different
+# depths on the rays of a tile in more views, which makes the bounds less tight.
 _LEVEL = 0.3
-# Margin by which the smaller tool is shrunk further, mm, because rounding decides whether a ray touches a surface.
+# Margin by which the smaller tool is shrunk further, mm. With a smaller margin, rounding would decide whether a ray
+# that touches a surface is removed, so the smaller tool could remove too much. With a larger margin, the bounds would
+# drop fewer trajectories.
 _LESS = 1e-6
 
 
@@ -68,7 +74,8 @@ class Tilted:
         pixels, item = tiles.side**2, tiles.item
         px, py = x.take(tile, axis=1)[None], y.take(tile, axis=1)[:, None]
         enter, leave = self.trajectories.intervals(px, py, item)
-        # On the rim of a sweep, rounding must decide in the same way as for single rays. Most tiles lie inside the rim as a whole.
+        # For a ray on the rim of a sweep, rounding must decide exactly as it does for single rays, so `passing` is
+        # computed. Most tiles are completely inside the rim and are skipped here.
         corners = self.trajectories.passing(px[:, [0, -1]], py[[0, -1]], item)
         doubtful = np.flatnonzero(~corners.all(axis=(0, 1)))
         passing = self.trajectories.passing(px[..., doubtful], py[..., doubtful], item[doubtful])
@@ -79,16 +86,18 @@ class Tilted:
 
 
 class _TileChords:
-    """Bounds of the depths at which all rays of a tile enter and leave the stock.
+    """Bounds of the depths at which the rays of a tile enter and leave the stock.
 
-    `shear` is the change of the depth's origin per mm down the image; 0 for a plane perpendicular to the view.
+    Depths are measured from a plane. `shear` is the change of the plane's depth per mm down the image; `shear` is 0 for
+    a plane perpendicular to the view.
     """
 
     def __init__(self, stock: Solid, frame: Frame, shear: float) -> None:
         slope = stock.normals @ frame.direction
         room = stock.offsets - stock.normals @ frame.centre
         right, up = stock.normals @ frame.right, stock.normals @ frame.up
-        # Constant and gradient of the depth at which a ray meets each plane. Planes parallel to the rays do not bound the depth.
+        # The depth at which a ray meets each plane of the stock is a constant plus a gradient times the image
+        # coordinates. Planes parallel to the rays do not bound the depth.
         met = np.abs(slope) >= 1e-12
         self.entered, self.left = met & (slope < 0), met & (slope > 0)
         slope = np.where(met, slope, 1)
@@ -96,7 +105,10 @@ class _TileChords:
         self.shear = shear
 
     def over(self, x: np.ndarray, y: np.ndarray, reach: float) -> tuple[np.ndarray, np.ndarray]:
-        """Return the smallest and largest depth (t,) of the stock in squares around (x, y) (t,), `reach` mm to each side."""
+        """Return the smallest and the largest depth of the stock in squares of the image, two arrays (t,), mm.
+
+        The squares have their centres at (x, y), two arrays (t,), and extend `reach` mm to each side.
+        """
         near, far = np.full(len(x), -np.inf), np.full(len(x), np.inf)
         for constant, gx, gy in self.planes[:, self.entered].T:
             np.maximum(near, constant - (abs(gx) + abs(gy - self.shear)) * reach + gx * x + gy * y, out=near)
@@ -106,30 +118,34 @@ class _TileChords:
 
 
 class _Bound(Tool):
-    """A tool that bounds another tool. Its size is not checked, because it may be larger than any real tool."""
+    """A tool that bounds another tool. The size is not checked, because a bound can be larger than any allowed tool."""
 
     def __post_init__(self) -> None:
         pass
 
 
 class _Growth:
-    """Larger and smaller tools that bound a tool for all rays of a tile."""
+    """The larger and the smaller tool that bound a given tool for all rays of a tile."""
 
     def __init__(self, tool: Tool, level: bool, sine: float, cosine: float) -> None:
         self.tool, self.level, self.sine, self.cosine = tool, level, sine, cosine
         self.ball = tool.rounding == tool.radius
-        # A bull-nose is bounded by two flat ends. Their floors are moved by the tolerance that `sweeps` uses for a bull-nose.
+        # A bull-nose is bounded by two flat ends. The floor of each flat end is raised by ROUNDING, because `sweeps`
+        # lowers flat floors by this length but not the floor of a bull-nose.
         self.flat = ROUNDING if 0 < tool.rounding < tool.radius else 0.0
 
     def _offsets(self, reach: float) -> tuple[float, float]:
-        """Return the largest offset of rays up to `reach` mm from the middle ray: horizontally, and in space, mm."""
+        """Return the largest distance of a tile's rays from the middle ray: horizontally and in space, mm.
+
+        In the image, the rays are up to `reach` mm to each side of the middle ray.
+        """
         if self.level:
             aside = reach * hypot(1, 1 / self.cosine)
             return aside, aside if self.ball else 0.0
         return reach * hypot(1, self.cosine), reach * sqrt(2)
 
     def grown(self, reach: float) -> tuple[Tool, float]:
-        """Return the larger tool, and the height of its tip over the tip of the tool, mm."""
+        """Return the larger tool, and the height of its tip above the tip of the original tool, mm."""
         aside, away = self._offsets(reach)
         tool = self.tool
         if self.ball:
@@ -140,7 +156,7 @@ class _Growth:
         return self._wider(aside), -lower
 
     def shrunk(self, reach: float) -> tuple[Tool | None, float]:
-        """Return the smaller tool, or None if nothing remains, and the height of its tip over the tip of the tool, mm."""
+        """Return the smaller tool (None if nothing remains), and the height of its tip above the original tip, mm."""
         aside, away = self._offsets(reach)
         tool = self.tool
         aside, away = aside + _LESS, away + (0 if self.level and not self.ball else _LESS)
@@ -151,11 +167,11 @@ class _Growth:
             return _Bound("endmill", diameter), self.flat + away
         if self.ball:
             return _Bound("ballend", diameter), away
-        # If the tip disappears, the smaller cone begins above it.
+        # If the flat tip disappears, the smaller cone begins above the original tip.
         return self._wider(-aside), away + tool.steepness * max(aside - tool.tip, 0.0)
 
     def _wider(self, aside: float) -> Tool:
-        """Return the end mill or cone with its radius and the radius of its tip increased by `aside`, mm."""
+        """Return an end mill or cone whose radius and tip radius are larger by `aside`, mm."""
         tool = self.tool
         tip = max(tool.tip + aside, 0.0) if tool.steepness else 0.0
         return _Bound(tool.shape, tool.diameter + 2 * aside, tool.corner_radius, tool.tip_angle, 2 * tip)
@@ -170,29 +186,30 @@ def _not_yet_open(
     near: np.ndarray,
     far: np.ndarray,
 ) -> np.ndarray:
-    """Return the positions of pairs that reach beyond the depths that earlier pairs have opened from either end of the rays.
+    """Return the positions of the pairs that cut between the depths opened from both ends of the rays.
 
     Parameters
     ----------
     tile : (p,) ndarray of int
         Tile of each pair, ascending.
     enter, leave : (p,) ndarray
-        Depths between which the trajectory can cut rays of the tile, mm.
+        Depths between which the pair's trajectory can cut rays of the tile, mm.
     all_enter, all_leave : (p,) ndarray
-        Depths between which the trajectory opens all rays of the tile, mm; ``all_enter > all_leave`` for none.
+        Depths between which the pair's trajectory opens all rays of the tile, mm. If ``all_enter > all_leave``, no
+        depth is open on all rays.
     near, far : (t,) ndarray
-        Bounds of the stock in each tile, mm.
+        Smallest and largest depth of the stock in each tile, mm.
     """
     if len(tile) == 0:
         return tile
     start = beginnings(tile)
     near, far = near.take(tile), far.take(tile)
-    # The offset of each tile is large enough that a running extreme starts again in each tile.
+    # The offset of each tile is so large that the running maxima and minima start anew in each tile.
     offset = tile * (far.max() - near.min() + 1)
     holds = all_enter <= all_leave
     all_enter, all_leave = np.maximum(all_enter, near), np.minimum(all_leave, far)
     open_near, open_far = near, far
-    for _ in range(2):  # twice: the second pass also joins intervals to the gap that the first pass has found
+    for _ in range(2):  # the second pass also joins intervals that touch the gap found by the first pass
         opens = np.where(holds & (all_enter <= open_near), all_leave, near) + offset
         open_near = before_in_group(np.maximum.accumulate(opens), start, (near + offset)[start]) - offset
         opens = np.where(holds & (all_leave >= open_far), all_enter, far) - offset

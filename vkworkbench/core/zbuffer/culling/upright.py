@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Bounds for views from above and below: how deep trajectories reach in a tile, and how deep they open all rays of the tile.
+"""Find the trajectories that can cut a tile in a view from above or below.
 
-Every ray is vertical, so depth is height, and a tool opens a ray upwards from the surface of its end. Therefore views from above
-and from below have the same bounds.
+For each pair of a tile and a trajectory, the bounds are the largest depth that the trajectory reaches in the tile, and
+the depth to which the trajectory opens all rays of the tile. Every ray is vertical, so a depth is a height, and a tool
+opens a ray upwards from the lower surface of the tool. Therefore views from above and from below have the same bounds.
 """
 
 from __future__ import annotations
@@ -19,9 +20,13 @@ from vkworkbench.core.zbuffer.rays.opening import opening
 from vkworkbench.core.zbuffer.sweeps.intervals import lowest
 from vkworkbench.core.zbuffer.sweeps.trajectories import Trajectories
 
-# Margin of a squared distance for rounding errors at the tool's rim, mm^2.
+# Margin for comparing a squared distance with the tool's squared radius, mm^2. With a smaller margin, a rounding
+# error at the rim could drop a trajectory that cuts the tile. With a larger margin, more trajectories that miss the
+# tile would stay in the tile's list.
 _RIM = 1e-9
-# Distance from the rim of a sweep, mm, below which `Trajectories.passing` decides whether a ray is inside.
+# Distance from the rim of a sweep, mm, below which `Trajectories.passing` decides whether a ray is inside the sweep.
+# With a smaller distance, rounding could decide differently for a ray of a tile than for the same ray alone. With a
+# larger distance, more rays would need this additional test.
 _RIM_LENGTH = 1e-4
 
 
@@ -32,7 +37,7 @@ class Upright:
         self.trajectories, self.frame, self.cosine = trajectories, trajectories.frame, trajectories.cosine
         (x, y, z), (mx, my, _) = trajectories.start, trajectories.move
         ux, uy, run, slope = trajectories.heading
-        # Position of the middle, direction, half the length, and depth of the middle of each move.
+        # For each move: x and y of the middle, direction, half the length in the plane, and depth of the middle.
         self.measures = (x + mx / 2, y + my / 2, ux, uy, run / 2, -(z + slope * run / 2))
         self.slope, self.slow = slope, slope != 0
         half = (trajectories.stock.upper[2] - trajectories.stock.lower[2]) / 2
@@ -77,14 +82,17 @@ class Upright:
         return Removals(hit, np.maximum(-depth.ravel()[hit], near[ray]), far[ray])
 
     def _opened_depths(self, x: np.ndarray, y: np.ndarray, item: np.ndarray) -> np.ndarray:
-        """Return the depths (pixels of a tile, p) to which pairs open rays, for columns x (1, side, p) and rows y (side, 1, p)."""
+        """Return the depths (pixels of a tile, p), mm, to which pairs of a tile and a trajectory open the tile's rays.
+
+        The columns of the pixels are at `x` (1, side, p), and their rows are at `y` (side, 1, p).
+        """
         trajectories = self.trajectories
         start, heading = trajectories.start.take(item, axis=1), trajectories.heading.take(item, axis=1)
         depth = np.empty((len(y), x.shape[1], len(item)))
         for tool, own in trajectories.by_tool(item):
             px, py = x[..., own], y[..., own]
             height, inner = lowest(tool, start[:, own], heading[:, own], px, self.cosine * py)
-            # On the rim of a sweep, rounding must decide in the same way as for single rays.
+            # For a ray on the rim of a sweep, rounding must decide exactly as it does for single rays.
             at = np.flatnonzero((inner < _RIM_LENGTH) & (inner >= 0))
             if len(at):
                 rim = row, column, pair = np.unravel_index(at, inner.shape)
@@ -94,19 +102,19 @@ class Upright:
         return depth.reshape(-1, len(item))
 
     def _kinds(self, item: np.ndarray) -> Iterator[tuple[Tool, bool, slice | np.ndarray]]:
-        """Yield each tool, whether its moves are level, and the positions of its items."""
+        """Yield each tool, whether the moves of the group are level, and the positions of the group in `item`."""
         return ((*self.trajectories.kinds[number], own) for number, own in self.trajectories.by_kind(item))
 
 
 class Slopes:
-    """Slopes of moves, and quantities derived from the slopes.
+    """The slopes of moves, and quantities computed from the slopes.
 
     Attributes
     ----------
     slope, steepness, secant : (p,) ndarray
-        Rise per mm in the plane, signed and absolute; length of the move per mm in the plane.
+        Signed rise and absolute rise per mm in the xy plane, and length of the move per mm in the xy plane.
     lean : (p,) ndarray
-        Position along the move, from the ball's axis, at which the swept surface is lowest, in radii; signed.
+        Signed position along the move at which a ball of radius 1 is lowest above a point on the line of the move.
     """
 
     def __init__(self, slope: np.ndarray) -> None:
@@ -116,16 +124,16 @@ class Slopes:
 
 
 class Squares(NamedTuple):
-    """Pairs of a square of the image and a move, relative to the move.
+    """Pairs of a square of the image and a move, with positions relative to the move.
 
     Attributes
     ----------
     along, aside : (p,) ndarray
-        Middle of the square from the middle of the move, along the move and across, mm.
+        Position of the square's middle relative to the move's middle, along and perpendicular to the move, mm.
     extent : (p,) ndarray
-        Half the side of the square that encloses the given square and is parallel to the move, mm.
+        Half the side, mm, of a square that encloses the given square and has sides parallel to the move.
     half_run : (p,) ndarray
-        Half the length of the move in the plane, mm.
+        Half the length of the move in the xy plane, mm.
     depth : (p,) ndarray
         Depth of the middle of the move, mm.
     """
@@ -140,7 +148,7 @@ class Squares(NamedTuple):
 def _bounds_by_kind(
     kinds: Sequence[tuple[Tool, slice | np.ndarray, Slopes | None]], squares: Squares
 ) -> tuple[np.ndarray, np.ndarray]:
-    """Compute `bounds` for pairs of several kinds."""
+    """Compute `bounds` for pairs with several kinds of trajectories (tool, level or sloped)."""
     if len(kinds) == 1:
         tool, _, slopes = kinds[0]
         return bounds(tool, slopes, squares)
@@ -151,7 +159,10 @@ def _bounds_by_kind(
 
 
 def bounds(tool: Tool, slopes: Slopes | None, squares: Squares) -> tuple[np.ndarray, np.ndarray]:
-    """Bound the depths that moves reach in squares from above, and the depths to which they open all of a square from below.
+    """Return bounds of the depths that moves cut in squares of the image.
+
+    `reaches` is an upper bound of the depth that a move reaches in the square. `opens` is a lower bound of the depth to
+    which the move opens every ray of the square.
 
     Parameters
     ----------
@@ -164,7 +175,8 @@ def bounds(tool: Tool, slopes: Slopes | None, squares: Squares) -> tuple[np.ndar
     Returns
     -------
     reaches, opens : (p,) ndarray
-        mm; -inf or NaN if the move does not meet the square (`reaches`) or does not cover it (`opens`).
+        The bounds, mm; -inf or NaN if the move does not meet the square (`reaches`) or does not cover the square
+        (`opens`).
     """
     if tool.rounding == tool.radius:
         return _bounds_of_ball(tool.radius, slopes, squares)
@@ -197,9 +209,10 @@ def bounds(tool: Tool, slopes: Slopes | None, squares: Squares) -> tuple[np.ndar
 def _bounds_of_ball(radius: float, slopes: Slopes | None, squares: Squares) -> tuple[np.ndarray, np.ndarray]:
     """Compute `bounds` for a ball.
 
-    The swept volume of a ball is convex. Its lowest height in the square is bounded by the height at the inner side of the square
-    for a move that is longer by the square. Its highest height is at a corner of the outer side. Square roots are NaN where the
-    ball misses.
+    The swept volume of a ball is convex. Therefore the largest height of the volume's lower surface in the square is at
+    a corner of the outer side, which is the side farther from the line of the move. A lower bound of the height is the
+    height at the inner side for a move that is lengthened by the size of the square. Square roots are NaN where the
+    ball misses the square.
     """
     along, aside, extent, half_run, depth = squares
     aside = np.abs(aside)
@@ -209,7 +222,10 @@ def _bounds_of_ball(radius: float, slopes: Slopes | None, squares: Squares) -> t
     depth = depth - radius
 
     def depths(chord2: np.ndarray, begin: np.ndarray, end: np.ndarray) -> np.ndarray:
-        """Return the depths of the ball where its half chord has this square, with its axis between `begin` and `end` (overwritten)."""
+        """Return the depths of the ball's surface where the squared half chord of the ball is `chord2`.
+
+        The ball's axis is between `begin` and `end`; both arrays are overwritten.
+        """
         if slopes is None:
             at = np.maximum(begin, 0, out=begin)
         else:
@@ -255,15 +271,15 @@ def _deepest_reach(
     slopes : Slopes
     squares : Squares
     inner, inner2 : (p,) ndarray
-        Smallest distance of the square from the line of the move, mm, and its square.
+        Smallest distance from the square to the line of the move, mm, and the squared distance, mm^2.
     nearest2 : (p,) ndarray
-        Square of the smallest distance of the square from the move, mm^2.
+        Squared smallest distance from the square to the move, mm^2.
     """
     along, _, extent, half_run, _ = squares
     flat, corner = tool.radius - tool.rounding, tool.rounding
     slope = slopes.slope
-    # Heights are measured from the lower end of the square. The tool's axis is at most half a chord of the tool away from it,
-    # and not beyond the end of the move.
+    # Heights are measured from the lower end of the square. The tool's axis is at most half a chord of the tool away
+    # from the square, and not beyond the end of the move.
     half = _root(tool.radius**2 - inner2)
     reach = half_run - extent
     first = np.maximum(-along - reach, -half)
@@ -272,7 +288,7 @@ def _deepest_reach(
     last *= slope
     lowest = np.minimum(first, last, out=first)
     lowest += _profile(tool, nearest2)
-    # The lowest height of the tool on an endless move is a second bound, which is better for long moves.
+    # A second bound is the lowest height of the tool on an endless move. The second bound is tighter for long moves.
     if tool.steepness == 0:
         endless = corner - _root(corner**2 - np.maximum(inner - flat, 0) ** 2) * slopes.secant
         endless -= slopes.steepness * flat
@@ -286,14 +302,16 @@ def _deepest_reach(
 
 
 def _least_opening(tool: Tool, slopes: Slopes, squares: Squares, outer: np.ndarray, outer2: np.ndarray) -> np.ndarray:
-    """Return the depth below the middle of each sloped move to which it opens all of the square, if it covers the square, mm.
+    """Return the depth, mm, below the middle of each sloped move to which the move opens all rays of the square.
 
-    `outer` and `outer2` (p,) are the largest distance of the square from the line of the move, mm, and its square.
+    The result is valid only if the move covers the square. `outer` (p,) is the largest distance from the square to the
+    line of the move, mm, and `outer2` (p,) is the squared distance, mm^2.
     """
     along, _, extent, half_run, _ = squares
     flat, corner = tool.radius - tool.rounding, tool.rounding
     slope, steepness = slopes.slope, slopes.steepness
-    # Above each point, the tool is placed close to its lowest position on the move. Any position gives a valid bound.
+    # For each point, the tool is placed near the position on the move at which the tool is lowest above the point.
+    # Every position gives a valid bound; the lowest position gives the tightest bound.
     if tool.steepness == 0:
         ahead = _root(corner**2 - np.maximum(outer - flat, 0.0) ** 2)
         ahead *= steepness
@@ -304,7 +322,7 @@ def _least_opening(tool: Tool, slopes: Slopes, squares: Squares, outer: np.ndarr
         ahead = np.maximum(steepness * outer / gentle, _root(tool.tip**2 - outer2))
         ahead = np.where(steepness < tool.steepness, ahead, np.inf)
         ahead = np.minimum(ahead, _root(tool.radius**2 - outer2))
-    # Stay inside the edge of the tool, so that rounding does not move the point outside.
+    # Shorten the distance slightly, so that rounding does not move the point outside of the tool.
     ahead *= 1 - 1e-9
     best = np.copysign(ahead, -slope, out=ahead)
     low, high = along - extent, along + extent
@@ -322,11 +340,11 @@ def _least_opening(tool: Tool, slopes: Slopes, squares: Squares, outer: np.ndarr
 
 
 def _root(square: np.ndarray) -> np.ndarray:
-    """Replace values by their square roots, and negative values by 0; return the array."""
+    """Replace values by their square roots, and negative values by 0, in place; return the array."""
     root: np.ndarray = np.sqrt(np.maximum(square, 0.0, out=square), out=square)
     return root
 
 
 def _profile(tool: Tool, distance2: np.ndarray) -> np.ndarray | float:
-    """Return `Tool.profile` at squared distances from the axis; 0 for a flat end, without computing."""
+    """Return `Tool.profile` at squared distances from the axis, or the number 0 for a flat end."""
     return tool.profile(np.sqrt(distance2)) if tool.rounding or tool.steepness else 0.0

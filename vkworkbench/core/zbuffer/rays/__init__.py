@@ -1,2 +1,2 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Rays: the pieces of each, the trajectory that removes each piece, and the records that store them."""
+"""Divide rays into pieces, find the trajectory that removes each piece, and store the pieces as records."""

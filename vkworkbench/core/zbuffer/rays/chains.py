@@ -1,9 +1,11 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Cut rays by connected intervals, without sorting depths.
 
-Consecutive trajectories usually touch the material that is removed already. While every interval of a ray meets the one gap that
-earlier intervals have made, the gap only grows, at its near end, its far end or both, and each growth is a piece. Two running
-extremes give all pieces of all such rays. Other rays are cut by `dexels.first_cuts`.
+Each trajectory removes an interval of a ray. Consecutive trajectories usually touch material that is already removed,
+so on most rays every interval touches or overlaps the gap that earlier intervals have cut. The gap of such a ray only
+grows, at its near end, at its far end or at both, and each growth is a piece. The running minimum of the entries and
+the running maximum of the exits give all pieces of a ray with one gap. Rays with several separate gaps are cut by
+`dexels.first_cuts`.
 """
 
 from __future__ import annotations
@@ -27,7 +29,7 @@ from vkworkbench.core.zbuffer.rays.records import GAP
 
 
 class _Intervals(NamedTuple):
-    """Intervals of rays, (m,) each: ray, trajectory, and the ends, mm."""
+    """Intervals that trajectories remove from rays: the ray, the trajectory, and both ends, mm, of each (m,)."""
 
     ray: np.ndarray
     trajectory: np.ndarray
@@ -49,20 +51,20 @@ def cut_rays(
     Parameters
     ----------
     near, far : (k,) ndarray
-        Ends of each ray's chord of the stock, mm; all rays with ``far - near > THINNEST``.
+        Depths at which each ray enters and leaves the stock, mm. Each ray must have ``far - near > THINNEST``.
     ray : (m,) ndarray of int
         Ray of each interval, ascending.
     trajectory : (m,) ndarray of int
         Trajectory of each interval, ascending within a ray.
     enter, leave : (m,) ndarray
-        Ends of each interval, mm.
+        Depths at which each interval begins and ends, mm.
     gaps : Gaps, optional
-        Gaps of the stock; their owner is `GAP`.
+        Gaps of the stock, which become pieces with the owner `GAP`.
 
     Returns
     -------
     Pieces
-        Including the pieces of rays that nothing cuts.
+        The pieces of all rays, including the rays that no trajectory cuts.
     """
     if gaps is not None and len(gaps.ray):
         ray, trajectory, enter, leave = _with_gaps_first(gaps, ray, trajectory, enter, leave)
@@ -74,18 +76,21 @@ def cut_rays(
 def removing_intervals(
     group: np.ndarray, enter: np.ndarray, leave: np.ndarray, near: np.ndarray, far: np.ndarray
 ) -> np.ndarray:
-    """Return the positions, row by row, of intervals that reach deeper than earlier ones have opened the ray from its near end.
+    """Return the intervals that end deeper than earlier intervals have opened the ray from its near end.
 
-    This excludes most trajectories that pass a ray.
+    The result contains positions in the matrix `enter`, counted row by row. Most trajectories that pass a ray are
+    excluded.
 
     Parameters
     ----------
     group : (p,) ndarray of int
-        Group of each interval, ascending. A group has the intervals of one ray of every row, in the order of the sequence.
+        Group of each interval, ascending. In each row, a group contains the intervals of one ray in the order of the
+        sequence.
     enter, leave : (q, p) ndarray
-        The intervals, mm; clipped to their rays in place. NaN, or ``enter > leave``, for no interval.
+        Ends of the intervals, mm. The function clips them to the stock in place. NaN, or ``enter > leave``: no
+        interval.
     near, far : (q, g) ndarray
-        Ends of the groups' rays, mm; ``near > far`` for rays that miss the stock.
+        Depths at which each group's rays enter and leave the stock, mm; ``near > far`` for rays that miss the stock.
     """
     nearest, farthest = near.min(initial=0, where=near < far), far.max(initial=0, where=near < far)
     first = np.where(near < far, near, farthest).take(group, axis=1)
@@ -93,7 +98,7 @@ def removing_intervals(
     np.minimum(leave, far.take(group, axis=1), out=leave)
     met = leave - enter > THINNEST
     opened = np.where(met & (enter <= first), leave, first)
-    # The offset of each group is large enough that a running maximum starts again in each group.
+    # The offset of each group is so large that the running maximum starts anew in each group.
     offset = group * (farthest - nearest + 1)
     opened += offset
     before = np.maximum.accumulate(opened, axis=1, out=opened)
@@ -105,12 +110,16 @@ def removing_intervals(
 def cut_by_removing(
     near: np.ndarray, far: np.ndarray, ray: np.ndarray, trajectory: np.ndarray, enter: np.ndarray, leave: np.ndarray
 ) -> Pieces:
-    """Cut rays by intervals that are longer than THINNEST and inside their rays, preferably filtered by `removing_intervals`."""
+    """Cut rays by intervals inside the stock that are longer than THINNEST.
+
+    The function is faster if `removing_intervals` has filtered the intervals.
+    """
     if not (enter > near.take(ray)).any():
         return _pieces_from_near_end(near, far, ray, trajectory, leave)
     offset = ray * (far.max() - near.min() + 1)
     start = beginnings(ray)
-    # The gap before each interval; for the first interval of a ray, the interval itself.
+    # open_near .. open_far is the gap that a ray has before each interval. For the first interval of a ray, the gap is
+    # the interval itself.
     rising, falling = leave + offset, enter - offset
     open_far = before_in_group(np.maximum.accumulate(rising), start, rising[start])
     open_near = before_in_group(np.minimum.accumulate(falling), start, falling[start])
@@ -123,7 +132,7 @@ def cut_by_removing(
     scattered[ray[apart]] = True
     loose = scattered[ray]
     tight = np.flatnonzero(~loose)
-    # Drop intervals inside the interval before them, which cut nothing, because sorting takes long.
+    # An interval inside the previous interval cuts nothing and is dropped, because sorting intervals takes long.
     loose[1:] &= (enter[1:] < enter[:-1]) | (leave[1:] > leave[:-1]) | first[1:]
     loose = np.flatnonzero(loose)
     rest, these = np.flatnonzero(~scattered), np.flatnonzero(scattered)
@@ -141,7 +150,7 @@ def cut_by_removing(
 
 
 def gaps_of(gaps: Gaps, rays: np.ndarray) -> Gaps:
-    """Return the gaps of some rays `rays` (k,), with rays renumbered by their position in `rays`."""
+    """Return the gaps of the rays `rays` (k,), with each ray renumbered by its position in `rays`."""
     if len(gaps.ray) == 0:
         return gaps
     first, end = np.searchsorted(gaps.ray, rays), np.searchsorted(gaps.ray, rays, side="right")
@@ -151,7 +160,7 @@ def gaps_of(gaps: Gaps, rays: np.ndarray) -> Gaps:
 
 
 def _with_gaps_first(gaps: Gaps, ray: np.ndarray, *others: np.ndarray) -> list[np.ndarray]:
-    """Return the intervals of rays, preceded by the gaps of the rays."""
+    """Return the columns of the intervals, with the gaps of each ray inserted before the intervals of the ray."""
     rays = np.concatenate((gaps.ray, ray))
     order = np.argsort(rays, kind="stable")
     columns = (np.full(len(gaps.ray), GAP), gaps.enter, gaps.leave)
@@ -161,7 +170,7 @@ def _with_gaps_first(gaps: Gaps, ray: np.ndarray, *others: np.ndarray) -> list[n
 def _pieces_from_near_end(
     near: np.ndarray, far: np.ndarray, ray: np.ndarray, trajectory: np.ndarray, leave: np.ndarray
 ) -> Pieces:
-    """Return the pieces of rays that are cut from their near end, by each interval to a greater depth."""
+    """Return the pieces of rays whose intervals begin at the near end, each ending deeper than the previous one."""
     end = near.copy()
     end[ray] = leave  # the last interval of each ray
     whole = end < far
@@ -173,7 +182,8 @@ def _pieces_from_near_end(
         np.empty(base[-1]),
         np.empty(base[-1]),
     )
-    # Number of pieces before an interval's piece: earlier intervals, and the uncut ends of earlier rays.
+    # The position of an interval's piece is the number of earlier intervals plus the number of earlier rays with an
+    # uncut end.
     at = np.arange(len(ray)) + (np.cumsum(whole) - whole).take(ray)
     pieces.owner[at], pieces.far[at] = trajectory, leave
     pieces.far[base[1:][whole] - 1] = far[whole]
@@ -191,10 +201,14 @@ def _pieces_of_growing_gaps(
     nearer: np.ndarray,
     farther: np.ndarray,
 ) -> Pieces:
-    """Return the pieces of rays with one gap each. The gap begins with the interval at `start` and grows `nearer` and `farther`."""
+    """Return the pieces of rays with one growing gap each.
+
+    The mask `start` (m,) selects the interval with which each ray's gap begins. The masks `nearer` and `farther` (m,)
+    select the intervals with which the gap grows at its near and at its far end.
+    """
     ray, trajectory, enter, leave = intervals
     rays = len(near)
-    # Each growth begins at the end of the previous growth, or of the first interval.
+    # Each growth begins where the previous growth, or the ray's first interval, ends.
     inner, outer = np.flatnonzero(nearer | start), np.flatnonzero(farther | start)
     growth = np.flatnonzero(nearer[inner])
     nearer, gap_near = inner[growth], enter[inner[growth - 1]]

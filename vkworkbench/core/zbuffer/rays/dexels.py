@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Divide rays into pieces: each piece is removed first by one trajectory, or is left.
+"""Divide rays into pieces. One trajectory removes each piece first, or the piece is left.
 
-A sequence of removals divides a ray's chord of the stock into pieces. A removed piece is an element of its trajectory's trace; a
-piece that is left is a dexel. A point belongs to the first trajectory that covers it. Therefore one sort of all ends of intervals
-gives all pieces of all rays, without a loop over the sequence.
+The trajectories of a sequence remove intervals, which divide the part of a ray inside the stock into pieces. A removed
+piece belongs to the trace of its trajectory; a piece that is left is a dexel. Each point of the ray belongs to the
+first trajectory that covers the point. Therefore sorting the ends of all intervals once gives all pieces of all rays,
+without a loop over the sequence.
 """
 
 from __future__ import annotations
@@ -12,10 +13,13 @@ from dataclasses import dataclass
 
 import numpy as np
 
-# Largest length of a piece that is joined to its neighbour as a rounding error, mm.
+# Largest length of a piece that is joined to a neighbouring piece, mm. A smaller length would turn rounding errors
+# into pieces, and a larger length would attribute thin layers of material to the wrong trajectory.
 THINNEST = 1e-4
-# Smallest difference by which a trajectory reaches deeper than another, mm. Smaller differences are rounding errors.
+# Length, mm, by which a trajectory must reach deeper than earlier trajectories to cut a ray. A smaller length would
+# count rounding errors as cuts, and a larger length would ignore real cuts.
 NO_DEEPER = 1e-7
+# Owner of a piece that no trajectory removes.
 UNCUT = np.iinfo(np.int32).max
 
 
@@ -52,13 +56,13 @@ def first_cuts(
     Parameters
     ----------
     near, far : (k,) ndarray
-        Ends of each ray's chord of the stock, mm; rays with ``far - near <= THINNEST`` have no pieces.
+        Depths at which each ray enters and leaves the stock, mm. Rays with ``far - near <= THINNEST`` have no pieces.
     ray : (m,) ndarray of int
         Ray of each interval.
     trajectory : (m,) ndarray of int
         Trajectory of each interval.
     enter, leave : (m,) ndarray
-        Ends of each interval, mm.
+        Depths at which each interval begins and ends, mm.
 
     Returns
     -------
@@ -69,7 +73,7 @@ def first_cuts(
     met = np.flatnonzero((leave - enter > THINNEST) & (far[ray] - near[ray] > THINNEST))
     ray, trajectory, enter, leave = ray[met], trajectory[met], enter[met], leave[met]
 
-    # Each ray gets its own stretch of one common axis, so that one sort orders everything.
+    # Each ray gets its own stretch of one common axis, so that one sort orders the ends of all intervals of all rays.
     base = near.min(initial=np.inf, where=far > near)
     stretch = (far.max(initial=-np.inf, where=far > near) - base) * 1.25 + 1 if len(stock) else 1.0
     place = np.concatenate(
@@ -94,7 +98,7 @@ def first_cuts(
 
 
 def beginnings(group: np.ndarray) -> np.ndarray:
-    """Return the positions at which runs of equal values (k,) begin."""
+    """Return the positions in `group` (k,) at which runs of equal values begin."""
     new = np.empty(len(group), bool)
     new[:1] = True
     np.not_equal(group[1:], group[:-1], out=new[1:])
@@ -102,7 +106,10 @@ def beginnings(group: np.ndarray) -> np.ndarray:
 
 
 def before_in_group(values: np.ndarray, start: np.ndarray, first: np.ndarray | float) -> np.ndarray:
-    """Return the predecessor of each element in its group. Groups begin at the positions `start` and get `first` there."""
+    """Return the previous value of each element in its group.
+
+    The groups begin at the positions `start`. The first element of a group gets the value `first`.
+    """
     before = np.empty_like(values)
     before[1:] = values[:-1]
     before[start] = first
@@ -110,16 +117,17 @@ def before_in_group(values: np.ndarray, start: np.ndarray, first: np.ndarray | f
 
 
 def _lowest_cover(slots: int, first: np.ndarray, last: np.ndarray, value: np.ndarray) -> np.ndarray:
-    """Return the lowest value of the ranges ``first <= slot < last`` that cover each slot.
+    """Return, for each slot, the lowest value of the ranges ``first <= slot < last`` that cover the slot.
 
-    A range is the union of two ranges whose length is a power of two. Values are entered at the level of this power and passed down
-    level by level: a sparse table for range minimum queries, used in reverse.
+    Each range is the union of two ranges whose length is the same power of two. A value is entered at the level of its
+    power and then passed down to the next lower power, level by level. The table is a sparse table for range minimum
+    queries, used in reverse.
     """
     cover = np.full(slots, UNCUT, np.int32)
     if len(first) == 0:
         return cover
     level = np.frexp(last - first)[1] - 1
-    # In descending order, so that the lowest of several values for a slot is written last.
+    # Sort the values of a level in descending order, so that the lowest of several values for a slot is written last.
     order = np.lexsort((-value, level))
     bounds = np.searchsorted(level[order], np.arange(level.max() + 2))
     for power in range(level.max(), -1, -1):
@@ -135,7 +143,7 @@ def _lowest_cover(slots: int, first: np.ndarray, last: np.ndarray, value: np.nda
 
 
 def _enter_lowest(target: np.ndarray, index: np.ndarray, value: np.ndarray) -> None:
-    """Set ``target[index]`` to the minimum of itself and value, also for repeated indices."""
+    """Set ``target[index]`` to the minimum of ``target[index]`` and `value`, also for repeated indices."""
     while len(index):
         lower = np.flatnonzero(value < target[index])
         index, value = index[lower], value[lower]
@@ -143,7 +151,7 @@ def _enter_lowest(target: np.ndarray, index: np.ndarray, value: np.ndarray) -> N
 
 
 def merged(pieces: Pieces) -> Pieces:
-    """Join neighbouring pieces of the same ray and owner."""
+    """Return the pieces, with neighbouring pieces joined if they have the same ray and the same owner."""
     new = np.ones(len(pieces.ray), bool)
     new[1:] = (pieces.ray[1:] != pieces.ray[:-1]) | (pieces.owner[1:] != pieces.owner[:-1])
     start = np.flatnonzero(new)
@@ -152,7 +160,10 @@ def merged(pieces: Pieces) -> Pieces:
 
 
 def without_thin(pieces: Pieces, near: np.ndarray, far: np.ndarray) -> Pieces:
-    """Join pieces up to THINNEST to their neighbours. The pieces still fill the rays' chords (near, far)."""
+    """Return the pieces, with each piece up to THINNEST long joined to a neighbour.
+
+    The pieces still fill each ray from `near` to `far`.
+    """
     thick = np.flatnonzero(pieces.far - pieces.near > THINNEST)
     if len(thick) == len(pieces.ray):
         return pieces
@@ -161,7 +172,7 @@ def without_thin(pieces: Pieces, near: np.ndarray, far: np.ndarray) -> Pieces:
 
 
 def _without_gaps(pieces: Pieces, near: np.ndarray, far: np.ndarray) -> Pieces:
-    """Extend each piece to the beginning of the next one, so that the pieces fill the rays' chords."""
+    """Extend each piece to the beginning of the next piece, so that the pieces fill each ray from `near` to `far`."""
     start, end = pieces.near.copy(), pieces.far.copy()
     if len(start):
         new = np.append(True, pieces.ray[1:] != pieces.ray[:-1])

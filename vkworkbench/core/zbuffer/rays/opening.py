@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Cut rays that are opened from one end, as in views from above and below.
+"""Cut rays that are opened from one end only, as in views from above and below.
 
-In these views a tool removes everything above its surface. An interval that reaches deeper than all earlier ones is a piece.
+In views from above and below, a tool removes all material above the tool's lower surface. Therefore an interval of a
+ray makes a piece if the interval reaches deeper than all earlier intervals.
 """
 
 from __future__ import annotations
@@ -12,22 +13,23 @@ from vkworkbench.core.zbuffer.rays.dexels import NO_DEEPER, THINNEST
 
 
 def opening(depth: np.ndarray, tile: np.ndarray, start: np.ndarray, near: np.ndarray, far: np.ndarray) -> np.ndarray:
-    """Return the positions, row by row, of pairs that open their ray deeper than all earlier pairs.
+    """Return the pairs that open their ray deeper than all earlier pairs, as positions in `depth`, row by row.
 
     Parameters
     ----------
     depth : (q, p) ndarray
-        Depth to which a trajectory opens a ray, mm; NaN if it does not. One row for each of the q pixels of a tile.
+        Depth to which a trajectory opens a ray, mm; NaN if the trajectory misses the ray. Each of the q pixels of a
+        tile has one row.
     tile : (p,) ndarray of int
-        Tile of each pair, ascending; within a tile in the order of the sequence.
+        Tile of each pair, ascending. The pairs of a tile have the order of the sequence.
     start : (t,) ndarray of int
         First pair of each tile.
     near, far : (q, t) ndarray
-        Ends of the rays, mm; ``near > far`` for rays that miss the stock.
+        Depths at which the rays enter and leave the stock, mm; ``near > far`` for rays that miss the stock.
     """
     deepest = float(np.fmax.reduce(depth, axis=None, initial=0.0))
     highest = float(near.min(initial=deepest))
-    # The offset of each tile is large enough that a running maximum starts again in each tile.
+    # The offset of each tile is so large that the running maximum starts anew in each tile.
     offset = tile * (deepest - highest + 1)
     first = np.where(near < far, near, deepest) + (THINNEST - NO_DEEPER) + offset[start]
     moved = depth + offset
@@ -44,27 +46,27 @@ def opening(depth: np.ndarray, tile: np.ndarray, start: np.ndarray, near: np.nda
 def opened(
     near: np.ndarray, far: np.ndarray, start: np.ndarray, owner: np.ndarray, leave: np.ndarray
 ) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
-    """Return the removed pieces of rays that are cut from their near end, by each trajectory to a greater depth.
+    """Return the removed pieces of rays that each trajectory opens deeper than the previous trajectory.
 
     Parameters
     ----------
     near, far : (k,) ndarray
-        Ends of the rays, mm; each ray is cut.
+        Depths at which the rays enter and leave the stock, mm. At least one trajectory must cut each ray.
     start : (k,) ndarray of int
-        First trajectory of each ray.
+        Position in `owner` of each ray's first trajectory.
     owner : (m,) ndarray of int
-        The trajectories.
+        The trajectories that cut the rays, sorted by ray.
     leave : (m,) ndarray
-        Depth to which each trajectory opens the ray, mm; may be overwritten.
+        Depth to which each trajectory opens its ray, mm. The function can overwrite the array.
 
     Returns
     -------
     count : (k,) int64
         Number of removed pieces of each ray.
     rest : (k,) bool
-        Whether a piece is left behind the removed pieces.
+        Whether material is left on the ray behind the removed pieces.
     end : (r,) ndarray
-        Ends of the removed pieces, mm.
+        Depths at which the removed pieces end, mm.
     owner : (r,) ndarray of int
         Trajectories that remove the pieces.
     """
@@ -78,7 +80,7 @@ def opened(
     np.greater(leave[1:] - leave[:-1], THINNEST, out=thick[1:])
     thick[start] = leave[start] - near > THINNEST
     if not thick.all():
-        # A thin piece is joined to the piece before it, which then ends where the next one begins.
+        # A thin piece is joined to the previous piece, which then ends where the next thick piece begins.
         kept = np.flatnonzero(thick)
         count = np.add.reduceat(thick, start, dtype=np.int64)
         last = np.cumsum(count) - 1

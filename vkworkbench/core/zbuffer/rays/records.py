@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The records of the extended z-buffer: the pieces of all rays, 8 bytes each.
+"""Store the pieces of all rays as records of 8 bytes each: the extended z-buffer.
 
-The pieces of a ray fill its chord of the stock. Each piece begins where the previous one ends, so only the first piece of a ray
-needs a stored beginning.
+The pieces of a ray fill the ray from the point where the ray enters the stock to the point where the ray leaves the
+stock. Each piece begins where the previous piece ends, so the records store a beginning only for the first piece of a
+ray.
 """
 
 from __future__ import annotations
@@ -13,36 +14,40 @@ from functools import cached_property
 
 import numpy as np
 
-# Records as returned to callers. Depths are along the view's direction, relative to the centre of the stock, mm.
+# Types of the dexels and traces that callers get. Depths are measured along the view's direction, relative to the
+# centre of the stock, mm.
 DEXEL = np.dtype([("near", np.float32), ("far", np.float32), ("pixel", np.uint32)])
 TRACE = np.dtype([("near", np.float32), ("far", np.float32), ("trajectory", np.uint32)])
-# Type of the first record of each pixel.
+# Type of the number of the first record of each pixel.
 INDEX = np.dtype(np.uint32)
-# Owner of a gap of the stock, which is empty from the start.
+# Owner of a gap of the stock: a piece that is empty before the first trajectory.
 GAP = -1
-# Memory of one piece and of one pixel, bytes.
+# Memory for one piece and for one pixel, bytes.
 RECORD_BYTES = 8
 PIXEL_BYTES = 8
-# Pieces in one step, which takes milliseconds. During most of numpy's functions no other thread runs.
+# Number of pieces in one batch. Most numpy functions hold the GIL, so a larger batch would stop all other threads for
+# longer than some milliseconds. In a smaller batch, the overhead of numpy's calls would dominate.
 _BLOCK = 1 << 17
 
 
 @dataclass(frozen=True, eq=False)
 class Records:
-    """The pieces of all rays of an image, sorted by pixel (row * width + column, row 0 below) and depth.
+    """The pieces of all rays of an image, sorted by pixel and then by depth.
+
+    A pixel has the number row * width + column; row 0 is at the bottom of the image.
 
     Attributes
     ----------
     trajectories : int
         Number of trajectories of the toolpath.
     index : (pixels + 1,) ndarray of INDEX
-        First piece of each pixel.
+        Number of the first piece of each pixel; the last entry is the number of all pieces.
     entry : (pixels,) float32
-        Depth at which the ray of each pixel enters the stock, mm; 0 for a ray that misses.
+        Depth at which the ray of each pixel enters the stock, mm; 0 for a ray that misses the stock.
     far : (p,) float32
-        End of each piece, mm.
+        Depth at which each piece ends, mm.
     owner : (p,) int32
-        Trajectory that removes the piece; `trajectories` for a piece that is left, `GAP` for a gap of the stock.
+        Trajectory that removes each piece; `trajectories` for a piece that is left, and `GAP` for a gap of the stock.
     """
 
     trajectories: int
@@ -53,30 +58,30 @@ class Records:
 
     @property
     def nbytes(self) -> int:
-        """Memory of the arrays, bytes."""
+        """Memory for the arrays, bytes."""
         return self.index.nbytes + self.entry.nbytes + self.far.nbytes + self.owner.nbytes
 
     @property
     def cut(self) -> np.ndarray:
-        """Which pieces a trajectory removes, (p,) bool."""
+        """Whether a trajectory removes each piece, (p,) bool."""
         result: np.ndarray = (self.owner != GAP) & (self.owner < self.trajectories)
         return result
 
     @cached_property
     def has_gaps(self) -> bool:
-        """Whether a ray leaves the stock and enters it again."""
+        """Whether at least one ray leaves the stock and enters the stock again."""
         return bool((self.owner == GAP).any())
 
     @cached_property
     def ends(self) -> np.ndarray:
-        """Depth at which the ray of each pixel finally leaves the stock, (pixels,) float32 mm; NaN for a ray that misses."""
+        """Depth at which each pixel's ray last leaves the stock, (pixels,) float32 mm; NaN if the ray misses."""
         ends = np.full(len(self.entry), np.nan, np.float32)
         met = np.flatnonzero(self.index[1:] > self.index[:-1])
         ends[met] = self.far[self.index[met + 1].astype(np.int64) - 1]
         return ends
 
     def blocks(self) -> Iterator[tuple[int, int, Records]]:
-        """Yield parts of the image small enough for one step: first pixel, first piece, and the records as views."""
+        """Yield the image in batches: the first pixel, the first piece, and the records of the batch as views."""
         pieces = np.arange(0, len(self.far), max(_BLOCK, self.trajectories // 4))
         pixels = np.unique(np.append(np.searchsorted(self.index[1:], pieces, side="right"), len(self.entry)))
         for pixel, end in zip(pixels[:-1].tolist(), pixels[1:].tolist()):
@@ -91,26 +96,27 @@ class Records:
     @cached_property
     def lengths(self) -> np.ndarray:
         """Total length that each trajectory removes from all rays, (trajectories,) float64 mm."""
-        total = np.zeros(self.trajectories + 2)  # the first entry is for gaps, the last for pieces that are left
+        total = np.zeros(self.trajectories + 2)  # the first entry is for gaps, the last entry for pieces that are left
         for _, _, block in self.blocks():
             total += np.bincount(block.owner - GAP, block.far.astype(float) - block.near(), len(total))
         return total[1:-1]
 
     def pieces_of(self, owners: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-        """Return the pieces that some trajectories remove, sorted by pixel and depth.
+        """Return the pieces that the selected trajectories remove, sorted by pixel and then by depth.
 
         Parameters
         ----------
         owners : (trajectories,) bool
-            Which trajectories.
+            Whether each trajectory is selected.
 
         Returns
         -------
         piece, pixel : (k,) int64
+            Number and pixel of each piece.
         near : (k,) float32
-            Beginning of each piece, mm.
+            Depth at which each piece begins, mm.
         """
-        wanted = np.append(owners, [False, False])  # for pieces that are left, and gaps
+        wanted = np.append(owners, [False, False])  # pieces that are left, and gaps, are not selected
         found = [(np.empty(0, np.int64), np.empty(0, np.int64), np.empty(0, np.float32))]
         for first_pixel, first_piece, block in self.blocks():
             own = np.flatnonzero(wanted[block.owner])
@@ -120,7 +126,7 @@ class Records:
         return piece, pixel, near
 
     def near(self) -> np.ndarray:
-        """Return the beginning of each piece, (p,) float32 mm."""
+        """Return the depth at which each piece begins, (p,) float32 mm."""
         near = np.empty_like(self.far)
         near[1:] = self.far[:-1]
         met = np.flatnonzero(self.index[1:] > self.index[:-1])
@@ -133,7 +139,7 @@ class Records:
         return np.repeat(np.arange(len(self.entry), dtype=np.uint32), index[1:] - index[:-1])
 
     def dexels(self, step: int) -> np.ndarray:
-        """Return the stock that is left after `step` trajectories: (d,) ndarray of DEXEL, sorted by pixel and depth."""
+        """Return the stock that is left after `step` trajectories, sorted by pixel and depth, (d,) ndarray of DEXEL."""
         left = self.owner >= step
         pixel = self.pixel()
         joined = np.zeros(len(left), bool)  # whether a piece continues the previous dexel
@@ -145,40 +151,42 @@ class Records:
         return dexels
 
     def traces(self) -> np.ndarray:
-        """Return the pieces that all trajectories remove: (m,) ndarray of TRACE, sorted by pixel and depth."""
+        """Return the pieces that all trajectories remove, sorted by pixel and depth, (m,) ndarray of TRACE."""
         cut = np.flatnonzero(self.cut)
         traces = np.empty(len(cut), TRACE)
         traces["near"], traces["far"], traces["trajectory"] = self.near()[cut], self.far[cut], self.owner[cut]
         return traces
 
     def trace_index(self) -> np.ndarray:
-        """Return the first element of each pixel in :meth:`traces`, (pixels + 1,) ndarray of INDEX."""
+        """Return the position in :meth:`traces` of each pixel's first element, (pixels + 1,) ndarray of INDEX."""
         before = np.append(0, np.cumsum(self.cut))
         result: np.ndarray = before[self.index].astype(INDEX)
         return result
 
 
-# Stretches that are searched at once.
+# Number of stretches that `first_not_below` searches in one batch. The arrays of a larger batch would not fit into
+# the processor's cache, and in a smaller batch the overhead of numpy's calls would dominate.
 _BLOCK = 1 << 14
 
 
 def first_not_below(values: np.ndarray, first: np.ndarray, end: np.ndarray, sought: np.ndarray | float) -> np.ndarray:
-    """Search ascending stretches ``values[first:end]`` of an array, by simultaneous binary searches.
+    """Find a value in each of several ascending stretches ``values[first:end]``, by simultaneous binary searches.
 
     Parameters
     ----------
     values : (p,) ndarray
     first, end : (k,) int64
-        Beginning and end of each stretch.
+        Position of the beginning and the end of each stretch.
     sought : (k,) ndarray or float
+        Value to find in each stretch.
 
     Returns
     -------
     (k,) int64
-        Position of the first value in each stretch that is not below `sought`; `end` without one.
+        Position of the first value in each stretch that is not less than `sought`; `end` if all values are less.
     """
     low = first.copy()
-    for begin in range(0, len(low), _BLOCK):  # blocks that fit into the cache of a processor
+    for begin in range(0, len(low), _BLOCK):
         part = slice(begin, begin + _BLOCK)
         own, own_end = low[part], end[part]
         own_sought = sought[part] if isinstance(sought, np.ndarray) else sought
@@ -191,10 +199,10 @@ def first_not_below(values: np.ndarray, first: np.ndarray, end: np.ndarray, soug
 
 
 def side_by_side(parts: Sequence[Records], height: int) -> Records:
-    """Join the records of an image's parts, from left to right; all parts have `height` rows."""
+    """Join the records of parts of an image, from left to right. Every part has `height` rows."""
     if len(parts) == 1:
         return parts[0]
-    # First pixel of each row in each part, and its first piece.
+    # For each part: the first pixel of each row, and the first piece of this pixel.
     pixels = [np.arange(height + 1) * (len(part.entry) // height) for part in parts]
     pieces = [part.index[own] for part, own in zip(parts, pixels)]
 
@@ -213,7 +221,7 @@ def side_by_side(parts: Sequence[Records], height: int) -> Records:
 
 
 class Writer:
-    """Collects records band by band, from the bottom of the image."""
+    """Collects the records of an image band by band, from the bottom of the image to the top."""
 
     def __init__(self, trajectories: int, pixels: int) -> None:
         self.trajectories = trajectories
@@ -223,7 +231,7 @@ class Writer:
         self.pixels = self.pieces = 0
 
     def append(self, band: Records) -> None:
-        """Add the pixels of the next band."""
+        """Add the records of the next band, directly above the previous band."""
         pixels, pieces = self.pixels + len(band.entry), self.pieces + len(band.far)
         if pieces > len(self.far):
             self._resize(pieces + pieces // 8)
@@ -233,11 +241,11 @@ class Writer:
         self.pixels, self.pieces = pixels, pieces
 
     def records(self) -> Records:
-        """Return the collected records."""
+        """Return the records of all collected bands."""
         self._resize(self.pieces)
         return Records(self.trajectories, self.index, self.entry, self.far, self.owner)
 
     def _resize(self, pieces: int) -> None:
-        # In place, because the system can move large arrays without a second copy.
+        # Resize in place, because the operating system can enlarge a large array without holding a second copy.
         self.far.resize(pieces, refcheck=False)
         self.owner.resize(pieces, refcheck=False)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Cut scattered rays by a whole toolpath, for estimates."""
+"""Cut scattered rays by a whole job, for estimates."""
 
 from __future__ import annotations
 
@@ -11,18 +11,24 @@ from vkworkbench.core.zbuffer.rays.chains import cut_rays, gaps_of
 from vkworkbench.core.zbuffer.rays.dexels import THINNEST, Pieces
 from vkworkbench.core.zbuffer.sweeps.trajectories import Trajectories
 
-# Number of neighbouring rays that are tested against a trajectory's bounding box together.
+# Number of neighbouring rays whose common rectangle is compared with the bounding boxes of trajectories. Smaller
+# groups would need more comparisons. Larger groups would have larger rectangles, which more trajectories meet without
+# meeting a ray.
 GROUP = 16
-# Largest number of pairs of ray and trajectory in memory, and in one step, so that they fit into the processor's cache.
+# `_PAIRS_HELD` is the largest number of pairs of a ray and a trajectory that are in memory together; this number
+# limits the memory. `_PAIRS_AT_ONCE` is the number of these pairs in one batch, whose arrays fit into the processor's
+# cache.
 _PAIRS_HELD = 1_000_000
 _PAIRS_AT_ONCE = 16_384
 
 
 class Removal(Trajectories):
-    """Trajectories prepared to cut scattered rays."""
+    """Trajectories that are prepared to cut scattered rays."""
 
     def cut(self, x: np.ndarray, y: np.ndarray) -> tuple[Pieces, np.ndarray]:
-        """Return the pieces of rays. Fastest if consecutive rays are neighbours in the image.
+        """Return the pieces of rays.
+
+        The method is fastest if consecutive rays are neighbours in the image.
 
         Parameters
         ----------
@@ -32,12 +38,12 @@ class Removal(Trajectories):
         Returns
         -------
         pieces : Pieces
-            The pieces; owners are numbers of trajectories, or `GAP`.
+            The pieces of the rays. The owner of a piece is the number of a trajectory, `UNCUT` or `GAP`.
         passes : (k,) int64
-            Number of trajectories that were tested with each ray.
+            Number of trajectories that were intersected with each ray.
         """
         near, far, gaps = self.spans(x, y)
-        # Rays beside the stock have no pieces.
+        # Rays that miss the stock have no pieces.
         inside = np.flatnonzero(far - near > THINNEST)
         passes = np.zeros(len(x), np.int64)
         x, y, near, far, gaps = x[inside], y[inside], near[inside], far[inside], gaps_of(gaps, inside)
@@ -52,9 +58,12 @@ class Removal(Trajectories):
         return Pieces(*(np.concatenate(columns) for columns in zip(*parts))), passes
 
     def _meetings(self, x: np.ndarray, y: np.ndarray) -> Iterator[tuple[int, int, np.ndarray, np.ndarray]]:
-        """Yield ranges of rays, as large as memory allows, with pairs of a group of rays and a trajectory that may meet."""
+        """Yield ranges of rays, and the pairs of a group of rays and a trajectory that can meet.
+
+        A range has as many rays as `_PAIRS_HELD` allows.
+        """
         groups = -(-len(x) // GROUP)
-        # The last group is filled up with copies of the last ray.
+        # The last group is padded with copies of the last ray.
         padded = np.minimum(np.arange(groups * GROUP), len(x) - 1).reshape(-1, GROUP)
         gx, gy = x[padded], y[padded]
         group, item = self.meeting(gx.min(axis=1), gx.max(axis=1), gy.min(axis=1), gy.max(axis=1))
@@ -70,8 +79,9 @@ class Removal(Trajectories):
     def _pairs(
         self, group: np.ndarray, item: np.ndarray, x: np.ndarray, y: np.ndarray
     ) -> tuple[np.ndarray, np.ndarray]:
-        """Return pairs of ray and trajectory that may meet, sorted by ray, then by trajectory."""
-        # One column for each group, so that numpy's inner loops run along the pairs. Columns are filled up with NaN.
+        """Return the pairs of a ray and a trajectory that can meet, sorted by ray and then by trajectory."""
+        # Each group has one column, so that numpy's inner loops run along the pairs. The last column is padded with
+        # NaN.
         gx, gy = np.full((2, -(-len(x) // GROUP) * GROUP), np.nan)
         gx[: len(x)], gy[: len(x)] = x, y
         gx, gy = gx.reshape(-1, GROUP).T, gy.reshape(-1, GROUP).T

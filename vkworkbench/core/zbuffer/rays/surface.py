@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The visible surface of the part at any moment of the simulation, without sorting again.
+"""Find the visible surface of the part at any moment of the simulation, without sorting the pieces again.
 
-At moment k, a ray meets its first piece from the eye that no trajectory before k removes. Only a piece with a greater owner than
-all pieces before it on the ray can become this piece. These prefix maxima ascend along the ray, so a binary search finds the piece
-for any k, forwards or backwards. The interval treap of Blasquez and Poiraudeau (2000) solves the same problem.
+At moment k, the visible piece of a ray is the piece nearest to the eye that no trajectory before k removes. A piece can
+become visible only if its owner is greater than the owners of all pieces in front of it. Owners with this property
+(the prefix maxima) ascend along the ray, so a binary search finds the visible piece for any k, whether the simulation
+runs forwards or backwards. The interval treap by Blasquez and Poiraudeau (2000) solves the same problem.
 """
 
 from __future__ import annotations
@@ -16,7 +17,7 @@ import numpy as np
 from vkworkbench.core.zbuffer.rays.dexels import beginnings
 from vkworkbench.core.zbuffer.rays.records import GAP, Records, first_not_below
 
-# Owner of a surface of the raw stock, and of a ray that meets nothing.
+# Owner of a surface of the raw stock. Rays that meet no material have the same owner.
 STOCK = GAP
 
 
@@ -27,11 +28,11 @@ class Picture:
     Attributes
     ----------
     step : int
-        The moment, in trajectories.
+        The moment: the number of trajectories that are already simulated.
     depth : (pixels,) float32
-        Depth of the surface along the view, mm; NaN for a ray that meets nothing.
+        Depth of the surface along the view's direction, mm; NaN for a ray that meets no material.
     owner : (pixels,) int32
-        Trajectory that made the surface, or `STOCK`.
+        Trajectory that cut the surface, or `STOCK`.
     """
 
     step: int
@@ -39,7 +40,9 @@ class Picture:
     owner: np.ndarray
 
 
-# Maxima in one step, which takes milliseconds, during which no other thread may run.
+# Smallest number of prefix maxima in one batch. Numpy holds the GIL for most of a batch, so a larger batch would stop
+# all other threads for longer than some milliseconds. In a smaller batch, the overhead of numpy's calls would
+# dominate.
 _BATCH = 1 << 17
 
 
@@ -56,11 +59,17 @@ class Surface:
         self._latest: Picture | None = None
 
     def prepare(self) -> None:
-        """Compute the tables that every moment needs. With many pieces this takes too long for a window's thread."""
+        """Compute the tables that every moment needs.
+
+        With many pieces, the computation takes too long for the thread of a window.
+        """
         self._by_owner  # noqa: B018 - cached
 
     def picture(self, step: int) -> Picture:
-        """Return the visible surface at a moment. Only pixels that differ from the previous call are computed."""
+        """Return the visible surface at a moment.
+
+        Only pixels that can differ from the previous call are computed, unless many pixels can differ.
+        """
         latest = self._latest
         if latest is not None and latest.step == step:
             return latest
@@ -76,17 +85,17 @@ class Surface:
         return latest
 
     def changed(self, step: int, other: int) -> np.ndarray:
-        """Return the pixels, ascending, that may differ between two moments."""
+        """Return the pixels, ascending, that can differ between two moments."""
         return np.unique(self._removed(step, other)).astype(np.int64)
 
     def _removed(self, step: int, other: int) -> np.ndarray:
-        """Return the pixels of pieces removed between two moments, with repetitions."""
+        """Return the pixels of the prefix maxima that are removed between two moments, with repetitions."""
         first, pixels = self._by_owner
         result: np.ndarray = pixels[first[min(step, other)] : first[max(step, other)]]
         return result
 
     def _seen(self, step: int, pixels: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        """Return depth and owner of the surface at some pixels, by simultaneous binary searches in their maxima."""
+        """Return the depth and the owner of the surface at some pixels, by binary searches in the prefix maxima."""
         records, (owners, pieces, first) = self.records, self._maxima
         end = first[pixels + 1]
         low = first_not_below(owners, first[pixels], end, step)
@@ -102,7 +111,7 @@ class Surface:
 
     @cached_property
     def _maxima(self) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-        """The prefix maxima along the rays: owners, pieces, and the first maximum of each pixel."""
+        """The prefix maxima along the rays: their owners, their pieces, and the first maximum of each pixel."""
         records = self.records
         first = np.zeros(len(records.entry) + 1, np.int64)
         owners, pieces = np.empty(len(records.far), np.int32), np.empty(len(records.far), np.uint32)
@@ -122,7 +131,10 @@ class Surface:
 
     @cached_property
     def _by_owner(self) -> tuple[np.ndarray, np.ndarray]:
-        """The first maximum of each owner, and the pixels of all maxima sorted by owner: a counting sort in parts."""
+        """The position of each owner's first pixel, and the pixels of all prefix maxima, sorted by owner.
+
+        The pixels are sorted by a counting sort in batches.
+        """
         owner, _, first = self._maxima
         count = np.zeros(self.records.trajectories + 1, np.int64)
         size = max(_BATCH, len(count) // 4)

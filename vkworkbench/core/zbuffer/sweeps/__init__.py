@@ -1,2 +1,2 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The volume that a tool sweeps: where a ray enters and leaves it."""
+"""Compute where a ray enters and leaves the volume that a tool sweeps along a move."""

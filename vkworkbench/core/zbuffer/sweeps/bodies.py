@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Parts of tools that do not cut, and sequences of moves in which they alternate with the tools."""
+"""Define the non-cutting parts of tools (bodies), and build sequences in which bodies and tools move alternately."""
 
 from __future__ import annotations
 
@@ -15,14 +15,14 @@ from vkworkbench.core.zbuffer.sweeps.cuts import Cut, Cuts
 
 @dataclass(frozen=True)
 class Body:
-    """A part of a tool that does not cut: an upright cylinder, unbounded upwards.
+    """A non-cutting part of a tool, modelled as an upright cylinder that is unbounded upwards.
 
     Attributes
     ----------
     radius : float
-        mm.
+        Radius of the cylinder, mm.
     bottom : float
-        Height of its lower end above the tool's tip, mm.
+        Height of the cylinder's lower end above the tool's tip, mm.
     """
 
     radius: float
@@ -36,9 +36,9 @@ class Moves(Cuts):
     ----------
     solids : sequence of Tool
     solid : (n,) int64
-        Solid of each move.
+        Index in `solids` of the solid that makes each move.
     start, end : (n, 3) float64
-        Ends of each move, mm.
+        Start and end point of each move, mm.
     """
 
     def __init__(self, solids: Sequence[Tool], solid: np.ndarray, start: np.ndarray, end: np.ndarray) -> None:
@@ -61,15 +61,16 @@ class Moves(Cuts):
 
 @dataclass(frozen=True, eq=False)
 class Alternation:
-    """The moves of tools, and among them the moves of their bodies.
+    """The moves of tools and of their bodies, in one sequence.
 
     Attributes
     ----------
     moves : Moves
+        The sequence of moves.
     trajectory : (n,) int64
-        Trajectory of the job that each move is, or is a part of.
+        Number of the job's trajectory from which each move is made.
     of_body : (n,) bool
-        Whether a move is the move of a body.
+        Whether a body makes the move.
     """
 
     moves: Moves
@@ -86,21 +87,22 @@ def alternate(
     parts: np.ndarray | int = 1,
     lifted: bool = False,
 ) -> Alternation:
-    """Return the moves of a job's tools, with the move of its body beside each move that carries one.
+    """Return the moves of a job's tools, with the body's move before or after each move that carries a body.
 
     Parameters
     ----------
     cuts : Cuts
+        The job.
     bodies : sequence of Body or None
-        Body of each cut's tool.
+        Body of each cut's tool; None if the tool has no body.
     carries : (n,) bool
-        Trajectories whose tool carries its body.
+        Whether the body moves along with the tool on each trajectory.
     body_first : bool
-        Whether the body moves before the tool, or after it.
+        True if the body moves before the tool, False if it moves after the tool.
     parts : (n,) int64 or int
         Number of equal parts into which each trajectory is divided.
     lifted : bool
-        Whether a body is lifted, during each part of a move, by the height by which the tool falls in this part.
+        Whether a body is raised in each part of a move by the height that the tool descends in the same part.
     """
     parts = np.broadcast_to(parts, len(cuts))
     trajectory = np.repeat(np.arange(len(cuts)), parts)
@@ -142,7 +144,7 @@ def _cylinder(body: Body) -> Tool:
 
 
 def slimmer(tool: Tool, margin: float) -> Tool:
-    """Return a tool whose radius is smaller by a margin, mm, or by half if the radius is small. It lies inside the given tool."""
+    """Return a slimmer tool inside the given one: the radius shrinks by a margin, mm, but at most by half."""
     diameter = max(tool.diameter - 2 * margin, tool.diameter / 2)
     return replace(
         tool,

@@ -1,5 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""A job as a sequence of toolpaths, each with its tool. Trajectories are numbered over the whole sequence."""
+"""Represent a job as a sequence of toolpaths, each with its tool.
+
+Trajectories are numbered consecutively over the whole sequence.
+"""
 
 from __future__ import annotations
 
@@ -16,7 +19,7 @@ from vkworkbench.given import number, of_kind, whole
 
 @dataclass(frozen=True, eq=False)
 class Cut:
-    """A toolpath and the tool that follows it: one operation.
+    """One operation: a toolpath and the tool that follows the toolpath.
 
     Attributes
     ----------
@@ -25,13 +28,13 @@ class Cut:
     vertical_feed : float
         Largest feed for plunging, mm/s; 0 if unknown.
     allowed_depth : float
-        Depth to which the operation is meant to cut into the model, mm: engraving, V-carving and deburring do. Infinite if the
-        tool only stands for another shape, so that its gouges mean nothing.
+        Depth to which the operation deliberately cuts into the model, mm. Engraving, V-carving and deburring operations
+        cut into the model. Infinite if the tool only approximates another shape, so that its gouges are meaningless.
 
     Raises
     ------
     TypeError
-        If an argument has another type, such as an operation's Path or tool bit.
+        If an argument has another type, for example FreeCAD's Path or tool bit of an operation.
     ValueError
         If the feed or the depth is not a number.
     """
@@ -52,12 +55,12 @@ class Cut:
 
 @dataclass(frozen=True)
 class Source:
-    """The origin of a trajectory.
+    """The operation and the command from which a trajectory was made.
 
     Attributes
     ----------
     cut : int
-        Number of the cut.
+        Number of the cut in the job.
     trajectory, command : int
         Number of the trajectory in the cut's toolpath, and the index of its command.
     """
@@ -68,7 +71,9 @@ class Source:
 
 
 class Cuts:
-    """A sequence of cuts. The moves between two cuts are unknown and cut nothing.
+    """A sequence of cuts.
+
+    The moves between two cuts are unknown. The simulation assumes that these moves remove nothing.
 
     Parameters
     ----------
@@ -78,7 +83,7 @@ class Cuts:
     ----------
     cuts : tuple of Cut
     first : (c + 1,) int64
-        Number of the first trajectory of each cut; the last entry is the number of all trajectories.
+        Number of the first trajectory of each cut. The last entry is the total number of trajectories.
 
     Raises
     ------
@@ -94,7 +99,7 @@ class Cuts:
         self.first = np.append(0, np.cumsum([len(cut.toolpath) for cut in self.cuts])).astype(np.int64)
 
     def __len__(self) -> int:
-        """Return the number of trajectories."""
+        """Return the number of trajectories in all cuts."""
         return int(self.first[-1])
 
     @property
@@ -106,10 +111,10 @@ class Cuts:
         return np.concatenate((nothing, *starts)), np.concatenate((nothing, *ends))
 
     def blocks(self, size: int) -> Iterator[tuple[np.ndarray, np.ndarray, np.ndarray]]:
-        """Yield blocks of `size` trajectories: the cut of each, (k,) int64, and the start and end points, (k, 3) mm."""
+        """Yield batches of `size` trajectories: their cuts, (k,) int64, and their start and end points, (k, 3) mm."""
         own = [np.asarray(cut.toolpath.points, float) for cut in self.cuts if len(cut.toolpath)]
         points = np.concatenate((np.empty((0, 3)), *own))
-        ahead = np.cumsum(np.diff(self.first) > 0) - 1  # a toolpath has one point more than trajectories
+        ahead = np.cumsum(np.diff(self.first) > 0) - 1  # each toolpath has one more point than trajectories
         for begin in range(0, len(self), size):
             cut = self.cut[begin : begin + size]
             at = np.arange(begin, begin + len(cut)) + ahead[cut]
@@ -117,12 +122,12 @@ class Cuts:
 
     @cached_property
     def rapid(self) -> np.ndarray:
-        """Which trajectories are rapids, (n,) bool."""
+        """Whether each trajectory is a rapid, (n,) bool."""
         return self._column("rapid", bool)
 
     @cached_property
     def feed(self) -> np.ndarray:
-        """Feed rates, (n,) mm/s; 0 for rapids and unknown feeds."""
+        """Feed rate of each trajectory, (n,) mm/s; 0 for rapids and unknown feeds."""
         return self._column("feed", float)
 
     @cached_property
@@ -132,26 +137,26 @@ class Cuts:
 
     @cached_property
     def lengths(self) -> np.ndarray:
-        """Lengths, (n,) mm; the length of the arc for a chord of an arc."""
+        """Length of each trajectory, (n,) mm; for a chord of an arc, the length of the arc above the chord."""
         return np.concatenate((np.empty(0), *(exact_lengths(cut.toolpath) for cut in self.cuts)))
 
     @cached_property
     def seconds(self) -> np.ndarray:
-        """Times, (n,) s; 0 for rapids and unknown feeds."""
+        """Duration of each trajectory, (n,) s; 0 for rapids and unknown feeds."""
         return np.where(self.feed > 0, self.lengths / np.where(self.feed > 0, self.feed, 1), 0.0)
 
     @cached_property
     def cut(self) -> np.ndarray:
-        """Which cut each trajectory belongs to, (n,) int64."""
+        """Number of the cut to which each trajectory belongs, (n,) int64."""
         return np.repeat(np.arange(len(self.cuts)), np.diff(self.first))
 
     def source(self, trajectory: int) -> Source:
-        """Return the origin of a trajectory.
+        """Return the operation and the command from which a trajectory was made.
 
         Raises
         ------
         IndexError
-            If the number is negative or too large.
+            If the trajectory's number is negative or too large.
         TypeError
             If `trajectory` is not an integer.
         """

@@ -1,14 +1,17 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Intersections of rays with the volume that a tool sweeps along a straight move.
+"""Intersect rays with the volume that a tool sweeps along a straight move.
 
-A tool is a convex solid of revolution, unbounded upwards. Along a straight line it sweeps a convex volume, so a ray meets the
-volume in one interval. Ray coordinates: x to the right in the image, y the horizontal direction of the rays, z up. A ray at
-(x, y, z) has the direction (0, sine, -cosine), with the tilt of the view.
+A tool is a convex solid of revolution that is unbounded upwards. The volume that the tool sweeps along a straight move
+is convex, so a ray intersects the swept volume in one interval. In ray coordinates, x points to the right in the image,
+y in the horizontal direction of the rays, and z up. Every ray has the direction (0, sine, -cosine), where the sine and
+the cosine belong to the view's tilt from the vertical.
 
-For flat and ball ends the interval has a closed form, see slots.py. For other tools its ends are extremes, over the parameter t of
-the move, of the interval of the tool at position t. An extreme is at an end of the move, where the ray touches a side face of the
-swept volume, or on the edge between two faces. These few t are known in closed form (bull-nose: by bisection of a monotone
-function), and the interval of the tool is computed for each. For short moves most extremes are at an end of the move.
+For flat and ball ends, slots.py computes the interval in closed form. For other tools, let t from 0 to 1 be the
+position of the tool on its move. The swept interval begins at the smallest entry, over all t, into the tool at position
+t, and ends at the largest exit. Each extreme is at an end of the move, at a t where the ray touches a side face of the
+swept volume, or at a t where the ray meets the edge between two faces. Closed forms give the few candidates for t. For
+bull-nose mills, the candidates are found by bisection of a monotone function. The interval of the tool is computed at
+each candidate. For short moves, most extremes are at an end of the move.
 """
 
 from __future__ import annotations
@@ -25,25 +28,26 @@ from vkworkbench.core.zbuffer.sweeps.slots import FROM_THE_SIDE, RIM, ROUNDING, 
 def lowest(
     tool: Tool, start: np.ndarray, heading: np.ndarray, x: np.ndarray, y: np.ndarray
 ) -> tuple[np.ndarray, np.ndarray]:
-    """Return the height of the lower surface of the swept volume above points of the plane.
+    """Return the height of the swept volume's lower surface above points of the xy plane.
 
     Parameters
     ----------
     tool : Tool
     start : (3, k) ndarray
-        Start of the tip, mm.
+        Position of the tool's tip at the start of each move, mm.
     heading : (4, k) ndarray
-        Unit direction in the plane (x, y), length in the plane, mm, and slope; see :func:`headings`.
+        Direction, length and slope of each move; see :func:`headings`.
     x, y : ndarray
-        The points; of any shape that broadcasts with (k,).
+        Coordinates of the points, mm, in any shape that broadcasts with (k,).
 
     Returns
     -------
     height : ndarray
-        z, mm; NaN where the tool does not pass.
+        Height z of the lower surface, mm; NaN where the tool does not pass over the point.
     inner : ndarray
-        Distance of the point from the rim of the sweep, mm, along the move or, for a ball, along its shortest chord.
-        About 0 at the rim, negative or NaN outside.
+        Distance from the point to the rim of the sweep, mm: about 0 at the rim, negative or NaN outside. The distance
+        is measured along the move. For a ball, half the vertical chord of the ball above the point replaces the
+        distance.
     """
     ux, uy, run, slope = heading
     px, py = x - start[0], y - start[1]
@@ -51,11 +55,13 @@ def lowest(
     aside2 *= aside2
     half = tool.radius**2 - aside2
     with np.errstate(invalid="ignore"):
-        np.sqrt(half, out=half)  # NaN beside the tool
+        np.sqrt(half, out=half)  # NaN where the tool passes beside the point
         if tool.rounding == tool.radius:
             return _lowest_of_ball(tool.radius, start[2], run, slope, along, half)
         ahead = run - along
-        # Relative to the foot of the point, the tool's axis moves from -along to ahead. The tool reaches `half` to each side.
+        # The foot is the point's perpendicular projection on the line of the move. Relative to the foot, the tool's
+        # axis moves from -along to ahead. The tool covers the point while its axis is at most `half` away from the
+        # foot.
         at = along + _lowest_position(tool, slope, aside2, half)
         np.minimum(np.maximum(at, 0, out=at), run, out=at)
         np.minimum(along, ahead, out=ahead)
@@ -78,9 +84,9 @@ def lowest(
 def _lowest_of_ball(
     radius: float, start: np.ndarray, run: np.ndarray, slope: np.ndarray, along: np.ndarray, half: np.ndarray
 ) -> tuple[np.ndarray, np.ndarray]:
-    """Compute `lowest` for a ball whose tip starts at the height `start`. Overwrites `along` and `half`.
+    """Compute `lowest` for a ball whose tip starts at the height `start`; overwrite `along` and `half`.
 
-    The square root is NaN outside the ball, so no mask is needed.
+    The square root is NaN where the ball misses the point, so the function needs no mask.
     """
     at = half * (-slope / np.sqrt(1 + slope**2))
     at += along
@@ -97,7 +103,10 @@ def _lowest_of_ball(
 
 
 def headings(move: np.ndarray) -> np.ndarray:
-    """Return direction (x, y), length in the plane and slope (4, k) of moves (3, k). Vertical moves get direction (1, 0), slope 0."""
+    """Return four rows for moves (3, k): unit direction x and y, length in the xy plane, mm, and slope.
+
+    A vertical move gets the direction (1, 0) and the slope 0.
+    """
     run = np.sqrt(move[0] ** 2 + move[1] ** 2)
     moving = run > 0
     safe_run = np.where(moving, run, 1.0)
@@ -106,7 +115,10 @@ def headings(move: np.ndarray) -> np.ndarray:
 
 
 def _lowest_position(tool: Tool, slope: np.ndarray, aside2: np.ndarray, half: np.ndarray) -> np.ndarray:
-    """Return where on the move the tool is lowest above a point: the v in +-half that minimises slope * v + profile(r(v))."""
+    """Return the tool's position, relative to the point's foot, at which the tool is lowest above the point, mm.
+
+    The position v is between -half and half and minimises ``slope * v + profile(sqrt(aside2 + v * v))``.
+    """
     if not slope.any():
         return np.zeros_like(slope)
     position: np.ndarray
@@ -116,7 +128,7 @@ def _lowest_position(tool: Tool, slope: np.ndarray, aside2: np.ndarray, half: np
     if tool.rounding == 0:
         steeper = tool.steepness**2 - slope**2
         inner = np.abs(slope) * np.sqrt(aside2 / np.where(steeper > 0, steeper, 1))
-        # If this is on the flat tip, the edge of the tip is lower.
+        # A minimum on the flat tip is replaced by the edge of the tip, where the tool is lower.
         inner = np.minimum(np.maximum(inner, np.sqrt(np.maximum(tool.tip**2 - aside2, 0))), half)
         position = -np.sign(slope) * np.where(steeper > 0, inner, half)
         return position
@@ -134,7 +146,8 @@ def _bisected(tool: Tool, slope: np.ndarray, aside2: np.ndarray, half: np.ndarra
         middle = (low + high) / 2
         r = np.sqrt(aside2 + middle**2)
         beyond = np.clip(r - flat, 0, tool.rounding)
-        # Derivative d/dv of the profile, times its positive denominator. On the flat and on the axis any value is allowed.
+        # The derivative d/dv of slope * v + profile, times its positive denominator. The profile is constant on the
+        # flat, so there the sign of the slope decides.
         rising = beyond * middle + slope * np.maximum(r, flat) * np.sqrt(tool.rounding**2 - beyond**2) > 0
         high = np.where(rising, middle, high)
         low = np.where(rising, low, middle)
@@ -145,15 +158,15 @@ def _bisected(tool: Tool, slope: np.ndarray, aside2: np.ndarray, half: np.ndarra
 def intervals(
     tool: Tool, start: np.ndarray, move: np.ndarray, ray: Sequence[np.ndarray], sine: float, cosine: float
 ) -> tuple[np.ndarray, np.ndarray]:
-    """Return the depths at which tilted rays enter and leave the swept volume.
+    """Return the depths at which rays of an oblique view enter and leave the swept volume.
 
     Parameters
     ----------
     tool : Tool
     start, move : (3, k) ndarray
-        Start and move of the tip, in ray coordinates, mm.
+        Start point and displacement of the tool's tip, in ray coordinates, mm.
     ray : three ndarrays
-        A point of each ray, in ray coordinates; the shapes broadcast with each other and with (k,).
+        The x, y and z of one point of each ray, in ray coordinates, mm. The shapes broadcast with each other and (k,).
     sine, cosine : float
         Sine and cosine of the view's tilt from the vertical; ``sine > 0``.
 
@@ -180,7 +193,7 @@ def intervals(
 def _general(
     tool: Tool, offset: np.ndarray, move: np.ndarray, sine: float, cosine: float
 ) -> tuple[np.ndarray, np.ndarray]:
-    """Compute `intervals` for any tool, with offsets and moves (3, k)."""
+    """Compute `intervals` for a tool of any shape, with offsets and moves (3, k)."""
     nothing = np.full(offset.shape[1], np.inf)
     near, far = nothing, -nothing
     between = np.ones((2, len(near)), bool)
@@ -188,11 +201,13 @@ def _general(
         enter, leave = _chord(tool, at, sine, cosine)
         near, far = _joined(near, far, enter, leave)
         if tool.rounding:
-            # A bull-nose has no edges. If its surface at this end does not face the direction of the move, the ray enters the
-            # swept volume first, or leaves it last, at this end. A ray that only touches the tool would be decided by rounding.
+            # A bull-nose has no edges. The ray first enters, or last leaves, the swept volume at this end of the
+            # move if the tool's surface there does not face the other end of the move. Otherwise a position between the
+            # ends of the move is searched. Rays that only touch the tool are always searched, because rounding decides
+            # whether their surface faces the other end.
             touched = ~(leave - enter > ROUNDING)
             if abs(cosine) <= FROM_THE_SIDE:
-                touched |= np.abs(at[2]) < ROUNDING  # the floor
+                touched |= np.abs(at[2]) < ROUNDING  # a ray along the floor only touches the tool
             for entered_or_left, depth in zip(between, (enter, leave)):
                 depth = np.where(touched, 0, depth)
                 entered_or_left &= touched | (_facing(tool, at, depth, away, sine, cosine) > 0)
@@ -200,7 +215,7 @@ def _general(
     if tool.rounding:
         rays = np.flatnonzero(between.any(axis=0))
         if abs(cosine) > FROM_THE_SIDE:
-            # Most of these rays also miss a slightly larger flat end.
+            # Skip rays that miss a slightly larger flat end; most of the remaining rays miss this end.
             enter, leave = sloped_slot(tool.radius + ROUNDING, tuple(offset[:, rays]), move[:, rays], sine, cosine)
             rays = rays[enter <= leave + ROUNDING]
         some = rays
@@ -218,13 +233,13 @@ def _general(
 
 
 def _joined(near: np.ndarray, far: np.ndarray, enter: np.ndarray, leave: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Return the union of two sets of intervals, ignoring empty ones of the second set."""
+    """Return the smallest intervals that contain both given intervals; ignore empty intervals ``enter .. leave``."""
     hit = enter <= leave + ROUNDING
     return np.where(hit, np.minimum(near, enter), near), np.where(hit, np.maximum(far, leave), far)
 
 
 def _chord(tool: Tool, at: np.ndarray, sine: float, cosine: float) -> tuple[np.ndarray, np.ndarray]:
-    """Return the depths at which a ray enters and leaves a standing tool."""
+    """Return the depths at which rays, at the offsets `at` (3, k) from the tip, enter and leave a stationary tool."""
     near, far = _straight_chord(tool, at, sine, cosine)
     if not tool.rounding:
         return near, far
@@ -233,7 +248,7 @@ def _chord(tool: Tool, at: np.ndarray, sine: float, cosine: float) -> tuple[np.n
 
 
 def _facing(tool: Tool, at: np.ndarray, depth: np.ndarray, move: np.ndarray, sine: float, cosine: float) -> np.ndarray:
-    """Return a positive number if the surface of a standing bull-nose, at a depth of a ray, faces the direction of a move."""
+    """Return a positive number if the bull-nose's surface at a depth of the ray faces the direction of the move."""
     x, y, z = _from_corner(tool, at)
     y, z = y + depth * sine, z - depth * cosine
     r = np.sqrt(x * x + y * y)
@@ -243,19 +258,19 @@ def _facing(tool: Tool, at: np.ndarray, depth: np.ndarray, move: np.ndarray, sin
 
 
 def _from_corner(tool: Tool, offset: np.ndarray) -> np.ndarray:
-    """Return the offsets from the centre of the rounding."""
+    """Convert offsets from the tool's tip into offsets from the centre of the rounding."""
     moved: np.ndarray = offset - np.array([[0.0], [0.0], [tool.rounding]])
     return moved
 
 
 def _straight_chord(tool: Tool, at: np.ndarray, sine: float, cosine: float) -> tuple[np.ndarray, np.ndarray]:
-    """Return the depths at which a ray enters and leaves a standing cylinder with a flat or conical end."""
+    """Return the depths at which rays enter and leave a stationary cylinder with a flat or conical end."""
     x, y, z = at
     tangent = cosine / sine if abs(cosine) > FROM_THE_SIDE else 0.0
     half2 = tool.radius**2 - x**2
     half = np.sqrt(np.maximum(half2, 0))
     low = np.where(half2 >= -RIM, -half, np.inf)
-    # Along the ray height = level - tangent * y, y measured from the tool's axis.
+    # The height of the ray is level - tangent * y, where y is measured from the tool's axis.
     level = z + tangent * y - tool.rounding + ROUNDING
     if tool.steepness > 0:
         # The apex of the cone is below the flat tip.
@@ -279,13 +294,14 @@ def _cone_chord(k: float, tangent: float, x: np.ndarray, level: np.ndarray) -> t
     square = (k - steep) * (k + steep)
     root2 = level**2 - square * x**2
     root = k * np.sqrt(np.maximum(root2, 0))
-    # The solution on the side where the ray goes down is computed from the product of both solutions. If the ray is nearly
-    # parallel to the cone, the other solution is far away, and a difference would only leave rounding errors.
+    # `down` is the solution on the side on which the ray descends, `up` the solution on the other side. `down` is
+    # computed from the product of both solutions: if the ray is nearly parallel to the cone, `up` is far away, and
+    # computing `down` as a difference would leave only rounding errors.
     reach = level * steep + root
     down = divide((level - k * np.abs(x)) * (level + k * np.abs(x)), reach)
     if square > 0:
         up = np.where((root2 >= 0) & (level >= 0), reach / square, -np.inf)
-    else:  # on the side where the ray goes up, it never leaves the cone
+    else:  # the ray never leaves the cone on the side on which the ray ascends
         up = np.full_like(x, np.inf)
         below = (root - level * steep) / square if square else -np.inf
         down = np.where(level >= 0, down, below)
@@ -293,15 +309,16 @@ def _cone_chord(k: float, tangent: float, x: np.ndarray, level: np.ndarray) -> t
 
 
 def _straight_sides(tool: Tool, offset: np.ndarray, move: np.ndarray, sine: float, cosine: float) -> list[np.ndarray]:
-    """Return the parameters between the ends of the move at which a ray may enter or leave a swept cylinder or cone."""
+    """Return candidates for the t at which a ray first enters or last leaves a swept cylinder or cone."""
     x, y, z = offset
     ux, uy, uz = move
     run = np.sqrt(ux**2 + uy**2)
     safe_run = np.where(run > 0, run, 1)
-    # The two vertical side faces.
+    # Candidates on the two vertical side faces.
     reach = tool.radius * uy / safe_run
     sides = [divide(x + reach, ux), divide(x - reach, ux)]
-    # The swept rims: between cylinder and bottom (or cone), and between cone and flat tip.
+    # Candidates on the swept rims. One rim is between the cylinder and the floor or cone, the other between the cone
+    # and its flat tip.
     k = tool.steepness
     tilted_move = cosine * uy + sine * uz
     square = (cosine * ux) ** 2 + tilted_move**2
@@ -312,7 +329,7 @@ def _straight_sides(tool: Tool, offset: np.ndarray, move: np.ndarray, sine: floa
         root = np.sqrt(np.maximum(middle**2 - square * rest, 0))
         sides += [divide(middle - root, square), divide(middle + root, square)]
     if k > 0:
-        # The two planes that touch the cone along the whole move.
+        # Candidates on the two planes that touch the cone along the whole move.
         cos_touch = np.clip(uz / (k * safe_run), -1, 1)
         sin_touch = np.sqrt(1 - cos_touch**2)
         tilted = cosine * y + sine * (z + k * tool.tip)

@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Intersections of rays with rounded discs, standing and swept: the tips of bull-nose mills.
+"""Intersect rays with rounded discs, which are the tips of bull-nose mills.
 
-Coordinates are the ray coordinates of intervals.py, with heights measured from the centre of the rounding.
+The discs are stationary or swept along a move. The coordinates are the ray coordinates of intervals.py, but heights
+are measured from the centre of the rounding.
 """
 
 from __future__ import annotations
@@ -11,12 +12,13 @@ import numpy as np
 from vkworkbench.core.tool import Tool
 from vkworkbench.core.zbuffer.sweeps.slots import FROM_THE_SIDE, RIM, ROUNDING
 
-# Newton's method stops this close to the surface, mm.
+# Distance from the surface, mm, at which Newton's method stops. A smaller distance would make rounding errors keep
+# the method iterating, and a larger distance would make the depths less exact.
 _CLOSE = 1e-10
 
 
 def _ball_chord(tool: Tool, at: np.ndarray, sine: float, cosine: float) -> tuple[np.ndarray, np.ndarray]:
-    """Return the depths at which a ray enters and leaves a standing ball."""
+    """Return the depths at which rays enter and leave the ball that encloses the rounded disc."""
     x, y, z = at
     middle = cosine * z - sine * y
     half2 = tool.radius**2 - x**2 - (cosine * y + sine * z) ** 2
@@ -25,7 +27,7 @@ def _ball_chord(tool: Tool, at: np.ndarray, sine: float, cosine: float) -> tuple
 
 
 def _box_chord(tool: Tool, at: np.ndarray, sine: float, cosine: float) -> tuple[np.ndarray, np.ndarray]:
-    """Return the depths at which a ray enters and leaves the upright cylinder around a standing rounded disc."""
+    """Return the depths at which rays enter and leave the upright cylinder that encloses the rounded disc."""
     x, y, z = at
     half2 = tool.radius**2 - x**2
     half = np.sqrt(np.maximum(half2, 0))
@@ -39,10 +41,12 @@ def _box_chord(tool: Tool, at: np.ndarray, sine: float, cosine: float) -> tuple[
 def rounded_chord(
     tool: Tool, at: np.ndarray, sine: float, cosine: float, known_near: np.ndarray, known_far: np.ndarray
 ) -> tuple[np.ndarray, np.ndarray]:
-    """Return the depths at which a ray enters and leaves a standing disc with rounded edge.
+    """Return the depths at which rays enter and leave a stationary rounded disc.
 
-    The distance to the disc is a convex function of the depth. Newton's method converges monotonically from the ends of the ball
-    around the rounded disc. Ends that cannot be before `known_near` or behind `known_far` are not computed.
+    The distance between the ray's point and the disc is a convex function of the depth. Therefore Newton's method
+    converges monotonically when it starts where the ray enters and leaves the ball around the rounded disc. The
+    function computes an entry only if the entry can be before `known_near`, and an exit only if the exit can be behind
+    `known_far`.
     """
     first, last = _box_chord(tool, at, sine, cosine)
     near, far = _ball_chord(tool, at, sine, cosine)
@@ -54,12 +58,13 @@ def rounded_chord(
             x, y, z = at[:, active]
             s = depths[active]
             y, z = y + s * sine, z - s * cosine
-            r = np.sqrt(x * x + y * y)  # hypot takes several times as long
+            r = np.sqrt(x * x + y * y)  # np.hypot takes several times as long
             beyond = np.maximum(r - (tool.radius - tool.rounding), 0)
             distance = np.sqrt(beyond * beyond + z * z)
             fall = -ahead * (sine * y * divide(beyond, r) - cosine * z)
             outside = distance > tool.rounding + _CLOSE
-            # The ray is outside and the distance grows, so the ray misses.
+            # A ray misses the disc if its point is outside and the distance from the disc does not decrease along the
+            # ray.
             met[active[outside & (fall <= 0)]] = False
             moving = outside & (fall > 0)
             if not moving.any():
@@ -70,10 +75,11 @@ def rounded_chord(
 
 
 def rounded_sides(tool: Tool, offset: np.ndarray, move: np.ndarray, sine: float, cosine: float) -> list[np.ndarray]:
-    """Return the parameters at which a ray enters or leaves the side of a swept rounded disc.
+    """Return the positions t on the move at which rays enter or leave the side of a swept rounded disc.
 
-    Projected along the move, the disc is an ellipse and the ray a line. While the normal turns by pi, the point of the contour
-    moves monotonically across the line, so bisection finds the intersection.
+    Projected along the move, the disc has an oval contour and the ray is a line. While the contour's normal turns by
+    pi, the contour point with this normal moves monotonically across the line. Therefore bisection finds the
+    intersection.
     """
     ux, uy, uz = move
     run = np.hypot(ux, uy)
@@ -84,16 +90,16 @@ def rounded_sides(tool: Tool, offset: np.ndarray, move: np.ndarray, sine: float,
     flat, corner = tool.radius - tool.rounding, tool.rounding
     x, y, z = offset
 
-    # Axes of the projection: horizontal across the move, and upwards across it.
+    # Both axes of the projection are perpendicular to the move: `across` is horizontal, and `above` points upwards.
     across, above = y * ex - x * ey, z * cos_m - (x * ex + y * ey) * sin_m
     ray_across, ray_above = sine * ex, -cosine * cos_m - sine * ey * sin_m
     speed = np.hypot(ray_across, ray_above)
-    # Normal of the line, and its distance from the disc's centre.
+    # Unit normal (na, nb) of the ray's line in the projection, and the distance of the line from the disc's centre.
     na, nb = np.where(speed > 0, -divide(ray_above, speed), 1.0), divide(ray_across, speed)
     line = across * na + above * nb
 
     def contact(c: np.ndarray, s: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-        """Return the contour point with outward normal (c, s): its components across, above and along the move."""
+        """Return the contour point with the outward normal (c, s): its coordinates across, above and along the move."""
         share = divide(flat, np.sqrt(c**2 + (s * sin_m) ** 2))
         return (share + corner) * c, (share * sin_m**2 + corner) * s, -share * s * sin_m * cos_m
 
@@ -109,7 +115,7 @@ def rounded_sides(tool: Tool, offset: np.ndarray, move: np.ndarray, sine: float,
             c, s = c0 + c1, s0 + s1
             norm = np.sqrt(c**2 + s**2)
             c, s = c / norm, s / norm
-        # Between two normals this close the contour is nearly straight; the flat bottom is straight.
+        # Interpolate linearly: the contour is nearly straight between the two normals, which are close to each other.
         first, last = contact(c0, s0), contact(c1, s1)
         height0 = first[0] * na + first[1] * nb
         height1 = last[0] * na + last[1] * nb

@@ -1,13 +1,13 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Intersections of tilted rays with the slots that flat and ball ends mill along a straight move.
+"""Intersect rays of an oblique view with the slots that flat and ball ends mill along a straight move.
 
-Coordinates are the ray coordinates of intervals.py. The depth at which a ray enters the tool is a convex function of the tool's
-position t on its move, and the depth at which it leaves the tool is a concave one. Therefore the first entry is where the ray
-enters the slot of an endless move, or else at the end of the move nearest to that position; likewise the last exit. An endless
-slot has two upright walls and a bottom, and the position t for each is known in closed form, so that each end of the interval
-needs one position of the tool.
+Coordinates are the ray coordinates of intervals.py. The position t of the tool runs from 0 to 1 on its move. The depth
+at which a ray enters the tool is a convex function of t, and the depth at which the ray leaves the tool is a concave
+function of t. For an endless move, closed forms give the t at which the ray enters and leaves through the two upright
+walls and the bottom of the slot. Clipping this t to the ends of the move gives the t of the first entry or the last
+exit. Therefore each end of the interval is computed from one position of the tool.
 
-Array shapes broadcast: in a grid of rays, x may have one row, y and z one column.
+Array shapes broadcast. In a grid of rays, x can have one row, and y and z can have one column.
 """
 
 from __future__ import annotations
@@ -16,32 +16,37 @@ from collections.abc import Sequence
 
 import numpy as np
 
-# Rays are extended by this length below a flat floor, mm; otherwise rounding would decide for rays on the floor. Ends that are
-# closer than this length are equal, because a ray meets an edge of the swept volume in a single point.
+# Length by which flat floors are lowered, mm, so that rounding does not decide whether a ray along a floor meets the
+# tool. Two depths on a ray that differ by less than this length count as equal, because a ray that only touches an
+# edge of the swept volume enters and leaves the volume at the same depth, up to rounding. A smaller length would turn
+# rounding errors into missed rays, and a larger length would make floors noticeably too low.
 ROUNDING = 1e-7
-# Rays with a smaller cosine are horizontal and meet no floor.
+# Largest absolute cosine of the view's tilt from the vertical at which rays are treated as horizontal. A horizontal
+# ray does not cross a floor. With a smaller limit, dividing by the cosine would magnify rounding errors. With a
+# larger limit, sloped rays would pass through floors.
 FROM_THE_SIDE = 1e-9
-# Replaces 0 in denominators.
+# Smallest denominator, which prevents a division by 0.
 _TINY = 1e-300
-# Replaces an infinite depth or position.
+# Finite number used as an infinite position on a move, because infinity times 0 is NaN.
 _ENDLESS = 1e30
-# Largest rounding error of a squared half chord on the rim, mm^2.
+# Largest rounding error of the squared half chord of a ray that meets a tool at its rim, mm^2. A smaller value would
+# make rays on the rim miss the tool, and a larger value would make rays beside the tool meet the tool.
 RIM = 1e-12
 
 
 def level_slot(
     radius: float, offset: Sequence[np.ndarray], move: np.ndarray, sine: float, cosine: float
 ) -> tuple[np.ndarray, np.ndarray]:
-    """Return the depths at which rays enter and leave the slot of a flat end along level moves.
+    """Return the depths at which rays enter and leave the slots that a flat end mills along level moves.
 
     Parameters
     ----------
     radius : float
         Radius of the tool, mm.
     offset : three ndarrays
-        A point of each ray, relative to the start of the tip, mm.
+        The x, y and z of one point of each ray, relative to the start of the tool's tip, mm.
     move : (3, k) ndarray
-        Move of the tip, mm.
+        Displacement of the tool's tip, mm.
     sine, cosine : float
         Sine and cosine of the view's tilt from the vertical.
 
@@ -69,17 +74,19 @@ def level_slot(
 def sloped_slot(
     radius: float, offset: Sequence[np.ndarray], move: np.ndarray, sine: float, cosine: float
 ) -> tuple[np.ndarray, np.ndarray]:
-    """Like `level_slot`, for moves of any slope and rays that are not horizontal."""
+    """Compute the same depths as `level_slot` for moves of any slope; the rays must not be horizontal."""
     x, y, z = offset
     ux, uy, uz = move
-    if cosine < 0:  # reverse the ray
+    if cosine < 0:  # reverse the ray, so that the cosine is positive
         near, far = sloped_slot(radius, (x, -y, z), np.array([ux, -uy, uz]), sine, -cosine)
         return -far, -near
     walls = _Walls(radius, x, ux, uy)
     ux = walls.ux
-    # The ray meets the floor of the tool at position t at (x - t ux, beyond - t rate) from the tool's axis.
+    # If the tool is at position t, the ray meets the plane of its floor at (x - t ux, beyond - t rate) from the tool's
+    # axis.
     tangent, slope = sine / cosine, cosine / sine
-    # Rise of the floor relative to the ray. For a move along the ray it is a rounding error, which must be the same everywhere.
+    # Rise of the floor relative to the ray. For a move along the ray, the rise is only a rounding error. Every formula
+    # below must use the same rounding error.
     rise = slope * uy + uz
     beyond, rate = y + tangent * z, tangent * rise
     square = np.maximum(ux**2 + rate**2, _TINY)
@@ -92,7 +99,7 @@ def sloped_slot(
     height = z + y * slope
     with np.errstate(invalid="ignore"):
         t = walls.touched(-1)
-        # A ray that would enter the wall below the floor enters over the rim.
+        # A ray that would meet the wall below the floor enters over the rim of the floor instead.
         below = height < walls.chord_end(t, -1) * slope + t * rise
         over = np.maximum(middle - root, t)
         t = _on_move(np.where(below, np.minimum(over, middle + root, out=over), t))
@@ -119,20 +126,24 @@ def sloped_slot(
 def ball_slot(
     radius: float, offset: Sequence[np.ndarray], move: np.ndarray, sine: float, cosine: float
 ) -> tuple[np.ndarray, np.ndarray]:
-    """Like `level_slot`, for a ball end. `offset` is relative to the start of the ball's centre."""
+    """Compute the same depths as `level_slot` for a ball end.
+
+    `offset` is relative to the centre of the ball at the start of the move.
+    """
     x, y, z = offset
     ux, uy, uz = move
     walls = _Walls(radius, x, ux, uy)
     slope = cosine / sine
     rise = slope * uy + uz
-    # Components along the ray, and upwards across it.
+    # Components of the offset and of the move along the ray, and upwards perpendicular to the ray.
     forward, upward = sine * y - cosine * z, cosine * y + sine * z
     along_ray, across_ray = sine * uy - cosine * uz, cosine * uy + sine * uz
     length2 = np.maximum(ux**2 + uy**2 + uz**2, _TINY)
     square = length2 - along_ray**2
     across = square > 1e-12 * length2
     inverse = np.where(across, 1 / np.where(across, square, 1), 0.0)
-    # The position nearest to the ray, and the distance from it to the positions at which the ray meets the swept cylinder.
+    # `nearest` is the position t at which the ball is nearest to the ray. `passed` is the distance in t from `nearest`
+    # to the positions at which the ray enters and leaves the cylinder that the ball sweeps.
     nearest = x * (ux * inverse) + upward * (across_ray * inverse)
     root = np.sqrt(inverse)
     apart = x * (across_ray * root) - upward * (ux * root)
@@ -169,43 +180,47 @@ def ball_slot(
 
 
 class _Walls:
-    """Intersections of rays with the upright walls of a slot, seen from above.
+    """Intersections of rays with the upright walls of a slot, computed in the horizontal plane.
 
     Parameters
     ----------
     radius : float
         Radius of the tool, mm.
     x : ndarray
-        Position of the ray across its direction, relative to the start of the move, mm.
+        Horizontal distance of the ray to the right of the start of the move, mm.
     ux, uy : (k,) ndarray
-        Components of the move across and along the ray, mm.
+        Horizontal components of the displacement, perpendicular to and along the ray, mm.
     """
 
     def __init__(self, radius: float, x: np.ndarray, ux: np.ndarray, uy: np.ndarray) -> None:
         self.radius, self.x, self.uy = radius, x, uy
         run = np.sqrt(ux**2 + uy**2)
-        # Moves along the ray, up to rounding.
+        # True for moves that are horizontally parallel to the ray, up to rounding.
         along = np.abs(ux) <= 1e-12 * run
         self.ux = np.where(along, 0.0, ux)
         self.inverse = np.where(along, 0.0, 1 / np.where(along, 1.0, ux))
-        # The chord of the moving tool reaches farthest where the tangent at its end is parallel to the move.
+        # The ray crosses a wall of the endless slot where the tangent at the end of the tool's chord is parallel to the
+        # move.
         reach = radius * uy / np.where(run > 0, run, 1) * np.abs(self.inverse)
         self.reach = np.where(along, np.copysign(_ENDLESS, uy), reach)
 
     def touched(self, sign: int) -> np.ndarray:
-        """Return the tool's position at which the ray enters (-1) or leaves (1) through a wall of the endless move."""
+        """Return the t at which the ray enters (sign -1) or leaves (sign 1) through a wall of the endless slot."""
         touched: np.ndarray = self.x * self.inverse + sign * self.reach
         return touched
 
     def chord_end(self, t: np.ndarray, sign: int) -> np.ndarray:
-        """Return the distance along the ray from the tool's axis to the wall at the positions `touched`, mm.
+        """Return the horizontal distance from the tool's axis to the wall at the positions `touched`, mm.
 
-        The ray always meets the tool at these positions; negative squares are rounding errors.
+        The ray always meets the tool at the positions `touched`, so negative squares are rounding errors.
         """
         return _signed_root(np.maximum(self._half2(t), 0), sign)
 
     def at(self, t: np.ndarray, sign: int) -> np.ndarray:
-        """Return the distance along the ray from the start of the move to the wall of the tool at `t`, mm; NaN beside the tool."""
+        """Return the horizontal distance from the start of the move to the tool's wall if the tool is at `t`, mm.
+
+        The distance is measured along the ray. The distance is NaN if the ray passes beside the tool.
+        """
         half = _signed_root(self._half2(t), sign)
         half += t * self.uy
         return half
@@ -219,14 +234,14 @@ class _Walls:
 
 
 def _signed_root(square: np.ndarray, sign: int) -> np.ndarray:
-    """Return the square root with a sign, in place."""
+    """Replace values by their square roots times a sign; return the array."""
     root: np.ndarray = np.sqrt(square, out=square)
     root *= sign
     return root
 
 
 def _on_move(t: np.ndarray) -> np.ndarray:
-    """Clip positions to the ends of the move, in place."""
+    """Clip positions to 0 .. 1, the ends of the move, in place; return the array."""
     np.maximum(t, 0, out=t)
     np.minimum(t, 1, out=t)
     return t

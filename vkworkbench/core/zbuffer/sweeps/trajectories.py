@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The swept volumes of trajectories, prepared for the rays of one view."""
+"""Prepare the swept volumes of trajectories for the rays of one view."""
 
 from __future__ import annotations
 
@@ -16,16 +16,20 @@ from vkworkbench.core.view import Frame
 from vkworkbench.core.zbuffer.sweeps.cuts import Cuts
 from vkworkbench.core.zbuffer.sweeps.intervals import headings, intervals, lowest
 
-# Largest height difference of a level move, mm.
+# Largest height difference between the ends of a level move, mm. A smaller limit would turn rounding errors into
+# slopes, and a sloped move takes ten times as long to simulate as a level move. A larger limit would make moves with
+# a real slope level.
 _LEVEL = 1e-9
-# Number of trajectories, or pairs of trajectory and ray, in one step, so that they fit into the processor's cache.
+# Number of trajectories, or of pairs of a trajectory and a ray, in one batch. The arrays of a larger batch would not
+# fit into the processor's cache, and in a smaller batch the overhead of numpy's calls would dominate.
 AT_ONCE = 16_384
-# Number of pairs of a trajectory and a part of the image in one step.
+# Number of pairs of a trajectory and a rectangle of the image that are compared in one batch. This number limits the
+# memory for a batch.
 _PAIRS_HELD = 1_000_000
 
 
 class Kind(NamedTuple):
-    """The common properties of trajectories that are processed together."""
+    """The tool of trajectories that are computed together, and whether their moves are level."""
 
     tool: Tool
     level: bool
@@ -39,27 +43,29 @@ class Trajectories:
     cuts : Cuts
     stock : Solid
     frame : Frame
-        The view of the stock.
+        The view fitted to the stock.
 
     Attributes
     ----------
     index : (m,) int64
-        The trajectories that can meet the stock, in order.
+        The numbers of the trajectories that can meet the stock, ascending.
     kinds : tuple of Kind
-        The different combinations of tool and level moves. A vertical move is replaced by its lowest point, which is level.
+        The different combinations of a tool and level or sloped moves. A vertical move is replaced by its lowest point
+        and counts as level.
     kind : (m,) int64
-        The kind of each trajectory, as an index of `kinds`.
+        Index in `kinds` of each trajectory's kind.
     tools : tuple of Tool
         The different tools.
     tool : (m,) int64
-        The tool of each trajectory, as an index of `tools`.
+        Index in `tools` of each trajectory's tool.
     heading : (4, m) float64
-        Direction in the plane (x, y), length in the plane and slope of each trajectory, see ``intervals.headings``.
+        Direction in the xy plane (x, y), length in the xy plane and slope of each trajectory, see
+        ``intervals.headings``.
     box : (4, m) float64
         Left, right, bottom and top of each trajectory's bounding box in the image, mm.
     strip : (4, m) float64
-        The strip in the image that contains each swept volume: its unit normal (x, y), and its lower and upper distance
-        from the image's centre, mm.
+        The strip of the image that contains each swept volume: the strip's unit normal (x, y), and the signed
+        distances, mm, from the image's centre to the two borders of the strip, the smaller distance first.
     """
 
     def __init__(self, cuts: Cuts, stock: Solid, frame: Frame) -> None:
@@ -94,7 +100,8 @@ class Trajectories:
         tools = list(dict.fromkeys(cut.tool for cut in cuts.cuts))
         of_cut = np.array([tools.index(cut.tool) for cut in cuts.cuts], np.int64)
         number = 2 * of_cut[cuts.cut[self.index]] + (self.move[2] == 0)
-        # bincount instead of unique: sorting a million trajectories dominated this function.
+        # Use np.bincount, because sorting a million trajectories with np.unique would dominate the time of this
+        # function.
         found = np.flatnonzero(np.bincount(number))
         place = np.zeros(2 * len(tools), np.int64)
         place[found] = np.arange(len(found))
@@ -102,25 +109,26 @@ class Trajectories:
 
     @cached_property
     def spans(self) -> Callable[[np.ndarray, np.ndarray], Spans]:
-        """Function that returns where rays with image coordinates x (k,), y (k,) are inside the stock."""
+        """The function that returns where rays at the image coordinates x (k,), y (k,) are inside the stock."""
         return spans_in(self.stock, self.frame)
 
     def by_kind(self, item: np.ndarray) -> Iterator[tuple[int, slice | np.ndarray]]:
-        """Group positions in `index` (k,) by kind: yield the number of a kind and the positions of its group."""
+        """Group positions (k,) in `index` by kind; yield the number of each kind and its positions in `item`."""
         return _divided(self.kind, len(self.kinds), item)
 
     def by_tool(self, item: np.ndarray) -> Iterator[tuple[Tool, slice | np.ndarray]]:
-        """Group positions in `index` (k,) by tool: yield a tool and the positions of its group."""
+        """Group positions (k,) in `index` by tool; yield each tool and its positions in `item`."""
         return ((self.tools[number], own) for number, own in _divided(self.tool, len(self.tools), item))
 
     def boxes(self, item: np.ndarray, begin: np.ndarray | float, end: np.ndarray | float) -> np.ndarray:
-        """Return the bounds in the image of parts of moves: left, right, bottom, top (4, k), mm.
+        """Return the bounding boxes, in the image, of parts of moves: left, right, bottom and top (4, k), mm.
 
         Parameters
         ----------
         item : (k,) ndarray of int
+            Positions in `index`.
         begin, end : (k,) ndarray or float
-            Parameters of the beginning and end of each part, 0 to 1.
+            Positions on the move at which each part begins and ends, from 0 to 1.
         """
         start, move, reach = self.start.take(item, axis=1), self.move.take(item, axis=1), self.radius.take(item)
         first, last = start + begin * move, start + end * move
@@ -136,7 +144,7 @@ class Trajectories:
         )
 
     def _strips(self, part: slice) -> np.ndarray:
-        """Return the strips (4, k) of a range of positions in `index`."""
+        """Return the rows of `strip` (4, k) for a range of positions in `index`."""
         start, move, radius = self.start[:, part], self.move[:, part], self.radius[part]
         across, along = move[0], self.cosine * move[1] + self.sine * move[2]
         length = np.hypot(across, along)
@@ -152,7 +160,7 @@ class Trajectories:
     def meeting(
         self, left: np.ndarray, right: np.ndarray, bottom: np.ndarray, top: np.ndarray
     ) -> tuple[np.ndarray, np.ndarray]:
-        """Return pairs of a rectangle of the image (g,) and a position in `index` that may meet, sorted by rectangle."""
+        """Return pairs of a rectangle (g,) and a position in `index` that can meet, sorted by rectangle."""
         pairs = [(np.empty(0, np.int64), np.empty(0, np.int64))]
         few = max(1, _PAIRS_HELD // max(1, len(self.index)))
         for begin in range(0, len(left), few):
@@ -179,7 +187,7 @@ class Trajectories:
         return rectangle[met], item[met]
 
     def passing(self, x: np.ndarray, y: np.ndarray, item: np.ndarray) -> np.ndarray:
-        """Return whether rays at `x`, `y` lie within the bounding box and strip of their trajectories, bool of the same shape."""
+        """Return whether each ray at `x`, `y` is inside the bounding box and the strip of its trajectory."""
         left, right, bottom, top = self.box.take(item, axis=1)
         nx, ny, low, high = self.strip.take(item, axis=1)
         across = nx * x + ny * y
@@ -196,16 +204,17 @@ class Trajectories:
         Parameters
         ----------
         x, y : ndarray
-            Image coordinates of the rays, mm; the shapes broadcast with each other and with (k,).
+            Image coordinates of the rays, mm. The shapes broadcast with each other and with (k,).
         item : (k,) ndarray of int
             Positions in `index`.
         tools : sequence of (Tool or None, float), optional
-            For each kind, a replacement of the tool, and its height above the tool, mm. None meets nothing.
+            For each kind, a tool that replaces the kind's tool, and the height of the replacement above the kind's
+            tool, mm. All rays miss the tool None.
 
         Returns
         -------
         near, far : ndarray
-            Depths, mm, which may be infinite; ``near > far``, or NaN, for a ray that misses.
+            Depths, mm, some of which are infinite; ``near > far``, or NaN, for a ray that misses.
         """
         if tools is None:
             tools = [(kind.tool, 0.0) for kind in self.kinds]
@@ -244,7 +253,10 @@ class Trajectories:
 
 
 def _may_meet(start: np.ndarray, end: np.ndarray, radius: np.ndarray, stock: Solid) -> np.ndarray:
-    """Return whether the bounding boxes of moves from `start` to `end` (k, 3), with tools of radii (k,), meet the stock's, (k,)."""
+    """Return whether the bounding box of each move meets the bounding box of the stock, (k,) bool.
+
+    The moves run from `start` to `end` (k, 3), and their tools have the given `radius` (k,).
+    """
     low, high = np.minimum(start, end), np.maximum(start, end)
     low[:, :2] -= radius[:, None]
     high[:, :2] += radius[:, None]
@@ -253,18 +265,19 @@ def _may_meet(start: np.ndarray, end: np.ndarray, radius: np.ndarray, stock: Sol
 
 
 def as_cut(start: np.ndarray, end: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Return the simulated ends (n, 3), mm, of trajectories from `start` to `end` (n, 3)."""
-    # The tool is unbounded upwards, so a vertical move removes the same as its lowest point.
+    """Return the start and end points with which trajectories from `start` to `end` are simulated, (n, 3) mm."""
+    # The tool is unbounded upwards, so a vertical move removes exactly what the tool removes at the move's lowest
+    # point.
     vertical = np.hypot(*(end - start)[:, :2].T) < SMALLEST
     bottom = np.where((start[:, 2] < end[:, 2])[:, None], start, end)
     start, end = np.where(vertical[:, None], bottom, start), np.where(vertical[:, None], bottom, end)
-    # Remove slopes that are rounding errors, because level moves take a tenth of the time.
+    # Remove slopes that are rounding errors, because a level move takes a tenth of the time of a sloped move.
     end[:, 2] = np.where(np.abs(end[:, 2] - start[:, 2]) < _LEVEL, start[:, 2], end[:, 2])
     return start, end
 
 
 def _divided(group: np.ndarray, groups: int, item: np.ndarray) -> Iterator[tuple[int, slice | np.ndarray]]:
-    """Yield the number of each group that occurs among the items (k,), and the items of the group."""
+    """Yield the number of each group that occurs among the items (k,), and the positions of its items."""
     if groups == 1:
         yield 0, slice(None)
         return
