@@ -1,2 +1,2 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The cost of a simulation, estimated without running it."""
+"""Estimate the time and memory of a simulation without running the simulation."""

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The view along the tool axis in which a job is checked: the finest that the budgets allow."""
+"""Choose the view along the tool axis in which a job is checked, with the finest pixel that the budgets allow."""
 
 from __future__ import annotations
 
@@ -16,17 +16,19 @@ from vkworkbench.core.zbuffer.cost.resolution import best_resolution
 from vkworkbench.core.zbuffer.cost.speed import USUAL, Speed
 from vkworkbench.core.zbuffer.sweeps.cuts import Cut
 
-# Pixel that needs not be smaller, mm: half the default tolerance of the comparison with the model, so that a wall that is
-# just beyond the tolerance lies more than a pixel aside; and a share of the thinnest tool's diameter.
+# Largest pixel that is fine enough, mm: half the default tolerance of the comparison with the model, so that a wall
+# just beyond the tolerance is displaced by more than a pixel. The second limit for the pixel is this share of the
+# thinnest tool's diameter.
 _FINE_ENOUGH, _OF_TOOL = 0.05, 1 / 16
-# Longer side of the image from which larger images are estimated, pixels.
+# Longer side of the image for which the cost is estimated, pixels. The cost of finer images is extrapolated from this
+# image.
 _FIRST = 800
-# Peak memory of comparing the part with the model, as a multiple of the peak of the simulation.
+# Peak memory of the comparison with the model, as a multiple of the peak memory of the simulation.
 _COMPARING = 1.6
 
 
 def axis_view(cuts: Iterable[Cut], stock: Solid, *, memory_bytes: float, seconds: float, speed: Speed = USUAL) -> View:
-    """Return the view from above with the finest pixel that is useful and within the budgets.
+    """Return the view from above with the finest useful pixel for which the simulation stays within the budgets.
 
     Parameters
     ----------
@@ -34,14 +36,14 @@ def axis_view(cuts: Iterable[Cut], stock: Solid, *, memory_bytes: float, seconds
         The operations in their order.
     stock : Solid
     memory_bytes, seconds : float
-        Largest peak memory, bytes, and longest time of the simulation, s.
+        Memory budget, bytes, and time budget of the simulation, s.
     speed : Speed
         Speed of this computer.
 
     Returns
     -------
     View
-        An image of one pixel if the budgets allow no image.
+        The view has one pixel if the budgets allow no image.
     """
     cuts = list(cuts)
     useful = min([_FINE_ENOUGH, *(_OF_TOOL * cut.tool.diameter for cut in cuts)])

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Bounds for a simulation from a few operations for each trajectory, without rays."""
+"""Compute bounds for a simulation quickly, from the trajectories alone and without sampled rays."""
 
 from __future__ import annotations
 
@@ -13,12 +13,15 @@ from vkworkbench.core.view import Frame, View
 from vkworkbench.core.zbuffer.memory.memory import most_bytes_of
 from vkworkbench.given import number
 
-# Depth below the stock's top up to which a cut is not certain, mm.
+# Depth below the stock's top, mm. A point of the toolpath at a smaller depth does not count as a certain cut.
 _SHALLOW = 1e-3
 
 
 def cuts_surely(toolpath: Toolpath, stock: Solid) -> bool:
-    """Return whether a point of the toolpath lies inside or below a box of stock, so that the tool cuts. False: it may still cut."""
+    """Return whether the tool certainly cuts, because a point of the toolpath is inside or below a box-shaped stock.
+
+    If the result is False, the tool possibly still cuts.
+    """
     if not isinstance(stock, Stock):
         return False
     points = toolpath.points
@@ -29,7 +32,10 @@ def cuts_surely(toolpath: Toolpath, stock: Solid) -> bool:
 
 
 def may_cut(toolpath: Toolpath, tool: Tool, stock: Solid) -> bool:
-    """Return whether the bounding boxes of the swept volume and of the stock overlap. False: the tool cuts nothing."""
+    """Return whether the swept volume possibly meets the stock, from their bounding boxes.
+
+    If the result is False, the tool cuts nothing.
+    """
     points = toolpath.points
     if not len(points):
         return False
@@ -41,23 +47,24 @@ def may_cut(toolpath: Toolpath, tool: Tool, stock: Solid) -> bool:
 def most_bytes(toolpath: Toolpath, *, tool: Tool, stock: Solid, view: View) -> float:
     """Return an upper bound of the simulation's peak memory, pictures included.
 
-    A trajectory adds one record to each pixel that it passes, two in an oblique view. A convex outline of area A and perimeter P
-    contains at most A + P / 2 + 1 points of a lattice with spacing 1 (Nosarzewska 1948). In a view from above, the outline is the
-    outline of the tool moved along the trajectory. In an oblique view it is the bounding box. A flat end cuts a pixel at most once
-    at each height.
+    A trajectory adds at most one record to each pixel that it passes in a view from above, and at most two in an
+    oblique view. A convex outline with area A and perimeter P contains at most A + P / 2 + 1 points of a lattice with
+    spacing 1 (Nosarzewska 1948). In a view from above, this outline is the outline of the swept volume. In an oblique
+    view, this outline is the bounding box of the swept volume in the image. A tool with a flat end cuts each pixel at
+    most once at each height.
 
     Parameters
     ----------
     toolpath : Toolpath
     tool : Tool
     stock : Solid
-        For a mesh the bound is infinite, because its rays may begin with any number of dexels.
+        The bound is infinite for a mesh, because the number of dexels on its rays is unknown.
     view : View
 
     Returns
     -------
     float
-        Bytes.
+        Upper bound, bytes.
     """
     if not isinstance(stock, Convex):
         return np.inf
@@ -75,7 +82,7 @@ def _most_removed(toolpath: Toolpath, tool: Tool, stock: Convex, frame: Frame) -
         run = np.sqrt(move[:, 0] ** 2 + move[:, 1] ** 2) / frame.pixel
         passed = (2 * radius + 1) * run + np.pi * radius * (radius + 1) + 1
         return _count_by_level(points[cuts], move, passed, tool, pixels)
-    # In an oblique view, the tool is as wide as its diameter and ends at the stock's top.
+    # In an oblique view, the tool is replaced by a cylinder with its diameter, from its tip to the stock's top.
     height = (top - np.minimum(points[cuts, 2], points[cuts + 1, 2])) / frame.pixel
     right, up = (
         sum(np.abs(move[:, axis] * direction[axis]) for axis in range(3)) / frame.pixel + 2 * radius
@@ -86,7 +93,11 @@ def _most_removed(toolpath: Toolpath, tool: Tool, stock: Convex, frame: Frame) -
 
 
 def _count_by_level(start: np.ndarray, move: np.ndarray, passed: np.ndarray, tool: Tool, pixels: int) -> float:
-    """Return the number of pixels that trajectories pass, with pixels at one height counted once if the tool's end is flat."""
+    """Return an upper bound of the number of removed pieces in a view from above.
+
+    `passed` contains the number of pixels that each trajectory passes. If the tool's end is flat, each pixel counts at
+    most once at each height.
+    """
     if passed.sum() <= pixels or tool.rounding or tool.steepness:
         return float(np.minimum(passed, pixels).sum())
     flat = (move[:, 2] == 0) | ~move[:, :2].any(axis=1)
@@ -96,32 +107,34 @@ def _count_by_level(start: np.ndarray, move: np.ndarray, passed: np.ndarray, too
 
 
 def cauchy_crofton(toolpath: Toolpath, *, stock: Solid, view: View, direction: float | None = None) -> float:
-    """Count the crossings of the toolpath with parallel lines, one pixel apart: M(epsilon, theta) in section 2.1 of the paper.
+    """Count the crossings of the toolpath with parallel lines that are one pixel apart.
 
-    M is the length of the toolpath's projection on a line of direction theta, divided by epsilon, the distance between
-    the lines. The lines run in the direction theta + pi / 2 (Tricot 1995). The paper rejects this measure of the cost,
-    because it depends neither on the tool's width nor on the sequence.
+    The count is M(epsilon, theta) in section 2.1 of the paper: the length of the toolpath's projection onto a line in
+    the direction theta, divided by the distance epsilon between the lines. The lines run in the direction theta + pi /
+    2 (Tricot 1995). The paper rejects M as a measure of the cost, because M depends neither on the tool's width nor on
+    the order of the moves.
 
     Parameters
     ----------
     toolpath : Toolpath
-        Trajectories that go below the top of the stock are counted with their whole length, also beside the stock.
+        Each trajectory that goes below the top of the stock counts with its whole length, even beside the stock.
     stock : Solid
     view : View
-        The side of its pixels is epsilon.
+        Epsilon is the side of the view's pixels.
     direction : float, optional
-        Theta, rad, from the image's right upwards; 0 counts crossings with columns of pixels, pi / 2 with rows.
+        Theta, rad, measured from the image's right axis towards its up axis. The angle 0 counts crossings with columns
+        of pixels, the angle pi / 2 counts crossings with rows.
 
     Returns
     -------
     float
-        Number of crossings. Without `direction`, the mean over all directions: 2 / pi of the length in the image, divided by
-        epsilon.
+        Number of crossings. Without `direction`, the mean number over all directions is returned: 2 / pi times the
+        toolpath's length in the image, divided by epsilon.
 
     Raises
     ------
     ValueError, TypeError
-        If an argument has another type, or the direction is not finite.
+        If an argument has a wrong type, or the direction is not finite.
     """
     check_toolpath(toolpath)
     frame = fitted(view, stock)

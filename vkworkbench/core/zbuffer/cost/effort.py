@@ -1,10 +1,11 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The simulator's work, estimated by culling a sample of tiles.
+"""Estimate the simulator's work by culling a sample of tiles.
 
-The share of pairs that culling drops differs between toolpaths by orders of magnitude, and only culling can find it. Therefore some
-tiles are culled level by level, with the code of the simulator. If the tiles of a level have too many pairs, a sample of the tiles
-is drawn, with probabilities proportional to the time that their pairs need (sampling proportional to size, Madow 1949). A tile whose
-probability would exceed 1 is always drawn.
+Culling drops pairs of a tile and a trajectory that do not meet. The share of dropped pairs differs between toolpaths by
+orders of magnitude, and only culling itself can find this share. Therefore some tiles are culled with the code of the
+simulator, level by level (each level halves the side of the tiles). If the tiles of a level have too many pairs, a
+sample of these tiles is drawn, with probabilities proportional to the time for their pairs (sampling proportional to
+size, Madow 1949). A tile whose probability would exceed 1 is always drawn.
 """
 
 from __future__ import annotations
@@ -22,23 +23,26 @@ from vkworkbench.core.zbuffer.memory.counts import Counts
 from vkworkbench.core.zbuffer.rays.removal import Removal
 from vkworkbench.core.zbuffer.sweeps.trajectories import Kind
 
-# Number of pairs of tile and trajectory in the sample of each level: `_PAIRS` for each kind of trajectory, because operations with
-# different tools cut different tiles, plus the number of trajectories up to `_CROWDED`, because a few crowded tiles would otherwise
-# fill the sample. `_LOOKED_AT` is the number of pairs tested for the first tiles.
+# Number of pairs of a tile and a trajectory in the sample of each level: `_PAIRS` for each kind of trajectory, plus one
+# pair for each trajectory up to `_CROWDED` pairs. The number grows with the kinds, because operations with different
+# tools cut different tiles. The number grows with the trajectories, because a few crowded tiles would otherwise fill
+# the sample. `_LOOKED_AT` is about the number of pairs that are tested for the first-level tiles.
 _PAIRS = 12_000
 _CROWDED = 40_000
 _LOOKED_AT = 2_000_000
-# Minimum number of first-level tiles.
+# Minimum number of first-level tiles in the sample.
 _FEWEST = 24
 
-# Fixed seed, so that equal arguments give equal estimates.
+# Seed of the random sample. A fixed seed gives equal estimates for equal arguments.
 _SEED = 2002
 
-# Kinds of pairs, numbered 4 * tool (flat, pointed, ball, bull-nose) + 2 * sloped + oblique view. Costs in units of `Speed`, fitted by
-# benchmarks/learn_effort.py: TESTS for testing a pair of tile and trajectory, CELLS for cutting the ray of a pixel, SORTED in addition
-# for a ray whose intervals are sorted, RECORDS for a record in a view from above and in an oblique view.
-# Exception: for a bull-nose in an oblique view, a cell costs three times as much between the ends of the move as at an end, on level
-# and sloped moves alike. The two kinds of such cells mean these two positions.
+# Number of kinds of pairs. A kind has the number 4 * tool (0 flat, 1 pointed, 2 ball, 3 bull-nose) + 2 * sloped +
+# oblique view. benchmarks/learn_effort.py fits the costs below, in units of `Speed`: TESTS is the cost of testing a
+# pair of a tile and a trajectory, CELLS the cost of cutting the ray of a pixel by a trajectory, SORTED the additional
+# cost of a cell on a ray whose intervals are sorted, and RECORDS the cost of a record in a vertical view and in an
+# oblique view. Exception: for a bull-nose in an oblique view, cutting a cell between the ends of the move takes about
+# three times as long as cutting a cell at an end, for level and sloped moves alike. Therefore these two kinds of cells
+# distinguish the two positions.
 KINDS = 16
 _AT_END, _BETWEEN = 13, 15
 TESTS = np.array(
@@ -49,7 +53,7 @@ CELLS = np.array(
 )
 SORTED = 0.072
 RECORDS = np.array([1, 3.193])
-# Checksum of the tables. A `Speed` measured with other tables is not valid.
+# Checksum of the four tables. A stored `Speed` that was measured with other tables is not valid.
 WORK_UNITS = f"{crc32(np.concatenate((TESTS, CELLS, [SORTED], RECORDS)).tobytes()):08x}"
 
 
@@ -62,19 +66,19 @@ class Work:
     trajectories, pixels : float
         Number of trajectories and of pixels.
     first : float
-        Number of pairs of a trajectory and a tile of the largest size, whether or not they meet.
+        Number of pairs of a trajectory and a largest tile, whether or not the two meet.
     pairs : tuple of (16,) tuple of float
-        Number of tested pairs of tile and trajectory, by level (the largest tiles first) and kind; see `KINDS`.
+        Number of tested pairs of a tile and a trajectory, by level (the largest tiles first) and by kind; see `KINDS`.
     cells : (16,) tuple of float
         Number of pairs of a trajectory and a pixel whose ray it cuts, by kind.
     unconnected : float
-        Share of `cells` on rays whose intervals are not connected, so that they are sorted.
+        Share of `cells` on rays whose removed intervals are not connected. Only on these rays are the intervals sorted.
     records : (2,) tuple of float
-        Number of dexels and elements of traces, in a vertical view and in an oblique view.
+        Number of dexels, trace elements and gaps in a vertical view, and in an oblique view; one of the two is 0.
     bands : float
-        Number of bands of `TILE` rows, from the lowest to the highest band that trajectories reach.
+        Number of bands (`TILE` rows of pixels), from the lowest to the highest band that trajectories reach.
     kinds : float
-        Mean number of kinds of trajectory in a band. The pairs of each kind are processed separately.
+        Mean number of kinds of trajectories in a band. The simulator processes the pairs of each kind separately.
     """
 
     trajectories: float
@@ -88,10 +92,10 @@ class Work:
     kinds: float
 
     def amounts(self, growth: float = 1.0) -> np.ndarray:
-        """Return the factor of each constant of `Speed`, for an image with `growth` times as many pixels.
+        """Return the amount of work for each constant of `Speed`, for an image with `growth` times as many pixels.
 
-        The number of pairs for tiles of a given size in mm does not depend on the image. A finer image begins at a smaller
-        size and continues to smaller sizes.
+        The number of pairs for tiles with a given side in mm does not depend on the image. Tiles with a given side in
+        pixels are smaller in mm in a finer image.
 
         Returns
         -------
@@ -113,8 +117,9 @@ class Work:
     def _cell_growth(self, growth: float) -> float:
         """Return the growth of the number of cells.
 
-        Two models: the pairs grow from level to level as they do in the last known level, or the cells grow with the number of
-        pixels. The result is the geometric mean of both.
+        The result is the geometric mean of two models. In the first model, the number of pairs grows from level to
+        level as in the last known level. In the second model, the number of cells is proportional to the number of
+        pixels.
         """
         if not self.pairs or sum(self.cells) == 0:
             return growth
@@ -124,7 +129,10 @@ class Work:
 
 
 def _shift_levels(levels: np.ndarray, growth: float) -> np.ndarray:
-    """Return the amounts of each level for an image with `growth` times as many pixels, interpolated on a logarithmic scale."""
+    """Return the amounts of each level for an image with `growth` times as many pixels.
+
+    The amounts are interpolated between levels on a logarithmic scale.
+    """
     if growth == 1 or len(levels) < 2 or levels.min() <= 0:
         return levels * growth
     place = np.arange(len(levels)) + np.log2(growth) / 2
@@ -194,7 +202,7 @@ def _count_bands(removal: Removal) -> tuple[float, float]:
     band, most, half = TILE * frame.pixel, -(-frame.height // TILE), frame.height * frame.pixel / 2
     bottom, top = np.clip(removal.box[2:], -half, half)
     own = [removal.kind == number for number in range(len(removal.kinds))]
-    # A partly reached band counts as a band: on average this adds one.
+    # A band that is reached only partly counts as a whole band, which adds one band on average.
     each = [min((top[kind].max() - bottom[kind].min()) / band + 1, most) for kind in own]
     if not each:
         return 0.0, 1.0
@@ -205,7 +213,8 @@ def _count_bands(removal: Removal) -> tuple[float, float]:
 def _cell_kinds(removal: Removal, kind: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """Return the kinds (m,) of cells, and the share (m,) of a bull-nose's cells that lie between the ends of its move.
 
-    The share is the area of the swept disc beyond the area of the disc itself.
+    The share is estimated as run / (run + pi / 2 * radius): the rectangle between the discs at both ends of the move,
+    as a share of the whole swept area.
     """
     rounded = (kind == _AT_END) | (kind == _BETWEEN)
     run = removal.heading[2]
@@ -214,7 +223,7 @@ def _cell_kinds(removal: Removal, kind: np.ndarray) -> tuple[np.ndarray, np.ndar
 
 
 def _count_pairs(tiles: Tiles, weight: np.ndarray, kind: np.ndarray) -> np.ndarray:
-    """Return the number of pairs of each kind, with each tile counted `weight` times."""
+    """Return the estimated number of pairs of each kind, (KINDS,). Each pair counts with the weight of its tile."""
     return np.bincount(kind[tiles.item], np.repeat(weight, np.diff(tiles.first)), KINDS)
 
 
@@ -227,7 +236,7 @@ def _kind_number(kind: Kind, upright: bool) -> int:
 
 
 def _draw_first_tiles(removal: Removal, rng: np.random.Generator) -> tuple[Tiles, np.ndarray, int]:
-    """Return a sample of the first-level tiles with their trajectories, the weight of each tile, and the number of all tiles."""
+    """Return a sample of the first-level tiles, the weight of each drawn tile, and the number of all tiles."""
     frame = removal.frame
     columns, rows = -(-frame.width // TILE), -(-frame.height // TILE)
     every = columns * rows
@@ -243,12 +252,16 @@ def _draw_first_tiles(removal: Removal, rng: np.random.Generator) -> tuple[Tiles
 def _draw_tiles(
     tiles: Tiles, weight: np.ndarray, cost: np.ndarray, pairs: int, rng: np.random.Generator
 ) -> tuple[Tiles, np.ndarray]:
-    """Draw a sample of tiles if they have more than `pairs` pairs, with probabilities proportional to the `cost` (p,) of their pairs."""
+    """Return a sample of tiles and their weights; return all tiles if they have at most `pairs` pairs.
+
+    The probability of a tile is proportional to its weight times the cost of its pairs. `cost` (p,) is the cost of each
+    pair.
+    """
     size = np.diff(tiles.first)
     if size.sum() <= pairs:
         return tiles, weight
     likely = weight * np.diff(np.append(0.0, np.cumsum(cost)).take(tiles.first))
-    usual = float((likely * size).sum()) / likely.sum()  # mean number of pairs of a drawn tile
+    usual = float((likely * size).sum()) / likely.sum()  # mean number of pairs in a drawn tile
     count = max(1, int(pairs / usual))
     if count >= len(size):
         return tiles, weight

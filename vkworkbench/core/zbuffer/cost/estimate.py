@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Estimates of the records, memory and time of a simulation, without running it."""
+"""Estimate the records, memory and time of a simulation without running the simulation."""
 
 from __future__ import annotations
 
@@ -28,35 +28,38 @@ class Estimate:
     Attributes
     ----------
     dexels : float
-        Number of dexels at the end.
+        Number of dexels at the end of the simulation.
     traces : float
-        Number of elements of the traces.
+        Number of trace elements: pieces of rays that trajectories remove.
     traces_error : float
         Standard error of `traces`.
     memory_bytes : float
-        Peak memory of the simulation, pictures included. `simulate` refuses a simulation whose peak exceeds its budget.
+        Peak memory of the simulation, pictures included. `simulate` refuses a simulation whose peak exceeds the memory
+        budget.
     seconds : float
         Time of the whole simulation, s.
     explanation : str
-        The reason for the cost, in one sentence without a full stop.
+        The reason for the cost, as one phrase without a full stop.
     view : View
-        The image.
+        The view whose image is simulated.
     pixel : float
         Side of the pixels, mm.
     candidates : float
-        Pairs of a pixel and a trajectory that passes it, including pairs that remove nothing.
+        Number of pairs of a pixel and a trajectory that passes this pixel, including trajectories that remove nothing
+        there.
     stock_bytes : float
         Peak memory for the uncut stock alone.
     trajectory_seconds : float
-        Part of `seconds` that does not depend on the image, s.
+        Part of `seconds` that depends only on the number of trajectories, s.
     work : Work
         Work of the whole simulation.
     speed : Speed
-        Speed of the computer, used for `seconds`.
+        Speed of the computer that `seconds` is estimated for.
     peak : Peak
-        The quantities that determine `memory_bytes`, also for other image sizes.
+        The quantities that determine `memory_bytes`, for this image size and for other sizes.
     cuts : tuple of Cut
-        The estimated operations, for estimates together with other operations. Empty after pickling.
+        The estimated operations, so that they can be estimated again together with other operations. Empty after
+        pickling.
     stock : Solid or None
         The uncut stock. None after pickling.
     """
@@ -87,7 +90,7 @@ class Estimate:
 
     @property
     def factor(self) -> float:
-        """Factor of uncertainty: the true time lies between ``seconds / factor`` and ``seconds * factor``."""
+        """Uncertainty: the actual time is probably between ``seconds / factor`` and ``seconds * factor``."""
         return self.speed.factor
 
 
@@ -100,16 +103,16 @@ def estimate(
     view: View,
     speed: Speed = USUAL,
 ) -> Estimate:
-    """Estimate the cost of simulating an operation, from a few hundred rays that are simulated exactly.
+    """Estimate the cost of simulating an operation from a few hundred rays that are simulated exactly.
 
-    The order of the trajectories determines how often a pixel is cut (paper, section 2.1). The sampled rays are cut in this
-    order. The strategy explains the result.
+    The order of the trajectories determines how often a pixel is cut (paper, section 2.1). Therefore the sampled rays
+    are cut in the order of the program. The recognised strategy only appears in the explanation of the result.
 
     Parameters
     ----------
     toolpath : Toolpath
     recognition : Recognition or None
-        Names the strategy in the explanation.
+        The recognised strategy, which the explanation names.
     tool : Tool
     stock : Solid
     view : View
@@ -134,9 +137,9 @@ def estimate(
 
 
 def estimate_job(cuts: Sequence[Cut], *, stock: Solid, view: View, speed: Speed = USUAL) -> Estimate:
-    """Estimate the cost of `simulate_job`, from a few hundred rays that are cut by the whole job.
+    """Estimate the cost of `simulate_job` from a few hundred rays that the whole job cuts.
 
-    Each operation is estimated on the stock that earlier operations left.
+    Each operation cuts the stock that the earlier operations left.
 
     Parameters
     ----------

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The inverse problem (paper, sections 1 and 4): the finest image that a memory or time budget allows."""
+"""Find the finest image that a memory or time budget allows (the inverse problem in sections 1 and 4 of the paper)."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from vkworkbench.core.zbuffer.memory.memory import Peak, in_memory
 from vkworkbench.given import not_negative, number, of_kind, positive
 from vkworkbench.language import Message, render
 
-# Smallest distance between passes, in pixels or cells, at which an image separates the passes.
+# Smallest distance between neighbouring passes, in pixels or cells, at which an image shows the passes separately.
 _CELLS_PER_STEPOVER = 4
 
 
@@ -25,11 +25,12 @@ class Resolution:
     Attributes
     ----------
     view : View or None
-        The finest image within the budget; None if no image is.
+        The finest image within the budget; None if even one pixel exceeds the budget.
     memory_bytes, seconds : float
-        Peak memory and time of the simulation with this image; with an image of one pixel if `view` is None.
+        Peak memory, bytes, and time, s, of the simulation with this image. If `view` is None, both are for an image
+        with one pixel.
     why : Message
-        The limit of the resolution, or an advice if no image is within the budget.
+        The budget that limits the resolution; or advice, if no image is within the budget.
     """
 
     view: View | None
@@ -54,20 +55,22 @@ def best_resolution(
 ) -> Resolution:
     """Choose the finest image for which a simulation stays within a budget.
 
-    Dexels, trace elements and their memory are proportional to the number of pixels. The memory for trajectories and temporary
-    arrays is constant. Time grows more slowly than the number of pixels, see `Work.amounts`, and a part of it is constant.
+    The number of dexels and trace elements, and the memory for them, is proportional to the number of pixels. The
+    memory for trajectories and temporary arrays is constant. The time has a constant part and grows more slowly than
+    the number of pixels; see `Work.amounts`.
 
     Parameters
     ----------
     estimates : sequence of Estimate
-        Estimates of the operations, all for the same view.
+        Estimate of each operation. All estimates are for the same view.
     memory_bytes, seconds : float, optional
-        The budget, bytes and s; at least one is required. Several operations share one z-buffer and are simulated one after
-        another.
+        Memory budget, bytes, and time budget, s. At least one budget is required. Several operations share one z-buffer
+        and are simulated one after another.
     stepover : float, optional
         Smallest distance between passes, mm. `Resolution.why` compares it with the pixel.
     labels : sequence of str, optional
-        Names of the operations, to name the one that takes longest if no image is within the budget.
+        Names of the operations. If no image is within the time budget, `Resolution.why` names the operation that takes
+        longest.
     whole : Estimate, optional
         Estimate of all operations together. Default: the sum of `estimates`, with the stock counted once.
 
@@ -80,7 +83,7 @@ def best_resolution(
     ValueError
         If there is no estimate or no budget, or the budget is not positive.
     TypeError
-        If an argument has another type.
+        If an argument has a wrong type.
     """
     if memory_bytes is None and seconds is None:
         raise ValueError("a budget is a positive number: give memory_bytes, seconds, or both")
@@ -129,7 +132,10 @@ def _seconds(estimates: Sequence[Estimate], growth: float) -> float:
 
 
 def _peak_together(estimates: Sequence[Estimate]) -> Peak:
-    """Return the quantities that determine the memory of all operations in one z-buffer, with the stock counted once."""
+    """Return the quantities that determine the peak memory of all operations in one z-buffer.
+
+    The stock is counted once.
+    """
     peaks = [e.peak for e in estimates]
     stocks = [p.stock for p in peaks]
     return Peak(
@@ -144,7 +150,10 @@ def _peak_together(estimates: Sequence[Estimate]) -> Peak:
 
 
 def passes_apart(size: float, stepover: float | None) -> Message | None:
-    """Return a message on whether cells or pixels of a size separate passes; None if the stepover is unknown."""
+    """Return a message that says whether pixels or cells with side `size`, mm, show the passes separately.
+
+    The result is None if the stepover is unknown.
+    """
     distance = 0.0 if stepover is None else number("stepover", stepover, "a distance of at least 0 mm", not_negative)
     if not distance:
         return None

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The speed of a computer, measured by timing the simulator on small synthetic toolpaths."""
+"""Measure the speed of a computer by timing the simulator on small synthetic toolpaths."""
 
 from __future__ import annotations
 
@@ -26,12 +26,14 @@ _FLAT, _BALL = Tool("endmill", 8), Tool("ballend", 8)
 _TOP, _TILTED = (0, 0, -1), (0, 1, -2)
 # Largest number of repetitions of each timed run.
 _RUNS = 8
-# Uncertainty of a time estimated with a measured speed: 90 % of the true times are within this factor, as benchmarks/resources.py
-# and, for more kinds of toolpaths, benchmarks/learn_effort.py print.
+# Uncertainty of a time that is estimated with a measured speed: 90 % of the actual times are within this factor of the
+# estimate. benchmarks/resources.py and, for more kinds of toolpaths, benchmarks/learn_effort.py print these
+# percentages.
 _FACTOR = 2.0
-# Weight of the default proportions between the constants, relative to one measured time.
+# Weight of the default proportions between the constants in the fit, relative to the weight of one measured time.
 _RIDGE = 0.5
-# Smallest constant, as a share of its default, because noisy times could make it zero or negative.
+# Lower bound of each fitted constant, as a share of the scaled default constant. Without this bound, noisy times could
+# give constants that are zero or negative.
 _LEAST = 0.1
 
 
@@ -39,28 +41,29 @@ _LEAST = 0.1
 class Speed:
     """Time for one unit of each kind of the simulator's work on one computer, s.
 
-    The defaults were measured on a Xeon core. Use :func:`measure_speed` for this computer.
+    The default values were measured on a Xeon core. :func:`measure_speed` measures the values for this computer.
 
     Attributes
     ----------
     trajectory : float
-        Time for one trajectory, whether or not it meets the stock.
+        Time for one trajectory, whether or not the trajectory meets the stock.
     pixel : float
         Time for one pixel of the image.
     meeting : float
         Time to compare one trajectory with one of the largest tiles.
     block : float
-        Time for one block of pairs of one kind, in addition to its pairs.
+        Time for one block of pairs of one kind, in addition to the time for the pairs in the block.
     test : float
         Time to test one pair of a tile and a trajectory.
     cell : float
         Time to cut the ray of one pixel by one trajectory.
     record : float
-        Time for one dexel or element of a trace.
+        Time for one dexel, trace element or gap in a vertical view.
     factor : float
-        Uncertainty: the true time lies between the estimate divided by this and the estimate multiplied by this.
+        Uncertainty: the actual time is probably between the estimate divided by `factor` and the estimate times
+        `factor`.
     processes : int
-        Number of processes that cut at once. The other attributes are for one process.
+        Number of processes that cut at the same time. All other attributes are for one process.
     """
 
     trajectory: float = 3.91e-07
@@ -75,11 +78,11 @@ class Speed:
 
     @property
     def constants(self) -> np.ndarray:
-        """Times for the units of `Work.amounts`, in the same order, (7,) float64, s."""
+        """Times for one unit of each amount in `Work.amounts`, in the order of the amounts, (7,) float64, s."""
         return np.array([self.trajectory, self.pixel, self.meeting, self.block, self.test, self.cell, self.record])
 
     def seconds(self, work: Work, growth: float = 1.0) -> float:
-        """Return the time for some work in an image with `growth` times as many pixels, s."""
+        """Return the time for the work in an image with `growth` times as many pixels, s."""
         alone = float((work.amounts(growth) * self.constants).sum())
         return shared_seconds(alone, max(1, min(self.processes, int(work.bands))))
 
@@ -88,22 +91,22 @@ USUAL = Speed()
 
 
 def measure_speed(clock: Callable[[], float] = processor_clock, going_on: Callable[[], object] = lambda: None) -> Speed:
-    """Time the simulator on lines, arcs and a surface until the times are steady, in about two seconds.
+    """Time the simulator on straight rows, circles and a wavy surface until the times are steady.
 
-    The images are nearly as large as real images, because in small images the start of each array operation takes most of
-    the time.
+    The measurement takes about two seconds. The images are nearly as large as real images, because in small images the
+    start of each array operation takes most of the time.
 
     Parameters
     ----------
     clock : callable
-        Returns a time, s. Default: the processor time, which other programs do not influence.
+        Returns a time, s. The default is the processor time, because other programs do not influence it.
     going_on : callable
-        Called before each simulation, that is several times a second. An exception from it ends the measurement.
+        Called before each simulation, several times a second. An exception raised by `going_on` ends the measurement.
 
     Returns
     -------
     Speed
-        Constants fitted to the times; see `fit_speed`.
+        Constants that `fit_speed` fits to the times.
     """
     runs = (
         (_rows(6), _FLAT, _square(640)),
@@ -123,15 +126,16 @@ def measure_speed(clock: Callable[[], float] = processor_clock, going_on: Callab
 def fit_speed(amounts: np.ndarray, seconds: np.ndarray) -> Speed:
     """Fit the constants to measured times.
 
-    Least squares of the relative differences, with a ridge towards the default constants times a common factor
-    (Hoerl and Kennard 1970), because a few noisy times do not determine all constants.
+    The fit is a ridge regression (Hoerl and Kennard 1970) on the relative differences between estimated and measured
+    times. The ridge pulls the constants towards the default constants times a common factor, because a few noisy times
+    do not determine all constants.
 
     Parameters
     ----------
     amounts : (k, 7) ndarray
-        The work of each simulation, see `Work.amounts`.
+        The work of each simulation; see `Work.amounts`.
     seconds : (k,) ndarray
-        Time of each simulation.
+        Measured time of each simulation, s.
 
     Returns
     -------

@@ -1,2 +1,2 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Facts, crashes, gouges and leftover material, read from a simulated job."""
+"""Find the facts, crashes, collisions, gouges and leftover material in a simulated job."""

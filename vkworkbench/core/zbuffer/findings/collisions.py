@@ -1,11 +1,14 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Find collisions of shanks and holders, cuts deeper than the flutes, tools that are too short, and collisions with clamps.
+"""Find collisions of shanks, holders and clamps, cuts deeper than the flutes, and tools that are too short.
 
-The parts of a tool above its flutes are bodies that do not cut. A body collides where it meets material that the tool has not
-removed before. Vertical rays find this material: tools and bodies move alternately, and a piece that a body removes is a
-collision. The rows of rays are turned against the axes, because a wall along a row would lie between two rows. A body that moves first finds every collision, but also material that the tool removes in the same move
-before the body arrives. The moves found in this way are divided into parts, and the body moves after the tool in each part: what it
-removes then is a collision.
+The parts of a tool above its flutes are bodies that do not cut. A body collides where it meets material that the tool
+has not removed before. Vertical rays find this material: in the simulation, tools and bodies move alternately, and each
+piece of a ray that a body removes is a collision. The rows of rays are rotated against the X and Y axes, because rays
+in a row along a wall would all miss a thin layer of the wall.
+
+If the body moves before its tool, the simulation finds every collision, but also material that the tool removes in the
+same move before the body arrives. Therefore the moves found in this way are simulated again: the moves are divided into
+parts, and the body moves after the tool in each part. A piece that the body still removes is a collision.
 """
 
 from __future__ import annotations
@@ -27,20 +30,26 @@ from vkworkbench.core.zbuffer.sweeps.cuts import Cut, Cuts, Source
 from vkworkbench.language import Message
 
 FLUTES, SHANK, HOLDER, LENGTH, TOOL = "flutes", "shank", "holder", "length", "tool"
-# Distance, mm, below which a body only touches. Chords of arcs leave material that is higher by their rise; the factor adds a margin.
+# Distance by which a body is made smaller before the check, mm, because a body that only touches a wall does not
+# collide. Chords of arcs leave material as high as the rise of the arc over its chord, so the distance is at least this
+# factor times the rise.
 _TOUCHES, _OF_RISE = 0.02, 2.0
-# Diameter of the narrowest holders, as a multiple of the diameter of the part of the tool that they hold.
+# Diameter of the narrowest holders, as a multiple of the diameter of the tool or shank in the holder. An unknown holder
+# is assumed to have this diameter.
 _NARROWEST_HOLDER = 1.5
-# Largest fall of a part of a sloped move, mm, for cuts deeper than the flutes.
+# Sloped moves are divided into parts for the check of the flutes. This is the largest fall of the tool in one part, mm.
 _FALL = 0.5
-# Parts of a sloped or level move, as a share of the width by which a body is wider than its tool; and the largest number of parts
-# of one move, and of all moves together.
+# Moves are divided into parts where the first two simulations disagree. Length of one part, as a share of the
+# difference between the radii of body and tool; largest number of parts of one move; largest number of parts of all
+# moves together.
 _SHARE, _MOST_PARTS, _PARTS_TOGETHER = 0.5, 1000, 200_000
-# Angle between the rows of rays and the X axis, rad: not close to the directions of most walls.
+# Angle between the rows of rays and the X axis, rad. Few walls run in this direction.
 _TURN = 0.3
-# Number of rays in the rectangle around the moves of a body, and across the radius of a body, at least.
+# Minimum number of rays in the rectangle around all moves of the bodies, and minimum number of rays across the radius
+# of a body.
 _RAYS, _ACROSS = 150_000, 4.0
-# Least number of rays in the ring by which a standing body is wider than its tool, so that walls that it rubs are found.
+# Minimum number of rays in the ring between the outlines of tool and body, seen from above. With fewer rays, the check
+# misses walls that the body rubs against.
 _IN_RING = 12.0
 # Smallest distance between rays, mm.
 _CLOSEST = 2.0**-7
@@ -53,20 +62,21 @@ class Collision:
     Attributes
     ----------
     body : {"flutes", "shank", "holder", "length", "tool"}
-        Part of the tool: "flutes" if the cut is deeper than the flutes; "length" if material is higher than the upper end of a
-        tool without a known holder; "tool" if the tool cuts a clamp.
+        Colliding part of the tool. "flutes" means that the cut is deeper than the flutes. "length" means that material
+        is higher than the upper end of a tool whose holder is unknown. "tool" means that the cutting part of the tool
+        cuts a clamp.
     trajectory : int
         Number of the first trajectory that collides.
     source, last : Source
-        Origin of the first and of the last trajectory that collides.
+        Cut and command of the first and of the last trajectory that collides.
     place : (3,) tuple of float
         Middle of the longest piece of a ray that the first trajectory would remove, mm.
     depth : float
         Largest height of material above the lower end of the colliding part, mm.
     clamp : str
-        Name of the clamp; empty for a collision with the workpiece.
+        Name of the clamp. The name is empty for a collision with the workpiece.
     size : float
-        Length of the flutes or of the tool for the bodies "flutes" and "length", mm; otherwise 0.
+        Length of the flutes for the body "flutes", length of the tool for the body "length", mm; otherwise 0.
     """
 
     body: str
@@ -80,7 +90,7 @@ class Collision:
 
     @property
     def what(self) -> Message:
-        """The collision as a message."""
+        """A message that describes the collision."""
         if self.clamp:
             parts = {TOOL: Message("the-tool"), SHANK: Message("the-shank"), HOLDER: Message("the-holder")}
             return Message("hits-clamp", part=parts[self.body], clamp=self.clamp)
@@ -99,9 +109,9 @@ class Collisions:
     Attributes
     ----------
     found : tuple of Collision
-        In the order of the first trajectories.
+        Sorted by the first colliding trajectory.
     pixel : float
-        Largest distance between the rays on which collisions were sought, mm; 0 if no body is as low as the material.
+        Largest distance between neighbouring rays of the check, mm; 0 if no body is ever as low as the material.
     shanks, holders : tuple of bool
         Whether the sizes of the shank and of the holder of each cut's tool are known.
     clamps : int
@@ -116,7 +126,7 @@ class Collisions:
 
     @property
     def worst(self) -> tuple[Collision, ...]:
-        """The deepest collision of each part of tools with the workpiece and with each clamp, in the order of the trajectories."""
+        """The deepest collision of each part of the tools with the workpiece, and with each clamp."""
         deepest: dict[tuple[str, str], Collision] = {}
         for one in self.found:
             known = deepest.setdefault((one.body, one.clamp), one)
@@ -159,12 +169,12 @@ def holder_collisions(
     Parameters
     ----------
     cuts : Cuts
-        The operations. Parts of which a tool has no size are not checked.
+        The operations. A part of a tool is not checked if its size is unknown.
     stock : Solid
     clamps : mapping of str to Solid, optional
-        Solids that nothing may touch, by their names.
+        Solids that no part of a tool is allowed to touch, by name.
     going_on : callable, optional
-        Called many times a second. An exception from it ends the work.
+        Called many times a second. An exception raised by `going_on` ends the work.
 
     Returns
     -------
@@ -175,7 +185,8 @@ def holder_collisions(
     found = [one for body in (FLUTES, SHANK, HOLDER, LENGTH) for one in search.in_workpiece(cuts, stock, body)]
     slimmed = [replace(cut, tool=slimmer(cut.tool, _margin(cut.toolpath))) for cut in cuts.cuts]
     for name, clamp in clamps.items():
-        # Every operation meets the whole clamp: a collision before it must not hide its own.
+        # Each operation is checked against the whole clamp, because a collision of an earlier operation must not hide a
+        # later collision.
         for number, first in enumerate(cuts.first[:-1].tolist()):
             alone, slim = Cuts([cuts.cuts[number]]), Cuts([slimmed[number]])
             of_bodies = (
@@ -201,7 +212,10 @@ def _margin(toolpath: Toolpath) -> float:
 
 
 def _body_of(cut: Cut, body: str) -> Body | None:
-    """Return a part of a cut's tool, without a margin that only touches; None if its sizes are unknown, or it is not wider."""
+    """Return a part of a cut's tool, made smaller by the margin for touching.
+
+    The result is None if the sizes of this part are unknown, or if the part is not wider than the tool.
+    """
     tool, margin = cut.tool, _margin(cut.toolpath)
     width, above = _width(tool, body), tool.cutting_edge_height if body in (FLUTES, SHANK) else tool.length
     if width is None or above is None:
@@ -216,7 +230,7 @@ def _body_of(cut: Cut, body: str) -> Body | None:
 
 
 def _width(tool: Tool, body: str) -> float | None:
-    """Return the diameter of a part of a tool, mm; None if it is unknown."""
+    """Return the diameter of a part of a tool, mm; None if the diameter is unknown."""
     if body == LENGTH and tool.holder_diameter is None:
         return _NARROWEST_HOLDER * max(tool.diameter, tool.shank_diameter or 0.0)
     return {FLUTES: tool.diameter, SHANK: tool.shank_diameter, HOLDER: tool.holder_diameter}.get(body)
@@ -245,7 +259,10 @@ class _Search:
     def _of_wider(
         self, cuts: Cuts, bodies: Sequence[Body | None], low: np.ndarray, stock: Solid, pixels: np.ndarray
     ) -> _Removed:
-        """Return what bodies that are wider than their tools meet before the tools have removed it."""
+        """Return the pieces that bodies meet before the tools have removed these pieces.
+
+        The bodies are wider than their tools.
+        """
         removed = self._removed(alternate(cuts, bodies, low, body_first=True), stock, pixels)
         candidates = removed.is_by(len(cuts))
         if not candidates.any():
@@ -281,7 +298,10 @@ class _Search:
     def _removed(
         self, alternation: Alternation, solid: Solid, pixels: np.ndarray, of: np.ndarray | None = None
     ) -> _Removed:
-        """Return the pieces of a solid that bodies remove, or that the tools remove in trajectories `of` (n,) bool."""
+        """Return the pieces of a solid that bodies remove.
+
+        With a mask `of` (n,) bool, return the pieces that the tools remove in the selected trajectories instead.
+        """
         chosen = np.flatnonzero(alternation.of_body if of is None else of[alternation.trajectory])
         moves = alternation.moves
         radius = np.array([cut.tool.radius for cut in moves.cuts])[moves.cut[chosen]]
@@ -297,7 +317,7 @@ class _Search:
 
 
 def _low_moves(cuts: Cuts, bodies: Sequence[Body | None], stock: Solid) -> np.ndarray:
-    """Return the moves during which a body may be as low as the material, (n,) bool."""
+    """Return the moves during which a body is possibly as low as the material, (n,) bool."""
     radius = np.array([body.radius if body else 0.0 for body in bodies])[cuts.cut][:, None]
     bottom = np.array([body.bottom if body else np.inf for body in bodies])[cuts.cut]
     lower, upper = np.minimum(*cuts.ends), np.maximum(*cuts.ends)
@@ -309,7 +329,7 @@ def _low_moves(cuts: Cuts, bodies: Sequence[Body | None], stock: Solid) -> np.nd
 def _pixels(cuts: Cuts, bodies: Sequence[Body | None], low: np.ndarray, solid: Solid) -> np.ndarray:
     """Return the distance between the rays on which the body of each trajectory is checked, (n,) mm.
 
-    The rays lie close together where a body is narrow, or hardly wider than its tool.
+    The distance is small if a body is narrow, or if a body is only slightly wider than its tool.
     """
     own = cuts.cut[low]
     radius = np.array([body.radius if body else 0.0 for body in bodies])[own][:, None]
@@ -327,7 +347,10 @@ def _pixels(cuts: Cuts, bodies: Sequence[Body | None], low: np.ndarray, solid: S
 
 
 def _lifted(cuts: Cuts, bodies: Sequence[Body | None], low: np.ndarray) -> Alternation:
-    """Return the moves of bodies before their tools. Sloped moves are divided, because a body is lifted by the fall of each part."""
+    """Return an alternation in which each body moves before its tool.
+
+    Sloped moves are divided into parts, because a body is lifted by the fall of the tool in each part.
+    """
     start, end = cuts.ends
     sloped = low & (start[:, :2] != end[:, :2]).any(axis=1)
     parts = _parts(np.where(sloped, np.maximum(start - end, 0)[:, 2], 0) / _FALL)
@@ -342,16 +365,16 @@ def _parts(wanted: np.ndarray) -> np.ndarray:
 
 @dataclass(frozen=True, eq=False)
 class _Removed:
-    """Pieces of rays that bodies would remove.
+    """Pieces of rays that bodies would remove, if bodies could cut.
 
     Attributes
     ----------
     trajectory : (k,) int64
-        Trajectory of the job.
+        Trajectory of the job during which each piece is removed.
     lower, upper : (k, 3) float64
         Lower and upper end of each piece, mm.
     height : (k,) float64
-        Height of the colliding material above the lower end, mm.
+        Height of the colliding material above the lower end of each piece, mm.
     """
 
     trajectory: np.ndarray
@@ -361,9 +384,13 @@ class _Removed:
 
     @classmethod
     def by(cls, pieces: RemovedPieces, trajectory: np.ndarray) -> _Removed:
-        """Return removed pieces, in the order of rays and depths, of moves of given trajectories (n,)."""
+        """Return removed pieces with the trajectories of the job.
+
+        The pieces are sorted by ray and depth. `trajectory` (n,) is the trajectory of the job for each simulated move.
+        """
         every = np.arange(len(pieces.owner))
-        # The pieces directly above were removed by the same bodies before. They belong to the colliding material.
+        # A body that removed the pieces directly above a piece collided there before. Therefore the colliding material
+        # includes the pieces above.
         begins = np.ones(len(every), bool)
         begins[1:] = (
             (np.diff(pieces.x) != 0) | (np.diff(pieces.y) != 0) | (pieces.near[1:] > pieces.far[:-1] + THINNEST)
@@ -374,7 +401,7 @@ class _Removed:
 
     @classmethod
     def joined(cls, parts: Sequence[_Removed]) -> _Removed:
-        """Join pieces."""
+        """Join several sets of pieces."""
         nothing = cls(np.empty(0, np.int64), np.empty((0, 3)), np.empty((0, 3)), np.empty(0))
         columns = zip(*((one.trajectory, one.lower, one.upper, one.height) for one in (nothing, *parts)))
         return cls(*map(np.concatenate, columns))
@@ -386,7 +413,7 @@ class _Removed:
         return found
 
     def within_holders(self, cuts: Cuts, bodies: Sequence[Body | None]) -> _Removed:
-        """Return the pieces that are not above the upper ends of the holders."""
+        """Return the pieces that begin below the upper ends of the holders."""
         ends = [cut.tool.holder_length or np.inf for cut in cuts.cuts]
         tops = np.array([body.bottom + end if body else np.inf for body, end in zip(bodies, ends)])
         tip = np.minimum(*(points[:, 2] for points in cuts.ends))
@@ -394,7 +421,7 @@ class _Removed:
         return _Removed(self.trajectory[kept], self.lower[kept], self.upper[kept], self.height[kept])
 
     def collisions(self, cuts: Cuts, body: str, clamp: str = "") -> Iterator[Collision]:
-        """Yield one collision for each cut."""
+        """Yield one collision for each cut that collides."""
         cut = cuts.cut[self.trajectory]
         for number in np.unique(cut).tolist():
             own = np.flatnonzero(cut == number)

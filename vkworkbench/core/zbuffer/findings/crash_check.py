@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Check the rapids and the fast plunges of a job on rays that are fine enough for each tool."""
+"""Check the rapids and the fast plunges of a job on rays that are close enough for each tool."""
 
 from __future__ import annotations
 
@@ -23,29 +23,29 @@ from vkworkbench.core.zbuffer.findings.fine_rays import RAYS_ACROSS, FineRays, h
 from vkworkbench.core.zbuffer.findings.removed_pieces import joined
 from vkworkbench.core.zbuffer.sweeps.cuts import Cut, Cuts, Source
 
-# Distance between rays, mm: rapids that remove nothing on the first rays are checked again on rays this close. A larger
-# distance misses rapids that shave a wall. A smaller distance takes longer.
+# Distance between rays for the second check of rapids that remove nothing on the first rays, mm. A larger distance
+# misses rapids that shave a wall. A smaller distance makes the check slower.
 _CLOSE = 2.0**-5
-# Smallest distance between rays, mm, for pointed tools that are hardly below the top.
+# Smallest distance between rays, mm. It applies to pointed tools whose tip is only slightly below the top of the stock.
 _CLOSEST = 2.0**-8
 
 
 @dataclass(frozen=True)
 class CrashCheck:
-    """The crashes and fast plunges of a job, found on rays that are fine enough for each tool.
+    """The crashes and fast plunges of a job, found on rays that are close enough for each tool.
 
     Attributes
     ----------
     crashes : tuple of Crash
         Rapids that cut, in the order of the trajectories.
     fast_plunges : tuple of Plunge
-        Plunges into full material that are too fast, in the order of the trajectories.
+        Plunges into full material above the tool's vertical feed, in the order of the trajectories.
     unchecked : tuple of Source
-        Rapids and fast plunges for which the time did not suffice, in the order of the trajectories.
+        Rapids and fast plunges that were not checked for lack of time, in the order of the trajectories.
     pixel : float
-        Largest distance between rays, mm; 0 if no move had to be checked.
+        Largest distance between neighbouring rays, mm; 0 if no move had to be checked.
     met : bool
-        Whether any move of a tool may meet the stock.
+        Whether any move of a tool possibly meets the stock.
     """
 
     crashes: tuple[Crash, ...] = ()
@@ -64,10 +64,10 @@ def check_crashes(
 ) -> CrashCheck:
     """Find the rapids that cut and the plunges that are too fast, whatever the size of the tool and of the stock.
 
-    A rapid that surely stays above the material, or retracts along its own tool's axis, is not checked. All other rapids, and
-    all plunges faster than their tool's vertical feed, are simulated on rays whose distance is at most an eighth of
-    the width in which the tool is below the top of the stock. Rapids that remove nothing there are checked again on rays
-    that are at most 0.03 mm apart, as far as the time suffices.
+    A rapid is not checked if it certainly stays above the stock, or if it retracts along the tool's axis. All other
+    rapids, and all plunges faster than the tool's vertical feed, are simulated on rays. The distance between these rays
+    is at most an eighth of the tool's width at the height of the stock's top. Rapids that remove nothing on these rays
+    are checked again on rays that are at most 0.03 mm apart, until the time limit is reached.
 
     Parameters
     ----------
@@ -75,9 +75,9 @@ def check_crashes(
         The operations in their order.
     stock : Solid
     seconds : float
-        Longest time, s. Moves for which it does not suffice are returned as unchecked.
+        Time limit, s. Moves that are not checked within the time limit are returned as unchecked.
     going_on : callable, optional
-        Called many times a second. An exception from it ends the check.
+        Called many times a second. An exception raised by `going_on` ends the check.
 
     Returns
     -------
@@ -119,7 +119,7 @@ class _Check:
         )
 
     def _doubtful(self) -> tuple[np.ndarray, np.ndarray]:
-        """Return the moves to check (k,), and half the width in which each tool is below the top of the stock, mm."""
+        """Return the moves to check (k,), and half the width of each tool at the height of the stock's top, mm."""
         cuts, stock = self.cuts, self.stock
         start, end = cuts.ends
         radius = np.array([cut.tool.radius for cut in cuts.cuts])[cuts.cut]
@@ -127,7 +127,7 @@ class _Check:
         depth = stock.upper[2] - low[:, 2]
         met = (high[:, :2] > stock.lower[:2] - radius[:, None]).all(axis=1)
         met &= (low[:, :2] < stock.upper[:2] + radius[:, None]).all(axis=1)
-        # A tool that moves straight up from the end of its last move stays in the hole that this move has cut.
+        # A tool that moves straight up from the end of its previous move stays in the hole that the previous move cut.
         up = (np.hypot(*(end - start)[:, :2].T) < SMALLEST) & (end[:, 2] >= start[:, 2])
         up[cuts.first[:-1][np.diff(cuts.first) > 0]] = False
         rapid = cuts.rapid & ~up & (depth > touching(cuts)[1]) if len(cuts) else cuts.rapid
@@ -141,7 +141,7 @@ class _Check:
         return moves, half_width
 
     def _look_closer(self, moves: np.ndarray, half_width: np.ndarray, pixel: np.ndarray) -> None:
-        """Check rapids again that remove nothing on rays farther apart."""
+        """Check those rapids again, on closer rays, that removed nothing on the first rays."""
         fine = ~self.fast[moves] & (pixel > _CLOSE) & ~np.isin(moves, list(self.crashes))
         self._check(moves[fine], half_width[fine], _CLOSE, self._find_touch)
 
@@ -152,7 +152,7 @@ class _Check:
         pixel: float,
         find: Callable[[FineRays, np.ndarray, np.ndarray], None],
     ) -> list[int]:
-        """Check moves (k,) with `find`, part by part; return the moves for which the time did not suffice."""
+        """Check moves (k,) with `find` in batches; return the moves that were not checked within the time limit."""
         if len(moves) == 0:
             return []
         rays = FineRays(self.cuts, self.stock, pixel)
@@ -185,7 +185,7 @@ class _Check:
             self.plunges += plunges_among(cuts, plunges, pieces.selected(fast))
 
     def _find_touch(self, rays: FineRays, moves: np.ndarray, half_width: np.ndarray) -> None:
-        """Find the crashes among moves (k,), and stop looking at a move when it is found to crash."""
+        """Find the crashes among moves (k,). After its first crash, a move is not examined any further."""
         removed = np.zeros(len(self.cuts))
         for pieces in rays.removed_by(moves, half_width, self._continue):
             removed += pieces.volumes(len(self.cuts))

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Find the deepest gouges and the thickest leftover material of a simulated part, and the trajectories that made them."""
+"""Find the deepest gouges and the thickest leftover material of a part, and the trajectories that caused both."""
 
 from __future__ import annotations
 
@@ -17,35 +17,38 @@ from vkworkbench.core.zbuffer.rays.surface import STOCK
 from vkworkbench.core.zbuffer.simulator.moments import ZBuffer
 from vkworkbench.core.zbuffer.sweeps.cuts import Source
 
-# Default tolerance, mm.
+# Default tolerance for deviations from the model, mm.
 TOLERANCE = 0.1
 
-# Side of the tiles that group deviating pixels, as a share of the image's shorter side. Deviations in neighbouring tiles are one place.
+# Deviating pixels are grouped by tiles, and pixels in neighbouring tiles belong to one place. This is the side of a
+# tile, as a share of the image's shorter side.
 _APART = 0.02
-# Number of tiles along the image's longer side that group the pixels of a gouge. More: gouges close to each other stay apart. Fewer:
-# a gouge that the pixels show in pieces stays one gouge.
+# Number of tiles along the image's longer side, for grouping the pixels of a gouge. With fewer tiles, separate gouges
+# close to each other are reported as one gouge. With more tiles, one gouge whose pixels have gaps is reported as
+# several gouges.
 _TILES = 500
 
 
 @dataclass(frozen=True)
 class Deviation:
-    """A gouge, or the worst place of leftover material, for one cut or for one connected group of pixels.
+    """A gouge or a place with leftover material: the worst place of one cut, or of one connected group of pixels.
 
     Attributes
     ----------
     trajectory : int or None
-        For leftover material: the trajectory that made the part's surface. For a gouge: the first trajectory that removed
-        material at the model's surface. None if this surface belongs to the uncut stock.
+        For leftover material, the trajectory that cut the part's surface at `place`. For a gouge of a cut, the first
+        trajectory that removed material at the model's surface. None if the surface belongs to the uncut stock.
     source : Source or None
         Cut and command of the trajectory.
     place : (3,) tuple of float
-        Point of the part's surface at which the depth is largest, mm; of the model's far side if the part is gone there.
+        Point of the part's surface at which the depth is largest, mm. If no material is left on the ray, `place` is on
+        the model's far side.
     depth : float
-        Largest distance between the surfaces of part and model, mm; see `surface_distance.farthest`.
+        Largest distance between the part's and the model's surface, mm; see `surface_distance.farthest`.
     area : float
-        Area of the image in which the cut, or the group of pixels, exceeds the tolerance along the view, mm^2.
+        Area of the image in which the deviation along the view exceeds the tolerance, mm^2.
     last : Source or None
-        For a gouge of a cut: the last command that removed material at the model's surface.
+        For a gouge of a cut, the last command that removed material at the model's surface; otherwise None.
     """
 
     trajectory: int | None
@@ -57,9 +60,10 @@ class Deviation:
 
 
 def gouges(zbuffer: ZBuffer, found: Deviations, tolerance: float) -> list[Deviation]:
-    """Return every gouge, the deepest first: connected pixels in which one cut exceeds the tolerance and its allowed depth.
+    """Return every gouge, the deepest first.
 
-    The places where the stock lacks material of the model are one deviation without a source.
+    A gouge is a group of connected pixels in which one cut is deeper than the tolerance plus its allowed depth. All
+    places at which the stock is too small for the model form one deviation without a source.
 
     Parameters
     ----------
@@ -67,7 +71,7 @@ def gouges(zbuffer: ZBuffer, found: Deviations, tolerance: float) -> list[Deviat
     found : Deviations
         Deviations of this `zbuffer`.
     tolerance : float
-        Largest depth that is not a gouge, mm; `Cut.allowed_depth` is added.
+        Tolerance, mm. A depth of at most the tolerance plus `Cut.allowed_depth` is not a gouge.
 
     Returns
     -------
@@ -90,14 +94,17 @@ def gouges(zbuffer: ZBuffer, found: Deviations, tolerance: float) -> list[Deviat
 
 
 def _gouge(zbuffer: ZBuffer, gap: _Gap, pixels: np.ndarray, maker: np.ndarray, least: float) -> list[Deviation]:
-    """Return the gouge of connected pixels (k,), or nothing if its depth is at most `least`."""
+    """Return the gouge of connected pixels (k,); return an empty list if its depth is at most `least`, mm."""
     source, first, last = zbuffer.cuts.source, int(maker.min()), int(maker.max())
     worst = _worst_place(zbuffer, gap, pixels, maker, least)
     return [replace(one, trajectory=first, source=source(first), last=source(last)) for one in worst]
 
 
 def _connected(frame: Frame, pixels: np.ndarray) -> Iterator[np.ndarray]:
-    """Yield the positions in `pixels` (k,), numbers in the flat image, of each group of connected tiles."""
+    """Yield the positions in `pixels` for each group of connected tiles.
+
+    `pixels` (k,) contains numbers in the flat image.
+    """
     side = max(1, round(max(frame.height, frame.width) / _TILES))
     columns = -(-frame.width // side)
     row, column = np.divmod(pixels, frame.width)
@@ -112,7 +119,7 @@ def _connected(frame: Frame, pixels: np.ndarray) -> Iterator[np.ndarray]:
 
 
 def material_left(zbuffer: ZBuffer, found: Deviations, tolerance: float) -> list[Deviation]:
-    """Return the thickest leftover material of each cut, the thickest first. Arguments as for `gouges`."""
+    """Return the thickest leftover material of each cut, the thickest first. The arguments are those for `gouges`."""
     gap = _leftover_gap(found)
     pixels, maker = _find_makers(zbuffer, gap, tolerance)
     cut = _cuts_of(zbuffer, maker)
@@ -126,7 +133,7 @@ def material_left(zbuffer: ZBuffer, found: Deviations, tolerance: float) -> list
 def worst_places(
     zbuffer: ZBuffer, found: Deviations, tolerance: float, most: int = 10
 ) -> tuple[list[Deviation], list[Deviation]]:
-    """Return the deepest gouges and the thickest leftover material, the worst first. Connected pixels are one place.
+    """Return the deepest gouges and the thickest leftover material, the worst first. Connected pixels form one place.
 
     Parameters
     ----------
@@ -147,7 +154,11 @@ def worst_places(
 
 
 class _Gap(NamedTuple):
-    """The gap between two surfaces: `along` (pixels,) mm from `front` to `behind`. `model` is None for leftover material."""
+    """The gap between a front surface and a rear surface of an image.
+
+    `along` (pixels,) is the distance from `front` to `behind` along the view, mm, at least 0. `model` is None for
+    leftover material.
+    """
 
     front: np.ndarray
     behind: np.ndarray
@@ -176,7 +187,8 @@ def _worst_by_group(zbuffer: ZBuffer, gap: _Gap, tolerance: float, most: int) ->
     ends = np.searchsorted(tile[by_tile], np.arange(worst.size + 1))
     places: list[Deviation] = []
     least = tolerance
-    # A distance along the view is never smaller than the distance in space.
+    # The distance between the surfaces in space is never larger than the distance along the view, so smaller groups
+    # need no search.
     while worst.max(initial=0) > least:
         tiles = _clear_group(worst, *divmod(int(worst.argmax()), columns))
         group = np.sort(np.concatenate([by_tile[ends[own] : ends[own + 1]] for own in tiles]))
@@ -188,7 +200,7 @@ def _worst_by_group(zbuffer: ZBuffer, gap: _Gap, tolerance: float, most: int) ->
 
 
 def _clear_group(worst: np.ndarray, row: int, column: int) -> list[int]:
-    """Clear a tile and all tiles connected with it, and return their numbers."""
+    """Set a tile and all tiles connected with it to 0, and return the numbers of all these tiles."""
     pending, taken = [(row, column)], []
     worst[row, column] = 0
     while pending:
@@ -206,15 +218,19 @@ def _negative_depth(deviation: Deviation) -> float:
 
 
 def _find_makers(zbuffer: ZBuffer, gap: _Gap, tolerance: float) -> tuple[np.ndarray, np.ndarray]:
-    """Return the deviating pixels, ascending, and the trajectory responsible for each; `STOCK` if there is none.
+    """Return the deviating pixels, ascending, and the trajectory that caused each deviation.
 
-    Leftover material is attributed to the trajectory that made the visible surface. Behind a gouge another trajectory may have
-    made the visible surface, so a gouge is attributed to the trajectory that removed the material at the model's surface.
+    The trajectory is `STOCK` if no trajectory caused the deviation.
+
+    Leftover material is attributed to the trajectory that cut the visible surface. A gouge is attributed to the
+    trajectory that removed the material at the model's surface, because another trajectory may have cut the visible
+    surface deeper down.
     """
     pixels, model = np.flatnonzero(gap.along > tolerance), gap.model
     if model is None:
         return pixels, zbuffer.picture.owner[pixels]
-    # Removals within the tolerance are allowed. At a rim, the model may end less than a pixel behind its surface.
+    # The material just behind the model's surface is examined: deeper by the tolerance, because removals within the
+    # tolerance are allowed, but by at most a pixel, because at a rim the model ends close behind its surface.
     depth = model.near.ravel()[pixels] + min(tolerance, zbuffer.frame.pixel)
     maker = _find_removers(zbuffer, pixels, depth, model.behind.ravel()[pixels])
     cut = _cuts_of(zbuffer, maker)
@@ -224,22 +240,24 @@ def _find_makers(zbuffer: ZBuffer, gap: _Gap, tolerance: float) -> tuple[np.ndar
         image.ravel()[pixels] = cut
         return around(image, extreme).ravel()[pixels]
 
-    # At a rim or a wall the ray of a pixel may pass beside the model. Only pixels whose neighbours name the same cut count.
+    # At a rim or a wall, the ray of a pixel may miss the model and name a wrong cut. Therefore a pixel counts only if
+    # all its deviating neighbours name the same cut.
     sure = extreme_cut_around(np.minimum, len(zbuffer.cuts.cuts)) == extreme_cut_around(np.maximum, -1)
     return pixels[sure], maker[sure]
 
 
 def _find_removers(zbuffer: ZBuffer, pixels: np.ndarray, depth: np.ndarray, behind: np.ndarray) -> np.ndarray:
-    """Return the trajectory that removed the material of each pixel's ray at `depth` (k,), or the first behind this depth.
+    """Return the trajectory that removed the first material at or behind `depth` (k,) on each pixel's ray.
 
-    The result is `STOCK` if nothing was removed there, or if the stock has no material between `depth` and `behind` (k,).
+    The result is `STOCK` if this material was not removed, or if the stock has no material between `depth` and `behind`
+    (k,).
     """
     records = zbuffer.records
     end = records.index[pixels + 1].astype(np.int64)
     piece = first_not_below(records.far, records.index[pixels].astype(np.int64), end, depth)
     found = np.flatnonzero(piece < end)
     piece, end, depth, behind = piece[found], end[found], depth[found], behind[found]
-    # A gap of the stock holds no material. The next material begins at the end of the gap.
+    # A gap of the stock contains no material. The next material begins at the far end of the gap.
     gap = records.owner[piece] == GAP
     begin = np.where(gap, records.far[piece], np.maximum(depth, records.entry[pixels[found]]))
     lacking = (begin > depth) & (begin >= behind)
@@ -261,7 +279,10 @@ def _cuts_of(zbuffer: ZBuffer, owner: np.ndarray) -> np.ndarray:
 def _worst_place(
     zbuffer: ZBuffer, gap: _Gap, pixels: np.ndarray, maker: np.ndarray, tolerance: float
 ) -> list[Deviation]:
-    """Return the worst place of pixels (k,) made by trajectories `maker` (k,), or nothing if it is within the tolerance."""
+    """Return the worst place of pixels (k,); return an empty list if the place is within the tolerance.
+
+    `maker` (k,) is the trajectory that caused the deviation at each pixel.
+    """
     frame = zbuffer.frame
     found = farthest(gap.front, gap.behind, pixels, frame.pixel, tolerance)
     if found is None:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Facts on each trajectory from its trace: volume, removal rate, depth and width of cut."""
+"""Compute the removed volume, removal rate, depth of cut and width of cut of each trajectory from its trace."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ import numpy as np
 from vkworkbench.core.zbuffer.findings.volumes import Volumes
 from vkworkbench.core.zbuffer.simulator.moments import ZBuffer
 
-# Smallest cosine of the view's tilt from the vertical. In flatter views the depth and width of cut are unknown.
+# Smallest cosine of the view's tilt from the vertical. Depth and width of cut are not computed in flatter views.
 _FROM_THE_SIDE = 0.3
 
 
@@ -18,12 +18,12 @@ def removed_volumes(zbuffer: ZBuffer) -> np.ndarray:
     Parameters
     ----------
     zbuffer : ZBuffer
-        The volumes cover the whole simulation, whatever the moment.
+        The volumes are for the whole simulation, not only until the z-buffer's moment.
 
     Returns
     -------
     (n,) float64
-        mm^3.
+        Removed volumes, mm^3.
     """
     return zbuffer.records.lengths * zbuffer.frame.pixel**2
 
@@ -35,12 +35,12 @@ def removal_rates(zbuffer: ZBuffer, measured: Volumes | None = None) -> np.ndarr
     ----------
     zbuffer : ZBuffer
     measured : Volumes, optional
-        Measured volumes. Without them, the volumes are those in the image.
+        Measured volumes. Without measured volumes, the volumes are computed from the image.
 
     Returns
     -------
     (n,) float64
-        mm^3/min; NaN for trajectories without a feed rate.
+        Removal rates, mm^3/min; NaN for trajectories without a feed rate.
     """
     seconds = zbuffer.cuts.seconds
     volumes = removed_volumes(zbuffer) if measured is None else measured.each
@@ -50,15 +50,15 @@ def removal_rates(zbuffer: ZBuffer, measured: Volumes | None = None) -> np.ndarr
 def cuts_air(zbuffer: ZBuffer, measured: Volumes | None = None) -> np.ndarray:
     """Return which feed moves remove nothing.
 
-    A move shorter than two pixels may pass between the rays. Therefore consecutive moves are joined into stretches of two
-    pixels, and all moves of a stretch get the same answer. Passes closer than a pixel cannot be distinguished; they need
-    a finer image, or measured volumes.
+    A move shorter than two pixels possibly removes material that no ray meets. Therefore consecutive moves are joined
+    into stretches with a length of two pixels, and all moves in a stretch get the same result. Passes that are closer
+    than a pixel cannot be distinguished in the image; for such passes, use a finer image or measured volumes.
 
     Parameters
     ----------
     zbuffer : ZBuffer
     measured : Volumes, optional
-        A move with a measured volume cuts, even if its tool passes between the rays of the image.
+        Measured volumes. A move with a measured volume cuts, even if no ray of the image meets the removed material.
 
     Returns
     -------
@@ -81,8 +81,8 @@ def cuts_air(zbuffer: ZBuffer, measured: Volumes | None = None) -> np.ndarray:
 def engagement(zbuffer: ZBuffer, measured: Volumes | None = None) -> tuple[np.ndarray, np.ndarray]:
     """Return the depth and width of cut of each trajectory.
 
-    The depth is the height of the highest piece that the trajectory removes. The width is the removed volume divided by depth and
-    length, at most the tool's diameter; a plunge has the width 0.
+    The depth is the height of the tallest piece that the trajectory removes from a ray. The width is the removed volume
+    divided by the depth and by the horizontal length, at most the tool's diameter. The width of a plunge is 0.
 
     Parameters
     ----------
@@ -93,7 +93,8 @@ def engagement(zbuffer: ZBuffer, measured: Volumes | None = None) -> tuple[np.nd
     Returns
     -------
     depth, width : (n,) float64
-        mm; 0 for trajectories that remove nothing, and for all trajectories in a view from the side.
+        Depth and width, mm; 0 for trajectories that remove nothing. Without measured volumes, both are 0 in a view from
+        the side.
     """
     cuts = zbuffer.cuts
     if measured is None:
@@ -110,7 +111,10 @@ def engagement(zbuffer: ZBuffer, measured: Volumes | None = None) -> tuple[np.nd
 
 
 def _depths_in(zbuffer: ZBuffer) -> np.ndarray:
-    """Return the height of the highest piece that each trajectory removes, (n,) mm; 0 for all trajectories in a view from the side."""
+    """Return the height of the tallest piece that each trajectory removes from a ray, (n,) mm.
+
+    The heights are 0 in a view from the side.
+    """
     depth = np.zeros(zbuffer.trajectories)
     steep = abs(float(zbuffer.frame.direction[2]))
     if steep < _FROM_THE_SIDE:
@@ -133,9 +137,10 @@ def trajectory_table(zbuffer: ZBuffer, measured: Volumes | None = None) -> dict[
     Returns
     -------
     dict of ndarray
-        ``cut`` and ``command``: the origin; ``rapid``; ``length`` mm; ``seconds``, 0 if the feed is unknown;
-        ``removed_volume`` mm^3; ``rate`` mm^3/min, NaN without a feed; ``air``: True for a feed move that removes
-        nothing; ``depth`` and ``width`` of cut, mm; ``tool_diameter`` mm.
+        ``cut`` and ``command``: numbers of the cut and of the command that each trajectory belongs to; ``rapid``: True
+        for a rapid; ``length``, mm; ``seconds``, s, 0 if the feed is unknown; ``removed_volume``, mm^3; ``rate``:
+        removal rate, mm^3/min, NaN without a feed; ``air``: True for a feed move that removes nothing; ``depth`` and
+        ``width`` of cut, mm; ``tool_diameter``, mm.
     """
     cuts = zbuffer.cuts
     depth, width = engagement(zbuffer, measured)

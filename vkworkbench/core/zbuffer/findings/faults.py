@@ -17,18 +17,21 @@ from vkworkbench.core.zbuffer.sweeps.cuts import Cuts, Source
 from vkworkbench.core.zbuffer.sweeps.intervals import headings, lowest
 from vkworkbench.core.zbuffer.sweeps.trajectories import as_cut
 
-# Slope above which a downward move is a plunge, and the share of the displaced volume above which it plunges into full material.
+# Slope (fall divided by horizontal length) above which a downward move is a plunge. Removed share of the volume that
+# the tool displaces, above which a plunge counts as a plunge into full material.
 _PLUNGE, _FULL = 5.0, 0.5
-# Factor by which a feed may exceed the vertical feed, because FreeCAD rounds feeds.
+# Largest allowed ratio of a feed to the vertical feed. The ratio is above 1, because FreeCAD rounds feeds.
 _FASTER = 1.01
-# Distance to the side, mm, below which a rapid only touches a wall or flank: chords of arcs and rounded coordinates leave
-# material there. The chords of an arc deviate from each other by at most the arc's rise over a chord; the factor adds a margin.
+# Horizontal depth in a wall or flank up to which a rapid only touches, mm. Chords of arcs and rounded coordinates leave
+# this much material. Different chords of an arc deviate from each other by at most the rise of the arc over a chord, so
+# the limit is at least this factor times the rise.
 _TOUCHES, _OF_RISE = 0.02, 2.0
 _SIDES = np.arange(8) * pi / 4
-# Depth under the tip that is a rounding error, mm. Chords of arcs in vertical planes add their own rise.
+# Height of material above the tool's lower surface that is a rounding error, mm. For arcs in vertical planes, the limit
+# is at least `_OF_RISE` times the rise.
 _ROUNDED = 1e-3
 _PIECES_AT_ONCE = 1 << 14
-# Number of rings of equal width for the volume of a tool.
+# Number of rings with equal widths for computing the volume of a tool.
 _RINGS = 64
 
 
@@ -58,9 +61,11 @@ class Crash:
 
 
 def crashes(zbuffer: ZBuffer) -> list[Crash]:
-    """Return the rapids that remove material, except those that only touch a wall or flank with the tool's side.
+    """Return the rapids that remove material.
 
-    A rapid that removes less than a pixel may be missed; `check_crashes` finds it.
+    Rapids that only touch a wall or flank with the tool's side are not returned.
+
+    A rapid that removes material narrower than a pixel may be missed; `check_crashes` finds such rapids.
 
     Parameters
     ----------
@@ -81,7 +86,7 @@ def crashes_among(cuts: Cuts, pieces: RemovedPieces, volumes: np.ndarray) -> lis
     ----------
     cuts : Cuts
     pieces : RemovedPieces
-        Pieces of rapids only.
+        Pieces that rapids remove; pieces of other moves must not be included.
     volumes : (n,) ndarray
         Volume that each trajectory removes, mm^3.
     """
@@ -89,7 +94,8 @@ def crashes_among(cuts: Cuts, pieces: RemovedPieces, volumes: np.ndarray) -> lis
         return []
     owner, middle, length = pieces.owner, (pieces.near + pieces.far) / 2, pieces.far - pieces.near
     touches = touching(cuts)
-    # Longest pieces first. A rapid that only touches a wall has long pieces too, as high as the wall, so all pieces are tried.
+    # The longest pieces are examined first. A rapid that touches a wall can also remove long pieces there, as high as
+    # the wall. Therefore pieces of each rapid are examined until one is inside by more than the margin.
     order = np.argsort(-length, kind="stable")
     longest = np.full(len(cuts), -1)
     for first in range(0, len(order), _PIECES_AT_ONCE):
@@ -111,21 +117,24 @@ def crashes_among(cuts: Cuts, pieces: RemovedPieces, volumes: np.ndarray) -> lis
 
 
 def touching(cuts: Cuts) -> np.ndarray:
-    """Return the distances, to the side and upwards, by which a rapid may enter material that it only touches, (2,) mm."""
+    """Return the largest horizontal and vertical depth in the material at which a rapid only touches, (2,) mm."""
     rises = np.max([_rises(cut.toolpath) for cut in cuts.cuts], axis=0, initial=0.0)
     result: np.ndarray = np.maximum((_TOUCHES, _ROUNDED), _OF_RISE * rises)
     return result
 
 
 def _inside(cuts: Cuts, trajectory: np.ndarray, points: np.ndarray, touches: np.ndarray) -> np.ndarray:
-    """Return which points (k, 3) are inside the sweeps of trajectories (k,) by a margin `touches`: to the side, and upwards, mm."""
+    """Return which points (k, 3) are inside the swept volumes of trajectories (k,) by more than a margin.
+
+    `touches` contains the horizontal and the vertical margin, mm.
+    """
     start, end = (ends.T for ends in as_cut(*(ends[trajectory] for ends in cuts.ends)))
     heading = headings(end - start)
     inside = np.ones(len(trajectory), bool)
     for number in np.unique(cuts.cut[trajectory]):
         tool = cuts.cuts[number].tool
         aside = min(touches[0], tool.radius / 2)
-        for angle in _SIDES:  # measured from the direction of the move
+        for angle in _SIDES:  # angle from the direction of the move
             own = np.flatnonzero(inside & (cuts.cut[trajectory] == number))
             (ux, uy), (x, y, z) = heading[:2, own], points[own].T
             x = x + aside * (cos(angle) * ux - sin(angle) * uy)
@@ -136,11 +145,12 @@ def _inside(cuts: Cuts, trajectory: np.ndarray, points: np.ndarray, touches: np.
 
 
 def _rises(toolpath: Toolpath) -> tuple[float, float]:
-    """Return the largest rise of arcs over their chords, to the side and in height, mm."""
+    """Return the largest rise of arcs over their chords, horizontally and vertically, mm."""
     chords = np.abs(np.diff(toolpath.points, axis=0))
     upright = toolpath.plane != 17
     run = np.hypot(*chords[:, :2].T)
-    # The rise of an arc is perpendicular to its chord.
+    # An arc rises perpendicular to its chord. In a vertical plane, the horizontal rise grows with the chord's height,
+    # and the vertical rise grows with the chord's horizontal length.
     aside, up = (
         np.where(upright, (chords[:, 2], run), (run, np.zeros_like(run))) / 2 * np.tan(np.abs(toolpath.sweep) / 4)
     )
@@ -188,7 +198,7 @@ def fast_plunges(zbuffer: ZBuffer) -> list[Plunge]:
 
 
 def too_fast(cuts: Cuts) -> np.ndarray:
-    """Return which trajectories plunge faster than the vertical feed of their tool, into material or not, (n,) bool."""
+    """Return which trajectories plunge faster than their tool's vertical feed, (n,) bool, whether or not they cut."""
     start, end = cuts.ends
     run, fall = np.hypot(*(end - start)[:, :2].T), start[:, 2] - end[:, 2]
     allowed = _vertical_feeds(cuts)
@@ -197,9 +207,12 @@ def too_fast(cuts: Cuts) -> np.ndarray:
 
 
 def plunges_among(cuts: Cuts, plunges: np.ndarray, pieces: RemovedPieces) -> list[Plunge]:
-    """Return the plunges into full material among plunges (k,) that are too fast, from the pieces that they remove."""
+    """Return the plunges into full material among the fast plunges (k,).
+
+    `pieces` are the pieces that the plunges remove.
+    """
     start, end = (ends[plunges] for ends in cuts.ends)
-    # Depth of the tip below the highest removed point, at most the height of the plunge.
+    # Depth of the tip's end point below the highest removed point, at most the height of the plunge.
     depth = np.minimum(pieces.tops(len(cuts))[plunges], start[:, 2]) - end[:, 2]
     displaced = np.empty(len(plunges))
     of_cut = cuts.cut[plunges]
@@ -215,13 +228,13 @@ def plunges_among(cuts: Cuts, plunges: np.ndarray, pieces: RemovedPieces) -> lis
 
 
 def _vertical_feeds(cuts: Cuts) -> np.ndarray:
-    """Return the vertical feed of each trajectory's tool, (n,) mm/s; 0 if unknown."""
+    """Return the vertical feed of each trajectory's tool, (n,) mm/s; 0 if the feed is unknown."""
     allowed: np.ndarray = np.array([own.vertical_feed for own in cuts.cuts])[cuts.cut]
     return allowed
 
 
 def _displaced_volume(tool: Tool, depth: np.ndarray) -> np.ndarray:
-    """Return the volume of a tool from its tip to each height `depth` above it, mm^3."""
+    """Return the volume of the lowest part of a tool, up to each height `depth` above the tip, mm^3."""
     width = tool.radius / _RINGS
     volume = np.zeros_like(depth)
     for radius in (np.arange(_RINGS) + 0.5) * width:

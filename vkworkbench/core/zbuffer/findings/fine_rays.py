@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Find what single trajectories remove, on rays close together along their way only.
+"""Find the pieces that single trajectories remove, on closely spaced rays.
 
-The rays lie on the grid of an image of the whole stock, which may have billions of pixels: only the tiles along the chosen
-trajectories are cut, by all trajectories up to the last chosen one.
+The rays are the pixels of an image of the whole stock. This image can have billions of pixels, so only the tiles along
+the chosen trajectories are cut. Each tile is cut by all trajectories up to the last chosen trajectory.
 """
 
 from __future__ import annotations
@@ -23,16 +23,16 @@ from vkworkbench.core.zbuffer.rays.dexels import THINNEST, beginnings
 from vkworkbench.core.zbuffer.sweeps.cuts import Cuts
 from vkworkbench.core.zbuffer.sweeps.trajectories import Trajectories
 
-# Number of rays across the part of a tool that is below the top of the stock.
+# Number of rays across the width of a tool at the height of the stock's top.
 RAYS_ACROSS = 8
-# Length of the moves that are checked together, in tools' half widths, and largest number of the moves. Larger parts exceed
-# the time limit by more. Smaller parts take longer together.
+# Total length of the moves in one batch, as a multiple of the tools' half widths, and largest number of moves in one
+# batch. Larger batches exceed the time limit by more. Smaller batches take longer in total.
 _TOGETHER, _MOVES = 4000.0, 256
-_BLOCKS = 16  # number of blocks of small tiles whose pieces are joined
+_BLOCKS = 16  # number of blocks of small tiles whose pieces are yielded together
 
 
 class FineRays:
-    """Vertical rays close together.
+    """Closely spaced vertical rays through a stock.
 
     Parameters
     ----------
@@ -62,11 +62,11 @@ class FineRays:
         Parameters
         ----------
         chosen : (k,) ndarray of int
-            Numbers of the trajectories, ascending.
+            Numbers of the chosen trajectories, ascending.
         half_width : (k,) ndarray
-            Half the width of the strip along each trajectory that is cut, mm.
+            Half the width of the strip along each chosen trajectory in which rays are cut, mm.
         going_on : callable
-            Called many times a second. An exception from it ends the work.
+            Called many times a second. An exception raised by `going_on` ends the work.
         """
         trajectories = self.trajectories
         item = np.searchsorted(trajectories.index, chosen)
@@ -81,17 +81,18 @@ class FineRays:
     def removed_near(
         self, marked: np.ndarray, frame: Frame, chosen: np.ndarray, going_on: Callable[[], None]
     ) -> Iterator[RemovedPieces]:
-        """Yield the pieces that the chosen trajectories remove at marked pixels of a coarser image along the tool axis.
+        """Yield the pieces that the chosen trajectories remove at the marked pixels of a coarser image from above.
 
         Parameters
         ----------
         marked : (height, width) bool
+            The marked pixels of the coarser image.
         frame : Frame
             The coarser image.
         chosen : (n,) bool
             Whether each trajectory is chosen.
         going_on : callable
-            Called many times a second. An exception from it ends the work.
+            Called many times a second. An exception raised by `going_on` ends the work.
         """
         self._wanted[:] = chosen[self.trajectories.index]
         own = self.trajectories.frame
@@ -120,14 +121,14 @@ class FineRays:
             yield joined(found)
 
     def forget(self, trajectories: np.ndarray) -> None:
-        """Stop looking for pieces of some trajectories (k,), whose pieces are known well enough."""
+        """Stop yielding the pieces of some trajectories (k,)."""
         self._wanted[np.searchsorted(self.trajectories.index, trajectories)] = False
 
     def _tiles_along(self, item: np.ndarray, half_width: np.ndarray) -> Tiles:
-        """Return the tiles on the strips along moves (k,), with the trajectories that pass through each."""
+        """Return the tiles on the strips along moves (k,), with the trajectories that pass through each tile."""
         frame = self.trajectories.frame
-        # Tiles are at least eight times as large as the half width, so that the four corners of a square around a point of the
-        # move lie in all tiles that the strip meets there.
+        # The side of a tile is at least eight times the half width. Therefore the four corners of a square around a
+        # point of the move lie in all tiles that the strip meets near this point.
         side = max(TILE, 2 ** ceil(log2(8 * half_width.max() / frame.pixel)))
         start, move = self.trajectories.start[:, item], self.trajectories.move[:, item]
         size = side * frame.pixel
@@ -151,7 +152,7 @@ class FineRays:
         return self._listed(side, column * side, row * side)
 
     def _listed(self, side: int, column: np.ndarray, row: np.ndarray) -> Tiles:
-        """Return tiles with first pixels at `column`, `row` (t,), and with the trajectories that pass through each."""
+        """Return tiles with the first pixels `column`, `row` (t,), and the trajectories that pass through each tile."""
         frame = self.trajectories.frame
         x0, y0 = frame.pixel_centres(column, row)
         x1, y1 = frame.pixel_centres(column + side - 1, row + side - 1)
@@ -159,7 +160,10 @@ class FineRays:
         return Tiles(side, column, row, np.searchsorted(tile, np.arange(len(column) + 1)), met)
 
     def _needed(self, tiles: Tiles) -> Tiles:
-        """Return the tiles with a wanted trajectory, without the trajectories after their last wanted one."""
+        """Return the tiles that have a wanted trajectory.
+
+        In each tile, the trajectories after the last wanted trajectory are dropped.
+        """
         at = np.flatnonzero(self._wanted[tiles.item])
         end = tiles.first[:-1].copy()
         end[np.searchsorted(tiles.first, at, side="right") - 1] = at + 1
@@ -169,7 +173,7 @@ class FineRays:
         return Tiles(tiles.side, tiles.column[used], tiles.row[used], first, tiles.item[kept])
 
     def _cut(self, tiles: Tiles) -> RemovedPieces:
-        """Cut the rays of small tiles; return the wanted pieces."""
+        """Cut the rays in small tiles; return the pieces that wanted trajectories remove."""
         trajectories, frame = self.trajectories, self.trajectories.frame
         shape = tiles.side, tiles.side, len(tiles.column)
         column, row = tiles.pixels()
@@ -188,7 +192,7 @@ class FineRays:
         if enter is None:
             enter = np.full(len(hit), -np.inf)
         pieces = cut_rays(near[met], far[met], ray, tiles.item[pair], enter, leave, gaps_of(gaps, met))
-        # Gaps of the stock and pieces that nothing removes belong to no trajectory.
+        # Skip gaps of the stock and pieces that no trajectory removes.
         cut = np.flatnonzero((pieces.owner >= 0) & (pieces.owner < len(self._wanted)))
         cut = cut[self._wanted[pieces.owner[cut]]]
         own = met[pieces.ray[cut]]
@@ -198,7 +202,7 @@ class FineRays:
 
 
 def half_widths(tool: Tool, height: np.ndarray) -> np.ndarray:
-    """Return half the width of a tool at heights (k,) above its tip, mm."""
+    """Return half the width of a tool at each height (k,) above its tip, mm."""
     corner = tool.rounding
     if corner:
         below = np.maximum(corner - height, 0.0)
@@ -212,7 +216,7 @@ def half_widths(tool: Tool, height: np.ndarray) -> np.ndarray:
 
 
 class _Marked:
-    """Marked pixels (height, width) bool of a coarse image, for tiles of a fine image of the same direction."""
+    """Marked pixels of a coarse image, compared with tiles of a fine image that has the same direction."""
 
     def __init__(self, marked: np.ndarray, coarse: Frame, fine: Frame) -> None:
         self._coarse, self._fine = coarse, fine
@@ -221,7 +225,7 @@ class _Marked:
         self._shift = (fine.centre - coarse.centre) @ np.array([coarse.right, coarse.up]).T
 
     def __call__(self, column: np.ndarray, row: np.ndarray, side: int) -> np.ndarray:
-        """Return which tiles (t,) contain a part of a marked pixel."""
+        """Return which tiles (t,) overlap a marked pixel."""
         fine, coarse = self._fine, self._coarse
         left, right = (self._pixel(column + end, fine.width, coarse.width, self._shift[0]) for end in (0, side))
         bottom, top = (self._pixel(row + end, fine.height, coarse.height, self._shift[1]) for end in (0, side))
@@ -230,14 +234,14 @@ class _Marked:
         return result
 
     def _pixel(self, position: np.ndarray, fine: int, coarse: int, shift: float) -> np.ndarray:
-        """Return the column or row of the coarse image at positions in the fine image, pixels."""
+        """Return the columns or rows of the coarse image for positions in the fine image, both in pixels."""
         away = (position - fine / 2) * self._fine.pixel + shift
         result: np.ndarray = np.clip(np.floor(away / self._coarse.pixel + coarse / 2), 0, coarse - 1).astype(np.int64)
         return result
 
 
 def parts_of(lengths: np.ndarray) -> Iterator[slice]:
-    """Yield parts of the moves that are about equally long together."""
+    """Yield batches of consecutive moves. All batches have about the same total length."""
     first = 0
     ends = np.cumsum(lengths + 1)
     while first < len(lengths):

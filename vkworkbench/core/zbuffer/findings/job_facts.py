@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Facts on each operation and on the whole job, from a simulation."""
+"""Compute the facts on each operation and on the whole job from a simulation."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ from vkworkbench.core.zbuffer.simulator.moments import ZBuffer
 from vkworkbench.given import number
 from vkworkbench.language import render
 
-# Time over which the peak removal rate is averaged, s. Shorter: the rate depends on single pixels.
+# Length of the time windows for the peak removal rate, s. With shorter windows, the rate depends on single pixels.
 _WINDOW = 1.0
 _NUMBERS = (
     "removed_volume", "removed_volume_error", "cutting_length", "cutting_seconds", "air_length", "air_seconds", "air_length_share",
@@ -42,16 +42,18 @@ class CutFacts:
     removed_volume : float
         Removed volume, mm^3.
     removed_volume_error : float or None
-        Error of the removed volume, mm^3: 95 of 100 errors are smaller. None if the volume is that in one image.
+        Upper bound of the volume's error with 95 % confidence, mm^3. None if the volume is computed from one image.
     cutting_length, cutting_seconds : float
-        Length and time of the feed moves, mm and s. Moves without a feed rate are not in the time.
+        Length, mm, and time, s, of the feed moves. The time does not include moves without a feed rate.
     air_length, air_seconds : float
-        Length and time of the feed moves that remove nothing, mm and s.
+        Length, mm, and time, s, of the feed moves that remove nothing.
     mean_rate, peak_rate : float
-        Material removal rate, mm^3/min: over the whole cutting time, and in the busiest second. A move is divided into parts that are as
-        long as the tool is wide, so that the peak is not a mean over a long move.
+        Mean material removal rate over the whole cutting time, and largest removal rate in one second, mm^3/min. If the
+        volumes are measured, moves are divided into parts about as long as the tool's diameter, so that a short peak in
+        a long move is not averaged out.
     depth_of_cut, width_of_cut : float
-        Largest depth, and mean width over the length of the moves that cut, mm; 0 in a view from the side.
+        Largest depth of cut, and mean width of cut over the length of the moves that cut, mm. Without measured volumes,
+        both are 0 in a view from the side.
     tool_diameter : float
         Largest diameter of the tools, mm.
     pixel : float
@@ -61,9 +63,11 @@ class CutFacts:
     fast_plunges : tuple of Plunge
         Plunges into full material above the tool's vertical feed.
     gouges, left : tuple of Deviation
-        Places cut below the model's surface, and leftover material above it; empty without a model.
+        Places cut below the model's surface, and places with leftover material above the model's surface; empty without
+        a model.
     collisions : tuple of Collision
-        Collisions of shanks and holders, cuts deeper than the flutes, tools that are too short, and collisions with clamps.
+        Collisions of shanks and holders, cuts deeper than the flutes, tools that are too short, and collisions with
+        clamps.
     """
 
     removed_volume: float
@@ -95,7 +99,10 @@ class CutFacts:
         return self.air_seconds / self.cutting_seconds if self.cutting_seconds else 0.0
 
     def as_dict(self) -> dict[str, Any]:
-        """Return the facts as numbers and lists, in mm, s, mm^3 and mm^3/min, with every fault and its place."""
+        """Return the facts as numbers and lists, with the place of each fault.
+
+        The units are mm, s, mm^3, mm^3/min and mm/s.
+        """
         crashes = [
             {"command": c.source.command, "place": list(c.place), "depth": c.depth, "volume": c.volume}
             for c in self.crashes
@@ -139,7 +146,10 @@ class CutFacts:
         }
 
     def cells(self) -> dict[str, float | int | None]:
-        """Return the facts as one row of a table with the columns `FACT_COLUMNS`. Faults are counts and largest depths, mm."""
+        """Return the facts as one row of a table with the columns `FACT_COLUMNS`.
+
+        Faults are summarised by their number, or by their largest depth, mm.
+        """
         faults = (
             len(self.crashes),
             self.crashes[0].source.command if self.crashes else None,
@@ -155,7 +165,7 @@ class CutFacts:
         return {name: getattr(self, name) for name in _NUMBERS}
 
 
-# Names of the cells of `CutFacts.cells`.
+# Names of the cells that `CutFacts.cells` returns.
 FACT_COLUMNS = (*_NUMBERS, *_FAULTS)
 
 
@@ -168,8 +178,8 @@ class JobFacts:
     cuts : tuple of CutFacts
         Facts on each operation.
     job : CutFacts
-        Facts on all operations together. Only these include deviations without a source: leftover material where no operation
-        cut, and places where the stock is too small for the model (among the gouges).
+        Facts on all operations together. Deviations without a source are included only here: `left` includes material
+        where no operation cut, and `gouges` includes the places where the stock is too small for the model.
     verdict : Verdict
     """
 
@@ -193,17 +203,18 @@ def facts(
     Parameters
     ----------
     zbuffer : ZBuffer
-        Seen along the tool axis, at its last moment.
+        The finished simulation in a view along the tool axis.
     checked : CrashCheck
         The check of the rapids and plunges of the same job.
     measured : Volumes, optional
-        Measured volumes of the same job. Without them, the volumes are those in the image.
+        Measured volumes of the same job. Without measured volumes, the volumes are computed from the image.
     thin : ThinGouges, optional
-        The gouges that are too thin for the image, at the same tolerance.
+        The gouges that are too thin for the image, found with the same tolerance.
     model : Solid or SeenModel, optional
-        The finished part, which may be prepared for the image. Without a model, gouges and leftover material are empty.
+        The model of the finished part, or the model already prepared for the image. Without a model, gouges and
+        leftover material are empty.
     tolerance : float
-        Largest deviation from the model that is ignored, mm.
+        Tolerance, mm. Smaller deviations from the model are ignored.
     collisions : Collisions, optional
         The check of shanks, holders and clamps of the same job.
 
@@ -236,7 +247,7 @@ def facts(
         gouged = with_thin(gouged, thin)
 
     def divided(moves: slice) -> tuple[np.ndarray, np.ndarray]:
-        """Return the times and volumes of trajectories, or of their parts if these were measured."""
+        """Return the times and removed volumes of trajectories, or of their parts if volumes were measured."""
         seconds, removed = cuts.seconds[moves], volumes[moves]
         if measured is not None:
             first = measured.parts[moves.start : moves.stop + 1]
@@ -282,7 +293,11 @@ def facts(
 
 
 def with_thin(gouged: Sequence[Deviation], thin: ThinGouges) -> list[Deviation]:
-    """Return all gouges, the deepest first. The gouges of thin tools replace the gouges of their cuts in the image."""
+    """Return the gouges from the image and the thin gouges, the deepest first.
+
+    The gouges of thin tools replace the gouges of the same cuts in the image, unless some moves of thin tools are
+    unchecked.
+    """
     found = [one for one in gouged if one.source is None or one.source.cut not in thin.cuts or thin.unchecked]
     found += thin.found
     for new in thin.in_walls:
@@ -292,7 +307,7 @@ def with_thin(gouged: Sequence[Deviation], thin: ThinGouges) -> list[Deviation]:
 
 
 def _overlap(one: Deviation, other: Deviation) -> bool:
-    """Return whether two gouges share a command of a cut."""
+    """Return whether the trajectory ranges of two gouges of one cut overlap."""
     if one.source is None or other.source is None or one.last is None or other.last is None:
         return False
     first, last = max(one.source.trajectory, other.source.trajectory), min(one.last.trajectory, other.last.trajectory)
@@ -300,7 +315,11 @@ def _overlap(one: Deviation, other: Deviation) -> bool:
 
 
 def _united(gouged: Sequence[Deviation]) -> Deviation:
-    """Return one gouge with the commands and the area of some gouges, and the depth and place of the deepest one."""
+    """Unite several gouges to one gouge.
+
+    The united gouge has the first and last command of all gouges, the largest area, and the depth and place of the
+    deepest gouge.
+    """
     first, last = min(gouged, key=lambda one: one.trajectory or 0), max(gouged, key=_last_trajectory)
     deepest = max(gouged, key=lambda one: one.depth)
     area = max(one.area for one in gouged)
@@ -312,7 +331,7 @@ def _last_trajectory(gouge: Deviation) -> int:
 
 
 def with_known(known: Sequence[_Fault], found: Sequence[_Fault]) -> list[_Fault]:
-    """Return faults of trajectories in their order. Known faults replace found faults of the same trajectories."""
+    """Return faults, sorted by trajectory. A known fault replaces a found fault of the same trajectory."""
     faults: dict[int, _Fault] = {}
     for some in (found, known):
         for fault in some:
@@ -357,8 +376,9 @@ def verdict_on(
 def _peak_rate(seconds: np.ndarray, volumes: np.ndarray) -> float:
     """Return the largest removal rate of consecutive windows of time, mm^3/min.
 
-    The rate is constant between two ends of trajectories. Therefore only windows in which a trajectory ends, and the windows
-    after them, are computed, and memory does not grow with the machining time.
+    The removal rate is constant between the ends of two consecutive trajectories. Therefore the rate is computed only
+    for windows in which a trajectory ends, and for the window after each of these windows. The memory does not grow
+    with the machining time.
     """
     ends, removed = np.append(0.0, np.cumsum(seconds)), np.append(0.0, np.cumsum(volumes))
     window = np.floor(ends / _WINDOW)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The pieces of rays that some trajectories remove, with their points in space."""
+"""Hold the pieces of rays that some trajectories remove, and compute points, heights and volumes of these pieces."""
 
 from __future__ import annotations
 
@@ -14,18 +14,18 @@ from vkworkbench.core.zbuffer.simulator.moments import ZBuffer
 
 @dataclass(frozen=True, eq=False)
 class RemovedPieces:
-    """Removed pieces of rays.
+    """Pieces of rays in one image, each removed by a trajectory.
 
     Attributes
     ----------
     frame : Frame
-        The image of the rays.
+        The image whose rays were cut.
     owner : (k,) ndarray of int
         Trajectory that removes each piece.
     x, y : (k,) ndarray
         Image coordinates of each piece's ray, mm.
     near, far : (k,) ndarray
-        Depths of each piece's ends, mm.
+        Depths of the near and far end of each piece, mm.
     """
 
     frame: Frame
@@ -36,7 +36,7 @@ class RemovedPieces:
     far: np.ndarray
 
     def points(self, piece: np.ndarray, depth: np.ndarray) -> np.ndarray:
-        """Return the points (q, 3) at depths (q,) on the rays of some pieces (q,), mm."""
+        """Return the points (q, 3) at the depths `depth` (q,) on the rays of the pieces `piece` (q,), mm."""
         result: np.ndarray = self.frame.origins(self.x[piece], self.y[piece])
         result += np.multiply.outer(depth, self.frame.direction)
         return result
@@ -56,7 +56,10 @@ class RemovedPieces:
         return np.bincount(self.owner, self.far - self.near, trajectories) * self.frame.pixel**2
 
     def tops(self, trajectories: int) -> np.ndarray:
-        """Return the height of the highest point that each trajectory removes, (trajectories,) mm; -inf without one."""
+        """Return the height of the highest point that each trajectory removes, (trajectories,) mm.
+
+        The height is -inf if the trajectory removes nothing.
+        """
         heights = self.points(np.arange(len(self.owner)), self.upper)[:, 2]
         tops = np.full(trajectories, -np.inf)
         np.maximum.at(tops, self.owner, heights)
@@ -64,7 +67,7 @@ class RemovedPieces:
 
 
 def joined(parts: Sequence[RemovedPieces]) -> RemovedPieces:
-    """Join the pieces of one image."""
+    """Join several sets of pieces of one image."""
     columns = zip(*((part.owner, part.x, part.y, part.near, part.far) for part in parts))
     return RemovedPieces(parts[0].frame, *map(np.concatenate, columns))
 

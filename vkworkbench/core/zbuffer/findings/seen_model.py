@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The model in an image, and its deviations from a simulated part, pixel by pixel."""
+"""Compare a model with a simulated part in an image, pixel by pixel."""
 
 from __future__ import annotations
 
@@ -13,8 +13,8 @@ from vkworkbench.core.view import Frame
 from vkworkbench.core.zbuffer.simulator.moments import ZBuffer
 
 _ROWS_AT_ONCE = 64
-# Width of the strip along the wall of a through hole that is compared with the wall, pixels. The pixel at the wall itself may be
-# cut by a rounded wall.
+# Width of the strip along the wall of a through hole in which leftover material is sought, pixels. The first pixel at
+# the wall is not compared, because a round wall can run through this pixel.
 _BESIDE = 3
 
 
@@ -25,10 +25,13 @@ class Deviations:
     Attributes
     ----------
     left, gouged : (pixels,) float32
-        Thickness of the leftover material, and depth of the gouge, along the view, mm, at least 0. They are measured from the
-        highest and lowest point of the model in the pixel and its neighbours, so that a wall in a pixel is neither.
+        Thickness of the leftover material, and depth of the gouge, measured along the view, mm, at least 0. Leftover
+        material is measured from the highest point of the model in the pixel and its neighbours. A gouge is measured
+        from the lowest point there. Therefore a wall that runs through a pixel is neither leftover material nor a
+        gouge.
     part : (height, width) float32
-        Depth of the part's surface, mm. If the part is gone: depth of the model's far side, or infinite without a model.
+        Depth of the part's surface, mm. If no material is left on the ray, this is the depth of the model's far side,
+        or infinite if the ray misses the model.
     model : SeenModel
         The compared model.
     """
@@ -40,15 +43,15 @@ class Deviations:
 
 
 class SeenModel:
-    """The model in an image. The part can be compared with it at any moment.
+    """The model in an image. The part can be compared with the model at any moment of the simulation.
 
     Parameters
     ----------
     model : Solid
-        In the coordinates of the stock.
+        The model in the coordinates of the stock.
     frame : Frame
     going_on : callable, optional
-        Called for every strip of the image. An exception from it ends the work.
+        Called for every strip of the image. An exception raised by `going_on` ends the work.
 
     Attributes
     ----------
@@ -57,15 +60,16 @@ class SeenModel:
     seen : (height, width) bool
         Whether each ray meets the model.
     near, far : (height, width) float32
-        Depths at which each ray first enters and finally leaves the model, mm; NaN for rays that miss.
+        Depths at which each ray first enters and finally leaves the model, mm; NaN for rays that miss the model.
     behind : (height, width) float32
-        Depth at which each ray leaves the model for the first time, mm.
+        Depth at which each ray leaves the model for the first time, mm; NaN for rays that miss the model.
     surface : (height, width) float32
-        Depth at which each ray enters the model, mm; infinite for rays that miss.
+        Depth at which each ray first enters the model, mm; infinite for rays that miss the model.
     floor : (height, width) float32
-        Depth before which material is leftover, mm: `surface`, but the model's far side in a strip along the walls of through
-        holes. The middle of a through hole is not compared, because a cut-out piece falls out. In oblique views the
-        falling piece hides the walls, so holes are not compared at all.
+        Depth up to which material is leftover, mm. The depth is `surface`, except in a strip along the walls of through
+        holes, where it is the model's far side. The middle of a through hole is not compared, because a piece that is
+        cut free falls out. Through holes are not compared at all in oblique views, because the free piece hides the
+        walls.
     """
 
     def __init__(self, model: Solid, frame: Frame, going_on: Callable[[], None] = lambda: None) -> None:
@@ -96,9 +100,12 @@ class SeenModel:
         self._highest = np.where(self._beside, end, highest)
 
     def against(self, zbuffer: ZBuffer) -> Deviations:
-        """Compare the part at the z-buffer's moment with the model, pixel by pixel. Both have the same image."""
+        """Compare the part at the z-buffer's moment with the model, pixel by pixel.
+
+        The z-buffer must have the model's image.
+        """
         part = zbuffer.picture.depth.reshape(self.near.shape)
-        # If the part is gone, use the model's far side.
+        # If no material is left on a ray, use the depth of the model's far side.
         part = np.where(np.isnan(part) & self.seen, self.far, part)
         left = np.where(self.seen | (self._beside & ~self._loose(part)), np.fmax(self._highest - part, 0), 0)
         gouged = np.where(self.seen & np.isfinite(self._lowest), np.maximum(part - self._lowest, 0), 0)
@@ -110,28 +117,34 @@ class SeenModel:
         )
 
     def walls(self, height: float) -> np.ndarray:
-        """Return the pixels near places where the model's surface falls by more than `height`, mm, between neighbouring pixels."""
+        """Return the pixels near walls of the model.
+
+        At a wall, the surface falls by more than `height`, mm, between neighbouring pixels.
+        """
         with np.errstate(invalid="ignore"):
             steep: np.ndarray = self.seen & (self._lowest - self._highest > height)
         return around(steep, np.maximum)
 
     def _loose(self, part: np.ndarray) -> np.ndarray:
-        """Return where the piece in a hole is cut free from the wall, also by a slot narrower than `_BESIDE` pixels."""
+        """Return the pixels in holes at which the piece in the hole is cut free from the wall.
+
+        The slot between piece and wall may be narrower than `_BESIDE` pixels.
+        """
         loose: np.ndarray = self._walls & (np.fmin(part, np.inf) >= self.floor)
-        if loose.any():  # rare: most parts have no through holes
+        if loose.any():  # most parts have no through holes, so the dilation is skipped
             for _ in range(_BESIDE - 1):
                 loose = around(loose, np.maximum)
         return loose
 
 
 def deviations(zbuffer: ZBuffer, model: Solid) -> Deviations:
-    """Compare the part at this moment with its model, pixel by pixel.
+    """Compare the part at the z-buffer's moment with its model, pixel by pixel.
 
     Parameters
     ----------
     zbuffer : ZBuffer
     model : Solid
-        In the coordinates of the stock.
+        The model in the coordinates of the stock.
 
     Returns
     -------
@@ -141,7 +154,7 @@ def deviations(zbuffer: ZBuffer, model: Solid) -> Deviations:
 
 
 def _beside_walls(holes: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Return the pixels of holes that touch a wall, and the pixels two to `_BESIDE` pixels from a wall."""
+    """Return the first pixels of holes at a wall, and the second to `_BESIDE`-th pixels from a wall."""
     within = around(holes, np.minimum)
     far_from = within
     for _ in range(_BESIDE - 1):
@@ -150,7 +163,7 @@ def _beside_walls(holes: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
 
 
 def _connected_to_edge(free: np.ndarray) -> np.ndarray:
-    """Return the free pixels that are connected with the image's edge along rows and columns."""
+    """Return the free pixels that are connected with the image's edge through free pixels along rows and columns."""
     found = free.copy()
     found[1:-1, 1:-1] = False
     while True:
@@ -161,8 +174,9 @@ def _connected_to_edge(free: np.ndarray) -> np.ndarray:
 
 
 def _extend_along_rows(free: np.ndarray, found: np.ndarray) -> np.ndarray:
-    """Return the free pixels of all runs in a row that contain a found pixel."""
-    # Runs are numbered over the flat image. A run that continues in the next row touches the edge, so it is found anyway.
+    """Return all free pixels in those runs of a row that contain a found pixel."""
+    # Runs are numbered over the flat image, so a run can continue in the next row. Such a run touches the image's edge,
+    # and all its pixels are found anyway.
     run = np.cumsum(~free).reshape(free.shape)
     reached = np.bincount(run[found], minlength=int(run.max(initial=0)) + 1) > 0
     extended: np.ndarray = free & reached[run]
@@ -170,7 +184,10 @@ def _extend_along_rows(free: np.ndarray, found: np.ndarray) -> np.ndarray:
 
 
 def around(values: np.ndarray, extreme: np.ufunc) -> np.ndarray:
-    """Return the extreme of every pixel and its eight neighbours. Outside the image the edge is repeated."""
+    """Return the extreme value among each pixel and its eight neighbours.
+
+    Pixels of the image's edge are repeated outside.
+    """
     for axis in (0, 1):
         length = values.shape[axis]
         padded = np.pad(values, [(1, 1) if own == axis else (0, 0) for own in (0, 1)], mode="edge")

@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The part of a simulation as a closed surface of triangles.
+"""Compute the simulated part as a closed surface of triangles.
 
-Each dexel is a prism with the cross-section of its pixel. The surface consists of the prisms' ends, and of the walls between
-pixels of different depths. Neighbouring faces in one plane are joined to rectangles. Every rectangle has a corner wherever another
-rectangle has a corner on its boundary, so that the triangles close.
+Each dexel is a prism with the cross-section of its pixel. The surface consists of the ends of the prisms, and of the
+walls between pixels with different depths. Neighbouring faces in one plane are joined to rectangles. If a rectangle has
+a corner on the boundary of a second rectangle, the second rectangle gets a corner there too, so that the surface is
+closed.
 """
 
 from __future__ import annotations
@@ -17,25 +18,29 @@ import numpy as np
 from vkworkbench.core.zbuffer.rays.dexels import THINNEST
 from vkworkbench.core.zbuffer.simulator.moments import ZBuffer
 
-# Grid to which depths are rounded, mm: no piece of a ray is thinner. Between finer depths there would be triangles without an area.
+# Grid to which depths are rounded, mm. No piece of a ray is thinner than this grid. A finer grid would give triangles
+# with almost no area.
 _SAME = THINNEST
-# Bytes before the triangles of an STL file, and one triangle: its normal, its corners and an unused number.
+# Number of bytes before the number of triangles in an STL file, and layout of one triangle: normal, corners and an
+# unused number.
 _HEADER = 80
 _TRIANGLE = np.dtype([("normal", "<f4", 3), ("corners", "<f4", (3, 3)), ("unused", "<u2")])
 
 
 @dataclass(frozen=True, eq=False)
 class _Faces:
-    """Rectangles that are parallel to two axes of the lattice: columns, rows and ranks of depths.
+    """Rectangles that are parallel to two axes of a lattice.
+
+    The axes of the lattice are columns, rows and layers of depths.
 
     Attributes
     ----------
     axes : tuple of int
-        The axis that is normal to the rectangles, and the two axes of their sides.
+        The axis perpendicular to the rectangles, and the two axes of the rectangles' sides.
     plane, side : (f,) int64
-        Position along the normal, and the direction out of the solid: 1 along the normal, -1 against it.
+        Position along the normal axis, and direction out of the solid: 1 along the axis, -1 against the axis.
     u0, u1, v0, v1 : (f,) int64
-        Ends of the sides.
+        Begin and end of each rectangle along the first and along the second of its axes.
     """
 
     axes: tuple[int, int, int]
@@ -47,13 +52,13 @@ class _Faces:
     v1: np.ndarray
 
     def joined(self) -> _Faces:
-        """Return the faces, joined to rectangles along the first side, and then along the second side."""
+        """Return larger rectangles: faces are joined along their first axis and then along their second axis."""
         u0, u1, v0, v1, plane, side = _joined(self.u0, self.u1, self.v0, self.v1, self.plane, self.side)
         v0, v1, u0, u1, plane, side = _joined(v0, v1, u0, u1, plane, side)
         return _Faces(self.axes, plane, side, u0, u1, v0, v1)
 
     def corners(self) -> np.ndarray:
-        """Return the corners (4 f, 3) as points of the lattice."""
+        """Return the corners of the rectangles as points of the lattice, (4 f, 3)."""
         normal, u, v = self.axes
         points = np.empty((4, len(self.plane), 3), np.int64)
         points[:, :, normal] = self.plane
@@ -63,7 +68,7 @@ class _Faces:
 
 
 def _joined(begin: np.ndarray, end: np.ndarray, *others: np.ndarray) -> tuple[np.ndarray, ...]:
-    """Join stretches from `begin` to `end` that follow each other and agree in all other columns."""
+    """Join consecutive stretches from `begin` to `end` that have equal values in all other columns."""
     order = np.lexsort((begin, *others))
     begin, end, others = begin[order], end[order], tuple(column[order] for column in others)
     new = np.ones(len(begin), bool)
@@ -76,18 +81,19 @@ def _joined(begin: np.ndarray, end: np.ndarray, *others: np.ndarray) -> tuple[np
 
 
 def part_triangles(zbuffer: ZBuffer) -> np.ndarray:
-    """Return the surface of the part at the moment of a simulation.
+    """Return the surface of the part at the moment of a z-buffer.
 
     Parameters
     ----------
     zbuffer : ZBuffer
-        The surface has walls along the view where pixels end, so a view along the tool axis is best.
+        The simulation. A view along the tool axis gives the best surface, because steps between pixels become walls
+        along the view.
 
     Returns
     -------
     (t, 3, 3) float64
-        Corners of the triangles, mm, counter-clockwise seen from outside. Each edge belongs to an even number of triangles. The
-        enclosed volume is `zbuffer.part_volume`, but depths are rounded to 1e-4 mm.
+        Corners of the triangles, mm, counter-clockwise seen from outside. Each edge belongs to an even number of
+        triangles. The enclosed volume differs from `zbuffer.part_volume` only because depths are rounded to 1e-4 mm.
     """
     frame, dexels = zbuffer.frame, zbuffer.dexel_records
     ends = np.concatenate((dexels["near"], dexels["far"])).astype(float)
@@ -114,7 +120,7 @@ def part_triangles(zbuffer: ZBuffer) -> np.ndarray:
 
 
 def _ends(column: np.ndarray, row: np.ndarray, near: np.ndarray, far: np.ndarray) -> _Faces:
-    """Return the ends of all dexels."""
+    """Return the faces at the ends of all dexels."""
     side = np.repeat([-1, 1], len(near))
     u, v = np.tile(column, 2), np.tile(row, 2)
     return _Faces((2, 0, 1), np.concatenate((near, far)), side, u, u + 1, v, v + 1)
@@ -123,10 +129,11 @@ def _ends(column: np.ndarray, row: np.ndarray, near: np.ndarray, far: np.ndarray
 def _walls(
     column: np.ndarray, row: np.ndarray, near: np.ndarray, far: np.ndarray, axis: int, size: tuple[int, int, int]
 ) -> _Faces:
-    """Return the walls between neighbouring pixels along an axis of the image, 0 or 1."""
+    """Return the walls between pixels that are neighbours along an axis of the image (0: in a row, 1: in a column)."""
     at, along = (column, row) if axis == 0 else (row, column)
     ranks, lines = size[2], size[1 - axis]
-    # Along a pixel's edge, dexels of the pixel before the edge count 1, and dexels of the pixel behind it -1.
+    # On the edge between two pixels, dexels of the pixel before the edge count 1, and dexels of the pixel after the
+    # edge count -1. There is a wall at all depths at which the sum is not 0.
     edge = np.concatenate(((at + 1) * lines + along, at * lines + along))
     count = np.repeat([1, -1], len(near))
     key = np.concatenate((edge * ranks + np.tile(near, 2), edge * ranks + np.tile(far, 2)))
@@ -147,7 +154,7 @@ class _Lattice:
     ----------
     points : (k, 3) int64
     size : tuple of int
-        Number of columns, rows and ranks.
+        Number of grid lines along columns and rows, and number of layers of depths.
     """
 
     def __init__(self, points: np.ndarray, size: tuple[int, int, int]) -> None:
@@ -155,13 +162,19 @@ class _Lattice:
         self._sorted = [np.unique(self._keys(points, axis)) for axis in range(3)]
 
     def _keys(self, points: np.ndarray, axis: int) -> np.ndarray:
-        """Return a number for each point (k, 3). Points on one line along the axis have consecutive numbers."""
+        """Return a number for each point (k, 3).
+
+        The numbers are consecutive along each line of the lattice parallel to the axis.
+        """
         one, other = (own for own in range(3) if own != axis)
         key: np.ndarray = (points[:, one] * self._size[other] + points[:, other]) * self._size[axis] + points[:, axis]
         return key
 
     def triangles(self, faces: _Faces) -> np.ndarray:
-        """Return the triangles (t, 3, 3) of rectangles, as points of the lattice and centres of rectangles."""
+        """Return the triangles (t, 3, 3) of rectangles.
+
+        Their corners are points of the lattice or centres of rectangles.
+        """
         corners = faces.corners().reshape(4, -1, 3)
         normal, u, v = faces.axes
         sides = [self._side(corners[k], corners[(k + 1) % 4], (u, v)[k % 2]) for k in range(4)]
@@ -187,13 +200,18 @@ class _Lattice:
             np.stack((centres, boundary[fan], boundary[following[fan]]), axis=1),
         ])  # fmt: skip
         of_face = np.concatenate((np.flatnonzero(four), np.flatnonzero(four), owner[fan]))
-        # The axes of an image and its direction are a left-handed system, and so are rows, columns and depths for a wall between rows.
+        # The right axis, the up axis and the direction of an image form a left-handed system, so triangles on positive
+        # sides are reversed. The faces of walls between rows (normal 1) have two axes exchanged, so triangles on
+        # negative sides are reversed.
         turned = faces.side[of_face] * (-1 if normal == 1 else 1) > 0
         found[turned] = found[turned][:, ::-1]
         return found
 
     def _side(self, begin: np.ndarray, end: np.ndarray, axis: int) -> tuple[np.ndarray, np.ndarray]:
-        """Return the points on one side of each rectangle, from its begin (f, 3) to before its end (f, 3): rectangles, points."""
+        """Return all lattice points on one side of each rectangle, and the rectangle that each point belongs to.
+
+        A side begins at `begin` (f, 3), which is included, and ends at `end` (f, 3), which is not included.
+        """
         keys = self._sorted[axis]
         low, high = (np.searchsorted(keys, self._keys(points, axis)) for points in (begin, end))
         count = np.abs(high - low)

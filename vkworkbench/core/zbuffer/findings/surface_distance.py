@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Distance in space between two surfaces of an image, instead of the distance along the view."""
+"""Compute the largest distance in space between two surfaces of an image, instead of the distance along the view."""
 
 from __future__ import annotations
 
@@ -9,45 +9,51 @@ from math import ceil, hypot
 
 import numpy as np
 
-# Accuracy: a distance larger by less than this share, or by less than a pixel, is not searched for.
+# Accuracy of the result, as a share of the distance. A pixel whose distance exceeds the largest known distance by less
+# than this share, or by less than a pixel, is not searched for.
 _ALIKE = 0.02
-# Spacing of the searched grids, pixels. A few pixels of a coarse grid exclude many pixels of the finer grids.
+# Spacing of the grids that are searched one after another, pixels. A few pixels of a coarse grid exclude many pixels of
+# the finer grids.
 _GRIDS = (64, 16, 4, 1)
-# Largest number of pixels searched at once, and of pairs with pixels around them, 50 bytes each.
+# Largest number of pixels that are searched at once, and largest number of pairs of a searched pixel and a pixel around
+# it. Each pair needs 50 bytes.
 _AT_ONCE, _PAIRS = 256, 500_000
-# Sparse searches around a pixel: number of directions, and ratio of consecutive radii. The ratio of the last search is close to 1,
-# so that it does not step over a pixel near enough to exclude the searched pixel.
+# Sparse searches around a pixel: number of directions, and ratio of consecutive radii. The ratio in the last search is
+# close to 1, so that this search does not skip nearby pixels that can exclude the searched pixel.
 _SPARSE = ((8, 2.0), (16, 1.2), (16, 1 + _ALIKE))
 _RADII_AT_ONCE = (8, 64, 256)  # circles up to each of these radii, pixels, are searched in one step
-# Complete search, ring by ring: ratio of consecutive radii, and radius at which the spacing of the searched pixels becomes 1 pixel.
+# Complete search around a pixel, ring by ring: ratio of consecutive radii, and divisor of the inner radius that gives
+# the spacing of the searched pixels. The spacing is at least one pixel.
 _WIDTH, _FINE = 1.05, 64
 
 
 def farthest(
     front: np.ndarray, behind: np.ndarray, pixels: np.ndarray, pixel: float, floor: float
 ) -> tuple[int, float] | None:
-    """Return the pixel at which two surfaces are farthest from each other, and their distance there.
+    """Return the pixel at which two surfaces are farthest from each other, and the distance at this pixel.
 
-    The distance at a pixel is the larger of two: from the point of the rear surface to the space before the front surface, and
-    from the point of the front surface to the space behind the rear surface (Hausdorff). So a wall cut 0.3 mm too far has a
-    distance of 0.3 mm, whatever its height, and a missing hole has its depth, whatever its width. The distance is never larger
-    than the distance along the view.
+    The distance at a pixel is the larger one of two distances (as in the Hausdorff distance): from the point of the
+    rear surface to the space before the front surface, and from the point of the front surface to the space behind the
+    rear surface. For example, a wall that is cut 0.3 mm too far has a distance of 0.3 mm for any height of the wall,
+    and a missing hole has its depth as the distance for any width of the hole. The distance is never larger than the
+    distance along the view.
 
     Parameters
     ----------
     front, behind : (height, width) float32
-        Depths of the two surfaces along the view, mm; infinite without a surface, so that the whole ray is before it.
+        Depths of the front and rear surface along the view, mm. The depth is infinite if a ray has no surface, so that
+        the whole ray counts as the space before this surface.
     pixels : (k,) int
-        Pixels to search, numbers in the flat image.
+        Pixels to search, as numbers in the flat image.
     pixel : float
-        Side of a pixel, mm. The error of the distance is at most one pixel or 2 %.
+        Side of a pixel, mm. The error of the distance is at most the larger one of a pixel and 2 %.
     floor : float
         Only distances larger than this are searched for, mm.
 
     Returns
     -------
     tuple of int and float, or None
-        Number of the pixel, and distance, mm. None if no distance exceeds `floor`.
+        Number of the pixel in the flat image, and distance, mm. None if no distance exceeds `floor`.
     """
     row, column = np.divmod(pixels, front.shape[1])
     along = behind.ravel()[pixels] - front.ravel()[pixels]
@@ -55,7 +61,7 @@ def farthest(
     unseen = np.zeros(front.shape, bool)
     unseen.ravel()[pixels[along > floor]] = True
     found = None
-    for grid in (0, *_GRIDS):  # first the pixel that is farthest along the view
+    for grid in (0, *_GRIDS):  # grid 0 stands for the pixel with the largest distance along the view
         on_grid = order[(row[order] % grid == 0) & (column[order] % grid == 0)] if grid else order[:1]
         for first in range(0, len(on_grid), _AT_ONCE):
             some = on_grid[first : first + _AT_ONCE]
@@ -77,9 +83,10 @@ def farthest(
 def _exclude_around(
     unseen: np.ndarray, front: np.ndarray, behind: np.ndarray, row: int, column: int, reach: float, pixel: float
 ) -> None:
-    """Exclude the pixels whose points on both surfaces are within `reach`, mm, of the points of one pixel.
+    """Exclude the pixels around one pixel whose distance cannot exceed the floor.
 
-    The distances of such pixels differ by at most `reach`.
+    These are the pixels whose points on both surfaces are at most `reach`, mm, away from the points of the given pixel.
+    Their distance is larger by at most `reach`.
     """
     size = int(reach / pixel)
     rows = slice(max(row - size, 0), min(row + size + 1, len(front)))
@@ -93,20 +100,25 @@ def _exclude_around(
 
 
 def _distances(front: np.ndarray, behind: np.ndarray, pixels: np.ndarray, pixel: float, floor: float) -> np.ndarray:
-    """Return the distances at pixels (k,), mm. For a distance below the floor, the result is any value below the floor."""
+    """Return the distances at pixels (k,), mm.
+
+    If a distance is below the floor, the result is some value below the floor.
+    """
     height, width = front.shape
     row, column = np.divmod(pixels, width)
     ahead, beyond = front[row, column], behind[row, column]
-    # Smallest distances so far: to the space before the front surface, and to the space behind the rear surface.
+    # Smallest distances found so far: to the space before the front surface, and to the space behind the rear surface.
     least = np.repeat((beyond - ahead)[None].astype(float), 2, axis=0)
     for radius, steps in _around(ceil(hypot(height, width))):
-        # Stop at a pixel if pixels farther away cannot be nearer in space, or if its distance is below the floor.
+        # The search around a pixel stops when pixels at a larger radius cannot reduce its distance, or when its
+        # distance is below the floor.
         (searched,) = np.nonzero(least.max(axis=0) > max(floor, radius * pixel))
         if not len(searched):
             break
         for some in np.array_split(steps, ceil(len(searched) * len(steps) / _PAIRS)):
             rows, columns = row[searched, None] + some[:, 0], column[searched, None] + some[:, 1]
-            # Outside the image, use the nearest pixel of the border. The border is closer, so an earlier step has already included it.
+            # Positions outside the image are replaced by the nearest pixel of the border. This pixel is closer than the
+            # position, so an earlier step has already included the pixel with its actual distance.
             rows, columns = np.clip(rows, 0, height - 1), np.clip(columns, 0, width - 1)
             across = np.hypot(*some.T) * pixel
             to_front = beyond[searched, None] - front[rows, columns]
@@ -119,7 +131,10 @@ def _distances(front: np.ndarray, behind: np.ndarray, pixels: np.ndarray, pixel:
 
 
 def _around(size: int) -> Iterator[tuple[float, np.ndarray]]:
-    """Yield steps (n, 2) to rows and columns around a pixel, pixels, and the radius inside which every pixel was yielded."""
+    """Yield steps (n, 2) in rows and columns around a pixel, and a radius, both in pixels.
+
+    All steps within the radius were yielded before.
+    """
     for directions, wider in _SPARSE:
         for circles in _circles(size, directions, wider):
             yield 0.0, circles
@@ -135,7 +150,7 @@ def _around(size: int) -> Iterator[tuple[float, np.ndarray]]:
 
 @lru_cache(maxsize=len(_SPARSE))
 def _circles(size: int, directions: int, wider: float) -> list[np.ndarray]:
-    """Return the steps of circles, in groups of radii: small circles may end the search before the large ones."""
+    """Return the steps of circles in groups of radii, because small circles often make large circles unnecessary."""
     radii = [1.0]
     while radii[-1] * wider < size:
         radii.append(max(radii[-1] * wider, radii[-1] + 1))

@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Find gouges that are thinner than a few pixels of an image: of thin tools, and in the walls of the model.
+"""Find gouges that are narrower than a few pixels of an image, by thin tools and in the walls of the model.
 
-The rays lie close together in strips along the moves of thin tools, and along the walls of the model.
+These gouges are sought on closely spaced rays, in strips along the moves of thin tools and along the walls of the
+model.
 """
 
 from __future__ import annotations
@@ -21,39 +22,42 @@ from vkworkbench.core.zbuffer.findings.removed_pieces import RemovedPieces, join
 from vkworkbench.core.zbuffer.findings.seen_model import SeenModel
 from vkworkbench.core.zbuffer.sweeps.cuts import Cut, Cuts, Source
 
-# Width of a tool, in pixels, from which an image shows all its gouges.
+# Smallest diameter of a tool at which the image shows all gouges of this tool, pixels.
 _SHOWN = 4.0
 # Smallest distance between rays, mm.
 _CLOSEST = 2.0**-8
 # Distance between rays along walls, mm.
 _AT_WALLS = 2.0**-4
-# Directions and shares of a radius in which the model's surface is searched around a point.
+# Directions in which the model's surface is searched around a point, rad. Radii of the first search, as shares of the
+# smallest depth of a gouge.
 _ANGLES = np.arange(24) * np.pi / 12
 _SHARES = (0.34, 0.67, 1.0)
-# Ratio of consecutive radii of the search for the depth of a gouge.
+# Ratio of consecutive radii in the search for the depth of a gouge.
 _WIDER = 1.1
-# Distance, in distances between the points, below which the points of two gouges belong to one gouge.
+# Distance below which two groups of points belong to one gouge, as a multiple of the distance between neighbouring
+# points.
 _CLOSE = 4.0
-# Largest number of points of some pieces that are compared with the model, and of a gouge whose depth is measured.
+# Approximate upper bounds: number of points that are compared with the model for each batch of pieces, and number of
+# points of a gouge at which the depth is measured.
 _POINTS, _MEASURED = 20_000, 200
 
 
 @dataclass(frozen=True)
 class ThinGouges:
-    """The gouges of thin tools and in walls.
+    """The gouges of thin tools, and the gouges of other tools in the walls of the model.
 
     Attributes
     ----------
     found : tuple of Deviation
-        Every gouge of the thin tools, in the order of its first command.
+        All gouges of the thin tools, sorted by their first command.
     in_walls : tuple of Deviation
-        The gouges of the other tools near the walls of the model. An image may show them, too.
+        The gouges of the other tools near the walls of the model. Some of these gouges are visible in an image, too.
     cuts : tuple of int
-        The cuts with thin tools. Their gouges in an image are not needed.
+        The cuts with thin tools. `found` replaces the gouges of these cuts in an image.
     unchecked : tuple of Source
-        Moves for which the time did not suffice.
+        Moves of thin tools that were not checked for lack of time.
     walls_checked : bool
-        Whether the time sufficed for all walls of the model.
+        Whether all walls of the model were checked within the time limit.
     """
 
     found: tuple[Deviation, ...] = ()
@@ -72,7 +76,7 @@ def thin_gouges(
     seconds: float = np.inf,
     going_on: Callable[[], None] = lambda: None,
 ) -> ThinGouges:
-    """Find the gouges of tools that are thinner than a few pixels, and the gouges of other tools along the walls of the model.
+    """Find the gouges of tools that are thinner than a few pixels, and the gouges of other tools along walls.
 
     Parameters
     ----------
@@ -80,13 +84,13 @@ def thin_gouges(
         The operations in their order.
     stock : Solid
     seen : SeenModel
-        The model in the image that shows the other gouges, along the tool axis.
+        The model in an image along the tool axis. This image shows the gouges that are not thin.
     tolerance : float
-        Largest depth that is not a gouge, mm; `Cut.allowed_depth` is added.
+        Tolerance, mm. A depth of at most the tolerance plus `Cut.allowed_depth` is not a gouge.
     seconds : float
-        Longest time, s.
+        Time limit, s.
     going_on : callable, optional
-        Called many times a second. An exception from it ends the search.
+        Called many times a second. An exception raised by `going_on` ends the search.
 
     Returns
     -------
@@ -108,7 +112,7 @@ def thin_gouges(
         for size in np.unique(sizes).tolist():
             own = np.flatnonzero(sizes == size)
             rays = FineRays(numbered, stock, size)
-            # The images differ in their pixels only, so one search serves all.
+            # The images differ only in the size of their pixels, so one search is used for all images.
             search = search or _Search(seen.model, rays.trajectories.frame, least)
             for part in parts_of(numbered.lengths[moves[own]] / half_width[own]):
                 if time.monotonic() > end:
@@ -135,9 +139,10 @@ def _gouges_in_walls(
     end: float,
     going_on: Callable[[], None],
 ) -> tuple[list[Deviation], bool]:
-    """Return the gouges near walls, and whether the time until `end` sufficed for all walls.
+    """Return the gouges near walls, and whether all walls were checked before the time `end`.
 
-    The image shows gouges that are wider than its pixels anyway.
+    If the pixels of the image are nearly as small as the rays' distance, walls are not checked, because the image shows
+    the gouges.
     """
     others = [number for number, cut in enumerate(cuts.cuts) if number not in thin and np.isfinite(cut.allowed_depth)]
     if seen.frame.pixel < 1.5 * _AT_WALLS or not others:
@@ -159,7 +164,10 @@ def _gouges_in_walls(
 
 
 def _deep_moves(cuts: Cuts, number: int, model: Solid, least: float) -> tuple[np.ndarray, np.ndarray]:
-    """Return the moves of a cut that may be more than `least` below the top of the model, and half the widths of their strips, mm."""
+    """Return the moves of a cut that possibly gouge the model, and half the widths of their strips, mm.
+
+    These moves go more than `least`, mm, below the model's top.
+    """
     own = slice(int(cuts.first[number]), int(cuts.first[number + 1]))
     start, end = (ends[own] for ends in cuts.ends)
     tool = cuts.cuts[number].tool
@@ -171,14 +179,14 @@ def _deep_moves(cuts: Cuts, number: int, model: Solid, least: float) -> tuple[np
 
 
 class _Search:
-    """Points of a cut that are deeper in the model than allowed."""
+    """Collects the points at which a cut removes material more than `least`, mm, below the model's surface."""
 
     def __init__(self, model: Solid, frame: Frame, least: float) -> None:
         self._least, self._model = least, spans_in(model, frame)
         self._found: list[tuple[RemovedPieces, np.ndarray, np.ndarray]] = []
 
     def add(self, pieces: RemovedPieces) -> None:
-        """Search removed pieces."""
+        """Find the removed pieces that are too deep in the model, and store these pieces."""
         spans = self._model(pieces.x, pieces.y)
         inside = (spans.far > spans.near) & (pieces.near < spans.far) & (pieces.far > spans.near)
         along = np.minimum(pieces.far, spans.far) - spans.near
@@ -193,7 +201,11 @@ class _Search:
             self._found.append((pieces.selected(chosen), along[chosen], area))
 
     def gouges(self, cuts: Cuts) -> list[Deviation]:
-        """Return the gouges: flagged points of consecutive trajectories, and of trajectories that touch each other."""
+        """Return the gouges.
+
+        A gouge consists of the stored points of consecutive trajectories. Groups of points that are close to each other
+        are one gouge.
+        """
         if not self._found:
             return []
         parts, along, area = zip(*self._found)
@@ -216,9 +228,9 @@ class _Search:
         return Deviation(first, cuts.source(first), tuple(place), float(depth[worst]), area, cuts.source(last))
 
     def _distances(self, pieces: RemovedPieces, some: np.ndarray, along: np.ndarray, radii: np.ndarray) -> np.ndarray:
-        """Return the distances (k,) of the lower ends of pieces from the space before the model's surface, mm.
+        """Return the distances of the lower ends of pieces from the space before the model's surface, (k,) mm.
 
-        The surface is searched on circles with these radii, mm.
+        The model's surface is searched on circles with the radii `radii`, mm, around each piece.
         """
         least, depth = along.copy(), pieces.far[some]
         for radius in radii.tolist():
@@ -231,8 +243,12 @@ class _Search:
 
 
 def _touching(x: np.ndarray, y: np.ndarray, group: np.ndarray, near: float) -> np.ndarray:
-    """Return a number for each group of points (k,), equal for groups with points closer than `near`, mm, directly or in a chain."""
-    # Points that are closer than `near` are in one cell of at least one of four grids.
+    """Return a number for each group of points. Groups that are connected have equal numbers.
+
+    Two groups are connected if they have points that are closer than `near`, mm, or if a chain of such groups connects
+    them. `group` (k,) is the group of each point.
+    """
+    # Two points that are closer than `near` are in the same cell of at least one of four grids.
     grids = []
     for right, up in product((0.0, 0.5), repeat=2):
         column, row = (np.floor(at / (2 * near) + shift).astype(np.int64) for at, shift in ((x, right), (y, up)))

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The verdict on a simulated job in one message: its faults, the fineness of the check, and the gaps of the check."""
+"""Provide the verdict on a job as one message: the faults, the check's resolution, and what was not checked."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from vkworkbench.core.zbuffer.findings.collisions import Collisions
 from vkworkbench.core.zbuffer.sweeps.cuts import Source
 from vkworkbench.language import Message
 
-# The sentence for a check without shank, holder and clamps.
+# The sentence for a check in which shanks, holders and clamps were not checked.
 UNATTACHED = Message("attachments-unchecked")
 
 
@@ -23,25 +23,26 @@ class Verdict:
     pixel : float or None
         Side of the pixels of the checked simulation, mm; None before the check.
     met : bool
-        Whether any tool meets the stock. If not, there was nothing to check.
+        Whether any tool possibly meets the stock. If no tool does, there was nothing to check.
     compared : bool
         Whether the part was compared with a model.
     crashes, gouges, fast_plunges : int
-        Number of rapids that cut, of cuts into the model, and of plunges that are too fast.
+        Number of rapids that cut, number of gouges in the model, and number of plunges above the vertical feed.
     deepest_gouge, lacking : float
-        Depth of the deepest gouge, and thickness that the stock lacks of the model, mm.
+        Depth of the deepest gouge, and largest thickness of material that the stock lacks for the model, mm.
     unchecked : tuple of Source
-        Moves for which the time did not suffice.
+        Moves that were not checked for lack of time.
     walls_checked : bool
-        Whether the time sufficed to compare all walls with the model on rays closer than a pixel.
+        Whether all walls of the model were compared with the part, on rays closer than a pixel, within the time limit.
     unjudged : tuple of int
-        Cuts whose gouges are unknown, because their tools only stand for other shapes.
+        Cuts whose gouges are unknown, because their tools only approximate the actual shapes.
     collisions : Collisions or None
         Collisions of shanks, holders and clamps; None if they were not checked.
     lines : bool
-        Whether commands are lines of a program, counted from 1.
+        Whether commands are given as lines of a program, counted from 1.
     unread : tuple of Message
-        Parts of the job that could not be read, and assumptions. A job with an unread part is never sound.
+        Messages on parts of the job that could not be read, and on assumptions. A job with such a message is never
+        sound.
     """
 
     pixel: float | None = None
@@ -61,12 +62,15 @@ class Verdict:
 
     @property
     def is_checked(self) -> bool:
-        """Whether there was something to check, and it was checked."""
+        """Whether the job was checked, and there was something to check."""
         return self.pixel is not None and self.met
 
     @property
     def is_sound(self) -> bool:
-        """Whether the whole job was read and checked, and nothing is wrong. `unchecked` moves may still be wrong."""
+        """Whether the whole job was read and checked, and no fault was found.
+
+        Faults of `unchecked` moves remain possible.
+        """
         return self.is_checked and not self.unread and not self._faults()
 
     def message(self, labels: Sequence[str]) -> Message:
@@ -108,7 +112,7 @@ class Verdict:
         return (*(one.what for one in collided), *(message for number, message in found if number))
 
     def _left_out(self, labels: Sequence[str]) -> tuple[Message, ...]:
-        """Return a sentence for everything that the check left out."""
+        """Return one sentence for each part of the check that was left out."""
         sentences = []
         if self.unchecked:
             first = self.unchecked[0]
@@ -125,5 +129,5 @@ class Verdict:
         return tuple(sentences)
 
 
-# The verdict before the check.
+# The verdict before a job is checked.
 PENDING = Verdict()

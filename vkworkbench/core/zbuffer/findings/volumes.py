@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Measure the volumes that the operations of a job remove, with an error.
+"""Measure the volumes that the operations of a job remove, and the errors of these volumes.
 
-The rays of one image lie in rows. A wall along a row lies between two rays, and the rays assign the whole strip between them to one
-side. Therefore the volumes are measured in several images that are turned against the walls and against each other. The
-images also differ by chance, which gives the error of their mean.
+The rays of one image are arranged in rows. If a wall runs between two rows, the volume of the whole strip between these
+rows is assigned to one side of the wall. Therefore the volumes are measured in several images that are rotated against
+the walls and against each other. The error of the mean volume is computed from the differences between the images.
 """
 
 from __future__ import annotations
@@ -20,37 +20,43 @@ from vkworkbench.core.zbuffer.findings.fine_rays import FineRays, half_widths
 from vkworkbench.core.zbuffer.findings.removed_pieces import RemovedPieces
 from vkworkbench.core.zbuffer.sweeps.cuts import Cut, Cuts
 
-# Angles between the rows of rays and the X axis, rad: none is close to a multiple of 45 degrees, which many walls have.
+# Angles between the rows of rays and the X axis, rad. No angle is close to a multiple of 45 degrees, because many walls
+# run at these angles.
 _TURNS = tuple(pi / 180 * angle for angle in (9.0, 33.0, 57.0, 81.0))
-# Number of rays in the strips of one operation, for one image. More rays: a smaller error, a longer measurement.
+# Number of rays in the strips along the moves of one operation, for each image. More rays give a smaller error and a
+# longer measurement.
 _RAYS = 60_000
-# Factor for the standard error of the mean of four images, so that 95 of 100 errors are smaller: Student's t with 3 degrees of freedom.
+# Factor that turns the standard error of the mean of four images into a 95 % bound (Student's t with 3 degrees of
+# freedom).
 _STUDENT = 3.18
-# Length of the parts of a move whose volumes are measured apart, as a multiple of the tool's diameter, and the largest number of parts
-# of a move. Longer parts: the removal rate at an instant becomes a mean. Shorter parts: the rate depends on single rays.
+# Each move is divided into parts whose volumes are measured separately. Largest length of a part, as a multiple of the
+# tool's diameter, and largest number of parts of a move. Longer parts average out short peaks of the removal rate. In
+# shorter parts, the removal rate depends on single rays.
 _PART, _PARTS = 1.0, 100
-# Smallest relative error, for the rounding of depths.
+# Lower bound of the error, as a share of the volume, because depths are rounded.
 _LEAST = 5e-4
 
 
 @dataclass(frozen=True, eq=False)
 class Volumes:
-    """Measured volumes.
+    """Removed volumes of a job, measured in four rotated images.
 
     Attributes
     ----------
     each : (n,) float64
         Volume that each trajectory removes, mm^3.
     depths : (n,) float64
-        Height of the highest piece that each trajectory removes from a ray, mm.
+        Height of the tallest piece that each trajectory removes from a ray, mm.
     images : (4, cuts) float64
         Volume that each cut removes in each image, mm^3.
     parts : (n + 1,) int64
-        First part of each trajectory; trajectories are divided into parts of equal lengths.
+        Number of the first part of each trajectory, and number of all parts. The parts of a trajectory have equal
+        lengths.
     of_parts : (parts[-1],) float64
-        Volume that the tool removes while it moves along each part, mm^3.
+        Volume that the tool removes while the tool moves along each part, mm^3.
     rays : (cuts,) float64
-        Largest volume that each cut removes from one ray, mm^3. Errors are not smaller, because four images may agree by chance.
+        Largest volume that each cut removes from one ray, mm^3. This volume is a lower bound of the error, because four
+        images can agree by chance.
     """
 
     each: np.ndarray
@@ -61,7 +67,7 @@ class Volumes:
     rays: np.ndarray
 
     def error(self, cuts: range) -> float:
-        """Return the error of the volume that some cuts remove together, mm^3: 95 of 100 errors are smaller."""
+        """Return a 95 % bound of the error of the volume that some cuts remove together, mm^3."""
         together = self.images[:, cuts.start : cuts.stop].sum(axis=1)
         spread = float(together.std(ddof=1)) / sqrt(len(together))
         ray = float(self.rays[cuts.start : cuts.stop].max(initial=0.0))
@@ -75,7 +81,7 @@ def measure_volumes(
     seconds: float = np.inf,
     going_on: Callable[[], None] = lambda: None,
 ) -> Volumes | None:
-    """Measure the volumes that a job removes, whatever the size of the tools and of the stock.
+    """Measure the volumes that a job removes, for tools and stocks of any size.
 
     Parameters
     ----------
@@ -83,14 +89,14 @@ def measure_volumes(
         The operations in their order.
     stock : Solid
     seconds : float
-        Longest time, s.
+        Time limit, s.
     going_on : callable, optional
-        Called many times a second. An exception from it ends the measurement.
+        Called many times a second. An exception raised by `going_on` ends the measurement.
 
     Returns
     -------
     Volumes or None
-        None if the time does not suffice.
+        None if the measurement is not finished within the time limit.
     """
     numbered, end = Cuts(cuts), time.monotonic() + seconds
     each, depths = np.zeros((2, len(numbered)))
@@ -125,7 +131,7 @@ def _parts(cuts: Cuts) -> np.ndarray:
 
 
 def _part_of(rays: FineRays, pieces: RemovedPieces, parts: np.ndarray) -> np.ndarray:
-    """Return the part of its trajectory in which the front of the tool removes each piece, (k,) int64."""
+    """Return the number of the part along which the front of the tool removes each piece, (k,) int64."""
     trajectories = rays.trajectories
     item = np.searchsorted(trajectories.index, pieces.owner)
     (x, y, _), (ux, uy, run, _) = trajectories.start[:, item], trajectories.heading[:, item]
@@ -138,7 +144,10 @@ def _part_of(rays: FineRays, pieces: RemovedPieces, parts: np.ndarray) -> np.nda
 
 
 def _strips(cuts: Cuts, number: int, stock: Solid) -> tuple[np.ndarray, np.ndarray, float]:
-    """Return the moves of a cut that may meet the stock, half the width of each move's strip, and the pixel for the strips, mm."""
+    """Return the moves of a cut that possibly meet the stock, and the sizes of the check.
+
+    The sizes are half the width of the strip along each move, and the pixel, both in mm.
+    """
     own = slice(int(cuts.first[number]), int(cuts.first[number + 1]))
     start, end = (ends[own] for ends in cuts.ends)
     tool = cuts.cuts[number].tool
@@ -154,7 +163,10 @@ def _strips(cuts: Cuts, number: int, stock: Solid) -> tuple[np.ndarray, np.ndarr
 
 
 def _shares_inside(start: np.ndarray, end: np.ndarray, margin: np.ndarray, stock: Solid) -> np.ndarray:
-    """Return the share of each segment (k, 2) that is inside the box of the stock, enlarged by a margin (k, 1), mm."""
+    """Return the share of each segment (k, 2) inside the stock's bounding box.
+
+    The box is enlarged by a margin (k, 1), mm.
+    """
     move = end - start
     moving = np.where(move == 0, 1.0, move)
     to_lower = np.where(move == 0, -np.inf, (stock.lower[:2] - margin - start) / moving)

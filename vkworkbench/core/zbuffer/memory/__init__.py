@@ -1,2 +1,2 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The number of records that an image will hold, and the memory for them."""
+"""Estimate the number of records in the image of a simulation, and the memory that these records need."""

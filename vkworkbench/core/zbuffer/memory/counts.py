@@ -1,5 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Numbers of dexels and trace elements of a simulation, estimated from a few hundred rays that are simulated exactly."""
+"""Estimate the numbers of dexels and trace elements of a simulation from a few hundred rays.
+
+A dexel is a piece of a ray inside the part. A trace element is a piece of a ray that a trajectory removes. The sampled
+rays are simulated exactly.
+"""
 
 from __future__ import annotations
 
@@ -14,32 +18,35 @@ from vkworkbench.core.zbuffer.rays.dexels import UNCUT, Pieces
 from vkworkbench.core.zbuffer.rays.records import GAP
 from vkworkbench.core.zbuffer.rays.removal import Removal
 
-# Fixed seed, so that the window and a macro give the same numbers.
+# Seed of the random sample. A fixed seed gives the same numbers in the window and in a macro.
 _SEED = 2002
 
 
 @dataclass(frozen=True)
 class Counts:
-    """Estimated numbers of records.
+    """Estimated numbers of records: dexels, trace elements and gaps of the stock.
 
     Attributes
     ----------
     stock, gaps : float
-        Dexels of the uncut stock, and pieces of rays in its gaps. Gaps are kept as records.
+        Number of dexels of the uncut stock, and number of pieces of rays in gaps of the stock. Each gap is stored as a
+        record.
     dexels : float
-        Dexels at the end.
+        Number of dexels at the end of the simulation.
     traces, traces_error : float
-        Elements of the traces, and the standard error of their number.
+        Number of trace elements, and its standard error.
     touched : float
-        Pixels that are cut.
+        Number of pixels whose ray is cut.
     passes : float
-        Pairs of a pixel and a trajectory that passes it, including pairs that remove nothing.
+        Number of pairs of a pixel and a trajectory that passes this pixel, including trajectories that remove nothing
+        there.
     unconnected : float
-        Share of `passes` on rays whose intervals are not connected. The intervals of these rays are sorted, see `chains.py`.
+        Share of `passes` on rays whose removed intervals are not connected. Only on these rays are the intervals
+        sorted; see `chains.py`.
     band : float
-        Records of the band of `TILE` rows with the most records.
+        Number of records in the fullest band of `TILE` pixel rows.
     pixels : int
-        Pixels of the image.
+        Number of pixels in the image.
     """
 
     stock: float
@@ -55,14 +62,15 @@ class Counts:
 
     @property
     def records(self) -> float:
-        """Number of dexels, elements of traces and gaps at the end."""
+        """Number of dexels, trace elements and gaps at the end of the simulation."""
         return self.dexels + self.traces + self.gaps
 
 
 def count(removal: Removal) -> Counts:
     """Estimate the records of a simulation.
 
-    The order of the trajectories determines how often a pixel is cut (paper, section 2.1). The sampled rays are cut in this order.
+    The order of the trajectories determines how often a pixel is cut (paper, section 2.1). Therefore the sampled rays
+    are cut in the order of the program.
 
     Parameters
     ----------
@@ -71,13 +79,13 @@ def count(removal: Removal) -> Counts:
     Returns
     -------
     Counts
-        Equal for equal arguments.
+        Equal arguments give equal counts.
     """
     frame = removal.frame
     rng = np.random.default_rng(_SEED)
     rays = sample(removal, rng)
     pieces, passes = removal.cut(rays.x, rays.y)
-    # An uncut ray has one dexel, and one more behind every gap of the stock.
+    # The ray of uncut stock has one dexel, and one more dexel behind every gap of the stock.
     held = np.bincount(pieces.ray, minlength=len(rays.x))
     empty = np.bincount(pieces.ray[pieces.owner == GAP], minlength=len(rays.x))
     parts = np.bincount(pieces.ray[pieces.owner == UNCUT], minlength=len(rays.x))
@@ -86,9 +94,9 @@ def count(removal: Removal) -> Counts:
     per_area = 1 / frame.pixel**2
 
     covered, gaps = seen_areas(removal.stock, frame, rng)
-    # Rays may end with fewer dexels (cut through) or with more (cut in the middle).
+    # A ray that is cut through loses dexels. A ray that is cut in the middle gains dexels.
     more, _ = rays.total(parts - first)
-    more = max(more, -covered)  # if everything is cut away, rounding can make the sum negative
+    more = max(more, -covered)  # rounding can make the sum negative if all stock is removed
     traces, error = rays.total(cuts)
     passed, _ = rays.total(passes)
     unconnected, _ = rays.total(passes * _unconnected(pieces, len(rays.x)))
@@ -109,7 +117,11 @@ def count(removal: Removal) -> Counts:
 
 
 def _unconnected(pieces: Pieces, rays: int) -> np.ndarray:
-    """Return the rays (rays,) bool whose intervals are not connected: the owner has a maximum inside the ray (`UNCUT` is largest)."""
+    """Return the rays (rays,) bool whose removed intervals are not connected.
+
+    The intervals are not connected if the owner's number has a maximum inside the ray. `UNCUT` is larger than all
+    numbers.
+    """
     owner, ray = pieces.owner, pieces.ray
     peak = np.flatnonzero((owner[1:-1] > owner[:-2]) & (owner[1:-1] > owner[2:]) & (ray[2:] == ray[:-2]))
     found: np.ndarray = np.bincount(ray[peak], minlength=rays) > 0

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The growth and the size of the largest image within a budget."""
+"""Compute the growth of the number of pixels that a budget allows, and the size of the image after this growth."""
 
 from __future__ import annotations
 
@@ -8,14 +8,15 @@ from math import log2, sqrt
 
 from vkworkbench.core.view import LONGEST_SIDE, MOST_PIXELS, Frame, View
 
-# Largest growth, as a power of two.
+# Largest growth of the number of pixels, as an exponent of 2.
 _LARGEST_GROWTH = 40
 
 
 def growth_within(taken: Callable[[float], float], allowed: float, least: float) -> float:
-    """Return the largest growth of the number of pixels within a budget, by bisection; 0 if `least` is already too large.
+    """Return the largest growth of the number of pixels within a budget, by bisection.
 
-    `taken` returns the time or memory for a growth, and must not decrease.
+    The growth is 0 if `least` already exceeds the budget. `taken` returns the time or memory for a growth. A larger
+    growth must not need less time or memory.
     """
     if taken(least) > allowed:
         return 0.0
@@ -29,14 +30,14 @@ def growth_within(taken: Callable[[float], float], allowed: float, least: float)
 
 
 def size_of(image: View | Frame, growth: float) -> tuple[int, int]:
-    """Return width and height of an image with at most `growth` times as many pixels, at least one, and about the same shape.
+    """Return width and height of an image with at most `growth` times as many pixels and about the same shape.
 
-    The image is no larger than a `View` may be.
+    The image has at least one pixel and stays within the size limits of `View`.
     """
     largest = MOST_PIXELS / (image.width * image.height), (LONGEST_SIDE / max(image.width, image.height)) ** 2
     growth = min(growth, *largest)
     pixels = growth * image.width * image.height
-    # The shorter side is at least one pixel, which limits the longer side of a strip.
+    # The shorter side has at least one pixel. This minimum limits the longer side of a narrow image.
     width = max(1, int(image.width * sqrt(growth)))
     height = max(1, int(min(image.height * sqrt(growth), pixels / width)))
     return max(1, int(min(width, pixels / height))), height

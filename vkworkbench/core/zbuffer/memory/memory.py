@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The peak memory of a simulation, estimated before the simulation starts, and its limit."""
+"""Estimate the peak memory of a simulation before the start, and refuse simulations above the memory limit."""
 
 from __future__ import annotations
 
@@ -19,26 +19,30 @@ from vkworkbench.language import Message, Unusable
 
 # Default memory budget, bytes.
 BUDGET = 2e9
-# Memory while cutting, bytes, measured by benchmarks/zbuffer.py and, for other views, as in test_vk_zbuffer_memory.py.
-# Temporary arrays for one band of the image: in views from above, in oblique views with closed forms for all tools, and otherwise.
+# Memory for the temporary arrays of one band of the image, bytes: in views from above, in oblique views in which all
+# tools have closed forms, and in all other cases. benchmarks/zbuffer.py measures views from above,
+# test_vk_zbuffer_memory.py other views.
 _BAND_ABOVE, _BAND_CLOSED, _BAND = 14e6, 20e6, 42e6
-# Smallest cosine of the view's tilt for `_BAND_CLOSED`. In flatter views a ray passes so many trajectories that closed forms do not help.
+# Smallest cosine of the view's tilt from the vertical for `_BAND_CLOSED`. In flatter views each ray meets so many
+# trajectories that closed forms save no memory.
 _STEEP = 0.5
-# Memory for each trajectory, and for each record of a band while the band is assembled, bytes.
+# Memory for each trajectory, and for each record of the band that is being assembled, bytes.
 _TRAJECTORY = 460.0
 _BAND_RECORD = 13.0
-# Memory while pictures of the finished simulation are made, bytes: for each element of a trace, pixel and trajectory, and for
-# temporary arrays (the largest value of all numpy versions).
+# Memory for rendering pictures of the finished simulation, bytes: for each trace element, for each pixel, for each
+# trajectory, and for temporary arrays (the largest value among the numpy versions).
 _SHOWN, _SHOWN_PIXEL, _SHOWN_TRAJECTORY, _SHOWING = 14.0, PIXEL_BYTES + 92.0, 100.0, 12e6
-# Memory for each further process, bytes: Python and numpy; each trajectory sent to it; each record of a band, in both processes.
+# Memory for each additional process, bytes: for Python and numpy; for each trajectory sent to the process; for each
+# record of a band, which both processes hold.
 _PROCESS = 45e6
 _SENT_TRAJECTORY = 500.0
 _SENT_RECORD = 26.0
-# Share by which the arrays of records grow when they are full.
+# Share of their length by which full arrays of records grow.
 _SPARE = 1 / 8
-# Number of standard errors that is added to the estimated traces.
+# Number of standard errors that is added to the estimated number of trace elements.
 _ERRORS = 2.0
-# Share of the budget that may be used, because the estimate for another image size is made from other rays.
+# Share of the memory budget that a proposed image size uses. The rest is a margin, because the estimate for the
+# proposed size samples other rays.
 _SURE = 0.98
 
 
@@ -52,7 +56,7 @@ class OverBudget(Unusable):
     needed, allowed : float
         Peak memory of the simulation, and its limit, bytes.
     size : tuple of int or None
-        Width and height of the finest image within the limit, pixels; None if no image is.
+        Width and height of the finest image within the limit, pixels; None if even one pixel exceeds the limit.
     """
 
     def __init__(self, peak: Peak, allowed: float, counts: Counts, frame: Frame) -> None:
@@ -74,12 +78,12 @@ class OverBudget(Unusable):
 
 @dataclass(frozen=True)
 class Peak:
-    """The quantities that determine the peak memory of a simulation and of pictures of it.
+    """The quantities that determine the peak memory of a simulation and of its pictures.
 
     Attributes
     ----------
     records, traces : float
-        Upper bounds for the number of pieces of rays, and for the number of removed pieces.
+        Upper bound of the number of all pieces of rays, and upper bound of the number of removed pieces.
     stock : float
         Number of pieces of rays of the uncut stock.
     band : float
@@ -101,7 +105,7 @@ class Peak:
     work: float
 
     def bytes(self, growth: float = 1.0) -> float:
-        """Return the peak memory for an image with `growth` times as many pixels, bytes."""
+        """Return the peak memory of cutting and pictures for an image with `growth` times as many pixels, bytes."""
         shown = growth * (RECORD_BYTES * self.records + _SHOWN * self.traces + _SHOWN_PIXEL * self.pixels)
         shown += _SHOWN_TRAJECTORY * self.trajectories + _SHOWING
         return max(self.cutting(growth), shown)
@@ -112,13 +116,13 @@ class Peak:
         return replace(self, records=self.stock, traces=0.0, band=0.0, trajectories=0)
 
     def cutting(self, growth: float = 1.0) -> float:
-        """Return the peak memory while cutting, without pictures, for `growth` times as many pixels, bytes."""
+        """Return the peak memory of cutting without pictures, for `growth` times as many pixels, bytes."""
         held = RECORD_BYTES * self.records * (1 + _SPARE) + PIXEL_BYTES * self.pixels
         return growth * (held + _BAND_RECORD * self.band) + self.work + _TRAJECTORY * self.trajectories
 
 
 def memory_needed(cuts: Iterable[Cut], *, stock: Solid, view: View) -> float:
-    """Estimate the peak memory of `simulate_job` and of a picture, from a few hundred rays.
+    """Estimate the peak memory of `simulate_job` and of one picture from a few hundred rays.
 
     Parameters
     ----------
@@ -130,7 +134,7 @@ def memory_needed(cuts: Iterable[Cut], *, stock: Solid, view: View) -> float:
     Returns
     -------
     float
-        Bytes.
+        Peak memory, bytes.
 
     Raises
     ------
@@ -161,7 +165,7 @@ def check_memory(removal: Removal, trajectories: int, allowed: float) -> None:
     """
     most = _most_records(removal)
     if _peak(most, most, 0.0, most, trajectories, removal).bytes() <= allowed:
-        return  # even the upper bound fits, so no rays are needed
+        return  # even the upper bound is within the limit, so no rays are sampled
     counts = count(removal)
     peak = peak_of(counts, trajectories, removal)
     if peak.bytes() > allowed:
@@ -169,7 +173,10 @@ def check_memory(removal: Removal, trajectories: int, allowed: float) -> None:
 
 
 def peak_bytes(counts: Counts, trajectories: int, removal: Removal) -> float:
-    """Return the additional memory at the peak of a simulation and of pictures of it, bytes; arguments as for `peak_of`."""
+    """Return the peak of the additional memory for a simulation and its pictures, bytes.
+
+    The arguments are those for `peak_of`.
+    """
     return peak_of(counts, trajectories, removal).bytes()
 
 
@@ -191,7 +198,10 @@ def peak_of(counts: Counts, trajectories: int, removal: Removal) -> Peak:
 
 
 def in_memory(peak: Peak, allowed: float) -> float:
-    """Return the largest growth of the number of pixels within a memory limit, bytes; 0 if not even one pixel fits."""
+    """Return the largest growth of the number of pixels within a memory limit.
+
+    `allowed` is the limit, bytes. The growth is 0 if one pixel already exceeds the limit.
+    """
     return growth_within(peak.bytes, _SURE * allowed, 1 / peak.pixels)
 
 
@@ -208,7 +218,7 @@ def most_bytes_of(traces: float, pixels: int, trajectories: int) -> float:
 
 
 def helpers_within(allowed: float, removal: Removal, trajectories: int) -> int:
-    """Return how many further processes can help with a simulation within a memory limit.
+    """Return the number of additional processes that a memory limit allows for a simulation.
 
     Parameters
     ----------
@@ -226,7 +236,10 @@ def helpers_within(allowed: float, removal: Removal, trajectories: int) -> int:
 
 
 def _most_records(removal: Removal) -> float:
-    """Return an upper bound of the number of records, from the bounding boxes of trajectories in the image; inf for a mesh."""
+    """Return an upper bound of the number of records; infinite for a mesh.
+
+    The bound counts the pixels in the bounding boxes of all trajectories in the image.
+    """
     if isinstance(removal.stock, Mesh):
         return np.inf
     frame = removal.frame
@@ -235,7 +248,8 @@ def _most_records(removal: Removal) -> float:
     across = np.minimum(right, half[0]) - np.maximum(left, -half[0]) + 1
     up = np.minimum(top, half[1]) - np.maximum(bottom, -half[1]) + 1
     passes = float((np.maximum(across, 0) * np.maximum(up, 0)).sum())
-    # An interval inside a piece divides the piece into three, which adds two. From above or below it adds one.
+    # An interval that is removed from inside a piece turns one piece into three, so it adds two records. In a vertical
+    # view each interval reaches one end of the ray, so it adds one record.
     return (1 if removal.sine == 0 else 2) * passes + frame.width * frame.height
 
 
@@ -245,7 +259,7 @@ def _peak(records: float, traces: float, stock: float, band: float, trajectories
 
 
 def _band_work(removal: Removal) -> float:
-    """Return the memory for temporary arrays for one band, bytes."""
+    """Return the memory for the temporary arrays of one band, bytes."""
     if removal.sine == 0 and removal.cosine > 0:
         return _BAND_ABOVE
     closed = all(t.rounding == t.radius or t.rounding == t.steepness == 0 for t in removal.tools)

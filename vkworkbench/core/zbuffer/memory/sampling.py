@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Stratified random sample of the pixels that a toolpath passes, and totals estimated from the sample."""
+"""Draw a stratified random sample of the pixels that a toolpath passes, and estimate totals from this sample."""
 
 from __future__ import annotations
 
@@ -11,9 +11,10 @@ from vkworkbench.core.zbuffer.memory.silhouette import seen_box
 from vkworkbench.core.zbuffer.rays.removal import Removal
 from vkworkbench.core.zbuffer.sweeps.trajectories import AT_ONCE
 
-_CELLS = 32  # a power of two, for the Morton order
-_CORNERS = _CELLS + 1  # corners of cells in a row
-# Largest and smallest number of rays. Between these, the rays meet this total number of trajectories.
+_CELLS = 32  # number of cells in a row and in a column; the Morton order requires a power of two
+_CORNERS = _CELLS + 1  # number of corners of cells in a row
+# Largest and smallest number of rays in the sample. Between both limits, the number of rays is chosen so that all rays
+# together meet about `_MEETINGS` trajectories.
 _RAYS = 450
 _FEWEST = 100
 _MEETINGS = 150_000
@@ -21,14 +22,15 @@ _MEETINGS = 150_000
 
 @dataclass(frozen=True, eq=False)
 class Sample:
-    """Rays of pixels with the areas that they represent, in the order of their strata.
+    """Rays of pixels, sorted by stratum, with the area of the image that each ray represents.
 
     Attributes
     ----------
     x, y : (k,) float64
-        Image coordinates of the rays, the centres of pixels, mm.
+        Image coordinates of the rays, mm. Each ray runs through the centre of a pixel.
     area : (k,) float64
-        Area of the image that each ray represents, mm^2. A sum of values times areas estimates an integral over the image.
+        Area of the image that each ray represents, mm^2. The sum of a quantity times this area over all rays estimates
+        the quantity's integral over the image.
     """
 
     x: np.ndarray
@@ -38,18 +40,18 @@ class Sample:
     def total(self, values: np.ndarray) -> tuple[float, float]:
         """Return the integral of a quantity over the image, and its standard error.
 
-        Each stratum contains one ray, so the variance is estimated from differences between neighbouring strata. The differences
-        include the strata's means, so the error is rather too large.
+        The variance is estimated from differences between neighbouring strata, because each stratum contains only one
+        ray. The returned error tends to be too large, because the means of neighbouring strata differ too.
 
         Parameters
         ----------
         values : (k,) ndarray
-            The quantity at the rays.
+            The quantity on each ray.
 
         Returns
         -------
         total, error : float
-            In mm^2 times the unit of the values.
+            Both are in mm^2 times the unit of the values.
         """
         shares = values * self.area
         k = len(shares)
@@ -59,7 +61,7 @@ class Sample:
 
 
 def _morton_order() -> np.ndarray:
-    """Return the flat indices of the cells in Morton order: the bits of row and column interleaved."""
+    """Return the flat indices of the cells, sorted by their Morton key: the interleaved bits of row and column."""
     row, column = np.divmod(np.arange(_CELLS**2), _CELLS)
     key = np.zeros(_CELLS**2, np.int64)
     for bit in range(_CELLS.bit_length() - 1):
@@ -74,10 +76,11 @@ _NOWHERE = Sample(*np.empty((3, 0)))
 def sample(removal: Removal, rng: np.random.Generator) -> Sample:
     """Draw up to `_RAYS` rays in the part of the image that trajectories pass, one in each stratum.
 
-    This part of the image is divided into cells. The weight of a cell is the square root of the number of trajectories that pass
-    it, because the count varies more where more trajectories pass. The strata are stretches of equal weight along a Morton curve
-    (Morton 1966), which keeps neighbouring cells close. In each stratum a random point is drawn. The ray is the ray of the pixel
-    that contains the point, so that a slot narrower than a pixel counts as in the image.
+    This part of the image is divided into cells. The weight of a cell is the square root of the number of trajectories
+    that pass the cell, because the number of records varies more in cells with more trajectories. The strata are
+    stretches of equal weight along a Morton curve (Morton 1966), which keeps neighbouring cells close to each other. In
+    each stratum, one random point is drawn, and the pixel that contains the point gives the ray. Therefore a slot
+    narrower than a pixel counts as often as in the simulated image.
 
     Parameters
     ----------
@@ -93,7 +96,7 @@ def sample(removal: Removal, rng: np.random.Generator) -> Sample:
     if len(removal.index) == 0:
         return _NOWHERE
     half = np.array([frame.width, frame.height]) * frame.pixel / 2
-    margin = frame.pixel / 2  # include the whole pixel of each reached centre
+    margin = frame.pixel / 2  # a pixel whose centre is reached counts with its whole area
     low, high = seen_box(removal.stock, frame)
     low = np.maximum(-half, np.maximum(low, removal.box[::2].min(axis=1)) - margin)
     high = np.minimum(half, np.minimum(high, removal.box[1::2].max(axis=1)) + margin)
@@ -121,7 +124,7 @@ def sample(removal: Removal, rng: np.random.Generator) -> Sample:
 def _count_passes(removal: Removal, low: np.ndarray, side: np.ndarray) -> np.ndarray:
     """Return how many bounding boxes of trajectories touch each cell, (rows, columns).
 
-    Boxes are enlarged by half a pixel. Long trajectories are divided into parts with a box each.
+    Each box is enlarged by half a pixel. Long trajectories are divided into parts, and each part has its own box.
     """
     total = len(removal.index)
     counts = np.zeros(_CORNERS**2)
@@ -133,7 +136,10 @@ def _count_passes(removal: Removal, low: np.ndarray, side: np.ndarray) -> np.nda
 
 
 def _corners(removal: Removal, item: np.ndarray, low: np.ndarray, side: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Return the corners of the boxes of trajectories, and the change, +1 or -1, of the number of boxes behind each corner."""
+    """Return the corners of the trajectories' boxes, and +1 or -1 for each corner.
+
+    The number +1 or -1 is the change of the number of boxes beyond the corner.
+    """
     move = removal.move.take(item, axis=1)
     seen = np.array((move[0], removal.cosine * move[1] + removal.sine * move[2]))
     parts = np.ceil((np.abs(seen) / side).max(axis=0) / 4).astype(np.int64)
@@ -143,10 +149,10 @@ def _corners(removal: Removal, item: np.ndarray, low: np.ndarray, side: np.ndarr
     box = removal.boxes(item, place / parts, (place + 1) / parts)
     lower, upper = box[::2] - removal.frame.pixel / 2, box[1::2] + removal.frame.pixel / 2
     first, last = np.floor((lower - low) / side), np.floor((upper - low) / side)
-    # In a view from the side, the box of a part above the stock is empty: it ends before it begins.
+    # In a view from the side, a part above the stock has an empty box, whose last cell comes before its first cell.
     inside = ((last >= np.maximum(first, 0)) & (first < _CELLS)).all(axis=0)
     c0, r0 = np.maximum(first[:, inside], 0).astype(np.int64)
     c1, r1 = np.minimum(last[:, inside], _CELLS - 1).astype(np.int64) + 1
-    # Cumulative sums along rows and columns give the number of boxes over each cell.
+    # The caller sums these changes along rows and columns to get the number of boxes that cover each cell.
     corner = np.concatenate((r0 * _CORNERS + c0, r1 * _CORNERS + c1, r0 * _CORNERS + c1, r1 * _CORNERS + c0))
     return corner, np.repeat([1.0, 1.0, -1.0, -1.0], len(c0))

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The area of an image that a stock covers."""
+"""Compute the area that the stock covers in an image."""
 
 from __future__ import annotations
 
@@ -9,12 +9,15 @@ from vkworkbench.core.hull import convex_hull
 from vkworkbench.core.stocks import Mesh, Solid
 from vkworkbench.core.view import Frame
 
-# Number of rows of rays for the area of a mesh, and number of rays in each row.
+# Number of rows of rays that sample the area of a mesh, and number of rays in each row.
 _RAYS = 64
 
 
 def seen_box(stock: Solid, frame: Frame) -> tuple[np.ndarray, np.ndarray]:
-    """Return the lower and upper corner (2,), mm, of the stock's bounding box in an image; ``lower > upper`` if it is outside."""
+    """Return the lower and upper corner (2,) of the stock's bounding box in an image, mm.
+
+    ``lower > upper`` if the stock is outside the image.
+    """
     half = np.array([frame.width, frame.height]) * frame.pixel / 2
     axes = np.array([frame.right, frame.up])
     middle = axes @ ((stock.lower + stock.upper) / 2 - frame.centre)
@@ -23,20 +26,20 @@ def seen_box(stock: Solid, frame: Frame) -> tuple[np.ndarray, np.ndarray]:
 
 
 def seen_areas(stock: Solid, frame: Frame, rng: np.random.Generator) -> tuple[float, float]:
-    """Return the area of an image that a stock covers.
+    """Return the area that a stock covers in an image, and the area of its gaps.
 
     Parameters
     ----------
     stock : Solid
     frame : Frame
     rng : numpy.random.Generator
-        For the rays that sample a mesh; not used for other stocks.
+        Draws the rays that sample a mesh. It is not used for other stocks.
 
     Returns
     -------
     covered, gaps : float
-        Area covered by the stock, and area of the gaps of its rays, mm^2. Parts of the stock that lie behind each other are
-        counted separately.
+        Area that the stock covers, and area of the gaps in the stock, mm^2. Parts of the stock that lie behind each
+        other, and gaps that lie behind each other, are counted separately.
     """
     if isinstance(stock, Mesh):
         return _mesh_areas(stock, frame, rng)
@@ -49,12 +52,15 @@ def seen_areas(stock: Solid, frame: Frame, rng: np.random.Generator) -> tuple[fl
 
 
 def _mesh_areas(mesh: Mesh, frame: Frame, rng: np.random.Generator) -> tuple[float, float]:
-    """Compute `seen_areas` for a mesh, from one random ray in each of many cells. A regular grid could coincide with ribs."""
+    """Return `seen_areas` for a mesh, estimated from one random ray in each cell.
+
+    A regular grid of rays could miss all ribs.
+    """
     low, high = seen_box(mesh, frame)
     if not (low < high).all():
         return 0.0, 0.0
     side = (high - low) / _RAYS
-    # All rays of a row have the same y, because a mesh is intersected row by row.
+    # All rays in a row have the same y, because `Mesh.spans` processes rays row by row.
     y = low[1] + (np.arange(_RAYS) + rng.random(_RAYS)) * side[1]
     x = low[0] + (np.arange(_RAYS) + rng.random((_RAYS, _RAYS))) * side[0]
     spans = mesh.spans(frame, x.ravel(), np.repeat(y, _RAYS))

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""An image that is cut region by region, in this process or in others."""
+"""Provide the image of a simulation, whose regions can be cut in this process or in other processes."""
 
 from __future__ import annotations
 
@@ -18,21 +18,21 @@ from vkworkbench.core.zbuffer.sweeps.cuts import Cuts
 
 
 class CutImage:
-    """An image that can be cut region by region. It can be sent to another process.
+    """An image that is cut region by region. The image can be pickled and sent to another process.
 
     Parameters
     ----------
     cuts : Cuts
     stock : Solid
     frame : Frame
-        The view of the stock.
+        Axes, centre and pixel of the image.
 
     Attributes
     ----------
     removal : Removal
         The prepared trajectories.
     bands : list of Region
-        The whole image in regions, from the bottom.
+        Regions of `TILE` rows or fewer that cover the whole image, the lowest first.
     """
 
     def __init__(self, cuts: Cuts, stock: Solid, frame: Frame) -> None:
@@ -47,9 +47,9 @@ class CutImage:
         return CutImage, self._arguments
 
     def __call__(self, region: Region, going_on: Callable[[], None] = lambda: None) -> tuple[Records, int]:
-        """Cut a region; return its records, and the number of tested pairs.
+        """Cut a region; return its records, and the number of tested pairs of a tile or pixel and a trajectory.
 
-        `going_on` is called many times a second. An exception from it ends the work.
+        `going_on` is called many times a second. An exception raised by `going_on` ends the work.
         """
         blocks = _interrupted(small_tiles(self.removal, self._bounds, region), going_on)
         return cut_region(self.removal, self._bounds, blocks, self._uncut, region)

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The extended z-buffer at any moment of the simulation.
+"""Provide the extended z-buffer at any moment of the simulation.
 
-The ray of each pixel has the dexels of the part and the elements of the traces, which are the pieces removed by trajectories.
-Joining traces to dexels again restores any earlier moment.
+The ray of each pixel consists of dexels, which are pieces inside the part, and of trace elements, which are pieces that
+trajectories removed. Any earlier moment is restored by joining the elements that are removed later to the dexels.
 """
 
 from __future__ import annotations
@@ -22,12 +22,13 @@ from vkworkbench.given import whole
 
 
 class Chips(NamedTuple):
-    """Removed material in an image.
+    """Material that some trajectories remove, seen in an image.
 
     Attributes
     ----------
     depth, far : (pixels,) float32
-        Depths of its nearest and its farthest end, mm; NaN for a ray without removed material.
+        Depths of the nearest and of the farthest end of the removed material, mm; NaN for a ray without removed
+        material.
     owner : (pixels,) int32
         Trajectory that removes the nearest piece; `STOCK` for a ray without removed material.
     """
@@ -48,15 +49,16 @@ class ZBuffer:
     cuts : Cuts
         The toolpaths that cut the stock.
     step : int
-        The moment, in simulated trajectories.
+        The moment, as the number of simulated trajectories.
     records : Records
-        The pieces of all rays.
+        The pieces of all rays, for all moments.
     surface : Surface
         The visible surfaces at any moment.
     candidates : int
-        Number of pairs of a tile or pixel and a trajectory that were tested. It depends slightly on the number of processes.
+        Number of tested pairs of a tile or pixel and a trajectory. The number depends slightly on the number of
+        processes.
     peak : Peak
-        Peak memory, including pictures.
+        The quantities that determined the peak memory, including pictures.
     """
 
     frame: Frame
@@ -69,7 +71,7 @@ class ZBuffer:
 
     @property
     def trajectories(self) -> int:
-        """Number of all trajectories."""
+        """Number of all trajectories, whether or not they are simulated at this moment."""
         return len(self.cuts)
 
     @property
@@ -79,7 +81,7 @@ class ZBuffer:
 
     @cached_property
     def dexel_records(self) -> np.ndarray:
-        """(d,) ndarray of DEXEL : the dexels at this moment, including material that later trajectories remove."""
+        """(d,) ndarray of DEXEL : the dexels at this moment. They include material that later trajectories remove."""
         return self.records.dexels(self.step)
 
     @cached_property
@@ -99,12 +101,12 @@ class ZBuffer:
 
     @property
     def traces(self) -> int:
-        """Number of trace elements at this moment."""
+        """Number of trace elements that trajectories before this moment removed."""
         return int(np.count_nonzero(self.records.cut & (self.records.owner < self.step)))
 
     @property
     def memory_bytes(self) -> int:
-        """Memory of records and index, including traces of later moments, bytes."""
+        """Memory of the records and their index, including trace elements removed after this moment, bytes."""
         return self.records.nbytes
 
     @property
@@ -118,12 +120,12 @@ class ZBuffer:
         return _length(self.trace_records[self.trace_records["trajectory"] < self.step]) * self.frame.pixel**2
 
     def chips(self, first: int, end: int) -> Chips:
-        """Return the material that some trajectories remove, seen alone.
+        """Return the material that some trajectories remove, seen without the rest of the part.
 
         Parameters
         ----------
         first, end : int
-            The trajectories first .. end - 1.
+            The first trajectory, and the first trajectory that is not included any more.
 
         Raises
         ------
@@ -147,18 +149,19 @@ class ZBuffer:
         return Chips(depth, far, owner)
 
     def removers(self, pixels: np.ndarray, depth: np.ndarray) -> np.ndarray:
-        """Return the trajectory that removed the stock at a depth of each ray.
+        """Return the trajectories that removed the stock at one depth on each of some rays.
 
         Parameters
         ----------
         pixels : (k,) int64
+            Pixels of the rays, as numbers in the flat image.
         depth : (k,) float32
-            mm along the view.
+            Depth on each ray, mm along the view.
 
         Returns
         -------
         (k,) int32
-            `STOCK` where no trajectory before this moment removed material.
+            `STOCK` where no trajectory removed material before this moment.
         """
         records = self.records
         first, end = (records.index[pixels + at].astype(np.int64) for at in (0, 1))
@@ -175,8 +178,8 @@ class ZBuffer:
         Parameters
         ----------
         step : int
-            Number of trajectories simulated, from 0 (the stock) to `trajectories` (the part); ``cuts.first[i]`` is the
-            moment before cut `i`.
+            Number of simulated trajectories, from 0 (the uncut stock) to `trajectories` (the finished part). The moment
+            before cut `i` is ``cuts.first[i]``.
 
         Raises
         ------

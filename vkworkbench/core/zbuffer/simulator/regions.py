@@ -18,7 +18,7 @@ from vkworkbench.core.zbuffer.sweeps.trajectories import Trajectories
 
 @dataclass(frozen=True, eq=False)
 class _Part:
-    """Some rays that were cut.
+    """The pieces of some rays that were cut.
 
     Attributes
     ----------
@@ -27,10 +27,11 @@ class _Part:
     size : (k,) ndarray of int
         Number of pieces of each ray.
     count : (k,) ndarray of int
-        Number of listed pieces of each ray: all, or all except a last piece that nothing removes.
+        Number of pieces of each ray that `end` and `owner` list. A last piece that nothing removes may be missing in
+        both lists.
     end : (p,) float32
     owner : (p,) int32
-        Ends and owners of the listed pieces.
+        Far ends, mm, and owners of the listed pieces.
     """
 
     ray: np.ndarray
@@ -43,24 +44,24 @@ class _Part:
 def cut_region(
     trajectories: Trajectories, bounds: Bounds, blocks: Iterable[tuple[Tiles, int]], uncut: int, region: Region
 ) -> tuple[Records, int]:
-    """Cut the rays of a part of the image.
+    """Cut the rays in a region of the image.
 
     Parameters
     ----------
     trajectories : Trajectories
     bounds : Bounds
-        Bounds of the same view.
+        Bounds for the view of the trajectories.
     blocks : iterable of (Tiles, int)
-        From `tiles.small_tiles`.
+        Small tiles and numbers of tested pairs, as `tiles.small_tiles` yields them.
     uncut : int
-        Owner of pieces that nothing removes.
+        Owner number for pieces that nothing removes.
     region : Region
 
     Returns
     -------
     records : Records
     tested : int
-        Number of tested pairs.
+        Number of tested pairs of a tile or pixel and a trajectory.
     """
     rays = _Rays(trajectories, bounds, uncut, region)
     tested = 0
@@ -78,13 +79,14 @@ class _Rays:
         centres = frame.pixel_centres(region.left + column, region.bottom + row)
         self.near, self.far, self.gaps = trajectories.spans(*centres)
         self.inside = self.far - self.near > THINNEST
-        # Gaps of the stock are pieces, also of rays that nothing cuts.
+        # A gap of the stock is a piece, even on a ray that nothing cuts. Therefore rays with gaps are pending until
+        # `records`.
         self.pending = np.zeros(len(row), bool)
         self.pending[self.gaps.ray] = True
         self.parts: list[_Part] = []
 
     def cut(self, tiles: Tiles) -> None:
-        """Cut the rays of tiles by their trajectories."""
+        """Cut the rays in tiles by the trajectories of each tile."""
         column, row = tiles.pixels()
         shape = tiles.side**2, len(tiles.column)
         ray = ((row[:, None] - self.region.bottom) * self.width + column - self.region.left).reshape(shape)
@@ -96,13 +98,13 @@ class _Rays:
         hit, enter, leave = self.bounds.removals(tiles, tile, near, far)
         if len(hit) == 0:
             return
-        # The order of the rays is the order of the tiles' pixels, row by row.
+        # The rays are sorted like the pixels of the tiles, row by row.
         rows = np.arange(shape[0]) * len(tile)
         begin = np.searchsorted(hit, (rows[:, None] + tiles.first[:-1]).ravel())
         met = np.flatnonzero(np.diff(begin, append=len(hit)))
         start = begin[met]
         for first, own in zip(rows.tolist(), np.split(hit, begin[:: shape[1]][1:])):
-            own -= first  # from a position in the matrix to the position of the pair
+            own -= first  # positions in the matrix of pixels and pairs become positions of pairs
         owner = self.trajectories.index.take(tiles.item).take(hit)
         ray, near, far = ray.ravel()[met], near.ravel()[met], far.ravel()[met]
         if enter is None and len(self.gaps.ray) == 0:
@@ -118,7 +120,7 @@ class _Rays:
             self._put(ray, cut_by_removing(near, far, number, owner, enter, leave))
 
     def records(self) -> Records:
-        """Return the records of the region."""
+        """Return the records of all rays in the region."""
         ray = np.flatnonzero(self.pending & self.inside)
         if len(ray):
             nobody, nowhere, own = np.empty(0, np.int64), np.empty(0), gaps_of(self.gaps, ray)
@@ -137,7 +139,7 @@ class _Rays:
         return Records(self.uncut, index.astype(INDEX), entry, ends, owners)
 
     def _put(self, ray: np.ndarray, pieces: Pieces) -> None:
-        """Add the pieces of rays; ``pieces.ray`` are positions in `ray`."""
+        """Add the pieces of the rays `ray`; ``pieces.ray`` contains positions in `ray`."""
         size = np.bincount(pieces.ray, minlength=len(ray))
         self._add(ray, size, size, pieces.far, np.where(pieces.owner == UNCUT, self.uncut, pieces.owner))
         self.pending[ray] = False

@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Cut an image in parts, in this process and, if it takes long, in other processes.
+"""Cut the regions of an image in this process and, if cutting takes long, in other processes.
 
-The parts are independent. Threads gain little, because numpy keeps Python's lock on arrays that fit into the processor's cache
-(`benchmarks/sharing.py`). Therefore processes are used, which receive the image and return records.
+The regions are independent of each other. Threads gain little, because numpy holds the global interpreter lock (GIL)
+for arrays that fit into the processor's cache (`benchmarks/sharing.py`). Therefore other processes receive the image
+and return records.
 """
 
 from __future__ import annotations
@@ -18,9 +19,10 @@ from vkworkbench.core.zbuffer.rays.records import Records, side_by_side
 from vkworkbench.core.zbuffer.simulator.cut_image import CutImage
 from vkworkbench.worker import Worker, WorkerDied
 
-# Time after which other processes are started, and the time that they need to start, s.
+# Time after which other processes are started, and time that other processes need to start, s.
 _ALONE, _START = 0.5, 0.35
-# Number of regions for each process. More regions: processes finish at the same time. Fewer: each region is more efficient.
+# Number of regions for each process. With fewer regions, some processes wait at the end for the slowest process. With
+# more regions, each region is cut less efficiently.
 _REGIONS = 12
 _WAIT = 0.05  # s between two calls of `going_on` while waiting for other processes
 
@@ -34,14 +36,14 @@ def cut_bands(
     ----------
     image : CutImage
     helpers : callable
-        Returns the number of other processes that may help. Called once, if cutting takes long.
+        Returns the number of other processes to start. It is called once, and only if cutting takes long.
     going_on : callable
-        Called many times a second with the completed share. An exception from it ends the work.
+        Called many times a second with the completed share, 0 to 1. An exception raised by `going_on` ends the work.
 
     Yields
     ------
     Records, int
-        The result of `image` for each band.
+        Records and number of tested pairs for each band.
     """
     begin = time.monotonic()
     shared = _Shared(image.bands)
@@ -69,19 +71,22 @@ def cut_bands(
 
 
 def shared_seconds(seconds: float, processes: int) -> float:
-    """Return the time, s, that several processes need for work that takes one process `seconds`."""
+    """Return the time that several processes need together for work that takes `seconds` in one process, s."""
     alone = min(seconds, _ALONE + _START)
     return alone + (seconds - alone) / processes
 
 
 def unshared_seconds(seconds: float, processes: int) -> float:
-    """Return the time, s, that one process needs for work that takes several processes `seconds`; inverse of `shared_seconds`."""
+    """Return the time that one process needs for work that takes `seconds` in several processes, s.
+
+    This function is the inverse of `shared_seconds`.
+    """
     alone = min(seconds, _ALONE + _START)
     return alone + (seconds - alone) * processes
 
 
 class _Shared:
-    """Pending regions and results, shared by several threads."""
+    """Pending regions, and results of finished regions, shared by several threads."""
 
     def __init__(self, bands: list[Region]) -> None:
         self._todo = deque(bands)
@@ -93,7 +98,7 @@ class _Shared:
 
     @property
     def share(self) -> float:
-        """Completed share of the image."""
+        """Completed share of the image, 0 to 1."""
         return self._done / self._all
 
     @property
@@ -114,7 +119,7 @@ class _Shared:
                 self._todo.extend(self._regions[band])
 
     def take(self) -> Region | None:
-        """Return the next pending region, or None."""
+        """Return the next pending region, or None if no region is pending."""
         with self._changed:
             return self._todo.popleft() if self._todo else None
 
@@ -136,18 +141,18 @@ class _Shared:
         return all(region in self._found for region in self._regions[band])
 
     def wait(self, band: Region, seconds: float) -> None:
-        """Wait until a band is finished or a region is pending, but at most `seconds`."""
+        """Wait at most `seconds` until a band is finished or a region is pending."""
         with self._changed:
             self._changed.wait_for(lambda: self.has(band) or self._todo, seconds)
 
     def fetch(self, band: Region) -> tuple[Records, int]:
-        """Return the result of a finished band, and drop it."""
+        """Return the result of a finished band, and delete the stored result."""
         found = [self._found.pop(region) for region in self._regions[band]]
         return side_by_side([records for records, _ in found], band.top - band.bottom), sum(n for _, n in found)
 
 
 class _Crew:
-    """Processes that help, each with a thread that waits for its results."""
+    """Other processes that cut regions. A thread waits for the results of each process."""
 
     def __init__(self, image: CutImage, size: int, shared: _Shared) -> None:
         self._workers: list[Worker] = []
@@ -173,7 +178,7 @@ class _Crew:
 
 
 def _have_cut(worker: Worker, shared: _Shared) -> None:
-    """Let a worker cut regions until none is pending. A region whose worker fails becomes pending again."""
+    """Let a worker cut regions until no region is pending. If the worker fails, its region becomes pending again."""
     try:
         with suppress(WorkerDied):
             worker.get_ready()

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The extended z-buffer with traces (Blasquez and Poiraudeau 2000): exact simulation of toolpaths."""
+"""Simulate toolpaths exactly with the extended z-buffer with traces (Blasquez and Poiraudeau 2000)."""
 
 from __future__ import annotations
 
@@ -49,9 +49,9 @@ def simulate_job(
 ) -> ZBuffer:
     """Simulate toolpaths one after the other on one stock, including rapids.
 
-    An element of a trace is one piece that a trajectory removes from the ray of one pixel. Pieces up to 1e-4 mm are rounding errors and
-    are joined to their neighbours. A trajectory is the straight sweep of the tool between two points of the toolpath. Trajectories
-    are numbered over all cuts; see `Cuts`.
+    An element of a trace is one piece that a trajectory removes from the ray of one pixel. A piece of at most 1e-4 mm
+    is a rounding error and is joined to a neighbouring piece. A trajectory is the straight sweep of the tool between
+    two points of the toolpath. Trajectories are numbered over all cuts; see `Cuts`.
 
     Parameters
     ----------
@@ -62,22 +62,24 @@ def simulate_job(
     memory_budget : float
         Largest peak memory of all processes together, bytes.
     going_on : callable, optional
-        Called many times a second with the completed share, 0 to 1. An exception from it ends the simulation.
+        Called many times a second with the completed share, 0 to 1. An exception raised by `going_on` ends the
+        simulation.
     processes : int, optional
-        Largest number of processes, including this one; by default one for each core. Others start if the simulation takes
-        longer than half a second and memory allows. The result does not depend on it.
+        Largest number of processes, including this process; by default one process for each core. Other processes start
+        if the simulation takes longer than half a second and the memory budget allows more processes. The result does
+        not depend on the number of processes.
 
     Returns
     -------
     ZBuffer
-        The simulation at its last moment.
+        The finished simulation, at its last moment.
 
     Raises
     ------
     OverBudget
-        If the simulation would need more memory. Nothing is simulated then.
+        If the simulation would need more memory than `memory_budget`. In this case nothing is simulated.
     ValueError, TypeError
-        If an argument has an impossible value or another type.
+        If an argument has a wrong value or a wrong type.
     """
     memory_budget = number("memory_budget", memory_budget, "a number of bytes, at least 0", lambda size: size >= 0)
     of_kind("going_on", going_on, Callable, "a function")
