@@ -17,8 +17,8 @@ from vkworkbench.core.zbuffer.cost.speed import USUAL, Speed
 from vkworkbench.core.zbuffer.sweeps.cuts import Cut
 
 # Largest pixel that is fine enough, mm: half the default tolerance of the comparison with the model, so that a wall
-# just beyond the tolerance is displaced by more than a pixel. The second limit for the pixel is this share of the
-# thinnest tool's diameter.
+# just beyond the tolerance is displaced by more than a pixel. `_OF_TOOL` limits the pixel to a share of the thinnest
+# tool's diameter.
 _FINE_ENOUGH, _OF_TOOL = 0.05, 1 / 16
 # Longer side of the image for which the cost is estimated, pixels. The cost of finer images is extrapolated from this
 # image.

@@ -110,9 +110,9 @@ def cauchy_crofton(toolpath: Toolpath, *, stock: Solid, view: View, direction: f
     """Count the crossings of the toolpath with parallel lines that are one pixel apart.
 
     The count is M(epsilon, theta) in section 2.1 of the paper: the length of the toolpath's projection onto a line in
-    the direction theta, divided by the distance epsilon between the lines. The lines run in the direction theta + pi /
-    2 (Tricot 1995). The paper rejects M as a measure of the cost, because M depends neither on the tool's width nor on
-    the order of the moves.
+    the direction theta, divided by the distance epsilon between the lines. The lines are perpendicular to the direction
+    theta (Tricot 1995). The paper rejects M as a measure of the cost, because M depends neither on the tool's width nor
+    on the order of the moves.
 
     Parameters
     ----------

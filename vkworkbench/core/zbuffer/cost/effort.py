@@ -41,8 +41,8 @@ _SEED = 2002
 # pair of a tile and a trajectory, CELLS the cost of cutting the ray of a pixel by a trajectory, SORTED the additional
 # cost of a cell on a ray whose intervals are sorted, and RECORDS the cost of a record in a vertical view and in an
 # oblique view. Exception: for a bull-nose in an oblique view, cutting a cell between the ends of the move takes about
-# three times as long as cutting a cell at an end, for level and sloped moves alike. Therefore these two kinds of cells
-# distinguish the two positions.
+# three times as long as cutting a cell at an end, for level and sloped moves alike. Therefore in CELLS the kinds 13 and
+# 15 mean these positions (13 at an end, 15 between the ends) instead of level and sloped moves.
 KINDS = 16
 _AT_END, _BETWEEN = 13, 15
 TESTS = np.array(

@@ -31,13 +31,14 @@ from vkworkbench.language import Message
 
 FLUTES, SHANK, HOLDER, LENGTH, TOOL = "flutes", "shank", "holder", "length", "tool"
 # Distance by which a body is made smaller before the check, mm, because a body that only touches a wall does not
-# collide. Chords of arcs leave material as high as the rise of the arc over its chord, so the distance is at least this
-# factor times the rise.
+# collide. Chords of arcs leave material as high as the rise of the arc over its chord, so the distance is at least
+# `_OF_RISE` times the rise.
 _TOUCHES, _OF_RISE = 0.02, 2.0
 # Diameter of the narrowest holders, as a multiple of the diameter of the tool or shank in the holder. An unknown holder
 # is assumed to have this diameter.
 _NARROWEST_HOLDER = 1.5
-# Sloped moves are divided into parts for the check of the flutes. This is the largest fall of the tool in one part, mm.
+# Largest fall of the tool in one part of a sloped move, mm. Sloped moves are divided into parts to find cuts deeper
+# than the flutes.
 _FALL = 0.5
 # Moves are divided into parts where the first two simulations disagree. Length of one part, as a share of the
 # difference between the radii of body and tool; largest number of parts of one move; largest number of parts of all

@@ -26,7 +26,7 @@ from vkworkbench.core.zbuffer.sweeps.cuts import Cut, Cuts, Source
 # Distance between rays for the second check of rapids that remove nothing on the first rays, mm. A larger distance
 # misses rapids that shave a wall. A smaller distance makes the check slower.
 _CLOSE = 2.0**-5
-# Smallest distance between rays, mm. It applies to pointed tools whose tip is only slightly below the top of the stock.
+# Smallest distance between rays, mm. Only pointed tools with the tip slightly below the stock's top need it.
 _CLOSEST = 2.0**-8
 
 

@@ -20,7 +20,7 @@ from vkworkbench.core.zbuffer.sweeps.cuts import Source
 # Default tolerance for deviations from the model, mm.
 TOLERANCE = 0.1
 
-# Deviating pixels are grouped by tiles, and pixels in neighbouring tiles belong to one place. This is the side of a
+# Deviating pixels are grouped by tiles, and pixels in neighbouring tiles belong to one place. `_APART` is the side of a
 # tile, as a share of the image's shorter side.
 _APART = 0.02
 # Number of tiles along the image's longer side, for grouping the pixels of a gouge. With fewer tiles, separate gouges
@@ -223,7 +223,7 @@ def _find_makers(zbuffer: ZBuffer, gap: _Gap, tolerance: float) -> tuple[np.ndar
     The trajectory is `STOCK` if no trajectory caused the deviation.
 
     Leftover material is attributed to the trajectory that cut the visible surface. A gouge is attributed to the
-    trajectory that removed the material at the model's surface, because another trajectory may have cut the visible
+    trajectory that removed the material at the model's surface, because another trajectory possibly cut the visible
     surface deeper down.
     """
     pixels, model = np.flatnonzero(gap.along > tolerance), gap.model
@@ -240,7 +240,7 @@ def _find_makers(zbuffer: ZBuffer, gap: _Gap, tolerance: float) -> tuple[np.ndar
         image.ravel()[pixels] = cut
         return around(image, extreme).ravel()[pixels]
 
-    # At a rim or a wall, the ray of a pixel may miss the model and name a wrong cut. Therefore a pixel counts only if
+    # At a rim or a wall, the ray of a pixel can miss the model and name a wrong cut. Therefore a pixel counts only if
     # all its deviating neighbours name the same cut.
     sure = extreme_cut_around(np.minimum, len(zbuffer.cuts.cuts)) == extreme_cut_around(np.maximum, -1)
     return pixels[sure], maker[sure]

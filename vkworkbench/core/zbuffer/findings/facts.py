@@ -88,7 +88,7 @@ def engagement(zbuffer: ZBuffer, measured: Volumes | None = None) -> tuple[np.nd
     ----------
     zbuffer : ZBuffer
     measured : Volumes, optional
-        Measured volumes and depths. Without them, both are those in the image.
+        Measured volumes and depths. Without measured values, volumes and depths are computed from the image.
 
     Returns
     -------
@@ -132,7 +132,7 @@ def trajectory_table(zbuffer: ZBuffer, measured: Volumes | None = None) -> dict[
     ----------
     zbuffer : ZBuffer
     measured : Volumes, optional
-        Measured volumes and depths. Without them, both are those in the image.
+        Measured volumes and depths. Without measured values, volumes and depths are computed from the image.
 
     Returns
     -------

@@ -24,7 +24,7 @@ _PLUNGE, _FULL = 5.0, 0.5
 _FASTER = 1.01
 # Horizontal depth in a wall or flank up to which a rapid only touches, mm. Chords of arcs and rounded coordinates leave
 # this much material. Different chords of an arc deviate from each other by at most the rise of the arc over a chord, so
-# the limit is at least this factor times the rise.
+# the limit is at least `_OF_RISE` times the rise.
 _TOUCHES, _OF_RISE = 0.02, 2.0
 _SIDES = np.arange(8) * pi / 4
 # Height of material above the tool's lower surface that is a rounding error, mm. For arcs in vertical planes, the limit
@@ -65,7 +65,7 @@ def crashes(zbuffer: ZBuffer) -> list[Crash]:
 
     Rapids that only touch a wall or flank with the tool's side are not returned.
 
-    A rapid that removes material narrower than a pixel may be missed; `check_crashes` finds such rapids.
+    A rapid that removes material narrower than a pixel is possibly missed; `check_crashes` finds these rapids, too.
 
     Parameters
     ----------

@@ -53,7 +53,7 @@ class CutFacts:
         a long move is not averaged out.
     depth_of_cut, width_of_cut : float
         Largest depth of cut, and mean width of cut over the length of the moves that cut, mm. Without measured volumes,
-        both are 0 in a view from the side.
+        depth and width are 0 in a view from the side.
     tool_diameter : float
         Largest diameter of the tools, mm.
     pixel : float

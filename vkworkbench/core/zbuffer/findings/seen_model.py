@@ -27,8 +27,8 @@ class Deviations:
     left, gouged : (pixels,) float32
         Thickness of the leftover material, and depth of the gouge, measured along the view, mm, at least 0. Leftover
         material is measured from the highest point of the model in the pixel and its neighbours. A gouge is measured
-        from the lowest point there. Therefore a wall that runs through a pixel is neither leftover material nor a
-        gouge.
+        from the model's lowest point in these pixels. Therefore a wall that runs through a pixel is neither leftover
+        material nor a gouge.
     part : (height, width) float32
         Depth of the part's surface, mm. If no material is left on the ray, this is the depth of the model's far side,
         or infinite if the ray misses the model.
@@ -128,7 +128,7 @@ class SeenModel:
     def _loose(self, part: np.ndarray) -> np.ndarray:
         """Return the pixels in holes at which the piece in the hole is cut free from the wall.
 
-        The slot between piece and wall may be narrower than `_BESIDE` pixels.
+        The slot between piece and wall can be narrower than `_BESIDE` pixels.
         """
         loose: np.ndarray = self._walls & (np.fmin(part, np.inf) >= self.floor)
         if loose.any():  # most parts have no through holes, so the dilation is skipped
@@ -175,8 +175,8 @@ def _connected_to_edge(free: np.ndarray) -> np.ndarray:
 
 def _extend_along_rows(free: np.ndarray, found: np.ndarray) -> np.ndarray:
     """Return all free pixels in those runs of a row that contain a found pixel."""
-    # Runs are numbered over the flat image, so a run can continue in the next row. Such a run touches the image's edge,
-    # and all its pixels are found anyway.
+    # Runs are numbered over the flat image, so a run can continue in the next row. A run that continues in the next row
+    # touches the image's edge, so all pixels of this run are found anyway.
     run = np.cumsum(~free).reshape(free.shape)
     reached = np.bincount(run[found], minlength=int(run.max(initial=0)) + 1) > 0
     extended: np.ndarray = free & reached[run]

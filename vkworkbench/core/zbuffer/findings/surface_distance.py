@@ -85,8 +85,8 @@ def _exclude_around(
 ) -> None:
     """Exclude the pixels around one pixel whose distance cannot exceed the floor.
 
-    These are the pixels whose points on both surfaces are at most `reach`, mm, away from the points of the given pixel.
-    Their distance is larger by at most `reach`.
+    A pixel is excluded if its points on both surfaces are at most `reach`, mm, away from the points of the given pixel.
+    The distance at an excluded pixel is larger than the distance at the given pixel by at most `reach`.
     """
     size = int(reach / pixel)
     rows = slice(max(row - size, 0), min(row + size + 1, len(front)))

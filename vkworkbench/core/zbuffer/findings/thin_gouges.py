@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Find gouges that are narrower than a few pixels of an image, by thin tools and in the walls of the model.
 
-These gouges are sought on closely spaced rays, in strips along the moves of thin tools and along the walls of the
+Thin gouges are sought on closely spaced rays, in strips along the moves of thin tools and along the walls of the
 model.
 """
 
@@ -166,7 +166,7 @@ def _gouges_in_walls(
 def _deep_moves(cuts: Cuts, number: int, model: Solid, least: float) -> tuple[np.ndarray, np.ndarray]:
     """Return the moves of a cut that possibly gouge the model, and half the widths of their strips, mm.
 
-    These moves go more than `least`, mm, below the model's top.
+    A returned move goes more than `least`, mm, below the model's top.
     """
     own = slice(int(cuts.first[number]), int(cuts.first[number + 1]))
     start, end = (ends[own] for ends in cuts.ends)

@@ -35,14 +35,14 @@ class Verdict:
     walls_checked : bool
         Whether all walls of the model were compared with the part, on rays closer than a pixel, within the time limit.
     unjudged : tuple of int
-        Cuts whose gouges are unknown, because their tools only approximate the actual shapes.
+        Cuts whose gouges are unknown, because the simulated tool only stands for a tool with another shape.
     collisions : Collisions or None
         Collisions of shanks, holders and clamps; None if they were not checked.
     lines : bool
         Whether commands are given as lines of a program, counted from 1.
     unread : tuple of Message
-        Messages on parts of the job that could not be read, and on assumptions. A job with such a message is never
-        sound.
+        Messages on parts of the job that could not be read, and on assumptions. A job with an unread part or an
+        assumption is never sound.
     """
 
     pixel: float | None = None

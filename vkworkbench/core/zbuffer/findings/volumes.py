@@ -21,7 +21,7 @@ from vkworkbench.core.zbuffer.findings.removed_pieces import RemovedPieces
 from vkworkbench.core.zbuffer.sweeps.cuts import Cut, Cuts
 
 # Angles between the rows of rays and the X axis, rad. No angle is close to a multiple of 45 degrees, because many walls
-# run at these angles.
+# run at multiples of 45 degrees.
 _TURNS = tuple(pi / 180 * angle for angle in (9.0, 33.0, 57.0, 81.0))
 # Number of rays in the strips along the moves of one operation, for each image. More rays give a smaller error and a
 # longer measurement.

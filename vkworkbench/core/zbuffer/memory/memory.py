@@ -37,7 +37,7 @@ _SHOWN, _SHOWN_PIXEL, _SHOWN_TRAJECTORY, _SHOWING = 14.0, PIXEL_BYTES + 92.0, 10
 _PROCESS = 45e6
 _SENT_TRAJECTORY = 500.0
 _SENT_RECORD = 26.0
-# Share of their length by which full arrays of records grow.
+# Growth of a full array of records, as a share of its length.
 _SPARE = 1 / 8
 # Number of standard errors that is added to the estimated number of trace elements.
 _ERRORS = 2.0
@@ -175,7 +175,7 @@ def check_memory(removal: Removal, trajectories: int, allowed: float) -> None:
 def peak_bytes(counts: Counts, trajectories: int, removal: Removal) -> float:
     """Return the peak of the additional memory for a simulation and its pictures, bytes.
 
-    The arguments are those for `peak_of`.
+    See `peak_of` for the arguments.
     """
     return peak_of(counts, trajectories, removal).bytes()
 

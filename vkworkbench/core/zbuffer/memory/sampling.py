@@ -76,11 +76,11 @@ _NOWHERE = Sample(*np.empty((3, 0)))
 def sample(removal: Removal, rng: np.random.Generator) -> Sample:
     """Draw up to `_RAYS` rays in the part of the image that trajectories pass, one in each stratum.
 
-    This part of the image is divided into cells. The weight of a cell is the square root of the number of trajectories
-    that pass the cell, because the number of records varies more in cells with more trajectories. The strata are
-    stretches of equal weight along a Morton curve (Morton 1966), which keeps neighbouring cells close to each other. In
-    each stratum, one random point is drawn, and the pixel that contains the point gives the ray. Therefore a slot
-    narrower than a pixel counts as often as in the simulated image.
+    The image is divided into cells where trajectories pass. The weight of a cell is the square root of the number of
+    trajectories that pass the cell, because the number of records varies more in cells with more trajectories. The
+    strata are stretches of equal weight along a Morton curve (Morton 1966), which keeps neighbouring cells close to
+    each other. In each stratum, one random point is drawn, and the pixel that contains the point gives the ray.
+    Therefore a slot narrower than a pixel counts as often as in the simulated image.
 
     Parameters
     ----------

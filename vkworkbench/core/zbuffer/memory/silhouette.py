@@ -33,7 +33,7 @@ def seen_areas(stock: Solid, frame: Frame, rng: np.random.Generator) -> tuple[fl
     stock : Solid
     frame : Frame
     rng : numpy.random.Generator
-        Draws the rays that sample a mesh. It is not used for other stocks.
+        Random generator for the rays that sample a mesh. Other stocks do not use the generator.
 
     Returns
     -------

@@ -81,7 +81,7 @@ class ZBuffer:
 
     @cached_property
     def dexel_records(self) -> np.ndarray:
-        """(d,) ndarray of DEXEL : the dexels at this moment. They include material that later trajectories remove."""
+        """(d,) ndarray of DEXEL : the dexels at this moment, with material that later trajectories remove."""
         return self.records.dexels(self.step)
 
     @cached_property
@@ -125,7 +125,7 @@ class ZBuffer:
         Parameters
         ----------
         first, end : int
-            The first trajectory, and the first trajectory that is not included any more.
+            Number of the first trajectory, and number of the last trajectory plus 1.
 
         Raises
         ------

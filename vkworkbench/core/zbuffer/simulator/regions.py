@@ -27,7 +27,7 @@ class _Part:
     size : (k,) ndarray of int
         Number of pieces of each ray.
     count : (k,) ndarray of int
-        Number of pieces of each ray that `end` and `owner` list. A last piece that nothing removes may be missing in
+        Number of pieces of each ray that `end` and `owner` list. A last piece that nothing removes can be missing in
         both lists.
     end : (p,) float32
     owner : (p,) int32

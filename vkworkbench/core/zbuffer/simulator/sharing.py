@@ -36,7 +36,7 @@ def cut_bands(
     ----------
     image : CutImage
     helpers : callable
-        Returns the number of other processes to start. It is called once, and only if cutting takes long.
+        Returns the number of other processes to start; called once, and only if cutting takes long.
     going_on : callable
         Called many times a second with the completed share, 0 to 1. An exception raised by `going_on` ends the work.
 
