@@ -33,7 +33,7 @@ def axis_view(cuts: Iterable[Cut], stock: Solid, *, memory_bytes: float, seconds
     Parameters
     ----------
     cuts : iterable of Cut
-        The operations in their order.
+        The operations in machining order.
     stock : Solid
     memory_bytes, seconds : float
         Memory budget, bytes, and time budget of the simulation, s.

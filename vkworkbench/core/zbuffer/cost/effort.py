@@ -70,7 +70,7 @@ class Work:
     pairs : tuple of (16,) tuple of float
         Number of tested pairs of a tile and a trajectory, by level (the largest tiles first) and by kind; see `KINDS`.
     cells : (16,) tuple of float
-        Number of pairs of a trajectory and a pixel whose ray it cuts, by kind.
+        Number of pairs of a trajectory and a pixel whose ray the trajectory cuts, by kind.
     unconnected : float
         Share of `cells` on rays whose removed intervals are not connected. Only on these rays are the intervals sorted.
     records : (2,) tuple of float
@@ -158,7 +158,7 @@ def work_of(removal: Removal, trajectories: int, counts: Counts) -> Work:
     Returns
     -------
     Work
-        Equal for equal arguments.
+        Equal arguments give equal work.
     """
     rng = np.random.default_rng(_SEED)
     frame, upright = removal.frame, removal.sine == 0

@@ -122,12 +122,12 @@ def estimate(
     Returns
     -------
     Estimate
-        Equal for equal arguments.
+        Equal arguments give equal estimates.
 
     Raises
     ------
     TypeError
-        If an argument has another type.
+        If an argument has a wrong type.
     """
     of_kind("recognition", recognition, (Recognition, type(None)), "what recognize found, or None")
     words = "toolpath" if recognition is None else str(recognition.strategy)
@@ -144,7 +144,7 @@ def estimate_job(cuts: Sequence[Cut], *, stock: Solid, view: View, speed: Speed 
     Parameters
     ----------
     cuts : sequence of Cut
-        The operations in their order.
+        The operations in machining order.
     stock : Solid
     view : View
     speed : Speed
@@ -153,7 +153,7 @@ def estimate_job(cuts: Sequence[Cut], *, stock: Solid, view: View, speed: Speed 
     Returns
     -------
     Estimate
-        Equal for equal arguments.
+        Equal arguments give equal estimates.
     """
     return _estimated(Cuts(cuts), stock, view, speed, "job")
 

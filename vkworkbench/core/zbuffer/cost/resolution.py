@@ -67,7 +67,7 @@ def best_resolution(
         Memory budget, bytes, and time budget, s. At least one budget is required. Several operations share one z-buffer
         and are simulated one after another.
     stepover : float, optional
-        Smallest distance between passes, mm. `Resolution.why` compares it with the pixel.
+        Smallest distance between passes, mm. `Resolution.why` compares the stepover with the pixel.
     labels : sequence of str, optional
         Names of the operations. If no image is within the time budget, `Resolution.why` names the operation that takes
         longest.
@@ -102,7 +102,7 @@ def best_resolution(
     fixed = sum(e.trajectory_seconds for e in estimates)
     pixels = view.width * view.height
 
-    # Growth of the number of pixels that each budget allows.
+    # Largest growth of the number of pixels within each budget.
     limits = {}
     if memory_bytes is not None:
         limits["memory"] = in_memory(peak, memory_bytes)

@@ -71,7 +71,7 @@ class Collision:
     source, last : Source
         Cut and command of the first and of the last trajectory that collides.
     place : (3,) tuple of float
-        Middle of the longest piece of a ray that the first trajectory would remove, mm.
+        Middle of the longest piece of a ray that the colliding part would remove in the first trajectory, mm.
     depth : float
         Largest height of material above the lower end of the colliding part, mm.
     clamp : str
@@ -136,7 +136,7 @@ class Collisions:
         return tuple(deepest.values())
 
     def attachments(self, labels: Sequence[str]) -> Message:
-        """Return a message that says for which operations shanks and holders were checked, and whether clamps were.
+        """Return a message on the operations whose shanks or holders were not checked, and on the clamps.
 
         Parameters
         ----------
@@ -165,7 +165,7 @@ def holder_collisions(
     clamps: Mapping[str, Solid] | None = None,
     going_on: Callable[[], None] = lambda: None,
 ) -> Collisions:
-    """Find the collisions of all parts of the tools that do not cut, with the workpiece and with clamps.
+    """Find the collisions of the tools' non-cutting parts with the workpiece, and of all parts with clamps.
 
     Parameters
     ----------

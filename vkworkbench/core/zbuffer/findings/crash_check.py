@@ -62,7 +62,7 @@ def check_crashes(
     seconds: float = np.inf,
     going_on: Callable[[], None] = lambda: None,
 ) -> CrashCheck:
-    """Find the rapids that cut and the plunges that are too fast, whatever the size of the tool and of the stock.
+    """Find the rapids that cut and the plunges that are too fast, for tools and stocks of any size.
 
     A rapid is not checked if it certainly stays above the stock, or if it retracts along the tool's axis. All other
     rapids, and all plunges faster than the tool's vertical feed, are simulated on rays. The distance between these rays
@@ -72,7 +72,7 @@ def check_crashes(
     Parameters
     ----------
     cuts : iterable of Cut
-        The operations in their order.
+        The operations in machining order.
     stock : Solid
     seconds : float
         Time limit, s. Moves that are not checked within the time limit are returned as unchecked.

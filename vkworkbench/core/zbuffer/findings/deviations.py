@@ -141,7 +141,7 @@ def worst_places(
     found : Deviations
         Deviations of this `zbuffer`.
     tolerance : float
-        Largest distance that is not a deviation, mm.
+        Tolerance, mm. Smaller distances are ignored.
     most : int
         Largest number of places of each kind.
 

@@ -23,8 +23,8 @@ _PLUNGE, _FULL = 5.0, 0.5
 # Largest allowed ratio of a feed to the vertical feed. The ratio is above 1, because FreeCAD rounds feeds.
 _FASTER = 1.01
 # Horizontal depth in a wall or flank up to which a rapid only touches, mm. Chords of arcs and rounded coordinates leave
-# this much material. Different chords of an arc deviate from each other by at most the rise of the arc over a chord, so
-# the limit is at least `_OF_RISE` times the rise.
+# material up to about this depth. Different chords of an arc deviate from each other by at most the rise of the arc
+# over a chord, so the limit is at least `_OF_RISE` times the rise.
 _TOUCHES, _OF_RISE = 0.02, 2.0
 _SIDES = np.arange(8) * pi / 4
 # Height of material above the tool's lower surface that is a rounding error, mm. For arcs in vertical planes, the limit
@@ -48,7 +48,7 @@ class Crash:
     place : (3,) tuple of float
         Middle of the longest piece that the rapid removes, mm.
     depth : float
-        Length of this piece along the view, mm.
+        Length of the longest removed piece along the view, mm.
     volume : float
         Volume that the rapid removes, mm^3.
     """
@@ -74,7 +74,7 @@ def crashes(zbuffer: ZBuffer) -> list[Crash]:
     Returns
     -------
     list of Crash
-        In the order of the trajectories.
+        The crashes, sorted by trajectory.
     """
     return crashes_among(zbuffer.cuts, pieces_of(zbuffer, zbuffer.cuts.rapid), removed_volumes(zbuffer))
 
@@ -190,7 +190,7 @@ def fast_plunges(zbuffer: ZBuffer) -> list[Plunge]:
     Returns
     -------
     list of Plunge
-        In the order of the trajectories.
+        The plunges, sorted by trajectory.
     """
     cuts = zbuffer.cuts
     fast = too_fast(cuts) & (removed_volumes(zbuffer) > 0)

@@ -90,12 +90,12 @@ class CutFacts:
 
     @property
     def air_length_share(self) -> float:
-        """Share of the cutting length that removes nothing, 0 to 1."""
+        """Share of the cutting length on which nothing is removed, 0 to 1."""
         return self.air_length / self.cutting_length if self.cutting_length else 0.0
 
     @property
     def air_time_share(self) -> float:
-        """Share of the cutting time that removes nothing, 0 to 1."""
+        """Share of the cutting time during which nothing is removed, 0 to 1."""
         return self.air_seconds / self.cutting_seconds if self.cutting_seconds else 0.0
 
     def as_dict(self) -> dict[str, Any]:
@@ -374,7 +374,7 @@ def verdict_on(
 
 
 def _peak_rate(seconds: np.ndarray, volumes: np.ndarray) -> float:
-    """Return the largest removal rate of consecutive windows of time, mm^3/min.
+    """Return the largest removal rate in consecutive time windows, mm^3/min.
 
     The removal rate is constant between the ends of two consecutive trajectories. Therefore the rate is computed only
     for windows in which a trajectory ends, and for the window after each of these windows. The memory does not grow

@@ -73,7 +73,10 @@ def joined(parts: Sequence[RemovedPieces]) -> RemovedPieces:
 
 
 def pieces_of(zbuffer: ZBuffer, owners: np.ndarray) -> RemovedPieces:
-    """Return the pieces that the selected trajectories remove in an image. `owners` is (n,) bool."""
+    """Return the pieces that the selected trajectories remove in an image.
+
+    `owners` is a mask (n,) of the trajectories.
+    """
     records, frame = zbuffer.records, zbuffer.frame
     pieces, pixel, near = records.pieces_of(owners)
     row, column = np.divmod(pixel, frame.width)

@@ -48,7 +48,7 @@ def farthest(
     pixel : float
         Side of a pixel, mm. The error of the distance is at most the larger one of a pixel and 2 %.
     floor : float
-        Only distances larger than this are searched for, mm.
+        Lower bound, mm. Only distances above the lower bound are searched for.
 
     Returns
     -------
@@ -117,8 +117,8 @@ def _distances(front: np.ndarray, behind: np.ndarray, pixels: np.ndarray, pixel:
             break
         for some in np.array_split(steps, ceil(len(searched) * len(steps) / _PAIRS)):
             rows, columns = row[searched, None] + some[:, 0], column[searched, None] + some[:, 1]
-            # Positions outside the image are replaced by the nearest pixel of the border. This pixel is closer than the
-            # position, so an earlier step has already included the pixel with its actual distance.
+            # Positions outside the image are replaced by the nearest pixel of the border. The border pixel is closer
+            # than the position, so an earlier step has already included the border pixel with its actual distance.
             rows, columns = np.clip(rows, 0, height - 1), np.clip(columns, 0, width - 1)
             across = np.hypot(*some.T) * pixel
             to_front = beyond[searched, None] - front[rows, columns]

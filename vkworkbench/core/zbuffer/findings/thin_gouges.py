@@ -81,7 +81,7 @@ def thin_gouges(
     Parameters
     ----------
     cuts : iterable of Cut
-        The operations in their order.
+        The operations in machining order.
     stock : Solid
     seen : SeenModel
         The model in an image along the tool axis. This image shows the gouges that are not thin.
@@ -179,7 +179,7 @@ def _deep_moves(cuts: Cuts, number: int, model: Solid, least: float) -> tuple[np
 
 
 class _Search:
-    """Collects the points at which a cut removes material more than `least`, mm, below the model's surface."""
+    """Collection of the points at which a cut removes material more than `least`, mm, below the model's surface."""
 
     def __init__(self, model: Solid, frame: Frame, least: float) -> None:
         self._least, self._model = least, spans_in(model, frame)

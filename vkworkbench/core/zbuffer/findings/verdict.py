@@ -23,7 +23,7 @@ class Verdict:
     pixel : float or None
         Side of the pixels of the checked simulation, mm; None before the check.
     met : bool
-        Whether any tool possibly meets the stock. If no tool does, there was nothing to check.
+        Whether any tool possibly meets the stock. If no tool meets the stock, there was nothing to check.
     compared : bool
         Whether the part was compared with a model.
     crashes, gouges, fast_plunges : int

@@ -86,7 +86,7 @@ def measure_volumes(
     Parameters
     ----------
     cuts : iterable of Cut
-        The operations in their order.
+        The operations in machining order.
     stock : Solid
     seconds : float
         Time limit, s.

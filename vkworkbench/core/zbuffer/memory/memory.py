@@ -47,7 +47,7 @@ _SURE = 0.98
 
 
 class OverBudget(Unusable):
-    """A simulation would need more memory than allowed. Nothing was simulated.
+    """Error for a simulation that would need more memory than allowed and was not started.
 
     Attributes
     ----------
@@ -85,15 +85,15 @@ class Peak:
     records, traces : float
         Upper bound of the number of all pieces of rays, and upper bound of the number of removed pieces.
     stock : float
-        Number of pieces of rays of the uncut stock.
+        Number of pieces on all rays through the uncut stock.
     band : float
-        Number of records of the fullest band of the image.
+        Number of records in the fullest band of the image.
     pixels : int
         Number of pixels of the image.
     trajectories : int
         Number of trajectories, including trajectories that miss the stock.
     work : float
-        Memory for the temporary arrays for one band, bytes.
+        Memory for the temporary arrays of one band, bytes.
     """
 
     records: float
@@ -127,7 +127,7 @@ def memory_needed(cuts: Iterable[Cut], *, stock: Solid, view: View) -> float:
     Parameters
     ----------
     cuts : iterable of Cut
-        The operations in their order.
+        The operations in machining order.
     stock : Solid
     view : View
 
@@ -156,7 +156,7 @@ def check_memory(removal: Removal, trajectories: int, allowed: float) -> None:
     trajectories : int
         Number of trajectories, including trajectories that miss the stock.
     allowed : float
-        Largest peak memory, bytes.
+        Memory limit: largest allowed peak memory, bytes.
 
     Raises
     ------

@@ -1,2 +1,2 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The simulator: images cut region by region, and the part at any moment."""
+"""Simulate toolpaths: cut an image region by region, and restore the part at any moment."""

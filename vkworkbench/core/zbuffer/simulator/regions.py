@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Cut the rays of a region of the image."""
+"""Cut the rays in a region of the image, and assemble the records of this region."""
 
 from __future__ import annotations
 

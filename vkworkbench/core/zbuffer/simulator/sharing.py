@@ -24,7 +24,7 @@ _ALONE, _START = 0.5, 0.35
 # Number of regions for each process. With fewer regions, some processes wait at the end for the slowest process. With
 # more regions, each region is cut less efficiently.
 _REGIONS = 12
-_WAIT = 0.05  # s between two calls of `going_on` while waiting for other processes
+_WAIT = 0.05  # time between two calls of `going_on` while waiting for other processes, s
 
 
 def cut_bands(

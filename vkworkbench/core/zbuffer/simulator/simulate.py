@@ -56,7 +56,7 @@ def simulate_job(
     Parameters
     ----------
     cuts : iterable of Cut, or Cuts
-        The operations in their order.
+        The operations in machining order.
     stock : Solid
     view : View
     memory_budget : float
