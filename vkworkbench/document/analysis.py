@@ -58,8 +58,9 @@ def analyze(
 ) -> Report:
     """Analyse operations: strategy, lengths, and the cost of simulating them. Writes nothing in a document.
 
-    Without a window, the first analysis also measures this computer, which takes one to two seconds. An operation that was analysed before in this
-    session, and has not changed since, is not analysed again, unless preferences or calibration have changed.
+    Without a window, the first analysis also measures the speed of this computer, which takes one to two seconds. An
+    operation that was analysed before in this session, and has not changed since, is not analysed again, unless
+    preferences or calibration have changed.
 
     Parameters
     ----------
@@ -177,7 +178,7 @@ def _in_thread(work: Callable, cancelled: Callable[[], bool] | None):
                 going_on()
         return done.result()
     finally:
-        given_up.set()  # also if `cancelled` raised an error
+        given_up.set()  # ends the work also if `cancelled` raised an error
         garbage.release()
         threads.shutdown(wait=False)
 
@@ -269,7 +270,7 @@ def _analysed(
 
 
 def _why_empty(reading: Reading, toolpath: Toolpath) -> list[Message]:
-    """Return why an operation does not cut. For a stop, a comment or a fixture that is normal, and nothing is returned."""
+    """Return why an operation does not cut; an empty list for a stop, a comment or a fixture, which never cut."""
     silent = toolpath.commands <= len(toolpath.comments)
     if not reading.takes_tool and toolpath.commands and not len(toolpath):
         return []
@@ -284,7 +285,7 @@ def _misfits(
     """Return remarks if tool or stock do not fit the toolpath. `finished`: the stock equals the model."""
     too_wide = tool.diameter > max(stock.upper[0] - stock.lower[0], stock.upper[1] - stock.lower[1])
     at_it = cuts_surely(toolpath, stock) or (too_wide and may_cut(toolpath, tool, stock))
-    if not at_it and costs[ZBUFFER.name].traces == 0:  # the last condition, because it computes an estimate
+    if not at_it and costs[ZBUFFER.name].traces == 0:  # evaluated last, because it computes an estimate
         return [Message("stock-is-model") if finished else Message("not-touching")]
     return [Message("tool-wider-than-stock")] if too_wide else []
 

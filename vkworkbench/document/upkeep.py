@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Keep marks up to date: watch all documents after the first mark, and analyse again if the preferences say so."""
+"""Keep marks in the tree up to date: watch all documents, and analyse again if the preferences say so."""
 
 from __future__ import annotations
 
@@ -39,7 +39,7 @@ def watch() -> None:
     if _upkeep is None:
         _upkeep = Upkeep()
         FreeCAD.addDocumentObserver(_upkeep)
-        if not FreeCAD.GuiUp:  # a window follows after all preferences were changed
+        if not FreeCAD.GuiUp:  # a window updates the marks itself, after all preferences were changed
             preferences.observe(lambda name: name in IN_MARKS and follow_preferences())
 
 

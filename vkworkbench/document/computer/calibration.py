@@ -27,8 +27,8 @@ from vkworkbench.worker import processes
 # draw call measured with them, s.
 _SOFTWARE = ("llvmpipe", "softpipe", "swr", "swiftshader", "gdi generic", "microsoft basic render")
 _SOFTWARE_OPENGL = {"frame": 42e-3, "draw": 15e-6}
-# Times with such a renderer to show a command of a play and a new percent of a fast-forward, s. Qt 6, which FreeCAD 1.1
-# uses, paints the window on the processor, too.
+# Seconds that such a renderer needs to show one command during playback ("redraw"), and one more percent during
+# fast-forward ("repaint"). Qt 6, which FreeCAD 1.1 uses, also paints the window on the processor.
 _SOFTWARE_PANEL = {"redraw": 40e-3}
 _SOFTWARE_PANEL_QT6 = {"redraw": 56e-3, "repaint": 30e-3}
 # Factor by which a mesh takes longer if the same processor draws pictures between the meshes.
@@ -53,7 +53,7 @@ class Calibration:
     date : str
         Day of the measurement, ISO 8601.
     freecad, processor, renderer : str
-        FreeCAD, processor and renderer of the measurement; the calibration is used with no others.
+        FreeCAD, processor and renderer of the measurement. The calibration is valid only for this combination.
     """
 
     constants: Constants
@@ -89,7 +89,7 @@ def constants(renderer: str = "") -> Constants:
 def measured_speed(going_on: Callable[[], object] = lambda: None) -> Speed:
     """Return the speed of this computer in the extended z-buffer; measure it if it was never measured.
 
-    In a window, return the default speed then: the window measures the computer when the user pauses.
+    With a window, an unmeasured computer gets the default speed: the window measures it when the user pauses.
 
     Parameters
     ----------
@@ -157,7 +157,7 @@ def calibrate(
 ) -> Calibration:
     """Measure the extended z-buffer and the legacy simulator on this computer until the times are steady, and keep them.
 
-    The timer and the display cannot be measured so: their constants are scaled by the time of a mesh.
+    The constants of the timer and the display cannot be measured this way; they are scaled by the time of a mesh.
 
     Parameters
     ----------
@@ -166,7 +166,7 @@ def calibrate(
     clock : callable
         Returns the time, s.
     going_on : callable
-        Called every tenth of a second; it may raise an error to end the measurement. The earlier calibration then stays.
+        Called every tenth of a second. An exception from it ends the measurement; the earlier calibration then stays.
 
     Returns
     -------
@@ -187,10 +187,10 @@ def calibrate(
 
 
 def _write(new: dict) -> None:
-    """Write records into the file, beside the records that it has."""
+    """Add records to the calibration file, and keep its other records."""
     path = _path()
     path.parent.mkdir(parents=True, exist_ok=True)
-    # Another FreeCAD may read the file at this moment: it reads the old file or the new one.
+    # Replace the file in one step, so that another FreeCAD reads either the old file or the new one.
     fresh = path.with_suffix(f".{os.getpid()}")
     try:
         fresh.write_text(json.dumps({**_records(), **new}, indent=1))

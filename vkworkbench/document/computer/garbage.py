@@ -33,7 +33,7 @@ def release() -> None:
 
 
 def collect() -> None:
-    """Collect young objects, if there are many. Old objects, which take longer, wait for the end."""
+    """Collect young objects if there are many. Collecting old objects takes longer and waits until `release`."""
     if _was_on and gc.get_count()[0] > gc.get_threshold()[0]:
         gc.collect(1)
 
@@ -41,8 +41,8 @@ def collect() -> None:
 def give_back() -> None:
     """Return free memory of this process to the system.
 
-    Without it, the C library of Linux keeps memory that a thread has freed: hundreds of MB after some large simulations.
+    The C library of Linux otherwise keeps memory that a thread has freed: hundreds of MB after some large simulations.
     """
     gc.collect()
-    with suppress(OSError, AttributeError, TypeError):  # another C library
+    with suppress(OSError, AttributeError, TypeError):  # another C library has no malloc_trim
         ctypes.CDLL(None).malloc_trim(0)

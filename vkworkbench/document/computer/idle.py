@@ -16,7 +16,7 @@ _calls: dict[str, Callable[[], None]] = {}
 
 
 def use(soon: Callable[[Callable[[], None]], None]) -> None:
-    """Start to work piece by piece. `soon` is a function that makes the window's event loop call its argument."""
+    """Run work in short slices from now on. `soon` makes the window's event loop call its argument."""
     global _soon
     _soon = soon
 
@@ -32,7 +32,7 @@ def work(steps: Iterator) -> None:
 
 
 def later(name: str, call: Callable[[], None]) -> None:
-    """Call a function when FreeCAD is idle, only once for several calls of the same name. Without a window, do nothing."""
+    """Call a function when FreeCAD is idle; a later call of the same name replaces it. Do nothing without a window."""
     if _soon is not None:
         if name not in _calls:
             _soon(lambda: _calls.pop(name)())  # noqa: PLW0108 - looks the call up when it runs
@@ -45,7 +45,7 @@ def _go_on() -> None:
         while _works and time.monotonic() < until:
             _step()
     finally:
-        if _works:  # the time is over; or a step failed, and the other iterators go on
+        if _works:  # iterators remain: the time slice is over, or a step failed
             _go_on() if _soon is None else _soon(_go_on)
 
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Times of FreeCAD's legacy simulator on this computer, piece by piece."""
+"""Time the parts of FreeCAD's legacy simulator on this computer."""
 
 from __future__ import annotations
 
@@ -19,9 +19,9 @@ _RUNS = 20
 
 
 def measure_legacy(clock: Callable[[], float], going_on: Callable[[], object]) -> Constants:
-    """Time the meshes and the tool profile of the legacy simulator, each dominated by one constant."""
+    """Time the meshes and the tool profile of the legacy simulator. One constant dominates each time."""
     flat, rough = PathSim(), _rough()
-    flat.BeginSimulation(Part.makeBox(100, 60, 20), 0.12)  # a grid as large as in use: a smaller one stays in the cache
+    flat.BeginSimulation(Part.makeBox(100, 60, 20), 0.12)  # as large as in practice; a small grid fits in the cache
     facets = sum(mesh.CountFacets for mesh in rough.GetResultMesh())
     radius, step = 2.0, 0.1
     tool = Part.makeCylinder(radius, 20)
@@ -35,7 +35,7 @@ def measure_legacy(clock: Callable[[], float], going_on: Callable[[], object]) -
 
 
 def _rough() -> PathSim:
-    """Return a stock of 50 x 60 cells with so different heights that its mesh does not join any cells."""
+    """Return a stock of 50 x 60 cells whose heights differ so much that its mesh does not join any cells."""
     sim = PathSim()
     sim.BeginSimulation(Part.makeBox(50, 60, 20), 1.0)
     sim.SetToolShape(Part.makeCylinder(0.55, 20), 1.0)

@@ -48,7 +48,7 @@ def set_clamps(job, clamps: Iterable) -> None:
 
 
 def readable_clamps(clamps: Iterable) -> tuple[dict[str, Solid], tuple[Message, ...]]:
-    """Return the solids of the clamps that have one, by their labels, and a remark on each other clamp."""
+    """Return the solids of the clamps that have one, by their labels, and a remark on each clamp without a solid."""
     solids, remarks = {}, []
     for obj in clamps:
         try:

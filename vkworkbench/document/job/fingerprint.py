@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Fingerprints of operations: a mark is outdated when its operation has another fingerprint.
+"""Fingerprints of operations: a mark in the tree is outdated when its operation has another fingerprint.
 
 A fingerprint covers only what the analysis depends on, with the digits that a file keeps. It stays the same after renaming,
 saving, reopening, and in another FreeCAD version.
@@ -26,7 +26,7 @@ from vkworkbench.document.job.solids import form_of_stock, measures_of, shapes_o
 # between two rounded values, and the last digit, which differs between FreeCAD versions, would decide.
 _OFFSET = 3.7e-4
 
-#: Number of commands that FreeCAD writes as text in a tenth of a second, during which no other thread runs.
+#: Number of commands that FreeCAD writes as text in a tenth of a second, holding the GIL.
 AT_ONCE = 50_000
 _PIECE = 10_000  # commands written at a time
 
@@ -63,7 +63,7 @@ def text_of(path, commands: list | None = None) -> str:
 
 
 def _texts(path, commands: list | None) -> Iterator[str]:
-    """Yield the text of a path in pieces. FreeCAD is faster when it writes the whole text, but no other thread runs meanwhile."""
+    """Yield the text of a path in pieces. Writing all at once is faster but holds the GIL, so long texts are split."""
     if path.Size <= AT_ONCE:
         yield path.toGCode()
         return
@@ -136,7 +136,7 @@ def setting_fingerprint(
 def surroundings_fingerprint(job) -> str:
     """Return the fingerprint of a job's model, clamps and previous job and of the holder in the preferences; empty without a job.
 
-    The verdict of a simulation depends on them, and the analysis does not.
+    The verdict of a simulation depends on these inputs; the analysis does not.
     """
     if job is None:
         return ""
@@ -146,7 +146,7 @@ def surroundings_fingerprint(job) -> str:
     ]
     parts = [sorted(preferences.read().holder.items()), shapes]
     previous = previous_job(job)
-    if previous is not None:  # jobs are never in a circle, see `set_previous_job`
+    if previous is not None:  # `set_previous_job` rules out circles of jobs
         posted = [operation.object for operation in find(previous) if operation.counted]
         parts += [(path_fingerprint(obj), read_setting_fingerprints(obj, previous)[0]) for obj in posted]
         parts.append(surroundings_fingerprint(previous))

@@ -7,7 +7,7 @@ from vkworkbench import freecad
 from vkworkbench.core import Family, Recognition, Strategy
 from vkworkbench.document.job.operations import kind
 
-_ALONG = {Family.AROUND, Family.STROKES}  # a contour may be open, and cut in many parts
+_ALONG = {Family.AROUND, Family.STROKES}  # a contour may be open, and it may be cut in many strokes
 # An engraving follows any drawing. A slot is cut back and forth, one way, or repeatedly.
 _ANY_LINES = {Family.ROWS, *_ALONG}
 # Families that fit FreeCAD's operations without patterns. Strategies of one family do not contradict each other:
@@ -49,9 +49,9 @@ def contradicts(name: str | None, found: Recognition) -> bool:
 def name_of_intent(obj) -> str | None:
     """Return FreeCAD's name for an operation's kind or, if the kind implies no strategy, its pattern; None without either.
 
-    FreeCAD's experimental waterline clears its layers with a pattern: both contours and rows are as named.
+    FreeCAD's experimental waterline clears its layers with a pattern, so contours and rows both match its name.
     """
-    if kind(obj) in ("dressup", "array"):  # without a pattern of their own
+    if kind(obj) in ("dressup", "array"):  # they have no pattern of their own
         return None
     name = freecad.operation_name(obj)
     if name == "Waterline" and freecad.ALGORITHM.of(obj) == "Experimental":

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Random access to the G-code lines of a path. FreeCAD returns the commands of a path only all together."""
+"""Random access to the G-code lines of a path. FreeCAD can only return all commands of a path together."""
 
 from __future__ import annotations
 

@@ -51,7 +51,7 @@ def kind(obj) -> str | None:
     if freecad.TOOL_NUMBER.is_in(obj) and freecad.SPINDLE_SPEED.is_in(obj):
         return "controller"
     if _bases(obj):
-        beside = freecad.COPIES.is_in(obj) or freecad.operation_name(obj) == "Copy"  # whose base is posted, too
+        beside = freecad.COPIES.is_in(obj) or freecad.operation_name(obj) == "Copy"  # FreeCAD posts the base, too
         return "array" if beside else "dressup"
     return "operation"
 
@@ -82,7 +82,7 @@ def is_object(what) -> bool:
 
 
 def is_there(obj) -> bool:
-    """Return whether an object is still in its document. While its deletion can be undone, an object exists without a name."""
+    """Return whether an object is still in its document. A deletion that can be undone leaves a nameless object."""
     try:
         return obj.Document.getObject(obj.Name) is not None
     except (ReferenceError, RuntimeError, TypeError):
@@ -165,8 +165,8 @@ def find(what) -> list[Operation]:
     Parameters
     ----------
     what : Document, DocumentObject, or iterable of these objects
-        A document stands for all its jobs and the toolpaths outside the jobs; a job, or its group of operations, for all
-        operations in it; a folder for its members. Other objects have no toolpath.
+        A document stands for all its jobs and the toolpaths outside the jobs. A job, or its group of operations, stands
+        for the operations of the job. A folder stands for its members. Other objects have no toolpath.
 
     Returns
     -------

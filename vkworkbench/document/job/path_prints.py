@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""A cache of the fingerprints of paths. Loads no numpy.
+"""A cache of the fingerprints of paths. This module does not import numpy.
 
 Computing the fingerprint of a long path takes long. A fingerprint is dropped when FreeCAD reports a change of its path, so a
 fingerprint that is still in the cache also proves that the path has not changed.
@@ -30,7 +30,7 @@ class PathPrints:
     def begin(self, obj) -> object:
         """Return the token for a fingerprint that the caller is about to compute.
 
-        Several callers may compute the same fingerprint; the first result serves all.
+        Several callers may compute the same fingerprint; the first result is stored for all of them.
         """
         if not self._watches:
             FreeCAD.addDocumentObserver(self)

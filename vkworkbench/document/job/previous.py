@@ -9,7 +9,7 @@ from vkworkbench.document.job.solids import move_between, shapes_of_model
 from vkworkbench.document.job.undo_step import transaction
 from vkworkbench.language import Message, Unusable
 
-# A hidden link does not make the job depend on the other one, so that no operation is recomputed.
+# A hidden link does not make the job depend on the previous job, so FreeCAD recomputes no operation.
 _TYPE = "App::PropertyLinkHidden"
 _HIDDEN_AND_OUTPUT = 4 | 8  # setting the property does not touch the job
 
@@ -21,7 +21,7 @@ def previous_job(job):
 
 
 def possible_previous_jobs(job) -> list:
-    """Return the other jobs of the document that machine the same part and do not begin with what this job leaves."""
+    """Return the other jobs of the document that machine the same part and do not start from this job's part."""
     shapes = shapes_of_model(job)
     return [
         other
@@ -33,7 +33,7 @@ def possible_previous_jobs(job) -> list:
 
 
 def set_previous_job(job, previous=None) -> None:
-    """Let the simulation of a job begin with what another job leaves, in one undo step. It is saved with the job.
+    """Let a job's simulation start with another job's part, in one undo step. The choice is saved with the job.
 
     Parameters
     ----------
@@ -44,7 +44,7 @@ def set_previous_job(job, previous=None) -> None:
     Raises
     ------
     Unusable
-        If the other job is the same one, or begins with what this job leaves.
+        If `previous` is this job, or starts (perhaps through further jobs) with the part that this job leaves.
     """
     if previous is not None and job in _chain(previous):
         raise Unusable(Message("previous-in-circle", label=previous.Label))

@@ -46,7 +46,8 @@ class Reading:
     error: Exception | None = None
 
 
-# Fields that identify the operation; and the inputs of the results, besides path and placement.
+# IDENTITY: the fields that identify the operation. SETTINGS: the other inputs of the results, except path and
+# placement.
 IDENTITY = ("document", "document_id", "name", "label", "job", "counted")
 SETTINGS = tuple(
     field.name for field in fields(Reading)
@@ -57,7 +58,7 @@ SETTINGS = tuple(
 def read(operation: Operation) -> Reading:
     """Read an operation. An error is stored in the reading, so that the other operations are still analysed."""
     obj, job = operation.object, operation.job
-    job = job if job is not None and is_there(job) else None  # a deleted job leaves its operations
+    job = job if job is not None and is_there(job) else None  # the operations of a deleted job remain
     reading = Reading(
         document=obj.Document.Name,
         document_id=obj.Document.Uid,
@@ -90,7 +91,7 @@ def read(operation: Operation) -> Reading:
             rapid_feeds=rapids,
             setting_fingerprint=setting_fingerprint(tool, box, form, rapids),
         )
-    except ReferenceError:  # deleted meanwhile
+    except ReferenceError:  # the object was deleted meanwhile
         raise
     except Exception as error:
         FreeCAD.Console.PrintLog(traceback.format_exc())

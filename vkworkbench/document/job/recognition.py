@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Recognise the strategy of an operation of a document; mark, Gauss map and 3D view all use this."""
+"""Recognise the strategy of an operation of a document, for its mark, the Gauss map and the 3D view."""
 
 from __future__ import annotations
 
@@ -46,7 +46,7 @@ def source_of(obj) -> Source:
 
 
 def rotary_cut(toolpath: Toolpath) -> Problem | None:
-    """Return the problem that a rotary axis turns while the tool cuts, or None. The shape that is cut is then unknown."""
+    """Return the problem that a rotary axis turns while the tool cuts, so the cut shape is unknown; else None."""
     turning = (problem for problem in toolpath.problems if problem.what.code == "rotary-cuts")
     return next(turning, None) if len(toolpath) else None
 

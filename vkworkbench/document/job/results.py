@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The results of this session, found again by the inputs of the analysis, or by the operation.
 
-`RESULTS` finds a result by everything that an analysis reads, so an unchanged operation is not analysed again: the text of its
-path, placement, tool, stock, feeds, preferences and calibration, unrounded. A changed operation has another key, so no
-change needs to be reported. `remember` and `latest_row` find the last result of an operation of an open document. Results have
-all numbers; marks keep fewer.
+`RESULTS` finds a result by all inputs of an analysis, unrounded: the text of the path, placement, tool, stock, feeds,
+preferences and calibration. An unchanged operation is therefore not analysed again. A changed operation has another
+key, so nobody has to report the change. `remember` and `latest_row` find the last result for an operation of an open
+document. Results contain all numbers; marks contain fewer.
 """
 
 from __future__ import annotations

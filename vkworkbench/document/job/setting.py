@@ -17,7 +17,7 @@ from vkworkbench.document.job.operations import through_bases
 from vkworkbench.given import positive
 from vkworkbench.language import Message, Unusable
 
-# FreeCAD's names of tool shapes, in small letters, and the shapes that a simulation uses for them.
+# FreeCAD's names of tool shapes, in lower case, and the shapes that a simulation uses for them.
 _SHAPES = {
     "endmill": "endmill", "ballend": "ballend", "ballnose": "ballend", "bullnose": "bullnose", "torus": "bullnose",
     "vbit": "vbit", "chamfer": "vbit", "engraver": "vbit", "taperedballnose": "ballend", "drill": "drill",
@@ -38,7 +38,7 @@ _WHOLE_EDGE = ("chamfer", "countersink")
 class ShapeCache:
     """The results for the shapes that were used last.
 
-    The shapes are stored, too. Otherwise a new shape could get the memory address of a deleted one and be taken for it.
+    The shapes are stored, too. Otherwise a new shape at the memory address of a deleted one would get its result.
 
     Parameters
     ----------
@@ -105,7 +105,7 @@ def tool_remark(operation) -> Message | None:
 
 
 def _shape_name(bit) -> str:
-    """Return FreeCAD's name of a tool's shape, in small letters."""
+    """Return FreeCAD's name of a tool's shape, in lower case."""
     name = next((n for n in freecad.TOOL_SHAPE.values(bit) if isinstance(n, str) and n), "endmill")
     file = freecad.TOOL_SHAPE_FILE.of(bit)
     # FreeCAD 1.1 says "custom" if the shape file is not at the path of the computer that made the document.

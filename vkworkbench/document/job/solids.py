@@ -18,14 +18,14 @@ from vkworkbench.language import Message, Unusable
 
 # Allowed distance between a curved face and its triangles: a minimum in mm, and a share of the shape's diagonal.
 _MIN_DEVIATION, _DEVIATION = 0.01, 1e-4
-# Largest angle between neighbouring triangles of a face, rad. `tessellate` uses a tenth of it, and needs minutes for a spline
-# of 2,000 poles.
+# Largest angle between neighbouring triangles of a face, rad. `tessellate` on its own uses a tenth of this angle, and
+# needs minutes for a spline of 2,000 poles.
 _BEND = 0.5
-# After this time of meshing, s, other threads, above all the window's, get this time, s.
+# Meshing holds the GIL. After _MESHING seconds the thread sleeps for _PAUSE seconds, so that the window can respond.
 _MESHING, _PAUSE = 0.01, 0.001
 # Two measures are equal if they differ by at most this share.
 _ROUNDING = 1e-6
-_solids = ShapeCache(8)  # triangles take long
+_solids = ShapeCache(8)  # computing triangles is slow
 _forms = ShapeCache(16)
 _measures = ShapeCache(16)  # every operation of a job compares the stock with the model
 # Factor before rounding. Without it the volume of a stock with usual lengths would lie halfway between two rounded values.
@@ -188,7 +188,7 @@ def _mesh(shapes: Sequence) -> Mesh:
         deviation = max(_MIN_DEVIATION, _DEVIATION * float(np.linalg.norm(upper - lower)))
         own = shape.copy(True, False)  # so that the display mesh of the shape does not change
         begun = time.monotonic()
-        for face in own.Faces:  # face by face, because no other thread runs during one call
+        for face in own.Faces:  # face by face, because each call holds the GIL
             MeshPart.meshFromShape(face, LinearDeflection=deviation, AngularDeflection=_BEND)
             if time.monotonic() - begun > _MESHING:
                 time.sleep(_PAUSE)

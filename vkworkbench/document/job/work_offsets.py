@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Work offsets that the commands of a job select: G55 moves the origin, and a document does not contain where to."""
+"""Work offsets that the commands of a job select, such as G55. A document does not contain their origins."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ class WorkOffsets:
     def __init__(self, job=None) -> None:
         listed = freecad.FIXTURES.of(job)
         self._now = str(listed[0]) if isinstance(listed, list) and listed else None
-        self._first: str | None = None  # in force at the first move; its origin is the one of all coordinates
+        self._first: str | None = None  # the offset at the first move; all coordinates refer to its origin
 
     def remark(self, words: Words, toolpath: Toolpath) -> Message | None:
         """Follow the next operation; return a remark if it moves at another work offset than the first move of all operations.

@@ -89,7 +89,7 @@ def _way(simulator: str, fresh: list[Record], operations: int, chosen: Preferenc
     """Return the first way within the budget, with its message. FreeCAD's simulators come before ours."""
     for name in sorted(freecad.own_simulators(), key=lambda name: name != simulator):
         cost, bound = _together(name, fresh, operations)
-        slow = name == simulator != LEGACY.name  # the legacy simulator has fast-forward
+        slow = name == simulator != LEGACY.name  # only the legacy simulator has a faster mode, fast-forward
         if slow or cost is None or cost.seconds > chosen.time_budget or _hangs(name, fresh):
             continue
         if name == simulator:

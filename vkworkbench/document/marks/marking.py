@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Write the results of a report as marks, and clear marks: one undo step for each document."""
+"""Write the results of a report as marks in the tree, and clear marks: one undo step for each document."""
 
 from __future__ import annotations
 

@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Read, write and refresh the mark of one operation or job.
+"""Read, write and refresh the mark of one operation or job in the tree.
 
-The text of a mark stands in Label2, the tree's Description column, in brackets beside the user's own words. A hidden property
-holds the whole mark, and which part of the text the mark has written. FreeCAD opens a marked file without this add-on, too.
+Label2, which the tree shows in its Description column, contains the text of a mark in brackets, beside the user's own
+words. A hidden property holds all data of the mark, including the text that the mark wrote into the description.
+FreeCAD opens a marked file without this add-on, too.
 """
 
 from __future__ import annotations
@@ -99,7 +100,8 @@ def write(obj, report: OperationReport, chosen: Preferences, *, outdated: bool) 
 def write_total(job, chosen: Preferences, verdict: JobVerdict | None = None) -> None:
     """Mark a job with the total of its operations' marks. A job with an unmarked operation gets no mark.
 
-    A verdict that is valid for the present job replaces the one of the earlier mark, which is kept otherwise.
+    A verdict that is valid for the present job replaces the verdict in the job's mark. Otherwise the mark keeps its
+    verdict.
     """
     parts = _parts(job)
     if not parts or None in parts.values():
@@ -128,7 +130,7 @@ def _verdict_fingerprint(job, parts: dict[Any, Record | None]) -> str:
 
 
 def _verdict(job, parts: dict[Any, Record | None]) -> JobVerdict | None:
-    """Return the verdict in the mark of a job, which is outdated if the job is."""
+    """Return the verdict in a job's mark; it is outdated if the job, or an operation's mark, has changed."""
     known = read(job)
     if known is None or known.verdict is None:
         return None
@@ -207,7 +209,7 @@ def refresh(obj, settings_of: Callable, *, path_changed: bool, setting_changed: 
 
 
 def _is_switched_off(obj) -> bool:
-    """Return whether an operation has no toolpath because it is switched off. Before its recompute it has its old path."""
+    """Return whether an operation was switched off and has no toolpath. It keeps its old path until its recompute."""
     return not is_active(obj) and path_fingerprint(obj) == text_fingerprint("", obj.Placement)
 
 
@@ -273,7 +275,7 @@ def _set_description(obj, label2: str) -> None:
 
 
 def _is_locked(obj) -> bool:
-    """Return whether the description cannot be written. A mark then has its properties only."""
+    """Return whether the description cannot be written. The mark of such an object has properties but no text."""
     driven = any(path.lstrip(".") == "Label2" for path, _ in obj.ExpressionEngine)
     return driven or "Immutable" in obj.getPropertyStatus("Label2")
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The properties of a mark: a hidden one with all data, and visible ones. Loads no numpy.
+"""The properties of a mark: a hidden one with all data, and visible ones. This module does not import numpy.
 
 All properties are read-only outputs. An ordinary property would touch its object, and FreeCAD would recompute the object.
 """
@@ -19,7 +19,8 @@ QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP
 GROUP = "Toolpath analysis"
 # The hidden property with all data of the mark, and its earlier name, which a property of the user may have, too.
 MARK, _EARLIER = "VkWorkbenchMark", "ToolpathMark"
-# Attributes: with Output (8) a change does not touch the object, with ReadOnly (1) the user cannot change it, Hidden is 4.
+# Sums of attributes. ReadOnly (1): the user cannot change it. Hidden (4). Output (8): a change does not touch the
+# object.
 _SHOWN, _HIDDEN = 9, 13
 # Not "Length": FreeCAD's lead-in dress-up has a property of that name.
 _TYPES = {
@@ -114,7 +115,7 @@ def may_show(obj, names: Iterable[str]) -> set[str]:
 
 
 def set_values(obj, values: dict) -> None:
-    """Set the mark's properties to these values. Remove its other properties, and replace any of another type or attribute."""
+    """Set the mark's properties to these values. Remove its other properties; replace properties of a wrong type."""
     for name in ours(obj):
         if name not in values or not _is_as_written(obj, name):
             remove(obj, name)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The data of a mark: enough to explain the result, to follow the preferences, and to compute a job's total."""
+"""The data of a mark in the tree: enough to explain the result, follow the preferences, and compute a job's total."""
 
 from __future__ import annotations
 
@@ -55,8 +55,8 @@ class Record(Costs):
         The verdict of a simulation on a job.
     outdated : bool
     off : bool
-        Whether the operation lost its toolpath because it was switched off. The other data becomes valid again with the
-        toolpath.
+        Whether the operation lost its toolpath because it was switched off. The other data becomes valid again when the
+        toolpath is back.
     text : str
         Text of the mark in the description.
     label : str
@@ -88,7 +88,7 @@ class Record(Costs):
 
     @property
     def shown(self) -> Record:
-        """The visible results. An operation that was switched off shows that it is, and no earlier results."""
+        """The visible results. A switched-off operation shows only that it is switched off, not its earlier results."""
         if not self.off:
             return self
         why = {"confidence": 1.0, "reason": (Message("no-moves"),), "remarks": (Message("inactive"),)}

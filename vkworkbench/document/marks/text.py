@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The text of a mark: the strategy, the time on the machine, the time of one simulator, and warnings."""
+"""The text of a mark in the tree: the strategy, the time on the machine, the time of one simulator, and warnings."""
 
 from __future__ import annotations
 
@@ -14,9 +14,9 @@ from vkworkbench.report import SERIOUS, how_many, is_switched_off
 OPENING, CLOSING, SEPARATOR, OUTDATED = "⟦", "⟧", " · ", "outdated"
 SWITCHED_OFF = "switched off"
 SIMULATION, WARNING = "sim", "⚠"
-UNSURE = 0.8  # a mark shows a confidence below this
+UNSURE = 0.8  # a mark shows the confidence only if it is lower than this
 _NEAR = 0.5  # share of the time budget from which a time is "near"
-_LONGEST_REMARK = 120  # characters in a document; the window shows all that fits
+_LONGEST_REMARK = 120  # characters of the remarks in a document; the window shows as many as fit
 
 
 class Burden(IntEnum):
@@ -39,7 +39,7 @@ def is_serious(caution: Caution, chosen: Preferences) -> bool:
 
 def is_warned(record: Record, chosen: Preferences) -> bool:
     """Return whether tree, tooltip and results show a warning for the simulator of the preferences."""
-    if is_switched_off(record):  # the user has done it
+    if is_switched_off(record):  # by the user, who needs no warning
         return False
     if record.verdict is not None and not record.verdict.is_sound:
         return True

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Watch documents: a mark becomes outdated when its operation's path, tool or stock changes.
+"""Watch documents: a mark in the tree becomes outdated when its operation's path, tool or stock changes.
 
 FreeCAD reports every changed property. The watcher notes relevant changes, and compares the marks when the recompute, undo or
 redo is over. Changes while a document is being restored are ignored. Objects that are copied or moved into a document are
@@ -34,7 +34,7 @@ class Watcher:
         self._new: dict[str, set[str]] = {}
 
     def slotCreatedObject(self, obj) -> None:
-        # An opened document is restoring and not importing.
+        # A document that is being opened is restoring but not importing; its objects are not copies.
         if has_toolpath(obj) and obj.Document.Restoring == obj.Document.Importing:
             name = obj.Document.Name
             self._new.setdefault(name, set()).add(obj.Name)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The depth to which an operation is meant to cut into the model: engraving, V-carving and deburring do."""
+"""The depth to which an operation is meant to cut into the model, as engraving, V-carving and deburring do."""
 
 from __future__ import annotations
 
@@ -16,13 +16,14 @@ from vkworkbench.document.simulation.job import SimulatedOperation
 from vkworkbench.language import Message
 
 _ENGRAVING, _DEBURRING = ("Engrave", "Vcarve"), "Deburr"
-# Share of the length of an engraving without an operation of FreeCAD that is not deeper than its own depth. With a smaller share,
-# the deepest strokes are gouges. With a larger share, one stroke that is too deep is not a gouge.
+# An imported engraving has no property with its depth. Its depth is the depth that this share of its cutting length
+# does not exceed. With a smaller share, the deepest strokes are gouges. With a larger share, one stroke that is too
+# deep is not a gouge.
 _NOT_DEEPER = 0.9
 
 
 def allowed_depth(obj, tool: Tool | None, simplified: Message | None) -> float:
-    """Return the depth to which an operation of FreeCAD is meant to cut into the model, mm; infinite if its tool is not known.
+    """Return the depth to which an operation is meant to cut into the model, mm; infinite for simplified tools.
 
     Parameters
     ----------

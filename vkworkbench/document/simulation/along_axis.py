@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The simulation of a job along its tool axis, from which all facts come, whatever view is shown."""
+"""The simulation of a job along its tool axis. All facts come from this simulation, whatever view is shown."""
 
 from __future__ import annotations
 
@@ -40,7 +40,7 @@ class AlongAxis:
     checked : CrashCheck
     collisions : Collisions
     measured : Volumes or None
-        None if the time did not suffice to measure the volumes.
+        None if measuring the volumes would exceed the time budget.
     seen : SeenModel or None
         The model in the image; None without a model.
     """

@@ -175,7 +175,7 @@ class JobCopy:
             yield read
 
     def _begin_with(self, previous: SimulatedJob, going_on: Callable[[], None]) -> None:
-        """Use what the previous job leaves as the stock."""
+        """Simulate the previous job and use its finished part as the stock."""
         budget = preferences.read().memory_budget_bytes
         zbuffer = zbuffer_along_axis(previous, budget, lambda _: going_on())
         self._stock, remark = stock_after(part_triangles(zbuffer), previous.model_shapes, self._model_shapes)
@@ -187,7 +187,7 @@ class JobCopy:
         return [obj for obj in map(document.getObject, self._asked) if obj is not None] or document
 
     def comparing(self, changed: Container[str]) -> Generator[None, None, bool]:
-        """Compare the document with the copies, in steps of milliseconds; return whether they are the same.
+        """Compare the document with the copies, in steps of milliseconds; return whether the document is unchanged.
 
         Parameters
         ----------

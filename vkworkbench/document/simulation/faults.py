@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Faults of operations, and verdicts on jobs, that simulations of this session have found.
 
-A verdict is valid until a toolpath or a setting of the document changes. A fault is valid for the toolpath, tool and stock of its operation, which the fingerprint covers, and for all operations before
-it. All faults of a document are dropped when a toolpath or the order of its operations changes.
+A verdict is valid until a toolpath or a setting of the document changes. A fault is valid as long as its operation,
+whose toolpath, tool and stock the fingerprint covers, and all earlier operations stay the same. All faults of a
+document are dropped when a toolpath or the order of its operations changes.
 """
 
 from __future__ import annotations
@@ -23,9 +24,9 @@ from vkworkbench.report import JobVerdict, OperationReport
 
 _Found = TypeVar("_Found", OperationReport, Record)
 _CHANGES = freecad.names_in_fingerprint("path") | freecad.names_in_fingerprint("setting")
-# By document and operation: the fingerprint of the operation, and its fault.
+# Faults by document and operation; each with the fingerprint of its operation.
 _found: dict[str, dict[str, tuple[str, Message]]] = {}
-# By document and job.
+# Verdicts by document and job.
 _verdicts: dict[str, dict[str, JobVerdict]] = {}
 _observer: _Observer | None = None
 
@@ -76,7 +77,7 @@ def verdict_on(job, fingerprints: Iterable[str]) -> JobVerdict | None:
 
 
 def with_faults(found: _Found, document: str, name: str) -> _Found:
-    """Return the results of an operation with its fault, if its toolpath and setting are as they were simulated.
+    """Return the results of an operation with its fault, if toolpath and setting are unchanged since the simulation.
 
     Parameters
     ----------

@@ -50,7 +50,7 @@ class SimulatedJob:
     operations : tuple of SimulatedOperation
         In the order of their job.
     cuts : tuple of Cut
-        Their toolpaths and tools.
+        Toolpaths and tools of the operations.
     as_read : tuple of Toolpath
         The toolpaths with the feeds as FreeCAD reads them, mm/s. The recognition uses these.
     listings : tuple of Listing
@@ -63,7 +63,7 @@ class SimulatedJob:
     clamps : mapping of str to Solid
         Solids that no tool may touch, by the labels of their objects.
     unread : tuple of Message
-        The remarks on parts of the job that could not be read, so that the verdict on the job is not sure.
+        The remarks on parts of the job that could not be read. They make the verdict on the job uncertain.
     left_out : tuple of (str, str)
         Internal names of document and object of the operations that are not simulated.
     name : str

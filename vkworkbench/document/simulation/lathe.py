@@ -7,14 +7,15 @@ import numpy as np
 
 from vkworkbench.core import Toolpath
 
-# Minimum number of X positions of passes along Z. Lower: a tool that leaves one slot sideways turns.
+# Minimum number of X positions of passes along Z. With a lower minimum, a mill that leaves one slot sideways counts as
+# a lathe.
 _PASSES = 3
-# mm. Positions that differ by less are equal.
+# mm. Positions that differ by less count as one position.
 _PLACE = 1e-3
 
 
 def is_turned(toolpath: Toolpath) -> bool:
-    """Return whether a toolpath in X and Z alone cuts downwards at many X, and leaves each pass sideways at its lower end.
+    """Return whether a toolpath in X and Z alone cuts down at `_PASSES` X positions and leaves each pass sideways.
 
     A drill leaves a hole upwards, and a mill that never moves along Y cuts farther along X than along Z.
     """

@@ -214,7 +214,7 @@ class Simulation(SimulatedPart):
         return self.job.operations[source.cut], source.command
 
     def _of_solid(self) -> ZBuffer:
-        """Return the z-buffer if it is seen along the tool axis and contains the whole stock, else the one of the facts."""
+        """Return the z-buffer if its view is along the tool axis and shows all the stock, else the one of the facts."""
         frame, stock = self.zbuffer.frame, self.job.stock
         beside = np.abs((stock.lower + stock.upper)[:2] / 2 - frame.centre[:2]) + (stock.upper - stock.lower)[:2] / 2
         shown = (beside <= np.array([frame.width, frame.height]) / 2 * frame.pixel * (1 + _ROUNDING)).all()

@@ -37,7 +37,7 @@ def add_mesh(name: str, mesh: Mesh.Mesh) -> FreeCAD.DocumentObject:
 
 
 def stock_after(triangles: np.ndarray, before: tuple, after: tuple) -> tuple[core.Mesh, Message | None]:
-    """Return what one job leaves as the stock of another job, and a remark if it is not moved with the model.
+    """Return what one job leaves as the stock of another job, and a remark if it cannot be moved with the model.
 
     If both jobs have one model and the second only places it elsewhere, as for the other side of a part, the stock is moved in
     the same way.
