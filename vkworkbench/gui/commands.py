@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The commands *Analyze Toolpaths* and *Clear Analysis*; they call the functions for macros."""
+"""The commands *Analyze Toolpaths* and *Clear Analysis*, which call the functions that macros call."""
 
 from __future__ import annotations
 
@@ -68,7 +68,8 @@ class AnalyzeCommand(DocumentCommand):
         one, more = (
             translate("Vk_Analyze", "{count} operation was analyzed."), translate("Vk_Analyze", "{count} operations were analyzed.")
         )  # fmt: skip
-        # Like the job's total: without inactive operations and bases of dress-ups, unless only these were analysed.
+        # Count as the job's total does: skip inactive operations and bases of dress-ups, unless only these were
+        # analysed.
         text = plural(one, more, sum(o.counted for o in report.operations) or len(report.operations))
         if warned:
             one, more = (

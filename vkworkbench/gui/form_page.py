@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""A page in FreeCAD's preferences whose widgets have the names of preferences. Loads no numpy before it is shown."""
+"""A page in FreeCAD's preferences whose widgets have the names of preferences. Imports numpy only when it is shown."""
 
 from __future__ import annotations
 
@@ -37,7 +37,7 @@ class FormPage:
         self._shown = self.chosen()
 
     def saveSettings(self) -> None:
-        """Save changed values only: a number that the page shows rounded, for example in inches, is not changed."""
+        """Save only the values that the user changed, because the page shows rounded numbers, for example in inches."""
         now = self.chosen()
         preferences.write(**{name: value for name, value in now.items() if value != self._shown[name]})
         self._shown = now

@@ -11,7 +11,7 @@ from vkworkbench.gui.qt.plain_text import warn
 from vkworkbench.gui.qt.text import translate
 from vkworkbench.preferences import OWN, Preferences, choices
 
-# The values of a machine, apart from its time factor.
+# The values of a machine, without its time factor.
 _VALUES = (
     "rate_x", "rate_y", "rate_z", "acceleration_x", "acceleration_y", "acceleration_z", "corner_deviation", "lookahead",
     "tool_change", "spindle_start",

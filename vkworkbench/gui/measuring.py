@@ -40,13 +40,13 @@ class _Measurement:
             return
         self._measures = True
         try:
-            with suppress(OSError):  # without a place for the file, the usual constants stay
+            with suppress(OSError):  # if the file cannot be written, the default constants stay in use
                 calibration.calibrate(note_renderer(), going_on=self._going_on)
                 for document in FreeCAD.listDocuments().values():
-                    with suppress(ReferenceError):  # closed meanwhile
+                    with suppress(ReferenceError):  # the document was closed meanwhile
                         self._refresh(document)
             self._pauses.stop()
-        except Cancelled:  # measured at the next pause
+        except Cancelled:  # the next pause starts a new measurement
             pass
         finally:
             self._measures = False
@@ -55,7 +55,7 @@ class _Measurement:
         """Analyse the operations with valid marks again, and mark them without an undo step."""
         valid = [o.object for o in find(document) if marks.is_marked(o.object) and not marks.is_outdated(o.object)]
         for obj in valid:
-            vkworkbench.analyze(obj, cancelled=self._is_ended)  # the results are kept
+            vkworkbench.analyze(obj, cancelled=self._is_ended)  # cached, so the analysis below is fast
         present = [obj for obj in valid if is_there(obj) and not marks.is_outdated(obj)]
         if present:
             marking.mark(vkworkbench.analyze(present), undo_step=False)

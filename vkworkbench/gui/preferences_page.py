@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The page *General* in FreeCAD's preferences. Loads no numpy before it is shown."""
+"""The page *General* in FreeCAD's preferences. Imports numpy only when it is shown."""
 
 from __future__ import annotations
 

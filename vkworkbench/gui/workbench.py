@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The workbench, its commands in FreeCAD's CAM workbench, and the observers that start with FreeCAD. Loads no numpy."""
+"""The workbench, its commands in FreeCAD's CAM workbench, and observers that start with FreeCAD. Imports no numpy."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ ICONS = ROOT / "resources" / "icons"
 TRANSLATIONS = ROOT / "resources" / "translations"
 COMMANDS = ["Vk_Analyze", "Vk_Clear", "Vk_Results", "Vk_Strategies", "Vk_GaussMap", "Vk_Simulate", "Vk_Clamps"]
 JOB_COMMANDS = ["Vk_PreviousJob", "Vk_AddMesh", "Vk_SaveStl"]  # in the menu, and in the context menu of a job
-TITLE = QT_TRANSLATE_NOOP("Workbench", "Toolpath Analysis")  # of toolbar and menu
+TITLE = QT_TRANSLATE_NOOP("Workbench", "Toolpath Analysis")  # title of toolbar and menu
 
 
 class VkWorkbench(Gui.Workbench):
@@ -102,7 +102,7 @@ class _OpenedDocuments:
     """
 
     def __init__(self) -> None:
-        self._opened: set[str] = set()  # and not compared yet
+        self._opened: set[str] = set()  # opened documents that were not compared yet
         self._compared: set[str] = set()
 
     def slotCreatedObject(self, obj) -> None:
@@ -165,7 +165,7 @@ class _Recomputes:
         from vkworkbench.document import upkeep
         from vkworkbench.gui.qt import progress
 
-        if name in FreeCAD.listDocuments():  # after the comparison of its marks
+        if name in FreeCAD.listDocuments():  # the analysis runs after the comparison of the marks
             idle.work(upkeep.analyzing_again(FreeCAD.getDocument(name), progress.analyze))
 
 

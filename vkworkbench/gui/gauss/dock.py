@@ -48,7 +48,7 @@ from vkworkbench.gui.qt.text import explain, translate
 from vkworkbench.language import Message, Unusable
 from vkworkbench.report import Cancelled
 
-_LISTED = 50  # number of areas in the chooser; the longest ones
+_LISTED = 50  # number of longest areas that the chooser lists
 _MIN_LINES = 7  # minimum height of the plots, in lines of text
 _QUICK = 20_000  # trajectories; a shorter area is drawn without a background thread
 _NOT_IN_NAMES = '\\/:*?"<>|'

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Paint the three plots of one area: toolpath, Gauss map and angular functions.
 
-The parts that depend on the step k are painted over the others, which may be stored as an image. Texts on the plots are the
-paper's symbols and the names of strategies.
+The parts that depend on the step k are painted over the other parts, which may be stored as an image. Texts on the
+plots are the paper's symbols and the names of strategies.
 """
 
 from __future__ import annotations
@@ -204,7 +204,7 @@ class GaussFigure:
         return None, ""
 
     def _paint_names(self, painter: QPainter, theme: Theme) -> None:
-        """Write the names of the curves above the graph, and the deciding bound above them. They are moved left if room is short."""
+        """Write the names of the curves above the graph, and the deciding bound; farther left if room is short."""
         text = QFontMetrics(painter.font())
         entries = [("2π n", theme.faint), ("θ + 2π n", theme.v), ("φ", theme.counter_clockwise)]
         if len(self.signature.reversals):

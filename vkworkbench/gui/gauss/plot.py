@@ -46,7 +46,7 @@ class Plot:
 
     @property
     def window(self) -> tuple[np.ndarray, np.ndarray]:
-        """The visible corners. With equal units of both axes, more than the window is visible."""
+        """The visible corners. With equal units on both axes, the plot shows more than the window along one axis."""
         size = self.upper - self.lower
         if not self._equal or self.place.isEmpty():
             return self.lower, self.upper

@@ -24,14 +24,14 @@ from vkworkbench.gui.qt.plain_text import as_plain
 from vkworkbench.gui.qt.text import translate
 from vkworkbench.report import Cancelled
 
-_SLICE = 0.03  # s for showing results between other events
+_SLICE = 0.03  # longest time for showing results before other events are handled, s
 _WATCH = 50  # ms between two checks whether a thread has ended
 _DELAY = 300  # ms; shorter work shows no progress
-_LINGER = 200  # ms for which the line stays, so that it does not flicker between two related works
+_LINGER = 200  # ms for which the progress line stays after the work, so that it does not flicker before related work
 
 
 class Background(QObject):
-    """Does one work at a time. A new work replaces the one that is running.
+    """Runs one task at a time. A new task replaces the running one.
 
     Parameters
     ----------
@@ -41,9 +41,9 @@ class Background(QObject):
     Attributes
     ----------
     began : Signal of str
-        A work has begun; its description.
+        A task has begun; its description.
     over : Signal
-        The work has ended or was cancelled.
+        The task has ended or was cancelled.
     """
 
     began = Signal(str)
@@ -81,7 +81,7 @@ class Background(QObject):
         self._given_up, self._results = given_up, results
         self._show, self._ended = show, ended
         thread = threading.Thread(target=_run, args=(work, given_up, results), daemon=True)
-        # After 1 ms, so that events that waited while FreeCAD copied a path are handled first.
+        # Start the thread after 1 ms, so that events that waited while FreeCAD copied a path are handled first.
         QTimer.singleShot(1, lambda: _threads.begin(thread, work))
         self.began.emit(text)
         self._timer.start()

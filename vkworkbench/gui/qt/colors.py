@@ -16,7 +16,7 @@ LINK = "#2f7fd6"  # adapted to the background by `readable`
 NOTE_SIGN, WARNING_SIGN, ERROR_SIGN = "#62748d", "#c77700", "#d9363e"
 
 TEXT_CONTRAST, LINE_CONTRAST = 4.6, 3.1  # slightly above the minimum of WCAG 2.1 for text and for lines
-_STEP = 0.04  # share of the way to white or black
+_STEP = 0.04  # share of white or black that `readable` adds to a colour in each step
 _LIGHT, _DARK = QColor("#ffffff"), QColor("#1e1e1e")
 
 

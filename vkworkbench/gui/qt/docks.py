@@ -27,14 +27,14 @@ def add(dock: QDockWidget, height: int) -> None:
     window.addDockWidget(Qt.BottomDockWidgetArea, dock)
     _join(dock, others)
     for other in others:
-        if other.objectName() in (RESULTS, GAUSS_MAP) and other.isHidden():  # becomes a tab when it is shown
+        if other.objectName() in (RESULTS, GAUSS_MAP) and other.isHidden():  # it becomes a tab when it is shown
             window.tabifyDockWidget(dock, other)
     show(dock)
     window.resizeDocks([dock], [min(height, window.height() // 3)], Qt.Vertical)
 
 
 def show(dock: QDockWidget) -> None:
-    """Show a dock in front of the other tabs, including docks that were opened after it was closed."""
+    """Show a dock in front of the other tabs, also if other docks were opened after it was closed."""
     window = Gui.getMainWindow()
     _keep_tree_high()
     if dock.isHidden() and not dock.isFloating() and window.dockWidgetArea(dock) == Qt.BottomDockWidgetArea:

@@ -161,7 +161,7 @@ __all__ = [
 
 
 def single_shot(work: Callable[[], object] | Signal, parent: QObject | None = None, ms: int = 0) -> QTimer:
-    """Return a timer that calls `work`, or emits the signal, once for several starts, after pending events."""
+    """Return a timer that calls `work`, or emits the signal, after pending events. Several starts cause one call."""
     timer = QTimer(parent)
     timer.setSingleShot(True)
     timer.setInterval(ms)
@@ -194,5 +194,5 @@ class MenuButton(QToolButton):
     def sizeHint(self) -> QSize:
         arrow = self.style().pixelMetric(
             QStyle.PM_MenuButtonIndicator
-        )  # without a widget: for this one the theme returns 0
+        )  # asked without a widget, because the theme returns 0 for this button
         return super().sizeHint() + QSize(arrow, 0)

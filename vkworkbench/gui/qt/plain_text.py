@@ -79,7 +79,8 @@ class OneLine(QLabel):
 class WholeText(QObject):
     """Keeps a wrapping label high enough for its text.
 
-    A layout computes the minimum height of a label for another width than the real one. In a narrower label, lines would be cut.
+    A layout computes the minimum height for a width that differs from the label's real width. A narrow label would cut
+    off lines.
     """
 
     def __init__(self, label: QLabel) -> None:

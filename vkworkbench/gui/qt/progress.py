@@ -100,7 +100,7 @@ class _Progress:
     def __init__(self, title: str, text: str, parent: QWidget) -> None:
         self._dialog = dialog_of(title, text, parent, delay=_DELAY)
         self._dialog.setMinimumWidth(_WIDTH)
-        self._dialog.setMaximum(0)  # an unknown time
+        self._dialog.setMaximum(0)  # the dialog shows that the duration is unknown
         self._dialog.setValue(0)
 
     def close(self) -> None:

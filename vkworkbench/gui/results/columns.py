@@ -17,7 +17,7 @@ from vkworkbench.language import ROUGH
 
 OPERATION, STRATEGY, WARNINGS, STATE, LENGTH = "operation", "strategy", "warnings", "state", "length"
 REASON = "reason"
-_SUM = 0.1  # share of a total by which it may differ from the sum without a note
+_SUM = 0.1  # a note appears if a job's total differs from the sum of its operations by a larger share
 
 
 @dataclass(frozen=True)
@@ -196,7 +196,7 @@ def _of_simulator(simulator: Simulator) -> tuple[Column, Column]:
 
 
 def _of_advice(simulator: Simulator) -> Column:
-    """Return the column with the finest setting of a simulator within the budgets; zeros if no setting is within them."""
+    """Return the column with the finest setting of a simulator within the budgets; zeros if no setting is."""
     advice, text = simulator.advice, partial(FreeCAD.Qt.translate, "Vk_Results")
 
     def numbers(row: Row) -> tuple[int, ...] | None:

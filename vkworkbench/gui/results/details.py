@@ -89,7 +89,7 @@ def _machining(row: Row) -> list[tuple[str, str, str]]:
     cells = [(translate("Vk_Results", "Cutting Length"), length(row.found.length), "")]
     if row.is_total:
         return cells
-    if isinstance(row.found, OperationReport):  # a mark does not store these
+    if isinstance(row.found, OperationReport):  # a mark does not store these lengths
         machining = row.found.machining
         cells.append((translate("Vk_Results", "Rapid Length"), length(machining.rapid_length), ""))
         if machining.depth is not None:

@@ -11,7 +11,7 @@ _MIN_ROWS = 2  # visible rows; if there is less room, the titles are hidden
 
 
 class FrozenTree(QTreeView):
-    """A tree that shows its first column in a second tree above itself while it is scrolled sideways.
+    """A tree that shows its first column in a second tree, which covers the column while the tree is scrolled sideways.
 
     Parameters
     ----------

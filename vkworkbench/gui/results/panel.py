@@ -38,7 +38,7 @@ from vkworkbench.gui.results.model import VALUE, ResultsModel, ResultsOrder
 from vkworkbench.gui.results.rows import Row, rows_of
 from vkworkbench.report import Cancelled, is_switched_off
 
-_MAX_WIDTH = {"operation": 260, "warnings": 420}  # px; the tooltip shows all of a longer text
+_MAX_WIDTH = {"operation": 260, "warnings": 420}  # px; the tooltip shows a longer text in full
 _MIN_LINES = 3  # minimum height of tree and details, in lines of text
 
 
@@ -127,7 +127,7 @@ class ResultsDock(QDockWidget):
         preferences.write(result_columns=",".join(changed))
 
     def _show_columns(self) -> None:
-        """Show the chosen columns, the state only if a row is outdated."""
+        """Show the chosen columns. The state column also needs an outdated row."""
         outdated = any(row.outdated for job in self.model.rows for row in (job, *job.rows))
         for number, action in enumerate(self._choices, 1):
             shown = action.isChecked() and (outdated or self.model.columns[number].key != STATE)
@@ -136,7 +136,7 @@ class ResultsDock(QDockWidget):
 
     def _fit_columns(self) -> None:
         for number, column in enumerate(self.model.columns):
-            if self.tree.isColumnHidden(number):  # computing its costs may take long
+            if self.tree.isColumnHidden(number):  # computing the costs of a hidden column may take long
                 continue
             self.tree.resizeColumnToContents(number)
             self.tree.setColumnWidth(number, min(self.tree.columnWidth(number), _MAX_WIDTH.get(column.key, 1000)))

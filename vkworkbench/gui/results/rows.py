@@ -109,13 +109,13 @@ def _operation(finding: Finding, chosen: Preferences) -> Row:
 
 def _job(job, findings: list[Finding], chosen: Preferences) -> Row:
     counted = [finding for finding in findings if finding.operation.counted]
-    # Advice needs all numbers, and marks do not store all.
+    # Advice needs full reports, because marks do not store all numbers.
     budget = None if any(finding.report is None for finding in counted) else chosen.budget
     numbers = [finding.report or finding.mark for finding in counted]
     total = total_of(job.Document.Name, job.Name, job.Label, numbers, budget, fixtures_of(job))
     posted = Counter(o.job.Name for o in find(job.Document) if o.counted and o.job is not None)[job.Name]
     if budget is None and len(counted) == posted:
-        mark = marks.read_total(job)  # it was computed with all numbers
+        mark = marks.read_total(job)  # the total in the mark was computed from full reports
         total = replace(total, costs={**total.costs, **mark.costs}) if mark else total
     outdated = marks.is_outdated(job) or any(finding.mark.outdated for finding in counted)
     # Like the mark of the job, but without computing the costs in simulators that are not shown.

@@ -102,7 +102,7 @@ def by_time(zbuffer: ZBuffer, job: Job) -> Coloring:
 
 
 def by_removal_rate(zbuffer: ZBuffer, job: Job) -> Coloring:
-    """Colour from 0 to the rate that is exceeded for 1 % of the volume only."""
+    """Colour by removal rate, from 0 to the rate that only 1 % of the removed volume exceeds."""
     volumes = job.volumes
     rates = job.clock.rates(volumes)
     order = np.argsort(rates)

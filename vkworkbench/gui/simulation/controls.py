@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The rows of controls: the view of the part above it, the moment below it."""
+"""The rows of controls: above the part for its view, below the part for the shown moment."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ from vkworkbench.gui.simulation.coloring import COLORINGS, by_difference
 from vkworkbench.gui.simulation.faults import Fault
 from vkworkbench.gui.simulation.widgets import PAUSE, PLAY, Legend, SymbolButton
 
-# Playing speeds, as multiples of the machine's; None plays the whole job in _WHOLE seconds.
+# Playback speeds, as multiples of the machine's speed. None plays the whole job in _WHOLE seconds.
 _SPEEDS = (1, 10, 100, 1000, None)
 _WHOLE = 30.0
 _VIEWS = (
@@ -48,7 +48,7 @@ _AXES = "XYZ"
 PART, CHIPS, BOTH = range(3)
 GAP = 4  # px between rows, and within them
 _MIN_LETTERS = 4  # minimum width of a box, in letters
-_BORDERS = 60  # px beside an entry of a list
+_BORDERS = 60  # px that a menu needs beside the text of an entry
 
 
 class SceneBar(QWidget):
@@ -61,7 +61,7 @@ class SceneBar(QWidget):
     recolored, chosen : Signal
         The user changed the colouring or tolerance; the user changed the chips.
     hinted, pointed : Signal of Fault
-        The pointer is on a fault in a list; the user chose it.
+        The pointer is on a fault in a list; the user chose a fault.
     saved : Signal of object
         The user asked to save; the argument is a function of `exports`.
     measure, path : QAction
@@ -69,7 +69,7 @@ class SceneBar(QWidget):
     section : SectionBar
         The row of the section.
     controls, differences : QWidget
-        The permanent row; the row for differences from the model, if surfaces are coloured by them.
+        The permanent row; the row that is shown while surfaces are coloured by their difference from the model.
     """
 
     looked, saved = Signal(object), Signal(object)
@@ -199,7 +199,7 @@ class SectionBar(QWidget):
     Attributes
     ----------
     axis : int or None
-        Axis at right angles to the section; None without a section.
+        Axis perpendicular to the section; None without a section.
     changed : Signal
         The section has moved, begun or ended.
     """
@@ -226,7 +226,7 @@ class SectionBar(QWidget):
         return self.slider.value() / self._STEPS
 
     def begin(self, axis: int | None) -> None:
-        """Show a section at right angles to an axis, or none."""
+        """Show a section perpendicular to an axis; None removes the section."""
         self.axis = axis
         self.changed.emit()
 
@@ -279,7 +279,7 @@ class PlayBar(QWidget):
             layout.addWidget(widget)
 
     def speed(self, total: float) -> float:
-        """Return the chosen playing speed for a job of `total` s, as a multiple of the machine's."""
+        """Return the chosen playback speed for a job of `total` s, as a multiple of the machine's speed."""
         return _SPEEDS[self.speeds.currentIndex()] or total / _WHOLE
 
     def show_playing(self, plays: bool) -> None:

@@ -71,7 +71,7 @@ def save_frames(player) -> None:
 
 
 def _new_folder(parent: Path, document: str) -> Path:
-    """Create a folder for the pictures of a document, with a number if one exists."""
+    """Create a folder for the pictures of a document. If the name exists, append a number."""
     name = translate("Vk_Simulate", "{} pictures").format(document)
     numbered = chain([name], (f"{name} {number}" for number in count(2)))
     folder = next(folder for folder in map(parent.joinpath, numbered) if not folder.exists())
@@ -89,7 +89,7 @@ def write_frames(player, folder: Path, number: int, going_on: Callable[[int], bo
     number : int
         Number of pictures.
     going_on : callable
-        Called before each picture with the number of written ones; False ends the work.
+        Called before each picture with the number of written pictures; False ends the work.
 
     Returns
     -------

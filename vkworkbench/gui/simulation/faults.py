@@ -155,7 +155,7 @@ class KnownFaults:
         return translate("Vk_Simulate", "{} (X {} Y {} Z {} {})").format(self.text(fault), x, y, z, unit)
 
     def marks(self, found: list[Fault]) -> tuple[Warned, ...]:
-        """Return faults as marks on the time line. Missing stock has no moment."""
+        """Return faults as marks on the time line. Missing stock has no trajectory, so it gets no mark."""
         return tuple(
             Warned(
                 float(self.clock.ends[fault.trajectory + 1]),

@@ -8,7 +8,7 @@ import numpy as np
 from vkworkbench.gui.qt.sentences import user
 from vkworkbench.gui.qt.text import translate
 
-_DIGITS = 4  # of a length
+_DIGITS = 4  # digits of a shown length
 
 
 class Measuring:
@@ -30,7 +30,7 @@ class Measuring:
         self.points: tuple[np.ndarray, ...] = ()
 
     def add(self, point: np.ndarray) -> None:
-        """Add a point; a third one begins again."""
+        """Add a point. A third point starts a new measurement."""
         self.points = (*self.points, point) if len(self.points) == 1 else (point,)
 
     def depth(self, point: np.ndarray) -> str:

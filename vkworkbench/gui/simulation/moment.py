@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The machine's time of a job, and the moment that is shown: chosen, stepped to, or played."""
+"""The machine's time of a job, and the shown moment, which the user chooses, steps to or plays."""
 
 from __future__ import annotations
 

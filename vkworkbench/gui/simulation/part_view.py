@@ -64,7 +64,7 @@ def action(buttons, modifiers) -> str | None:
 
 _TURN_SPEED = 0.008  # rad for each pixel of the mouse
 _ZOOM = 1.2  # factor for each notch of the wheel
-_RING = 14  # radius, px
+_RING = 14  # radius of the ring around a shown place, px
 _MARGIN = 1.06  # size of the image relative to the stock
 _SCALE, _SCALE_GAP = 120, 8  # longest scale bar, and its distance from the corner, px
 _TRIAD, _LETTER = 26, 12  # length of the drawn axes, and the distance of their letters, px
@@ -98,7 +98,7 @@ class PartView(QWidget):
     Attributes
     ----------
     changed, resized : Signal
-        The view has changed, also by another size of the widget.
+        The view has changed, for example because the widget has another size; the widget has another size.
     asked : Signal of Surface
         The user clicked on a surface.
     restyled : Signal
@@ -183,7 +183,7 @@ class PartView(QWidget):
         ratio = self.devicePixelRatioF()
         painter.save()
         painter.scale(1 / ratio, 1 / ratio)
-        # The scene of the latest change is still being drawn; its place shows where the part is going.
+        # Until the scene of the latest change is drawn, show the previous scene at its place in the new view.
         wanted = self.frame
         painter.drawImage(self._place(wanted), self._image)
         if self._place_shown is not None:
@@ -219,7 +219,7 @@ class PartView(QWidget):
         painter.drawText(QPointF(left + _SCALE_GAP / 2, bottom - _SCALE_GAP / 2), user().measure(length, 1))
 
     def _paint_axes(self, painter: QPainter, frame: Frame) -> None:
-        """Paint the directions of X, Y and Z, the nearest to the eye last."""
+        """Paint the directions of X, Y and Z. The axis that points most towards the eye is painted last."""
         painter.setRenderHint(QPainter.Antialiasing)
         centre = QPointF(self.width() - _TRIAD - _LETTER, self.height() - _TRIAD - _LETTER)
         axes = zip(frame.direction, frame.right, frame.up, "XYZ", _AXIS_COLORS)
@@ -277,7 +277,7 @@ class PartView(QWidget):
                 self.asked.emit(surface)
 
     def surface_at(self, where) -> Surface | None:
-        """Return the surface at a pixel; None for the background, or before a scene."""
+        """Return the surface at a pixel; None for the background, or before the first scene."""
         if self._scene is None:
             return None
         ratio = self.devicePixelRatioF()
@@ -293,7 +293,7 @@ class PartView(QWidget):
     def wheelEvent(self, event) -> None:
         factor = _ZOOM ** (event.angleDelta().y() / 120)
         at = event.position()
-        # The point below the pointer stays there.
+        # Keep the point under the pointer at its place.
         x, y = at.x() - self.width() / 2, self.height() / 2 - at.y()
         self._shift(x, y)
         self._zoom = min(max(self._zoom * factor, 0.2), 200.0)

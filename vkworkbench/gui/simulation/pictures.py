@@ -54,7 +54,7 @@ class Drawing:
         self.detail: Simulation | None = None
         self.strategies = (Strategy.UNKNOWN,) * len(job.operations)
         self._coloring: Callable[[], Coloring] = _uncolored
-        # Turning draws one moment many times.
+        # Cache one result each, because turning the view draws the same moment many times.
         self._field, self._colors = lru_cache(maxsize=1)(_field_of), lru_cache(maxsize=1)(_colors_of)
 
     @property
@@ -88,7 +88,7 @@ class Drawing:
         job = Job(tuple(o.label for o in self.job.operations), self.strategies, self.clock, self.removal.volumes,
                   self.simulated.seen, self._awaits_model, self.bar.tolerance_mm)  # fmt: skip
         make = COLORINGS[self.bar.colorings.currentIndex()][1]
-        # Computed once, for the first picture that needs it.
+        # The colouring is computed once, for the first picture that needs it.
         self._coloring = lru_cache(maxsize=None)(partial(make, self.simulation.zbuffer, job))
 
     @property
@@ -115,7 +115,7 @@ class Drawing:
         )
 
     def finest_for(self, frame: Frame) -> Simulation | None:
-        """Return the detail if it contains what an image shows. Differences from the model are known for the whole only."""
+        """Return the detail if it contains all that an image shows. Differences from the model need the whole stock."""
         if self.detail is not None and not self.bar.compares:
             seen = seen_region(frame, self.job)
             if seen is not None and region_of(self.detail.zbuffer.frame).contains(seen):
@@ -123,7 +123,7 @@ class Drawing:
         return self.simulation
 
     def _section(self, frame: Frame) -> Section | None:
-        """Return the chosen section, which hides the side of the eye."""
+        """Return the chosen section, which hides the stock between the section and the eye."""
         axis = self.bar.section.axis
         if axis is None:
             return None
@@ -164,7 +164,7 @@ class Picture:
     scene : callable
         Returns the coloured scene of a field in a frame.
     paths : tuple of (n, 3) ndarray
-        Paths to draw: the one done, and the one to come; empty for none.
+        Paths to draw: the finished path, and the path to come; empty for none.
     tool : tuple of Tool and (3,) ndarray
         The tool, and the position of its tip, mm.
     frame : Frame
@@ -214,8 +214,8 @@ def _uncolored() -> Coloring:
     return Coloring(palette(CUT), tuple)
 
 
-SMOOTH = 2  # pixels along each side of which a pixel of a resting picture is the mean
-_REST = 150  # ms without a change until a picture rests
+SMOOTH = 2  # each pixel of a smooth picture is the mean of SMOOTH x SMOOTH pixels
+_REST = 150  # ms without a change after which the picture is drawn smoothly
 _LOOK = 3  # ms between two checks whether a picture was drawn
 
 
@@ -243,7 +243,7 @@ class Pictures(QObject):
         self._background = Background(self, _LOOK)
         self._smoothing = Background(self, _LOOK)
         self._rest = single_shot(self._smooth, self, _REST)
-        self._changed = False  # since drawing of the last picture began
+        self._changed = False  # whether anything has changed since drawing of the last picture began
         self._legend: Callable[[], Entries] | None = None  # the shown legend
 
     @property

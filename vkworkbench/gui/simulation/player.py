@@ -29,7 +29,7 @@ from vkworkbench.gui.simulation.time_line import Block, TimeLine
 from vkworkbench.gui.simulation.widgets import StateLine
 
 _PART = 120  # minimum height of the part, px; optional rows are hidden if it would be lower
-_CLOSER = 400  # ms without another view until the visible part is simulated more finely
+_CLOSER = 400  # ms without a change of the view after which the visible part is simulated more finely
 _TICK = 20  # ms between two updates
 
 
@@ -173,7 +173,7 @@ class Player(QWidget):
         return self._work.works or self._begin.isActive()
 
     def _sized(self) -> None:
-        """Simulate when the first sizes of the part are settled. Another size needs no other simulation."""
+        """Simulate when the first sizes of the part are settled. Later sizes do not need a new simulation."""
         if self._simulating is None:
             self._begin.start()
 
@@ -224,7 +224,7 @@ class Player(QWidget):
         self.state.show_end(self.job.remarks, error)
 
     def _take(self, done: Simulated | Findings) -> None:
-        if self.simulation is None:  # after the first picture
+        if self.simulation is None:  # recognise once, when the first simulation is finished
             self._recognize()
         self.drawing.take(done)
         if isinstance(done, Simulated):

@@ -36,9 +36,10 @@ from vkworkbench.language import Message, Unusable
 ABOVE = (0.0, 0.0, -1.0)
 # Smallest vertical part of the direction of views with details: a flatter view shows most of the stock.
 _FLATTEST = 0.2
-# Largest pixel of a detail, as a share of the pixel that is shown before; and cells around the visible part.
+# Largest pixel of a detail, as a share of the pixel of the shown simulation. Number of cells around the visible part.
 _FINER, _MARGIN = 0.7, 3
-# Rays of the coarse image, as a share of the rays of the finest, and smallest number of rays: fewer show nothing.
+# Rays of the coarse image, as a share of the finest image's rays. Minimum number of rays, so that the part is
+# recognisable.
 _COARSE, _FEWEST = 1 / 25, 2000
 
 
@@ -202,7 +203,7 @@ class Region(NamedTuple):
 
 
 def seen_region(frame: Frame, job: SimulatedJob) -> Region | None:
-    """Return the part of the stock that an image can show; None if it shows nothing, or from too flat."""
+    """Return the part of the stock that an image can show; None without stock, or if the view is too flat."""
     if abs(frame.direction[2]) < _FLATTEST:
         return None
     half = np.array([frame.width, frame.height]) * frame.pixel / 2

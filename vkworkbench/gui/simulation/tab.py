@@ -169,7 +169,7 @@ class SimulationTab(KeyedWidget):
 
     def _compare(self) -> None:
         """Compare the document with the simulated job soon. Until then, marks and results do not show the faults."""
-        if self.player is not None:  # otherwise it is compared after reading
+        if self.player is not None:  # a job that is still being read is compared afterwards
             self.player.known.follow(False)
             self._soon.start()
 

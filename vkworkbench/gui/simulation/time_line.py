@@ -32,7 +32,7 @@ from vkworkbench.gui.simulation.widgets import KeyedWidget
 
 _CURVE, _AIR, _BLOCKS, _BELOW = 34, 4, 20, 8  # heights in px, from top to bottom; the curve shrinks if room is short
 _MIN_CURVE = 12  # px
-_MARK = 5.0  # px; half the width of a warning
+_MARK = 5.0  # px; half the width of a warning triangle
 _APART = 5  # px; minimum mean width of trajectories that are separated by lines
 _ZOOM = 1.4  # factor for each notch of the wheel
 _MAX_WARNINGS = 10  # in a tooltip
@@ -74,7 +74,7 @@ class Warned:
     ----------
     seconds : float
     text : callable
-        Returns plain text. A function, because few of many texts are read.
+        Returns plain text. A function, because the user reads few of many texts.
     color : str
         ``"#rrggbb"``.
     """
@@ -106,7 +106,7 @@ class TimeLine(KeyedWidget):
         self._warned: tuple[Warned, ...] = ()
         self._ends = self._volumes = self._air = np.empty(0)
         self._curve: tuple[QSize, QPolygonF, np.ndarray] | None = (
-            None  # the size for which it was computed, the area, and the share of air cuts by column
+            None  # the widget's size, the area below the curve, and the share of air cuts by column
         )
         self.keys = {key: partial(self._move_on, share) for key, share in _KEYS.items()}
         self.setMinimumHeight(_MIN_CURVE + _AIR + _BLOCKS + _BELOW)

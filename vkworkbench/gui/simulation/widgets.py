@@ -58,7 +58,8 @@ class KeyedWidget(QWidget):
 
 
 PLAY, PAUSE = "play", "pause"
-# Lines in a square from -1 to 1 for steps of the three kinds. Closed lines are filled. Steps back are mirror images.
+# Lines of the symbols in a square from -1 to 1: three kinds of steps, play and pause. Closed lines are filled. Steps
+# back are mirror images.
 _CHEVRON = [(-0.3, -0.6), (0.3, 0.0), (-0.3, 0.6)]
 _TRIANGLE = [(-0.6, -0.7), (0.6, 0.0), (-0.6, 0.7), (-0.6, -0.7)]
 _LINES = {
@@ -71,7 +72,7 @@ _LINES = {
 
 
 class SymbolButton(QToolButton):
-    """A button with a symbol in the colour of the theme's text. The icons of styles are for light themes only.
+    """A button with a symbol in the colour of the theme's text. The icons of Qt's styles suit light themes only.
 
     Attributes
     ----------
@@ -114,7 +115,7 @@ _MAX_NAMES = 12
 
 
 class Legend(QWidget):
-    """Colours with their names, in as many lines as needed. Long names are shortened; the tooltip has all of them.
+    """Colours with their names, in as many lines as needed. Long names are shortened; the tooltip shows them in full.
 
     Attributes
     ----------

@@ -32,12 +32,12 @@ def panels() -> list[QWidget]:
 
 
 def simulator_of(panel: QWidget) -> str:
-    """Return the name of the simulator that has this panel: the legacy one alone has a fast-forward."""
+    """Return the name of the simulator that has this panel. Only the legacy simulator has a button for fast-forward."""
     return "OpenGL" if panel.findChild(QToolButton, "toolButtonFF") is None else "legacy"
 
 
 def chosen_in(panel: QWidget) -> tuple[object, list]:
-    """Return the job that is chosen in a simulator's panel and its operations that are ticked; without operations if they are unknown."""
+    """Return the chosen job and the ticked operations of a simulator's panel; no operations if they are unknown."""
     jobs = FreeCAD.ActiveDocument.findObjects("Path::FeaturePython", "Job.*")
     job = jobs[panel.findChild(QComboBox, "comboJobs").currentIndex()]
     operations = [obj for obj in freecad.OPERATIONS.of(job).OutList if is_active(obj)]

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """A line over the 3D view when a started simulator of FreeCAD would hang or take too long.
 
-The line blocks nothing and offers a faster way. Its text comes from marks that are not outdated.
+The line does not block the window, and offers a faster way. Its text comes from marks that are not outdated.
 """
 
 from __future__ import annotations
@@ -99,8 +99,8 @@ class OpenPanel(QObject):
         self._line.hide()
         self._line.way.clicked.connect(self._take)
         self._line.close_button.clicked.connect(self._end)
-        self._changed = single_shot(self._say, self)  # a whole list of ticks changes at once
-        self._open = QTimer(self)  # no signal of the panel: PySide would keep the deleted widget
+        self._changed = single_shot(self._say, self)  # all ticks of a list may change at once
+        self._open = QTimer(self)  # not a signal of the panel, because PySide would keep the deleted widget
         self._open.timeout.connect(self._look)
         self._open.start(_LOOK)
         panel.findChild(QListWidget, "listOperations").itemChanged.connect(lambda item: self._changed.start())
@@ -133,14 +133,14 @@ class OpenPanel(QObject):
         """Start the faster way."""
         way, panel = self._found.way, next(iter(simulator_panels.panels()), None)
         self._end()
-        if panel is None:  # closed since the last look
+        if panel is None:  # the panel was closed since the last check
             return
         if way == self._simulator:
             panel.findChild(QToolButton, "toolButtonFF").click()
             return
         job, operations = simulator_panels.chosen_in(panel)
         simulator_panels.close()
-        # Once the panel is gone.
+        # Start after FreeCAD has removed the panel.
         QTimer.singleShot(0, lambda: _start(way, job, operations))
 
 

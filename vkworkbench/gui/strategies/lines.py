@@ -18,7 +18,7 @@ from vkworkbench.gui.qt.names import QColor
 
 _NAME = "VkStrategies"
 _WIDTH, _SELECTED_WIDTH, _RAPID_WIDTH = 3, 6, 1  # px
-_DEPTH = 0.9995  # end of the depth range, which draws in front of FreeCAD's lines at the same place
+_DEPTH = 0.9995  # end of the depth range; below 1, lines are drawn in front of FreeCAD's lines at the same place
 _SKETCHED = 20_000  # trajectories; a longer toolpath is drawn as a sketch of this size first
 _CELLS = 200  # cells of the sketch along its longest side
 _BATCH = 20_000  # points converted to Python numbers in one step

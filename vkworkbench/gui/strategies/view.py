@@ -126,7 +126,7 @@ class _Drawer:
             key = next(iter(self._pending))
             del self._pending[key]
             obj = _object(key)
-            if obj is not None and _groups(obj):  # otherwise FreeCAD draws nothing either
+            if obj is not None and _groups(obj):  # without a group, FreeCAD does not draw the object
                 batch.append((key, source_of(obj)))
         self._at_work = [key for key, _ in batch]
         if batch:

@@ -19,7 +19,7 @@ _TREE_PREFERENCES = "User parameter:BaseApp/Preferences/TreeView"
 _DOCK_WIDTH = 36
 _NAMES_WIDTH = 18
 _LIMITED = "VkNamesBound"  # property of a tree whose first column no longer follows its contents
-_MAX_SHARE = 0.45  # of the window's width, to leave room for the 3D view
+_MAX_SHARE = 0.45  # largest width of the dock as a share of the window's, to leave room for the 3D view
 
 _trees: list[QTreeView] = []  # references that keep the wrappers of the trees' children alive
 
@@ -36,7 +36,7 @@ class _Sight(QObject):
     def __init__(self, work: Callable[[], object]) -> None:
         super().__init__(Gui.getMainWindow())
         self._work = work
-        self._seen = single_shot(self._do, self)  # later, when its dock has its size
+        self._seen = single_shot(self._do, self)  # delayed until the tree's dock has its size
         for view in trees():
             view.viewport().installEventFilter(self)
 
@@ -110,8 +110,8 @@ def fit_description(least: int) -> None:
         precision = header.resizeContentsPrecision()
         for column in (0, DESCRIPTION):
             if header.sectionResizeMode(column) != QHeaderView.ResizeToContents:
-                # Only during this call. Otherwise automatic columns would follow the visible rows, which change with the scroll
-                # bar, and the layout would never end.
+                # Use this precision only during this call. Otherwise automatic columns would follow the visible rows,
+                # which change with the scroll bar, and the layout would never end.
                 header.setResizeContentsPrecision(0)
                 tree.resizeColumnToContents(column)
                 header.setResizeContentsPrecision(precision)
@@ -121,7 +121,7 @@ def fit_description(least: int) -> None:
 
 
 def _limit_names(tree: QTreeView, least: int) -> None:
-    """Limit the column of names so that the Description gets `least` px, if the names keep their usual width."""
+    """Limit the column of names so that the Description gets `least` px, but leave the names their usual width."""
     header, line = tree.header(), tree.fontMetrics().lineSpacing()
     most = max(tree.viewport().width() - least, _NAMES_WIDTH * line)
     if tree.sizeHintForColumn(0) > most:

@@ -66,7 +66,7 @@ def _machining(record: Record) -> str:
 
 
 def _simulation(record: Record, name: str) -> str:
-    """Return time and memory of one simulator. A rough estimate of the time has its range."""
+    """Return time and memory of one simulator. A rough estimate of the time is shown with its range."""
     seconds, memory = record.cost(name)
     factor, reader = record.factor(name), user()
     time = reader.estimated_time(seconds, factor)

@@ -27,7 +27,7 @@ from vkworkbench.preferences import Preferences
 from vkworkbench.report import is_switched_off
 
 _PADDING = 6  # px within a pill, left and right
-_SPACE = "\u00a0"  # Qt neither stretches nor drops it
+_SPACE = "\u00a0"  # Qt neither stretches nor drops a no-break space
 
 
 @dataclass(frozen=True)
@@ -62,7 +62,7 @@ class Layout:
         The text that the style paints, with gaps.
     pieces : list of Piece
     needed : int
-        Minimum width, px. What is behind it may be cut off.
+        Minimum width, px. Text beyond this width may be cut off.
     """
 
     def __init__(self, metrics) -> None:

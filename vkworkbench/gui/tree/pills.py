@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Show marks as pills in the tree's Description column: the strategy on its colour, with the simulation time beside it.
 
-A delegate without state paints the pills from the data of the marks, so that recompute, undo, renaming, reopening and changed
-preferences need no special care. The style still paints the text, in the colours of its theme, with gaps for the pills.
+A delegate without state paints the pills from the data of the marks. Therefore nothing has to be updated after a
+recompute, an undo, a renaming, a reopening or a change of preferences. The style still paints the text, in the colours
+of its theme, with gaps for the pills.
 """
 
 from __future__ import annotations
@@ -36,7 +37,7 @@ from vkworkbench.gui.tree import column
 from vkworkbench.gui.tree.explanation import explanation
 from vkworkbench.gui.tree.layout import Layout, layouts
 
-_MARGINS = 16  # px; of a cell's text, left and right
+_MARGINS = 16  # px; left and right margin of a cell's text together
 _REMARK_LENGTH = 40  # characters of a remark that fit in the default width of the column
 
 
