@@ -1,2 +1,2 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""FreeCAD documents: the only place that reads or writes them."""
+"""The only package that reads or writes FreeCAD documents."""

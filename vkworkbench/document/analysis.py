@@ -46,7 +46,7 @@ from vkworkbench.language import Message, Unusable
 from vkworkbench.preferences import Preferences
 from vkworkbench.report import Cancelled, OperationReport, Report, extent_of, setup_of, with_travel, without_results
 
-_WAIT = 0.02  # s between two calls of `cancelled`
+_WAIT = 0.02  # seconds between two calls of `cancelled`
 
 
 def analyze(
@@ -77,8 +77,8 @@ def analyze(
     Returns
     -------
     Report
-        One row for each operation. An error in an operation is reported in its row, and the others are still analysed. An
-        operation that is deleted during the analysis has no row.
+        One row for each operation. An error in an operation is reported in its row, and the other operations are still
+        analysed. An operation that is deleted during the analysis has no row.
 
     Raises
     ------
@@ -144,7 +144,7 @@ def analyze(
 def _estimate_shown(
     rows: list[OperationReport], wholes: list[list[OperationReport]], simulators: tuple[str, ...], going_on: Callable
 ) -> None:
-    """Compute the costs that are shown now. Costs are computed at the first use, and a window would have to wait."""
+    """Compute the costs that will be shown. A cost is computed at its first use, which would make a window wait."""
     of_jobs = [
         together([o.costs for o in whole], labels=[o.label for o in whole], stepover=None)[0] for whole in wholes
     ]
@@ -234,7 +234,7 @@ def _analysed(
     if inches:
         remarks.append(Message("inches-as-millimetres"))
     cuts = found.strategy is not Strategy.EMPTY
-    if not cuts:  # remarks on tool and stock would miss the point
+    if not cuts:  # remarks on tool and stock do not explain the missing cuts
         remarks = _why_empty(reading, toolpath)
     elif tool and not stock:
         remarks.append(Message("box-of-cuts"))
@@ -282,7 +282,7 @@ def _why_empty(reading: Reading, toolpath: Toolpath) -> list[Message]:
 def _misfits(
     toolpath: Toolpath, tool: Tool, stock: Solid, costs: Mapping[str, Cost], *, finished: bool
 ) -> list[Message]:
-    """Return remarks if tool or stock do not fit the toolpath. `finished`: the stock equals the model."""
+    """Return remarks if tool or stock do not fit the toolpath. `finished` says whether the stock equals the model."""
     too_wide = tool.diameter > max(stock.upper[0] - stock.lower[0], stock.upper[1] - stock.lower[1])
     at_it = cuts_surely(toolpath, stock) or (too_wide and may_cut(toolpath, tool, stock))
     if not at_it and costs[ZBUFFER.name].traces == 0:  # evaluated last, because it computes an estimate

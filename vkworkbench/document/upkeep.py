@@ -18,7 +18,7 @@ from vkworkbench.report import Cancelled, Report
 
 
 class Upkeep(Watcher):
-    """A watcher that also analyses outdated operations again after a recompute. In a window, the workbench does this."""
+    """A watcher that, without a window, also analyses outdated operations again after a recompute."""
 
     def slotRecomputedDocument(self, document) -> None:
         super().slotRecomputedDocument(document)

@@ -1,2 +1,2 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The window: the only place that sees Qt."""
+"""The window: the only package that uses Qt."""

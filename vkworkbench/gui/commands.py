@@ -50,7 +50,7 @@ class AnalyzeCommand(DocumentCommand):
         except Unusable as error:
             _status(sentence(error.what))
             return
-        if is_gone(document):  # closed during the analysis
+        if is_gone(document):  # the document was closed during the analysis
             return
         if not report.operations:
             _inform(translate(
@@ -137,7 +137,7 @@ def _warned(report) -> tuple[int, int]:
 
 
 def _show_marks() -> None:
-    """Show the Description column at the first analysis. Later the user decides about the column."""
+    """Show the Description column at the first analysis. After that, the user decides about the column."""
     column.bring_to_view()
     if not FreeCAD.ParamGet(GROUP).GetBool("DescriptionShown", False):
         column.when_seen(_show_description)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Measure this computer when the user pauses after the first analysis, and then refresh the times in the marks."""
+"""Measure this computer when the user pauses after the first analysis, and then update the times in the marks."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from vkworkbench.gui.qt.names import QApplication, QCursor, QTimer
 from vkworkbench.gui.qt.renderer import note_renderer
 from vkworkbench.report import Cancelled
 
-_PAUSE = 1500  # ms without a motion of the pointer
+_PAUSE = 1500  # ms without a motion of the pointer that count as a pause
 
 
 class _Measurement:
@@ -74,7 +74,7 @@ _measurement: _Measurement | None = None
 
 
 def measure_once() -> None:
-    """Measure this computer at the next pause of the user, if it was never measured. Tried once in a session."""
+    """Measure this computer at the next pause of the user, if it was never measured; once in a session."""
     global _measurement
     if _measurement is None and calibration.load(note_renderer()) is None:
         _measurement = _Measurement()

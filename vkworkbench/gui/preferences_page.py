@@ -56,7 +56,7 @@ class PreferencesPage(FormPage):
         try:
             progress.calibrate(self.form)
         except Cancelled:
-            pass  # the previous calibration stays
+            pass  # the previous calibration stays valid
         except OSError as error:
             warn(translate("VkPreferences", "Calibrate"), str(error), self.form)
         self._say_last_calibration()

@@ -23,7 +23,7 @@ ROOT = Path(__file__).resolve().parents[2]
 ICONS = ROOT / "resources" / "icons"
 TRANSLATIONS = ROOT / "resources" / "translations"
 COMMANDS = ["Vk_Analyze", "Vk_Clear", "Vk_Results", "Vk_Strategies", "Vk_GaussMap", "Vk_Simulate", "Vk_Clamps"]
-JOB_COMMANDS = ["Vk_PreviousJob", "Vk_AddMesh", "Vk_SaveStl"]  # in the menu, and in the context menu of a job
+JOB_COMMANDS = ["Vk_PreviousJob", "Vk_AddMesh", "Vk_SaveStl"]  # commands in the menu, and in the context menu of a job
 TITLE = QT_TRANSLATE_NOOP("Workbench", "Toolpath Analysis")  # title of toolbar and menu
 
 
@@ -62,12 +62,12 @@ def install() -> None:
         workbench = Gui.listWorkbenches().get(name)
         if workbench is not None:
             _extend(workbench, menu)
-    idle.use(lambda call: QTimer.singleShot(1, call))  # after 1 ms, so that other events are handled first
+    idle.use(lambda call: QTimer.singleShot(1, call))  # 1 ms lets other events go first
     FreeCAD.addDocumentObserver(_OpenedDocuments())
     FreeCAD.addDocumentObserver(_Recomputes())
     Gui.getMainWindow().workbenchActivated.connect(
         lambda name: simulator_watch.watch()
-    )  # from then on the task view exists
+    )  # the task view exists after the activation
 
 
 def _extend(workbench, menu: str) -> None:
@@ -98,7 +98,8 @@ def _extend(workbench, menu: str) -> None:
 class _OpenedDocuments:
     """Compares the marks of a document with its paths after it was opened.
 
-    Afterwards the watcher keeps the marks up to date. Only new objects are compared again, because they may be copies.
+    Afterwards the watcher keeps the marks up to date. Only new objects are compared again, because new objects can be
+    copies.
     """
 
     def __init__(self) -> None:
@@ -124,7 +125,7 @@ class _OpenedDocuments:
     def slotCommitTransaction(self, document) -> None:
         if (
             "vkworkbench.document.marks.marking" in sys.modules
-        ):  # otherwise no marks exist; a macro may also write marks
+        ):  # without this module no marks exist; with it, a macro may have written marks
             from vkworkbench.gui.tree import pills
 
             pills.show()
@@ -142,7 +143,7 @@ class _OpenedDocuments:
         opened = name in self._opened
         self._opened.discard(name)
         if any(map(may_have_mark, document.Objects)):
-            # These imports load numpy, so only for a document with marks.
+            # The imports here load numpy, so they run only for a document with marks.
             from vkworkbench.document import upkeep
             from vkworkbench.document.marks import watcher
             from vkworkbench.gui.tree import pills

@@ -44,7 +44,7 @@ _MAY_BE_ZERO = frozenset(["repaint", "facet", "refresh"])
 
 @dataclass(frozen=True)
 class Calibration:
-    """Constants measured on one computer with one FreeCAD.
+    """Constants measured on one computer with one FreeCAD version.
 
     Attributes
     ----------
@@ -155,7 +155,7 @@ def calibrate(
     clock: Callable[[], float] = processor_clock,
     going_on: Callable[[], object] = lambda: None,
 ) -> Calibration:
-    """Measure the extended z-buffer and the legacy simulator on this computer until the times are steady, and keep them.
+    """Measure the extended z-buffer and the legacy simulator on this computer until the times are steady; save them.
 
     The constants of the timer and the display cannot be measured this way; they are scaled by the time of a mesh.
 

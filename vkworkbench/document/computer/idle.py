@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Do work while FreeCAD is idle: piece by piece in a window, at once without a window."""
+"""Do work while FreeCAD is idle: in short slices with a window, at once without a window."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ import time
 from collections import deque
 from collections.abc import Callable, Iterator
 
-_SLICE = 0.03  # s of work between other events
+_SLICE = 0.03  # seconds of work before other events are handled
 
 _soon: Callable[[Callable[[], None]], None] | None = None
 _works: deque[Iterator] = deque()
@@ -22,7 +22,7 @@ def use(soon: Callable[[Callable[[], None]], None]) -> None:
 
 
 def work(steps: Iterator) -> None:
-    """Run an iterator: the first steps now, the rest when FreeCAD is idle, after the iterators that wait already.
+    """Run an iterator: the first steps now, the rest when FreeCAD is idle, after the iterators that already wait.
 
     The iterator is dropped if it meets a deleted document or object.
     """

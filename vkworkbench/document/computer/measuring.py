@@ -14,7 +14,7 @@ from PathSimulator import PathSim
 from vkworkbench.core import steady_seconds
 from vkworkbench.core.simulators import DEFAULTS, Constants
 
-# Maximum number of times that each piece of work is timed.
+# Maximum number of measurements of each time.
 _RUNS = 20
 
 
@@ -49,5 +49,5 @@ def _rough() -> PathSim:
 
 
 def as_slow_here(seconds: float, cell: float) -> float:
-    """Scale a time from the computer of the defaults to one where a mesh takes `cell` s per cell."""
+    """Scale a time of the default computer to a computer on which a mesh takes `cell` seconds per cell."""
     return seconds * cell / DEFAULTS.cell

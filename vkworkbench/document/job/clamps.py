@@ -26,7 +26,7 @@ def clamps_of(job) -> tuple:
 
 
 def set_clamps(job, clamps: Iterable) -> None:
-    """Set the clamps of a job in one undo step. They are saved with the job.
+    """Set the clamps of a job in one undo step. The clamps are saved with the job.
 
     Parameters
     ----------
@@ -40,7 +40,7 @@ def set_clamps(job, clamps: Iterable) -> None:
         If an object has no closed solid.
     """
     clamps, name = list(clamps), freecad.CLAMPS.name
-    clamp_solids(clamps)  # raises the error before anything changes
+    clamp_solids(clamps)  # raises the error before the document changes
     with transaction(job.Document, "Set Clamps"):
         if not freecad.CLAMPS.is_in(job):
             job.addProperty(_TYPE, name, "Toolpath analysis", "Objects that no tool may touch", _HIDDEN_AND_OUTPUT)

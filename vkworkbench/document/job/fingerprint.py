@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Fingerprints of operations: a mark in the tree is outdated when its operation has another fingerprint.
 
-A fingerprint covers only what the analysis depends on, with the digits that a file keeps. It stays the same after renaming,
-saving, reopening, and in another FreeCAD version.
+A fingerprint covers only what the analysis depends on, with the digits that a file keeps. The fingerprint stays the
+same after renaming, saving, reopening, and in another FreeCAD version.
 """
 
 from __future__ import annotations
@@ -22,8 +22,8 @@ from vkworkbench.document.job.previous import previous_job
 from vkworkbench.document.job.setting import exact_box, rapid_feeds, read_stock, read_tool
 from vkworkbench.document.job.solids import form_of_stock, measures_of, shapes_of_model
 
-# mm, added before the corners of a stock are rounded to 0.01 mm. Without it a usual length in mm or inches would lie halfway
-# between two rounded values, and the last digit, which differs between FreeCAD versions, would decide.
+# mm, added before the corners of a stock are rounded to 0.01 mm. Without the offset, a usual length in mm or inches
+# would be halfway between two rounded values, and the last digit, which differs between FreeCAD versions, would decide.
 _OFFSET = 3.7e-4
 
 #: Number of commands that FreeCAD writes as text in a tenth of a second, holding the GIL.
@@ -43,7 +43,7 @@ def path_fingerprint(obj) -> str:
 
 def finding_path_fingerprint(obj) -> Iterator[None]:
     """Compute the fingerprint of an object's path in steps of milliseconds; only copying the path takes longer."""
-    while PATH_PRINTS.of(obj) is None:  # until it is known, also if the path changes meanwhile
+    while PATH_PRINTS.of(obj) is None:  # the path may change while its fingerprint is computed
         token = PATH_PRINTS.begin(obj)
         path, placement, whose = obj.Path, obj.Placement, names_of(obj)
         yield

@@ -22,13 +22,13 @@ _PATTERNS = {
     "Circular": _ALONG, "CircularZigZag": {Family.ROWS}, "Grid": {Family.ROWS}, "Line": {Family.ROWS}, "Offset": _ALONG,
     "Spiral": _ALONG, "Triangle": {Family.ROWS}, "ZigZag": {Family.ROWS}, "ZigZagOffset": {Family.ROWS, Family.AROUND},
 }  # fmt: skip
-# Minimum number of rows or loops for a contradiction, except for holes. Fewer: in a pocket about as wide as the tool, every
-# pattern becomes one line or one loop, and correct operations would be flagged.
+# Minimum number of rows or loops for a contradiction, except for holes. With a lower minimum, correct operations are
+# flagged: in a pocket about as wide as the tool, every pattern becomes one line or one loop.
 MIN_PASSES = 3
 # Strategies that never contradict a pattern: in places about as wide as the tool, any pattern becomes a loop, a line or short
 # strokes in each place.
 _IN_NARROW_PLACES = (Strategy.PROFILE, Strategy.ENGRAVING)
-MIN_CONFIDENCE = 0.8  # of the recognition; below it the recognition itself may be wrong
+MIN_CONFIDENCE = 0.8  # for a contradiction; a less confident recognition can itself be wrong
 
 
 def contradicts(name: str | None, found: Recognition) -> bool:
@@ -51,7 +51,7 @@ def name_of_intent(obj) -> str | None:
 
     FreeCAD's experimental waterline clears its layers with a pattern, so contours and rows both match its name.
     """
-    if kind(obj) in ("dressup", "array"):  # they have no pattern of their own
+    if kind(obj) in ("dressup", "array"):  # dress-ups and arrays have no pattern
         return None
     name = freecad.operation_name(obj)
     if name == "Waterline" and freecad.ALGORITHM.of(obj) == "Experimental":

@@ -25,7 +25,7 @@ class Listing:
     Attributes
     ----------
     in_minutes : bool
-        Whether feeds are mm/min, as in programs. FreeCAD's own operations have mm/s.
+        Whether feeds are in mm/min, as in programs. Feeds of FreeCAD's own operations are in mm/s.
     """
 
     def __init__(self, text: str, commands: Sequence = ()) -> None:

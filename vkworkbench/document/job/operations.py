@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Find the operations of a document, by their properties and TypeId.
 
-Proxies and class names differ between FreeCAD versions and may be missing in a file of another version.
+Proxies and class names differ between FreeCAD versions, and can be missing in a file of another version.
 """
 
 from __future__ import annotations
@@ -22,11 +22,11 @@ class Operation:
     Attributes
     ----------
     object : DocumentObject
-        The object with the Path. In a job's group it may be a link; its mark is then on the linked object.
+        The object with the Path. In a job's group the object can be a link; the linked object then has the mark.
     job : DocumentObject or None
         The job of the operation; None for a toolpath that was imported without a job.
     counted : bool
-        Whether the job's total includes the operation. The total includes everything that is posted once.
+        Whether the job's total includes the operation. The total includes each posted operation once.
     active : bool
         Whether FreeCAD posts the operation: neither it nor its dressed-up base is switched off.
     """
@@ -93,7 +93,7 @@ def is_gone(what) -> bool:
     """Return whether a value is a closed document or a deleted object. A macro may still hold one."""
     try:
         return not is_document(what) and is_object(what) and not is_there(what)
-    except ReferenceError:  # FreeCAD raises it for every attribute of a closed document
+    except ReferenceError:  # every attribute of a closed document raises it
         return True
 
 
@@ -171,7 +171,7 @@ def find(what) -> list[Operation]:
     Returns
     -------
     list of Operation
-        Each object once, in the order of posting, a dress-up before its base.
+        The operations in the order of posting, each once, a dress-up before its base.
 
     Raises
     ------

@@ -19,7 +19,7 @@ class PathPrints:
 
     def __init__(self) -> None:
         self._watches = False
-        # By the names of document and object: a fingerprint, or a token while the fingerprint is being computed.
+        # Fingerprints by the names of document and object; a token while the fingerprint is being computed.
         self._kept: dict[str, dict[str, str | object]] = {}
 
     def of(self, obj) -> str | None:

@@ -57,7 +57,7 @@ def recognize_operation(toolpath: Toolpath, tool_diameter: float | None, importe
     Parameters
     ----------
     toolpath : Toolpath
-        Moved by the placement of its operation.
+        The toolpath, moved by the placement of its operation.
     tool_diameter : float or None
         mm.
     imported : bool

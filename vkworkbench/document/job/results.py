@@ -3,8 +3,8 @@
 
 `RESULTS` finds a result by all inputs of an analysis, unrounded: the text of the path, placement, tool, stock, feeds,
 preferences and calibration. An unchanged operation is therefore not analysed again. A changed operation has another
-key, so nobody has to report the change. `remember` and `latest_row` find the last result for an operation of an open
-document. Results contain all numbers; marks contain fewer.
+key, so a change does not have to be reported. `remember` and `latest_row` find the last result for an operation of an
+open document. Results contain all numbers; marks contain fewer.
 """
 
 from __future__ import annotations
@@ -19,13 +19,13 @@ import numpy as np
 
 from vkworkbench.report import OperationReport
 
-# Largest numbers of rows, and of their trajectories in all, that are stored; about half a GB.
+# Upper limits for the number of stored rows and for their trajectories in total; about half a GB of memory.
 _MAX_ROWS = 5_000
 _MAX_TRAJECTORIES = 10_000_000
 
 
 class ResultCache:
-    """Rows by keys. Above the limits, the rows that were used longest ago are dropped.
+    """A cache of rows by keys. Above the limits, the rows that were used longest ago are dropped.
 
     Parameters
     ----------
@@ -82,7 +82,7 @@ def key_of(text: str, *parts) -> Hashable | None:
 
 
 def _exactly(part):
-    """Return a value as plain data that determines it: an object by its type and attributes."""
+    """Return plain data that is equal for equal values only. An object becomes its type and attributes."""
     if part is None or isinstance(part, (bool, int, float, str)):
         return part
     if isinstance(part, np.ndarray):
@@ -96,7 +96,7 @@ def _exactly(part):
     raise TypeError(f"{type(part).__name__} has no exact text")
 
 
-_latest: dict[str, dict[str, OperationReport]] = {}  # by the names of document and operation
+_latest: dict[str, dict[str, OperationReport]] = {}  # latest rows by the names of document and operation
 
 
 class _ClosedDocuments:
@@ -120,7 +120,7 @@ def remember(rows: Iterable[OperationReport]) -> None:
 
 
 def latest_row(obj, fingerprint: str) -> OperationReport | None:
-    """Return the latest row of an operation; None without one, or if the operation had another fingerprint then."""
+    """Return the latest row of an operation; None without a row, or if the row has another fingerprint."""
     row = _latest.get(obj.Document.Name, {}).get(obj.Name)
     return row if row is not None and row.fingerprint == fingerprint else None
 

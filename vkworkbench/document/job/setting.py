@@ -24,8 +24,8 @@ _SHAPES = {
     "countersink": "vbit", "tap": "drill", "reamer": "endmill", "threadmill": "endmill", "slittingsaw": "endmill",
     "slotcutter": "endmill", "dovetail": "endmill", "radius": "endmill",
 }  # fmt: skip
-# Shapes that are simulated by a simpler one. A shape that is not convex is simulated by its hull, and the taper above a ball is
-# left out. Shapes that are not in this table are simulated as end mills.
+# Tool shapes that are simulated by a simpler shape. A shape that is not convex is simulated by its hull, and the taper
+# above a ball is left out. Shapes that are not in this table are simulated as end mills.
 _AS_END_MILL, _AS_BALL_END, _AS_DRILL = Message("as-end-mill"), Message("as-ball-end"), Message("as-drill")
 _SIMPLIFIED = {
     "taperedballnose": _AS_BALL_END, "tap": _AS_DRILL, "threadmill": _AS_END_MILL, "slittingsaw": _AS_END_MILL,
@@ -36,7 +36,7 @@ _WHOLE_EDGE = ("chamfer", "countersink")
 
 
 class ShapeCache:
-    """The results for the shapes that were used last.
+    """A cache of the results for the most recently used shapes.
 
     The shapes are stored, too. Otherwise a new shape at the memory address of a deleted one would get its result.
 
@@ -63,7 +63,7 @@ class ShapeCache:
         return self._found[-1][1]
 
 
-_exact_boxes = ShapeCache(16)  # the box of a stock with many curved faces takes 0.1 s
+_exact_boxes = ShapeCache(16)  # computing the box of a stock with many curved faces takes 0.1 s
 
 
 def controller_of(operation):
@@ -174,14 +174,14 @@ def read_stock(job) -> Stock:
 def exact_box(shape) -> tuple[tuple, tuple]:
     """Return the lower and the upper corner of a shape's exact bounding box, mm.
 
-    The shape's own `BoundBox` depends on its display mesh, and before FreeCAD 1.0 its optimal box does, too. Therefore the box
-    of a copy without the mesh is computed.
+    The shape's own `BoundBox` depends on its display mesh. Before FreeCAD 1.0, its optimal box depends on the mesh,
+    too. Therefore the box of a copy without the mesh is computed.
     """
     return _exact_boxes.of(shape, lambda: _corners(shape.copy(False, False)))
 
 
 def _corners(shape) -> tuple[tuple, tuple]:
-    if not shape.BoundBox.isValid():  # an empty compound
+    if not shape.BoundBox.isValid():  # the shape is an empty compound
         raise Unusable(Message("stock-without-volume"))
     box = shape.optimalBoundingBox(False)
     return (box.XMin, box.YMin, box.ZMin), (box.XMax, box.YMax, box.ZMax)

@@ -28,7 +28,8 @@ _ROUNDING = 1e-6
 _solids = ShapeCache(8)  # computing triangles is slow
 _forms = ShapeCache(16)
 _measures = ShapeCache(16)  # every operation of a job compares the stock with the model
-# Factor before rounding. Without it the volume of a stock with usual lengths would lie halfway between two rounded values.
+# Factor before rounding. Without the factor, the volume of a stock with usual lengths would be halfway between two
+# rounded values.
 _FACTOR = 1.0037
 
 
@@ -60,7 +61,7 @@ def form_of_stock(job, box: Stock) -> tuple:
     Returns
     -------
     tuple
-        Part of a fingerprint: a name, volume, area and centre, with five digits.
+        Part of a fingerprint: a name, the volume, the area and the centre, with five digits.
     """
     shape = freecad.SHAPE.of(freecad.STOCK.of(job))
     return _forms.of(shape, lambda: _form(shape, box))
@@ -128,7 +129,7 @@ def model_shapes(job) -> tuple:
 
 
 def model_solid(shapes: tuple) -> Mesh | None:
-    """Return the shapes as one solid; None without shapes, or if one is not closed."""
+    """Return the shapes as one solid; None without shapes, or if a shape is not closed."""
     try:
         return _mesh(shapes) if shapes else None
     except Unusable:

@@ -35,7 +35,7 @@ class WorkOffsets:
         words : Words
             The commands of the operation.
         toolpath : Toolpath
-            Their trajectories.
+            The trajectories of the operation.
         """
         rows = np.flatnonzero(np.isin(words.codes, _OFFSETS)).tolist()
         names = [self._now, *(words.names[row] for row in rows)]

@@ -37,7 +37,7 @@ class BetterWay:
 
 
 def better_way(simulator: str, records: Sequence[Record | None], chosen: Preferences) -> BetterWay | None:
-    """Return the warning for a simulator that is started on operations; None if it plays them within the time budget.
+    """Return the warning for a simulator that is started on operations; None if the time is within the budget.
 
     Parameters
     ----------
@@ -86,7 +86,7 @@ def _hangs(simulator: str, fresh: list[Record]) -> Message | None:
 
 
 def _way(simulator: str, fresh: list[Record], operations: int, chosen: Preferences) -> tuple[str, Message]:
-    """Return the first way within the budget, with its message. FreeCAD's simulators come before ours."""
+    """Return the first simulator within the time budget, and its message. FreeCAD's simulators are tried first."""
     for name in sorted(freecad.own_simulators(), key=lambda name: name != simulator):
         cost, bound = _together(name, fresh, operations)
         slow = name == simulator != LEGACY.name  # only the legacy simulator has a faster mode, fast-forward

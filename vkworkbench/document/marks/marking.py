@@ -36,7 +36,7 @@ def mark(report: Report, *, undo_step: bool = True) -> int:
     ----------
     report : Report
     undo_step : bool
-        Whether the user can undo the marks as one step. If False, earlier steps can still be redone.
+        Whether the marks become a step that the user can undo. If False, undone earlier steps can still be redone.
 
     Returns
     -------
@@ -73,7 +73,7 @@ def _mark(document, operations: list[OperationReport], verdicts: dict[str, JobVe
         obj = document.getObject(operation.name)
         if obj is not None and has_toolpath(obj):  # the mark of a link is on the linked object
             path, setting = path_and_setting(operation.fingerprint)
-            # The fingerprint of a path is empty if the path could not be read, for example for lack of memory.
+            # The fingerprint of a path is empty if the path could not be read, for example because memory was short.
             fits = setting in settings.of(obj) and (not path or path_fingerprint(obj) == path)
             marks.write(obj, operation, chosen, outdated=not fits)
             marked.add(obj.Name)

@@ -46,12 +46,12 @@ def read(obj) -> Record | None:
 
 
 def _kept(obj) -> Record | None:
-    """Return the stored mark. For an operation that was switched off, it is the earlier mark."""
+    """Return the stored mark. A switched-off operation keeps its earlier mark."""
     return record.from_json(mark_properties.mark_data(obj))
 
 
 def is_marked(obj) -> bool:
-    """Return whether an object has a mark, or remains of one."""
+    """Return whether an object has a mark, or at least one property of a mark."""
     return bool(mark_properties.ours(obj))
 
 
@@ -62,7 +62,7 @@ def is_outdated(obj) -> bool:
 
 
 def is_shown(obj) -> bool:
-    """Return whether the description contains the mark's text, or is locked. Else the user has deleted the text."""
+    """Return whether the description contains the mark's text, or is locked. If not, the user has deleted the text."""
     return any(_segments(obj)) or _is_locked(obj)
 
 
@@ -75,13 +75,13 @@ def words_of(obj) -> str:
 
 
 def with_words(obj, words: str) -> str:
-    """Return an object's description with new words before its mark."""
+    """Return an object's description with the user's new words before the mark."""
     segments = [obj.Label2[start:end].strip() for start, end in _segments(obj)]
     return " ".join(filter(None, [words.strip(), *segments[-1:]]))
 
 
 def _segments(obj) -> Iterator[tuple[int, int]]:
-    """Yield the positions of the mark in an object's description. Brackets that the user wrote do not count."""
+    """Yield the positions of the mark in an object's description. Brackets that the user wrote are skipped."""
     if not (mark_properties.may_have_mark(obj) or is_marked(obj)):
         return
     written, own = mark_properties.text_written(obj), mark_properties.own_brackets(obj)
@@ -157,13 +157,13 @@ def _is_outdated(parts: dict[Any, Record | None]) -> bool:
 
 
 def _with_estimate(obj, part: Record) -> Record:
-    """Return a mark with the z-buffer's full estimate of this session, if there is one. The total of a job needs it."""
+    """Return a mark with the z-buffer's full estimate of this session, if there is one, for the total of a job."""
     row = results.latest_row(obj, part.fingerprint) if ZBUFFER.name in part.costs else None
     return replace(part, costs={**part.costs, ZBUFFER.name: row.estimate}) if row and row.estimate else part
 
 
 def read_total(job) -> Record | None:
-    """Return the mark of a job; None if the job has other operations than when it was marked."""
+    """Return the mark of a job; None if the job's operations have changed since the mark."""
     known = read(job)
     return known if known and known.fingerprint == _total_fingerprint(job, _parts(job)) else None
 
@@ -177,7 +177,7 @@ def _total_fingerprint(job, parts: dict[Any, Record | None]) -> str:
 def refresh(obj, settings_of: Callable, *, path_changed: bool, setting_changed: bool) -> bool:
     """Add "outdated" to a mark if its operation has changed, and remove it if the change was undone.
 
-    If an operation has no toolpath because it was switched off, its mark says so and is not outdated.
+    If an operation has no toolpath because it was switched off, its mark is not outdated and shows "switched off".
 
     Parameters
     ----------
@@ -209,7 +209,7 @@ def refresh(obj, settings_of: Callable, *, path_changed: bool, setting_changed: 
 
 
 def _is_switched_off(obj) -> bool:
-    """Return whether an operation was switched off and has no toolpath. It keeps its old path until its recompute."""
+    """Return whether an operation has no toolpath because it is switched off. Until a recompute, the old path stays."""
     return not is_active(obj) and path_fingerprint(obj) == text_fingerprint("", obj.Placement)
 
 
@@ -281,7 +281,7 @@ def _is_locked(obj) -> bool:
 
 
 def erase(obj) -> None:
-    """Remove the mark and any remains of one; keep the user's own words."""
+    """Remove all properties and texts of a mark; keep the user's own words."""
     _set_description(obj, words_of(obj))
     for name in mark_properties.ours(obj):
         mark_properties.remove(obj, name)

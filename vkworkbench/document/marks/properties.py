@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The properties of a mark: a hidden one with all data, and visible ones. This module does not import numpy.
 
-All properties are read-only outputs. An ordinary property would touch its object, and FreeCAD would recompute the object.
+All properties are read-only outputs. FreeCAD would recompute an object after a change of an ordinary property.
 """
 
 from __future__ import annotations
@@ -17,12 +17,13 @@ from vkworkbench.language import ENGLISH
 QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP
 
 GROUP = "Toolpath analysis"
-# The hidden property with all data of the mark, and its earlier name, which a property of the user may have, too.
+# The hidden property with all data of the mark, and its earlier name. A property of the user can have the earlier name,
+# too.
 MARK, _EARLIER = "VkWorkbenchMark", "ToolpathMark"
 # Sums of attributes. ReadOnly (1): the user cannot change it. Hidden (4). Output (8): a change does not touch the
 # object.
 _SHOWN, _HIDDEN = 9, 13
-# Not "Length": FreeCAD's lead-in dress-up has a property of that name.
+# "CuttingLength" and not "Length", because FreeCAD's lead-in dress-up has a property "Length".
 _TYPES = {
     MARK: ("App::PropertyString", QT_TRANSLATE_NOOP("App::Property", "The text of the mark in the description.")),
     "Strategy": ("App::PropertyString", QT_TRANSLATE_NOOP(
@@ -109,7 +110,7 @@ def _group(obj, name: str) -> str:
 
 
 def may_show(obj, names: Iterable[str]) -> set[str]:
-    """Return the names that a mark may use: properties of the same name that an object already had are not overwritten."""
+    """Return the names that a mark may use: an object's own properties of the same name are not overwritten."""
     present = {name for name in names if hasattr(obj, name)}
     return set(names) - (present - set(ours(obj)) if present else set())
 

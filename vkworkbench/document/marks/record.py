@@ -15,8 +15,8 @@ from vkworkbench.core.simulators import SIMULATORS, Caution, Cost, Costs, cost_a
 from vkworkbench.language import Message, render
 from vkworkbench.report import HANGS, SERIOUS, JobVerdict, OperationReport, Setup, Total, has_unknown_cost
 
-_FORMAT = 2  # format 1 was never released
-_LARGEST = 1e15  # largest plausible number, in any unit; a larger one comes from a damaged file
+_FORMAT = 2  # format of the JSON text; format 1 was never released
+_LARGEST = 1e15  # upper limit for numbers in any unit; larger numbers come from a damaged file
 
 
 @dataclass(frozen=True)
@@ -84,7 +84,7 @@ class Record(Costs):
     off: bool = False
     text: str = ""
     label: str = ""
-    advice: ClassVar[dict] = {}  # not stored
+    advice: ClassVar[dict] = {}  # a mark does not store advice
 
     @property
     def shown(self) -> Record:
@@ -186,7 +186,7 @@ def as_json(record: Record, shown: Iterable[str] = (), own: Iterable[str] = ()) 
 
 @lru_cache(1024)
 def from_json(text: str) -> Record | None:
-    """Return the record of a text from `as_json`; None for any other text, or one of a newer format."""
+    """Return the record of a text from `as_json`; None for any other text, or for a newer format."""
     try:
         data = json.loads(text)
         json.dumps(data, ensure_ascii=False).encode()  # FreeCAD crashes on a property with an unpaired surrogate
@@ -237,7 +237,7 @@ def _setup(tool: Any = "", planned: Any = False, change: Any = 0.0, spindle: Any
 
 
 def _messages(data: Any) -> tuple[Message, ...]:
-    """Return messages; raise for a message that this version cannot render."""
+    """Return messages; raise an error for a message that this version cannot render."""
     messages = tuple(map(Message.from_data, data))
     for message in messages:
         render(message)

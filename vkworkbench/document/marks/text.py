@@ -15,12 +15,12 @@ OPENING, CLOSING, SEPARATOR, OUTDATED = "⟦", "⟧", " · ", "outdated"
 SWITCHED_OFF = "switched off"
 SIMULATION, WARNING = "sim", "⚠"
 UNSURE = 0.8  # a mark shows the confidence only if it is lower than this
-_NEAR = 0.5  # share of the time budget from which a time is "near"
+_NEAR = 0.5  # share of the time budget above which a time is NEAR
 _LONGEST_REMARK = 120  # characters of the remarks in a document; the window shows as many as fit
 
 
 class Burden(IntEnum):
-    """How a simulation's time compares with the budget of the preferences."""
+    """Result of comparing a simulation's time with the time budget of the preferences."""
 
     FINE, NEAR, OVER = range(3)
 
@@ -39,7 +39,7 @@ def is_serious(caution: Caution, chosen: Preferences) -> bool:
 
 def is_warned(record: Record, chosen: Preferences) -> bool:
     """Return whether tree, tooltip and results show a warning for the simulator of the preferences."""
-    if is_switched_off(record):  # by the user, who needs no warning
+    if is_switched_off(record):  # the user switched the operation off and needs no warning
         return False
     if record.verdict is not None and not record.verdict.is_sound:
         return True

@@ -21,7 +21,7 @@ from vkworkbench.document.marks import marks
 from vkworkbench.document.marks.properties import is_mark, may_have_mark
 
 _ON_OPERATION = freecad.names_in_fingerprint("path")
-# Changes of a tool, stock or group concern operations and jobs that use it.
+# Properties of tools, stocks and groups. Their changes concern all operations and jobs that use the object.
 _ON_SETTING = freecad.names_in_fingerprint("setting")
 
 
@@ -34,14 +34,14 @@ class Watcher:
         self._new: dict[str, set[str]] = {}
 
     def slotCreatedObject(self, obj) -> None:
-        # A document that is being opened is restoring but not importing; its objects are not copies.
+        # Skip a document that is being opened (restoring, but not importing): its objects are not copies.
         if has_toolpath(obj) and obj.Document.Restoring == obj.Document.Importing:
             name = obj.Document.Name
             self._new.setdefault(name, set()).add(obj.Name)
             idle.later(f"copies in {name}", lambda: self._look_at_new(name))
 
     def slotChangedObject(self, obj, name: str) -> None:
-        # An undo, or an aborted step, may restore the mark of an earlier path and setting.
+        # An undo, or an aborted step, can restore the mark of an earlier path and setting.
         brought_back = obj.Document.Transacting and is_mark(obj, name)
         if name in _ON_OPERATION or brought_back:
             if may_have_mark(obj) and not obj.Document.Restoring:

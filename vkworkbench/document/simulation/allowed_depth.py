@@ -23,7 +23,7 @@ _NOT_DEEPER = 0.9
 
 
 def allowed_depth(obj, tool: Tool | None, simplified: Message | None) -> float:
-    """Return the depth to which an operation is meant to cut into the model, mm; infinite for simplified tools.
+    """Return the intended depth of an operation's cut into the model, mm; infinite if an end mill replaces its tool.
 
     Parameters
     ----------
@@ -34,7 +34,7 @@ def allowed_depth(obj, tool: Tool | None, simplified: Message | None) -> float:
     """
     if tool is None:
         return 0.0
-    # The end mill around an undercutting tool cuts where the tool does not.
+    # An end mill replaces an undercutting tool and is larger, so it also cuts where the real tool does not.
     if simplified is not None and "as-end-mill" in simplified.codes:
         return inf
     for one in (obj, *all_bases(obj)):

@@ -36,7 +36,7 @@ class AlongAxis:
     ----------
     job : SimulatedJob
     zbuffer : ZBuffer
-        At its last moment.
+        The z-buffer after the last trajectory.
     checked : CrashCheck
     collisions : Collisions
     measured : Volumes or None
@@ -91,7 +91,7 @@ def simulate_along_axis(
     Raises
     ------
     OverBudget
-        If the memory does not suffice for an image of one pixel.
+        If the memory is too small even for an image of one pixel.
     """
     end = time.monotonic() + preferences.read().time_budget
     zbuffer = zbuffer_along_axis(job, memory_budget, going_on)

@@ -85,9 +85,9 @@ class ReadCut:
     listing : Listing or None
         See `SimulatedJob`.
     remarks : tuple of Message
-        How the operation is simplified.
+        Simplifications of the operation in the simulation.
     unread : tuple of Message
-        What could not be read.
+        Parts of the operation that could not be read.
     """
 
     operation: SimulatedOperation
@@ -163,7 +163,7 @@ class JobCopy:
     def read(self, going_on: Callable[[], None] = lambda: None) -> Iterator[ReadCut]:
         """Yield each copied operation linearised. An exception from `going_on` ends the work.
 
-        If the job has a previous one, the previous job is simulated first, and its part becomes the stock.
+        A previous job of the job is simulated first, and its part becomes the stock.
         """
         if self._previous is not None:
             self._begin_with(self._previous.job(self._previous.read(going_on)), going_on)
@@ -204,7 +204,7 @@ class JobCopy:
             same = have_equal_shapes(shapes_of_model(job), self._model) and have_equal_shapes(
                 shapes_of(self._clamps_of(job)), self._clamp_shapes
             )
-        except Unusable:  # operations of several jobs, a model without volume
+        except Unusable:  # for example operations of several jobs, or a model without volume
             return False
         if not same or tuple(obj.Name for obj in objects) != self.names:
             return False
@@ -271,7 +271,7 @@ def read_job(what=None, clamps: Iterable | None = None) -> SimulatedJob:
 
 
 def copy_job(what=None, clamps: Iterable | None = None) -> JobCopy:
-    """Return the job to simulate, not copied yet; see :func:`vkworkbench.simulate`."""
+    """Return the job to simulate, before its operations are copied; see :func:`vkworkbench.simulate`."""
     what = or_active_document(what)
     asked = list(what) if isinstance(what, Iterable) else [what]
     objects, job = _posted(asked)

@@ -30,7 +30,7 @@ class SimulatedOperation:
     imported : bool
         Whether the toolpath may come from a file.
     fingerprint : str
-        Fingerprint of path, tool and stock; of the setting alone until the path was read.
+        Fingerprint of path, tool and stock. Until the path is read, fingerprint of the setting alone.
     """
 
     document: str
@@ -48,18 +48,18 @@ class SimulatedJob:
     Attributes
     ----------
     operations : tuple of SimulatedOperation
-        In the order of their job.
+        The operations, in the order of their job.
     cuts : tuple of Cut
         Toolpaths and tools of the operations.
     as_read : tuple of Toolpath
-        The toolpaths with the feeds as FreeCAD reads them, mm/s. The recognition uses these.
+        The toolpaths with the feeds as FreeCAD reads them, mm/s. The recognition uses these toolpaths.
     listings : tuple of Listing
         G-code of the operations.
     stock : Solid
     model_shapes : tuple of Shape
         Shapes of the job's model.
     remarks : tuple of Message
-        What the simulation leaves out or simplifies, and why.
+        Parts of the job that the simulation leaves out or simplifies, with the reason.
     clamps : mapping of str to Solid
         Solids that no tool may touch, by the labels of their objects.
     unread : tuple of Message

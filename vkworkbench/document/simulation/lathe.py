@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Recognise jobs of a lathe, which the simulation of a mill does not fit."""
+"""Recognise jobs of a lathe, which the simulation of a milling machine cannot represent."""
 
 from __future__ import annotations
 

@@ -59,7 +59,7 @@ def simulate(
     Returns
     -------
     Simulation
-        The simulation at its last moment.
+        The simulation after its last trajectory.
 
     Raises
     ------
@@ -174,8 +174,8 @@ class Simulation(SimulatedPart):
     def facts(self, *, tolerance: float = TOLERANCE) -> SimulationFacts:
         """Return what each operation and the job remove, and where they cut air, crash, plunge too fast, gouge or leave material.
 
-        The facts do not depend on the view and the moment. They come from a simulation along the tool axis, which the first
-        call makes, as fine as is useful and as the budgets allow.
+        The facts do not depend on the view and the moment. The facts come from a simulation along the tool axis, which
+        the first call makes, as fine as is useful and as the budgets allow.
 
         Parameters
         ----------
@@ -206,7 +206,7 @@ class Simulation(SimulatedPart):
         Raises
         ------
         IndexError
-            If there is no trajectory of this number.
+            If no trajectory has this number.
         TypeError
             If `trajectory` is not an integer.
         """

@@ -22,7 +22,7 @@ def mesh_of(triangles: np.ndarray) -> Mesh.Mesh:
     if not len(triangles):
         return Mesh.Mesh()
     with tempfile.TemporaryDirectory() as folder:
-        path = Path(folder) / "part.stl"  # FreeCAD reads a file many times faster than a list
+        path = Path(folder) / "part.stl"  # FreeCAD reads a file many times faster than a list of triangles
         write_stl(path, triangles)
         return Mesh.Mesh(str(path))
 
@@ -45,7 +45,7 @@ def stock_after(triangles: np.ndarray, before: tuple, after: tuple) -> tuple[cor
     Parameters
     ----------
     triangles : (t, 3, 3) ndarray
-        Surface of what the first job leaves, mm.
+        Surface of the part that the first job leaves, mm.
     before : tuple of Shape
         Shapes of the first job's model.
     after : tuple of Shape

@@ -50,7 +50,7 @@ from vkworkbench.report import Cancelled
 
 _LISTED = 50  # number of longest areas that the chooser lists
 _MIN_LINES = 7  # minimum height of the plots, in lines of text
-_QUICK = 20_000  # trajectories; a shorter area is drawn without a background thread
+_QUICK = 20_000  # an area with fewer trajectories is drawn without a background thread
 _NOT_IN_NAMES = '\\/:*?"<>|'
 
 
@@ -60,7 +60,7 @@ class GaussMapDock(QDockWidget):
     def __init__(self, parent: QWidget) -> None:
         super().__init__(translate("Vk_GaussMap", "Gauss Map"), parent)
         self.setObjectName(docks.GAUSS_MAP)
-        self._shown: tuple[str, str] | None = None  # document and operation
+        self._shown: tuple[str, str] | None = None  # names of the shown document and operation
         self._reading: Reading | None = None
         self._background = Background(self)
         self.busy = Busy(self._background)
@@ -114,7 +114,7 @@ class GaussMapDock(QDockWidget):
         self.visibilityChanged.connect(lambda visible: self._later.start())
 
     def _laid_out(self) -> QWidget:
-        """Return the dock's widgets in a scroll area, because not all of them fit on a small screen."""
+        """Return the dock's widgets in a scroll area, because a small screen is too low for the dock."""
         self._body = QWidget()
         column = QVBoxLayout(self._body)
         column.setContentsMargins(4, 2, 4, 2)
@@ -139,7 +139,7 @@ class GaussMapDock(QDockWidget):
 
     setSelection = addSelection
 
-    # FreeCAD calls these when a document changes.
+    # FreeCAD calls these methods when a document changes.
 
     def slotChangedObject(self, obj, name: str) -> None:
         if name in freecad.names_in_fingerprint("path") and self._shown == names_of(obj):
@@ -172,7 +172,7 @@ class GaussMapDock(QDockWidget):
             return
         self._shown = names_of(obj)
         self._label, self._active = obj.Label, is_active(obj)
-        self.chooser.setEnabled(False)  # until the operation is read, it lists the areas of the previous one
+        self.chooser.setEnabled(False)  # the chooser still lists the areas of the previous operation
         self.saver.setEnabled(False)
         source = source_of(obj)
         text = translate("Vk_GaussMap", "Reading {}…").format(obj.Label)
@@ -215,7 +215,7 @@ class GaussMapDock(QDockWidget):
         if reading.areas.end[area] - reading.areas.start[area] < _QUICK:
             self._show_figure(GaussFigure(reading, area))
             return
-        self.saver.setEnabled(False)  # until the area is drawn, the plots show the previous one
+        self.saver.setEnabled(False)  # until the new area is drawn, the plots show another area
         text = translate("Vk_GaussMap", "Reading {}…").format(self._label)
         self._background.start(text, lambda going_on: [GaussFigure(reading, area)], self._show_figure, self._chosen)
 
@@ -224,7 +224,7 @@ class GaussMapDock(QDockWidget):
             self._ended(error)
             return
         self.chooser.blockSignals(True)
-        self.chooser.setCurrentIndex(self.chooser.findData(self.canvas.figure.area))  # it is still shown
+        self.chooser.setCurrentIndex(self.chooser.findData(self.canvas.figure.area))  # shown until now
         self.chooser.blockSignals(False)
         self.saver.setEnabled(True)
 
@@ -287,7 +287,7 @@ class GaussMapDock(QDockWidget):
         """Return the colour behind the plots as painted, because it may come from a palette or a style sheet."""
         image = QImage(1, 1, QImage.Format_RGB32)
         image.fill(self._body.palette().color(QPalette.Window))
-        corner = self._body.mapTo(self, QPoint(2, 2))  # in the empty margin
+        corner = self._body.mapTo(self, QPoint(2, 2))  # a point in the empty margin
         self.render(image, QPoint(0, 0), QRegion(corner.x(), corner.y(), 1, 1))
         return image.pixelColor(0, 0)
 

@@ -21,13 +21,13 @@ from vkworkbench.gui.qt.names import QColor, QFontMetrics, QPainter, QPen, QPoin
 from vkworkbench.gui.qt.sentences import strategy_name, user
 
 TRAIL = 1000  # number of trajectories before k that are highlighted and drawn on the Gauss map
-_COLUMNS = 1000  # number of stretches of the graph, see thinned()
+_COLUMNS = 1000  # number of parts in which the graph is thinned, see thinned()
 _MARKERS = 500
 _WIDE = 1.8  # minimum ratio of width to height for three plots in one row
 _GROWTH = 0.5  # change of the arcs' radius along the trail
 _GAP = 10  # px
 _FULL, _HALF = 2 * np.pi, np.pi
-_ROUNDING = 1e-6  # rad
+_ROUNDING = 1e-6  # rounding error of an angle, rad
 _EDGE = 0.04  # margin in a plot, as a share of its data's size
 
 
@@ -62,7 +62,7 @@ class GaussFigure:
         return next((plot for plot in self.zoomable if plot.place.contains(at)), None)
 
     def lay_out(self, width: float, height: float, text: QFontMetrics, top: float = 0.0) -> None:
-        """Arrange the plots side by side, or the graph below the other two in a narrow widget."""
+        """Arrange the plots side by side, or, in a narrow widget, the graph below the other two plots."""
         self._width = width
         line = text.height()
         left, right, below = 62.0, 36.0, line + 6.0
@@ -81,7 +81,7 @@ class GaussFigure:
             self.circle.put(QRectF(width / 2 + _GAP, top, width / 2 - _GAP, half))
             self.graph.put(QRectF(left, top + half + above, width - left - right, half - above - below - line))
 
-    # Parts that do not depend on k.
+    # Paint the parts that do not depend on the step k.
 
     def paint_still(self, painter: QPainter, theme: Theme) -> None:
         painter.setRenderHint(QPainter.Antialiasing)
@@ -220,7 +220,7 @@ class GaussFigure:
         painter.setPen(QColor(self._strong(theme)))
         painter.drawText(QPointF(min(left, self._width - text.horizontalAdvance(bound)), y - text.descent()), bound)
 
-    # Parts that depend on k.
+    # Paint the parts that depend on the step k.
 
     def paint_moving(self, painter: QPainter, theme: Theme) -> None:
         painter.setRenderHint(QPainter.Antialiasing)
@@ -269,7 +269,7 @@ class GaussFigure:
             plot.segments(painter, np.zeros((1, 2)), image)
             painter.setBrush(QColor(color))
             plot.dots(painter, image, 3.5)
-            # The names of two equal directions stand side by side.
+            # Move the names aside, so that the names of two equal directions do not overlap.
             _name(painter, plot.pixels([_polar(0.8, at + aside)])[0], letter, "k", color)
 
     def _paint_now(self, painter: QPainter, theme: Theme) -> None:

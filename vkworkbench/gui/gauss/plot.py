@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""One plot with axes: a window on data that can be zoomed and moved."""
+"""One plot with axes, whose visible range of the data can be zoomed and moved."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ _MIN_SHARE, _MAX_SHARE = 1e-6, 4.0  # limits of zooming: visible share of the da
 
 
 class Plot:
-    """A window on data.
+    """A plot that shows a rectangular range (the window) of the data.
 
     Attributes
     ----------
@@ -69,14 +69,14 @@ class Plot:
         return lower + (upper - lower) * (right / self.place.width(), up / self.place.height())
 
     def zoom(self, factor: float, at: QPointF) -> None:
-        """Show `factor` times as much data; the data point at this pixel stays there."""
+        """Show `factor` times as much data; the data point at this pixel keeps its place."""
         lower, upper = self.window
         factor = min(max(factor, _MIN_SHARE / self.share), _MAX_SHARE / self.share)
         fixed = self.data(at)
         self.lower, self.upper = fixed + (lower - fixed) * factor, fixed + (upper - fixed) * factor
 
     def move(self, begin: QPointF, end: QPointF) -> None:
-        """Move the data point at one pixel to another."""
+        """Move the data point at one pixel to another pixel."""
         by = self.data(begin) - self.data(end)
         self.lower, self.upper = self.lower + by, self.upper + by
 
@@ -90,7 +90,7 @@ class Plot:
         """Draw segments from the points `a` to the points `b`, both (n, 2)."""
         lines = np.column_stack([self.pixels(a), self.pixels(b)])
         lines = lines[np.isfinite(lines).all(axis=1)]
-        # Qt's renderers are slow or wrong for coordinates far outside.
+        # Qt's renderers are slow or wrong for coordinates far outside the window.
         lines = np.clip(lines, -1e4, 1e4).tolist()
         if lines:
             painter.drawLines([QLineF(*line) for line in lines])

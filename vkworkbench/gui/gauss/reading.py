@@ -14,8 +14,8 @@ from vkworkbench.core.paper import Areas, distinct, links, monotonous_areas, out
 from vkworkbench.document.job.recognition import Source, recognize_operation
 from vkworkbench.document.job.setting import placed
 
-_CELLS = 1000  # cells of the toolpath's plot along its side
-_MAX_SEGMENTS = 8_000  # segments to draw
+_CELLS = 1000  # number of cells along a side of the toolpath's plot
+_MAX_SEGMENTS = 8_000  # upper limit for the number of drawn segments
 _CLOSE = 0.25  # visible share below which segments are selected again for the window
 
 
@@ -64,7 +64,7 @@ class Reading:
 
 
 def read(source: Source, going_on: Callable) -> Iterator[Reading | None]:
-    """Yield the data; None if no cutting move has a direction.
+    """Yield the data of an operation's Gauss map; None if no cutting move has a direction.
 
     Raises
     ------

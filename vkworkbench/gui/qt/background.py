@@ -26,7 +26,7 @@ from vkworkbench.report import Cancelled
 
 _SLICE = 0.03  # longest time for showing results before other events are handled, s
 _WATCH = 50  # ms between two checks whether a thread has ended
-_DELAY = 300  # ms; shorter work shows no progress
+_DELAY = 300  # ms; the progress of shorter work is not shown
 _LINGER = 200  # ms for which the progress line stays after the work, so that it does not flicker before related work
 
 
@@ -61,15 +61,15 @@ class Background(QObject):
         return self._given_up is not None
 
     def start(self, text: str, work: Callable[[Callable], Iterable], show: Callable, ended: Callable) -> None:
-        """Begin a work.
+        """Begin a task.
 
         Parameters
         ----------
         text : str
             Description of the work.
         work : callable
-            Generator function that yields results. Its argument is a function that raises `Cancelled` after a cancel. It runs in
-            another thread, so it must use neither documents nor the window.
+            Generator function that yields results. Its argument is a function that raises `Cancelled` after a cancel.
+            The generator runs in another thread, so it must use neither documents nor the window.
         show : callable
             Called in the window's thread with each result.
         ended : callable
@@ -87,13 +87,13 @@ class Background(QObject):
         self._timer.start()
 
     def give_up(self) -> None:
-        """End the running work without calling `ended`. Its thread ends at its next step."""
+        """End the running task without calling `ended`. The thread ends at the next step of the task."""
         if self._given_up is not None:
             self._given_up.set()
             self._end()
 
     def cancel(self) -> None:
-        """End the running work because the user cancelled it."""
+        """End the running task because the user cancelled it."""
         if self.works:
             self.give_up()
             self._ended(Cancelled("given up"))

@@ -5,14 +5,14 @@ from __future__ import annotations
 
 from vkworkbench.gui.qt.names import QColor, QPalette
 
-TEXT = "#ffffff"  # on the colour of any strategy
+TEXT = "#ffffff"  # colour of texts on the colour of any strategy
 TOTAL = "#62748d"  # background of a job's total
 # Background and text of warnings and errors.
 WARNING = ("#f9a825", "#1a1a1a")
 ERROR = ("#c62828", "#ffffff")
 BURDEN = {"NEAR": WARNING, "OVER": ERROR}  # background and text of a time that is near or over the budget
 RAPID = "#8c8c8c"
-LINK = "#2f7fd6"  # adapted to the background by `readable`
+LINK = "#2f7fd6"  # `readable` adapts this colour to the background
 NOTE_SIGN, WARNING_SIGN, ERROR_SIGN = "#62748d", "#c77700", "#d9363e"
 
 TEXT_CONTRAST, LINE_CONTRAST = 4.6, 3.1  # slightly above the minimum of WCAG 2.1 for text and for lines

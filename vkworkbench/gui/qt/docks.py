@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The add-on's docks at the bottom of the window. They become tabs of other docks there, because there is no room side by side."""
+"""The add-on's docks at the bottom of the window. The docks become tabs, because they do not fit side by side."""
 
 from __future__ import annotations
 
@@ -20,14 +20,14 @@ def find(name: str) -> QDockWidget | None:
 def add(dock: QDockWidget, height: int) -> None:
     """Show a new dock at the bottom, as a tab if another dock is there.
 
-    Its height is `height` px, but at most a third of the window, to leave room for the 3D view.
+    The height of the dock is `height` px, but at most a third of the window, to leave room for the 3D view.
     """
     window = Gui.getMainWindow()
     others = _at_the_bottom(dock)
     window.addDockWidget(Qt.BottomDockWidgetArea, dock)
     _join(dock, others)
     for other in others:
-        if other.objectName() in (RESULTS, GAUSS_MAP) and other.isHidden():  # it becomes a tab when it is shown
+        if other.objectName() in (RESULTS, GAUSS_MAP) and other.isHidden():  # the hidden dock becomes a tab
             window.tabifyDockWidget(dock, other)
     show(dock)
     window.resizeDocks([dock], [min(height, window.height() // 3)], Qt.Vertical)

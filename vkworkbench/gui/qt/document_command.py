@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Commands on the active document, and the selection that they work on. Context menus use it without loading numpy."""
+"""Commands on the active document, and the selected objects. Context menus use it without loading numpy."""
 
 from __future__ import annotations
 

@@ -54,7 +54,7 @@ def as_plain(label: QLabel) -> QLabel:
 
 
 class OneLine(QLabel):
-    """A label of one line that shows its text literally. A long text is shortened with "…"; the tooltip has all of it."""
+    """A label of one line that shows its text literally. The tooltip shows a text that is shortened with "…"."""
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -68,7 +68,7 @@ class OneLine(QLabel):
     def paintEvent(self, event) -> None:
         place = self.contentsRect()
         shown = self.fontMetrics().elidedText(self.text(), Qt.ElideRight, place.width())
-        if shown == self.text() or self.hasSelectedText():  # Qt shows selected text, without the dots
+        if shown == self.text() or self.hasSelectedText():  # Qt paints a text with a selection unshortened
             super().paintEvent(event)
             return
         painter = QStylePainter(self)
@@ -95,7 +95,7 @@ class WholeText(QObject):
 
     def fit(self) -> None:
         """Adapt the height after a change of the text."""
-        self._label.setMinimumHeight(0)  # otherwise the hint never shrinks
+        self._label.setMinimumHeight(0)  # otherwise the label never shrinks
         self._label.setMinimumHeight(max(0, self._label.heightForWidth(self._label.width())))  # -1 without a text
 
 

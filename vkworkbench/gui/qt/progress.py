@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Analyse and calibrate with a progress dialog: the window responds, and Esc cancels."""
+"""Analyse and calibrate with a progress dialog. The window stays responsive, and Esc cancels."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from vkworkbench.gui.qt.renderer import note_renderer
 from vkworkbench.gui.qt.text import translate
 from vkworkbench.report import Cancelled, Report
 
-_DELAY = 300  # ms; a shorter analysis shows no dialog
+_DELAY = 300  # ms; a shorter analysis does not show a dialog
 _WIDTH = 400  # px; if the width changed with every label, FreeCAD would redraw the 3D view behind the dialog
 
 
@@ -113,7 +113,7 @@ class _Progress:
         self._dialog.setValue(done)
 
     def cancelled(self) -> bool:
-        # Until the dialog is visible it does not block the window, so clicks have to wait.
+        # The dialog does not block the window until it is visible. Until then, clicks are not handled.
         waiting = QEventLoop.AllEvents if self._dialog.isVisible() else QEventLoop.ExcludeUserInputEvents
         QApplication.processEvents(waiting)
         return self._dialog.wasCanceled()

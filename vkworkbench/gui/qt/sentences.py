@@ -35,7 +35,7 @@ class User(Reader):
         return translated
 
     def simulator(self, name: str) -> str:
-        """Return the name of a simulator in this FreeCAD's menu; its name in documents if the menu has none."""
+        """Return the name of a simulator in this FreeCAD's menu; the name used in documents if the menu has no name."""
         return freecad.simulator_title(name) or super().simulator(name)
 
     def length_unit(self, millimetres: float) -> tuple[float, str]:
@@ -43,10 +43,10 @@ class User(Reader):
         return factor, unit
 
     def length(self, millimetres: float) -> str:
-        """Return a length with the decimals of FreeCAD's preferences, e.g. ``"12.50 mm"`` or ``"0.49 in"``; from 10 m in metres."""
+        """Return a length with FreeCAD's chosen decimals, e.g. ``"12.50 mm"`` or ``"0.49 in"``; in metres from 10 m."""
         if millimetres >= 10_000 and self.length_unit(millimetres)[1] == "mm":
             return super().length(millimetres)
-        text = _quantity(millimetres).UserString  # without separators of thousands
+        text = _quantity(millimetres).UserString  # UserString has no separators of thousands
         return re.sub(r"^-?\d{4,}", lambda number: self.count(int(number.group())), text)
 
     def is_one(self, count: int) -> bool:
@@ -81,7 +81,7 @@ def plural(one: str, more: str, count: int) -> str:
 
 
 def strategy_name(strategy: Enum) -> str:
-    """Return the name of a member of `Strategy` in the user's language. Does not load numpy."""
+    """Return the name of a member of `Strategy` in the user's language. Does not import numpy."""
     return user().translate("Strategy", strategy.label)
 
 

@@ -18,7 +18,7 @@ from vkworkbench.gui.qt.names import QApplication, QDockWidget, QMdiArea, QWidge
 
 
 def find(kind: type[QWidget], name: str | None = None) -> list:
-    """Return all widgets of a class, or only the ones with this object name."""
+    """Return all widgets of a class, or only the widgets with this object name."""
     return [
         widget
         for widget in QApplication.allWidgets()

@@ -184,7 +184,7 @@ def _is_bound(row: Row) -> bool:
 def _of_simulator(simulator: Simulator) -> tuple[Column, Column]:
     """Return the columns with time and memory of a simulator, for an operation or a whole job."""
     name, text = simulator.name, partial(FreeCAD.Qt.translate, "Vk_Results")
-    # The name of the command for our simulator.
+    # Our simulator is named after its command.
     called = translate("Vk_Simulate", "Simulate Toolpaths") if simulator is ZBUFFER else user().simulator(name)
     time, memory = translate("Vk_Results", "{simulator}\nTime"), translate("Vk_Results", "{simulator}\nMemory")
     return (
@@ -196,7 +196,7 @@ def _of_simulator(simulator: Simulator) -> tuple[Column, Column]:
 
 
 def _of_advice(simulator: Simulator) -> Column:
-    """Return the column with the finest setting of a simulator within the budgets; zeros if no setting is."""
+    """Return the column with the finest setting of a simulator within the budgets; zeros without one."""
     advice, text = simulator.advice, partial(FreeCAD.Qt.translate, "Vk_Results")
 
     def numbers(row: Row) -> tuple[int, ...] | None:

@@ -9,7 +9,7 @@ from vkworkbench.gui.qt import docks
 from vkworkbench.gui.qt.document_command import DocumentCommand
 from vkworkbench.gui.qt.text import QT_TRANSLATE_NOOP
 
-_HEIGHT = 300  # px
+_HEIGHT = 300  # height of the panel, px
 
 
 class ResultsCommand(DocumentCommand):

@@ -15,11 +15,11 @@ from vkworkbench.gui.results.rows import Row
 from vkworkbench.gui.tree.notices import Level
 from vkworkbench.report import OperationReport, is_switched_off
 
-WHY, NUMBERS, GAUSS_MAP, MEASURED = "why", "numbers", "gauss-map", "measured"  # targets of links
+WHY, NUMBERS, GAUSS_MAP, MEASURED = "why", "numbers", "gauss-map", "measured"  # targets of links in the details
 _SIGNS = {
     Level.NOTE: ("i", colors.NOTE_SIGN), Level.WARNING: ("\u26a0", colors.WARNING_SIGN), Level.ERROR: ("\u2716", colors.ERROR_SIGN),
 }  # fmt: skip
-_APART = {OPERATION, STRATEGY, WARNINGS, STATE, LENGTH, REASON}  # columns that have their own place in the details
+_APART = {OPERATION, STRATEGY, WARNINGS, STATE, LENGTH, REASON}  # columns that the details do not list in a table
 
 
 def page(row: Row, first: list, others: list, opened: set[str]) -> str:

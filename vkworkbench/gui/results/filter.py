@@ -63,7 +63,7 @@ class Filter(QWidget):
         return self.warnings.isChecked()
 
     def offer(self, present: set[Strategy]) -> None:
-        """List these strategies, and the chosen one."""
+        """List these strategies and the chosen strategy."""
         chosen = self.strategy
         offered = [strategy for strategy in Strategy if strategy in present or strategy is chosen]
         listed = [self.strategies.itemData(i) for i in range(self.strategies.count())]

@@ -32,7 +32,7 @@ class Finding:
 
 
 def read_findings(document) -> list[Finding]:
-    """Return the results of a document's marked operations, in their order; empty without a document."""
+    """Return the results of a document's marked operations, in the document's order; empty without a document."""
     found = []
     for operation in find(document) if document is not None else ():
         obj, mark = operation.object, read_with_faults(operation.object)
@@ -43,7 +43,7 @@ def read_findings(document) -> list[Finding]:
 
 
 def report_of(findings: list[Finding]) -> Report | None:
-    """Return the report of these operations; None if one of them has only a mark."""
+    """Return the report of these operations; None if an operation has a mark but no report."""
     operations = tuple(finding.report for finding in findings)
     if None in operations:
         return None

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""A tree whose first column stays visible while the others are scrolled, as in Qt's example of a frozen column."""
+"""A tree whose first column stays visible while the other columns are scrolled, as in a Qt example."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from collections.abc import Callable
 
 from vkworkbench.gui.qt.names import QAbstractItemView, QEvent, QFrame, QHeaderView, QKeySequence, Qt, QTreeView
 
-_MIN_ROWS = 2  # visible rows; if there is less room, the titles are hidden
+_MIN_ROWS = 2  # number of visible rows; the titles are hidden if there is less room
 
 
 class FrozenTree(QTreeView):
@@ -17,7 +17,7 @@ class FrozenTree(QTreeView):
     ----------
     model : QAbstractItemModel
     copy, enter : callable
-        Called for Ctrl+C; called for the Enter key or a double click.
+        `copy` is called for Ctrl+C, `enter` for the Enter key or a double click.
     """
 
     def __init__(self, model, copy: Callable[[], None], enter: Callable[[], None]) -> None:
@@ -67,7 +67,7 @@ class FrozenTree(QTreeView):
             header.customContextMenuRequested.connect(lambda at, h=header: menu().exec_(h.mapToGlobal(at)))
 
     def drawRow(self, painter, option, index) -> None:
-        """Do not paint below the first column, because trees are transparent in FreeCAD 1.1's theme."""
+        """Do not paint behind the frozen column, because trees are transparent in FreeCAD 1.1's theme."""
         if not self._above.isHidden():
             painter.setClipRect(self.viewport().rect().adjusted(self.columnWidth(0), 0, 0, 0))
         super().drawRow(painter, option, index)
@@ -79,7 +79,7 @@ class FrozenTree(QTreeView):
         self.horizontalScrollBar().setValue(sideways)
 
     def event(self, event) -> bool:
-        # Otherwise FreeCAD's Ctrl+C opens its dialog for copying objects.
+        # Claim Ctrl+C, which otherwise opens FreeCAD's dialog for copying objects.
         if event.type() == QEvent.ShortcutOverride and event.matches(QKeySequence.Copy):
             event.accept()
             return True
@@ -95,7 +95,7 @@ class FrozenTree(QTreeView):
 
     def resizeEvent(self, event) -> None:
         super().resizeEvent(event)
-        # On a low screen the titles would leave no room for rows.
+        # Hide the titles on a low screen, where they would leave no room for rows.
         around = self.header().sizeHint().height() + self.horizontalScrollBar().sizeHint().height()
         self.header().setVisible(self.height() - around >= _MIN_ROWS * self.fontMetrics().lineSpacing())
         self._place()

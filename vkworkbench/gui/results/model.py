@@ -20,7 +20,7 @@ from vkworkbench.gui.results.rows import Row
 from vkworkbench.gui.tree.notices import Level
 
 VALUE = Qt.UserRole  # role of the value by which a column is sorted
-_LEFT, _RIGHT = 0x81, 0x82  # with Qt.AlignVCenter; numbers, because some PySide versions refuse the flags
+_LEFT, _RIGHT = 0x81, 0x82  # combined with Qt.AlignVCenter; numbers, because some PySide versions refuse the flags
 _ICONS = {
     Level.WARNING: QStyle.SP_MessageBoxWarning,
     Level.ERROR: QStyle.SP_MessageBoxCritical,
@@ -52,7 +52,7 @@ class ResultsModel(QAbstractItemModel):
         return self.rows[branch - 1].rows[index.row()] if branch else self.rows[index.row()]
 
     def index(self, row: int, column: int, parent=QModelIndex()):  # noqa: B008 - Qt's default
-        # Faster than Qt's `hasIndex`, which calls both counts in Python for every cell.
+        # This check is faster than Qt's `hasIndex`, which calls both counts in Python for every cell.
         if not (0 <= row < self.rowCount(parent) and 0 <= column < len(self.columns)):
             return QModelIndex()
         return self.createIndex(row, column, parent.row() + 1 if parent.isValid() else 0)

@@ -60,7 +60,7 @@ class ResultsDock(QDockWidget):
         self.order.setSortRole(VALUE)
         self.tree = FrozenTree(self.order, copy=self._copy, enter=self._look_at)
         self.tree.setSortingEnabled(True)
-        self.tree.sortByColumn(-1, Qt.AscendingOrder)  # as posted, until the user sorts
+        self.tree.sortByColumn(-1, Qt.AscendingOrder)  # in the order of posting, until the user sorts
         self.tree.selectionModel().selectionChanged.connect(self._select)
         self.tree.show_headers_menu(lambda: self.columns)
 
@@ -70,7 +70,7 @@ class ResultsDock(QDockWidget):
         self.csv = self._action(translate("Vk_Results", "Export &CSV…"), lambda: self._export("csv"))
         self.json = self._action(translate("Vk_Results", "Export &JSON…"), lambda: self._export("json"))
         self.copy = self._action(translate("Vk_Results", "C&opy to Clipboard"), self._copy)
-        self._choices: list[QAction] = []  # one for each column except the first
+        self._choices: list[QAction] = []  # one action for each column except the first
         self.columns = self._columns_menu()
         self._show_columns()
         self.export = QMenu(translate("Vk_Results", "E&xport"), self)
@@ -153,7 +153,7 @@ class ResultsDock(QDockWidget):
 
     setSelection = removeSelection = clearSelection = addSelection
 
-    # FreeCAD calls these when documents change.
+    # FreeCAD calls these methods when documents change.
 
     def slotChangedObject(self, obj, name: str) -> None:
         if name in ("Label", "Label2", "Group", MARK):

@@ -28,7 +28,7 @@ class Row:
     Attributes
     ----------
     found : OperationReport, Record or Total
-        The numbers. They come from the mark if the operation was not analysed since the document was opened.
+        The numbers; from the mark if the operation was not analysed since the document was opened.
     name, label : str
         Internal name of the operation or job, and its present label.
     notices : tuple of Notice
@@ -70,7 +70,7 @@ class Row:
 
     @property
     def machining_complete(self) -> bool:
-        """Whether the machining time includes all moves. If not, it is a lower bound."""
+        """Whether the machining time includes all moves. Otherwise the machining time is a lower bound."""
         return self.found.machining_complete if self.is_total else not self.found.left_out
 
     @property
@@ -118,7 +118,7 @@ def _job(job, findings: list[Finding], chosen: Preferences) -> Row:
         mark = marks.read_total(job)  # the total in the mark was computed from full reports
         total = replace(total, costs={**total.costs, **mark.costs}) if mark else total
     outdated = marks.is_outdated(job) or any(finding.mark.outdated for finding in counted)
-    # Like the mark of the job, but without computing the costs in simulators that are not shown.
+    # Build the record as for the job's mark, but do not compute the costs in simulators that are not shown.
     of_parts, own = of_total(replace(total, costs={}), [f.mark for f in counted], ""), read_with_faults(job)
     record = replace(of_parts, costs=total.costs, verdict=own and own.verdict)
     notices = notices_of(record, chosen)

@@ -89,7 +89,7 @@ def by_operation(zbuffer: ZBuffer, job: Job) -> Coloring:
 
 
 def by_strategy(zbuffer: ZBuffer, job: Job) -> Coloring:
-    # Without QColor, because this runs outside the window's thread.
+    # Do not use QColor, because this function runs outside the window's thread.
     colors = np.array([list(bytes.fromhex(strategy.color[1:])) for strategy in job.strategies], np.uint8)
     shown = dict.fromkeys(job.strategies)
     return Coloring(palette(colors[zbuffer.cuts.cut]), lambda: tuple((s.color, strategy_name(s)) for s in shown))
@@ -112,7 +112,7 @@ def by_removal_rate(zbuffer: ZBuffer, job: Job) -> Coloring:
 
 
 def by_difference(zbuffer: ZBuffer, job: Job) -> Coloring:
-    """Colour by the distance between part and model along the view. Pixels with a wall are not coloured."""
+    """Colour by the distance between part and model along the view. Pixels that show a wall keep their colour."""
     seen, tolerance = job.seen, job.tolerance
     if seen is None:
         return Coloring(palette(CUT), lambda: ((_name(CUT), (

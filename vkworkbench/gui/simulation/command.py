@@ -18,7 +18,7 @@ from vkworkbench.language import Unusable
 
 
 class SimulateCommand(DocumentCommand):
-    """Simulate the selected job or operations, or the job of the active document. If it has several jobs, ask for one."""
+    """Simulate the selected job or operations, or the job of the active document. With several jobs, ask for one."""
 
     name = "Vk_Simulate"
     menu = QT_TRANSLATE_NOOP("Vk_Simulate", "Simulate Toolpaths")

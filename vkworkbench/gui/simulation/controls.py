@@ -46,20 +46,20 @@ _VIEWS = (
 )
 _AXES = "XYZ"
 PART, CHIPS, BOTH = range(3)
-GAP = 4  # px between rows, and within them
-_MIN_LETTERS = 4  # minimum width of a box, in letters
+GAP = 4  # px between rows, and between the widgets of a row
+_MIN_LETTERS = 4  # minimum width of a combo box, in letters
 _BORDERS = 60  # px that a menu needs beside the text of an entry
 
 
 class SceneBar(QWidget):
-    """Controls for direction, colours and chips; warnings; saving.
+    """Controls for the direction, colours and chips, the list of warnings, and the menu for saving.
 
     Attributes
     ----------
     looked : Signal of object
         The user chose a standard direction, given by its name, or the direction of the 3D view (None).
     recolored, chosen : Signal
-        The user changed the colouring or tolerance; the user changed the chips.
+        The user changed the colouring or tolerance; the user chose to show part, chips or both.
     hinted, pointed : Signal of Fault
         The pointer is on a fault in a list; the user chose a fault.
     saved : Signal of object

@@ -22,7 +22,7 @@ from vkworkbench.gui.qt.sentences import user
 from vkworkbench.gui.qt.text import translate
 from vkworkbench.report import as_cell
 
-_FRAMES = 120  # pictures of the whole job
+_FRAMES = 120  # number of pictures of the whole job
 _MESSAGE = 10_000  # ms for which the status bar shows the folder
 _COLUMNS = ("operation", "trajectory", "command", "begin_s", "end_s", "volume_mm3", "rate_mm3_per_min")
 

@@ -28,9 +28,9 @@ class Fault:
     Attributes
     ----------
     cut : int or None
-        Number of the operation that caused it; None if no operation did.
+        Number of the operation that caused the fault; None if no operation did.
     command : int or None
-        Command of the operation.
+        Number of the command in the operation.
     trajectory : int or None
         Trajectory, counted over all operations.
     place : (3,) tuple of float
@@ -78,7 +78,7 @@ class Judgement:
 
 
 def judge(findings: Findings, tolerance: float, compares: bool) -> Judgement:
-    """Find the faults of a job. Runs in any thread, because many operations or pixels take long.
+    """Find the faults of a job. Any thread can run this slow function.
 
     Parameters
     ----------
@@ -136,7 +136,7 @@ class KnownFaults:
 
     def __init__(self, job: SimulatedJob, clock: Clock) -> None:
         self.job, self.clock = job, clock
-        self._proved: list[Fault] | None = None  # None until the job was checked
+        self._proved: list[Fault] | None = None  # serious faults; None until the job was checked
         self._verdict = PENDING
         self._holds = False  # whether the document is unchanged since it was read
 
@@ -149,7 +149,7 @@ class KnownFaults:
         return text.format(label, fault.command + 1, code, sentence(fault.what))
 
     def text_with_place(self, fault: Fault) -> str:
-        """Return a fault as text with its position, because one command may have several faults."""
+        """Return a fault as text with its position, because one command can have several faults."""
         factor, unit = user().length_unit(max(map(abs, fault.place)))
         x, y, z = (user().number(round(value / factor, 3), 5) for value in fault.place)
         return translate("Vk_Simulate", "{} (X {} Y {} Z {} {})").format(self.text(fault), x, y, z, unit)

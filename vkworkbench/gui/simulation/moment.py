@@ -95,7 +95,7 @@ class Moment(QObject):
     def __init__(self, clock: Clock, parent: QObject | None = None) -> None:
         super().__init__(parent)
         self.clock = clock
-        self.seconds, self.done = clock.total, len(clock.cuts)  # the finished part
+        self.seconds, self.done = clock.total, len(clock.cuts)  # begin with the finished part
         self.noticed: int | None = None
         self._played: float | None = None  # time of the last picture while playing
 
@@ -156,7 +156,7 @@ class Moment(QObject):
         return int(first + same[0]), int(first + same[-1]) + 1
 
     def play(self) -> None:
-        """Play from here, or from the beginning at the end of the job; pause if playing."""
+        """Play from the shown moment, or from the beginning if it is the end of the job; pause if playing."""
         if self.plays:
             self._played = None
         else:

@@ -66,7 +66,7 @@ _TURN_SPEED = 0.008  # rad for each pixel of the mouse
 _ZOOM = 1.2  # factor for each notch of the wheel
 _RING = 14  # radius of the ring around a shown place, px
 _MARGIN = 1.06  # size of the image relative to the stock
-_SCALE, _SCALE_GAP = 120, 8  # longest scale bar, and its distance from the corner, px
+_SCALE, _SCALE_GAP = 120, 8  # maximum length of the scale bar, and its distance from the corner, px
 _TRIAD, _LETTER = 26, 12  # length of the drawn axes, and the distance of their letters, px
 _AXIS_COLORS = ("#d64545", "#3f9b46", "#4477cc")
 
@@ -155,7 +155,7 @@ class PartView(QWidget):
         """Show a scene that was drawn with this frame."""
         self._scene, self._frame = scene, frame
         height, width = scene.pixels.shape
-        # A copy, because the image must live longer than the array.
+        # Copy the image, because it must live longer than the array.
         self._image = QImage(scene.pixels.tobytes(), width, height, 4 * width, QImage.Format_RGB32).copy()
         self.update()
 
@@ -190,7 +190,7 @@ class PartView(QWidget):
             column, row, _ = project(np.array([self._place_shown]), wanted)[0]
             painter.setRenderHint(QPainter.Antialiasing)
             painter.setBrush(Qt.NoBrush)
-            for color, width in (("#ffffff", 5), ("#d32f2f", 2.5)):  # visible on any surface
+            for color, width in (("#ffffff", 5), ("#d32f2f", 2.5)):  # two rings, visible on any surface
                 painter.setPen(QPen(QColor(color), width * ratio))
                 painter.drawEllipse(QPointF(column, row), _RING * ratio, _RING * ratio)
         if self._measured:

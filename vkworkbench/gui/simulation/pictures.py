@@ -68,7 +68,7 @@ class Drawing:
         return self.findings or self.simulated
 
     def take(self, done: Simulated | Findings) -> None:
-        """Use a finer simulation, or the check."""
+        """Use the results of a finer simulation, or of the check."""
         if isinstance(done, Simulated):
             self.simulated = done
         else:
@@ -96,7 +96,7 @@ class Drawing:
         return bool(self.job.model_shapes) and not self.simulated.is_finest
 
     def picture(self, moment: Moment, frame: Frame, background: tuple[int, int, int]) -> Picture:
-        """Return the picture of a moment for the present choices, not drawn yet."""
+        """Return the picture of a moment for the present choices, before it is drawn."""
         shown, chips = self.bar.chips.currentIndex(), None
         if shown != PART:
             cuts = self.clock.cuts
@@ -135,7 +135,7 @@ class Drawing:
         return self.job.cuts[number].tool, tip
 
     def _paths(self, moment: Moment) -> tuple[np.ndarray, np.ndarray]:
-        """Return the path of the present operation from the moment back, and from the moment on."""
+        """Return the tool's path in the present operation: before the shown moment (backwards), and after it."""
         source = self.clock.cuts.source(moment.last)
         points, at = self.clock.cuts.cuts[source.cut].toolpath.points, source.trajectory + (moment.done > 0)
         return points[at::-1], points[at:]

@@ -28,7 +28,7 @@ from vkworkbench.gui.simulation.simulating import Budgets, Findings, Simulated, 
 from vkworkbench.gui.simulation.time_line import Block, TimeLine
 from vkworkbench.gui.simulation.widgets import StateLine
 
-_PART = 120  # minimum height of the part, px; optional rows are hidden if it would be lower
+_PART = 120  # minimum height of the part's view, px; optional rows are hidden to leave this height
 _CLOSER = 400  # ms without a change of the view after which the visible part is simulated more finely
 _TICK = 20  # ms between two updates
 
@@ -169,7 +169,7 @@ class Player(QWidget):
 
     @property
     def refines(self) -> bool:
-        """Whether a finer simulation is still being computed, or about to be."""
+        """Whether a finer simulation is being computed, or will start soon."""
         return self._work.works or self._begin.isActive()
 
     def _sized(self) -> None:
@@ -185,7 +185,7 @@ class Player(QWidget):
         self._work.start("", self._simulating, self._take, self._ended)
 
     def end(self) -> None:
-        """Stop all work and release large data, because Qt and Python may keep a closed tab until FreeCAD ends."""
+        """Stop all work and release large data, because Qt and Python can keep a closed tab until FreeCAD ends."""
         self._timer.stop()
         self._work.give_up()
         self._recognizing.give_up()

@@ -61,7 +61,7 @@ class Reading(QWidget):
         self._busy = Busy(self._background)
         self._layout.addWidget(self._busy)
         self._background.start(self._text(), self._work, self._take, self._ended)
-        QTimer.singleShot(0, self._copy_on)  # later, when `failed` is connected
+        QTimer.singleShot(0, self._copy_on)  # delayed until `failed` is connected
 
     def end(self) -> None:
         """Stop reading."""
@@ -88,7 +88,7 @@ class Reading(QWidget):
             cuts.append(cut)
             begin = time.perf_counter()
             if begin >= due and len(cuts) < len(self.copy.names):
-                with suppress(Unusable):  # no toolpath yet, or not enough memory
+                with suppress(Unusable):  # there is no toolpath yet, or too little memory
                     yield _preview(self.copy.job(cuts), self._budget, going_on)
                 due = time.perf_counter() + _PAUSE * (time.perf_counter() - begin)
 

@@ -32,9 +32,9 @@ from vkworkbench.document.simulation.job import SimulatedJob
 from vkworkbench.document.simulation.simulate import Simulation, coarser, simulate_read
 from vkworkbench.language import Message, Unusable
 
-# Direction along the tool axis. All other directions are drawn from this simulation.
+# Direction along the tool axis. Pictures from all other directions are drawn from a simulation in this direction.
 ABOVE = (0.0, 0.0, -1.0)
-# Smallest vertical part of the direction of views with details: a flatter view shows most of the stock.
+# Minimum vertical component of the view's unit direction for details. A flatter view shows most of the stock.
 _FLATTEST = 0.2
 # Largest pixel of a detail, as a share of the pixel of the shown simulation. Number of cells around the visible part.
 _FINER, _MARGIN = 0.7, 3
@@ -72,7 +72,7 @@ class Simulated:
 
 @dataclass(frozen=True, eq=False)
 class Findings:
-    """The check of a job, from its own simulation along the tool axis. It does not depend on pictures.
+    """The check of a job, from its own simulation along the tool axis. The check does not depend on pictures.
 
     Attributes
     ----------
@@ -80,7 +80,7 @@ class Findings:
     facts : JobFacts
         Facts and verdict at the default tolerance.
     volumes, air : ndarray
-        As in `Simulated`.
+        As in the class `Simulated`.
     """
 
     along_axis: AlongAxis

@@ -106,7 +106,7 @@ class SimulationTab(KeyedWidget):
 
     def come_to_front(self) -> None:
         """Show the tab in front of FreeCAD's other tabs."""
-        # Not with the sub-window's mdiArea(), because PySide6 would delete FreeCAD's area together with the sub-window.
+        # Do not use the sub-window's mdiArea(): PySide6 would delete FreeCAD's area together with the sub-window.
         widgets.area_of_views().setActiveSubWindow(self.window_of())
 
     def _stay_in_front(self) -> None:
@@ -129,7 +129,7 @@ class SimulationTab(KeyedWidget):
             self.setFocus()
 
     def paintEvent(self, event) -> None:
-        """Paint the background, because with FreeCAD 0.20's style sheets the other tabs would be visible."""
+        """Paint the background. Otherwise other tabs are visible behind this tab with FreeCAD 0.20's style sheets."""
         painter = QPainter(self)
         painter.fillRect(self.rect(), Gui.getMainWindow().palette().window())
         painter.end()
@@ -168,7 +168,7 @@ class SimulationTab(KeyedWidget):
             QTimer.singleShot(0, self.window_of().close)
 
     def _compare(self) -> None:
-        """Compare the document with the simulated job soon. Until then, marks and results do not show the faults."""
+        """Compare the document with the simulated job soon. Before that, marks and results do not show the faults."""
         if self.player is not None:  # a job that is still being read is compared afterwards
             self.player.known.follow(False)
             self._soon.start()
@@ -177,6 +177,6 @@ class SimulationTab(KeyedWidget):
         if not self._open:
             return
         holds = yield from self.copy.comparing(self._changed)
-        if self._open and not self._soon.isActive():  # no further change meanwhile
+        if self._open and not self._soon.isActive():  # the document did not change meanwhile
             self.again.setVisible(not holds)
             self.player.known.follow(holds)

@@ -31,11 +31,11 @@ from vkworkbench.gui.qt.text import translate
 from vkworkbench.gui.simulation.widgets import KeyedWidget
 
 _CURVE, _AIR, _BLOCKS, _BELOW = 34, 4, 20, 8  # heights in px, from top to bottom; the curve shrinks if room is short
-_MIN_CURVE = 12  # px
+_MIN_CURVE = 12  # minimum height of the curve, px
 _MARK = 5.0  # px; half the width of a warning triangle
 _APART = 5  # px; minimum mean width of trajectories that are separated by lines
 _ZOOM = 1.4  # factor for each notch of the wheel
-_MAX_WARNINGS = 10  # in a tooltip
+_MAX_WARNINGS = 10  # upper limit for the number of warnings in a tooltip
 _MIN_SPAN = 1e-6  # smallest visible share of the job's time
 # Step of each key, as a share of the job's time.
 _KEYS = {
@@ -280,7 +280,7 @@ class TimeLine(KeyedWidget):
             self._pressed = None
 
     def wheelEvent(self, event) -> None:
-        """Zoom; the moment below the pointer stays there."""
+        """Zoom, and keep the moment under the pointer at its place."""
         at = self.seconds_at(event.position().x())
         span = max(self._span * _ZOOM ** (-event.angleDelta().y() / 120), self.total * _MIN_SPAN)
         self._see(at - (at - self._begin) / self._span * span if self._span else 0.0, span)

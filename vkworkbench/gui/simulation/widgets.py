@@ -46,7 +46,7 @@ class KeyedWidget(QWidget):
 
     def event(self, event) -> bool:
         if event.type() == QEvent.ShortcutOverride and event.key() in self.keys:
-            event.accept()  # otherwise FreeCAD runs its own shortcut
+            event.accept()  # otherwise FreeCAD runs its own shortcut for the key
             return True
         return super().event(event)
 
@@ -168,7 +168,7 @@ class Legend(QWidget):
     def _fit(self) -> None:
         """Set the height to the number of lines."""
         lines = max((place.bottom() for _, place, _ in self._places()), default=0)
-        self.setFixedHeight(max(round(lines), self._line))  # at least one line
+        self.setFixedHeight(max(round(lines), self._line))  # at least as high as one line
 
     def _places(self) -> list[tuple[str, QRectF, str]]:
         """Return each colour with its rectangle and its name, shortened to fit."""

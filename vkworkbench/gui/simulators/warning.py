@@ -34,7 +34,7 @@ from vkworkbench.gui.qt.text import explain, translate
 from vkworkbench.gui.simulators import panels as simulator_panels
 
 NAME = "VkSimulatorWarning"
-_MARGIN = 8  # px, from the view's edges
+_MARGIN = 8  # px between the line and the view's edges
 _LOOK = 200  # ms between two checks whether the panel is still open
 # Style of the line over the 3D view, the same in every theme.
 _STYLE = """

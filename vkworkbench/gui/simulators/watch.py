@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Notices that the user starts one of FreeCAD's simulators. Does not import numpy before that.
+"""Notices that the user starts one of FreeCAD's simulators. Imports numpy only after a start.
 
-Menus, drop-down buttons and macros can start a simulator, and only some of them trigger the command's action; but a task
-panel always opens. So this module watches the task view for a new child, which each task adds.
+Menus, drop-down buttons and macros can start a simulator, but not all of them trigger the command's action. A task
+panel always opens, so this module watches the task view for a new child, which each task adds.
 """
 
 from __future__ import annotations

@@ -15,9 +15,9 @@ from vkworkbench.gui.qt.sentences import strategy_name
 from vkworkbench.gui.qt.text import translate
 
 _PAPER, _INK = "#f7f7f7", "#1b1b1b"  # readable on any background
-_SAMPLE = 26  # px; length of a sample line
-_GAP, _MARGIN = 8, 12  # px
-_WIDTH = 3  # px; width of a sample line
+_SAMPLE = 26  # length of a sample line, px
+_GAP, _MARGIN = 8, 12  # distances within the legend, px
+_WIDTH = 3  # width of a sample line, px
 
 
 class Legend:
@@ -27,11 +27,11 @@ class Legend:
         self._document = document_name
         self._entries: list[tuple[str, str]] = []
         self._root, self._image = _overlay()
-        self._keeper = coin.SoGroup()  # a reference, because the node would be deleted with the last view
+        self._keeper = coin.SoGroup()  # keeps the node, which would be deleted with the last view
         self._keeper.addChild(self._root)
 
     def show(self, strategies: Iterable[Strategy]) -> None:
-        """Show the colours and names of these strategies and of rapids."""
+        """Show the colours and names of strategies and of rapid moves."""
         seen = set(strategies)
         entries = [(s.color, strategy_name(s)) for s in Strategy if s in seen]
         entries.append((RAPID, translate("Vk_Strategies", "Rapid Moves")))

@@ -19,7 +19,7 @@ from vkworkbench.gui.qt.names import QColor
 _NAME = "VkStrategies"
 _WIDTH, _SELECTED_WIDTH, _RAPID_WIDTH = 3, 6, 1  # px
 _DEPTH = 0.9995  # end of the depth range; below 1, lines are drawn in front of FreeCAD's lines at the same place
-_SKETCHED = 20_000  # trajectories; a longer toolpath is drawn as a sketch of this size first
+_SKETCHED = 20_000  # a toolpath with more trajectories is first drawn as a sketch with this number
 _CELLS = 200  # cells of the sketch along its longest side
 _BATCH = 20_000  # points converted to Python numbers in one step
 _ORIGIN = ("G0", {"X": 0.0, "Y": 0.0, "Z": 0.0})  # FreeCAD begins every toolpath here

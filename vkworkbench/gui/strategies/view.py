@@ -2,7 +2,7 @@
 """Draw toolpaths in the 3D view in the colours of their strategies, rapids grey. Documents are not changed.
 
 The lines of an operation are child nodes of its view provider, so that they are placed, hidden and deleted with the operation.
-A background thread computes them, a few operations at a time.
+A background thread computes the lines of a few operations at a time.
 """
 
 from __future__ import annotations
@@ -26,15 +26,16 @@ from vkworkbench.gui.strategies.legend import Legend
 from vkworkbench.gui.strategies.lines import Drawing, Lines, drawings
 from vkworkbench.report import Cancelled
 
-_SLICE = 0.03  # s for copying paths of a document between other events
+_SLICE = 0.03  # seconds for copying paths before other events are handled
 
-Key = Tuple[str, str]  # the names of document and object
+Key = Tuple[str, str]  # names of the document and the object
 
 
 def _groups(obj) -> list[coin.SoGroup]:
     """Return the present group nodes in which FreeCAD draws an object; empty if it draws nothing.
 
-    Other code may remove the nodes, and FreeCAD crashes if a removed node is used. Therefore call this each time.
+    Other code may remove the nodes, and FreeCAD crashes if a removed node is used. Therefore call this function before
+    each use.
     """
     switch = obj.ViewObject.SwitchNode
     children = map(switch.getChild, range(switch.getNumChildren()))
@@ -175,7 +176,7 @@ def _work(batch: list[tuple[Key, Source]]) -> Callable:
 
 
 def _object(key: Key):
-    """Return an operation of a coloured document; None if it does not exist any more."""
+    """Return an operation of a coloured document; None if the operation or the colours are gone."""
     document = FreeCAD.listDocuments().get(key[0])
     return document.getObject(key[1]) if document is not None and key[0] in _shown else None
 

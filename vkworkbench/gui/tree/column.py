@@ -15,7 +15,8 @@ from vkworkbench.gui.qt.names import QEvent, QHeaderView, QObject, Qt, QTabWidge
 
 DESCRIPTION = 1
 _TREE_PREFERENCES = "User parameter:BaseApp/Preferences/TreeView"
-# Widths in line heights of the tree's font. 36 lines are about 500 px; in FreeCAD's default of 260 px the column is not visible.
+# Widths in line heights of the tree's font. 36 lines are about 500 px; with FreeCAD's default of 260 px the column is
+# not visible.
 _DOCK_WIDTH = 36
 _NAMES_WIDTH = 18
 _LIMITED = "VkNamesBound"  # property of a tree whose first column no longer follows its contents
@@ -68,7 +69,7 @@ def when_seen(work: Callable[[], object]) -> None:
 def show_description() -> None:
     """Show the Description column, wide enough to read."""
     preferences = FreeCAD.ParamGet(_TREE_PREFERENCES)
-    # Before FreeCAD 1.0 there was no preference, and the column was always visible.
+    # FreeCAD before 1.0 has no such preference and always shows the column.
     if freecad.version() >= freecad.DESCRIPTION_HIDDEN_SINCE and preferences.GetBool("HideColumn", True):
         preferences.SetBool("HideColumn", False)
     for tree in trees():
@@ -102,8 +103,8 @@ def bring_to_view() -> None:
 def fit_description(least: int) -> None:
     """Fit the columns of the trees to the visible rows; the Description column gets at least `least` px.
 
-    FreeCAD 1.x fits columns automatically. It also makes the first column as wide as the longest name, which would hide the
-    marks; therefore the first column is limited.
+    FreeCAD 1.x fits columns automatically. FreeCAD 1.x also makes the first column as wide as the longest name, which
+    would hide the marks; therefore the first column is limited.
     """
     for tree in trees():
         header = tree.header()

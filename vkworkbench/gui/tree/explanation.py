@@ -51,7 +51,7 @@ def _title(record: Record) -> str:
 
 def _machining(record: Record) -> str:
     length = user().length(record.length)
-    if not record.machining_seconds:  # "at least 0 s" says nothing
+    if not record.machining_seconds:  # a text "at least 0 s" is useless
         return translate("Pills", "Cutting length: {length}.").format(length=length)
     time = user().clock(record.machining_seconds)
     if record.left_out:

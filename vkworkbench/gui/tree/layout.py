@@ -2,7 +2,7 @@
 """Lay out a mark in a cell of the tree.
 
 The strategy and the warning sign have the highest priority, then the time of the simulation, then the time on the machine.
-The rest is shown as far as there is room.
+The other texts are shown as far as there is room.
 """
 
 from __future__ import annotations
@@ -26,7 +26,7 @@ from vkworkbench.gui.tree.notices import Level, kind_of, level_of_remarks
 from vkworkbench.preferences import Preferences
 from vkworkbench.report import is_switched_off
 
-_PADDING = 6  # px within a pill, left and right
+_PADDING = 6  # px between the text of a pill and its left and right end
 _SPACE = "\u00a0"  # Qt neither stretches nor drops a no-break space
 
 
@@ -73,7 +73,7 @@ class Layout:
         """Add a piece, and a gap for it in the text."""
         self._part()
         left, metrics = self._metrics.horizontalAdvance(self.text), self._metrics
-        if kind == "outlined":  # its text has the usual colour, so the style paints it
+        if kind == "outlined":  # the text has the usual colour, so the style paints it
             padding = _SPACE * math.ceil(_PADDING / metrics.horizontalAdvance(_SPACE))
             self.text += f"{padding}{text}{padding}"
         else:
@@ -116,7 +116,7 @@ def layouts(record: Record, words: str, chosen: Preferences, metrics, most_of_re
     has_pill = not is_error or record.strategy is None or record.strategy.is_answer
     remark = (
         "" if is_switched_off(record) else " ".join(map(sentence, record.remarks))
-    )  # the pill says that it is switched off
+    )  # the pill shows that the operation is switched off
     if most_of_remark is not None:
         remark = remark[:most_of_remark]
     outdated = translate("Pills", "outdated") if record.outdated else ""

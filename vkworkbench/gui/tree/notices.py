@@ -34,7 +34,7 @@ class Notice:
 
 
 def notices_of(record: Record, chosen: Preferences) -> list[Notice]:
-    """Return the notices of an operation or job, the most severe first. The tree shows a sign if one is more than a note."""
+    """Return the notices of an operation or job, the most severe first. Warnings and errors get a sign in the tree."""
     return sorted(_notices(record, chosen), key=lambda notice: -notice.level)
 
 
@@ -63,7 +63,7 @@ def _notices(record: Record, chosen: Preferences) -> Iterator[Notice]:
         yield Notice(Level.WARNING, sentence(longer))
     for caution in record.cautions:
         serious = is_serious(caution, chosen)
-        if not (serious and caution.code == "long-play" and longer is not None):  # both say the same
+        if not (serious and caution.code == "long-play" and longer is not None):  # the caution repeats `longer`
             yield Notice(_level(caution) if serious else Level.NOTE, sentence(caution.what))
 
 

@@ -42,7 +42,7 @@ _REMARK_LENGTH = 40  # characters of a remark that fit in the default width of t
 
 
 class PillDelegate(QStyledItemDelegate):
-    """Paints marks as pills, shows their tooltips, and lets the user edit only the own words."""
+    """Paints marks as pills, shows their tooltips, and lets the user edit only the user's own words."""
 
     def initStyleOption(self, option, index) -> None:
         super().initStyleOption(option, index)
@@ -123,7 +123,7 @@ def _paint_outlined(painter, where: QRectF, piece) -> None:
 
 
 def _paint_warning(painter, where: QRectF, piece) -> None:
-    """Paint a triangle with an exclamation mark. The sign of a font may be missing or coloured."""
+    """Paint a triangle with an exclamation mark. The warning sign of a font can be missing or coloured."""
     side = where.height() - 3
     box = QRectF(where.center().x() - side / 2, where.center().y() - side / 2, side, side)
     painter.setPen(Qt.NoPen)
@@ -184,7 +184,7 @@ def _follow_preferences() -> None:
     show()
 
 
-_changes = single_shot(_follow_preferences)  # after all preferences were written
+_changes = single_shot(_follow_preferences)  # runs after all preferences were written
 
 
 def show() -> None:
@@ -201,7 +201,7 @@ def show() -> None:
 
 
 def fit_column() -> None:
-    """Fit the Description column to strategy and time of all operations, including the ones in closed branches."""
+    """Fit the Description column to strategy and time of all operations, including operations in closed branches."""
     document, chosen = FreeCAD.ActiveDocument, preferences.read()
     records = [read_with_faults(obj) for obj in document.Objects if may_have_mark(obj)] if document else []
     metrics = QFontMetrics(QApplication.font("QTreeView"))
