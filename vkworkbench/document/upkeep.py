@@ -72,7 +72,7 @@ def analyzing_again(document, analyze: Callable) -> Iterator[None]:
     ----------
     document : Document
     analyze : callable
-        A function like ``vkworkbench.analyze``. If the user cancels it, the marks stay outdated.
+        A function like ``vkworkbench.analyze``. If the user cancels the analysis, the marks stay outdated.
     """
     outdated = [o.object for o in find(document) if marks.is_outdated(o.object)]
     if outdated:

@@ -111,7 +111,7 @@ def _clamps_text(job) -> str:
 
 
 class PreviousJobCommand(JobCommand):
-    """Choose the job whose finished part is the stock of a job, among the jobs of the same part."""
+    """Choose the job whose finished part is the stock of another job; both jobs machine the same part."""
 
     name = "Vk_PreviousJob"
     menu = QT_TRANSLATE_NOOP("Vk_PreviousJob", "Begin with the Part of Another Job")

@@ -125,7 +125,7 @@ class _OpenedDocuments:
     def slotCommitTransaction(self, document) -> None:
         if (
             "vkworkbench.document.marks.marking" in sys.modules
-        ):  # without this module no marks exist; with it, a macro may have written marks
+        ):  # marks exist only after this import, also if a macro wrote them
             from vkworkbench.gui.tree import pills
 
             pills.show()

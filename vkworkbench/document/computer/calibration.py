@@ -37,7 +37,7 @@ _SOFTWARE_MESH = 1.5
 _MEASURED = [field.name for field in fields(Speed) if field.name != "processes"]
 # Errors that a damaged file raises: other data than a calibration, numbers that are too large, lists nested too deep.
 _UNREADABLE = (TypeError, LookupError, ValueError, AttributeError, ArithmeticError, RecursionError)
-# Largest possible constant, and the constants that may be 0.
+# Upper limit for a constant, and the constants for which 0 is valid.
 _LARGEST = 1e15
 _MAY_BE_ZERO = frozenset(["repaint", "facet", "refresh"])
 
@@ -75,7 +75,7 @@ def processor() -> str:
 
 
 def constants(renderer: str = "") -> Constants:
-    """Return the constants of this computer: the measured ones, or the defaults before the first measurement.
+    """Return the measured constants of this computer, or the defaults before the first measurement.
 
     Parameters
     ----------
@@ -94,7 +94,7 @@ def measured_speed(going_on: Callable[[], object] = lambda: None) -> Speed:
     Parameters
     ----------
     going_on : callable
-        Called every tenth of a second during a measurement; it may raise an error to end the measurement.
+        Called every tenth of a second during a measurement. An exception from it ends the measurement.
     """
     known = _speed()
     if known is None and FreeCAD.GuiUp:
@@ -112,7 +112,7 @@ def known_speed() -> Speed:
 
 
 def _on_all_cores(speed: Speed) -> Speed:
-    """Return the speed of all processes that can work at once, from the measured speed of one process."""
+    """Return the speed with as many processes as can work at once, from the speed of one process."""
     return replace(speed, processes=processes())
 
 
@@ -130,7 +130,7 @@ def _speed() -> Speed | None:
 
 
 def load(renderer: str = "") -> Calibration | None:
-    """Return the calibration of this FreeCAD, processor and renderer; None without a readable one."""
+    """Return the calibration of this FreeCAD, processor and renderer; None without a readable calibration."""
     record = _records().get(_key(renderer))
     try:
         values = {field.name: float(record["constants"][field.name]) for field in fields(Constants)}

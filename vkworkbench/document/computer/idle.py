@@ -24,7 +24,7 @@ def use(soon: Callable[[Callable[[], None]], None]) -> None:
 def work(steps: Iterator) -> None:
     """Run an iterator: the first steps now, the rest when FreeCAD is idle, after the iterators that already wait.
 
-    The iterator is dropped if it meets a deleted document or object.
+    An iterator that meets a deleted document or object is dropped.
     """
     _works.append(steps)
     if len(_works) == 1:

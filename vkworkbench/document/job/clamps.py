@@ -15,9 +15,9 @@ from vkworkbench.document.job.solids import solid_of
 from vkworkbench.document.job.undo_step import transaction
 from vkworkbench.language import Message, Unusable
 
-# A hidden link does not make the job depend on its clamps, so that moving a clamp recomputes no operation.
+# A hidden link does not make the job depend on its clamps, so FreeCAD recomputes no operation when a clamp is moved.
 _TYPE = "App::PropertyLinkListHidden"
-_HIDDEN_AND_OUTPUT = 4 | 8  # setting the property does not touch the job
+_HIDDEN_AND_OUTPUT = 4 | 8  # a change of the property does not recompute the job
 
 
 def clamps_of(job) -> tuple:
@@ -48,7 +48,7 @@ def set_clamps(job, clamps: Iterable) -> None:
 
 
 def readable_clamps(clamps: Iterable) -> tuple[dict[str, Solid], tuple[Message, ...]]:
-    """Return the solids of the clamps that have one, by their labels, and a remark on each clamp without a solid."""
+    """Return the solids of clamps by their labels, and a remark on each clamp without a solid."""
     solids, remarks = {}, []
     for obj in clamps:
         try:
@@ -82,7 +82,7 @@ def _solid_of(obj) -> tuple[str, Solid]:
 
 
 def shapes_of(clamps: Iterable) -> list:
-    """Return the shapes of the clamps that have one, where they are in the document."""
+    """Return the shapes of clamps at their places in the document; clamps without a shape are skipped."""
     return [shape for shape in map(_shape_of, clamps) if shape is not None]
 
 
@@ -93,7 +93,7 @@ def has_solid(obj) -> bool:
 
 
 def _shape_of(obj):
-    """Return the shape of an object, or of all objects in a part, where it is in the document; None without a shape."""
+    """Return the shape of an object, or of all objects in a part, placed in the document; None without a shape."""
     shape = freecad.SHAPE.of(obj) or Part.getShape(obj)
     if not isinstance(shape, Part.Shape) or shape.isNull():
         return None

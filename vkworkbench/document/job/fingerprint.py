@@ -30,7 +30,7 @@ _OFFSET = 3.7e-4
 AT_ONCE = 50_000
 _PIECE = 10_000  # commands written at a time
 
-# Systems that forbid SHA-1 for security accept it with this argument, which Python 3.8 does not have.
+# Systems that forbid SHA-1 for security accept SHA-1 with this argument, which Python 3.8 does not have.
 _NOT_FOR_SECURITY = {"usedforsecurity": False} if sys.version_info >= (3, 9) else {}
 
 
@@ -43,7 +43,7 @@ def path_fingerprint(obj) -> str:
 
 def finding_path_fingerprint(obj) -> Iterator[None]:
     """Compute the fingerprint of an object's path in steps of milliseconds; only copying the path takes longer."""
-    while PATH_PRINTS.of(obj) is None:  # the path may change while its fingerprint is computed
+    while PATH_PRINTS.of(obj) is None:  # the path can change while its fingerprint is computed
         token = PATH_PRINTS.begin(obj)
         path, placement, whose = obj.Path, obj.Placement, names_of(obj)
         yield
@@ -58,7 +58,7 @@ def finding_path_fingerprint(obj) -> Iterator[None]:
 
 
 def text_of(path, commands: list | None = None) -> str:
-    """Return the text of a path. `commands` may be a copy of its commands, which saves time for a long path."""
+    """Return the text of a path. `commands`, a copy of the path's commands, saves time for a long path."""
     return "".join(_texts(path, commands))
 
 

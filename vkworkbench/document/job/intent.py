@@ -10,7 +10,7 @@ from vkworkbench.document.job.operations import kind
 _ALONG = {Family.AROUND, Family.STROKES}  # a contour may be open, and it may be cut in many strokes
 # An engraving follows any drawing. A slot is cut back and forth, one way, or repeatedly.
 _ANY_LINES = {Family.ROWS, *_ALONG}
-# Families that fit FreeCAD's operations without patterns. Strategies of one family do not contradict each other:
+# Families that fit FreeCAD's operations without patterns. Strategies within one family do not contradict each other:
 # adaptive clearing of a round hole winds like a helix, and a pocket with a single ring is a profile.
 _KINDS = {
     "Adaptive": _ALONG, "Deburr": _ALONG, "Drilling": {Family.HOLES}, "Engrave": _ANY_LINES, "Helix": {Family.AROUND},
@@ -47,7 +47,7 @@ def contradicts(name: str | None, found: Recognition) -> bool:
 
 
 def name_of_intent(obj) -> str | None:
-    """Return FreeCAD's name for an operation's kind or, if the kind implies no strategy, its pattern; None without either.
+    """Return FreeCAD's name of an operation's kind, or of its pattern if the kind implies no strategy; else None.
 
     FreeCAD's experimental waterline clears its layers with a pattern, so contours and rows both match its name.
     """

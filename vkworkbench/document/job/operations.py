@@ -28,7 +28,7 @@ class Operation:
     counted : bool
         Whether the job's total includes the operation. The total includes each posted operation once.
     active : bool
-        Whether FreeCAD posts the operation: neither it nor its dressed-up base is switched off.
+        Whether FreeCAD posts the operation: neither the operation nor its dressed-up base is switched off.
     """
 
     object: object
@@ -77,7 +77,7 @@ def _links_operation(obj) -> bool:
 
 
 def is_object(what) -> bool:
-    """Return whether a value is an object of a document. A property of a file may hold any value."""
+    """Return whether a value is an object of a document. A property in a file can hold any value."""
     return hasattr(what, "isDerivedFrom") and hasattr(what, "InList")
 
 
@@ -90,7 +90,7 @@ def is_there(obj) -> bool:
 
 
 def is_gone(what) -> bool:
-    """Return whether a value is a closed document or a deleted object. A macro may still hold one."""
+    """Return whether a value is a closed document or a deleted object. A macro can still hold such a value."""
     try:
         return not is_document(what) and is_object(what) and not is_there(what)
     except ReferenceError:  # every attribute of a closed document raises it
@@ -147,7 +147,7 @@ def or_active_document(what):
     ValueError
         If no document is open.
     Unusable
-        If FreeCAD is still reading a document: its objects have no toolpaths yet.
+        If FreeCAD is still reading a document, whose objects have no toolpaths yet.
     """
     if what is None:
         what = FreeCAD.ActiveDocument
@@ -192,7 +192,7 @@ def _once(operations: Iterable[Operation]) -> dict[tuple[str, str], Operation]:
 
 
 def _find(what, jobs: dict) -> Iterator[Operation]:
-    """Yield the operations. `jobs` caches the operations of each job, so that no job is searched twice."""
+    """Yield the operations. `jobs` caches the operations of each job, so that each job is searched only once."""
     if is_gone(what):
         raise ReferenceError("what is asked for was deleted, or its document closed: take it from the document again")
     if is_document(what):
@@ -320,7 +320,7 @@ def job_of(obj):
 
 
 def through_bases(obj, wanted: freecad.Property):
-    """Return a property of an operation, or of its dressed-up base; None if neither has the property."""
+    """Return a property of an operation or of its dressed-up base; None if both do not have the property."""
     for one in (obj, *all_bases(obj)):
         value = wanted.of(one)
         if value is not None:
@@ -334,7 +334,7 @@ def takes_tool(obj) -> bool:
 
 
 def is_active(obj, _above: tuple[str, ...] = ()) -> bool:
-    """Return whether FreeCAD posts an operation: it is switched on, and so are its bases (for an array, one base)."""
+    """Return whether FreeCAD posts an operation: the operation and its bases (for arrays, one base) are on."""
     if not freecad.ACTIVE.of(obj, True):
         return False
     of_bases = [is_active(base, (*_above, obj.Name)) for base in _bases(obj) if base.Name not in _above]

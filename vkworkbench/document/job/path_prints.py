@@ -15,7 +15,7 @@ _ON_PATH = freecad.names_in_fingerprint("path")
 
 
 class PathPrints:
-    """Fingerprints of paths; observes all documents as soon as it holds one fingerprint."""
+    """Fingerprints of paths; the cache observes all documents after its first fingerprint."""
 
     def __init__(self) -> None:
         self._watches = False
@@ -23,7 +23,7 @@ class PathPrints:
         self._kept: dict[str, dict[str, str | object]] = {}
 
     def of(self, obj) -> str | None:
-        """Return the fingerprint of an object's present path, None if it is not in the cache."""
+        """Return the fingerprint of an object's present path; None if the cache does not have the fingerprint."""
         kept = self._kept.get(obj.Document.Name, {}).get(obj.Name)
         return kept if isinstance(kept, str) else None
 

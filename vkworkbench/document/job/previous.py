@@ -11,11 +11,11 @@ from vkworkbench.language import Message, Unusable
 
 # A hidden link does not make the job depend on the previous job, so FreeCAD recomputes no operation.
 _TYPE = "App::PropertyLinkHidden"
-_HIDDEN_AND_OUTPUT = 4 | 8  # setting the property does not touch the job
+_HIDDEN_AND_OUTPUT = 4 | 8  # a change of the property does not recompute the job
 
 
 def previous_job(job):
-    """Return the job whose finished part is the stock of a job; None without one."""
+    """Return the job whose finished part is the stock of a job; None without such a job."""
     other = freecad.PREVIOUS_JOB.of(job)
     return other if other is not None and kind(other) == "job" else None
 

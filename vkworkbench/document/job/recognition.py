@@ -22,7 +22,7 @@ class Source:
     path : Path
     placement : Placement
     tool_diameter : float or None
-        mm; None for an unreadable tool.
+        Diameter of the tool, mm; None for an unreadable tool.
     imported : bool
         Whether the toolpath may come from a file.
     tolerance : float
@@ -59,7 +59,7 @@ def recognize_operation(toolpath: Toolpath, tool_diameter: float | None, importe
     toolpath : Toolpath
         The toolpath, moved by the placement of its operation.
     tool_diameter : float or None
-        mm.
+        Diameter of the tool, mm.
     imported : bool
         Whether the toolpath may come from a file; FreeCAD's importer drops G20.
     """

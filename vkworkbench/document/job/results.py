@@ -43,7 +43,7 @@ class ResultCache:
         return len(self._rows)
 
     def find(self, key: Hashable | None) -> OperationReport | None:
-        """Return the row of a key; None for an unknown key and for None."""
+        """Return the row of a key; None for an unknown key and for the key None."""
         with self._lock:
             if key in self._rows:
                 self._rows.move_to_end(key)

@@ -67,7 +67,7 @@ _exact_boxes = ShapeCache(16)  # computing the box of a stock with many curved f
 
 
 def controller_of(operation):
-    """Return the tool controller of an operation or of its dressed-up base; None without one."""
+    """Return the tool controller of an operation or of its dressed-up base; None without a controller."""
     controller = through_bases(operation, freecad.CONTROLLER)
     return controller if hasattr(controller, "Label") else None
 

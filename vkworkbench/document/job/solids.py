@@ -86,7 +86,7 @@ def measures_of(shape) -> tuple[str, ...]:
 
 
 def are_equal(one, other) -> bool:
-    """Return whether shapes are identical, or copies of each other. An undo restores a copy."""
+    """Return whether shapes are identical or copies of each other. An undo restores a copy of a shape."""
     return one.isSame(other) or (
         np.allclose(exact_box(one), exact_box(other)) and np.allclose(_measures_of(one), _measures_of(other))
     )

@@ -10,7 +10,7 @@ import FreeCAD
 
 @contextmanager
 def transaction(document, name: str):
-    """Make changes as one undo step, or as part of a step that is open. If a change fails, the step is undone."""
+    """Make changes as one undo step, or as part of an open step. If a change fails, the new step is undone."""
     if document.HasPendingTransaction or FreeCAD.getActiveTransaction():
         yield
         return

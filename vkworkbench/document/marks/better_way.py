@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Warn of a simulation that hangs or takes too long, and suggest a faster one. Reads marks only."""
+"""Warn of a simulation that hangs or takes too long, and suggest a faster simulation. Reads only marks in the tree."""
 
 from __future__ import annotations
 

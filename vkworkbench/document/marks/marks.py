@@ -130,7 +130,7 @@ def _verdict_fingerprint(job, parts: dict[Any, Record | None]) -> str:
 
 
 def _verdict(job, parts: dict[Any, Record | None]) -> JobVerdict | None:
-    """Return the verdict in a job's mark; it is outdated if the job, or an operation's mark, has changed."""
+    """Return the verdict in a job's mark. The verdict is outdated if the job, or an operation's mark, has changed."""
     known = read(job)
     if known is None or known.verdict is None:
         return None
@@ -175,7 +175,7 @@ def _total_fingerprint(job, parts: dict[Any, Record | None]) -> str:
 
 
 def refresh(obj, settings_of: Callable, *, path_changed: bool, setting_changed: bool) -> bool:
-    """Add "outdated" to a mark if its operation has changed, and remove it if the change was undone.
+    """Add "outdated" to a mark if its operation has changed; remove "outdated" if the change was undone.
 
     If an operation has no toolpath because it was switched off, its mark is not outdated and shows "switched off".
 
@@ -186,8 +186,8 @@ def refresh(obj, settings_of: Callable, *, path_changed: bool, setting_changed: 
     settings_of : callable
         Returns the valid fingerprints of an operation's setting.
     path_changed, setting_changed : bool
-        What may have changed since the last comparison. If the mark is outdated, or the operation was switched off, both
-        are compared.
+        Whether the path or the setting could have changed since the last comparison. If the mark is outdated, or the
+        operation was switched off, both are compared.
 
     Returns
     -------
@@ -235,7 +235,7 @@ def follow(obj, chosen: Preferences) -> None:
 
 
 def _keep(obj, known: Record, chosen: Preferences, *, new: bool = False) -> None:
-    """Write the properties of a mark. Write its text if the description has it already, or if the mark is new."""
+    """Write the properties of a mark. Write its text if the mark is new, or if the description has the text."""
     visible = known.shown
     known = replace(known, text=text_of(visible, chosen))
     spans = list(_segments(obj))

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The properties of a mark: a hidden one with all data, and visible ones. This module does not import numpy.
+"""The properties of a mark in the tree: a hidden one with all data, and visible ones. Imports no numpy.
 
 All properties are read-only outputs. FreeCAD would recompute an object after a change of an ordinary property.
 """
@@ -20,7 +20,7 @@ GROUP = "Toolpath analysis"
 # The hidden property with all data of the mark, and its earlier name. A property of the user can have the earlier name,
 # too.
 MARK, _EARLIER = "VkWorkbenchMark", "ToolpathMark"
-# Sums of attributes. ReadOnly (1): the user cannot change it. Hidden (4). Output (8): a change does not touch the
+# Sums of attributes. ReadOnly (1): the user cannot change it. Hidden (4). Output (8): a change does not recompute the
 # object.
 _SHOWN, _HIDDEN = 9, 13
 # "CuttingLength" and not "Length", because FreeCAD's lead-in dress-up has a property "Length".

@@ -26,7 +26,7 @@ class Record(Costs):
     Attributes
     ----------
     strategy : Strategy or None
-        None for a job.
+        Strategy of the operation; None for a job.
     confidence : float
     reason, remarks : tuple of Message
         The reason for the strategy; problems and unknowns.
@@ -42,7 +42,7 @@ class Record(Costs):
     setup : Setup
         The tool, and the time of its setup.
     stepover : float or None
-        mm.
+        Stepover, mm.
     called : str or None
         FreeCAD's name of the operation's kind or pattern, if the toolpath contradicts it.
     incomplete : bool

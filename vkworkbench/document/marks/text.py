@@ -14,7 +14,7 @@ from vkworkbench.report import SERIOUS, how_many, is_switched_off
 OPENING, CLOSING, SEPARATOR, OUTDATED = "⟦", "⟧", " · ", "outdated"
 SWITCHED_OFF = "switched off"
 SIMULATION, WARNING = "sim", "⚠"
-UNSURE = 0.8  # a mark shows the confidence only if it is lower than this
+UNSURE = 0.8  # a mark shows only confidences below this value
 _NEAR = 0.5  # share of the time budget above which a time is NEAR
 _LONGEST_REMARK = 120  # characters of the remarks in a document; the window shows as many as fit
 

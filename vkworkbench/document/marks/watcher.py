@@ -3,7 +3,7 @@
 
 FreeCAD reports every changed property. The watcher notes relevant changes, and compares the marks when the recompute, undo or
 redo is over. Changes while a document is being restored are ignored. Objects that are copied or moved into a document are
-compared, because they may belong to another job now.
+compared, because such objects can belong to another job now.
 """
 
 from __future__ import annotations
@@ -97,9 +97,9 @@ def comparing(
     ----------
     document : Document
     paths : set of str, optional
-        Names of operations whose path may differ; None for all operations.
+        Names of operations whose path could differ from the mark; None for all operations.
     settings : bool
-        Whether tools, stocks or groups may differ.
+        Whether tools, stocks or groups could differ from the marks.
     opened : bool
         Whether the document was just opened. FreeCAD then adds a stock to a job without one, which does not make a mark
         outdated.

@@ -49,7 +49,7 @@ def allowed_depth(obj, tool: Tool | None, simplified: Message | None) -> float:
 
 
 def with_stroke_depth(operation: SimulatedOperation, cut: Cut, top: float) -> Cut:
-    """Return a cut with the depth of its strokes below `top`, mm, if it is an imported engraving."""
+    """Return a cut; for an imported engraving, with the depth of its strokes below `top`, mm."""
     if not operation.imported or cut.allowed_depth:
         return cut
     found, _ = recognize_operation(cut.toolpath, cut.tool.diameter, True)

@@ -65,7 +65,7 @@ def keep_verdict(job: SimulatedJob, verdict: Verdict) -> bool:
 
 
 def verdict_on(job, fingerprints: Iterable[str]) -> JobVerdict | None:
-    """Return the verdict of a simulation of this session on a job, or the valid one in its mark; None without one.
+    """Return the verdict of a simulation of this session on a job, or the valid verdict in the job's mark; else None.
 
     Parameters
     ----------

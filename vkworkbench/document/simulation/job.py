@@ -63,7 +63,7 @@ class SimulatedJob:
     clamps : mapping of str to Solid
         Solids that no tool may touch, by the labels of their objects.
     unread : tuple of Message
-        The remarks on parts of the job that could not be read. They make the verdict on the job uncertain.
+        The remarks on parts of the job that could not be read. These remarks make the verdict on the job uncertain.
     left_out : tuple of (str, str)
         Internal names of document and object of the operations that are not simulated.
     name : str
@@ -102,7 +102,7 @@ class SimulatedJob:
         ])  # fmt: skip
 
     def strategies(self) -> Iterator[Strategy]:
-        """Yield the strategy of each operation, the same as in its mark."""
+        """Yield the strategy of each operation, as the operation's mark shows it."""
         for operation, cut, toolpath in zip(self.operations, self.cuts, self.as_read):
             found, _ = recognize_operation(toolpath, cut.tool.diameter, operation.imported)
             yield found.strategy

@@ -24,7 +24,7 @@ from vkworkbench.report import SimulatedPart, SimulationFacts, how_many
 
 # Minimum size of an image, as a share of the requested size. A smaller image shows too little.
 MIN_SIZE = 1 / 3
-# Share by which an image may be smaller than the stock because of rounding.
+# Allowed rounding error, as a share: an image that is smaller than the stock by less still shows the whole stock.
 _ROUNDING = 1e-9
 
 

@@ -69,7 +69,7 @@ class GaussMapDock(QDockWidget):
         self.title, self.values, self.legend = QLabel(), QLabel(), QLabel()
         as_plain(self.title)
         for label in (self.title, self.values, self.legend):
-            label.setWordWrap(True)  # a dock may be narrow
+            label.setWordWrap(True)  # a dock can be narrow
             label.setTextInteractionFlags(Qt.TextSelectableByMouse)
         self._whole = [WholeText(label) for label in (self.title, self.values, self.legend)]
         self.legend.setAlignment(Qt.AlignRight)
@@ -284,7 +284,7 @@ class GaussMapDock(QDockWidget):
             text.fit()
 
     def _behind(self) -> QColor:
-        """Return the colour behind the plots as painted, because it may come from a palette or a style sheet."""
+        """Return the painted colour behind the plots, which comes from a palette or a style sheet."""
         image = QImage(1, 1, QImage.Format_RGB32)
         image.fill(self._body.palette().color(QPalette.Window))
         corner = self._body.mapTo(self, QPoint(2, 2))  # a point in the empty margin

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Paint the three plots of one area: toolpath, Gauss map and angular functions.
 
-The parts that depend on the step k are painted over the other parts, which may be stored as an image. Texts on the
+The parts that depend on the step k are painted over the other parts, which the widget stores as an image. Texts on the
 plots are the paper's symbols and the names of strategies.
 """
 
@@ -168,7 +168,7 @@ class GaussFigure:
         return first + thinned(values[first:last], _COLUMNS)
 
     def _paint_thresholds(self, painter: QPainter, theme: Theme) -> None:
-        """Draw the bounds of phi, +-pi and +-2 pi, and highlight the one that decides."""
+        """Draw the bounds of phi, +-pi and +-2 pi, and highlight the deciding bound."""
         plot = self.graph
         plot.clipped(painter)
         deciding, _ = self._threshold()

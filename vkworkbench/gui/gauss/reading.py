@@ -88,7 +88,7 @@ def read(source: Source, going_on: Callable) -> Iterator[Reading | None]:
     index = proof(areas, main.first, main.last, around=main.strategy.family is Family.AROUND)
     going_on()
     signature = areas.signature(index)
-    _ = signature.theta_level, signature.length  # computed here and not in the window's thread
+    _ = signature.theta_level, signature.length  # computed now, so that the window's thread does not have to
     drawn = [Polyline(points(areas)) for points in (outline, links)]
     going_on()
     yield Reading(recognition, areas, *drawn, index)

@@ -27,7 +27,7 @@ from vkworkbench.report import Cancelled
 _SLICE = 0.03  # longest time for showing results before other events are handled, s
 _WATCH = 50  # ms between two checks whether a thread has ended
 _DELAY = 300  # ms; the progress of shorter work is not shown
-_LINGER = 200  # ms for which the progress line stays after the work, so that it does not flicker before related work
+_LINGER = 200  # ms for which the progress line stays after a task, to avoid flicker before a related task
 
 
 class Background(QObject):
@@ -119,7 +119,7 @@ class Background(QObject):
 
 
 class _Threads:
-    """The running threads. No Qt object may be destroyed in them, see `garbage`.
+    """The running threads. A thread must not destroy Qt objects, see `garbage`.
 
     A thread destroys objects to which it holds the last reference, such as the tab of its work. Therefore a reference to the work
     is kept until the thread has ended.
@@ -163,12 +163,12 @@ def _run(work: Callable, given_up: threading.Event, results: SimpleQueue) -> Non
 
 
 class Busy(QWidget):
-    """A line with the running work and a button to cancel it. It appears after a delay.
+    """A line with the running task and a button to cancel the task. The line appears after a delay.
 
     Parameters
     ----------
     background : Background
-        The work to show. The line is hidden while nothing runs.
+        The tasks to show. The line is hidden while no task runs.
     """
 
     def __init__(self, background: Background) -> None:

@@ -34,7 +34,7 @@ def readable(ink: QColor, back: QColor, least: float = TEXT_CONTRAST) -> str:
 def paper(palette: QPalette) -> QColor:
     """Return a background on which the text colour of a palette is readable: the base colour if possible.
 
-    The style sheets of FreeCAD 1.1's themes may set a light text colour while the base colour stays white.
+    The style sheets of FreeCAD 1.1's themes can set a light text colour while the base colour stays white.
     """
     text, own = palette.text().color(), palette.base().color()
     if contrast(text, own) >= LINE_CONTRAST:

@@ -183,7 +183,7 @@ def svg_generator(path: str, width: int, height: int, title: str):
 
 
 class MenuButton(QToolButton):
-    """A button that opens a menu. It is wide enough for the arrow, which FreeCAD 1.1's theme would draw over the text."""
+    """A button that opens a menu, wide enough for the arrow that FreeCAD 1.1's theme would draw over the text."""
 
     def __init__(self, text: str, menu: QMenu | None = None) -> None:
         super().__init__()

@@ -90,7 +90,7 @@ def dialog_of(title: str, text: str, parent: QWidget, delay: int) -> QProgressDi
     as_plain(dialog.findChild(QLabel))
     dialog.setLabelText(text)
     dialog.setCancelButtonText(translate("Vk_Analyze", "Cancel"))
-    dialog.rejected.connect(dialog.cancel)  # Esc may reach any part of the dialog
+    dialog.rejected.connect(dialog.cancel)  # Esc can reach any part of the dialog
     return dialog
 
 

@@ -14,6 +14,6 @@ def proposed(document, name: str) -> str:
 def with_suffix(path: str, suffix: str) -> str:
     """Return a chosen path, with this suffix if it has none. An empty path of a cancelled dialog stays empty.
 
-    A name may contain dots: the ``.2`` of "Bracket V1.2" is not a suffix.
+    A name can contain dots: the ``.2`` of "Bracket V1.2" is not a suffix.
     """
     return path if not path or Path(path).suffix[1:].isalpha() else path + suffix

@@ -66,7 +66,7 @@ def sentence(message: Message) -> str:
 def plain_sentence(message: Message) -> str:
     """Return the sentence of a message for the user, in a machinist's words if the message has them."""
     text = render(message, user(), plain=True)
-    return text[:1].upper() + text[1:]  # the sentence may begin with a part that continues other sentences
+    return text[:1].upper() + text[1:]  # the first part of a sentence can be one that normally continues a sentence
 
 
 def is_chinese(text: str) -> bool:

@@ -32,13 +32,13 @@ class Column:
     value : callable
         Returns the number or text of a row, or None.
     shown : callable
-        Returns the text for a value.
+        Returns the text that the column shows for a value.
     factor : callable or None
         For an estimated time: returns the factor of a row. The true time is between time / factor and time * factor.
     least : callable
         Returns whether the value of a row is a lower bound.
     note : callable
-        Returns a sentence on the value of a row; empty if there is none.
+        Returns a sentence on the value of a row, or an empty text.
     """
 
     key: str

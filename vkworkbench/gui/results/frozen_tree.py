@@ -111,7 +111,7 @@ class FrozenTree(QTreeView):
             width, header = self.columnWidth(0), 0 if self.header().isHidden() else self.header().height()
             self._above.setColumnWidth(0, width)
             self._above.header().setFixedHeight(header)
-            seen = self.viewport().geometry()  # a theme may give the tree a border or a padding
+            seen = self.viewport().geometry()  # a theme can give the tree a border or a padding
             self._above.setGeometry(seen.left(), seen.top() - header, width, header + seen.height())
             self._above.verticalScrollBar().setValue(self.verticalScrollBar().value())
         self._above.setVisible(scrolled)

@@ -136,7 +136,7 @@ class ResultsDock(QDockWidget):
 
     def _fit_columns(self) -> None:
         for number, column in enumerate(self.model.columns):
-            if self.tree.isColumnHidden(number):  # computing the costs of a hidden column may take long
+            if self.tree.isColumnHidden(number):  # computing the costs of a hidden column can take long
                 continue
             self.tree.resizeColumnToContents(number)
             self.tree.setColumnWidth(number, min(self.tree.columnWidth(number), _MAX_WIDTH.get(column.key, 1000)))

@@ -112,7 +112,7 @@ def by_removal_rate(zbuffer: ZBuffer, job: Job) -> Coloring:
 
 
 def by_difference(zbuffer: ZBuffer, job: Job) -> Coloring:
-    """Colour by the distance between part and model along the view. Pixels that show a wall keep their colour."""
+    """Colour by the distance between part and model along the view. Pixels at a wall rarely count as different."""
     seen, tolerance = job.seen, job.tolerance
     if seen is None:
         return Coloring(palette(CUT), lambda: ((_name(CUT), (

@@ -43,7 +43,7 @@ class SimulateCommand(DocumentCommand):
 
 def _ask_which(jobs: list) -> None:
     """Ask for one of several jobs, and open a tab that simulates it."""
-    labels = [f"{number}. {job.Label}" for number, job in enumerate(jobs, 1)]  # two jobs may have the same label
+    labels = [f"{number}. {job.Label}" for number, job in enumerate(jobs, 1)]  # two jobs can have the same label
     dialog = QInputDialog(Gui.getMainWindow())
     dialog.setAttribute(Qt.WA_DeleteOnClose)
     dialog.setWindowTitle(translate("Vk_Simulate", "Simulate Toolpaths"))

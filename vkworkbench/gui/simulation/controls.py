@@ -294,7 +294,7 @@ class PlayBar(QWidget):
 
 
 class _Combo(QComboBox):
-    """A combo box that shortens its text with "…"; Qt would cut it off."""
+    """A combo box that shortens its text with "…". Qt's combo box would cut the text off."""
 
     def paintEvent(self, event) -> None:
         painter, option = QStylePainter(self), QStyleOptionComboBox()

@@ -122,7 +122,7 @@ def _fault(one, what: Message, serious: bool) -> Fault:
     return Fault(source and source.cut, source and source.command, one.trajectory, one.place, what, serious)
 
 
-_SERIOUS, _FAST = "#d32f2f", "#e08000"  # crashes and gouges, fast plunges
+_SERIOUS, _FAST = "#d32f2f", "#e08000"  # colours of crashes and gouges, and of fast plunges
 
 
 class KnownFaults:

@@ -87,7 +87,7 @@ class Moment(QObject):
     seconds, done : float, int
         The machine's time, s, and the number of trajectories that are finished.
     noticed : int or None
-        The trajectory to highlight: the one that the user chose, or the last finished one.
+        The trajectory to highlight: the trajectory that the user chose, or the last finished trajectory.
     """
 
     changed = Signal()
@@ -105,7 +105,7 @@ class Moment(QObject):
 
     @property
     def last(self) -> int:
-        """The last finished trajectory, or the first one at the beginning."""
+        """The last finished trajectory, or the first trajectory at the beginning."""
         return max(self.done - 1, 0)
 
     def go_to(self, seconds: float, trajectory: int | None = None) -> None:

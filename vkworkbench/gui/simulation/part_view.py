@@ -35,7 +35,8 @@ from vkworkbench.gui.qt.text import translate
 TURN, PAN = "turn", "pan"
 _LEFT, _MIDDLE, _RIGHT = Qt.LeftButton, Qt.MiddleButton, Qt.RightButton
 _NONE, _SHIFT, _CTRL, _ALT = Qt.NoModifier, Qt.ShiftModifier, Qt.ControlModifier, Qt.AltModifier
-# Mouse buttons and modifier keys of FreeCAD's navigation styles (preferences, Display > Navigation). The left button always turns.
+# Mouse buttons and modifier keys of FreeCAD's navigation styles (preferences, Display > Navigation). In each style, the
+# left button alone turns the part.
 _STYLES = {
     "CAD": ((_MIDDLE, _NONE, PAN), (_MIDDLE | _LEFT, _NONE, TURN), (_MIDDLE | _RIGHT, _NONE, TURN)),
     "Gesture": ((_RIGHT, _NONE, PAN), (_MIDDLE, _NONE, TURN)),
@@ -85,7 +86,7 @@ class Surface(NamedTuple):
     owner : int
         Trajectory that made the surface; -1 for the raw stock, `CUT_OPEN` for the face of a section.
     place : (3,) ndarray
-        mm.
+        Position, mm.
     """
 
     owner: int
@@ -174,7 +175,7 @@ class PartView(QWidget):
         try:
             self._paint(painter)
         finally:
-            painter.end()  # explicitly, because the traceback of an error would keep the painter alive
+            painter.end()  # end now, because the traceback of an error would keep the painter alive
 
     def _paint(self, painter: QPainter) -> None:
         painter.fillRect(self.rect(), QColor(*self.background))

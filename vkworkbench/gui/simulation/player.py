@@ -92,7 +92,7 @@ class Player(QWidget):
 
     @property
     def volumes(self) -> np.ndarray:
-        """Removed volume of each trajectory, (n,) float64 mm^3; zeros until it is known."""
+        """Removed volume of each trajectory, (n,) float64 mm^3; zeros until the volumes are known."""
         removal = self.drawing.removal
         return np.zeros(len(self.clock.cuts)) if removal is None else removal.volumes
 

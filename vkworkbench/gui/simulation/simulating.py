@@ -170,7 +170,7 @@ class Simulating:
     def _simulate(self, view: View, is_finest: bool, going_on: Callable[[], None]) -> Simulated:
         done = simulate_read(self.job, view, self.budgets.memory, self._reported(going_on))
         zbuffer = done.zbuffer
-        zbuffer.surface.prepare()  # computed here and not in the window's thread
+        zbuffer.surface.prepare()  # computed now, so that the window's thread does not have to
         model = self.job.model if is_finest else None
         seen = None if model is None else SeenModel(model, zbuffer.frame, going_on)
         seconds = time.perf_counter() - self._began
@@ -198,7 +198,7 @@ class Region(NamedTuple):
     high: np.ndarray
 
     def contains(self, other: Region) -> bool:
-        """Return whether another rectangle lies inside."""
+        """Return whether another rectangle is inside this rectangle."""
         return bool((self.low <= other.low).all() and (self.high >= other.high).all())
 
 
@@ -225,7 +225,7 @@ def region_of(frame: Frame) -> Region:
 
 
 def detail_view(frame: Frame, job: SimulatedJob, pixel: float) -> View | None:
-    """Return the view from above of the part of the stock in an image; None if it would not be finer.
+    """Return a view from above of the stock that an image shows; None if the view would not be finer.
 
     Parameters
     ----------

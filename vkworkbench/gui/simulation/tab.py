@@ -57,7 +57,7 @@ class SimulationTab(KeyedWidget):
         self._layout = QVBoxLayout(self)
         self._layout.setContentsMargins(4, 4, 4, 4)
         self._layout.addWidget(self.again)
-        self._changed: set[str] = set()  # operations whose path may have changed after it was copied
+        self._changed: set[str] = set()  # operations whose path could have changed after the copy
         self._soon = single_shot(lambda: idle.work(self._comparing()), self)
         self._asked = QTimer(self)
         self._asked.setSingleShot(True)

@@ -180,7 +180,7 @@ class TimeLine(KeyedWidget):
         try:
             self._paint(painter)
         finally:
-            painter.end()  # explicitly, because the traceback of an error would keep the painter alive
+            painter.end()  # end now, because the traceback of an error would keep the painter alive
 
     def _paint(self, painter: QPainter) -> None:
         painter.setRenderHint(QPainter.Antialiasing)

@@ -21,7 +21,7 @@ _PARTS = {
 def panels() -> list[QWidget]:
     """Return the simulators' panels that are open and work; all panels have the same name.
 
-    FreeCAD 1.x keeps closed panels, and PySide may confuse widgets of the next panel with deleted widgets at the same
+    FreeCAD 1.x keeps closed panels, and PySide can confuse widgets of the next panel with deleted widgets at the same
     address. Then FreeCAD reports that its command failed, and the panel or its widgets are not found.
     """
     return [

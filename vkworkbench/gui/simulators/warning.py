@@ -85,9 +85,9 @@ class Line(QFrame):
 
 
 class OpenPanel(QObject):
-    """The warning while a simulator's panel is open; it follows the ticks of the operations in the panel.
+    """The warning while a simulator's panel is open. The warning follows the ticks of the operations in the panel.
 
-    The line is its parent, and it keeps no reference to the panel, see `widgets`.
+    The line is the parent of this object, which keeps no reference to the panel, see `widgets`.
     """
 
     def __init__(self, panel: QWidget, simulator: str) -> None:
@@ -99,7 +99,7 @@ class OpenPanel(QObject):
         self._line.hide()
         self._line.way.clicked.connect(self._take)
         self._line.close_button.clicked.connect(self._end)
-        self._changed = single_shot(self._say, self)  # all ticks of a list may change at once
+        self._changed = single_shot(self._say, self)  # all ticks of a list can change at once
         self._open = QTimer(self)  # not a signal of the panel, because PySide would keep the deleted widget
         self._open.timeout.connect(self._look)
         self._open.start(_LOOK)
@@ -160,7 +160,7 @@ def _title(way: str, simulator: str) -> str:
 
 
 def _start(way: str, job, operations: list) -> None:
-    """Simulate a job's operations in one of FreeCAD's simulators, the legacy one in fast-forward, or in ours."""
+    """Simulate a job's operations in one of FreeCAD's simulators, the legacy one in fast-forward, or in our tab."""
     if way == better_way.OURS:
         from vkworkbench.gui.simulation.command import open_tab
 

@@ -55,7 +55,7 @@ class Legend:
 
 def _overlay() -> tuple[coin.SoGroup, coin.SoImage]:
     """Return nodes that show an image in the lower left corner, in front of everything. "Fit all" ignores them."""
-    node = coin.SoType.fromName("SoSkipBoundingGroup").createInstance()  # FreeCAD's own
+    node = coin.SoType.fromName("SoSkipBoundingGroup").createInstance()  # a node class of FreeCAD
     node.getField("mode").set("EXCLUDE_BBOX")
     root = coin.cast(node, "SoGroup")
     root.setName("VkLegend")

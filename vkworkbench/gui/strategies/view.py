@@ -34,7 +34,7 @@ Key = Tuple[str, str]  # names of the document and the object
 def _groups(obj) -> list[coin.SoGroup]:
     """Return the present group nodes in which FreeCAD draws an object; empty if it draws nothing.
 
-    Other code may remove the nodes, and FreeCAD crashes if a removed node is used. Therefore call this function before
+    Other code can remove the nodes, and FreeCAD crashes if a removed node is used. Therefore call this function before
     each use.
     """
     switch = obj.ViewObject.SwitchNode
@@ -222,7 +222,7 @@ def is_drawing() -> bool:
 
 
 class _Watcher:
-    """Redraws changed toolpaths, and drops deleted ones."""
+    """Redraws changed toolpaths, and drops deleted toolpaths."""
 
     def __init__(self) -> None:
         self._changed: set[Key] = set()

@@ -62,7 +62,7 @@ class Layout:
         The text that the style paints, with gaps.
     pieces : list of Piece
     needed : int
-        Minimum width, px. Text beyond this width may be cut off.
+        Minimum width, px. Text beyond this width can be cut off.
     """
 
     def __init__(self, metrics) -> None:
@@ -89,7 +89,7 @@ class Layout:
         self.needed = self._metrics.horizontalAdvance(self.text)
 
     def say_more(self, text: str) -> None:
-        """Add a text that the style may shorten."""
+        """Add a text that the style shortens if room is short."""
         if text:
             self._part()
             self.text += _SPACE + text

@@ -154,7 +154,7 @@ _PAINTERS = {
 
 
 def _objects_of(index) -> list:
-    """Return the marked objects that a cell of the tree may show, by the labels of object and document."""
+    """Return the marked objects that a cell of the tree could show, by the labels of object and document."""
     root = index.sibling(index.row(), 0)
     label, description = root.data(), index.data()
     above = []  # FreeCAD 0.20 has a root item "Application" above the documents
