@@ -166,7 +166,7 @@ class Records:
 
 # Number of stretches that `first_not_below` searches in one batch. The arrays of a larger batch would not fit into
 # the processor's cache, and in a smaller batch the overhead of numpy's calls would dominate.
-_BLOCK = 1 << 14
+_STRETCHES_AT_ONCE = 1 << 14
 
 
 def first_not_below(values: np.ndarray, first: np.ndarray, end: np.ndarray, sought: np.ndarray | float) -> np.ndarray:
@@ -186,8 +186,8 @@ def first_not_below(values: np.ndarray, first: np.ndarray, end: np.ndarray, soug
         Position of the first value in each stretch that is not less than `sought`; `end` if all values are less.
     """
     low = first.copy()
-    for begin in range(0, len(low), _BLOCK):
-        part = slice(begin, begin + _BLOCK)
+    for begin in range(0, len(low), _STRETCHES_AT_ONCE):
+        part = slice(begin, begin + _STRETCHES_AT_ONCE)
         own, own_end = low[part], end[part]
         own_sought = sought[part] if isinstance(sought, np.ndarray) else sought
         for bit in reversed(range(int((own_end - own).max(initial=0)).bit_length())):
