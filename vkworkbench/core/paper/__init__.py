@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The V_k vector method: directions, turns and phi of the trajectories (paper, sections 2 and 3).
+"""Compute the paper's V_k vector method: directions and turns of trajectories, and phi, the sum of the turns.
 
-Input: a `Toolpath`, or the vertices of a polyline.
-Output: `Areas`, the monotonous areas with their directions, turns, phi and loops; the `Signature` of an area, with
-levels, V_k and Gauss map; `PaperVerdict`, the strategy by the paper's own rule; the lines of the Gauss map's picture.
+The method is described in sections 2 and 3 of the paper. The input is a `Toolpath`, or the vertices of a polyline.
+`Areas` contains the monotonous areas of a toolpath, with their directions, turns, phi and loops. `Signature` contains
+the levels (numbers of whole turns), V_k and the Gauss map of one area. `PaperVerdict` contains the strategy by the
+paper's own rule. The functions of `picture` compute the lines in the picture of the Gauss map.
 """
 
 from vkworkbench.core.paper.areas import Areas, monotonous_areas

@@ -1,5 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The monotonous areas of a toolpath and the signature of each. Every measure is computed once and cached."""
+"""Split a toolpath into monotonous areas, and compute measures and the signature of each area.
+
+Every measure is computed once and cached.
+"""
 
 from __future__ import annotations
 
@@ -27,17 +30,17 @@ def monotonous_areas(toolpath: Toolpath, first: int = 0, last: int | None = None
     Returns
     -------
     Areas
-        Without moves (m = 0) if nothing cuts along the plane.
+        The areas contain no moves (m = 0) if nothing cuts along the working plane.
     """
     return Areas(**vars(cutting_moves(toolpath, first, len(toolpath) if last is None else last + 1)))
 
 
 class Areas(Moves):
-    """The `m` moves of `a` monotonous areas, and measures of each whole area."""
+    """The `m` moves of `a` monotonous areas, and measures that belong to a whole area."""
 
     @cached_property
     def end(self) -> np.ndarray:
-        """One past the last move of each area, (a,) int: area i has the moves start[i] .. end[i] - 1."""
+        """Index after the last move of each area, (a,) int: area i consists of the moves start[i] .. end[i] - 1."""
         return np.append(self.start[1:], len(self)) if len(self) else self.start
 
     @cached_property
@@ -57,17 +60,17 @@ class Areas(Moves):
 
     @cached_property
     def loops(self) -> tuple[np.ndarray, np.ndarray]:
-        """First move of each closed loop and one past its last, both (k,) int; see :func:`closed_loops`."""
+        """First move of each closed loop, and index after its last move, both (k,) int; see :func:`closed_loops`."""
         return closed_loops(self)
 
     @cached_property
     def _signs(self) -> tuple[np.ndarray, np.ndarray]:
-        """Signs given to the half turns, and the last alternating sign of each area; see :func:`signs_of_reversals`."""
+        """Sign of each half turn, and the last alternating sign of each area; see :func:`signs_of_reversals`."""
         return signs_of_reversals(self.turning, self.unsigned, self.start, TURNS.UNSIGNED)
 
     @cached_property
     def signed(self) -> tuple[np.ndarray, np.ndarray]:
-        """Turning and phi with a sign for every half turn, both (m,) rad, as in :class:`Signature`."""
+        """Turning and phi, in which every half turn has a sign, both (m,) rad, as in :class:`Signature`."""
         if not len(self.unsigned):
             return self.turning, self.phi
         signs = self._signs[0]
@@ -81,14 +84,14 @@ class Areas(Moves):
 
     @cached_property
     def twice_swept(self) -> np.ndarray:
-        """Twice the signed area between each move and the origin, (m,) mm2."""
+        """Twice the signed area of the triangle between each move and the origin, (m,) mm2."""
         swept: np.ndarray = self.x * self.dy
         swept -= self.y * self.dx
         return swept
 
     @cached_property
     def closed(self) -> np.ndarray:
-        """Whether each area ends where it began, (a,) bool."""
+        """Whether each area ends at its start, up to a small gap, (a,) bool; see :func:`is_closed`."""
         first, last = self.start, self.end - 1
         end_x, end_y = self.x[last] + self.dx[last], self.y[last] + self.dy[last]
         gap = np.hypot(end_x - self.x[first], end_y - self.y[first])
@@ -104,10 +107,11 @@ class Areas(Moves):
 
     @cached_property
     def total_turning(self) -> np.ndarray:
-        """Phi at the end of each area, (a,) rad, with its closing turn if it has one.
+        """Phi at the end of each area, (a,) rad, including the closing turn if the area has one.
 
-        An area that ends where it began has a closing turn. In an area of offset loops linked without a lift, the last
-        loop has one. A zigzag with small loops along the boundary has none.
+        The closing turn of an area that ends at its start leads from the last move into the first. If an area consists
+        of offset loops that are linked without a lift, the closing turn of the last loop counts. A zigzag with small
+        loops along the boundary has no closing turn.
         """
         begin, end = self.start.copy(), self.end.copy()
         closes = self.closed.copy()
@@ -127,7 +131,7 @@ class Areas(Moves):
 
     @cached_property
     def signed_extremes(self) -> tuple[np.ndarray, np.ndarray]:
-        """Lowest and highest phi of each area with a sign for every half turn, (a,) rad each, without closing turns."""
+        """Lowest and highest phi of each area, (a,) rad each, with signed half turns and without closing turns."""
         return extremes(self.signed[1], self.start) if len(self.unsigned) else self.phi_extremes
 
     @cached_property
@@ -147,11 +151,11 @@ class Areas(Moves):
 
     @property
     def top_level(self) -> int:
-        """The level n farthest from zero that phi reaches in any area, closing turns included."""
+        """Level (number of whole turns in phi) farthest from zero in any area, closing turns included."""
         return top_level(self.phi_range)
 
     def signature(self, area: int) -> Signature:
-        """Return the signature of one area; its arrays are views where possible."""
+        """Return the signature of one area; its arrays share memory with the areas where possible."""
         of = slice(self.start[area], self.end[area])
         turning, phi = self.signed
         unsigned, exact = (

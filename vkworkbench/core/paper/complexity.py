@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The complexity of a polyline, measured by its turns."""
+"""Measure the complexity of a polyline by its turns."""
 
 from __future__ import annotations
 
@@ -13,7 +13,9 @@ from vkworkbench.core.paper.signature import signature
 
 @dataclass(frozen=True)
 class Complexity:
-    """The sums of the turns of a polyline; a closed polyline also turns from its last trajectory into its first.
+    """The sums of the turns of a polyline.
+
+    For a closed polyline, the sums include the turn from the last trajectory into the first.
 
     Attributes
     ----------
@@ -23,8 +25,8 @@ class Complexity:
     net_turning : float
         Sum of the turns with their signs, rad: the cumulative angular function phi at the end.
     windings : float
-        Net turning in full turns, the paper's level before truncation: 1 for a counter-clockwise closed contour that
-        does not cross itself, -1 for a clockwise one.
+        Net turning as a number of full turns: 1 for a counter-clockwise closed contour that does not cross itself, -1
+        for a clockwise contour. The paper's level is this number, truncated toward zero.
     """
 
     total_turning: float
@@ -41,19 +43,19 @@ def complexity(points: np.ndarray) -> Complexity:
     Parameters
     ----------
     points : (n+1, 2) or (n+1, 3) array_like of float
-        As for :func:`signature`.
+        Vertices of the polyline, as for :func:`signature`.
 
     Returns
     -------
     Complexity
-        Independent of the polyline's position, rotation and size, if its trajectories are longer than 1e-9 mm.
-        Traversal in the other direction changes the signs of the net turning and the windings, except for half turns,
-        which have no sign.
+        The values do not depend on the polyline's position, rotation and size, if its trajectories are longer than
+        1e-9 mm. If the polyline is traversed in the other direction, the net turning and the windings change their
+        signs, except for the part from half turns, which have no sign.
 
     Raises
     ------
     ValueError
-        As :func:`signature`.
+        For the same points as :func:`signature`.
 
     Examples
     --------

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Directions of moves, the turns between them, and the levels that the turns add up to (paper, section 3.2)."""
+"""Compute the directions of moves, the turns between moves, and levels, numbers of whole turns (paper, section 3.2)."""
 
 from __future__ import annotations
 
@@ -35,7 +35,7 @@ def turns(alpha: np.ndarray, out: np.ndarray | None = None, scratch: np.ndarray 
     alpha : (n,) float64
         rad.
     out, scratch : (n-1,) float64, optional
-        Memory for the result and for intermediate values: for a long path, allocating it takes most of the time.
+        Memory for the result and for intermediate values. For a long path, allocating memory takes most of the time.
 
     Returns
     -------
@@ -55,20 +55,21 @@ def signs_of_reversals(
 ) -> tuple[np.ndarray, np.ndarray]:
     """Choose signs for the half turns, so that moves back and forth do not add up in phi.
 
-    A half turn has no sign of its own. Where the tool leaves its path and returns on the same line, as at a relief in a
-    corner, the half turn at the tip gets the sign with which the three turns add up to the turn of the path without the
+    A half turn to the left and a half turn to the right lead into the same direction, so a half turn has no sign of its
+    own. If the tool leaves its path and returns on the same line, for example to relieve a corner, the half turn at the
+    tip gets the sign with which the turns before, at and after the tip add up to the turn of the path without this
     excursion. All other half turns get alternating signs.
 
     Parameters
     ----------
     turning : (m,) float
-        Turn at the start of each move, rad, without the half turns; 0 at the start of an area.
+        Turn at the start of each move, rad, from which half turns are already subtracted; 0 at the start of an area.
     at : (r,) int
-        Moves that begin with a half turn, ascending.
+        Indices of the moves that begin with a half turn, ascending.
     start : (a,) int
         First move of each area.
     half : float
-        A turn this close to half a turn has no sign, rad.
+        Largest difference between half a turn and a turn without a sign, rad.
 
     Returns
     -------
@@ -96,15 +97,16 @@ def signs_of_reversals(
         rank = np.arange(len(area)) - np.repeat(first, size)
         begin = np.repeat(np.where(phi[first] > TURNS.EXACT, -1, 1), size)
         signs[others] = begin * (1 - 2 * (rank & 1))
-        last[area] = signs[others]  # with several per area, numpy keeps the last value
+        last[area] = signs[others]  # if an area occurs several times, numpy keeps the last value
     return signs, last
 
 
 def total_turns(phi: np.ndarray, closing: np.ndarray, last: np.ndarray, half: float) -> np.ndarray:
     """Return phi after the closing turn of closed paths, (k,) rad.
 
-    A closing half turn has no sign either. If the half turns of the path have alternating signs, its sign alternates as
-    well. If not, as at the tip of a lead that is travelled in and out, its sign brings phi as close as possible to one
+    The closing turn leads from the last move into the first. A closing turn of half a turn has no sign of its own. If
+    the path has half turns with alternating signs, the closing turn continues the alternation. Otherwise, for example
+    at the tip of a lead that the tool travels in and out, the closing turn gets the sign that brings phi closest to one
     full turn.
 
     Parameters
@@ -114,7 +116,7 @@ def total_turns(phi: np.ndarray, closing: np.ndarray, last: np.ndarray, half: fl
     last : (k,) int
         Last alternating sign, from :func:`signs_of_reversals`.
     half : float
-        A closing turn this close to half a turn has no sign, rad.
+        Largest difference between half a turn and a closing turn without a sign, rad.
     """
     sign = np.where(last, -last, np.where(np.abs(phi) > TURN, -1.0, 1.0) * np.copysign(1.0, phi))
     turned = np.where(np.abs(closing) > np.pi - half, closing + np.pi * (sign - np.copysign(1.0, closing)), closing)
@@ -123,8 +125,8 @@ def total_turns(phi: np.ndarray, closing: np.ndarray, last: np.ndarray, half: fl
 
 
 def extremes(values: np.ndarray, start: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Return the lowest and the highest value of each area, (a,) each; values (m,), and the first move of each area (a,)."""
-    if len(start) == 1:  # numpy is many times faster without reduceat
+    """Return the lowest and highest of `values` (m,) in each area, (a,) each; areas begin at the moves `start` (a,)."""
+    if len(start) == 1:  # for one area, min and max are many times faster than reduceat
         return values.min(keepdims=True), values.max(keepdims=True)
     return np.minimum.reduceat(values, start), np.maximum.reduceat(values, start)
 
@@ -134,7 +136,9 @@ def level_of(phi: float) -> int: ...
 @overload
 def level_of(phi: np.ndarray) -> np.ndarray: ...
 def level_of(phi: float | np.ndarray) -> int | np.ndarray:
-    """Return the level n, phi / 2 pi truncated toward zero; a phi within rounding of a full turn counts as the full turn.
+    """Return the level n, the number of whole turns in phi, truncated toward zero.
+
+    A phi that is below a whole turn only by rounding counts as the whole turn.
 
     Parameters
     ----------
@@ -153,7 +157,7 @@ def farthest(phi_range: tuple[float, float]) -> float:
 
 
 def top_level(phi_range: tuple[float, float]) -> int:
-    """Return the level that the farther end of a range of phi reaches."""
+    """Return the level (number of whole turns) at the end of a range of phi that is farther from zero."""
     return level_of(farthest(phi_range))
 
 
@@ -162,7 +166,10 @@ def axis_of(along_x: float, along_y: float, length: float) -> float: ...
 @overload
 def axis_of(along_x: np.ndarray, along_y: np.ndarray, length: np.ndarray) -> np.ndarray: ...
 def axis_of(along_x: float | np.ndarray, along_y: float | np.ndarray, length: float | np.ndarray) -> float | np.ndarray:
-    """Return the main axis of moves, rad in [-pi/2, pi/2]: half the direction of the sum of the moves with doubled angles.
+    """Return the main axis of moves, rad in [-pi/2, pi/2].
+
+    The angles of the moves are doubled, so that opposite directions become equal. The main axis is half the direction
+    of the sum of these vectors.
 
     Parameters
     ----------

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The paper's own rule, for comparison with the recognition."""
+"""Find the strategy by the paper's own rule, for comparison with the recognition."""
 
 from __future__ import annotations
 
@@ -21,21 +21,24 @@ class PaperVerdict:
     Attributes
     ----------
     strategy : Strategy
-        CONTOUR_PARALLEL if abs(phi) exceeds 2 pi, ZIGZAG if abs(phi) never exceeds pi, otherwise UNKNOWN: section 3.2
-        does not decide there. (The level of section 3.1 makes zigzags of areas below 2 pi, and a contour at 2 pi.)
+        CONTOUR_PARALLEL if abs(phi) exceeds 2 pi, ZIGZAG if abs(phi) never exceeds pi, otherwise UNKNOWN, because
+        section 3.2 does not decide between pi and 2 pi. (By the level in section 3.1, areas below 2 pi are zigzags, and
+        areas at 2 pi are contours.)
     area : int
         Index of the longest area in :class:`Areas`.
     level : int
-        The level n farthest from zero.
+        Level (number of whole turns in phi) farthest from zero.
     phi_range : tuple of float
         Lowest and highest phi, rad, counted from the first trajectory, without a closing turn.
     v : tuple of float
-        V_k of the last trajectory in the working plane, mm.
+        V_k (the sum of the first k trajectories) at the last trajectory, in the working plane, mm.
     theta_range : tuple of float
-        Lowest and highest theta, rad, unwrapped: counted from theta of the first trajectory, without jumps of 2 pi.
+        Lowest and highest theta (the direction of V_k), rad, counted from theta of the first trajectory without jumps
+        of 2 pi.
     sense : str or None
-        "ccw" or "cw" if the image of V_k moves in one sense only; None if it moves back and forth, as the paper expects
-        for a zigzag. (For a contour the paper expects a full circle, which requires a start inside the contour.)
+        "ccw" or "cw" if the image of V_k on the unit circle moves in one sense only; None if the image moves back and
+        forth, as the paper expects for a zigzag. (For a contour the paper expects a full circle, but the image makes a
+        full circle only if the path starts inside the contour.)
     """
 
     strategy: Strategy
@@ -48,7 +51,7 @@ class PaperVerdict:
 
     @property
     def image(self) -> tuple[float, float]:
-        """The Gaussian image of V_k on the unit circle; (0, 0) if V_k is 0."""
+        """Gaussian image of V_k, a point of the unit circle; (0, 0) if V_k is 0."""
         length = float(np.hypot(*self.v))
         return (self.v[0] / length, self.v[1] / length) if length >= NO_LENGTH else (0.0, 0.0)
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Closed loops, on which the tool returns to a point after a turn of +-2 pi, and the single turns of windings."""
+"""Find closed loops, on which the tool returns to a point after a net turn of +-2 pi, and the turns of windings."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from vkworkbench.core.paper.directions import TURN, wrap
 from vkworkbench.core.paper.moves import Moves
 from vkworkbench.core.paper.thresholds import LOOPS, TURNS
 
-OFF_ROUND = 0.377  # share of a cell; shifts the grid, so that round coordinates do not lie on the borders of cells
+OFF_ROUND = 0.377  # share of a cell; shifts the grid, so that round coordinates are not on borders between cells
 
 
 def closing_turns(alpha: np.ndarray, first: np.ndarray, end: np.ndarray) -> np.ndarray:
@@ -23,39 +23,43 @@ def closing_turns(alpha: np.ndarray, first: np.ndarray, end: np.ndarray) -> np.n
     alpha : (m,) float64
         Directions, rad.
     first, end : (k,) int
-        The stretches are the moves first[i] .. end[i] - 1.
+        Stretch i consists of the moves first[i] .. end[i] - 1.
     """
     result: np.ndarray = wrap(alpha[first] - alpha[end - 1])
     return result
 
 
 def is_closed(gap: np.ndarray, enclosed: np.ndarray, moves: np.ndarray) -> np.ndarray:
-    """Return whether each stretch ends where it began, (k,) bool.
+    """Return whether each stretch ends at its start, (k,) bool.
 
-    A stretch is closed if its gap is small compared with the area enclosed: lead-ins and rounding leave such gaps. Two
-    passes of a narrow zigzag enclose a small area, so they are open.
+    A stretch is closed if the gap between its end and its start is small compared with the area that the stretch
+    encloses. Lead-ins and rounding leave small gaps in closed contours. Two passes of a narrow zigzag enclose a small
+    area, so they are not closed.
 
     Parameters
     ----------
     gap : (k,) float
-        From the end to the start, mm.
+        Distance from the end of each stretch to its start, mm.
     enclosed : (k,) float
-        Area between the stretch and its chord, mm2.
+        Area between each stretch and the straight line from its end to its start, mm2.
     moves : (k,) int
-        Number of moves in the stretch.
+        Number of moves in each stretch.
     """
     result: np.ndarray = (gap <= np.maximum(LOOPS.CLOSE, LOOPS.GAP * np.sqrt(np.abs(enclosed)))) & (moves > 2)
     return result
 
 
 def may_be_closed(gap: np.ndarray, length: np.ndarray) -> np.ndarray:
-    """Return whether each stretch can be closed, (k,) bool: it encloses at most the area of a circle of its length."""
+    """Return whether the gap of each stretch is small enough for some closed shape, (k,) bool; see :func:`is_closed`.
+
+    A stretch encloses at most the area of a circle whose circumference is the length of the stretch.
+    """
     result: np.ndarray = gap <= np.maximum(LOOPS.CLOSE, LOOPS.GAP * length / np.sqrt(4 * np.pi))
     return result
 
 
 def is_one_turn(net: np.ndarray) -> np.ndarray:
-    """Return whether each net turn, (k,) rad, is one full turn in either sense, (k,) bool."""
+    """Return whether each net turn, (k,) rad, is within a quarter turn of a full turn in either sense, (k,) bool."""
     result: np.ndarray = np.abs(np.rint(net / np.pi)) == 2
     return result
 
@@ -63,10 +67,11 @@ def is_one_turn(net: np.ndarray) -> np.ndarray:
 def closed_loops(moves: Moves) -> tuple[np.ndarray, np.ndarray]:
     """Find the closed loops: stretches that return to their first point with a net turn of +-2 pi.
 
-    An area may hold offset loops that are linked without a lift, or a contour cut together with a zigzag: phi then adds
-    up over loops and links. A loop is found by the point to which the tool returns. If two loops overlap, the first one
-    counts, unless it turns back and forth much more than the second: a zigzag that is followed by its contour may return
-    to its own start, and there the contour is the loop.
+    An area can contain offset loops that are linked without a lift, or a contour that is cut together with a zigzag.
+    Phi then adds up over loops and links, so a loop is found by the point to which the tool returns. If two loops
+    overlap, the first loop counts, unless the first loop turns back and forth much more than the second. For example, a
+    zigzag can return to its own start before the tool cuts the contour around the zigzag; only the contour is then a
+    loop.
 
     Parameters
     ----------
@@ -75,9 +80,10 @@ def closed_loops(moves: Moves) -> tuple[np.ndarray, np.ndarray]:
     Returns
     -------
     first, end : (k,) int
-        The loops are the moves first[i] .. end[i] - 1, in order and without overlap.
+        Loop i consists of the moves first[i] .. end[i] - 1. The loops are in order and do not overlap.
     """
-    # A loop turns by 2 pi less its last corner, a zigzag by pi: most rasters need no search.
+    # In a loop, phi changes by 2 pi minus the closing turn; in a zigzag, phi changes by only pi. Areas with a small
+    # change contain no loop, so most rasters are not searched.
     winds = moves.phi_extent > LOOPS.HALF_TURNS * np.pi
     if not winds.any():
         none = np.zeros(0, np.int64)
@@ -85,24 +91,24 @@ def closed_loops(moves: Moves) -> tuple[np.ndarray, np.ndarray]:
     vertices = _vertices(moves, winds)
     first, end = _disjoint(moves, *_returns(moves, *vertices, 1, OFF_ROUND))
     if (end - first).sum() < LOOPS.FOUND * len(vertices[0]):
-        # Two visits of one point may lie apart by a dropped move (MOVES.NOISE), on two sides of a border between cells.
-        # With three wider grids, each shifted by a third of a cell, at least one grid has both visits in one cell.
+        # If a short move was dropped (MOVES.NOISE), two visits to the same point can be in different cells. Among three
+        # wider grids, shifted by a third of a cell each, at least one grid has both visits in the same cell.
         wider = [_returns(moves, *vertices, 2, OFF_ROUND + third / 3) for third in range(3)]
         first, end = _disjoint(moves, *np.concatenate([(first, end), *wider], axis=1))
     return first, end
 
 
 def _vertices(moves: Moves, winds: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
-    """Return the vertices of the areas that wind: first the start of every move, then the end of every area.
+    """Return the vertices of the areas selected by `winds`: first the start of every move, then the end of every area.
 
     Returns
     -------
     x, y : (v,) float
-        In units of LOOPS.CLOSE, not negative.
+        Coordinates in units of LOOPS.CLOSE, at least 0.
     at : (v,) int
-        Move that begins at the vertex; for the end of an area, one past its last move.
+        Index of the move that begins at the vertex; for the end of an area, the index after its last move.
     area : (v,) uint32
-        Index of the area among the areas that wind; empty if there is only one.
+        Index of the area among the selected areas; an empty array if only one area is selected.
     """
     end = np.append(moves.start[1:], len(moves))
     size = end - moves.start
@@ -126,12 +132,12 @@ def _vertices(moves: Moves, winds: np.ndarray) -> tuple[np.ndarray, np.ndarray, 
 def _returns(
     moves: Moves, x: np.ndarray, y: np.ndarray, at: np.ndarray, area: np.ndarray, width: float, origin: float
 ) -> tuple[np.ndarray, np.ndarray]:
-    """Return the stretches that turn by +-2 pi between two visits of a cell; cells are `width` times LOOPS.CLOSE wide."""
+    """Return the stretches that turn by +-2 pi between two visits to a cell; cells are `width` * LOOPS.CLOSE wide."""
     scaled = (x, y) if width == 1 else (x * (1 / width), y * (1 / width))
     column, row = ((v + origin).astype(np.int32).view(np.uint32) for v in scaled)
-    # Hashing the cells takes O(n), sorting all vertices O(n log n). The products overflow on purpose; their high bits are
-    # the hash. The table has at least two places per vertex: cells with equal hashes have to be sorted, and a larger
-    # table is not kept in the processor's cache.
+    # Visits to the same cell are found by hashing, which takes O(n); sorting all vertices would take O(n log n). The
+    # products overflow on purpose, and their high bits are the hash. The table has at least two places per vertex. In a
+    # smaller table, more cells share a hash and must be sorted. A larger table does not fit into the processor's cache.
     bits = (2 * len(x)).bit_length()
     cell = column * np.uint32(2654435769)
     cell += row * np.uint32(2246822519)
@@ -143,15 +149,15 @@ def _returns(
     table = np.empty(1 << bits, np.int32)
     table[cell] = order
     latest = table.take(cell)
-    one = np.flatnonzero(latest != order)  # every visit but the last
+    one = np.flatnonzero(latest != order)  # every visit except for the last visit with the same hash
     two, own = latest[one], cell[one]
     table[own] = one
-    last = table.take(own) == one  # the last but one visit of its hash
+    last = table.take(own) == one  # the second-to-last visit with the same hash
     table[own[~last]] = -1
     crowded = table.take(own) < 0
     if crowded.any():
-        # Most cells are visited twice, at the beginning and the end of a loop. Visits with a crowded hash are sorted by
-        # cell: they may belong to several cells, or to a cell with more than two visits.
+        # Most hashes have two visits, at the beginning and the end of a loop. If a hash has more than two visits, the
+        # visits are sorted by cell, because they belong to several cells or to a cell with more than two visits.
         among = np.zeros(len(cell), bool)
         among[one[crowded]] = among[two[crowded & last]] = True
         many = np.flatnonzero(among)
@@ -167,16 +173,17 @@ def _returns(
     long = end - first > 2
     first, end = first[long], end[long]
     closing = closing_turns(moves.alpha, first, end)
-    # A closing half turn has no sign: counted from the tip of a lead, one loop and two loops could both be one turn.
+    # A closing turn of half a turn has no sign. Counted from the tip of a lead, one loop and two loops could then both
+    # have a net turn of 2 pi, so stretches with such a closing turn are not loops.
     once = is_one_turn(moves.phi[end - 1] - moves.phi[first] + closing) & (np.abs(closing) < np.pi - TURNS.UNSIGNED)
     return first[once], end[once]
 
 
 def _disjoint(moves: Moves, first: np.ndarray, end: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Keep, from left to right, the intervals that begin after the end of the last one kept.
+    """Keep, in ascending order, each interval that does not begin before the end of the last interval kept.
 
-    An interval that turns back and forth (LOOPS.WAVY) is dropped in favour of the first interval that begins inside it,
-    ends after it, and turns back and forth less than half as much (LOOPS.SMOOTHER).
+    An interval that turns back and forth (LOOPS.WAVY) is replaced by the first interval that begins inside it, ends
+    after its end, and turns back and forth much less (LOOPS.SMOOTHER).
     """
     if not (first[1:] > first[:-1]).all():
         order = np.lexsort((end, first))
@@ -201,21 +208,21 @@ def _disjoint(moves: Moves, first: np.ndarray, end: np.ndarray) -> tuple[np.ndar
 
 
 def winding_turns(moves: Moves, start: np.ndarray, end: np.ndarray, sense: np.ndarray) -> np.ndarray:
-    """Return where each turn of the windings after the first begins: where phi reaches the next multiple of 2 pi.
+    """Return the moves at which another turn of a winding begins, because phi reaches the next multiple of 2 pi.
 
     Parameters
     ----------
     moves : Moves
     start, end : (w,) int
-        The windings are the moves start[i] .. end[i] - 1.
+        Winding i consists of the moves start[i] .. end[i] - 1.
     sense : (w,) float
         +1 for a counter-clockwise winding, -1 for a clockwise one.
 
     Returns
     -------
     (t,) int
-        First move of every turn but the first of each winding. Each multiple of 2 pi counts once: a concave corner, at
-        which phi falls and rises again, does not begin another turn.
+        First move of every turn, except for the first turn of each winding. Each multiple of 2 pi counts once, so a
+        concave corner, at which phi falls and rises again, does not begin another turn.
     """
     size = end - start
     of = np.repeat(np.arange(len(start)), size)

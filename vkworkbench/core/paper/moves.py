@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The cutting moves that have a direction, split into monotonous areas (paper, section 2.1), and their measures."""
+"""Select the cutting moves that have a direction, measure them, and split them into areas (paper, section 2.1)."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from vkworkbench.core.paper.plane import plane_of_toolpath
 from vkworkbench.core.paper.thresholds import MOVES, TURNS
 from vkworkbench.core.toolpath import Toolpath
 
-MEASURES, SPARE = 10, 10  # rows of the block for the measures of moves, and spare rows
+MEASURES, SPARE = 10, 10  # numbers of rows in a memory block: for measures of moves, and spare rows (see `_Steps`)
 
 
 @dataclass
@@ -23,24 +23,25 @@ class Moves:
     Attributes
     ----------
     index : (m,) int
-        Trajectory of each move.
+        Index of each move's trajectory.
     x, y, z : (m,) float
         Start of the move in the plane, and height of its end along the plane's normal, mm.
     dx, dy, dz, length : (m,) float
-        The move and its length in the plane, mm.
+        Components of the move, and its length in the plane, mm.
     alpha : (m,) float
         Direction, rad.
     turning : (m,) float
-        Turn at the start of the move, rad in [-pi, pi]; 0 at the start of an area. For a half turn without a sign, its
-        difference from half a turn.
+        Turn at the start of the move, rad in [-pi, pi]; 0 at the start of an area. For a half turn without a sign, only
+        the difference from half a turn is stored.
     phi : (m,) float
-        Cumulative angular function of each area, rad: 0 at its first move, half turns without a sign left out.
+        Sum of the turns since the start of the area (the cumulative angular function), rad. The sum does not include
+        half turns without a sign.
     start : (a,) int
         First move of each area.
     unsigned, reversals : (u,) and (r,) int
-        Moves that begin with a half turn within rounding (TURNS.UNSIGNED), and with an exact one (TURNS.EXACT).
+        Moves that begin with half a turn within rounding (TURNS.UNSIGNED), and with exactly half a turn (TURNS.EXACT).
     holes : (h,) int
-        Last trajectory of each drilled hole.
+        Index of the last trajectory of each drilled hole.
     """
 
     index: np.ndarray
@@ -118,10 +119,10 @@ def cutting_moves(toolpath: Toolpath, first: int, end: int) -> Moves:
 class _Steps:
     """The trajectories first .. end - 1 of a toolpath in the working plane: points (n+1,), differences and lengths (n,).
 
-    All measures share one block of memory and are computed in place if possible, because memory takes more time here
-    than arithmetic: for many short-lived arrays the system maps the same pages again and again. The spare rows are never
-    touched. They make the block larger, and glibc keeps free memory of up to twice the largest block that it allocated
-    (its dynamic M_TRIM_THRESHOLD), so that later measures find mapped pages.
+    All measures share one block of memory and are computed in place if possible. With many short-lived arrays, the
+    system would map the same memory pages again and again, which takes more time than the arithmetic. The spare rows
+    are never used; they only make the block larger. glibc keeps free memory of up to twice the largest block that it
+    allocated (its dynamic M_TRIM_THRESHOLD), so later computations reuse pages that are already mapped.
     """
 
     def __init__(self, toolpath: Toolpath, first: int, end: int) -> None:
@@ -166,7 +167,7 @@ def turned(alpha: np.ndarray, start: np.ndarray, turning: np.ndarray, phi: np.nd
     scratch = phi[1:]
     turns(alpha, out=turning[1:], scratch=scratch)
     turning[start] = 0.0
-    # A half turn has no sign: its index goes to `unsigned`, and phi counts only its difference from pi.
+    # A half turn has no sign, so `unsigned` gets its index, and phi counts only its difference from pi.
     unsigned = np.flatnonzero(np.abs(turning[1:], out=scratch) > np.pi - TURNS.UNSIGNED) + 1
     reversals = unsigned[phi[unsigned] > np.pi - TURNS.EXACT]
     turning[unsigned] -= np.copysign(np.pi, turning[unsigned])
@@ -177,7 +178,7 @@ def turned(alpha: np.ndarray, start: np.ndarray, turning: np.ndarray, phi: np.nd
 
 
 def _drop_noise(planar: np.ndarray, length: np.ndarray) -> None:
-    """Unmark very short moves beside long ones: rounding made them, and their direction is noise."""
+    """Unmark very short moves beside long moves: rounding made the short moves, and their direction is noise."""
     short = np.flatnonzero(planar & (length < MOVES.NOISE))
     if not len(short):
         return
@@ -189,8 +190,8 @@ def _drop_noise(planar: np.ndarray, length: np.ndarray) -> None:
 def _split(steps: _Steps, planar: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """Return the trajectories of the planar moves and the first move of each area.
 
-    Areas end at rapids, plunges and lifts. A height change between two moves of one direction does not end an area:
-    the tool climbs a wall in the middle of a pass, as in 3D rasters.
+    Areas end at rapids, plunges and lifts. A height change between two moves in the same direction does not end an
+    area, because in 3D rasters the tool climbs walls in the middle of a pass.
     """
     index = np.flatnonzero(planar)
     if len(index) == len(planar):
@@ -202,7 +203,7 @@ def _split(steps: _Steps, planar: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         lifted = rapids[after] > rapids[before]
         steep = np.concatenate([[0], np.cumsum(np.where(planar | steps.rapid, 0.0, np.abs(steps.dz)))])
         height = np.abs(steps.z[after] - steps.z[before + 1])
-        drilled = steep[after] - steep[before] > height + MOVES.STILL  # down and up again
+        drilled = steep[after] - steep[before] > height + MOVES.STILL  # the tool moved down and up again
         gap = gap[lifted | drilled | ((height > MOVES.STILL) & ~steps.goes_on(before, after))]
     return index, np.concatenate([[0], gap]) if len(index) else gap
 
@@ -210,11 +211,11 @@ def _split(steps: _Steps, planar: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
 def _without_air(
     steps: _Steps, planar: np.ndarray, index: np.ndarray, start: np.ndarray
 ) -> tuple[np.ndarray, np.ndarray]:
-    """Remove links in the air from programs that lift, traverse and plunge at feed instead of rapid.
+    """Remove links in the air, for programs that lift, traverse and plunge at feed instead of at rapid.
 
-    A link in the air is straight and horizontal, and lies between a lift and a plunge. One of the two is enough at the
-    start and the end of a program, also if the program ends with a lift at feed, and beside a rapid at the top height,
-    because some posts write rapids as fast feeds.
+    A link in the air is a straight and horizontal move between a lift and a plunge. The lift is not required at the
+    start of a program, and the plunge is not required at the end or before a final lift at feed. Beside a rapid at the
+    top height, one of lift and plunge is enough, because some post processors write rapids as fast feeds.
     """
     if not len(start) or len(index) == len(planar):
         return index, start
@@ -231,16 +232,17 @@ def _without_air(
     lifted = rises | (a == 0) | (top & rapid[a - 1])
     plunges = falls | (b == end - 1) | (top & rapid[np.minimum(b + 1, len(rapid) - 1)])
     air = horizontal & steps.goes_on(b, a) & lifted & plunges
-    # A plateau between walls is not a link: it has the direction of the lower pass beside it.
+    # A plateau between walls is not a link in the air. A plateau has the direction of a lower pass beside it.
     before, after = b[:-1], a[1:]
     onward = steps.goes_on(before, after)
-    # A move at the top height between two rapids is not a plateau: a post wrote a rapid as a feed, in any direction.
+    # A move at the top height between two rapids is not a plateau, whatever its direction: a post processor wrote a
+    # rapid as a feed.
     fast = top & (a > 0) & rapid[a - 1] & rapid[np.minimum(b + 1, len(rapid) - 1)]
     air[1:] &= fast[1:] | ~(onward & (z[before + 1] < z[after] - MOVES.STILL))
     air[:-1] &= fast[:-1] | ~(onward & (z[after] < z[before + 1] - MOVES.STILL))
     air &= rises | falls
     several = np.flatnonzero(air & (last > start))
-    if len(several):  # rows, too, begin and end with parallel moves: require a straight area
+    if len(several):  # rows also begin and end with parallel moves, so the whole area must be straight
         ways = np.column_stack([a[several], b[several] + 1]).ravel()
         x, y, way = (np.add.reduceat(v, ways[ways < len(v)])[::2] for v in (steps.dx, steps.dy, length))
         air[several] = np.hypot(x, y) > MOVES.ONWARD * way
@@ -253,9 +255,10 @@ def _without_air(
 
 
 def _holes(steps: _Steps, planar: np.ndarray) -> np.ndarray:
-    """Return the last trajectory of every drilled hole, a plunge between two rapids without a move along the plane.
+    """Return the last trajectory of every drilled hole: a plunge between two rapids without a move along the plane.
 
-    Pecks into one hole count once. Plunges beside moves along the plane are walls and lead-ins, not holes.
+    Several pecks at one point count as one hole. Plunges beside moves along the plane are walls and lead-ins, not
+    holes.
     """
     down = np.flatnonzero(~steps.rapid & (steps.length <= MOVES.STILL) & (steps.dz < -MOVES.STILL))
     if not len(down):

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Lines for the picture of the method: the areas in their working plane, and arcs on the Gauss map."""
+"""Compute the lines in the picture of the method: the areas in their working plane, and arcs on the Gauss map."""
 
 from __future__ import annotations
 
@@ -9,12 +9,12 @@ from vkworkbench.core.paper.areas import Areas
 from vkworkbench.core.paper.directions import turns
 from vkworkbench.core.paper.thresholds import TURNS
 
-_ARC_STEP = np.radians(4)  # largest angle of a chord that an arc is drawn with
-_NO_TURN = 1e-6  # rad; below it, the image stands still
+_ARC_STEP = np.radians(4)  # rad, largest angle of the chords that draw an arc
+_NO_TURN = 1e-6  # rad; a smaller turn of the image is rounding and is not drawn
 
 
 def outline(areas: Areas) -> np.ndarray:
-    """Return all areas as one polyline, a row of NaN after each, (m + 2a, 2) mm."""
+    """Return all areas as one polyline, with a row of NaN after each area, (m + 2a, 2) mm."""
     at = np.concatenate([areas.end, areas.end])
     ends = _ends(areas)
     gaps = np.full(len(areas.end), np.nan)
@@ -23,7 +23,7 @@ def outline(areas: Areas) -> np.ndarray:
 
 
 def links(areas: Areas) -> np.ndarray:
-    """Return straight links from each area to the next, a row of NaN after each link, (3 (a-1), 2) mm."""
+    """Return a straight link from each area to the next, with a row of NaN after each link, (3 (a-1), 2) mm."""
     found = np.full((3 * max(len(areas.start) - 1, 0), 2), np.nan)
     end_x, end_y = _ends(areas)
     found[0::3] = np.column_stack([end_x[:-1], end_y[:-1]])
@@ -32,15 +32,15 @@ def links(areas: Areas) -> np.ndarray:
 
 
 def _ends(areas: Areas) -> tuple[np.ndarray, np.ndarray]:
-    """Return x and y of the end of each area, (a,) and (a,) mm."""
+    """Return the x and the y coordinates of the end of each area, (a,) mm each."""
     last = areas.end - 1
     return areas.x[last] + areas.dx[last], areas.y[last] + areas.dy[last]
 
 
 def turns_of(angle: np.ndarray) -> np.ndarray:
-    """Return the turns of an image between successive angles, (n,) -> (n-1,) rad.
+    """Return the turns between successive angles (n,) of an image on the unit circle, (n-1,) rad.
 
-    Each turn is the shorter one of the two; an exact half turn has no sense of rotation and is NaN.
+    Each turn is the shorter way around the circle. An exact half turn has no sense of rotation; its value is NaN.
     """
     turned = turns(angle)
     turned[np.abs(turned) > np.pi - TURNS.EXACT] = np.nan
@@ -48,20 +48,20 @@ def turns_of(angle: np.ndarray) -> np.ndarray:
 
 
 def image_arcs(angle: np.ndarray, radius: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Return the arcs along which an image moves on the Gauss map, by sense of rotation.
+    """Return the arcs along which an image moves on the Gauss map, separately for each sense of rotation.
 
     Parameters
     ----------
     angle : (n,) array_like of float
         Angle of the image, rad.
     radius : (n,) array_like of float
-        Distance from the centre at which the image is drawn. Different radii keep arcs apart if the image moves back
-        and forth on the same arc of the unit circle.
+        Distance from the centre at which the image is drawn. If the image moves back and forth on the same arc of the
+        unit circle, different radii separate the drawn arcs.
 
     Returns
     -------
     counter_clockwise, clockwise : (p, 2) and (q, 2) float64
-        Points of the arcs, a row of NaN after each arc. Neither contains the exact half turns.
+        Points of the arcs, with a row of NaN after each arc. Exact half turns are left out.
     """
     angle, radius = np.asarray(angle, float), np.asarray(radius, float)
     turned = turns_of(angle)
@@ -70,7 +70,7 @@ def image_arcs(angle: np.ndarray, radius: np.ndarray) -> tuple[np.ndarray, np.nd
 
 
 def _arcs(angle: np.ndarray, radius: np.ndarray, turned: np.ndarray, chosen: np.ndarray) -> np.ndarray:
-    counts = np.ceil(np.abs(turned[chosen]) / _ARC_STEP).astype(np.int64) + 2  # points of each, and the gap
+    counts = np.ceil(np.abs(turned[chosen]) / _ARC_STEP).astype(np.int64) + 2  # points of each arc, and a row of NaN
     owner = np.repeat(chosen, counts)
     ends = np.cumsum(counts)
     place = np.arange(len(owner)) - np.repeat(ends - counts, counts)
@@ -83,7 +83,7 @@ def _arcs(angle: np.ndarray, radius: np.ndarray, turned: np.ndarray, chosen: np.
 
 
 def thinned(values: np.ndarray, count: int) -> np.ndarray:
-    """Return indices of at most 4 * `count` values whose graph looks like that of all values.
+    """Return the indices of at most 4 * `count` values whose graph looks like the graph of all values.
 
     The values are divided into `count` stretches. The first, least, greatest and last value of each stretch is kept.
     """
@@ -92,7 +92,7 @@ def thinned(values: np.ndarray, count: int) -> np.ndarray:
         return np.arange(n)
     edges = np.arange(count + 1) * n // count
     kept = [edges[:-1], edges[1:] - 1]
-    # Repeating the last index makes all stretches equally long, so that one argmin serves all of them.
+    # Repeating the last index makes all stretches equally long, so that one call of argmin handles all stretches.
     width = int(np.diff(edges).max())
     index = np.minimum(edges[:-1, None] + np.arange(width), edges[1:, None] - 1)
     block = np.asarray(values)[index]
@@ -102,14 +102,14 @@ def thinned(values: np.ndarray, count: int) -> np.ndarray:
 
 
 def overlapping(points: np.ndarray, lower: np.ndarray, upper: np.ndarray) -> np.ndarray:
-    """Return the segments of a polyline whose boxes overlap a window, (m,) int64.
+    """Return the segments of a polyline whose bounding boxes overlap a window, (m,) int64.
 
     Segment i joins points i and i + 1.
 
     Parameters
     ----------
     points : (n+1, 2) float
-        NaN where the line is broken.
+        Points of the polyline; a row of NaN separates two lines.
     lower, upper : (2,) float
         Corners of the window.
     """
@@ -119,10 +119,10 @@ def overlapping(points: np.ndarray, lower: np.ndarray, upper: np.ndarray) -> np.
 
 
 def distinct(points: np.ndarray, segments: np.ndarray, *, cells: int, most: int) -> np.ndarray:
-    """Return the segments of a polyline that look different on a picture.
+    """Return the segments of a polyline that look different in a picture.
 
-    A segment that joins the same two cells as an earlier segment is left out, so that thousands of rows on a few hundred
-    pixels become at most a few hundred segments.
+    The picture is divided into cells. A segment that joins the same two cells as an earlier segment is left out, so
+    that thousands of rows on a few hundred pixels become at most a few hundred segments.
 
     Parameters
     ----------
@@ -132,7 +132,7 @@ def distinct(points: np.ndarray, segments: np.ndarray, *, cells: int, most: int)
     cells : int
         Width of the picture in cells, at most 1000 in the plane and 200 in space; halved while too many segments remain.
     most : int
-        Largest number of segments to return; if there are no more, all are returned.
+        Largest number of segments to return. If `segments` contains no more than this number, all are returned.
 
     Returns
     -------
@@ -147,7 +147,7 @@ def distinct(points: np.ndarray, segments: np.ndarray, *, cells: int, most: int)
     axes = points.shape[1]
     while True:
         weights = (cells + 1) ** np.arange(axes)
-        # Not a matrix product: its threads wait for each other on a busy computer.
+        # A matrix product would be slow on a busy computer, because its threads wait for each other.
         first, second = ((((p - lower) * (cells / size)).astype(np.int64) * weights).sum(axis=1) for p in (a, b))
         pair = np.minimum(first, second) * (cells + 1) ** axes + np.maximum(first, second)  # below 2**63
         kept = np.unique(pair, return_index=True)[1]
@@ -166,8 +166,8 @@ def proof(areas: Areas, first: int, last: int, *, around: bool) -> int:
     first, last : int
         The trajectories that follow the strategy, last inclusive.
     around : bool
-        Whether the strategy consists of loops. If so, the area with the largest absolute phi is returned, and the longest
-        one of several. For other strategies, the longest area is returned.
+        Whether the strategy consists of loops. If so, the area with the largest absolute phi is returned; among areas
+        with equal phi, the longest. For other strategies, the longest area is returned.
     """
     begin = areas.index[areas.start]
     inside = np.flatnonzero((begin >= first) & (begin <= last))

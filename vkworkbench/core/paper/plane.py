@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The working plane of a motion: XY, ZX or YZ."""
+"""Find the working plane of a motion: XY, ZX or YZ."""
 
 from __future__ import annotations
 
@@ -12,7 +12,9 @@ XY, ZX, YZ = (PLANE_AXES[number] for number in (17, 18, 19))
 
 
 def plane_of_points(points: np.ndarray) -> tuple[int, ...]:
-    """Return the axes of the plane of a polyline and its normal: XY, unless only one of X and Y changes, and Z does.
+    """Return the two axes of a polyline's plane, and the axis of the plane's normal.
+
+    The plane is XY, unless Z changes and only one of X and Y changes.
 
     Parameters
     ----------
@@ -26,10 +28,11 @@ def plane_of_points(points: np.ndarray) -> tuple[int, ...]:
 
 
 def plane_of_toolpath(points: np.ndarray, rapid: np.ndarray) -> tuple[int, ...]:
-    """Return the axes of the working plane of a toolpath and of its normal.
+    """Return the two axes of a toolpath's working plane, and the axis of the plane's normal.
 
-    The plane is XY, unless the path stays in a vertical plane and slopes in it (contouring in G18): seen in XY, all its
-    rows would lie on one line. A slot cut at several depths by horizontal passes and vertical plunges stays in XY.
+    The plane is XY, unless all cuts are in one vertical plane and some cuts slope (contouring in G18). Seen in XY, all
+    rows of such a toolpath would be on one line. The plane of a slot that is cut at several depths, with horizontal
+    passes and vertical plunges, is XY.
 
     Parameters
     ----------

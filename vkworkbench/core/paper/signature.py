@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The paper's signature of a polyline: V_k, the cumulative angular function, levels and the Gauss map."""
+"""Compute the paper's signature of a polyline: V_k, the cumulative angular function, levels and the Gauss map."""
 
 from __future__ import annotations
 
@@ -31,8 +31,8 @@ def signature(points: np.ndarray) -> Signature:
     Parameters
     ----------
     points : (n+1, 2) or (n+1, 3) array_like of float
-        Vertices. A polyline in space is projected to the coordinate plane of its motion: XY, unless X or Y
-        never changes while Z does (then YZ or ZX).
+        Vertices. A polyline in space is projected to the coordinate plane of its motion. The plane is XY, unless Z
+        changes and only one of X and Y changes; the plane is then YZ or ZX.
 
     Returns
     -------
@@ -56,7 +56,7 @@ def signature(points: np.ndarray) -> Signature:
         raise ValueError("points must be finite numbers")
     x, y = (points[:, axis] for axis in plane_of_points(points)[:2])
     dx, dy = x[1:] - x[:-1], y[1:] - y[:-1]
-    # Few arrays are used: for a long path, allocating memory takes most of the time.
+    # Arrays are reused, because for a long path, allocating memory takes most of the time.
     squares = dx * dx
     squares += dy * dy
     alpha = directions(dx, dy)
@@ -93,29 +93,31 @@ class Signature:
     dx, dy : (n,) float64
         The trajectories v_i in the plane, mm.
     alpha : (n,) float64
-        Direction of trajectory v_i, rad in [-pi, pi]; a trajectory without length has the direction of the one before it.
+        Direction of trajectory v_i, rad in [-pi, pi]; a trajectory without length has the previous trajectory's
+        direction.
     turning : (n-1,) float64
         Angle delta phi between successive trajectories, wrapped to [-pi, pi] (section 3.2). An exact reversal
         has no sign of its own: :func:`signs_of_reversals` chooses signs with which moves back and forth do not add up.
     phi : (n,) float64
-        Cumulative angular function, rad; phi[0] = 0.
+        Cumulative angular function: the sum of the turns before each trajectory, rad; phi[0] = 0.
     unsigned, reversals : (u,) and (r,) int64
-        Indices into `turning` of the half turns, which have no sign: those within rounding, and the exact ones. For a
-        polyline given by its points both are the exact ones.
+        Indices into `turning` of half turns, which have no sign: of half turns within rounding, and of exact half
+        turns. For a polyline that is given by its points, both contain only the exact half turns.
     closed : bool
-        Whether the polyline ends where it began; if given by its points, to a millionth of its size.
+        Whether the polyline ends at its start. For a polyline that is given by its points, the tolerance is a millionth
+        of its size.
     total_turning : float
         Phi after the whole traversal, rad, including the last exterior angle of a closed polyline: +2 pi for a simple
-        closed counter-clockwise polygon, -2 pi for a clockwise one (section 3.2). For linked offset loops, phi at the
-        end of the last loop, with its closing turn.
+        closed counter-clockwise polygon, -2 pi for a clockwise polygon (section 3.2). For linked offset loops, the
+        value is phi at the end of the last loop, with the loop's closing turn.
     level : (n,) int64
-        n, the integer part of phi / 2 pi, truncated toward zero.
+        Level n: the number of whole turns in phi, which is phi / 2 pi truncated toward zero.
     length : (n,) float64
         Length of V_k, the sum of the first k trajectories.
     theta : (n,) float64
         Direction of V_k, rad in [-pi, pi]; if V_k is 0, the direction of the previous V_k.
     theta_level : (n,) float64
-        theta + n 2 pi (section 3.1).
+        Sum of theta and n times 2 pi, where n is the level (section 3.1).
     """
 
     x: np.ndarray
@@ -145,7 +147,7 @@ class Signature:
 
     @cached_property
     def level(self) -> np.ndarray:
-        """(n,) levels n of the trajectories: the integer part of phi / 2 pi (section 3.1)."""
+        """Level n of each trajectory, (n,): the integer part of phi / 2 pi (section 3.1)."""
         return level_of(self.phi)
 
     @cached_property
@@ -157,13 +159,13 @@ class Signature:
 
     @cached_property
     def length(self) -> np.ndarray:
-        """(n,) lengths L_k of V_k, mm (section 3.1)."""
+        """Lengths L_k of V_k, (n,) mm (section 3.1)."""
         result: np.ndarray = np.hypot(*self._v)
         return result
 
     @cached_property
     def theta(self) -> np.ndarray:
-        """(n,) angles of V_k to the X axis, rad in [-pi, pi] (section 3.1); the last one if V_k has no length."""
+        """Angles of V_k to the X axis, (n,) rad in [-pi, pi] (section 3.1); the previous angle if V_k has no length."""
         x, y = self._v
         theta = directions(x, y)
         near = np.flatnonzero((x < NO_LENGTH) & (x > -NO_LENGTH))
@@ -172,7 +174,7 @@ class Signature:
 
     @cached_property
     def theta_level(self) -> np.ndarray:
-        """(n,) theta + 2 pi times the level, rad (section 3.1)."""
+        """Sum of theta and 2 pi times the level, (n,) rad (section 3.1)."""
         return self.theta + TURN * self.level
 
     @cached_property
@@ -183,13 +185,13 @@ class Signature:
 
     @property
     def top_level(self) -> int:
-        """The level n farthest from zero, closing turns included."""
+        """Level (number of whole turns in phi) farthest from zero, closing turns included."""
         return top_level(self.phi_range)
 
     def gauss_map(self) -> tuple[np.ndarray, np.ndarray]:
-        """Return the Gaussian images on the unit circle of the trajectories and of V_k, both (n, 2).
+        """Return the Gaussian images of the trajectories and of V_k, points of the unit circle, both (n, 2).
 
-        The images are the tips of the unit tangents (section 2.2); for plane curves, normals give the same map, rotated.
+        Each image is the tip of a unit tangent (section 2.2). For plane curves, normals give the same map, rotated.
         """
         return _on_circle(self.alpha), _on_circle(self.theta)
 
@@ -199,7 +201,10 @@ def _on_circle(angle: np.ndarray) -> np.ndarray:
 
 
 def _carry_directions(alpha: np.ndarray, still: np.ndarray) -> None:
-    """Give each trajectory without length, (s,) int, the direction before it, or after it at the beginning."""
+    """Give each trajectory without length (indices `still`, (s,) int) the direction of the trajectory before.
+
+    Trajectories without length at the beginning of the polyline get the direction of the first one with a length.
+    """
     if len(still) == len(alpha):
         alpha[:] = 0.0
     elif len(still):
