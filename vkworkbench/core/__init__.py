@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The paper's method with numpy only: commands, trajectories, signature, strategy and cost. These names are stable.
+"""The paper's method, which needs only numpy: commands, trajectories, signature, strategy and cost.
 
-Other packages import each folder's public names from its ``__init__``, never from the files inside.
+The names in this module are stable. Other packages import the public names of a folder from the folder's ``__init__``,
+never from the files in the folder.
 """
 
 from __future__ import annotations
@@ -63,7 +64,7 @@ _HOMES = {name: home for home, names in _NAMES.items() for name in names.split()
 
 
 def __dir__() -> list[str]:
-    """Return the names of the package, loaded or not."""
+    """Return the names of the package, including names whose modules are not loaded yet."""
     return sorted({*globals(), *__all__})
 
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The convex hull of points in the plane: the outline of a convex stock, or of a tool, in an image."""
+"""Compute the convex hull of points in the plane, for the outline of a convex stock or a tool in an image."""
 
 from __future__ import annotations
 

@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Machining times with acceleration: the speed of the tool along a toolpath, as a machine's controller plans it.
+"""Compute machining times with acceleration: the tool's speed along a toolpath, as a machine's controller plans it.
 
-A controller drives as fast as feed, axes and corners allow, and brakes in time for each corner. The squared speed at the
-corners is planned for all moves at once by two cumulative minima: braking backwards, accelerating forwards.
+A controller moves the tool as fast as feed rate, axes and corners allow, and brakes before each corner. Two cumulative
+minima plan the squared speed at all corners at once. The backward minimum limits braking; the forward minimum limits
+acceleration.
 """
 
 from __future__ import annotations
@@ -16,7 +17,8 @@ import numpy as np
 from vkworkbench.core.toolpath import PLANE_AXES, Toolpath, check_toolpath, exact_lengths
 from vkworkbench.given import not_negative, number, numbers, positive, whole
 
-# Sine of half the angle between two moves above which the corner is straight: rounding, not a limit of the speed.
+# Limit for the sine of half the angle between two moves. A corner with a larger sine is straight up to rounding and
+# does not limit the speed.
 _STRAIGHT = 1 - 1e-12
 
 
@@ -31,26 +33,26 @@ class Machine:
     Parameters
     ----------
     rates : (3,) tuple of float
-        Largest speeds of the X, Y and Z axes, mm/s. Rapids use them.
+        Largest speeds of the X, Y and Z axes, mm/s. Rapids use these speeds.
     accelerations : (3,) tuple of float
         Accelerations of the axes, mm/s^2.
     deviation : float
-        Distance from the corner at which the controller may round it, mm: grbl's junction deviation, LinuxCNC's path
-        tolerance (G64 P). With 0, the tool stops at each corner.
+        Largest distance between a corner and the rounded path of the tool, mm. In grbl, this is the junction deviation;
+        in LinuxCNC, the path tolerance (G64 P). At 0, the tool stops at each corner.
     lookahead : int
-        Number of moves that the controller plans ahead; it can always stop within them. Where a program has tiny moves,
-        a small number slows the tool.
+        Number of moves that the controller plans ahead. The tool can always stop within these moves, so a small number
+        slows the tool in programs with tiny moves.
     factor : float
         Measured time of a job divided by its planned time. Multiplies all times.
     tool_change : float
-        Time from the end of an operation to the next operation with another tool, s, without `spindle_start`.
+        Time between two operations with different tools, s, without `spindle_start`.
     spindle_start : float
-        Time until the spindle turns at its speed, s.
+        Time that the spindle needs to reach its speed, s.
 
     Raises
     ------
     ValueError
-        If a value is not positive; deviation, tool change and start of the spindle may be 0.
+        If a value is not positive. Only `deviation`, `tool_change` and `spindle_start` may be 0.
     TypeError
         If a value is not a number, or `lookahead` is not an integer.
     """
@@ -100,7 +102,7 @@ class Machine:
         lengths, (begin, end) = exact_lengths(toolpath), _tangents(toolpath)
         along = np.abs(np.diff(toolpath.points, axis=0)) / toolpath.lengths[:, None]
         speed = self._speeds(toolpath, along, lengths)
-        gain = 2 * _least_over(self.accelerations, along) * lengths  # of the squared speed, at full acceleration
+        gain = 2 * _least_over(self.accelerations, along) * lengths  # change of the squared speed at full acceleration
         reached = np.concatenate(([0.0], np.cumsum(gain)))
         planned = reached[np.minimum(np.arange(len(reached)) + self.lookahead, len(gain))]
         squared = np.minimum(self._corners(begin, end, speed), planned - reached)
@@ -109,14 +111,14 @@ class Machine:
         return _trapezoids(np.maximum(squared, 0.0), speed, gain, lengths) * self.factor
 
     def _speeds(self, toolpath: Toolpath, along: np.ndarray, lengths: np.ndarray) -> np.ndarray:
-        """Return the largest speed in each move, (n,) mm/s; NaN without a feed."""
+        """Return the largest speed in each move, (n,) mm/s; NaN for a cutting move without a feed."""
         limit = _least_over(self.rates, along)
         feed = np.where(toolpath.feed > 0, toolpath.feed, np.nan)
         speed = np.where(toolpath.rapid, limit, np.minimum(feed, limit))
         arc = np.flatnonzero(toolpath.sweep)
         acceleration = np.array([min(self.accelerations[axis] for axis in PLANE_AXES[plane][:2])
                                  for plane in (17, 18, 19)])[toolpath.plane[arc] - 17]  # fmt: skip
-        # The centripetal acceleration: the tool turns by the sweep on the way.
+        # The centripetal acceleration limits the speed, because the tool's direction turns by the sweep.
         centripetal = np.sqrt(acceleration * lengths[arc] / np.abs(toolpath.sweep[arc]))
         speed[arc] = np.minimum(speed[arc], centripetal)
         return speed
@@ -128,33 +130,33 @@ class Machine:
         change = np.sqrt((turn**2).sum(axis=1))
         with np.errstate(divide="ignore", invalid="ignore"):
             acceleration = _least_over(self.accelerations, np.abs(turn) / change[:, None])
-            # The circle through a corner that stays within the deviation has the radius deviation * sine / (1 - sine).
+            # The largest circle that rounds a corner within the deviation has the radius deviation * sine / (1 - sine).
             squared = np.where(sine < _STRAIGHT, acceleration * self.deviation * sine / (1 - sine), np.inf)
         squared = np.minimum(squared, np.minimum(speed[1:], speed[:-1]) ** 2)
         return np.concatenate(([0.0], np.nan_to_num(squared), [0.0]))
 
 
-# Typical machines: a belt or screw driven hobby router with grbl, a small milling machine, a machining centre.
+# Typical machines: a hobby router with belts or screws and grbl, a small milling machine, and a machining centre.
 MACHINES: Mapping[str, Machine] = MappingProxyType({
     "hobby-router": Machine((50.0, 50.0, 10.0), (250.0, 250.0, 100.0), 0.01, 15, tool_change=120.0, spindle_start=3.0),
     "small-mill": Machine((50.0, 50.0, 40.0), (500.0, 500.0, 400.0), 0.02, tool_change=60.0, spindle_start=3.0),
     "machining-centre": Machine((500.0, 500.0, 400.0), (4000.0, 4000.0, 4000.0), 0.02, tool_change=6.0, spindle_start=3.0),
 })  # fmt: skip
 
-# Numbers of grbl's settings that have an equivalent here, by field: rates are in mm/min.
+# Numbers of grbl's settings, by the fields of `Machine` that they set. Rates are in mm/min in grbl.
 _GRBL = {"rates": (110, 111, 112), "accelerations": (120, 121, 122)}
 _GRBL_DEVIATION = 11
 
 
 def machine_of_grbl(settings: str, otherwise: Machine) -> Machine:
-    """Return the machine of a list of grbl's settings, as its command ``$$`` prints them.
+    """Return the machine that is described by grbl's settings, as grbl's command ``$$`` prints them.
 
     Parameters
     ----------
     settings : str
         Lines such as ``$110=3000.000``. Other lines are skipped.
     otherwise : Machine
-        Gives the values that are not listed.
+        Machine whose values are used for settings that are not in the list.
 
     Raises
     ------
@@ -176,16 +178,16 @@ def machine_of_grbl(settings: str, otherwise: Machine) -> Machine:
 
 
 def _least_over(limits: tuple[float, float, float], along: np.ndarray) -> np.ndarray:
-    """Return the largest length of a vector in each direction `along` (n, 3) whose components keep the limits."""
+    """Return the largest length of a vector in each direction `along` (n, 3) with components within the limits."""
     with np.errstate(divide="ignore"):
         result: np.ndarray = (np.array(limits) / along).min(axis=1)
     return result
 
 
 def _tangents(toolpath: Toolpath) -> tuple[np.ndarray, np.ndarray]:
-    """Return the directions of motion at the begin and at the end of each trajectory, (n, 3) unit vectors.
+    """Return the directions of motion at the start and at the end of each trajectory, (n, 3) unit vectors.
 
-    A chord of an arc differs from its tangents by half of the sweep, in the arc's plane.
+    In the plane of an arc, a chord differs from the tangents at its ends by half of the sweep.
     """
     moves = np.diff(toolpath.points, axis=0)
     begin, end = moves.copy(), moves.copy()
@@ -193,7 +195,7 @@ def _tangents(toolpath: Toolpath) -> tuple[np.ndarray, np.ndarray]:
         arc = np.flatnonzero((toolpath.sweep != 0) & (toolpath.plane == plane))
         half = toolpath.sweep[arc] / 2
         across, up = moves[arc, first], moves[arc, second]
-        stretch = half / np.sin(half)  # of the arc over its chord; the rise of a helix is along the arc
+        stretch = half / np.sin(half)  # ratio of arc to chord, because a helix rises along the arc
         for tangents, angle in ((begin, -half), (end, half)):
             tangents[arc, first] = stretch * (np.cos(angle) * across - np.sin(angle) * up)
             tangents[arc, second] = stretch * (np.sin(angle) * across + np.cos(angle) * up)
@@ -203,14 +205,14 @@ def _tangents(toolpath: Toolpath) -> tuple[np.ndarray, np.ndarray]:
 
 
 def _trapezoids(squared: np.ndarray, speed: np.ndarray, gain: np.ndarray, lengths: np.ndarray) -> np.ndarray:
-    """Return the time of each move, (n,) s: it accelerates, keeps its speed, and brakes.
+    """Return the time of each move, (n,) s. In each move, the tool accelerates, keeps its speed, and brakes.
 
     Parameters
     ----------
     squared : (n + 1,) ndarray
-        Squared speeds at the points, mm^2/s^2.
+        Squared speeds at the ends of the moves, mm^2/s^2.
     speed, gain, lengths : (n,) ndarray
-        Largest speed, gain of the squared speed at full acceleration, and length of each move.
+        Largest speed, change of the squared speed at full acceleration, and length of each move.
     """
     enter, leave = squared[:-1], squared[1:]
     top = np.minimum(speed**2, (enter + leave + gain) / 2)

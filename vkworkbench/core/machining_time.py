@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Lengths, depth and machining time of one operation.
+"""Compute the lengths, depth and machining time of one operation.
 
 FreeCAD's ``Path.Length`` and ``CycleTime`` read the centre of an arc as an absolute position and are wrong for every
 arc, so this module does not use them.
@@ -28,15 +28,15 @@ class Machining:
     lowest : float or None
         Lowest height of the tool tip at feed, mm; None if nothing cuts.
     depth : float or None
-        Distance of `lowest` below the top of the stock, mm, at least 0; None if one of the two is unknown.
+        Distance of `lowest` below the top of the stock, mm, at least 0; None if one of the two heights is unknown.
     cutting_seconds, rapid_seconds : float or None
-        Time of the moves whose speed is known, s; None if no speed is known. Without a machine, the moves have a
-        constant feed.
+        Time of the moves whose speed is known, s; None if no speed is known. Without a machine, the tool is assumed to
+        move at constant speed.
     left_out : tuple of Message
         Reasons why the times are incomplete; empty if they are complete.
     shortest, median : float or None
-        Shortest and median path length of one command at feed, mm: a program that is divided into too many lines has
-        tiny ones. None if nothing cuts.
+        Shortest and median path length of one command at feed, mm; None if nothing cuts. Tiny lengths show that a
+        program is divided into too many lines.
     dwell_seconds : float
         Time of the dwells, s.
     """
@@ -54,12 +54,12 @@ class Machining:
 
     @property
     def complete(self) -> bool:
-        """Whether the time includes all moves; if not, it is a lower bound."""
+        """Whether the time includes all moves; otherwise, the time is a lower bound."""
         return not self.left_out
 
     @property
     def notes(self) -> tuple[str, ...]:
-        """Reasons why the times are incomplete in English, one sentence without a full stop each."""
+        """Reasons in English why the times are incomplete; each is a sentence without a full stop."""
         return tuple(map(render, self.left_out))
 
     @property
@@ -101,12 +101,12 @@ def trajectory_seconds(
 
 
 def _timed(moves: np.ndarray, lengths: np.ndarray, seconds: np.ndarray) -> tuple[float, float | None, float, int]:
-    """Measure the moves selected by `moves`, (n,) bool. Unknown times are NaN.
+    """Measure the lengths and times of the moves selected by `moves`, (n,) bool. Unknown times in `seconds` are NaN.
 
     Returns
     -------
     length : float
-        mm.
+        Length of the selected moves, mm.
     seconds : float or None
         Time of the moves whose speed is known, s; None if all speeds are unknown.
     untimed : float
@@ -154,14 +154,15 @@ def machining(
     toolpath : Toolpath
         The trajectories, feeds in mm/s.
     horizontal_rapid, vertical_rapid : float
-        The tool controller's HorizRapid and VertRapid, mm/s; 0 (FreeCAD's default) if unknown. Vertical
-        rapids have the vertical speed, all other rapids the horizontal one.
+        The tool controller's HorizRapid and VertRapid, mm/s; 0 (FreeCAD's default) if unknown. The
+        vertical speed applies to vertical rapids, the horizontal speed to all other rapids.
     controller : bool
         Whether the operation has a tool controller, where the user can set the speeds.
     top : float, optional
         Height of the stock's top, mm.
     machine : Machine, optional
-        Plans the times with its accelerations, and replaces the rapid speeds. None: constant feeds and rapid speeds.
+        Machine whose accelerations and speeds are used for the times, instead of the rapid speeds above. If None, the
+        tool moves at constant feed and rapid speeds.
 
     Returns
     -------

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Raw material as a box, and the stretches of rays inside a solid."""
+"""Define stocks (raw material): convex solids, the box, and the stretches of rays inside a solid."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from vkworkbench.core.view import Frame
 from vkworkbench.given import numbers
 from vkworkbench.language import Message, Unusable
 
-SMALLEST = 1e-6  # smallest side of a stock, mm: documents keep six decimals
+SMALLEST = 1e-6  # smallest side of a stock, mm, because documents store six decimals
 
 
 def point(name: str, given: object) -> np.ndarray:
@@ -25,14 +25,14 @@ def point(name: str, given: object) -> np.ndarray:
 
 
 class Gaps(NamedTuple):
-    """Stretches of rays outside a solid, between parts of it.
+    """Stretches of rays that are outside a solid, but between two stretches inside the solid.
 
     Attributes
     ----------
     ray : (g,) ndarray of int
-        Ascending.
+        Index of the ray of each gap, ascending.
     enter, leave : (g,) ndarray
-        Depths, mm, ascending within a ray.
+        Depths at which each gap begins and ends, mm, ascending within a ray.
     """
 
     ray: np.ndarray
@@ -46,7 +46,8 @@ class Spans(NamedTuple):
     Attributes
     ----------
     near, far : (k,) ndarray
-        Depths at which each ray first enters and last leaves the solid, mm; ``near >= far`` if it misses.
+        Depths at which each ray first enters and last leaves the solid, mm; ``near >= far`` if the ray misses the
+        solid.
     gaps : Gaps
         Stretches outside the solid between `near` and `far`.
     """
@@ -57,7 +58,7 @@ class Spans(NamedTuple):
 
 
 class Convex:
-    """A convex solid, bounded by half-spaces ``normals @ point <= offsets``; the interface of all convex stocks."""
+    """A convex solid: all points with ``normals @ point <= offsets``. All convex stocks have this interface."""
 
     normals: np.ndarray
     offsets: np.ndarray
@@ -142,7 +143,9 @@ class Stock(Convex):
 
 
 def stock_around(toolpath: Toolpath, tool: Tool) -> Stock:
-    """Return the box around all cuts of a tool, up to the highest: a substitute for an unknown stock.
+    """Return the box around all cuts of a tool, up to the height of the highest cut.
+
+    The box replaces a stock that is unknown.
 
     Raises
     ------

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The time that pieces of work take, measured repeatedly until it is steady."""
+"""Measure the time of pieces of work repeatedly, until the shortest time is confirmed."""
 
 from __future__ import annotations
 
@@ -11,10 +11,10 @@ import numpy as np
 
 from vkworkbench.given import of_kind, whole
 
-# A time is steady once _TIMES measurements are at most _EQUAL times the shortest one.
+# A time is steady once _TIMES measurements are at most _EQUAL times the shortest measurement.
 _EQUAL, _TIMES = 1.05, 3
 
-# The processor's time, except on Windows, where it advances in steps of 16 ms.
+# The processor time of this process. On Windows, this time advances in steps of 16 ms, so the wall-clock time is used.
 processor_clock: Callable[[], float] = time.perf_counter if os.name == "nt" else time.process_time
 
 
@@ -25,20 +25,22 @@ def steady_seconds(
     clock: Callable[[], float] = processor_clock,
     going_on: Callable[[], object] = lambda: None,
 ) -> np.ndarray:
-    """Time each piece of work until its shortest time was repeated, within 5 %, three times in all.
+    """Time each piece of work until three measurements are within 5 % of its shortest time.
 
-    Other work of the computer can only slow a piece down, so the shortest time is the best estimate. Its repetition
-    shows that the computer was idle. The pieces take turns, so that a busy moment spoils only one time of each piece.
+    Other work of the computer can only slow a piece of work down, so the shortest time is the best estimate. Three
+    nearly equal times show that the computer was idle. The pieces are timed in turn, so that a busy moment spoils only
+    one measurement of each piece.
 
     Parameters
     ----------
     pieces : sequence of callable
+        Pieces of work; each is called without arguments.
     most : int
         Largest number of measurements of a piece.
     clock : callable
         Returns the time, s.
     going_on : callable
-        Called before each piece, outside the times; it may raise to end the measurement.
+        Called before each piece of work; its time does not count. An exception from this call ends the measurement.
 
     Returns
     -------

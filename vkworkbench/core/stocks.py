@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Raw material and models of other shapes than a box: upright cylinders, and closed meshes of triangles."""
+"""Define stocks and models that are not boxes: upright cylinders, and closed meshes of triangles."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from vkworkbench.core.view import Frame, View
 from vkworkbench.given import number, numbers, of_kind
 from vkworkbench.language import Message, Unusable
 
-# Grid to which corners of a mesh are rounded before equal ones are merged, mm.
+# Grid to which corners of a mesh are rounded before equal corners are merged, mm.
 _SAME = 1e-6
 _AROUND = 64
 
@@ -34,9 +34,9 @@ class Cylinder(Convex):
     Attributes
     ----------
     lower, upper : (3,) ndarray
-        Corners of the bounding box, mm; `normals` and `offsets` are that box's.
+        Corners of the bounding box, mm. `normals` and `offsets` also describe the bounding box.
     corners : (c, 3) ndarray
-        Points of the two rims.
+        Points of the two rims, mm.
 
     Raises
     ------
@@ -97,11 +97,11 @@ class Mesh:
     Attributes
     ----------
     lower, upper : (3,) ndarray
-        Corners of the bounding box, mm; `normals` and `offsets` are that box's.
+        Corners of the bounding box, mm. `normals` and `offsets` also describe the bounding box.
     corners : (c, 3) ndarray
-        Distinct corners.
+        Distinct corners of the triangles, mm.
     triangles : (t, 3) ndarray of int
-        Positions in `corners`.
+        Indices of each triangle's corners in `corners`.
 
     Raises
     ------
@@ -138,7 +138,7 @@ class Mesh:
 def _distinct(rows: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """Return the first position of each distinct row of integers, in sorted order, and each row's index among them.
 
-    The result is that of `np.unique` with `axis=0`, which takes several times as long.
+    `np.unique` with `axis=0` returns the same result, but takes several times as long.
     """
     order = np.lexsort(rows.T[::-1])
     new = np.ones(len(rows), bool)
@@ -177,7 +177,8 @@ class _SeenMesh:
         """Return rays and the depths at which they cross triangles, unordered.
 
         Rays are treated row by row: two edges of a triangle cross the row, and the rays between the two crossings cross
-        the triangle. Both triangles of an edge compute its crossing in the same way, so that no ray passes between them.
+        the triangle. The crossing of an edge is computed in the same way for both triangles that share the edge, so
+        that no ray passes between two triangles.
         """
         if len(x) == 0:
             return np.empty(0, np.int64), np.empty(0)
@@ -195,7 +196,7 @@ class _SeenMesh:
         upper = at >= b[1]
         there = _crossed(a, c, at)
         here = np.where(upper, _crossed(b, c, at), _crossed(a, b, at))
-        # All rows are put on one axis, each on a stretch of its own, so that one search serves all rows.
+        # All rows are placed one after the other on one axis, so that one search finds the rays of all rows.
         left, right = x.min() - 1, x.max() + 1
         places = x[order] + row_of_ray * (right - left)
         low, high = np.clip(np.minimum(here, there), left, right), np.clip(np.maximum(here, there), left, right)
@@ -211,7 +212,8 @@ class _SeenMesh:
         slope[:, upright] = 0
         a, slope = a[:, pair], slope[:, pair]
         depth = a[2] + slope[0] * (x[ray] - a[0]) + slope[1] * (y[ray] - a[1])
-        # Triangles seen nearly edge-on are steep: without the limits, rounding would put the depth outside the triangle.
+        # The depth of a triangle seen nearly edge-on is sensitive to rounding, so the depth is limited to the
+        # triangle's own.
         ends = a[2], b[2, pair], c[2, pair]
         return ray, np.clip(depth, np.minimum.reduce(ends), np.maximum.reduce(ends))
 
@@ -224,7 +226,7 @@ def _crossed(lower: np.ndarray, upper: np.ndarray, at: np.ndarray) -> np.ndarray
     return result
 
 
-# The types of stocks and models.
+# All types of stocks and models.
 Solid = Union[Convex, Mesh]
 
 
@@ -234,7 +236,7 @@ def fitted(view: View, stock: Solid) -> Frame:
     Raises
     ------
     TypeError
-        If `view` is not a View, or `stock` is not a solid, such as a stock object of a document.
+        If `view` is not a View, or `stock` is not a solid (for example a stock object of a document).
     """
     of_kind("view", view, View, "a View(direction, width, height, ...)")
     of_kind("stock", stock, (Convex, Mesh), "a solid: a Stock(lower, upper), a Cylinder or a Mesh")
@@ -242,7 +244,7 @@ def fitted(view: View, stock: Solid) -> Frame:
 
 
 def spans_in(solid: Solid, frame: Frame) -> Callable[[np.ndarray, np.ndarray], Spans]:
-    """Return `solid.spans` for many calls with one frame: the triangles of a mesh are sorted only once."""
+    """Return `solid.spans` for many calls with one frame, so that the triangles of a mesh are sorted only once."""
     return _SeenMesh(solid, frame).spans if isinstance(solid, Mesh) else partial(solid.spans, frame)
 
 

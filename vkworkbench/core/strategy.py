@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The table of the machining strategies that can be recognised."""
+"""Define the machining strategies that can be recognised."""
 
 from __future__ import annotations
 
@@ -9,34 +9,35 @@ from vkworkbench.language import QT_TRANSLATE_NOOP
 
 
 class Family(str, enum.Enum):
-    """How a strategy covers the part."""
+    """Way in which a strategy covers the part."""
 
     ROWS = "rows"
     AROUND = "around"
     HOLES = "holes"
     STROKES = "strokes"
-    #: No strategy, or several.
+    #: The operation has no strategy, or several.
     NONE = "none"
 
 
 class Strategy(str, enum.Enum):
     """The strategy of one operation, recognised from its toolpath alone.
 
-    An entry has everything that the window shows of a strategy. Its value is its anchor in docs/recognition.md.
+    Each entry contains everything that the window shows about a strategy. The value of an entry is also the anchor of
+    its section in docs/recognition.md.
 
     Attributes
     ----------
     value : str
-        Stable: it is stored in documents and read by macros.
+        Name that never changes, because documents store the name and macros read it.
     label : str
-        English name for the user; translated in the context "Strategy".
+        English name for the user; the translations are in the context "Strategy".
     about : str
         Explanation in one sentence.
     family : Family
     color : str
         Colour, ``"#rrggbb"``. All colours have a relative luminance of 0.14 to 0.18 (WCAG 2.1): white text on them has a
-        contrast above 4.5, and they are visible on light and dark windows. People who see no difference between red and
-        green can distinguish them, too. A colour never appears without the name.
+        contrast above 4.5, and the colours are visible on light and dark windows. People with red-green colour
+        blindness can also distinguish the colours. A colour never appears without the name.
     """
 
     label: str

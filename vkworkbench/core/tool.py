@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The tool of a simulation: a convex solid of revolution."""
+"""Define the tool of a simulation as a convex solid of revolution."""
 
 from __future__ import annotations
 
@@ -27,8 +27,8 @@ _BODIES = ("cutting_edge_height", "length", "shank_diameter", "holder_diameter",
 class Tool:
     """A milling tool or drill: a convex solid of revolution, upright, its tip at the programmed point.
 
-    The solid is unbounded upwards: the simulation treats the shank above the cutting edge as part of the edge. Collisions of
-    shank and holder are found from the sizes below (`core.zbuffer.collisions`).
+    The solid has no upper end, because the simulation treats the shank above the cutting edge as part of the edge.
+    `core.zbuffer.collisions` finds collisions of the shank and the holder from the sizes of both.
 
     Parameters
     ----------
@@ -41,9 +41,9 @@ class Tool:
     tip_angle : float, optional
         Included angle of a V-bit's or a drill's tip, rad; by default 60 and 118 degrees.
     tip_diameter : float
-        Diameter of the flat end of a V-bit's cone, mm: chamfer mills and engravers have one.
+        Diameter of the flat end of a V-bit's cone, mm. Chamfer mills and engravers have a flat end.
     cutting_edge_height, length : float, optional
-        Heights above the tip at which the flutes end and at which the holder begins, mm.
+        Height above the tip at which the flutes end, and height at which the holder begins, mm.
     shank_diameter, holder_diameter, holder_length : float, optional
         Sizes of the shank and of the holder, mm.
 
@@ -75,7 +75,7 @@ class Tool:
         for name, takes in _SIZES.items():
             given = getattr(self, name)
             if given is not None or name != "tip_angle":
-                # FreeCAD's quantities become plain numbers here. The messages below reject unusable numbers.
+                # This converts FreeCAD's quantities to plain numbers. The checks below reject unusable numbers.
                 object.__setattr__(self, name, number(name, given, takes))
         for name in _BODIES:
             given = getattr(self, name)
@@ -97,7 +97,7 @@ class Tool:
 
     @property
     def rounding(self) -> float:
-        """Radius of the rounded corner, mm: the whole radius for a ball end, 0 without a rounded corner."""
+        """Radius of the rounded corner, mm: the tool's radius for a ball end, 0 for a tool without a rounded corner."""
         return {"ballend": self.radius, "bullnose": self.corner_radius}.get(self.shape, 0.0)
 
     @property
@@ -106,7 +106,7 @@ class Tool:
         if self.shape not in _DEFAULT_TIP_ANGLE:
             return 0.0
         angle = self.tip_angle if self.tip_angle is not None else _DEFAULT_TIP_ANGLE[self.shape]
-        return 1 / tan(angle / 2) if angle < pi else 0.0  # at pi, rounding would leave a cone
+        return 1 / tan(angle / 2) if angle < pi else 0.0  # at pi, rounding would give a very flat cone
 
     @property
     def tip(self) -> float:
@@ -120,7 +120,7 @@ class Tool:
 
     @property
     def rim(self) -> float:
-        """Height of the tip: the height above the tip from which the tool has its full radius, mm."""
+        """Height above the tip at which the tool reaches its full radius, mm."""
         return float(self.profile(np.array(self.radius)))
 
     def height(self, r: np.ndarray | float) -> np.ndarray:
@@ -134,13 +134,16 @@ class Tool:
         Returns
         -------
         ndarray
-            Heights of the shape of `r`, mm; infinite outside the tool.
+            Heights, mm, an array with the shape of `r`; infinite outside the tool.
         """
         r = np.asarray(r, float)
         return np.where(r <= self.radius, self.profile(r), np.inf)
 
     def profile(self, r: np.ndarray) -> np.ndarray:
-        """Return the height of the lower surface at distances `r`, mm; beyond the radius, as by rounding, that of the rim."""
+        """Return the height of the lower surface above the tip at distances `r` from the axis, mm.
+
+        Distances that exceed the tool's radius, for example by rounding, get the height of the rim.
+        """
         corner = self.rounding
         flat, width = (self.radius - corner, corner) if corner else (self.tip, self.radius - self.tip)
         beyond_flat = np.minimum(np.maximum(r - flat, 0.0), width)
@@ -149,7 +152,7 @@ class Tool:
 
 
 def check_tool(given: object) -> None:
-    """Raise an error that says what a tool is, unless a Tool is given.
+    """Raise an error that explains how to make a tool, unless a Tool is given.
 
     Raises
     ------

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The linearised trajectories of one operation."""
+"""Define the toolpath: the linearised trajectories of one operation, and its problems."""
 
 from __future__ import annotations
 
@@ -11,10 +11,11 @@ import numpy as np
 from vkworkbench.given import number, numbers, of_kind
 from vkworkbench.language import Message, render
 
-# mm. No milling machine reaches beyond a kilometre: a larger number is an error, and would overflow later.
+# Largest coordinate, mm. No milling machine reaches farther than a kilometre, so a larger number is an error. Larger
+# numbers would also overflow later.
 COORDINATE_LIMIT = 1e6
 
-# The two axes of each working plane, G17, G18 and G19, and its normal, right-handed.
+# The two axes and the normal of each working plane (G17, G18 and G19), a right-handed system.
 PLANE_AXES = {17: (0, 1, 2), 18: (2, 0, 1), 19: (1, 2, 0)}
 
 _OF_TIME = "dwell-untimed", "probing-untimed"
@@ -54,7 +55,8 @@ class Problem:
     def within(self, first: float, end: float) -> Problem | None:
         """Return the part of the problem that concerns commands first .. end - 1, or None.
 
-        Only a problem that affects the machining time or hides cuts is divided; any other belongs to its first command.
+        Only a problem that affects the machining time or hides cuts is divided. Every other problem belongs to its
+        first command.
         """
         if not self._is_divided:
             return self if first <= self.command < end else None
@@ -78,7 +80,7 @@ class Problem:
 
     @property
     def hides_cuts(self) -> bool:
-        """Whether cuts may be missing or lie elsewhere, so that the strategy is unknown."""
+        """Whether cuts can be missing or in wrong places, so that the strategy is unknown."""
         return self.what.code in _HIDES_CUTS
 
     @property
@@ -98,26 +100,26 @@ class Problem:
 class Toolpath:
     """Trajectories of one operation: straight moves from ``points[i]`` to ``points[i + 1]``.
 
-    The chain is unbroken and holds no zero-length move. The paper's "trajectory" v_i (section 3.1) is
-    ``points[i + 1] - points[i]``.
+    Each trajectory begins at the end of the previous trajectory, and no trajectory has zero length. The paper's
+    "trajectory" v_i (section 3.1) is ``points[i + 1] - points[i]``.
 
     Attributes
     ----------
     points : (n+1, 3) float64
         Positions of the tool tip, mm; (0, 3) if the program has no position.
     rapid : (n,) bool
-        True for positioning moves (G0 and the rapid parts of canned cycles).
+        Whether each trajectory is a positioning move (G0, or a rapid part of a canned cycle).
     command : (n,) int64
         Index of the source command of each trajectory.
     feed : (n,) float64
-        Feed rate in mm/s; 0 for rapids, and if the program gives none.
+        Feed rate in mm/s; 0 for rapids, and for cuts without a feed rate in the program.
     sweep : (n,) float64
-        For a chord of an arc its share of the arc's exact sweep, rad, counter-clockwise positive
-        seen along the plane's normal; 0 for lines.
+        Exact angle of the part of an arc that each chord replaces, rad; 0 for lines. The angle is
+        positive if it is counter-clockwise around the plane's normal (right-hand rule).
     plane : (n,) uint8
-        Working plane of each trajectory: 17 (XY), 18 (ZX) or 19 (YZ).
+        Working plane in force at each trajectory: 17 (XY), 18 (ZX) or 19 (YZ).
     cycle : (n,) bool
-        True for the moves of a canned drilling cycle.
+        Whether each trajectory is part of a canned drilling cycle.
     commands : int
         Number of source commands, comments included.
     tool_changes : (m,) int64
@@ -125,7 +127,7 @@ class Toolpath:
     comments : tuple of (int, str)
         Program comments as (index of the next trajectory, text without parentheses).
     problems : tuple of Problem
-        Problems of the program; empty if all of it could be used.
+        Parts of the program that could not be used.
     dwells : (m, 2) float64
         Index of the source command and duration in s of each dwell (G4, and the P word of canned cycles).
     """
@@ -145,14 +147,14 @@ class Toolpath:
 
     @classmethod
     def through(cls, points: Sequence[Sequence[float]] | np.ndarray, *, feed: float = 10.0) -> Toolpath:
-        """Return the toolpath that cuts straight from point to point, each trajectory a command of its own.
+        """Return the toolpath that cuts straight from point to point; each trajectory has its own command.
 
         Parameters
         ----------
         points : (n+1, 3) array_like
-            mm; each point differs from the point before it.
+            Points, mm; each point differs from the point before it.
         feed : float
-            mm/s.
+            Feed rate, mm/s.
 
         Raises
         ------
@@ -184,7 +186,10 @@ class Toolpath:
         return next((problem for problem in self.problems if problem.hides_cuts), None)
 
     def part(self, first: int, end: int) -> Toolpath:
-        """Return the trajectories first .. end - 1, with the tool changes and comments between them, without problems and dwells."""
+        """Return the trajectories first .. end - 1, with the tool changes and comments between them.
+
+        The result contains no problems and no dwells.
+        """
         inside = (self.tool_changes > first) & (self.tool_changes < end)
         return Toolpath(
             points=self.points[first : end + 1],
@@ -207,7 +212,7 @@ class Toolpath:
 
 
 def check_toolpath(given: object) -> None:
-    """Raise an error that says what a toolpath is, unless a Toolpath is given.
+    """Raise an error that explains how to make a toolpath, unless a Toolpath is given.
 
     Raises
     ------
@@ -219,8 +224,8 @@ def check_toolpath(given: object) -> None:
 def exact_lengths(toolpath: Toolpath) -> np.ndarray:
     """Return the length of every trajectory; for a chord of an arc or helix, the length along the curve.
 
-    A chord with length c in the working plane and sweep s belongs to an arc of radius r = c / (2 sin(s/2)); with the
-    rise h along the plane's normal, the piece of the helix is sqrt((r s)^2 + h^2) long.
+    A chord with length c in the working plane and sweep s belongs to an arc with radius r = c / (2 sin(s/2)). If the
+    chord rises by h along the plane's normal, its part of the helix is sqrt((r s)^2 + h^2) long.
 
     Parameters
     ----------

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The parallel view of a simulation: an image of rays, fitted to the stock."""
+"""Define the parallel view of a simulation: an image of rays, fitted to the stock."""
 
 from __future__ import annotations
 
@@ -11,12 +11,14 @@ import numpy as np
 
 from vkworkbench.given import number, numbers, whole
 
-# Largest tilt of a vertical view, rad. With a smaller tilt the image does not differ visibly, a camera's rounding would
-# decide which side of the image is up, and rounding would decide where rays pass the walls of tools.
+# Largest tilt of a view that counts as vertical, rad. A smaller tilt does not change the image visibly. Without this
+# limit, rounding in the camera's direction would decide which side of the image is up, and on which side of a tool's
+# wall a ray passes.
 VERTICAL = 1e-5
-# Largest side of an image, pixels, and largest number of pixels in all, because records count pixels in 32 bits.
+# Largest side of an image, pixels, and largest number of pixels in an image, because records count pixels in 32 bits.
 LONGEST_SIDE, MOST_PIXELS = 1_000_000, 2**32
-# Smallest and largest pixel, mm: the smallest stock in the largest image, and far wider than the largest stock.
+# Smallest and largest pixel, mm. With the smallest pixel, the smallest stock fills the largest image. The largest pixel
+# is far wider than the largest stock.
 _SMALLEST_PIXEL, _LARGEST_PIXEL = 1e-12, 1e10
 
 
@@ -34,18 +36,19 @@ class View:
     Parameters
     ----------
     direction : (3,) tuple of float
-        Direction in which the eye looks, of any length but zero; the default is straight down.
+        Direction in which the eye looks; any length except zero is allowed. The default is straight down.
     width, height : int
-        Size of the image, pixels, up to a million each and 2**32 in all. The default is the paper's image (section 1).
+        Size of the image, pixels: each at most a million, their product at most 2**32. The default is the paper's image
+        (section 1).
     pixel : float, optional
-        Side of a pixel, 1e-12 to 1e10 mm; by default the smallest one with which the image shows the whole stock.
+        Side of a pixel, 1e-12 to 1e10 mm; by default the smallest pixel with which the image shows the whole stock.
     offset : (2,) tuple of float
         Position of the image's centre relative to the stock's centre, mm to the right and up, up to 1e10 each.
 
     Raises
     ------
     ValueError
-        If the direction has no length, a size is outside of its limits, or a text is not a number.
+        If the direction has zero length, a size is outside its limits, or a text is not a number.
     TypeError
         If `width` or `height` is not an integer (``160 / 0.5`` is a float), or another value is not a number.
     """
@@ -80,7 +83,7 @@ class View:
     def frame(self, stock: Bounded) -> Frame:
         """Return the view fitted to a stock: the image's axes, centre and pixel."""
         direction = np.array(self.direction)
-        direction = np.ldexp(direction, -np.frexp(np.abs(direction).max())[1])  # the squares of any length are finite
+        direction = np.ldexp(direction, -np.frexp(np.abs(direction).max())[1])  # so that squares do not overflow
         direction /= np.linalg.norm(direction)
         sine = np.hypot(direction[0], direction[1])
         if sine < VERTICAL:

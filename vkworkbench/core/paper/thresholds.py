@@ -8,7 +8,7 @@ with each threshold; its option ``--rules`` leaves out the learned model.
 
 
 class MOVES:
-    """Which moves have a direction, and where an area ends."""
+    """Thresholds that decide which moves have a direction, and where an area ends."""
 
     #: mm. A coordinate that changes by no more than this is constant. If the value is larger, helices lose their moves
     #: and become drilling.
@@ -33,7 +33,7 @@ class MOVES:
 
 
 class TURNS:
-    """Which turns have no sign, and which are a full turn."""
+    """Thresholds that decide which turns have no sign, and when a full turn is complete."""
 
     #: rad. A turn that differs from half a turn by less than this is an exact reversal, and a level (number of whole
     #: turns) is reached if phi is short of the level by less than this. At 0, rounding decides both.
@@ -48,7 +48,7 @@ class TURNS:
 
 
 class LOOPS:
-    """When the tool has returned to a point."""
+    """Thresholds that decide when the tool has returned to a point."""
 
     #: mm. A path that ends within this distance of its start is closed. At 0, loops that rounding left open become
     #: strokes. If the value is larger, the step from row to row or from turn to turn closes a loop.
