@@ -5,8 +5,8 @@ from __future__ import annotations
 
 import re
 
-# A word, a letter with a number (LinuxCNC's polar coordinates have @ and ^ as letters): G1, X-.5, Z +2, X1.5E-05. Spaces between them are allowed (RS274/NGC, Kramer et al.
-# 2000).
+# A word is a letter with a number: G1, X-.5, Z +2, X1.5E-05. LinuxCNC's polar coordinates use @ and ^ as letters.
+# Spaces between letter and number are allowed (RS274/NGC, Kramer et al. 2000).
 _WORD = re.compile(r"([A-Z@^])[ \t]*([-+]?(?:\d+(?:\.\d*)?|\.\d+)(?:E[-+]?\d+(?![.\d]))?)", re.ASCII)
 _NO_COMMENT = frozenset("(;")
 LARGEST_NUMBER = 99_999_999  # largest number of a tool, a block or a program
@@ -40,7 +40,7 @@ def split_comments(line: str) -> tuple[str, list[str]]:
 
 
 def split_words(code: str) -> tuple[list[tuple[str, float]], str]:
-    """Return the words of a line and its remaining text; the line is in capitals and has no comments."""
+    """Return the words and the remaining text of a line, which must be in capitals and without comments."""
     parts = _WORD.split(code)
     rest = "".join(parts[::3]).strip()
     if rest:  # spaces are allowed anywhere, even within a number

@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Read runs of plain lines, most lines of most programs, as columns instead of one after the other.
+"""Read many plain lines at once, as columns. Most programs consist mostly of plain lines.
 
-A plain line consists of the words of a straight move or an arc (G0 to G3, X, Y, Z, I, J, K, R, F) and a line number, each
-word at most once; an empty line is plain, too. `PlainLines.read` adds the same commands as the interpreter does for the
-same lines, and leaves the machine in the same state. Unless `Machine.moves_plainly`, it reads nothing. The
-interpreter reads all other lines.
+A plain line contains only words of a straight move or an arc (G0 to G3, X, Y, Z, I, J, K, R, F) and a line number, and
+each word at most once. An empty line is also plain. `PlainLines.read` adds the same commands as the interpreter would
+add, and leaves the machine in the same state. `PlainLines.read` reads nothing unless `Machine.moves_plainly` is true.
+The interpreter reads all other lines.
 """
 
 from __future__ import annotations
@@ -18,9 +18,10 @@ import numpy as np
 from vkworkbench.core.gcode.interpreter import Interpreter
 from vkworkbench.core.gcode.moves import codes
 
-# Largest number of lines and of characters that are read at once; one line may be longer. More need more memory.
+# Largest number of lines and of characters that are read at once; a single line can be longer. Higher: more memory.
 _LINES, _CHARACTERS = 20_000, 2_000_000
-# Largest number of digits of a number. Up to 15 digits and the power of ten are exact, so their quotient is rounded once.
+# Largest number of digits of a number. Integers of up to 15 digits and powers of ten up to 1e15 are exact, so a
+# quotient of the two is rounded only once.
 _MOST_DIGITS = 15
 _MOTIONS = (codes.RAPID, codes.FEED, *codes.ARCS)
 _LETTERS = "NGXYZIJKRF"
@@ -56,7 +57,7 @@ def _pairs() -> np.ndarray:
 def _sets() -> tuple[np.ndarray, np.ndarray]:
     """Return the number of letters of each set of letters, and whether a plain line may have it.
 
-    An arc in X and Z is a sign of a lathe, which the interpreter notes.
+    A plain line cannot contain an arc in X and Z, because the interpreter must note such an arc as a sign of a lathe.
     """
     sets = np.arange(1 << len(_LETTERS))
     has = {letter: sets & bit > 0 for letter, bit in _BITS.items()}
@@ -67,12 +68,12 @@ def _sets() -> tuple[np.ndarray, np.ndarray]:
 _KINDS, _PAIRS, (_SIZES, _USABLE) = _kinds(), _pairs(), _sets()
 _LETTER_BITS = np.zeros(256)
 _LETTER_BITS[np.frombuffer(_LETTERS.encode(), np.uint8)] = list(_BITS.values())
-_FORM = 16  # base of the numbers of forms, more than the letters and the names
+_FORM = 16  # base of the numbers in `_texts`; larger than the numbers of letters and of names
 _LETTER_CODES = np.zeros(256)
 _LETTER_CODES[np.frombuffer(_LETTERS.encode(), np.uint8)] = 1 + np.arange(len(_LETTERS))
 _POWERS = 10.0 ** np.arange(_MOST_DIGITS + 1)
 _AXES = sum(_BITS[letter] for letter in "XYZIJKR")
-_FEED_ALONE = 5  # after the names of the modal move (0) and of G0 to G3
+_FEED_ALONE = 5  # index in `_NAMES`, after the modal move (0) and G0 to G3
 _NAMES = ("", *map(codes.name_of, _MOTIONS), codes.name_of(codes.PER_MINUTE))
 
 
@@ -90,7 +91,7 @@ class PlainLines:
         self._block = _Block.of_lines(lines, 0)
 
     def read(self, machine: Interpreter, index: int, end: int) -> tuple[int, int]:
-        """Read the plain lines from an index on, if the machine is in a state in which this is possible.
+        """Read the plain lines from an index on. If `machine.moves_plainly` is false, nothing is read.
 
         Parameters
         ----------
@@ -134,13 +135,13 @@ class _Block:
     others : list of int
         Indices of the lines that are not plain, ascending.
     not_empty, commands_before, values_before : (last - first + 1,) int64
-        Numbers of not empty lines, of commands and of values before each line.
+        Number of lines that are not empty, number of commands, and number of values before each line.
     rows : (c,) int64
         Index of the line of each command.
     motions : (c,) int64
         The motion that each command selects, in tenths of its G-code; -1 if it selects none.
     names, letters : list of str
-        Name of each command while its motion is in force, and the letters of its values.
+        Name of each command (empty for a move without a G word), and the letters of its values.
     counts : (c,) int64
         Number of values of each command.
     values : (v,) float64
@@ -202,7 +203,7 @@ class _Block:
         )  # fmt: skip
 
     def next_other(self, index: int) -> int:
-        """Return the index of the first line at or after a line that is not plain, or that is after the block."""
+        """Return the index of the first line from `index` on that is not plain, or the end of the block."""
         place = bisect_left(self.others, index)
         return self.others[place] if place < len(self.others) else self.last
 
@@ -213,7 +214,11 @@ def _before(counts: np.ndarray) -> np.ndarray:
 
 
 def _texts(forms: np.ndarray) -> tuple[list[str], list[str]]:
-    """Return the names and the letters of commands, by their forms: numbers of letters and names in base `_FORM`."""
+    """Return the names and the letters of commands.
+
+    The form of a command is a number in base `_FORM`. Its last digit is the index of the name, and the other digits are
+    the numbers of the letters.
+    """
     known, inverse = np.unique(forms, return_inverse=True)
     names, letters = [], []
     for form in known.tolist():
@@ -229,14 +234,14 @@ def _texts(forms: np.ndarray) -> tuple[list[str], list[str]]:
 
 
 def _words(text: str, count: int) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
-    """Return whether each line consists of words with short numbers, (n,) bool; and the letters, lines and values of the words.
+    """Return whether each line is plain text of words, (n,) bool, and the letters, lines and values of these words.
 
-    The words of other lines are left out.
+    A plain text consists only of words with short numbers. Words of other lines are left out.
     """
     characters = np.frombuffer(text.encode("ascii", "replace").upper() + b"\n", np.uint8)
     kinds = _KINDS[characters]
     pairs = kinds.copy()
-    pairs[1:] += 8 * kinds[:-1]  # a line end precedes the first character
+    pairs[1:] += 8 * kinds[:-1]  # the first character is treated as if a line end preceded it
     ends = np.flatnonzero(kinds == _END)
     plain = np.ones(count, bool)
     plain[np.searchsorted(ends, np.flatnonzero(~_PAIRS[pairs]))] = False
@@ -245,11 +250,11 @@ def _words(text: str, count: int) -> tuple[np.ndarray, np.ndarray, np.ndarray, n
     letters = np.flatnonzero(kinds == _LETTER)
     is_digit = kinds == _DIGIT
     digits = np.flatnonzero(is_digit)
-    number = np.cumsum(is_digit, dtype=np.int64)  # of digits up to each character
+    number = np.cumsum(is_digit, dtype=np.int64)  # number of digits up to each character
     begin = number[letters]
     stop = np.append(begin, len(digits))[1:]
     points = np.flatnonzero(kinds == _POINT)
-    word = np.searchsorted(letters, points) - 1  # of each point
+    word = np.searchsorted(letters, points) - 1  # index of the word that contains each point
     behind = np.zeros(len(letters), np.int64)  # number of digits behind the point of each word
     behind[word] = stop[word] - number[points]
     short = (stop > begin) & (stop - begin <= _MOST_DIGITS) & (np.bincount(word, minlength=len(letters)) <= 1)

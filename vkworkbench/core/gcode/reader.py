@@ -2,8 +2,8 @@
 """Convert the text of an NC program into commands, in mm and mm/s.
 
 The dialect is RS274/NGC (Kramer, Proctor and Messina, NISTIR 6556, 2000) with additions from Fanuc, Haas, Mach3, grbl
-and LinuxCNC. Heidenhain's DIN/ISO is read as far as it moves the tool. This module splits each line into words; the
-interpreter converts the words into commands.
+and LinuxCNC. Of Heidenhain's DIN/ISO, only the codes that move the tool are read. This module splits each line into
+words, and the interpreter converts the words into commands.
 """
 
 from __future__ import annotations
@@ -27,11 +27,11 @@ _OKUMA_LETTERS = re.compile(r"(?<![A-Z])([HD])[ABC](?![A-Z\d=])")
 _COOLANT = frozenset([("M", 7.0), ("M", 8.0), ("M", 9.0)])
 _DWELL = ("G", 4.0)
 _MODES = frozenset([*(("G", float(code)) for code in (20, 21, 40, 90, 91, 92)), ("M", 3.0), ("M", 4.0), ("M", 5.0)])
-_HEIDENHAIN_NAME = re.compile(r"(?:N\s*\d+\s*)?%\s*\S+\s+G(7[01])$")  # first and last line of a program
+_HEIDENHAIN_NAME = re.compile(r"(?:N\s*\d+\s*)?%\s*\S+\s+G(7[01])$")  # first and last line of a Heidenhain program
 _PERCENT = re.compile(r"(?:N\s*\d+\s*)?%")  # a block number may precede the sign
 _CHECKSUM = re.compile(r"^(N[^#=\[]*?)\s*\*\s*\d{1,3}$|\s*\*$")
 _BLOCK_DELETE = re.compile(r"^(N\s*\d+\s*)?(?:/\d?\s*)+")
-# Lines that do not move the tool: queries and unlock commands for grbl, and print commands for Fanuc and Haas.
+# Lines that do not move the tool: queries and unlock commands of grbl, and print commands of Fanuc and Haas controls.
 _SAYS = re.compile(r"\?|\$[$#GINXC]?|(?:N\s*\d+\s*)?(?:POPEN|PCLOS|[BD]PRNT\s*\[.*)")
 _RETURN = re.compile(r"M\s*99(?!\d)")
 # Fanuc's words for rounding (,R) or chamfering (,C) the corner after a move, and for the angle of a move (,A).
@@ -39,7 +39,7 @@ _CORNER = re.compile(r",\s*([RCA])\s*[-+]?(?:\d+\.?\d*|\.\d+)")
 _DECIMAL_COMMA = re.compile(r"(?<=\d),(?=\d)")  # X10,5
 # Siemens' radius of an arc, CR=10, and Siemens' spelling of a word with an equals sign, X=10.
 _EQUALS = re.compile(r"(?<![A-Z])(?:CR|([A-Z]))\s*=\s*(?=[-+]?\.?\d)")
-# One foreign word in a line, and a line that begins with a motion.
+# A foreign word, which the reader ignores in a line that begins with a motion (`_MOVE`).
 _FOREIGN = re.compile(r"[^\s\d.+\-A-Z\[\]#=<>]{1,20}|[A-Z]{3,20}", re.ASCII)
 _MOVE = re.compile(r"(?:N\s*\d+\s*)?G\s*0*[0-3](?![\d.])")
 # Words for jumps, loops and calls in lines that cannot be read.
@@ -59,8 +59,8 @@ def read_program(text: str) -> Program:
     all its words were in the line of the call. Variables and expressions are replaced by numbers; loops, conditions and
     jumps are followed (`flow`).
 
-    Not read, but reported as a problem with the line: subprograms outside of this text, subprograms that are called in
-    other ways, and the rest of a program that cannot be followed.
+    Three parts of a program are not read, but reported as problems with their lines: subprograms outside of this text,
+    subprograms that are called in other ways, and the rest of a program from a line that cannot be followed.
 
     Parameters
     ----------
@@ -79,13 +79,13 @@ def read_program(text: str) -> Program:
 
 
 class _Reader:
-    """The lines read so far: their commands, comments and problems.
+    """Reader of a program, with the commands, comments and problems of the lines read so far.
 
     Attributes
     ----------
     number : int
-        The current line, counted from 1. The lines of the commands never decrease: in a subprogram, the line of the
-        call; in a line that is read again, the last line before the jump.
+        The current line, counted from 1. This number never decreases: in a subprogram it is the line of the call, and
+        in lines that are read again it is the last line before the jump.
     """
 
     def __init__(self, lines: list[str], dialect: dialects.Dialect) -> None:
@@ -99,11 +99,11 @@ class _Reader:
         self.comments: list[tuple[int, int, str]] = []
         self.in_calls: set[int] = set()
         self.in_called = False  # whether this line belongs to a subprogram that is read only at its calls
-        self.passed: list[int] = []  # indices of lines with the number of a subprogram that is read only at its calls
+        self.passed: list[int] = []  # indices of lines with the number of such a subprogram
         self.ran: set[int] = set()  # indices of the lines that were read in calls
-        self.calls: list[int] = []  # first lines of the current subprograms, from the outermost call to the innermost
+        self.calls: list[int] = []  # indices of the current subprograms' first lines, outermost call first
         self.jump: int | None = None  # index of the line that follows this line; None for the next line
-        self.again = False  # whether this line is not after the last line before a jump or call
+        self.again = False  # whether this line is at or before the line `number`: after a jump back, or in a call
         self.deleted = False  # whether this line has a block delete
         self.number = 0
         self.blocks = 0
@@ -151,7 +151,7 @@ class _Reader:
         line = self.lines[index]
         code, comments = split_comments(line)
         code = code.strip().upper()
-        if "*" in code:  # the end of a block, and its checksum
+        if "*" in code:  # an asterisk ends the block; a checksum can follow
             code = _CHECKSUM.sub(r"\1", code)
         if "%" in code:
             ends = self._percent(code)
@@ -207,7 +207,7 @@ class _Reader:
         self.blocks += 1
         words, rest = split_words(code)
         if rest:
-            if diameter := _TOOL_DIAMETER.search(code):  # a variable describes the tool as a comment does
+            if diameter := _TOOL_DIAMETER.search(code):  # this variable describes the tool, like a comment
                 comments = [f"tool diameter = {diameter[1]}", *comments]
             step = self.flow.step(index, code)
             self._remark()
@@ -283,7 +283,7 @@ class _Reader:
         self.jump = None
 
     def _keep(self, comments: list[str]) -> None:
-        if self.again and not self.calls:  # the comments of a loop are kept once
+        if self.again and not self.calls:  # comments in a loop are stored only at the first run
             return
         kept = [(len(self.machine.commands), self.number, text) for text in comments if text]
         if self.calls:
@@ -294,7 +294,7 @@ class _Reader:
         self.machine.problem(what, self.number if line is None else line)
 
     def _remark(self) -> None:
-        """Report what the flow remarks on this line."""
+        """Report the remarks of the flow on this line."""
         for what in self.flow.remarks:
             self._problem(what)
         self.flow.remarks.clear()
@@ -304,7 +304,7 @@ class _Reader:
         words, rest = split_words(code)
         if not rest:
             return words
-        if code[0] == "<":  # XML or HTML: an equals sign does not assign a variable
+        if code[0] == "<":  # XML or HTML, in which an equals sign does not assign a variable
             self._no_words()
             return None
         dialects.refuse(line.strip().upper(), code, self.number)
@@ -330,7 +330,8 @@ class _Reader:
     def _common_spelling(self, code: str) -> str:
         """Return the code in the common spelling of words.
 
-        ``,R`` is left out and reported, decimal commas become points, ``HA`` and ``X=`` are respelled.
+        Words such as ``,R`` are removed and reported. Decimal commas become points. ``HA`` becomes ``H0``, ``X=``
+        becomes ``X``, and ``CR=`` becomes ``R``.
         """
         _, rest = split_words(code)
         if "," in rest and _DECIMAL_COMMA.search(code):
@@ -354,8 +355,8 @@ class _Reader:
         self._problem(Message("words-not-read"))
 
     def _after_end(self, first: int) -> None:
-        """Report the first move at or after this line (an index) that was not read in a call."""
-        # A called subprogram may skip lines of its own.
+        """Report the first line with a move, at or after the index `first`, that was not read in a call."""
+        # Lines of a called subprogram are not reported, because a subprogram may skip some of its lines.
         ran = {self.subprograms.head(index) for index in self.ran} if self.flow.followed else set()
         for index in range(first, len(self.lines)):
             if index in self.ran or self.subprograms.head(index) in ran:
@@ -367,7 +368,7 @@ class _Reader:
                 return
 
     def program(self) -> Program:
-        # Behind a condition, a call may never be made.
+        # If conditions were followed, a subprogram without a call is no error, because its call may be skipped.
         passed = self.passed if not self.flow.followed else [] if self.machine.moves else sorted(self.flow.passed)
         for index in passed:
             if index not in self.ran:
@@ -384,10 +385,10 @@ class _Reader:
 
 
 def _no_explanations(words: list[tuple[str, float]], comments: list[str]) -> list[str]:
-    """Return the comments of a line, without comments that explain the line's codes.
+    """Return the comments of a line, without comments that only explain the line's codes.
 
-    All comments beside a coolant code are explanations. Beside a dwell, a mode (`_MODES`), or only a feed rate or
-    speed, all comments are explanations except for descriptions of tools.
+    In a line with a coolant code, all comments are explanations. In a line with a dwell, a mode (`_MODES`), or only a
+    feed rate or speed, all comments except for descriptions of tools are explanations.
     """
     codes = {word for word in words if word[0] in "GM"}
     if not _COOLANT.isdisjoint(codes):

@@ -21,7 +21,7 @@ from vkworkbench.core.gcode.moves.program import Program
 from vkworkbench.core.gcode.moves.words import Words
 from vkworkbench.core.tool import Tool
 
-# Largest number of titles that differ only in their numbers. A program with more titles numbers its passes, not its
+# Largest number of titles that differ only in their numbers. More such titles number the passes of a program, not its
 # operations.
 MANY_TITLES = 50
 
@@ -33,17 +33,17 @@ _TOOL_NAME = re.compile(r"\W*(?:tool(?:\s*(?:name|no\.?|number|type|desc\w*))?\s
 _ITS_DIAMETER = re.compile(r"\W*(?:D|(?:tool\s*)?dia(?:meter)?)\.?\s*[:=]\s*[\d.,]+", re.IGNORECASE)
 # Tool descriptions that cannot serve as a tool's name.
 _NO_NAME = re.compile(r"\s*(?:TOOL/|tool_radius\b|tool size\b)", re.IGNORECASE)
-# The name of a FreeCAD tool controller. Unlike other tool descriptions, the name is also a title: it begins an
-# operation without another title, even for a control without M6.
+# The name of a FreeCAD tool controller. Unlike other tool descriptions, this name is also a title: it begins an
+# operation that has no other title, even for a control without M6.
 _CONTROLLER = re.compile(r"\s*TC: \S")
 # Estlcam lists the tools in the comments below this one.
 _REQUIRED_TOOLS = re.compile(r"\s*required tools:\s*", re.IGNORECASE)
 # Fusion lists the tools at the top, and writes a tool's own comment in the line below the tool change.
 _TOOL_OF_FUSION = re.compile(r"\s*T\d+\s+D=\S+\s+CR=", re.IGNORECASE)
-_MESSAGE = re.compile(r"\s*MSG\b\s*,?\s*", re.IGNORECASE)  # the control shows the rest to the operator
+_MESSAGE = re.compile(r"\s*MSG\b\s*,?\s*", re.IGNORECASE)  # MSG shows the rest of the comment to the operator
 
-# Comments with which py2gcode, FreeCAD, and FreeCAD for UCCNC begin and end an operation. The comments between them
-# describe its parameters and passes.
+# Comments with which py2gcode, FreeCAD, and FreeCAD for UCCNC begin and end an operation. The comments between these
+# two describe the operation's parameters and passes.
 _FROM = re.compile(r"Begin (\w+)|(?i:begin operation|operation start): (\S.*)")
 _TO = re.compile(r"End (\w+)|(?i:(?:finish|end) operation|operation done): (\S.*)")
 
@@ -55,7 +55,7 @@ class Section:
     Attributes
     ----------
     title : str
-        Title in the program's comments, else the name of the tool; empty if the comments contain neither.
+        Title from the program's comments, otherwise the name of the tool; empty if the comments contain neither.
     number : int or None
         Number of the tool.
     tool : Tool or None
@@ -77,7 +77,7 @@ class _Mark(NamedTuple):
     Attributes
     ----------
     at, line : int
-        Index of the command that follows the comment, or that changes the tool; and the line.
+        Index of the command that follows the comment, or that changes the tool; and the line of the comment or change.
     what : str, float or None
         The comment's text, or the number of the new tool; None if no T word names the tool.
     called : bool
@@ -114,9 +114,9 @@ class _Group:
     tool
         The tool of a comment without a tool number, or the known tool whose number a comment names.
     tool_name
-        Text of the comment that describes the group's tool.
+        Text of the comment that describes the tool of the group.
     told
-        Line of the comment that describes `tool`.
+        Line of the comment that describes the tool in `tool`.
     known : dict
         The tools described so far, by their numbers.
     """
@@ -167,7 +167,7 @@ def split_sections(program: Program) -> tuple[Section, ...]:
 
 
 class _Groups:
-    """The comments and tool changes between the cuts of a program; the first group precedes the first cut."""
+    """The groups of comments and tool changes between the cuts of a program; the first group precedes the first cut."""
 
     def __init__(self, program: Program) -> None:
         self._program = program
@@ -229,7 +229,7 @@ class _Groups:
         return title
 
     def _tool(self, line: int, told: ToldTool, name: str) -> None:
-        """Store the tool that a comment describes, under its number or else for the operation that follows."""
+        """Store the tool that a comment describes: under its number, or without a number for the next operation."""
         group, number = self.groups[-1], told.number
         change = line if line in self._changes else group.change
         if number is None and change is not None and line not in self._changes:
@@ -238,13 +238,16 @@ class _Groups:
             group.known = self._known = {**self._known, number: told.tool}
             group.tool_name = name if number == group.number else group.tool_name
         elif told.from_here or group.tool is None or change not in (None, group.told):
-            # Keep a tool that was described in the line of the tool change, unless the comment is from CutViewer
-            # (`from_here`) or a later tool change follows.
+            # A tool that was described in the line of the tool change is kept, unless this comment is from CutViewer
+            # (`from_here`) or belongs to another tool change.
             group.tool, group.tool_name, group.told = told.tool, name, line
 
 
 def _only_required_tool(program: Program) -> dict[int, Tool]:
-    """Return the tool in a list of required tools (Estlcam) that has one entry, with a number that no T word has."""
+    """Return the tool in a list of required tools (Estlcam), if the list has one entry.
+
+    The tool gets the number -1, which no T word has.
+    """
     tools: list[Tool | None] = []
     next_line = -1
     for _, line, text in program.comments:
@@ -277,7 +280,7 @@ def _marks(program: Program) -> list[_Mark]:
 
 
 def _beside_a_move(program: Program, at: int, line: int) -> bool:
-    """Return whether a comment is in the same line as a move, which it then explains.
+    """Return whether a comment is in the same line as a move; such a comment explains the move.
 
     Parameters
     ----------
@@ -292,8 +295,8 @@ def _beside_a_move(program: Program, at: int, line: int) -> bool:
 def _listed(marks: list[_Mark], cuts: np.ndarray) -> set[tuple[int, str]]:
     """Return the comments that list later tools, as pairs of the number of cuts before the comment and its text.
 
-    A comment lists a later tool if its text is repeated at the change of another tool. A single repeated comment is not
-    a list, because one description may fit several tools: the comments between two cuts must belong to at least two
+    A comment lists a later tool if its text is repeated at the change to another tool. A single repeated comment is not
+    a list, because one description can fit several tools. A list between two cuts must contain comments on at least two
     other tools.
     """
     placed = [(bisect_left(cuts, mark.at), mark.what) for mark in marks]
@@ -307,7 +310,7 @@ def _listed(marks: list[_Mark], cuts: np.ndarray) -> set[tuple[int, str]]:
 
 
 def _with_sizes(comments: Iterable[tuple[int, int, str]]) -> Iterator[tuple[int, int, str]]:
-    """Yield the comments; join a tool's size to the comment before it, which contains the label or the tool's name."""
+    """Yield the comments; join a tool's size to the previous comment, which contains the label or the tool's name."""
     before, size, next_line = "", False, 0
     for at, line, text in comments:
         joined = before and (size or (line == next_line and _ITS_DIAMETER.match(text)))
@@ -341,7 +344,8 @@ def _cuts(program: Program) -> np.ndarray:
 def _heights(words: Words, rows: np.ndarray, motion: np.ndarray) -> np.ndarray:
     """Return the height before the first move and after each move, mm, (n + 1,).
 
-    It is infinite before the first Z word, and at the R plane after a canned cycle, whose Z word is the hole's bottom.
+    The height is infinite before the first Z word. After a canned cycle, the height is the R plane, because the Z word
+    of a cycle is the bottom of the hole.
 
     Parameters
     ----------

@@ -6,17 +6,18 @@ from __future__ import annotations
 import re
 from functools import lru_cache
 
-# A title after the words that some post processors write before it.
+# A title, after the words that some post processors write before the title.
 _TITLED = re.compile(
     r"(?:begin operation|operation start|start cutting path id|start generation of|path|toolpath(?: name)?|operation(?: name)?"
     r"|op(?:eration)? ?\d+(?: of \d+)?|block-name|name|type|no\.? ?\d+|nr\.? ?\d+)"
     r"\s*[:=]\s*(?:-\s+)?(?!g-code from|(?:block|header|footer|[GM]\d+)$)(\S.*)",
     re.IGNORECASE,
 )
-# Fusion for Marlin, and SheetCam
+# A title before the tool, as Fusion's post processor for Marlin and SheetCam write comments.
 _BEFORE_TOOL = re.compile(r"(\S.*?) - milling - tool: \d+ - |operation: (\S.*?), T\d+: ", re.IGNORECASE)
 _STARTING = re.compile(r"starting (\S.*) op$")  # Kiri:Moto
-# Comments that are not titles: remarks of post processors on themselves, the machine, modes, and moves in an operation.
+# Comments that are not titles: remarks of post processors on themselves, on the machine, on modes, or on moves within
+# an operation.
 _REMARK = re.compile(
     r"""
     \W*$ | [-+.\d\s/:*x%]+$ | .{80} | .*(?:https?://|\.(?:cps|pp|ulp|h|stl|svg|brd|tpl|gmax|txt|nc|ngc|tap)\b)

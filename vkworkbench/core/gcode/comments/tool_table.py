@@ -17,15 +17,15 @@ from functools import lru_cache
 from vkworkbench.core.gcode.moves.units import INCH
 from vkworkbench.core.tool import Tool
 
-# Largest diameter with and without a unit, mm. If the second limit is higher, 14 END MILL becomes a tool of 14 inches
-# (356 mm), and 265bit a tool of 265 mm.
+# Largest diameter of a tool with a unit in the comment, and without a unit, mm. If the second limit is higher, 14 END
+# MILL becomes a tool of 14 inches (356 mm), and 265bit a tool of 265 mm.
 _LARGEST, _LARGEST_BARE = 500.0, 150.0
 
 _NUMBER = r"(?:\d+(?:\.\d*|,\d+)?|[.,]\d+)"
 _FRACTION = r"(?:\d+[ -])?\d+/\d+"
 _SIZE = rf"(?P<size>{_FRACTION}|{_NUMBER})"
-_METRIC = ("mm", "мм", "m")  # M8: a metric thread
-_MM = r"mm(?![a-z\d_])"  # 6mm立铣刀: Chinese words follow without a space
+_METRIC = ("mm", "мм", "m")  # M as in M8, a metric thread
+_MM = r"mm(?![a-z\d_])"  # Chinese words can follow without a space, as in 6mm立铣刀
 _UNIT = rf"\s*(?P<unit>{_MM}|мм\b|inch(?:es)?\b|in\b\.?|\"|'')?"
 # Tool words that need no space before them, in Chinese, Korean and Japanese.
 _UNSPACED = "[铣钻镗铰]刀|[球角头平底]刀|钻头|中心钻|丝锥|엔드밀|볼밀|드릴|커터|리머|탭|챔퍼|페이스밀|공구|エンドミル|ドリル|タップ|リーマ|カッター|フライス|工具"
@@ -35,8 +35,8 @@ _MILLING_WORD = (
     r"\w*fr(?:ä|ae|.)ser\b|bohrer|gravier\w*|freza|sverlo|fresa|broca|fraise|foret|frees|фреза|сверло|гравер|"
     + _UNSPACED
 )
-# A word for "tool" in another language names a tool only at the beginning of a comment: "trajectoire d'outil 3" is a
-# toolpath.
+# A number of a tool after the word "tool". In other languages, the word must be at the beginning of the comment,
+# because "trajectoire d'outil 3" is a toolpath.
 _NUMBERED = re.compile(
     r"(?:\b(?:T|tool(?:\s*(?:no\.?|nr\.?|number))?)"
     r"|^\W*(?:werkzeug|wkz\.?|wz\.?|outil|herramienta|ferramenta|utensile|공구|工具|narz[eę]dzie|n[aá]stroj|gereedschap|инструмент)"
@@ -49,17 +49,18 @@ _WORD = re.compile(
     rf"(?:\bdia(?:meter|m)?\b\.?|\bdiametro\b|\bdiámetro\b|\bdiamètre\b|\bdurchmesser\b|[øØ⌀φΦ]|지름|직경|直径|(?<![а-я])ф(?=\s*\d)|\bдиаметр|\btool size)\s*[:=.\-]*\s*{_SIZE}{_UNIT}(?![\d.,]*\s*(?:mcl|loc|oal)\b)",
     re.IGNORECASE,
 )
-# A number before "diameter". The end of a range is not a tool's diameter: SPOT DRILL .06 TO .125 DIA. drills holes
-# within this range.
+# A number before "diameter". The end of a range is not the tool's diameter: SPOT DRILL .06 TO .125 DIA. is a drill for
+# holes within this range.
 _BEFORE = re.compile(rf"(?<![\d.,/])(?<!\bto)(?<!\bto ){_SIZE}{_UNIT}\s*\bdia(?:meter|m)?\b", re.IGNORECASE)
-# .375_3/8 X 90 DEG. SPOT DRILL: a length that is given as a decimal and as a fraction is the diameter.
+# A length that is given as a decimal and as a fraction is the diameter, as in .375_3/8 X 90 DEG. SPOT DRILL.
 _DECIMAL = re.compile(r"(?<![\w.,/#-])(?P<size>\d*[.,]\d+)(?P<across>)(?P<unit>)(?= \d+/\d)")
 _RADIUS = re.compile(rf"\btool radius\s*[:=]\s*{_SIZE}{_UNIT}", re.IGNORECASE)
 _CAMBAM = re.compile(rf"T\d+\s*:\s*(?P<size>{_NUMBER})", re.IGNORECASE)
 _CUTVIEWER = re.compile(
     r"TOOL/(?P<kind>MILL|DRILL|CHAMFER)\s*,\s*(?P<size>[\d.]+)(?:\s*,\s*(?P<second>[\d.]+))?", re.IGNORECASE
 )
-# Diameter and length, 10 x 72: spaces on both sides of the x or on neither, because 2x 6mm is two pieces of 6 mm.
+# Diameter and length, as in 10 x 72. The x has spaces on both sides or on neither, because 2x 6mm is two pieces of 6
+# mm.
 _ACROSS = rf"(?:(?:mm|in)?(?:\s+[x×]\s+|[x×])(?:{_FRACTION}|{_NUMBER}))*"
 _WITH_UNIT = rf"(?<![\d.,/])(?<!\bthan ){_SIZE}{_ACROSS}\s*(?P<unit>{_MM}|мм\b|inch(?:es)?\b|in\b|\")"
 _MEASURED = re.compile(rf"{_WITH_UNIT}(?!\s*(?:l|loc|oal)\b)", re.IGNORECASE)
@@ -68,8 +69,9 @@ _NO_LENGTH = re.compile(
     rf"{_WITH_UNIT}(?!\s*(?:l\b|loc\b|lo?ng|length|lang|lg\b|oal\b|deep|depth|shank|stick|holder|corner|rad|cr?\b|pitch))",
     re.IGNORECASE,
 )
-_SHORT = re.compile(rf"(?<![\w|])D(?P<size>{_NUMBER})(?![\w|])")  # D10; between vertical bars it is an offset
-# This comment of FreeCAD is always in mm: FreeCAD converts the moves of a program to inches, but not its comments.
+_SHORT = re.compile(rf"(?<![\w|])D(?P<size>{_NUMBER})(?![\w|])")  # D10; between vertical bars, D10 is an offset
+# This comment from FreeCAD is always in mm, because FreeCAD converts the moves of a program to inches, but not its
+# comments.
 _IN_MM = re.compile(r"\W*compensated tool path\. diameter", re.IGNORECASE)
 # In a comment on cutter compensation, a D word is the number of an offset register.
 _COMPENSATION = re.compile(r"\bcomp(?:ensation)?\b|\bregister\b", re.IGNORECASE)
@@ -92,7 +94,8 @@ _ATTACHED = re.compile(
     rf"(?<![\w.,/#]){_SIZE}(?P<across>{_ACROSS}){_UNIT}(?:\s*(?:flat|square|stub|hss))*(?=\s*(?:{_MILLING_WORD}))",
     re.IGNORECASE,
 )
-# DRILL 8.5. A whole number after the tool word is ambiguous, and after a pointed tool it is an angle.
+# A decimal number or fraction after the tool word, as in DRILL 8.5. A whole number after the tool word is ambiguous;
+# after a pointed tool it is an angle.
 _BEHIND = re.compile(
     rf"(?<![a-zà-ÿа-я])(?:{_MILLING_WORD})\s*(?P<size>{_FRACTION}|\d+[.,]\d*|[.,]\d+)(?P<unit>)$", re.IGNORECASE
 )
@@ -100,12 +103,12 @@ _BEHIND = re.compile(
 _THREAD = re.compile(r"thread|gewinde|rosca|filet", re.IGNORECASE)
 # A diameter beside these words belongs to the part, not to the tool.
 _OF_PART = re.compile(r"\b(?:bore|boss|circle|hole|pocket)s?\b|bohrung|tasche", re.IGNORECASE)
-# Numbers that are not a diameter: in a table of drills, of an operation, and the number of sizes.
+# Numbers that are not a diameter: of a drill in a table, of an operation, and the number of sizes.
 _OTHER_NUMBER = re.compile(
     r"(?:#|\b(?:no|nr|op|job)\b\.?|\bnumber)\s*\d+(?![./\d])|(?<![\d./])\d+(?=(?:\s+\w+){0,2}\s+sizes\b)", re.IGNORECASE
 )
-# M8 X 1.25, 1/4-20: the diameter of a thread, and its pitch or its turns per inch. The nominal size of a pipe thread is
-# not its diameter.
+# Taps: M8 X 1.25 is the diameter of a thread and its pitch; 1/4-20 is the diameter and the turns per inch. The nominal
+# size of a pipe thread is not the diameter of the thread.
 _TAP = re.compile(r"\btap\b(?!\s*drill)", re.IGNORECASE)
 _METRIC_THREAD = re.compile(
     rf"(?<![A-Za-z\d])(?P<unit>M)(?P<size>{_NUMBER})(?=\s*[-x×]\s*[\d.,].*\btap\b|\s*tap\b)", re.IGNORECASE
@@ -115,7 +118,8 @@ _INCH_THREAD = re.compile(
 )
 # In a comment on a tap drill, the size of the tap is not the diameter of the drill.
 _FOR_TAP = re.compile(r"(?<=drill)\b.*\bfor\b.*\btap\b.*", re.IGNORECASE)
-# T9 3/16 HARVEY EM: a fraction after a tool's number is the diameter of the tool or of a thread (1/4-20).
+# A fraction after a tool's number is the diameter of the tool, as in T9 3/16 HARVEY EM, unless it belongs to a thread
+# (1/4-20).
 _NEXT_TO_NUMBER = re.compile(rf"[\s:=-]*(?P<size>{_FRACTION})(?P<across>){_UNIT}(?!\s*-\s*\d)", re.IGNORECASE)
 _IS_TOOL = re.compile(rf"(?<![a-zà-ÿа-я])(?:{_MILLING_WORD})|{_UNSPACED}", re.IGNORECASE)
 _CORNER = re.compile(rf"\b(?:CR|corner radius|torus_radius)\s*[=:]\s*(?P<size>{_NUMBER})", re.IGNORECASE)
@@ -147,8 +151,8 @@ class ToldTool:
         The tool's number in the program; None if the comment does not contain it.
     tool : Tool
     from_here : bool
-        Whether all moves that follow use this tool, as after CutViewer's comments. Other comments may only list a tool
-        that the program needs later.
+        Whether all moves after the comment use this tool, as after comments for CutViewer. Other comments possibly only
+        list a tool that the program needs later.
     """
 
     number: int | None
@@ -168,7 +172,7 @@ def tool_told(comment: str, *, inches: bool, of: int | None = None) -> ToldTool 
         Whether lengths without a unit are inches (G20). Fractions without a unit (1/4) are always inches.
     of : int, optional
         Number of the new tool if the comment is in the line of a tool change. A diameter in such a comment belongs to
-        the tool even if the comment has no tool word.
+        the new tool even if the comment contains no word for a tool.
     """
     if len(comment) > _LONGEST:
         return None
@@ -188,7 +192,7 @@ def tool_told(comment: str, *, inches: bool, of: int | None = None) -> ToldTool 
 
 
 def number_named(comment: str) -> int | None:
-    """Return the tool number in a comment; None if there is none. The comment need not contain a diameter."""
+    """Return the tool number in a comment, also without a diameter; None if the comment contains no tool number."""
     number = _NUMBERED.search(comment)
     return int(number["number"]) if number else None
 
@@ -196,7 +200,7 @@ def number_named(comment: str) -> int | None:
 def _spaced(comment: str) -> str:
     """Return a comment with spaces between its words, without the number of flutes.
 
-    A size that is given in mm and in inches is kept in mm only.
+    If a size is given in mm and in inches, only the mm are kept.
     """
     return _IN_BOTH.sub(_in_mm, _FLUTES.sub("", _TOGETHER.sub(" ", comment.replace("_", " "))))
 
@@ -227,14 +231,14 @@ def _size(comment: str, number: re.Match[str] | None) -> re.Match[str] | None:
     beside = _NEXT_TO_NUMBER.match(comment, number.end()) if number is not None and is_tool else None
     if beside and not _TAP.search(comment):
         return beside
-    if number is not None:  # "tool 1 1/4" is tool 1 with 1/4 inch, not a tool with 1 1/4 inches
+    if number is not None:  # "tool 1 1/4" is tool 1 with 1/4 inch, not 1 1/4 inches
         comment = f"{comment[: number.start()]}  {comment[number.end() :]}"
     comment = _without_offsets(_OTHER_NUMBER.sub("#", _BARE_ANGLE.sub("", comment)), number)
     if _TAP.search(comment):
         return _METRIC_THREAD.search(comment) or _INCH_THREAD.search(comment) or _NO_LENGTH.search(comment)
     found = [match for match in (_MEASURED.search(comment), _BARE.search(comment)) if match]
     size = _ATTACHED.search(comment) or min(found, key=re.Match.start, default=None)
-    if size is None or (number is None and _is_bare(size)):  # a whole number may be the tool's number
+    if size is None or (number is None and _is_bare(size)):  # a whole number is possibly the tool's number
         return _NO_LENGTH.search(comment) or _SHORT.search(comment) or size
     return size
 
@@ -273,7 +277,7 @@ def _is_bare(size: re.Match[str]) -> bool:
 def tells_inches(comment: str) -> bool:
     """Return whether a comment gives a diameter as a plain number and as a fraction of an inch: DIA 0.5, 1/2 ENDMILL.
 
-    The plain number is then in inches, and so is the program.
+    Such a comment shows that the plain number and the program are in inches.
     """
     if "/" not in comment or len(comment) > _LONGEST:
         return False
@@ -328,7 +332,7 @@ def _shape(comment: str) -> str:
 
 
 def _tip_angle(comment: str) -> float | None:
-    """Return the included angle of a tip, rad; for chamfer and engraving tools, Fusion's TAPER is half of it."""
+    """Return the included angle of a tip, rad. Fusion's TAPER is half of it for chamfer and engraving tools."""
     taper = _TAPER.search(comment)
     if taper:
         half = re.search(r"chamfer|fase|engrav|gravier|v-?bit", comment, re.IGNORECASE)

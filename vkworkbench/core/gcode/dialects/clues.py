@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Signs, in the words of a program, of the machine for which the program was written."""
+"""Find signs of the machine for which a program was written, for example a lathe, in the program's words."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ _TURNING_MODES = frozenset([7, 8, 96])
 _TURNING_CYCLES = frozenset([70, 71, 72, 76])
 _PRINTER = frozenset([104, 109, 140, 190])
 _SLOWEST_MILLING = 2.0  # mm/min
-_EXTRUSIONS = 10  # moves with an E word; up to this number, the E words may be typing errors
+_EXTRUSIONS = 10  # largest number of moves whose E words count as typing errors; more are a sign of a 3D printer
 
 
 class Clues:
@@ -71,7 +71,7 @@ class Clues:
     def feed(self, codes: list[int], parameters: dict[str, float], mode: int, feed: float, line: int) -> None:
         """Note the feed rate of a line: a lathe uses G99 for feed per turn, and G98 for feed per minute.
 
-        A feed rate below 2 mm/min is too slow for milling, so it is probably a feed per turn.
+        A feed rate below 2 mm/min is too slow for milling, and is probably a feed per turn.
 
         Parameters
         ----------
@@ -86,7 +86,7 @@ class Clues:
         line : int
             Line of the text, counted from 1.
         """
-        if mode in CYCLES:  # with a canned cycle, G98 and G99 select the height after the cycle
+        if mode in CYCLES:  # beside a canned cycle, G98 and G99 select the height after the cycle
             return
         if 980 in codes or 990 in codes:
             self._per_turn = line if 990 in codes else None
@@ -106,7 +106,7 @@ class Clues:
         for letter in "ABC":
             value = parameters.get(letter)
             if value is not None and value != self._turns.get(letter):
-                if cuts and (value or letter in self._turns):  # an axis is at 0 before its first word
+                if cuts and (value or letter in self._turns):  # before its first word, an axis is at 0
                     self.rotary.append(line)
                 self._turns[letter] = value
         if self._incremental is None and not {"U", "W"}.isdisjoint(parameters):
@@ -117,7 +117,7 @@ class Clues:
             self._wire.append(line)
 
     def arc(self, letters: set[str], line: int) -> None:
-        """Note an arc in X and Z without a G18 before it: on a lathe, XZ is the only plane."""
+        """Note an arc in X and Z without a previous G18, a sign of a lathe, on which XZ is the only plane."""
         if self._plane is None and "Z" in letters and letters.isdisjoint("YJ"):
             if "K" in letters:
                 self._plane = "K", line
@@ -133,7 +133,7 @@ class Clues:
         self._along_y |= moves
 
     def other_machine(self) -> Message | None:
-        """Return a message with the machine for which the program was written, and the sign of it; None for a mill."""
+        """Return a message with the machine for which the program was written, and its sign; None for a mill."""
         heats = None if self._mills or self._changer else self._printer
         if heats or len(self._extrusions) > _EXTRUSIONS:
             name, line = heats or ("E", self._extrusions[0])

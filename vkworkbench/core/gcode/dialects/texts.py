@@ -17,23 +17,23 @@ _SIEMENS = re.compile(
     r"=\s*(?:AC|IC|DC|ACP|ACN)\b|(?<![\w<])(?:MCALL|EXTCALL|WORKPIECE|SUPA|STOPRE)\b|\bT\s*=\s*\"|^\$PATH"
     r"|^(?:DEF\s+(?:REAL|INT|BOOL|STRING)|PROC|A?TRANS|A?ROT|A?MIRROR)\b"
 )
-# Words with an equals sign: corners, angles, polar coordinates, turns of a helix, and R parameters. Except for R
-# parameters, such a word at the beginning of a line may be a variable of an Okuma control.
+# Siemens' words with an equals sign: corners, angles, polar coordinates, turns of a helix, and R parameters. Except for
+# R parameters, such a word must not be at the beginning of a line, where it can be a variable of an Okuma control.
 _SIEMENS_WORD = re.compile(
     r"^[A-Z]\s*[-+]?[\d.].*[\d.\s](?:AR|AP|RP|RND|RNDM|CHF|CHR|TURN)\s*="
     r"|(?<![A-Z#<])[A-Z]\s*=\s*-?\s*R\d|^R\d+\s*="
 )
 _SIEMENS_CYCLE = re.compile(r"^(?:/\d?\s*)?(?:N\s*\d+\s*)?(?:CYCLE\d+|POCKET\d|SLOT\d|HOLES\d|LONGHOLE)\s*\(")
 _LINE_NUMBER = re.compile(r"^N\s*\d+\s*")
-_VARIABLES = re.compile(r"#|IF|GOTO")  # lines for a Fanuc control or for LinuxCNC, which may contain any name
+_VARIABLES = re.compile(r"#|IF|GOTO")  # lines for a Fanuc control or LinuxCNC; such lines can contain any name
 # Signs of a program for a Siemens control, in lines that are read as plain G-code.
 _OF_SIEMENS = re.compile(
     r"^%_N_|\bG(?:5\d\d|45[01]|60[123]|64[1-5]|7[01]0)\b|\bMSG\s*\(|(?<![A-Z])(?:CR|[XYZIJK])\s*=\s*-?[.\d]",
     re.MULTILINE | re.IGNORECASE,
 )
 _INCHES_OF_SIEMENS = re.compile(r"\bG70(?!\d)", re.IGNORECASE)
-# A move with a feed rate in the text of a path from FreeCAD, which no post processor wrote: words in the order of the
-# alphabet, with six decimals. Feed rates are in mm/s.
+# A move with a feed rate in the text of a FreeCAD path that no post processor wrote. The words are in the order of the
+# alphabet and have six decimals; feed rates are in mm/s.
 _FEEDS = re.compile(r"^\s*(?:N\d+\s*)?G0*[1-3]\b[^(;\n]*F.*$", re.MULTILINE | re.IGNORECASE)
 _FEED_OF_PATH = re.compile(r"G[123] F\d+\.\d{6}(?: [I-KX-Z]-?\d+\.\d{6})+ *\r?")
 
@@ -58,7 +58,7 @@ def at_line(problem: Problem) -> Message:
 
 
 def refuse(text: str, code: str, line: int) -> None:
-    """Raise Unusable if a line is in another control's language.
+    """Raise Unusable if a line is in the language of a Heidenhain or Siemens control.
 
     Parameters
     ----------
@@ -85,8 +85,8 @@ def check(blocks: int, strange: list[int], moves: bool, problems: tuple[Problem,
     blocks : int
         Number of lines read that contain more than comments.
     strange : list of int
-        Lines with text that cannot be read as words; variables and jumps do not count. A text in which more than half
-        of the `blocks` are strange is not an NC program.
+        Lines with text that cannot be read as words; variables and jumps do not count. If more than half of the
+        `blocks` are strange, the text is not an NC program.
     moves : bool
         Whether any line moves the tool.
     problems : tuple of Problem
