@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The reasons why a program cannot be followed further."""
+"""Define the exceptions for programs that cannot be followed further, and for lines that cannot be read."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ class Ended(Exception):
 
 
 class Unknown(Ended):
-    """A value comes from the machine. Only a line that needs the value ends the program."""
+    """A value is unknown because it comes from the machine. The program ends only at a line that needs the value."""
 
 
 class Unreadable(Exception):

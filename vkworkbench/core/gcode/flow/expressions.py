@@ -20,16 +20,16 @@ Postfix = Tuple[Tuple[int, Any], ...]
 _NUMBER, _NEGATE, _UNARY, _BINARY, _ON_VACANT, _NUMBERED, _NAMED, _EXISTS, _EXISTS_NUMBERED = range(9)
 
 _DIGITS = re.compile(r"(?:\d+\.?\d*|\.\d+)(?:E[-+]?\d+)?")
-_INDEX = re.compile(r"\d+\.?\d*")  # without an exponent: in X#1 E5, the E is a word
+_INDEX = re.compile(r"\d+\.?\d*")  # an exponent is not allowed, because the E in X#1 E5 is a word
 _NAME = re.compile(r"<([^<>]+)>")
 _FUNCTION = re.compile(r"([A-Z]+)\[")
 _OPERATOR = re.compile(r"\*\*|[-+*/]|MOD|AND|XOR|OR|EQ|NE|GT|GE|LT|LE")
 _DEEPEST = 40  # largest depth of brackets within brackets, and of variables that name variables
-_LARGEST = 1e300  # larger results are errors of the program
+_LARGEST = 1e300  # larger results show an error in the program
 
 
 class Parser:
-    """Reads the values of a line from left to right.
+    """Reader of the values in a line, from left to right.
 
     Parameters
     ----------
@@ -55,20 +55,20 @@ class Parser:
         return self.code[self.at : self.at + 1]
 
     def take(self, text: str) -> bool:
-        """Skip a text if it follows; return whether it does."""
+        """Skip a text if the line continues with the text; return whether it does."""
         follows = self.code.startswith(text, self.at)
         self.at += len(text) if follows else 0
         return follows
 
     def match(self, pattern: re.Pattern[str]) -> re.Match[str] | None:
-        """Skip a pattern if it follows; return its match."""
+        """Skip a pattern if the line continues with the pattern; return the match."""
         found = pattern.match(self.code, self.at)
         if found:
             self.at = found.end()
         return found
 
     def computed(self) -> bool:
-        """Return whether a value follows that is more than a number: a variable, a bracket or a function."""
+        """Return whether the line continues with a computed value: a variable, a bracket or a function."""
         at = self.at
         while self.code[at : at + 1] in ("+", "-"):
             at += 1
@@ -83,7 +83,7 @@ class Parser:
         Raises
         ------
         Unreadable
-            If no value follows.
+            If the line does not continue with a value.
         """
         self._depth += 1
         if self._depth > _DEEPEST:
@@ -104,7 +104,7 @@ class Parser:
         return (*code, (_NEGATE, None)) if negative else code
 
     def variable(self) -> Postfix:
-        """Read the number or the name of a variable, after its ``#``; return the code that reads the variable."""
+        """Read the number or the name of a variable after its ``#``, and return the code that reads the variable."""
         name = self.match(_NAME)
         if name:
             return ((_NAMED, name[1]),)
@@ -128,7 +128,7 @@ class Parser:
         return _finite(digits[0])
 
     def _bracket(self) -> Postfix:
-        """Read the rest of a bracket, after its opening bracket."""
+        """Read an expression and its closing bracket, after the opening bracket."""
         code = self.expression()
         if not self.take("]"):
             raise Unreadable
@@ -171,7 +171,7 @@ class Parser:
         return (*self._bracket(), (_UNARY, function))
 
     def _exists(self) -> Postfix:
-        """Read the variable of EXISTS, which is not evaluated."""
+        """Read the variable in the brackets of EXISTS. The variable's value is not read."""
         if not self.take("#"):
             raise Unreadable
         *code, (kind, name) = self.variable()
@@ -219,7 +219,7 @@ def evaluate(code: Postfix, variables: Variables) -> float | None:
         elif kind == _NAMED:
             stack.append(variables.named(what))
         elif kind == _NEGATE:
-            stack[-1] = None if stack[-1] is None else -stack[-1]  # X-#1 leaves out its word as X#1 does
+            stack[-1] = None if stack[-1] is None else -stack[-1]  # an empty #1 leaves out X-#1, like X#1
         elif kind == _UNARY:
             stack[-1] = _result(what, stack[-1] or 0.0)
         elif kind == _BINARY:
@@ -231,7 +231,7 @@ def evaluate(code: Postfix, variables: Variables) -> float | None:
         elif kind == _EXISTS:
             stack.append(float(variables.exists(what)))
         else:
-            stack[-1] = 1.0  # every number is the number of a variable
+            stack[-1] = 1.0  # a variable exists for every number
     result: float | None = stack[0]
     return result
 
@@ -241,6 +241,6 @@ def _result(function: Callable[..., float], *values: float) -> float:
         result = function(*values)
     except (ArithmeticError, ValueError):
         raise Ended(Message("no-result")) from None
-    if not -_LARGEST < result < _LARGEST:  # also not a number
+    if not -_LARGEST < result < _LARGEST:  # this condition is also true for NaN
         raise Ended(Message("no-result"))
     return result

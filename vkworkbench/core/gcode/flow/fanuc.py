@@ -10,7 +10,8 @@ from vkworkbench.core.gcode.flow.lines import bare
 from vkworkbench.core.gcode.flow.subprograms import Subprograms
 from vkworkbench.core.gcode.flow.variables import Frame, Value
 
-# Signs of a dialect. A program number (O1000) without a sign of LinuxCNC is a sign of a Fanuc control, too.
+# Signs of LinuxCNC and of Fanuc controls. In a program without signs of LinuxCNC, a program number (O1000) is also a
+# sign of a Fanuc control.
 _LINUXCNC = re.compile(r"#<|\*\*|EXISTS\[|O(?:\d+|<[^<>]*>)(?:SUB|CALL|IF|WHILE|DO|REPEAT)", re.IGNORECASE)
 _FANUC = re.compile(r"GOTO[\d#\[]|\]THEN|DO\d|END\d|G0*65(?!\d)|#0(?!\d)", re.IGNORECASE)
 _SIGNS = re.compile(r"[#\[*]|SUB|CALL|DO|GO|END|G\s*0*65|REPEAT", re.IGNORECASE)
@@ -35,7 +36,7 @@ def is_fanuc(lines: Sequence[str], subprograms: Subprograms) -> bool:
 def arguments(words: Iterable[tuple[str, float]]) -> Frame:
     """Return the local variables that the words of Fanuc's macro call G65 set.
 
-    I, J and K words may be repeated: the next set begins where their order in the alphabet is broken.
+    I, J and K words may be repeated. A new set of them begins at each word that does not follow the alphabetical order.
     """
     numbers: dict[int, Value] = {}
     sets, last = 0, ""

@@ -18,22 +18,22 @@ from vkworkbench.core.gcode.flow.variables import ALARM, Frame, Value, Variables
 from vkworkbench.language import Message
 
 MOST_LINES = 1_000_000  # largest number of lines that loops, jumps and calls read; a line counts at each run
-MOST_IDLE_LINES = 100_000  # largest number of such lines in a row without a command
-MOST_STEPS = 20_000_000  # largest number of steps in all calculations: it bounds their time
+MOST_IDLE_LINES = 100_000  # largest number of successive lines without a command in loops, jumps and calls
+MOST_STEPS = 20_000_000  # largest number of steps in all calculations, which limits the time for them
 DEEPEST = 10  # largest depth of calls within calls
-MOST_COMMANDS = 5_000_000  # largest number of commands that loops, jumps and calls add: a toolpath has no more moves
+MOST_COMMANDS = 5_000_000  # largest number of commands after loops, jumps and calls; a toolpath has no more moves
 
 _UNREAD = re.compile(r"#(?:(\d+)|<([^<>]+)>)=")  # a variable that gets a value in a line that cannot be read
-# A statement that decides which line follows, also if it has an error.
+# A statement that decides which line follows, even if the statement has an error.
 _JUMP = re.compile(
     r"(?:N\d+)?(?:(?:IF|WHILE)\[|GOTO[\d#\[]|O(?:\d+|<[^<>]*>)(?:(?:END)?(?:SUB|IF|WHILE|REPEAT)|CALL|ELSE|DO|RETURN|BREAK|CONTINUE))"
 )
-# Words that do not change the tool's path, and codes whose words are data: dwells and offsets.
+# Words that do not change the tool's path. `_DATA` are codes whose words are data: dwells and offsets.
 _HARMLESS = frozenset("DEFHST")
 _NUMBER_ALONE = re.compile(r"(?:N[\d.]+)?")
 _DATA = re.compile(r"G0*(?:4|10)(?!\d)")
-# The methods of Flow that perform the control statements. A table of bound methods would be a circle of references, which
-# keeps the whole text in memory.
+# Names of the methods of Flow that perform the control statements. A table of bound methods would be a reference cycle,
+# which would keep the whole text in memory.
 _METHODS = {
     "IF": "_if", "ELSEIF": "_skip", "ELSE": "_skip", "ENDIF": "_go_on",
     "WHILE": "_while", "ENDWHILE": "_repeat_loop", "DO": "_go_on",
@@ -75,7 +75,7 @@ class Flow:
         self._read = 0
         self._idle = 0
         self._commands = 0
-        self._jumps: dict[int, int] = {}  # number of the changes of variables at the last jump back from each line
+        self._jumps: dict[int, int] = {}  # by line: number of changes of variables at the last jump back from it
         self._steps = 0
 
     @cached_property
@@ -127,7 +127,7 @@ class Flow:
         return step
 
     def _jump_back(self, index: int) -> None:
-        """Raise Ended if no variable has changed since the last jump back from a line, which then has no end."""
+        """Raise Ended if a loop is endless: no variable has changed since the last jump back from the same line."""
         changes = self._variables.changes
         if self._jumps.get(index) == changes:
             raise Ended(Message("endless"))
@@ -152,7 +152,7 @@ class Flow:
             raise Ended(Message("too-many-moves-run", count=MOST_COMMANDS))
 
     def begin_call(self, call: Call) -> None:
-        """Begin a call; raise Ended if its runs or the depth of calls exceed the bounds."""
+        """Begin a call; raise Ended if the number of its runs or the depth of calls is too large."""
         if self.depth == DEEPEST:
             raise Ended(Message("too-many-calls", count=DEEPEST))
         if call.times > MOST_LINES - self._read:
@@ -175,7 +175,7 @@ class Flow:
             self._variables.frames.pop()
 
     def _forget(self, code: str) -> None:
-        """Mark the variables as unknown that a line assigns and that cannot be read."""
+        """Mark the variables as unknown to which an unreadable line assigns values."""
         for number, name in _UNREAD.findall(code):
             unknown = Message("value-unread", name=f"#{number}" if number else f"#<{name.lower()}>")
             if name:
@@ -203,7 +203,7 @@ class Flow:
     def _filled(self, line: Words) -> str:
         """Return the words of a line with numbers in place of expressions, and perform its assignments.
 
-        A line reads the values from before the line. The word of an empty variable is left out.
+        The expressions use the values that variables have before the line. The word of an empty variable is left out.
         """
         parts: list[str] = []
         for before, letter, value in line.pieces:
@@ -230,7 +230,7 @@ class Flow:
     def _new_values(self, line: Words) -> list[tuple[str | float | None, Value]]:
         """Return the variables that a line assigns, by their numbers or names, and their new values.
 
-        All values are calculated before the first is assigned.
+        All values are calculated before the first value is assigned.
         """
         new: list[tuple[str | float | None, Value]] = []
         for variable, right_side in line.assigned:
@@ -274,7 +274,7 @@ class Flow:
         return line
 
     def _skip(self, index: int, _control: Control) -> Step:
-        """Go behind the block: from a branch that was read, a loop that is left, or the definition of a subprogram."""
+        """Go to the line after a block: after a branch was read, a loop is left, or a subprogram is only defined."""
         block = self._block(index)
         if block.kind == "SUB":
             self.passed.add(index)
@@ -344,8 +344,8 @@ class Flow:
     def _if_then(self, _index: int, control: Control) -> Step:
         """Perform an assignment with a condition.
 
-        A condition that depends on the machine does not end the program: it makes the assigned variables unknown. An
-        alarm (#3000) is then not raised, because no line follows an alarm.
+        A condition that depends on the machine does not end the program, but makes the assigned variables unknown. An
+        assignment that raises an alarm (#3000) is then ignored, because no line would follow the alarm.
         """
         then = control.then
         if then is None:

@@ -1,19 +1,19 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The operators and functions of expressions, for LinuxCNC and for Fanuc controls.
+"""Define the operators and functions of expressions, for LinuxCNC and for Fanuc controls.
 
-Angles are in degrees. The functions raise ArithmeticError or ValueError where a control raises an alarm.
+Angles are in degrees. The functions raise ArithmeticError or ValueError if a control would raise an alarm.
 """
 
 from __future__ import annotations
 
 import math
-from typing import Any, Callable  # Python 3.8 evaluates these types, and collections.abc has none there
+from typing import Any, Callable  # Python 3.8 evaluates these types, and its collections.abc has no such types
 
 Unary = Callable[[float], float]
 Binary = Callable[[Any, Any], float]
 
-_EQUAL = 1e-4  # LinuxCNC: numbers that differ by less are equal
-_WHOLE_BITS = 1 << 53  # larger numbers have no exact last bit
+_EQUAL = 1e-4  # LinuxCNC: two numbers are equal if they differ by less than this
+_WHOLE_BITS = 1 << 53  # largest number whose bits are all exact in a float
 
 LOGICAL = frozenset(["AND", "OR", "XOR"])
 COMPARISONS = frozenset(["EQ", "NE", "GT", "GE", "LT", "LE"])
@@ -101,5 +101,5 @@ BINARY_OF_FANUC: dict[str, Binary] = {
 }
 _RANKS = (("**",), ("*", "/", "MOD"), ("+", "-"), tuple(COMPARISONS), tuple(LOGICAL))
 RANK = {name: -rank for rank, names in enumerate(_RANKS) for name in names}
-# Fanuc's ranks, for a bracket without a comparison: AND multiplies, OR and XOR add.
+# Fanuc's ranks of operators in a bracket without a comparison: AND has the rank of *, OR and XOR have the rank of +.
 RANK_OF_FANUC = {**RANK, "AND": RANK["*"], "OR": RANK["+"], "XOR": RANK["+"]}

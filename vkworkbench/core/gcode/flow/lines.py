@@ -11,14 +11,14 @@ from vkworkbench.core.gcode.blocks import split_comments
 from vkworkbench.core.gcode.flow.ended import Unreadable
 from vkworkbench.core.gcode.flow.expressions import Parser, Postfix
 
-_LONGEST = 1000  # characters; LinuxCNC reads up to 255 of a line
+_LONGEST = 1000  # characters in a line that is parsed; LinuxCNC reads up to 255
 _MOST_ARGUMENTS = 30
 _BLOCK_DELETE = re.compile(r"(N\d+)?(?:/\d?)+")
 _NUMBER = re.compile(r"N\d+(?:\.\d+)?")
 _DIGITS = re.compile(r"(\d+)")
 _NAME = re.compile(r"<([^<>]*)>")
 _KEYWORD = re.compile("ENDSUB|SUB|CALL|RETURN|ELSEIF|ELSE|ENDIF|IF|ENDWHILE|WHILE|DO|ENDREPEAT|REPEAT|BREAK|CONTINUE")
-# The least and the largest number of values after the keyword of an O-word; none for other keywords.
+# The smallest and the largest number of values after the keyword of an O-word. Other keywords have no values.
 _VALUES = {"IF": (1, 1), "ELSEIF": (1, 1), "WHILE": (0, 1), "REPEAT": (1, 1), "CALL": (0, _MOST_ARGUMENTS),
            "RETURN": (0, 1), "ENDSUB": (0, 1)}  # fmt: skip
 _LETTERS = frozenset("ABCDEFGHIJKLMNOPQRSTUVWXYZ")
@@ -53,9 +53,9 @@ class Words:
     Attributes
     ----------
     assigned : tuple of (Postfix, Postfix)
-        Variables and their new values. The code of a variable reads its old value.
+        Pairs of a variable and its new value. The first element is the code that would read the variable.
     pieces : tuple of (str, str, Postfix)
-        For each computed value the text before its word, the letter of the word, and the value.
+        For each computed value: the text before its word, the letter of the word, and the value.
     rest : str
         The text after the last computed value.
     """
@@ -85,7 +85,7 @@ def parse_line(code: str, *, fanuc: bool) -> Control | Words:
     Unreadable
         If the line has no macro statement, variable or expression, or has an error.
     """
-    if len(code) > _LONGEST or '"' in code:  # a text for the operator may contain a number sign
+    if len(code) > _LONGEST or '"' in code:  # a text for the operator can contain a number sign
         raise Unreadable
     control = _control(code, fanuc=fanuc)
     if control is not None:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The effect of a macro statement on the lines that follow."""
+"""Define the effect of a macro statement on the lines that follow."""
 
 from __future__ import annotations
 
@@ -14,11 +14,11 @@ class Call(NamedTuple):
     Attributes
     ----------
     first, end : int
-        Indices of its first line, and of the line after its last line.
+        Indices of the subprogram's first line, and of the line after its last line.
     times : int
         Number of runs.
     frame : Frame or None
-        Its local variables; None if it uses the variables of its caller.
+        Local variables of the subprogram; None if the subprogram uses the variables of its caller.
     """
 
     first: int

@@ -30,9 +30,9 @@ class Block:
     kind : str
         The keyword with which the block begins; ``DO-N`` for a loop of a Fanuc control.
     marks : list of int
-        Indices of its first line, of its ELSEIF and ELSE lines, and of its last line.
+        Indices of the block's first line, of its ELSEIF and ELSE lines, and of its last line.
     closed : bool
-        Whether the last mark is the end of the block.
+        Whether the program contains the end of the block, which is then the last element of `marks`.
     """
 
     kind: str
@@ -58,12 +58,12 @@ class Structure:
     lines : list of str
         The whole text.
     heads : collection of int
-        Indices of the lines with the number of a program. A loop of a Fanuc control ends in its own program.
+        Indices of the lines with the number of a program. A loop of a Fanuc control must end within its program.
 
     Attributes
     ----------
     blocks : dict of int to Block
-        The innermost block of each line that begins, divides, ends, leaves or continues a block, by the line's index.
+        Block for each line that begins, divides or ends a block, or leaves or continues a loop, by the line's index.
     subprograms : dict of str to Block
         Subprograms by the names or numbers of their O-words.
     """
@@ -72,7 +72,8 @@ class Structure:
         self.blocks: dict[int, Block] = {}
         self.subprograms: dict[str, Block] = {}
         heads = frozenset(heads)
-        # Open blocks by name; O-words with the same number in different subprograms are different blocks.
+        # Open blocks, by the subprogram and the name of the block. O-words with the same number in different
+        # subprograms are different blocks.
         self._open: dict[tuple[str, str], list[Block]] = {}
         self._within = ""
         for index, line in enumerate(lines):

@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Find the subprograms in the text of an NC program.
 
-M98 calls a program by its number (P), or a block by its number (Q); Haas' M97 calls a block by its number (P).
+M98 calls a program by its number (P word), or a block by its number (Q word). Haas' M97 calls a block by its number (P
+word).
 """
 
 from __future__ import annotations
@@ -17,7 +18,7 @@ PROGRAM_NUMBER = re.compile(r"[O:]\s*(\d{1,8})\b(?!\s*[A-Z]{2})")
 _BLOCK = re.compile(r"\s*(?:/\d?\s*)?N\s*(\d{1,8})(?![\d.])", re.IGNORECASE)
 _CALLS = frozenset([("M", 98.0), ("M", 198.0), ("G", 65.0), ("G", 66.0)])  # codes that call the program with number P
 _CALL_LETTERS = frozenset("PpOo:")  # letters in lines with a call or with the number of a program
-_TIMES = 10_000  # P31000 calls program 1000 three times if the text contains only program 1000
+_TIMES = 10_000  # P31000 calls program 1000 three times, unless the text contains a program 31000
 
 
 def calls_block(m_code: float, letters: Collection[str]) -> bool:
@@ -64,7 +65,7 @@ class Subprograms:
         self.called = {number for caller, number in called if number != caller}
 
     def find(self, m_code: float, words: dict[str, float], caller: int) -> tuple[int, int] | None:
-        """Return the index of a subprogram's first line, and the number of runs; None if it is not in this text.
+        """Return the index of a subprogram's first line, and the number of runs; None if they are not in this text.
 
         Parameters
         ----------
@@ -78,25 +79,25 @@ class Subprograms:
         if "P" not in words and not calls_block(m_code, words.keys()):
             return None
         number, times, first = whole(words.get("P", 0.0), LARGEST_NUMBER), 1, None
-        if m_code == 98 and "Q" in words:  # Fanuc: run from block Q of program P, or of this program without P
+        if m_code == 98 and "Q" in words:  # Fanuc: run from block Q of program P; without P, of this program
             head = self._first.get(number) if "P" in words else self.head(caller)
             first = None if head is None else self._first_block(head, words["Q"])
         elif m_code == 97:
             first = self._first_block(self.head(caller), number)
-        elif m_code == 98:  # M198 calls a program outside of this text
+        elif m_code == 98:  # M198 is not handled, because it calls a program outside of this text
             if number not in self._first:
                 times, number = divmod(number, _TIMES)
             first = self._first.get(number)
-        if first is None or (m_code == 98 and first == self.head(caller)):  # the program would call itself for ever
+        if first is None or (m_code == 98 and first == self.head(caller)):  # the program would call itself endlessly
             return None
         return first, whole(words.get("L", times), LARGEST_NUMBER)
 
     def program(self, number: float) -> int | None:
-        """Return the index of the first line of a program; None if it is not in this text."""
+        """Return the index of the first line of a program; None if the program is not in this text."""
         return self._first.get(whole(number, LARGEST_NUMBER))
 
     def block(self, number: int, index: int) -> int | None:
-        """Return the index of the block to which a line jumps; None if there is none with this number.
+        """Return the index of the block to which a line jumps; None if no block has this number.
 
         The control searches the current program from the line to the end, and then from the beginning.
         """
@@ -107,13 +108,13 @@ class Subprograms:
     def end(self, first: int) -> int:
         """Return the index of the line with the next program's number, or the number of lines if there is none.
 
-        The subprogram ends before this line, or earlier with M99.
+        The subprogram ends before this line, or earlier at an M99.
         """
         after = bisect_right(self.heads, first)
         return self.heads[after] if after < len(self.heads) else len(self._lines)
 
     def head(self, index: int) -> int:
-        """Return the index of the line with the number of the program that contains a line; -1 if there is none."""
+        """Return the index of the line with the number of the program that contains a line; -1 without such a line."""
         before = bisect_right(self.heads, index)
         return self.heads[before - 1] if before else -1
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The values of a program's variables: #1, #500, #<depth>, #<_depth>."""
+"""Store the values of a program's variables: #1, #500, #<depth>, #<_depth>."""
 
 from __future__ import annotations
 
@@ -10,14 +10,15 @@ from typing import Any, Union
 from vkworkbench.core.gcode.flow.ended import Ended, Unknown
 from vkworkbench.language import Message
 
-# The value of a variable: a number; None for an empty variable of a Fanuc control; the reason why it is not known.
+# The value of a variable: a number, None for an empty variable of a Fanuc control, or the reason why the value is
+# unknown.
 Value = Union[float, None, Message]
 
-ALARM = 3000  # Fanuc: a value for this variable raises an alarm
-_LARGEST_NUMBER = 99_999  # bounds the memory of the variables
-_WHOLE = 1e-4  # LinuxCNC: largest distance of a variable's number from a whole number
-_RESULTS = frozenset(["_VALUE", "_VALUE_RETURNED"])  # LinuxCNC: what a subprogram returned
-# LinuxCNC's variables of the machine's state.
+ALARM = 3000  # Fanuc: an assignment to this variable raises an alarm
+_LARGEST_NUMBER = 99_999  # largest number of a variable, which limits the memory for variables
+_WHOLE = 1e-4  # LinuxCNC: largest difference between a variable's number and a whole number
+_RESULTS = frozenset(["_VALUE", "_VALUE_RETURNED"])  # LinuxCNC: the result of a subprogram
+# LinuxCNC's variables for the state of the machine.
 _OF_MACHINE = frozenset([
     "_VMAJOR", "_VMINOR", "_LINE", "_MOTION_MODE", "_PLANE", "_CCOMP", "_METRIC", "_IMPERIAL", "_ABSOLUTE",
     "_INCREMENTAL", "_INVERSE_TIME", "_UNITS_PER_MINUTE", "_UNITS_PER_REV", "_COORD_SYSTEM", "_TOOL_OFFSET",
@@ -58,8 +59,8 @@ class Variables:
     Parameters
     ----------
     fanuc : bool
-        Whether the program is written for a Fanuc control. A variable without a value is empty there, and 0 in
-        LinuxCNC.
+        Whether the program is written for a Fanuc control. A variable without a value is empty on a Fanuc control, and
+        0 in LinuxCNC.
     report : callable
         Reports a message on the current line.
 
@@ -68,7 +69,8 @@ class Variables:
     frames : list of Frame
         The local variables of the program and of the current subprograms.
     changes : int
-        Number of changes of variables, of the runs left in REPEAT loops, and of runs of subprograms.
+        Counter that grows with each change of a variable or of a REPEAT loop's remaining runs, and with each run of a
+        subprogram.
     """
 
     def __init__(self, *, fanuc: bool, report: Callable[[Message], None]) -> None:
@@ -92,7 +94,7 @@ class Variables:
             return _known(values[index])
         if self._fanuc and (index >= _FIRST_OF_FANUC or _KEPT_FROM <= index <= _KEPT_TO):
             raise Unknown(Message("value-of-machine", name=f"#{index}"))
-        if values is not self.frames[-1].numbers or len(self.frames) == 1:  # an argument may be absent
+        if values is not self.frames[-1].numbers or len(self.frames) == 1:  # in a subprogram, an argument may be absent
             self._report(Message("variable-unset"))
         return None if self._fanuc else 0.0
 

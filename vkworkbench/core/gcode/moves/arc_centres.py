@@ -10,14 +10,14 @@ from vkworkbench.core.gcode.moves.codes import CLOCKWISE
 from vkworkbench.core.gcode.moves.modal import ModalState
 from vkworkbench.language import Message
 
-_MOST_TURNS = 10_000  # turns of an arc (P)
-_OFF_CIRCLE = 0.05  # mm; if an arc ends farther from its circle, its centre words were probably misread
+_MOST_TURNS = 10_000  # largest number of turns of an arc (P word)
+_OFF_CIRCLE = 0.05  # mm; if an arc ends farther than this from its circle, its centre words were probably misread
 
 
 def resolve_arcs(
     program: ModalState, rows: np.ndarray, axes: np.ndarray, start: np.ndarray, end: np.ndarray
 ) -> arcs.Arcs:
-    """Return the geometry of the arcs, and report those that are not read as they are written.
+    """Return the geometry of the arcs, and report the arcs that are not read as they are written.
 
     Parameters
     ----------
@@ -26,9 +26,9 @@ def resolve_arcs(
     rows : (m,) int
         The commands that are arcs.
     axes : (m, 3) int
-        The two axes of each arc's plane, and the axis across.
+        The two axes of each arc's plane, and the axis of the plane's normal.
     start, end : (m, 3) float64
-        The end points along these axes, mm.
+        The start point and the end point of each arc along these axes, mm.
     """
     words, problems = program.words, program.problems
     columns, unusable = zip(*(words.column(letter, rows) for letter in "IJK"))
@@ -70,6 +70,6 @@ def resolve_arcs(
 def _repeats(offset: np.ndarray) -> bool:
     """Return whether two neighbouring circles have equal centre words, (m, 2) mm, as circles in a helix have.
 
-    Such words are offsets, because coordinates would rarely make two circles around one centre.
+    Equal centre words are offsets. If they were coordinates, both circles would have the same centre, which is rare.
     """
     return bool((np.diff(offset, axis=0) == 0).all(axis=1).any())

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""G2/G3 arcs: centre, exact sweep and chords, many arcs at a time."""
+"""Compute the centre, exact sweep and chords of G2/G3 arcs, for many arcs at once."""
 
 from __future__ import annotations
 
@@ -9,12 +9,12 @@ import numpy as np
 
 KILOMETRE = 1e6  # mm; an arc with this radius or a larger one is read as a line
 # Largest radius of an arc of more than half a turn, mm. An arc with a larger radius is read as a line, because rounding
-# moved its centre to the wrong side.
+# probably moved its centre to the wrong side of the chord.
 LARGEST_CIRCLE = 1e4
 LARGEST_STEP = np.pi / 4  # rad, largest angle of a chord; with larger angles, tiny circles lose their directions
 SMALLEST_STEP = 1e-9  # rad, smallest angle of a chord; finer chords would not fit into memory
-SAME_POINT = 1e-6  # mm; FreeCAD saves 6 decimals
-SAME_DIRECTION = 5e-7  # rad; grbl reads a smaller sweep as a full circle
+SAME_POINT = 1e-6  # mm, largest distance between equal points; FreeCAD saves 6 decimals
+SAME_DIRECTION = 5e-7  # rad; grbl reads a sweep below this as a full circle
 ROUNDED = 0.02  # mm, largest rounding error of an end point; a program in inches may have three decimals
 
 
@@ -27,11 +27,11 @@ class Arcs:
     centre : (m, 2) float64
         In-plane centre, mm.
     sweep : (m,) float64
-        Exact sweep, rad, counter-clockwise positive; 0 if the arc is read as a line.
+        Exact angle from start to end, rad, counter-clockwise positive; 0 if the arc is read as a line.
     radius : (m, 2) float64
         Radius at the start and at the end, mm.
     degenerate : (m,) bool
-        True if the centre is missing or impossible, so that the arc is read as a line.
+        Whether the centre is missing or impossible, so that the arc is read as a line.
     """
 
     centre: np.ndarray
@@ -61,13 +61,13 @@ def resolve(
     start, end : (m, 2) float64
         In-plane end points, mm.
     clockwise : (m,) bool
-        True for G2.
+        Whether each arc is clockwise (G2).
     offset : (m, 2) float64
         Centre words (I, J in G17), mm; NaN where absent.
     radius_word : (m,) float64
         R word, mm; NaN where absent, negative for more than half a turn.
     absolute_centre : (m,) bool
-        True under G90.1: the centre words are coordinates, not offsets from the start.
+        Whether G90.1 is in force, so that the centre words are coordinates, not offsets from the start.
     """
     chord = end - start
     distance = np.hypot(chord[:, 0], chord[:, 1])

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""G-codes, grouped by function, and the conversion between names of commands and numbers.
+"""Define the G-codes, grouped by function, and convert between names of commands and numbers.
 
 The number of a G-code is in tenths (G90.1 is 901). Other commands have negative numbers.
 """
@@ -33,8 +33,8 @@ FEED_MODES = (INVERSE_TIME, PER_MINUTE, PER_TURN)
 COMPENSATION, END_COMPENSATION = (410, 411, 420, 421), 400
 DWELL = 40
 
-# Codes that `linearize` accepts and that do not move the tool. `linearize` reads the state that a code sets, ignores
-# the code, or reports that the code is not read.
+# Codes that `linearize` accepts and that do not move the tool. `linearize` reads the state that such a code sets,
+# ignores the code, or reports that the code is not read.
 STATES = (
     DWELL, 70, 80, 150, *PLANES, 200, 210, 400, *COMPENSATION, 430, 431, 432, 490, 500, 540, 550, 560, 570, 580, 590, 591, 592,
     593, 610, 611, 640, 690, CANCEL, ABSOLUTE, ABSOLUTE_CENTRES, RELATIVE, RELATIVE_CENTRES, 921, 922, *FEED_MODES, 960, 970,
@@ -57,7 +57,7 @@ OFFSETS = NUMBERED_OFFSETS | frozenset([
 # Okuma's G15 with an H word selects a work offset. Okuma's G54 to G56 with an H word, or with HA to HC, select a tool
 # length offset.
 OKUMA_OFFSET = 150
-LOCAL = 520  # G52, shifts the coordinates by its axis words
+LOCAL = 520  # G52 shifts the coordinates by its axis words
 POSITION, END_SHIFT, SUSPEND_SHIFT, RESUME_SHIFT = 920, 921, 922, 923  # G92 shifts the coordinates to its axis words
 ROTATE, END_ROTATION, SCALE, END_SCALE, MIRROR, END_MIRROR = 680, 690, 510, 500, 511, 501
 CHANGES_COORDINATES = frozenset([71, 160, LOCAL, 682])
@@ -79,7 +79,7 @@ _NAME = re.compile(r"([A-Z])0*(\d{1,9})(?:\.(\d))?", re.ASCII)
 
 
 def code_of(name: str) -> int:
-    """Return the number of a command name: a G-code in tenths, or one of the negative numbers for other commands.
+    """Return the number for the name of a command: a G-code in tenths, or one of the negative numbers above.
 
     ``G01`` and ``g1`` have the same number. An empty name continues the last motion (a modal line).
     """

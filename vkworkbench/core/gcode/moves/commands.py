@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""A list of commands that needs a tenth of the memory of a list of names and dictionaries."""
+"""Store a list of commands in a tenth of the memory that names and dictionaries would need."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ class Commands:
     def __init__(self) -> None:
         self.names: list[str] = []
         self._letters: list[str] = []
-        self._known: dict[str, str] = {}  # each different name or sequence of letters is stored once
+        self._known: dict[str, str] = {}  # each name and each sequence of letters is stored only once
         self._first, self._values = array("q"), array("d")
 
     def append(self, command: tuple[str, Mapping[str, float]]) -> None:

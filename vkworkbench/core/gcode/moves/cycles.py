@@ -9,16 +9,16 @@ import numpy as np
 
 from vkworkbench.core.gcode.moves.codes import FEED_OUT, PECK, PECKING
 
-CLEARANCE = 0.254  # mm above the last peck: G73 retracts to this height, G83 returns at rapid to it; as in LinuxCNC
-MOST_PECKS = 10_000  # pecks in a hole; a Q word that needs more is ignored, because the moves would fill the memory
+CLEARANCE = 0.254  # mm above the last peck; as in LinuxCNC, G73 retracts to this height, and the return of G83 ends there
+MOST_PECKS = 10_000  # largest number of pecks in a hole; a Q word that needs more is ignored to save memory
 
 
 class Heights:
-    """The modal words of canned cycles, R and Z, and the heights that follow from them, cycle by cycle."""
+    """The modal words R and Z of canned cycles, and the heights of each cycle that follow from these words."""
 
     def __init__(self) -> None:
-        self._begin: float | None = None  # height at the start of the series; None between two series
-        self.rises = False  # whether R is beyond this height
+        self._begin: float | None = None  # height at the start of the series of cycles; None between two series
+        self.rises = False  # whether R is beyond the height at the start of the series
         self._level = self._depth = 0.0
         self._r = self._z = nan
 
@@ -29,12 +29,13 @@ class Heights:
     def drill(
         self, height: float | None, r: float, z: float, *, relative: bool, to_retract_plane: bool
     ) -> tuple[float, float, float, float]:
-        """Return the height before a cycle, of its R plane, of the hole's bottom, and after the cycle, mm.
+        """Return four heights of a cycle: before it, of its R plane, of the hole's bottom, and after it, mm.
 
         Parameters
         ----------
         height : float or None
-            Height before the cycle, mm; None if the tool has no height yet: the cycle then starts at its R plane.
+            Height before the cycle, mm. If None, the height of the tool is unknown, and the cycle starts at its R
+            plane.
         r, z : float
             R and Z word, mm; NaN where absent.
         relative, to_retract_plane : bool
@@ -64,17 +65,17 @@ def heights(
     bottom: np.ndarray,
     to_retract_plane: np.ndarray,
 ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Resolve Z in a program with canned cycles, in which each cycle starts at the height of the last motion.
+    """Resolve Z in a program with canned cycles. Each cycle starts at the height where the previous motion ended.
 
-    R and Z words are valid for the rest of a series of cycles. Under G91, R is relative to the height at the start of
-    the series, and Z is relative to R, so that all holes of a series have equal depths.
+    An R or Z word stays in force for the rest of a series of cycles. Under G91, R is relative to the height at the
+    start of the series, and Z is relative to R, so all holes in a series have equal depths.
 
     Parameters
     ----------
     z : (n,) float64
         Z words of the commands that are not cycles, mm; NaN elsewhere.
     relative : (n,) bool
-        True under G91.
+        Whether G91 is in force.
     rows : (m,) int
         Indices of the commands that are cycles, ascending.
     series : (m,) int
@@ -82,18 +83,18 @@ def heights(
     retract, bottom : (m,) float64
         The cycles' own R and Z words, mm; NaN where absent.
     to_retract_plane : (m,) bool
-        True under G99: the cycle ends at R. False under G98: the cycle ends at the height at the start of its series,
-        or at R if R is higher. In a hole that is drilled upwards, it is the lower one.
+        Whether G99 is in force, under which a cycle ends at R. Under G98, a cycle ends at the height at the start of
+        its series, or at R if R is higher. If the hole is drilled upwards, the lower of both heights counts.
 
     Returns
     -------
     z : (n,) float64
         Absolute Z after each command that sets Z, mm; NaN elsewhere.
     heights : (m, 4) float64
-        For each cycle, the height before the cycle, of its R plane, of the hole's bottom, and after the cycle, mm.
+        Four heights of each cycle: before it, of its R plane, of the hole's bottom, and after it, mm.
     rises : (m,) bool
-        Whether R is beyond the height at the start of the series: the tool then rises to R before it moves to the hole,
-        as in LinuxCNC.
+        Whether R is beyond the height at the start of the series. If so, the tool rises to R before it moves to the
+        hole, as in LinuxCNC.
     """
     absolute = z.copy()
     resolved, rises = np.empty((len(rows), 4)), np.zeros(len(rows), bool)
@@ -126,8 +127,8 @@ def move_counts(code: np.ndarray, heights: np.ndarray, peck: np.ndarray) -> np.n
     depth = np.maximum(heights[:, 1] - heights[:, 2], 0.0)
     pecking = np.isin(code, PECKING) & (peck > 0) & ~has_tiny_pecks(heights, peck)
     pecks = np.ceil(depth / np.where(pecking, peck, np.inf) - 1e-9)
-    # Moves: 3 to approach; 3 for each peck except the last one (feed, retract, return); then feed to the bottom, feed
-    # out of the hole (FEED_OUT only), and retract to the height after the cycle. The return of G73 has zero length.
+    # Each cycle has 3 moves to approach, 3 moves for each peck except for the last peck (feed, retract, return), a feed
+    # to the bottom, a feed out of the hole (FEED_OUT only), and a retract. The return of G73 has zero length.
     counts: np.ndarray = 3 + 3 * (np.maximum(pecks, 1.0).astype(np.int64) - 1) + 2 + np.isin(code, FEED_OUT)
     return counts
 
@@ -151,7 +152,7 @@ def moves(
     hole : (m, 2) float64
         X and Y of the hole, mm.
     heights : (m, 4) float64
-        Height before the cycle, of the R plane, of the hole's bottom, and after the cycle (G98/G99), mm.
+        Four heights of each cycle: before it, of its R plane, of the hole's bottom, and after it (G98/G99), mm.
     peck : (m,) float64
         Q word, depth of one peck, mm; NaN where absent.
     rises : (m,) bool

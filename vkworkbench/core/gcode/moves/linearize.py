@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Convert commands into trajectories: resolve modal state, arcs and canned cycles into straight moves.
 
-All steps process whole columns. A modal state has the value from the last row that sets the state, and a running
-maximum of row numbers finds this row. Python loops are needed only to read the commands and to compute the heights of
-canned cycles.
+All steps process whole columns. The value of a modal state comes from the last row that sets the state, which a running
+maximum of row numbers finds. Python loops are needed only to read the commands and to compute the heights of canned
+cycles.
 """
 
 from __future__ import annotations
@@ -27,16 +27,16 @@ from vkworkbench.core.toolpath import PLANE_AXES, Toolpath
 from vkworkbench.given import number, positive
 from vkworkbench.language import Message, Unusable
 
-MOST_TRAJECTORIES = 5_000_000  # needs 2 GB of memory
+MOST_TRAJECTORIES = 5_000_000  # largest number of trajectories; this many need 2 GB of memory
 
-_ZERO_LENGTH = 1e-9  # mm; shorter trajectories are left out
+_ZERO_LENGTH = 1e-9  # mm; trajectories that are no longer than this along any axis are left out
 
 
 def linearize(commands: Iterable[Any] | Words, *, tolerance: float = 0.01, infer_centres: bool = False) -> Toolpath:
     """Resolve the commands of one operation into straight trajectories.
 
     The paper assumes that "all the trajectories are linearized and defined by the Cartesian co-ordinates of
-    their starting point and of their point of destination" (section 2.1); this function makes it true.
+    their starting point and of their point of destination" (section 2.1). This function computes such trajectories.
 
     Parameters
     ----------
@@ -47,17 +47,18 @@ def linearize(commands: Iterable[Any] | Words, *, tolerance: float = 0.01, infer
     tolerance : float
         Largest distance between an arc and its chords, mm.
     infer_centres : bool
-        Whether the centre words of arcs may be read as coordinates if the commands contain neither G90.1 nor G91.1,
-        because this is the default of some controls. Only the arcs count whose two readings differ: full circles fit
-        both, and so do arcs with an R word. Coordinates are chosen if more than half of these arcs end off their circles
-        with offsets, and if less than half as many do with coordinates.
+        Whether the centre words of arcs may be read as coordinates if the commands contain neither G90.1 nor G91.1.
+        Some controls read centre words as coordinates by default. Only arcs whose two readings differ are compared;
+        full circles and arcs with an R word fit both readings. Coordinates are chosen if more than half of the compared
+        arcs miss their end points when read with offsets, and less than half as many arcs miss them when read with
+        coordinates.
 
     Returns
     -------
     Toolpath
-        The trajectories; `problems` lists the parts of the commands that could not be used. The first word of an axis
-        gives its start position, so the path does not begin with a move from the origin. In a move to a machine
-        position (G28, G30, G53), the tool does not move in X and Y. In Z, the tool moves to its greatest height.
+        The trajectories. `problems` lists the parts of the commands that could not be used. The tool starts at the
+        first word of each axis, so the path does not begin with a move from the origin. In a move to a machine position
+        (G28, G30, G53), the tool does not move in X and Y, and moves in Z to the greatest height in the commands.
 
     Raises
     ------

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Resolve the modal state at every command: the motion, position, plane, modes and feed rate.
 
-A modal state has the value from the last row that sets the state, and a running maximum of row numbers finds this row.
+The value of a modal state comes from the last row that sets the state, which a running maximum of row numbers finds.
 """
 
 from __future__ import annotations
@@ -42,13 +42,13 @@ from vkworkbench.core.gcode.moves.words import Words
 from vkworkbench.core.toolpath import COORDINATE_LIMIT, PLANE_AXES, Problem
 from vkworkbench.language import Message
 
-_SLOWEST_FEED = 1e-6  # mm/s, eleven days for a millimetre; a lower feed is an error
+_SLOWEST_FEED = 1e-6  # mm/s, eleven days for a millimetre; a feed rate below this is an error
 _COARSEST_PITCH = 10.0  # mm; a larger F word of a tap is a feed rate, not a pitch
-_MOST_NAMED = 10  # unknown codes with a message each; further codes are only counted
+_MOST_NAMED = 10  # largest number of unknown codes with a message each; further codes are only counted
 
 
 class Problems(List[Problem]):
-    """The problems found, one for each message."""
+    """The problems found so far, one for each message."""
 
     def add(self, rows: np.ndarray, what: Message) -> None:
         """Add a message on the commands with these indices, if there are any."""
@@ -127,7 +127,7 @@ class ModalState:
         behind = behind[np.isin(self.motion[behind], (RAPID, FEED))]
         moving = np.union1d(rows, behind)
         home = alone[codes[alone] != MACHINE_COORDINATES]
-        after = np.minimum(home + 1, len(codes) - 1)  # the G91 of G28 G91 Z0, with the axes
+        after = np.minimum(home + 1, len(codes) - 1)  # G28 G91 Z0 is split into G28 and G91 Z0
         in_z = np.isin(codes[after], (ABSOLUTE, RELATIVE)) & along_z[after] & ~across[after]
         aside = np.union1d(moving[across[moving]], home[~in_z])
         aside = aside[aside < np.flatnonzero(self.motion >= 0).max(initial=0)]
@@ -179,10 +179,10 @@ class ModalState:
         return position, known
 
     def _highest(self, z: np.ndarray, drills: np.ndarray) -> float:
-        """Return the greatest height to which Z words lead, mm; NaN without Z words.
+        """Return the greatest height that Z words give, mm; NaN without Z words.
 
-        In a canned cycle along Z (`drills`), the R word counts, because the Z word is the bottom of the hole. A cycle
-        under G91 does not count.
+        In a canned cycle along Z (`drills`), the R word counts, because the Z word is the bottom of the hole. Cycles
+        under G91 do not count.
         """
         if drills.any():
             z = np.where(drills, np.where(self.relative, np.nan, self.words.column("R")[0]), z)
@@ -247,8 +247,8 @@ def _mode(words: Words, states: dict[int, int], default: int) -> np.ndarray:
 def _coordinate(values: np.ndarray, relative: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """Return the position of one axis after every command, (n,) mm, and whether it is known, (n,) bool.
 
-    The position is not known before the axis's first word, and is set to the value of this word if the word is
-    absolute. Relative words before the first absolute word are added up from 0. The position of an axis without words
+    The position before the axis's first word is not known. If this word is absolute, its value is used as the unknown
+    position. Relative words before the first absolute word are added up from 0. The position of an axis without words
     is 0.
     """
     given = ~np.isnan(values)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""An NC program as commands, with the other contents of its text."""
+"""Define an NC program: its commands, its comments, and other contents of its text."""
 
 from __future__ import annotations
 
@@ -25,14 +25,15 @@ class Program:
     lines : (n,) int64
         Line of the text for each command, counted from 1; for commands in a subprogram, the line of the call.
     comments : tuple of (int, int, str)
-        For each comment, the index of the command that follows the comment, the line and the text. Comments beside X, Y
-        or Z words are left out, except with a T, M or O word; so are comments that only explain a code in their line.
+        For each comment, the index of the command that follows the comment, the line and the text. Two kinds of
+        comments are left out: comments in a line with X, Y or Z words and without T, M and O words, and comments that
+        only explain a code in their line.
     in_calls : frozenset of int
         Indices of the comments in subprograms.
     inverse_time : dict of int to float
-        For each command under G93 (inverse time), the share of its move that is completed in one second, 1/s.
+        For each command under G93 (inverse time), the reciprocal of its duration, 1/s.
     inches : bool
-        Whether the program's first unit word is in inches (G20); lengths in comments have the same unit.
+        Whether the program's first unit is inches (G20). Lengths in comments have the same unit.
     unit_told : bool
         Whether the program contains a unit word (G20, G21); without one, the program is read in mm.
     other : Message or None

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Detect wrong units where a program does not contain its unit: inches or thousandths read as mm, mm/min as mm/s."""
+"""Detect wrong units in programs without a unit: inches or thousandths read as mm, and mm/min read as mm/s."""
 
 from __future__ import annotations
 
@@ -12,19 +12,20 @@ from vkworkbench.language import Message
 
 INCH = 25.4  # mm
 
-# A toolpath below the limits SMALL, LOW and SLOW is more often in the wrong unit than really this small.
-# benchmarks/inches.py prints how often toolpaths are taken for inches, at their true size and at 1/25.4 of this size.
+# A toolpath that is below all three limits SMALL, LOW and SLOW is more often in the wrong unit than really this small.
+# benchmarks/inches.py prints how often toolpaths look like inches, at their exact size and at 1/25.4 of this size.
 SMALL = 15.0  # mm, longer side of the cuts in X and Y; few parts are larger than 15 inches
 LOW = 4.0  # mm, from the lowest cut to the highest point; programs in mm lift the tool higher, even over a thin sheet
 SLOW = 5.0  # mm/s, median feed; few programs in inches are faster than 300 inches/min
 IMPORTED_SLOW = 300.0  # SLOW for toolpaths that FreeCAD imported, because its import reads mm/min or inches/min as mm/s
-# If the fastest feed, mm/s, reaches this limit, all feeds are taken for mm/min. Some mills cut faster than 250 mm/s
+# If the fastest feed, mm/s, reaches this limit, all feeds are read as mm/min. Some mills cut faster than 250 mm/s
 # (15 m/min), but even fewer programs cut more slowly than 250 mm/min throughout.
 PER_MINUTE = 250.0
-# If the longer side of the cuts, mm, reaches this limit, the words may be increments of 0.001 mm. Lower: large parts
-# programmed in whole millimetres are taken for increments. Higher: small parts programmed in increments are missed.
+# If the longer side of the cuts, mm, reaches this limit, the words can be increments of 0.001 mm. If the limit is
+# lower, large parts in whole millimetres are read as increments. If the limit is higher, small parts in increments are
+# missed.
 LONG = 5000.0
-TOOLS = 4.0  # tool diameters; wider cuts were programmed for this tool, so their unit is right
+TOOLS = 4.0  # tool diameters; cuts that are larger than this fit the tool, so their unit is right
 
 
 def looks_like_inches(toolpath: Toolpath, *, tool_diameter: float | None = None, imported: bool = False) -> bool:

@@ -28,7 +28,7 @@ ROTARY = "ABC"
 _READ = frozenset("XYZIJKRQF" + "GMNSTDH" + "LP")
 _INCHES = 200
 _CORNERS = frozenset("IJKR")  # in a straight move, some controls round or chamfer the next corner with these words
-# s. A longer dwell in a P word is in ms, as on Fanuc's controls.
+# s. A larger P word of a dwell is in ms, as on Fanuc's controls.
 _LONGEST_DWELL = 60.0
 _M_CODE = re.compile(r"\s*[Mm]0*(2|30|97|98|198)(?:\.0*)?\s*", re.ASCII)
 
@@ -46,7 +46,7 @@ def unread(words: Words, motion: np.ndarray) -> Iterator[tuple[np.ndarray, Messa
     Yields
     ------
     (m,) int, Message
-        Indices of the commands, none if the message does not apply; and the message.
+        Indices of the commands, an empty array if the message does not apply; and the message.
     """
     codes, moves = words.codes, motion >= 0
     for letter in sorted(words.letters - _READ):
@@ -110,7 +110,7 @@ def _given(words: Words, letter: str) -> np.ndarray:
 
 
 def _changed(words: Words, letter: str) -> np.ndarray:
-    """Return the indices of the commands that turn an axis, (m,) int; the axis is at 0 before its first word."""
+    """Return the indices of the commands that turn an axis, (m,) int. Before its first word, the axis is at 0."""
     values, unusable = words.column(letter)
     rows = np.flatnonzero(~np.isnan(values) | unusable)
     result: np.ndarray = rows[np.diff(values[rows], prepend=0.0) != 0]

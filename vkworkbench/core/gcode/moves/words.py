@@ -28,8 +28,9 @@ from vkworkbench.core.toolpath import COORDINATE_LIMIT
 _MOVES = (*MOTIONS, *PROBES, *MACHINE)
 _CARRIERS = frozenset(STATES) - {DWELL, 431, CANCEL}  # states beside which axis words are the target of a move
 _ABSENT = 1e300
-_PIECE = 50_000  # commands read at once; the parameters of a command need half a kB of memory
-# A line that begins with a coordinate or a line number: FreeCAD's import makes this word the command's name.
+_PIECE = 50_000  # number of commands read at once; the parameters of each command need half a kB of memory
+# The first word of a line that begins with a coordinate or a line number. FreeCAD's import makes this word the name of
+# the command.
 _WORD_NAME = re.compile(r"\s*([XYZIJKRFN])\s*([-+]?(?:\d+\.?\d*|\.\d+))\s*", re.IGNORECASE | re.ASCII)
 
 
@@ -53,7 +54,7 @@ class Words:
     codes : (n,) int64
         Code of each command, see `codes.code_of`; in a command with two codes, the code that moves the tool.
     second_rows, second_codes : (m,) int64
-        Commands with a second code, and this code.
+        Indices of the commands with a second code, and the second codes.
     """
 
     def __init__(self, commands: Iterable[Any]) -> None:
@@ -70,10 +71,11 @@ class Words:
         self.second_rows, self.second_codes = self._second_codes(_CARRIERS.intersection(table.values()))
 
     def _second_codes(self, states: frozenset[int]) -> tuple[np.ndarray, np.ndarray]:
-        """Make the motion of each command its code; return the rows and the codes of the other codes, (m,) int.
+        """Set the code of each command to its motion; return the rows and the values of all other codes, (m,) int.
 
-        FreeCAD keeps ``G90 G1 X45`` as G90 with the parameters G and X, and ``G90 X45`` as G90 with the parameter X. A
-        post processor writes the words back, and a machine moves. After a bare G28, the words belong to the G28.
+        FreeCAD stores ``G90 G1 X45`` as G90 with the parameters G and X, and ``G90 X45`` as G90 with the parameter X.
+        Post processors write these words unchanged, so machines move the tool. After a bare G28, the words belong to
+        the G28.
 
         Parameters
         ----------
@@ -232,7 +234,7 @@ def _table_of(parameters: list[Any]) -> tuple[np.ndarray, str, np.ndarray]:
 def _table(parameters: list[dict[str, Any]]) -> tuple[np.ndarray, str, np.ndarray]:
     """Return the number of parameters of each command, and the letters and the values of all parameters.
 
-    Iterators replace Python loops in the three passes, for speed.
+    The three passes over the parameters use iterators, which are faster than Python loops.
     """
     count = np.fromiter(map(len, parameters), np.int64, len(parameters))
     names = ",".join(chain.from_iterable(parameters))
