@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Convert the words of an NC program into commands, in mm and mm/s.
 
-Input: the words of a line. Output: commands, and problems with their lines. `Interpreter` reads the lines; the
-modules hold the handlers of G-codes by subject.
+`Interpreter` reads the words of each line, and stores commands and problems with their lines. Each module contains the
+handlers for the G-codes of one subject.
 """
 
 from vkworkbench.core.gcode.interpreter.interpreter import Interpreter

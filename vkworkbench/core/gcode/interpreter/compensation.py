@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Follow cutter compensation (G41, G42) along lines and arcs in the XY plane, as LinuxCNC does.
 
-The first move leads to a point beside its end. Then the tool follows curves at the distance of its radius: around an
-outer corner along an arc, and in an inner corner as far as both curves meet. The end of a move is therefore known only
-at the next move, which changes the previous command.
+The first move ends beside its programmed end. Then the tool follows offset curves at the distance of its radius. Around
+an outer corner the tool moves along an arc; in an inner corner it stops where both offset curves meet. The end of a
+move is therefore known only at the next move, which changes the previous command.
 """
 
 from __future__ import annotations
@@ -20,10 +20,10 @@ from vkworkbench.core.gcode.interpreter.state.offset_path import Compensation, C
 from vkworkbench.core.gcode.moves import arcs, codes
 from vkworkbench.language import Message
 
-_SAME = 1e-6  # mm, largest distance of equal points
+_SAME = 1e-6  # mm, largest distance between equal points
 _XY_PLANE = 170
 _LEFT = (410, 411)
-_STRAIGHT_ON = 0.05  # rad; LinuxCNC adds nothing at a smaller corner
+_STRAIGHT_ON = 0.05  # rad; as in LinuxCNC, no arc is added at a corner with a smaller turn
 
 
 class _Target(NamedTuple):
@@ -34,7 +34,7 @@ class _Target(NamedTuple):
 
 
 def _start(machine: Machine, line: Line) -> None:
-    """Process G41, G42, G41.1 and G42.1; the tool's radius is known from D in the line or from G10."""
+    """Process G41, G42, G41.1 and G42.1. The tool's radius comes from the D word in the line, or from G10."""
     words, name = dict(line.words), codes.name_of(line.code)
     if line.code % 10:
         radius = machine.modes.unit * words["D"] / 2 if "D" in words else None
@@ -52,7 +52,7 @@ def _start(machine: Machine, line: Line) -> None:
 
 
 def _end(machine: Machine, line: Line) -> None:
-    """Process G40: the next move leads to the programmed path."""
+    """Process G40, after which the next move leads back to the programmed path."""
     if machine.compensation is not None:
         machine.compensation.ends = True
     machine.other(line)
@@ -64,7 +64,7 @@ def follow(machine: Machine, mode: int, move: dict[str, float]) -> None:
     Parameters
     ----------
     machine : Machine
-        Its `compensation` must not be None.
+        Machine whose `compensation` is not None.
     mode : int
         The motion, in tenths of its G-code.
     move : dict
@@ -128,7 +128,7 @@ def _target(machine: Machine, compensation: Compensation, mode: int, move: dict[
 
 
 def _beside(compensation: Compensation, mode: int, begin: complex, target: _Target) -> Curve | None:
-    """Return the curve beside a programmed move; None if there is none."""
+    """Return the offset curve beside a programmed move; None if no such curve exists."""
     side, radius, end = compensation.side, compensation.radius, target.end
     if mode not in codes.ARCS:
         way = end - begin
@@ -149,7 +149,7 @@ def _beside(compensation: Compensation, mode: int, begin: complex, target: _Targ
 def _join(
     machine: Machine, compensation: Compensation, mode: int, move: dict[str, float], curve: Curve, corner: complex
 ) -> bool:
-    """Join a curve to the one before, at a programmed corner; return whether the tool fits into the corner."""
+    """Join a curve to the previous curve at a programmed corner; return whether the tool fits into the corner."""
     last, side = compensation.last, compensation.side
     if last is None:
         return True
@@ -186,7 +186,7 @@ def _move_end(machine: Machine, compensation: Compensation, point: complex) -> N
 
 
 def _write(machine: Machine, compensation: Compensation, mode: int, move: dict[str, float], curve: Curve) -> None:
-    """Add the command of a curve, with the other words of its move; the curve begins at the tool."""
+    """Add the command of an offset curve that begins at the tool, with the other words of its move."""
     start, end = compensation.tool, curve.end
     compensation.relative = machine.modes.relative
     target = end - start if compensation.relative else end
@@ -200,7 +200,7 @@ def _write(machine: Machine, compensation: Compensation, mode: int, move: dict[s
 
 
 def _leave(machine: Machine, compensation: Compensation, mode: int, move: dict[str, float], begin: complex) -> None:
-    """Add a programmed move at the end of the compensation; an arc begins on the programmed path."""
+    """Add a programmed move after the end of the compensation. Before an arc, the tool moves to the programmed path."""
     if mode in codes.ARCS:
         _write(machine, compensation, codes.FEED, {}, Curve(compensation.tool, begin))
         machine.write(mode, move)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Read the words of canned cycles, which differ between dialects, as the words that `linearize` reads."""
+"""Convert the words of canned cycles, which differ between dialects, to the words that `linearize` reads."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ _FINE_BORING = 760
 
 
 def _fine_boring(machine: Machine, line: Line) -> None:
-    """Process G76, which is read as G86; on a lathe, the threading cycle G76 has other words."""
+    """Process G76, which is read as G86. On a lathe, G76 is a threading cycle with other words."""
     if "R" in line.letters and ("Y" in line.letters or "P" not in line.letters):
         line.motion = codes.BORING
     else:
@@ -28,13 +28,14 @@ def repeats_of(machine: Machine, mode: int, parameters: dict[str, float], move: 
     letter = "L" if "L" in parameters else "K"
     drills_once = mode not in (*codes.PECKING, codes.BORING)
     if drills_once and {"Z", "I"} <= move.keys() and "R" not in move:
-        # Fagor: Z is the level of the reference plane (R in other dialects), I the depth, K a dwell.
+        # On Fagor controls, Z is the level of the reference plane (R in other dialects), I is the depth, and K is a
+        # dwell.
         move["R"], move["Z"] = move["Z"], move.pop("I")
         if "K" in parameters:
             machine.problem(Message("dwell-untimed"))
         return _limited(machine, parameters.get("L", 1.0))
     if mode in codes.PECKING and ("I" in pecks or "J" in pecks or parameters.get("K", 1.0) % 1):
-        # Haas and Yasnac: I is the first peck, J the reduction of each further peck, K the smallest peck.
+        # On Haas and Yasnac controls, I is the first peck, J reduces each further peck, and K is the smallest peck.
         if "I" in pecks and "Q" not in move:
             move["Q"] = move["I"]
             pecks.remove("I")
@@ -48,7 +49,7 @@ def repeats_of(machine: Machine, mode: int, parameters: dict[str, float], move: 
 
 
 def _limited(machine: Machine, repeats: float) -> int:
-    """Return the number of repeats of a canned cycle, not more than `_MOST_REPEATS`."""
+    """Return the number of repeats of a canned cycle, limited to `_MOST_REPEATS`."""
     if repeats > _MOST_REPEATS:
         machine.problem(Message("repeats-limited", most=_MOST_REPEATS))
     return whole(repeats, _MOST_REPEATS)

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Convert the words of an NC program into commands, in mm and mm/s.
 
-The commands keep the modal state that `linearize` resolves: planes, G90/G91, the centres of arcs, canned cycles. This
-package resolves units, feed rates and the order of words. Each module has a table of handlers for the G-codes of its
-subject.
+The commands still contain the modal state that `linearize` resolves: planes, G90/G91, the centres of arcs, and canned
+cycles. This package resolves units, feed rates and the order of words. Each module contains a table of handlers for the
+G-codes of one subject.
 """
 
 from __future__ import annotations
@@ -34,7 +34,7 @@ _HANDLERS: dict[int, Handler] = {
 
 
 class Interpreter(Machine):
-    """A machine that reads the lines of a program, one after the other."""
+    """A machine that reads the lines of a program one after the other, and stores their commands."""
 
     @property
     def moves(self) -> bool:
@@ -69,7 +69,7 @@ class Interpreter(Machine):
         self.number, self.deleted, self.call = number, deleted, None
         line = Line(words, letters, {})
         returns = self._take_words(line)
-        if "S" in letters and self.modes.per_turn is not None:  # under G95, a new speed changes the feed rate
+        if "S" in letters and self.modes.per_turn is not None:  # under G95, a new spindle speed changes the feed rate
             line.parameters.setdefault("F", self.modes.per_turn)
         if line.codes or "F" in line.parameters:
             self._note_feed(line)
@@ -114,11 +114,11 @@ class Interpreter(Machine):
         self.clues.feed(line.codes, line.parameters, mode, feed, self.number)
 
     def enter_call(self) -> None:
-        """Begin a subprogram, which saves and restores its own modal state (M70 to M73)."""
+        """Begin a subprogram, which can save and restore a modal state of its own (M70 to M73)."""
         self.saved.append((None, False))
 
     def leave_call(self) -> None:
-        """Return from a subprogram, and restore the modal state that M73 saved in it."""
+        """Return from a subprogram, and restore the modal state that an M73 in the subprogram saved."""
         modes, on_return = self.saved.pop()
         if on_return:
             m_codes.restore(self, modes)

@@ -14,7 +14,7 @@ from vkworkbench.language import Message
 
 _OUTPUTS = frozenset([67, 68])  # LinuxCNC's M-codes for analog outputs, for example to a laser, with E and Q words
 _SETTINGS = frozenset([92, 201, 203, 204, 205, 206])  # Marlin's M-codes for steps/mm, speeds and accelerations
-_OTHERS_M_CODE = 1000  # first number of the vendors' own M-codes, for example Snapmaker's M2000
+_OTHERS_M_CODE = 1000  # smallest number of M-codes that vendors define, for example Snapmaker's M2000
 _ORIENT = 19  # M19 turns the spindle to the angle in its R word
 _SPINDLE = frozenset([3, 4, 5])
 # M-codes at which the operator or the tool changer may move the tool.
@@ -44,7 +44,7 @@ def process(machine: Machine, value: float, letters: set[str]) -> bool:
 
 
 def restore(machine: Machine, saved: Modes | None) -> None:
-    """Restore a saved modal state: the commands that follow get the codes and the feed rate that differ."""
+    """Restore a saved modal state: add commands for the codes and the feed rate that differ from the current state."""
     if saved is None:
         return
     for group in ("plane", "distance", "centres", "retract"):
@@ -60,10 +60,10 @@ def restore(machine: Machine, saved: Modes | None) -> None:
 
 
 def words_of(m_code: float, letters: set[str], *, first: bool) -> frozenset[str]:
-    """Return the letters of the words that are parameters of an M-code, and must not be read as a move or a feed rate.
+    """Return the letters of the words that are parameters of an M-code, not of a move or a feed rate.
 
-    Marlin's settings and the vendors' M-codes have parameters only if no G-code and no such word precedes the M-code
-    (`first`): in G1 X5 M203, X5 is the target of the move.
+    Marlin's settings and M-codes of vendors have parameters only if no G-code and no parameter precedes the M-code in
+    the line (`first`). For example, in G1 X5 M203, X5 is the target of the move.
     """
     if m_code in _OUTPUTS:
         return frozenset("EQ")

@@ -9,12 +9,12 @@ from vkworkbench.core.gcode.interpreter.state.maps import mapped, rotation
 from vkworkbench.core.gcode.moves import codes
 from vkworkbench.language import Message
 
-_LEAST_PERCENTAGE = 100.0  # a whole scale of this size or more is in thousandths
+_LEAST_PERCENTAGE = 100.0  # a scale that is a whole number of at least this is in thousandths
 _XY_PLANE = 170
 
 
 def map_move(machine: Machine, mode: int, move: dict[str, float]) -> None:
-    """Map the words of a move, mm, which are changed.
+    """Map the words of a move in place.
 
     Parameters
     ----------
@@ -22,7 +22,7 @@ def map_move(machine: Machine, mode: int, move: dict[str, float]) -> None:
     mode : int
         The motion, in tenths of its G-code.
     move : dict
-        The words in the coordinates of the toolpath, as if no map were in force.
+        The words in the coordinates of the toolpath without the maps in force, mm. The words are changed.
     """
     xy, relative = machine.map(), machine.modes.relative
     in_plane = xy.flips or xy.factor.imag or xy.factor.real != machine.maps.height[0]
@@ -51,14 +51,14 @@ def map_move(machine: Machine, mode: int, move: dict[str, float]) -> None:
 
 
 def turned(machine: Machine, mode: int) -> int:
-    """Return the motion that a motion becomes: a mirror changes the direction of arcs."""
+    """Return the motion after mapping: a mirror changes the direction of arcs."""
     if mode in codes.ARCS and machine.maps.mirrors and machine.map().flips:
         return codes.CLOCKWISE if mode == codes.COUNTER_CLOCKWISE else codes.COUNTER_CLOCKWISE
     return mode
 
 
 def _map_point(machine: Machine, move: dict[str, float]) -> None:
-    """Map the X and Y words of an absolute target. Where a word is absent, the tool keeps its coordinate."""
+    """Map the X and Y words of an absolute target. If a word is absent, the tool's own coordinate is used."""
     xy, here = machine.map(), machine.here()
     if xy.factor.imag and not {"X", "Y"} <= {*move, *here}:
         machine.problem(Message("coordinates-not-changed", name=_name(machine)))
@@ -71,13 +71,13 @@ def _map_point(machine: Machine, move: dict[str, float]) -> None:
 
 
 def _name(machine: Machine) -> str:
-    """Return the name of the code whose map is in force."""
+    """Return the name of the G-code whose map is in force."""
     maps = machine.maps
     return "G68" if maps.turn else "G51" if maps.scale else "G51.1" if maps.mirrors else "G10"
 
 
 def _centre(machine: Machine, line: Line) -> dict[str, float]:
-    """Return the point of a line, mm. Where a word is absent, the coordinate is the tool's, or 0 if unknown."""
+    """Return the fixed point from a line's words, mm. An absent word is the tool's coordinate, or 0 if unknown."""
     here, origins = machine.here(), machine.origins
     return {
         **{letter: value - origins.of(letter) for letter, value in here.items()},
@@ -86,7 +86,7 @@ def _centre(machine: Machine, line: Line) -> dict[str, float]:
 
 
 def _rotate(machine: Machine, line: Line) -> None:
-    """Process G68; without an angle, under G91, and in space it is not read."""
+    """Process G68. A G68 without an angle, under G91, or with words for a rotation in space is not read."""
     line.apart = True
     words = dict(line.words)
     if "R" not in words or machine.modes.relative or not line.letters.isdisjoint("ZIJKAB"):
@@ -101,7 +101,7 @@ def _end_rotation(machine: Machine, _line: Line) -> None:
 
 
 def _scale(machine: Machine, line: Line) -> None:
-    """Process G51 with one scale for all axes, in P or in equal I, J and K words."""
+    """Process G51 with one scale for all axes, given by a P word or by equal I, J and K words."""
     line.apart = True
     words = dict(line.words)
     scales = {words[letter] for letter in "PIJK" if letter in words}
@@ -118,7 +118,7 @@ def _scale(machine: Machine, line: Line) -> None:
 
 
 def _end_scale(machine: Machine, line: Line) -> None:
-    """Process G50; on a lathe it limits the spindle's speed."""
+    """Process G50, the end of scaling. On a lathe, G50 limits the spindle speed."""
     machine.maps.scale, machine.maps.height = None, (1.0, 0.0)
     machine.other(line)
 
@@ -133,7 +133,7 @@ def _mirror(machine: Machine, line: Line) -> None:
 
 
 def _end_mirror(machine: Machine, line: Line) -> None:
-    """Process G50.1, which ends the mirror along the axes in its line, or along all."""
+    """Process G50.1, which ends the mirror along the axes in its line; without axes, along X and Y."""
     line.apart = True
     for letter in set("XY") & line.letters or set("XY"):
         machine.maps.mirrors.pop(letter, None)

@@ -80,7 +80,7 @@ def _move_along(machine: Machine, parameters: dict[str, float], move: dict[str, 
 
 
 def _note(machine: Machine, mode: int, parameters: dict[str, float], move: dict[str, float]) -> None:
-    """Note the signs of the machine in a move; report its parameters that are not read."""
+    """Note signs of the machine type in a move, and report a tool length offset without a new height."""
     if "Y" in move:
         _note_y(machine, move["Y"])
     if mode in codes.ARCS:
@@ -114,9 +114,9 @@ def _begin_move(machine: Machine) -> None:
 
 
 def _feed(machine: Machine, value: float | None) -> float | None:
-    """Return the feed rate of an F word, mm/s; None without F word and under G93.
+    """Return the feed rate of an F word, mm/s; None without an F word and under G93.
 
-    Under G93, an F word sets `seconds`, the duration of this line's move, instead.
+    Under G93, an F word sets `machine.seconds`, the duration of the line's move.
     """
     modes, per_turn = machine.modes, machine.modes.feed_mode == codes.PER_TURN
     machine.seconds = 60 / value if modes.feed_mode == codes.INVERSE_TIME and value and value > 0 else 0.0

@@ -13,7 +13,7 @@ _RADII = (1.0, 12.0)  # L words of G10 that set the radius of a tool: LinuxCNC's
 
 
 def select(machine: Machine, offset: tuple[int, float]) -> None:
-    """Select a work offset; report it if the program does not contain its origin."""
+    """Select a work offset; report the work offset if the program does not contain its origin."""
     if offset == machine.modes.offset:
         return
     machine.modes.offset = offset
@@ -24,9 +24,9 @@ def select(machine: Machine, offset: tuple[int, float]) -> None:
 
 
 def _offset(code: int, words: list[tuple[str, float]], okuma: bool) -> tuple[int, float] | None:
-    """Return the work offset that a G-code selects: its G-code in tenths and its number; None for other codes.
+    """Return the work offset that a G-code selects, or None: the G-code in tenths, and the number of the work offset.
 
-    The number is the P word of G54.1 and G154, the H word of Okuma's G15, and 0 for other codes.
+    The number is the P word of G54.1 and G154, the H word of Okuma's G15, and 0 for other G-codes.
     """
     if okuma:
         return (code, dict(words).get("H", 0.0)) if code == codes.OKUMA_OFFSET else None
@@ -63,10 +63,10 @@ def _shift(machine: Machine, line: Line) -> None:
 
 
 def _name_place(machine: Machine, values: dict[str, float]) -> None:
-    """Shift the coordinates so that the tool's place gets new ones, along the axes where its place is known.
+    """Shift the coordinates so that the tool's position has the coordinates `values` (G92).
 
-    Coordinates before the first move along their axis shift nothing. After a move to a place that is not in the
-    program, the coordinates stay as they are.
+    An axis is shifted only if the tool's position along the axis is known. The position is unknown before the first
+    move along the axis, and after a move to a position that is not in the program.
     """
     place = machine.here()
     if not machine.place.lost.isdisjoint(values):
@@ -76,7 +76,7 @@ def _name_place(machine: Machine, values: dict[str, float]) -> None:
 
 
 def _data(machine: Machine, line: Line) -> None:
-    """Process G10: L2 sets a work offset, L20 sets a work offset from the tool's place."""
+    """Process G10: L2 sets a work offset, L20 sets a work offset from the tool's position."""
     line.apart = True
     words = dict(line.words)
     kind, values = words.get("L"), line.lengths(machine.modes.unit)
@@ -86,7 +86,7 @@ def _data(machine: Machine, line: Line) -> None:
         return
     system, place = NUMBERED.get(words.get("P", -1.0)), machine.here()
     angle = words.get("R") if kind == 2.0 else None
-    if angle is not None and words.get("P") == 0:  # only LinuxCNC has R: P0 is the work offset in force
+    if angle is not None and words.get("P") == 0:  # only LinuxCNC has an R word; P0 is then the work offset in force
         system = machine.origins.system
     if system is not None and angle is not None:
         machine.maps.rotate_system(system, angle)
@@ -108,7 +108,8 @@ def _data(machine: Machine, line: Line) -> None:
 def _machine_position(machine: Machine, line: Line) -> None:
     """Process a move to a machine position, which is not in the program.
 
-    A move in Z becomes a command. Its place is reported only if another move follows without a stop at this height.
+    Only a move in Z becomes a command. The unknown position is reported only if another move follows; an unknown height
+    is not reported if a stop follows first.
     """
     line.apart = True
     axes = line.letters & set("XYZ") or (set() if line.code == codes.MACHINE_COORDINATES else set("XYZ"))

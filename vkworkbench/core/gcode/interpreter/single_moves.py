@@ -1,5 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Handle the G-codes of moves for one line only: probes, threads and splines; dwells; and calls, which are not read."""
+"""Handle the G-codes of moves that are in force for one line only, of dwells, and of calls, which are not read.
+
+The moves for one line are probes, threads and splines.
+"""
 
 from __future__ import annotations
 
@@ -12,13 +15,13 @@ from vkworkbench.core.gcode.moves import codes
 from vkworkbench.core.gcode.moves.unread import dwell_of
 from vkworkbench.language import Message
 
-# Adds the commands of a move with the given words, mm.
+# A function that adds the commands of a move with the given words, mm.
 Shape = Callable[[Machine, Line, Dict[str, float]], None]
 
 
 def _dwell(machine: Machine, line: Line) -> None:
-    line.feeds = not line.letters.isdisjoint("PXU")  # in G4 F2 of a Siemens, F is the time
-    line.apart |= "P" not in line.letters  # beside P, the axis words of a line are its target
+    line.feeds = not line.letters.isdisjoint("PXU")  # on Siemens controls, F in G4 F2 is the time
+    line.apart |= "P" not in line.letters  # in a line with a P word, the axis words are the target of a move
     seconds = dwell_of(dict(line.words))
     if seconds is None:
         machine.problem(Message("dwell-untimed"))
@@ -49,7 +52,7 @@ def _probe(machine: Machine, line: Line) -> None:
 
 
 def _thread(machine: Machine, line: Line) -> None:
-    """Process G33 and G33.1, on a lathe the thread with the pitch in F."""
+    """Process G33 and G33.1 with a K word. Without a K word, G33 is a lathe's thread with the pitch in F."""
     if "K" not in line.letters or line.letters.isdisjoint("XYZ"):
         machine.other(line)
         return
@@ -58,7 +61,7 @@ def _thread(machine: Machine, line: Line) -> None:
 
 
 def _spline(machine: Machine, line: Line) -> None:
-    """Process G5 and G5.1; a spline without a word of its control points is read as a line."""
+    """Process G5 and G5.1. A spline is read as a line if a word of its control points is missing."""
     if line.letters.isdisjoint("XYZ"):
         line.apart = True
         return
@@ -75,13 +78,13 @@ def _spline(machine: Machine, line: Line) -> None:
 
 
 def _probe_along(machine: Machine, line: Line, move: dict[str, float]) -> None:
-    """Add a probing move as a rapid to its end, where the tool arrives only if it touches nothing."""
+    """Add a probing move as a rapid. The position is then unknown, because the tool stops where it touches the part."""
     machine.write(codes.RAPID, move)
     machine.place.lose(set("XYZ") & line.letters)
 
 
 def _thread_along(machine: Machine, line: Line, move: dict[str, float]) -> None:
-    """Add a move at the pitch times the spindle speed; after a tap (G33.1), the tool returns in the same way."""
+    """Add a move at a feed rate of pitch times spindle speed; after a tap (G33.1), also add the move back."""
     pitch = machine.modes.unit * dict(line.words)["K"]
     place, relative = dict(machine.place.now()), machine.modes.relative
     there = {letter: move[letter] for letter in "XYZ" if letter in move}

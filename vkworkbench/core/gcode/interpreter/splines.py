@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The splines of LinuxCNC (G5, G5.1) as chords."""
+"""Approximate the splines of LinuxCNC (G5, G5.1) by chords."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ Point = List[float]
 
 
 def is_complete(code: int, words: dict[str, float]) -> bool:
-    """Return whether a line contains all words of its spline, and a target."""
+    """Return whether the words of a line contain all control points of its spline, and a target."""
     return _WORDS[code] <= words.keys() and not {"X", "Y"}.isdisjoint(words)
 
 
@@ -30,9 +30,10 @@ def chords(code: int, words: dict[str, float], start: Point, end: Point) -> np.n
     code : int
         G5 (cubic) or G5.1 (quadratic), in tenths.
     words : dict
-        I and J: from the start to the first control point, mm. P and Q of G5: from the end to the second one.
+        I and J are the vector from the start to the first control point, mm. P and Q of G5 are the vector from the end
+        to the second control point, mm.
     start, end : list of float
-        The end points, mm: X, Y, and other axes, which move evenly.
+        The end points, mm: X, Y, and other axes, which move at constant speed.
     """
     first, last = np.array(start), np.array(end)
     leave, arrive = np.zeros(len(start)), np.zeros(len(start))

@@ -14,7 +14,7 @@ from vkworkbench.language import Message
 _COORDINATES = {"X": "X", "Y": "Y", "Z": "Z"}  # letters of absolute coordinates, and their axes
 _OF_CYCLES = {**_COORDINATES, "R": "Z"}
 _OF_ARCS = {**_COORDINATES, "I": "X", "J": "Y", "K": "Z"}  # for arcs with absolute centres (G90.1)
-_POLAR = "@^"  # LinuxCNC's polar coordinates: distance from the origin, and angle
+_POLAR = "@^"  # letters of LinuxCNC's polar coordinates: distance from the origin, and angle
 _LENGTHS = frozenset("XYZIJKRQ")
 _KNOWN = _LENGTHS | {"F", "S", "P", "L", "H", "D", *_POLAR}
 
@@ -44,7 +44,7 @@ def is_polar(parameters: dict[str, float]) -> bool:
 
 
 def polar_step(machine: Machine, parameters: dict[str, float]) -> dict[str, float]:
-    """Return the X and Y words of the next step by relative polar coordinates, mm."""
+    """Return the X and Y words, mm, of the next step in a series of moves with relative polar coordinates."""
     unit, words = machine.modes.unit, _cartesian(machine, parameters)
     return {letter: unit * words[letter] for letter in "XY" if letter in words}
 
@@ -73,7 +73,7 @@ def _cartesian(machine: Machine, parameters: dict[str, float]) -> dict[str, floa
 
 
 def _shifted(machine: Machine, mode: int, move: dict[str, float]) -> dict[str, float]:
-    """Return a move with the origin in force added to its coordinates."""
+    """Return the words of a move, with the origin in force added to the coordinates."""
     centres = machine.modes.absolute_centres and mode in codes.ARCS
     if machine.modes.relative:
         along = {"I": "X", "J": "Y", "K": "Z"} if centres else {}
@@ -86,9 +86,9 @@ def _shifted(machine: Machine, mode: int, move: dict[str, float]) -> dict[str, f
 
 
 def _centred(machine: Machine, mode: int, move: dict[str, float]) -> dict[str, float]:
-    """Return a move with the centre of its arc, from this line or from an earlier one."""
+    """Return the words of a move, with the centre of an arc from this line or from an earlier line."""
     centre = {letter: move.pop(letter) for letter in "IJK" if letter in move}
-    if centre and machine.modes.relative:  # relative to the tool's position, which is not known here
+    if centre and machine.modes.relative:  # the words are relative to the tool's position, which is not known here
         machine.pole = {}
         for letter in centre:
             machine.problem(Message("word-not-read", letter=letter))
@@ -99,9 +99,9 @@ def _centred(machine: Machine, mode: int, move: dict[str, float]) -> dict[str, f
 
 
 def _unread(machine: Machine, letter: str, value: float) -> None:
-    """Report a word that is not read; a word of a rotary axis only if its value changes.
+    """Report a word that is not read. The word of a rotary axis is reported only if its value changes.
 
-    A rotary axis is at 0 before its first word.
+    Before its first word, a rotary axis is at 0.
     """
     if letter not in ROTARY:
         machine.problem(Message("word-not-read", letter=letter))

@@ -10,7 +10,7 @@ from vkworkbench.core.gcode.moves.commands import Commands
 
 
 def take(machine: Machine, line: Line, *, change: bool) -> None:
-    """Process the T words of a line and its tool change, if `change`.
+    """Process the T words of a line, and the tool change in the line if `change` is true.
 
     The tool change loads the tool of the first T word; a second T word preselects the next tool.
     """
@@ -18,8 +18,8 @@ def take(machine: Machine, line: Line, *, change: bool) -> None:
     tools = [whole(number, LARGEST_NUMBER) for number in numbers]
     for named in tools:
         machine.clues.tool(named, machine.number)
-        machine.add(f"T{named}", {})  # a tool change if the program contains no M6, see `with_tool_changes`
-    # Fagor: M6 in one line and the T word in a later line. Move the tool change to the T word.
+        machine.add(f"T{named}", {})  # `with_changes` makes it a tool change in a program without M6
+    # On Fagor controls, the T word can be in a line after the M6. The tool change is then moved to the T word.
     if tools and not change and machine.unnamed is not None:
         machine.commands[machine.unnamed] = "G94", {}
         change = True

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Handle the G-codes of units, planes, feed modes and offsets of the tool."""
+"""Handle the G-codes for units, planes, feed modes and tool length offsets."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ def _state(machine: Machine, line: Line) -> None:
 def _unit(machine: Machine, line: Line) -> None:
     before = machine.modes.unit
     machine.measure_in(line.code)
-    if machine.moved and machine.modes.unit != before and "F" in line.letters:  # LinuxCNC: in the unit before
+    if machine.moved and machine.modes.unit != before and "F" in line.letters:  # LinuxCNC reads F in the previous unit
         machine.problem(Message("feed-in-new-unit", name=codes.name_of(line.code)))
 
 
@@ -38,7 +38,7 @@ def _pattern(machine: Machine, line: Line) -> None:
     if line.letters.isdisjoint(_LATHE_CYCLE) and not line.letters.isdisjoint(_HOLE_PATTERN):
         line.feeds = False
         machine.leave_out(line, Message("hole-pattern-not-read", name=name))
-    # Okuma: G71 Z sets the return level of canned cycles.
+    # On Okuma controls, G71 with a Z word sets the return level of canned cycles.
     elif line.code == 710 and [letter for letter, _ in line.words if letter != "N"] == ["G", "Z"]:
         machine.leave_out(line, Message("unknown-code", name=repr(name)))
     elif line.code in codes.UNITS and line.letters.isdisjoint(_LATHE_CYCLE):

@@ -9,7 +9,7 @@ import numpy as np
 
 from vkworkbench.core.gcode.moves.codes import FEED_OUT, PECK, PECKING
 
-CLEARANCE = 0.254  # mm above the last peck; as in LinuxCNC, G73 retracts to this height, and the return of G83 ends there
+CLEARANCE = 0.254  # mm above the last peck; in LinuxCNC, G73 retracts to this height, and the return of G83 ends there
 MOST_PECKS = 10_000  # largest number of pecks in a hole; a Q word that needs more is ignored to save memory
 
 

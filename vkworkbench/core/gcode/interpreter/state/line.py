@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""One line of a program, while its words are processed."""
+"""Store one line of a program while its words are processed."""
 
 from __future__ import annotations
 
@@ -19,11 +19,11 @@ class Line:
     parameters : dict
         The values of the words that are parameters of the motion, by their letters.
     codes : list of int
-        The G-codes of the line so far, in tenths.
+        The G-codes of the line that were processed so far, in tenths.
     motion : int or None
         The motion that the line selects, in tenths of its G-code; None if the line selects none.
     once : int or None
-        A code that moves the tool in this line only: a probe, a thread or a spline.
+        G-code of a move that is in force in this line only (probe, thread or spline), in tenths; None without one.
     apart : bool
         Whether the line's axis words are parameters of a code, not the target of a move.
     feeds : bool
@@ -41,7 +41,7 @@ class Line:
 
     @property
     def code(self) -> int:
-        """int : The G-code that is processed, in tenths."""
+        """int : The G-code that is being processed, in tenths."""
         return self.codes[-1]
 
     def lengths(self, unit: float) -> dict[str, float]:

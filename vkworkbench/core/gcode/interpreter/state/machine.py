@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The machine of a program: its state after the lines read so far, and the commands that these lines became."""
+"""Store the state of a machine after the lines read so far, and the commands from these lines."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ NO_LENGTH = (490, None)  # no tool length offset is in force
 class Machine:
     """The commands of the lines read so far, and the state in which these lines leave the machine.
 
-    The state that a program saves and restores is in `modes`; a copy of it is a few numbers.
+    `modes` contains the state that a program can save and restore, so saving copies only a few numbers.
 
     Attributes
     ----------
@@ -42,11 +42,11 @@ class Machine:
     origins : Origins
         The origins of the coordinates.
     maps : Maps
-        How coordinates are mirrored, scaled and rotated.
+        The mirrors, scales and rotations of the coordinates.
     place : Place
-        The place of the tool.
+        The position of the tool.
     compensation : Compensation or None
-        The cutter compensation in force, if it is followed.
+        The cutter compensation in force; None if no compensation is followed.
     radii : dict
         The radii of tool offsets that the program contains (G10), mm, by their numbers.
     first_unit : float or None
@@ -58,7 +58,7 @@ class Machine:
     moved : bool
         Whether any line has moved the tool.
     away : list of (int, Message)
-        Lines of moves to machine positions since the last other move, with their messages, which are reported only if
+        Lines of moves to machine positions since the last other move, with messages. The messages are reported only if
         another move follows.
     ended : bool
         Whether M2 or M30 was read.
@@ -68,7 +68,7 @@ class Machine:
     calls_blocks : bool
         Whether the program calls subprograms by block numbers (M97, or M98 with Q).
     tool_length : tuple
-        The code of the tool length offset in force, in tenths, and its number or length.
+        The G-code of the tool length offset in force, in tenths, and the number of the offset or its length.
     length_changed : bool
         Whether the tool length offset changed since the last Z word.
     stopped : bool
@@ -92,18 +92,18 @@ class Machine:
     dwells : list of (int, float)
         Line and duration in s of each dwell.
     pause : float
-        Dwell of the present canned cycle, s.
+        Dwell in each hole of the canned cycle in force, s.
     later : dict or None
-        Words of a canned cycle with L0, which drills no hole yet.
+        Words of a canned cycle with L0, which drills its first hole only in a later line; otherwise None.
     angles : dict
-        Last values of the rotary axes.
+        Last value of each rotary axis, by its letter.
     pole : dict
-        The centre for the next arcs in a dialect that has one, mm.
+        The centre that is in force for later arcs, mm; empty unless `Dialect.has_pole`.
 
     Parameters
     ----------
     dialect : Dialect
-        How this program differs from others.
+        The dialect of the program.
     """
 
     def __init__(self, dialect: Dialect) -> None:
@@ -146,15 +146,15 @@ class Machine:
         self.pole: dict[str, float] = {}
 
     def problem(self, what: Message, line: int | None = None) -> None:
-        """Store a message on a part of the program that is not read, with its line or else the current line."""
+        """Store a message on a part of the program that is not read, for a line or by default the current line."""
         self.problems.setdefault(what, []).append(self.number if line is None else line)
 
     @property
     def moves_plainly(self) -> bool:
-        """bool : Whether the commands of moves depend on the units, on G90 or G91, and on the motion only.
+        """bool : Whether the commands of moves depend only on the units, on G90 or G91, and on the motion.
 
-        `plain_lines` then reads many lines at once, without the handlers of this package. Each state that changes moves or
-        adds remarks in another way must be excluded here.
+        If so, `plain_lines` reads many lines at once, without the handlers of this package. Every state that changes
+        moves or adds messages in another way must be excluded here.
         """
         return (
             self.moved
@@ -181,7 +181,7 @@ class Machine:
         self.written = mode
 
     def stand(self, *, stands: bool) -> None:
-        """Begin or end moves at an unknown feed rate: per turn, while the spindle stands."""
+        """Begin or end moves at an unknown feed rate: a feed rate per turn while the spindle does not turn."""
         if stands != self.stands:
             self.add("G95" if stands else "G94", {})
             self.stands = stands
@@ -216,14 +216,14 @@ class Machine:
         return self.maps.fixes_origin or self.origins.system in self.maps.angles
 
     def map(self) -> Map:
-        """Return the map of the XY plane in force, from the program's points to the toolpath's."""
+        """Return the map of the XY plane in force, from points of the program to points of the toolpath."""
         of, shift = self.origins.of, self.origins.shift
         origin = complex(of("X"), of("Y"))
         of_system = origin - complex(shift.get("X", 0.0), shift.get("Y", 0.0))
         return self.maps.xy(self.origins.system, of_system, origin)
 
     def here(self) -> dict[str, float]:
-        """Return the tool's place before the maps in force, mm, along the axes where it is known."""
+        """Return the known coordinates of the tool, mm, before the maps in force are applied."""
         place = self.place.now()
         if not self.is_mapped or "X" not in place or "Y" not in place:
             return place
@@ -232,7 +232,7 @@ class Machine:
         return {**place, "X": before.real, "Y": before.imag, **({} if height is None else {"Z": height})}
 
     def stop(self) -> None:
-        """Note that the operator or the tool changer may move the tool, for which it stands at a safe height."""
+        """Note a stop at which the operator or tool changer can move the tool, which is then at a safe height."""
         self.stopped = True
         self.away = [(line, what) for line, what in self.away if what.code != "machine-height"]
 

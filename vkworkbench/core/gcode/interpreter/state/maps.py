@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Mirror, scale and rotate coordinates: G51.1, G51, G68, and the rotation of a work offset (G10 L2 R).
+"""Mirror, scale and rotate coordinates (G51.1, G51, G68), and rotate work offsets (G10 L2 R).
 
 A point in the XY plane is a complex number. Controls mirror first, then scale, then rotate.
 """
@@ -14,12 +14,14 @@ from vkworkbench.core.gcode.interpreter.state.origins import System
 
 
 class Map(NamedTuple):
-    """A similarity of the XY plane: the point p becomes ``factor * p + offset``; if `flips`, p is conjugated first.
+    """A similarity of the XY plane, which maps a point p to ``factor * p + offset``.
+
+    If `flips` is true, p is conjugated first.
 
     Attributes
     ----------
     factor, offset : complex
-        Scale and rotation; translation, mm.
+        Factor for scale and rotation, and translation in mm.
     flips : bool
         Whether the map changes the direction of arcs.
     """
@@ -29,20 +31,20 @@ class Map(NamedTuple):
     flips: bool = False
 
     def vector(self, way: complex) -> complex:
-        """Return where a difference of two points is mapped."""
+        """Return the image of a vector, the difference between two points."""
         return self.factor * (way.conjugate() if self.flips else way)
 
     def point(self, point: complex) -> complex:
-        """Return where a point is mapped."""
+        """Return the image of a point."""
         return self.vector(point) + self.offset
 
     def back(self, point: complex) -> complex:
-        """Return the point that is mapped to the given point."""
+        """Return the point whose image is the given point."""
         before = (point - self.offset) / self.factor
         return before.conjugate() if self.flips else before
 
     def then(self, other: Map) -> Map:
-        """Return the map that applies this map, and then another one."""
+        """Return the map that applies this map first, and then another map."""
         factor = self.factor.conjugate() if other.flips else self.factor
         return Map(other.factor * factor, other.point(self.offset), self.flips != other.flips)
 
@@ -58,13 +60,13 @@ class Maps:
     Attributes
     ----------
     mirrors : dict of str to float
-        The mirrored axes, X and Y, and the coordinates that stay in place, mm.
+        For each mirrored axis (X or Y), the coordinate that the mirror does not change, mm.
     scale, turn : (complex, complex) or None
-        The factor and the fixed point, mm, of G51 and of G68.
+        The factor and the fixed point (mm) of G51, and of G68; None if the code is not in force.
     height : (float, float)
-        The factor of Z, and the height that stays in place, mm.
+        The factor for Z, and the height that scaling does not change, mm.
     angles : dict
-        The rotation of each work offset, degrees.
+        The angle of each rotated work offset, degrees.
     """
 
     def __init__(self) -> None:
@@ -82,7 +84,7 @@ class Maps:
 
     @property
     def fixes_origin(self) -> bool:
-        """bool : Whether a map is in force under which controls forbid another origin (G52, G92)."""
+        """bool : Whether a map is in force under which controls do not allow another origin (G52, G92)."""
         return bool(self.mirrors or self.scale or self.turn)
 
     def xy(self, system: System, of_system: complex, origin: complex) -> Map:
@@ -107,18 +109,18 @@ class Maps:
         return result.then(_around(rotation(angle), of_system)) if angle else result
 
     def height_of(self, z: float, origin: float) -> float:
-        """Return where a height is mapped, mm; `origin` is the origin of the program's heights."""
+        """Return the height after scaling, mm; `origin` is the origin of the program's heights."""
         factor, fixed = self.height
         return fixed + origin + factor * (z - fixed - origin)
 
     def height_before(self, z: float, origin: float) -> float:
-        """Return the height that is mapped to the given height, mm."""
+        """Return the height that scaling changes to the given height, mm."""
         factor, fixed = self.height
         return fixed + origin + (z - fixed - origin) / factor
 
 
 def rotation(degrees: float) -> complex:
-    """Return the factor of a rotation; right angles are exact."""
+    """Return the complex factor of a rotation; the factors of right angles are exact."""
     quarters, rest = divmod(degrees, 90.0)
     return 1j ** (int(quarters) % 4) * (rect(1.0, radians(rest)) if rest else 1.0)
 
@@ -135,7 +137,7 @@ def mapped(move: dict[str, float], letters: str, function: Callable[[complex], c
     function : callable
         Maps the point or the vector of the two words.
     rest : complex
-        The values of words that are absent.
+        The values (real part along X, imaginary part along Y) that are used for absent words.
     """
     along_x, along_y = letters[0], letters[1]
     if along_x in move or along_y in move:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The modal state of a program that M70 saves and M72 restores."""
+"""Store the modal state of a program, which M70 saves and M72 restores."""
 
 from __future__ import annotations
 
@@ -27,7 +27,8 @@ class Modes:
     Attributes
     ----------
     unit, feed_unit : float
-        The unit of lengths and of feed rates, mm: 25.4 for inches, 1 for mm. They differ only under G70 of Siemens.
+        The unit of lengths and the unit of feed rates, mm: 25.4 for inches, 1 for mm. The two units differ only under
+        Siemens' G70.
     plane, distance, centres, retract : int
         G-codes in force, in tenths: G17 to G19, G90 or G91, G90.1 or G91.1, G98 or G99.
     feed_mode : int
@@ -37,7 +38,7 @@ class Modes:
     feed : float or None
         The feed rate in force, mm/s; None before the first F word.
     offset : (int, float)
-        Work offset in force: its G-code in tenths, and its P or H word.
+        G-code of the work offset in force, in tenths, and its P or H word.
     """
 
     unit: float = 1.0

@@ -1,5 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The path beside a programmed path: lines and arcs in the plane. A point is a complex number, mm."""
+"""Compute with the lines and arcs of an offset path, which runs beside a programmed path.
+
+A point in the plane is a complex number, mm.
+"""
 
 from __future__ import annotations
 
@@ -7,7 +10,7 @@ from cmath import phase
 from dataclasses import dataclass
 from math import pi, sqrt
 
-_SAME = 1e-6  # mm, largest distance of equal points
+_SAME = 1e-6  # mm, largest distance between equal points
 
 
 @dataclass
@@ -21,7 +24,7 @@ class Curve:
     centre : complex or None
         The centre of an arc; None for a line.
     turn : int
-        1 for an arc counter-clockwise, -1 for an arc clockwise.
+        1 for a counter-clockwise arc, -1 for a clockwise arc, 0 for a line.
     """
 
     start: complex
@@ -30,12 +33,12 @@ class Curve:
     turn: int = 0
 
     def way(self, point: complex) -> complex:
-        """Return the direction of the curve at one of its points, of length 1."""
+        """Return the direction of the curve at one of its points, a vector of length 1."""
         way = self.end - self.start if self.centre is None else self.turn * 1j * (point - self.centre)
         return way / abs(way)
 
     def contains(self, point: complex) -> bool:
-        """Return whether a point of the whole line or circle is between the end points."""
+        """Return whether a point on the extended curve (whole line or circle) is between the end points."""
         if min(abs(point - self.start), abs(point - self.end)) <= _SAME:
             return True
         if self.centre is None:
@@ -48,7 +51,7 @@ class Curve:
         return part < whole or abs(self.end - self.start) <= _SAME
 
     def meets(self, other: Curve) -> list[complex]:
-        """Return the points that the whole line or circle shares with another one."""
+        """Return the intersection points of two curves, which are extended to whole lines or circles."""
         if self.centre is not None and other.centre is not None:
             return _of_circles(self.centre, abs(self.end - self.centre), other.centre, abs(other.end - other.centre))
         if self.centre is None and other.centre is None:
@@ -85,21 +88,21 @@ class Compensation:
     Attributes
     ----------
     name : str
-        Its G-code.
+        Name of the compensation's G-code.
     side : int
         1 if the tool is to the left of the path, -1 if it is to the right.
     radius : float
         Distance of the tool's centre from the path, mm.
     programmed, tool : complex
-        The end of the programmed path, and the place of the tool's centre.
+        The end of the programmed path, and the position of the tool's centre.
     last : Curve or None
         The last curve beside the path; None before the first move.
     command : int
-        Index of the command of the last curve.
+        Index of the command for the last curve.
     relative : bool
-        Whether the words of this command are relative.
+        Whether the words of the command for the last curve are relative.
     ends : bool
-        Whether the next move leads to the programmed path.
+        Whether the next move leads back to the programmed path, because of G40.
     """
 
     name: str

@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The origins of a program's coordinates: shifts (G52, G92) and work offsets (G54 to G59.3, set by G10).
+"""Store the origins of a program's coordinates: shifts (G52, G92) and work offsets (G54 to G59.3, set by G10).
 
-All values are in the coordinates of the toolpath. Its origin is the work offset in force at the first move.
+All values are in the coordinates of the toolpath. The origin of the toolpath is the work offset in force at the first
+move.
 """
 
 from __future__ import annotations
@@ -11,8 +12,8 @@ from typing import Dict, Tuple
 System = Tuple[int, float]  # the G-code of a work offset, in tenths, and its P or H word
 Values = Dict[str, float]  # mm, by axis
 FIRST: System = (540, 0.0)
-# Numbers of work offsets in G10 P. The number 0 is left out: it is the work offset in force for LinuxCNC, and an
-# additional offset for Fanuc.
+# Work offsets by their numbers in the P word of G10. The number 0 is left out, because P0 is the work offset in force
+# in LinuxCNC, and an additional offset on Fanuc controls.
 NUMBERED: dict[float, System] = dict(
     zip(map(float, range(1, 10)), [(code, 0.0) for code in (540, 550, 560, 570, 580, 590, 591, 592, 593)])
 )
@@ -28,7 +29,7 @@ class Origins:
     system : (int, float)
         The work offset in force.
     used : bool
-        Whether an origin may differ from the toolpath's; False in most programs.
+        Whether an origin can differ from the toolpath's origin; False in most programs.
     """
 
     def __init__(self) -> None:
@@ -46,14 +47,14 @@ class Origins:
         return self._origins.get(self.system, {}).get(letter, 0.0) + self.shift.get(letter, 0.0)
 
     def begin(self) -> None:
-        """Make the work offset in force the origin of the toolpath; call this at the first move."""
+        """Set the origin of the toolpath to the work offset in force. This method must be called at the first move."""
         self._origins[self.system] = dict.fromkeys("XYZ", 0.0)
         self._zero = dict(self._machine.get(self.system, {}))
 
     def select(self, system: System) -> bool:
         """Select a work offset after the first move; return whether the program contains its origin.
 
-        Along the axes whose origin is not in the program, the coordinates stay as they are.
+        Along axes whose origin is not in the program, the origin of the previous work offset is kept.
         """
         self.used = True
         before, self.system = self.system, system
@@ -105,14 +106,14 @@ class Origins:
         return known
 
     def set_here(self, system: System, place: Values, values: Values) -> None:
-        """Give the tool's place the coordinates `values` in a work offset (G10 L20).
+        """Set the origin of a work offset so that the tool's position has the coordinates `values` (G10 L20).
 
         Parameters
         ----------
         system : (int, float)
             The work offset.
         place, values : dict
-            The tool's place, and its new coordinates, mm, by axis.
+            The tool's position, and its new coordinates, mm, by axis.
         """
         self.used = True
         origin = self._origins.setdefault(system, {})
@@ -125,13 +126,13 @@ class Origins:
         self.shift.update(values)
 
     def shift_here(self, letter: str, place: float, value: float) -> None:
-        """Give the tool's place the coordinate `value` along an axis (G92), mm."""
+        """Set the shift so that the tool's position has the coordinate `value` along an axis (G92), mm."""
         self.used = True
         self.shift[letter] = place - value - (self.of(letter) - self.shift.get(letter, 0.0))
         self._suspended = {}
 
     def end_shift(self, *, keep: bool) -> None:
-        """End the shift of G52 and G92; `keep` it for `resume_shift` (G92.2, not G92.1)."""
+        """End the shift of G52 and G92. If `keep` (G92.2, not G92.1), store the shift for `resume_shift`."""
         self._suspended = self.shift if keep else {}
         self.shift = {}
 

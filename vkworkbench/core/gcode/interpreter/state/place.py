@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Follow the place of the tool through the commands of a program, for the codes that depend on it (G92, G5, @)."""
+"""Compute the position of the tool from the commands of a program, for codes that depend on it (G92, G5, @)."""
 
 from __future__ import annotations
 
@@ -15,36 +15,36 @@ _DRILLED = {170: "Z", 180: "Y", 190: "X"}  # the axis of canned cycles in each p
 
 
 class Place:
-    """The place of the tool after the commands that were added so far.
+    """The position of the tool after the commands that were added so far.
 
-    The commands are followed only when the place is asked for, so that other programs cost no time.
+    The position is computed only when `now` is called, so programs that do not need the position are not slowed down.
 
     Parameters
     ----------
     commands : Commands
-        The commands of the program, which may still grow.
+        The commands of the program; commands can be added later.
 
     Attributes
     ----------
     lost : set of str
-        Axes along which the tool moved to a place that the program does not contain; up to date after `now`.
+        Axes along which the tool moved to a position that the program does not contain. `now` updates this set.
     """
 
     def __init__(self, commands: Commands) -> None:
         self.lost: set[str] = set()
         self._commands, self._read = commands, 0
-        self._losses: list[tuple[int, set[str]]] = []  # axes whose place was lost, with the number of commands before
+        self._losses: list[tuple[int, set[str]]] = []  # number of commands before each loss; axes
         self._at: dict[str, float] = {}
         self._motion, self._plane = -1, 170
         self._relative = self._to_retract_plane = False
         self._heights = Heights()
 
     def lose(self, letters: Iterable[str]) -> None:
-        """Forget the place along some axes, because the tool moved to a place that is not in the program."""
+        """Forget the position along some axes, because the tool moved to a position that is not in the program."""
         self._losses.append((len(self._commands), set(letters)))
 
     def now(self) -> dict[str, float]:
-        """Return the coordinates of the tool, mm, for the axes along which its place is known."""
+        """Return the coordinates of the tool, mm, for the axes along which its position is known."""
         for count, letters in [*self._losses, (len(self._commands), set())]:
             for index in range(self._read, count):
                 name, words = self._commands[index]
