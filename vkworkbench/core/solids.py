@@ -150,7 +150,7 @@ def stock_around(toolpath: Toolpath, tool: Tool) -> Stock:
     Raises
     ------
     ValueError
-        If nothing cuts.
+        If the toolpath contains no cuts.
     TypeError
         If `toolpath` is not a Toolpath or `tool` not a Tool.
     """

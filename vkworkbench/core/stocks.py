@@ -136,7 +136,7 @@ class Mesh:
 
 
 def _distinct(rows: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Return the first position of each distinct row of integers, in sorted order, and each row's index among them.
+    """Return the first position of each distinct row of integers, in sorted order, and each row's index in that order.
 
     `np.unique` with `axis=0` returns the same result, but takes several times as long.
     """

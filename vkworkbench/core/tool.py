@@ -25,7 +25,7 @@ _BODIES = ("cutting_edge_height", "length", "shank_diameter", "holder_diameter",
 
 @dataclass(frozen=True)
 class Tool:
-    """A milling tool or drill: a convex solid of revolution, upright, its tip at the programmed point.
+    """A milling tool or drill: an upright, convex solid of revolution, whose tip is at the programmed point.
 
     The solid has no upper end, because the simulation treats the shank above the cutting edge as part of the edge.
     `core.zbuffer.collisions` finds collisions of the shank and the holder from the sizes of both.
@@ -37,7 +37,7 @@ class Tool:
     diameter : float
         Cutting diameter, mm.
     corner_radius : float
-        Radius of a bull-nose mill's corner, mm; 0 makes it flat, half the diameter makes it a ball.
+        Radius of a bull-nose mill's corner, mm; 0 makes a flat end, half the diameter makes a ball end.
     tip_angle : float, optional
         Included angle of a V-bit's or a drill's tip, rad; by default 60 and 118 degrees.
     tip_diameter : float

@@ -34,7 +34,7 @@ class Problem:
     command : int
         Index of the first source command concerned.
     what : Message
-        The part that could not be used, and what was done instead.
+        Message on the part that could not be used, and on its treatment.
     count : int
         Number of commands concerned.
     commands : (count,) int64

@@ -36,7 +36,7 @@ _FOLLOWERS = {
     _SIGN: (_DIGIT, _POINT),
     _LETTER: (_DIGIT, _POINT, _SIGN),
     _OTHER: (),
-}  # kinds of characters that may follow a character in a plain line
+}  # kinds of characters that can follow a character in a plain line
 
 
 def _kinds() -> np.ndarray:
@@ -55,7 +55,7 @@ def _pairs() -> np.ndarray:
 
 
 def _sets() -> tuple[np.ndarray, np.ndarray]:
-    """Return the number of letters of each set of letters, and whether a plain line may have it.
+    """Return the number of letters of each set of letters, and whether a plain line can contain the set.
 
     A plain line cannot contain an arc in X and Z, because the interpreter must note such an arc as a sign of a lathe.
     """
@@ -91,7 +91,7 @@ class PlainLines:
         self._block = _Block.of_lines(lines, 0)
 
     def read(self, machine: Interpreter, index: int, end: int) -> tuple[int, int]:
-        """Read the plain lines from an index on. If `machine.moves_plainly` is false, nothing is read.
+        """Read successive plain lines, beginning at an index. If `machine.moves_plainly` is false, nothing is read.
 
         Parameters
         ----------
@@ -139,7 +139,7 @@ class _Block:
     rows : (c,) int64
         Index of the line of each command.
     motions : (c,) int64
-        The motion that each command selects, in tenths of its G-code; -1 if it selects none.
+        The motion that each command selects, in tenths of its G-code; -1 if the command selects no motion.
     names, letters : list of str
         Name of each command (empty for a move without a G word), and the letters of its values.
     counts : (c,) int64
@@ -234,9 +234,9 @@ def _texts(forms: np.ndarray) -> tuple[list[str], list[str]]:
 
 
 def _words(text: str, count: int) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
-    """Return whether each line is plain text of words, (n,) bool, and the letters, lines and values of these words.
+    """Return whether each line consists of words with short numbers, (n,) bool, and the words of the lines as columns.
 
-    A plain text consists only of words with short numbers. Words of other lines are left out.
+    The columns contain the letter, the line and the value of each word.
     """
     characters = np.frombuffer(text.encode("ascii", "replace").upper() + b"\n", np.uint8)
     kinds = _KINDS[characters]

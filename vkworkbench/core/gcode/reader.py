@@ -2,7 +2,7 @@
 """Convert the text of an NC program into commands, in mm and mm/s.
 
 The dialect is RS274/NGC (Kramer, Proctor and Messina, NISTIR 6556, 2000) with additions from Fanuc, Haas, Mach3, grbl
-and LinuxCNC. Of Heidenhain's DIN/ISO, only the codes that move the tool are read. This module splits each line into
+and LinuxCNC. The codes of Heidenhain's DIN/ISO that move the tool are read, too. This module splits each line into
 words, and the interpreter converts the words into commands.
 """
 
@@ -55,9 +55,9 @@ def read_program(text: str) -> Program:
 
     Lines with a block delete (``/``) are read like other lines, and reported. Lines after M2 or M30 are read as part of
     the program, up to the number of another program. If the program calls its own blocks (M97, or M98 with Q), or has
-    loops, conditions or calls of macros, M2 and M30 end it. A subprogram in the same text is read at each call, as if
-    all its words were in the line of the call. Variables and expressions are replaced by numbers; loops, conditions and
-    jumps are followed (`flow`).
+    loops, conditions or calls of macros, M2 and M30 end the program. A subprogram in the same text is read at each
+    call, as if all its words were in the line of the call. Variables and expressions are replaced by numbers; loops,
+    conditions and jumps are followed (`flow`).
 
     Three parts of a program are not read, but reported as problems with their lines: subprograms outside of this text,
     subprograms that are called in other ways, and the rest of a program from a line that cannot be followed.
@@ -99,7 +99,7 @@ class _Reader:
         self.comments: list[tuple[int, int, str]] = []
         self.in_calls: set[int] = set()
         self.in_called = False  # whether this line belongs to a subprogram that is read only at its calls
-        self.passed: list[int] = []  # indices of lines with the number of such a subprogram
+        self.passed: list[int] = []  # indices of lines with the number of a subprogram that is read only at its calls
         self.ran: set[int] = set()  # indices of the lines that were read in calls
         self.calls: list[int] = []  # indices of the current subprograms' first lines, outermost call first
         self.jump: int | None = None  # index of the line that follows this line; None for the next line
@@ -248,7 +248,7 @@ class _Reader:
         return step.returns or self._ended
 
     def _call(self, m_code: float, words: dict[str, float], caller: int) -> None:
-        """Run a subprogram in the same text; report a problem if it is not found or calls itself."""
+        """Run a subprogram in the same text; report a problem if the subprogram is not found or calls itself."""
         found = self.subprograms.find(m_code, words, caller)
         if found is None or found[0] in self.calls:
             self._problem(Message("subprogram-not-read"))
@@ -300,7 +300,7 @@ class _Reader:
         self.flow.remarks.clear()
 
     def _rest(self, line: str, code: str) -> list[tuple[str, float]] | None:
-        """Return the words of a line that may also contain other text; None if the line cannot be read."""
+        """Return the words of a line that can also contain other text; None if the line cannot be read."""
         words, rest = split_words(code)
         if not rest:
             return words
@@ -368,7 +368,7 @@ class _Reader:
                 return
 
     def program(self) -> Program:
-        # If conditions were followed, a subprogram without a call is no error, because its call may be skipped.
+        # If conditions were followed, a subprogram without a call is not an error, because its call may be skipped.
         passed = self.passed if not self.flow.followed else [] if self.machine.moves else sorted(self.flow.passed)
         for index in passed:
             if index not in self.ran:

@@ -102,7 +102,7 @@ class Signature:
         Cumulative angular function: the sum of the turns before each trajectory, rad; phi[0] = 0.
     unsigned, reversals : (u,) and (r,) int64
         Indices into `turning` of half turns, which have no sign: of half turns within rounding, and of exact half
-        turns. For a polyline that is given by its points, both contain only the exact half turns.
+        turns. For a polyline that is given by its points, both arrays contain only the exact half turns.
     closed : bool
         Whether the polyline ends at its start. For a polyline that is given by its points, the tolerance is a millionth
         of its size.

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Thresholds for moves, turns and loops. Most of them separate real differences from rounding.
+"""Thresholds for moves, turns and loops. Most thresholds separate real differences from rounding.
 
 The comments have the form of the comments in recognition/thresholds.py: the unit up to the first full stop, the
 quantity that is compared, and the errors at other values. ``benchmarks/thresholds.py`` prints how the verdicts change
@@ -10,37 +10,39 @@ with each threshold; its option ``--rules`` leaves out the learned model.
 class MOVES:
     """Thresholds that decide which moves have a direction, and where an area ends."""
 
-    #: mm. A coordinate that changes by no more than this is constant. If the value is larger, helices lose their moves
-    #: and become drilling.
+    #: mm. A coordinate that changes by no more than the threshold is constant. If the value is larger, helices lose
+    #: their moves and become drilling.
     STILL = 1e-3
-    #: mm. A move shorter than this beside a long move is rounding, and its direction is noise. If the value is larger,
-    #: links are dropped, and grids and offsets lose their corners. At 0, moves from rounding remain and cause half
-    #: turns.
+    #: mm. A move that is shorter than the threshold, beside a long move, is rounding, and its direction is noise. If
+    #: the value is larger, links are dropped, and grids and offsets lose their corners. If the value is 0, moves from
+    #: rounding remain and cause half turns.
     NOISE = 0.02
     #: share of the longer neighbour. A short move is noise only if its length is below this share of the longer
-    #: neighbouring trajectory. At 1, finely sampled paths lose moves.
+    #: neighbouring trajectory's length. If the value is 1, finely sampled paths lose moves.
     NOISE_BESIDE = 0.05
-    #: ratio of rise to run. Moves that are steeper than this are plunges and lifts. If the value is lower, helices and
-    #: V-carving become plunges. If the value is higher, passes over steep walls continue into their links.
+    #: ratio of rise to run. Moves that are steeper than the threshold are plunges and lifts. If the value is lower,
+    #: helices and V-carving become plunges. If the value is higher, passes over steep walls continue into their links.
     STEEP = 5.0
-    #: cosine. Two moves have the same direction if the cosine of the angle between them is above this. Moves in the
-    #: same direction before and after a wall belong to one pass, and the first and the last move of a link in the air
-    #: have the same direction. At 1, links in the air count as cuts, and drilling at feed becomes an engraving.
+    #: cosine. Two moves have the same direction if the cosine of the angle between them is above the threshold. Moves
+    #: in the same direction before and after a wall belong to one pass, and the first and the last move of a link in
+    #: the air have the same direction. If the value is 1, links in the air count as cuts, and drilling at feed becomes
+    #: an engraving.
     ONWARD = 0.98
-    #: slope. A vertical plane is the working plane if a move in it has a slope above this against both axes. At 0, a
-    #: signature and its toolpath can have different planes.
+    #: slope. A vertical plane is the working plane if a move in it has a slope above the threshold against both axes.
+    #: If the value is 0, a signature and its toolpath can have different planes.
     SLOPED = 0.05
 
 
 class TURNS:
     """Thresholds that decide which turns have no sign, and when a full turn is complete."""
 
-    #: rad. A turn that differs from half a turn by less than this is an exact reversal, and a level (number of whole
-    #: turns) is reached if phi is short of the level by less than this. At 0, rounding decides both.
+    #: rad. A turn that differs from half a turn by less than the threshold is an exact reversal, and a level (number of
+    #: whole turns) is reached if phi is short of the level by less than the threshold. If the value is 0, rounding
+    #: decides both.
     EXACT = 1e-6
-    #: rad. A turn that differs from half a turn by less than this has no sign, because coordinates rounded to 0.001 mm
-    #: can change the sign. At 0, zigzags with a contour become mixed or profiles. If the value is larger, corners have
-    #: no sign, and spirals become profiles.
+    #: rad. A turn that differs from half a turn by less than the threshold has no sign, because coordinates rounded to
+    #: 0.001 mm can change the sign. If the value is 0, zigzags with a contour become mixed or profiles. If the value is
+    #: larger, corners have no sign, and spirals become profiles.
     UNSIGNED = 0.01
     #: share of all turning of the image of V_k. Turning against the main sense of rotation is rounding up to this
     #: share. The threshold only decides whether the paper's verdict has a sense.
@@ -50,28 +52,28 @@ class TURNS:
 class LOOPS:
     """Thresholds that decide when the tool has returned to a point."""
 
-    #: mm. A path that ends within this distance of its start is closed. At 0, loops that rounding left open become
-    #: strokes. If the value is larger, the step from row to row or from turn to turn closes a loop.
+    #: mm. A path whose end is within the threshold of its start is closed. If the value is 0, loops that rounding left
+    #: open become strokes. If the value is larger, the step from row to row or from turn to turn closes a loop.
     CLOSE = 0.03
     #: share of the side of a square with the area that the path encloses. A path is also closed if the gap between its
-    #: end and its start is at most this share. At 0, contours with a gap between lead-in and lead-out stay open. At 1,
-    #: rows become closed.
+    #: end and its start is at most this share. If the value is 0, contours with a gap between lead-in and lead-out stay
+    #: open. If the value is 1, rows become closed.
     GAP = 0.03
-    #: half-turns. An area contains no loop if the range of its phi is no larger than this. If the value is lower, the
-    #: verdicts are the same, but every raster is searched. If the value is higher, the contour around a zigzag is not
-    #: found.
+    #: half-turns. An area contains no loop if the range of its phi is no larger than the threshold. If the value is
+    #: lower, the verdicts are the same, but every raster is searched. If the value is higher, the contour around a
+    #: zigzag is not found.
     HALF_TURNS = 1.05
     #: share of an area's length. If loops have more than this share, the closing turn of the last loop counts in the
-    #: area's level (number of whole turns). At 0, the closing turn of a single loop counts in the level of a zigzag. At
-    #: 1, no closing turn counts in the level of linked loops.
+    #: area's level (number of whole turns). If the value is 0, the closing turn of a single loop counts in the level of
+    #: a zigzag. If the value is 1, no closing turn counts in the level of linked loops.
     LOOPED = 0.5
-    #: share of the vertices. If a smaller share of the vertices is in loops, wider grids are searched as well. At 0,
-    #: loops that close with a move as short as rounding are not found.
+    #: share of the vertices. If a smaller share of the vertices is in loops, wider grids are searched as well. If the
+    #: value is 0, loops that close with a move as short as rounding are not found.
     FOUND = 0.75
-    #: turns. A loop whose absolute turning is above this can be a zigzag that returns to its start. If the value is
-    #: higher, the contour that is cut after such a zigzag is not found.
+    #: turns. A loop whose absolute turning is above the threshold can be a zigzag that returns to its start. If the
+    #: value is higher, the contour that is cut after such a zigzag is not found.
     WAVY = 1.5
     #: share of the turning beyond one turn. A loop replaces an overlapping loop that began earlier if its turning
-    #: beyond one turn is below this share of the earlier loop's. At 0, no loop is replaced, and a zigzag with a contour
-    #: becomes a zigzag.
+    #: beyond one turn is below this share of the earlier loop's. If the value is 0, no loop is replaced, and a zigzag
+    #: with a contour becomes a zigzag.
     SMOOTHER = 0.5

@@ -59,7 +59,7 @@ class Section:
     number : int or None
         Number of the tool.
     tool : Tool or None
-        The tool as the program's comments describe it.
+        The tool that the program's comments describe; None if no comment describes the tool.
     first, last : int
         First and last line, counted from 1.
     """
@@ -322,7 +322,7 @@ def _with_sizes(comments: Iterable[tuple[int, int, str]]) -> Iterator[tuple[int,
 def _cuts(program: Program) -> np.ndarray:
     """Return the indices of the commands that cut, ascending, (n,) int.
 
-    A plunge counts only if no cut in the plane follows it, as in a drilled hole.
+    A plunge counts only if no cut in the plane follows the plunge, as in a drilled hole.
     """
     words = Words(program.commands)
     columns = {letter: words.column(letter) for letter in "XYZ"}

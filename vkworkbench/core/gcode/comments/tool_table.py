@@ -64,7 +64,7 @@ _CUTVIEWER = re.compile(
 _ACROSS = rf"(?:(?:mm|in)?(?:\s+[x×]\s+|[x×])(?:{_FRACTION}|{_NUMBER}))*"
 _WITH_UNIT = rf"(?<![\d.,/])(?<!\bthan ){_SIZE}{_ACROSS}\s*(?P<unit>{_MM}|мм\b|inch(?:es)?\b|in\b|\")"
 _MEASURED = re.compile(rf"{_WITH_UNIT}(?!\s*(?:l|loc|oal)\b)", re.IGNORECASE)
-# A measure after the tool word may also be a length, so words for other measures must not follow it.
+# A measure after the tool word can also be a length, so words for other measures must not follow it.
 _NO_LENGTH = re.compile(
     rf"{_WITH_UNIT}(?!\s*(?:l\b|loc\b|lo?ng|length|lang|lg\b|oal\b|deep|depth|shank|stick|holder|corner|rad|cr?\b|pitch))",
     re.IGNORECASE,
@@ -143,12 +143,12 @@ _SHAPES = (
 
 @dataclass(frozen=True)
 class ToldTool:
-    """A tool as a comment describes it.
+    """A tool that a comment describes.
 
     Attributes
     ----------
     number : int or None
-        The tool's number in the program; None if the comment does not contain it.
+        The tool's number in the program; None if the comment contains no number.
     tool : Tool
     from_here : bool
         Whether all moves after the comment use this tool, as after comments for CutViewer. Other comments possibly only
@@ -277,7 +277,7 @@ def _is_bare(size: re.Match[str]) -> bool:
 def tells_inches(comment: str) -> bool:
     """Return whether a comment gives a diameter as a plain number and as a fraction of an inch: DIA 0.5, 1/2 ENDMILL.
 
-    Such a comment shows that the plain number and the program are in inches.
+    A comment with both forms of a size shows that the plain number and the program are in inches.
     """
     if "/" not in comment or len(comment) > _LONGEST:
         return False
@@ -332,7 +332,7 @@ def _shape(comment: str) -> str:
 
 
 def _tip_angle(comment: str) -> float | None:
-    """Return the included angle of a tip, rad. Fusion's TAPER is half of it for chamfer and engraving tools."""
+    """Return the included angle of a tip, rad. Fusion's TAPER is half the angle of chamfer and engraving tools."""
     taper = _TAPER.search(comment)
     if taper:
         half = re.search(r"chamfer|fase|engrav|gravier|v-?bit", comment, re.IGNORECASE)

@@ -98,7 +98,7 @@ class Clues:
 
     @property
     def notes_feeds(self) -> bool:
-        """bool : Whether the feed rate of a move may indicate the machine."""
+        """bool : Whether the feed rate of a move can indicate the machine."""
         return self._per_turn is not None
 
     def axes(self, parameters: dict[str, float], cuts: bool, line: int) -> None:
@@ -127,7 +127,7 @@ class Clues:
     def y(self, moves: bool) -> None:
         """Note a Y word, and whether it moves the tool along Y.
 
-        A program for a lathe does not move the tool along Y, but a program for turning and milling may contain Y0.
+        A program for a lathe does not move the tool along Y, but a program for turning and milling can contain Y0.
         """
         self._names_y = True
         self._along_y |= moves

@@ -36,7 +36,8 @@ def is_fanuc(lines: Sequence[str], subprograms: Subprograms) -> bool:
 def arguments(words: Iterable[tuple[str, float]]) -> Frame:
     """Return the local variables that the words of Fanuc's macro call G65 set.
 
-    I, J and K words may be repeated. A new set of them begins at each word that does not follow the alphabetical order.
+    I, J and K words may be repeated. A new set of variables begins at each I, J or K word that breaks the alphabetical
+    order.
     """
     numbers: dict[int, Value] = {}
     sets, last = 0, ""

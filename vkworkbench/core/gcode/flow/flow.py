@@ -75,7 +75,7 @@ class Flow:
         self._read = 0
         self._idle = 0
         self._commands = 0
-        self._jumps: dict[int, int] = {}  # by line: number of changes of variables at the last jump back from it
+        self._jumps: dict[int, int] = {}  # by line: number of changes of variables at its last jump back
         self._steps = 0
 
     @cached_property
@@ -134,7 +134,7 @@ class Flow:
         self._jumps[index] = changes
 
     def count_line(self, commands: int) -> None:
-        """Count a line that a loop, jump or call reads; raise Ended if there are too many.
+        """Count a line that a loop, jump or call reads; raise Ended if there are too many such lines.
 
         Parameters
         ----------
@@ -190,7 +190,7 @@ class Flow:
         return evaluate(code, self._variables)
 
     def _value_or_reason(self, code: Postfix) -> Value:
-        """Return a value, or the reason why it is not known."""
+        """Return a value, or the reason why the value is unknown."""
         try:
             return self._value(code)
         except Unknown as unknown:

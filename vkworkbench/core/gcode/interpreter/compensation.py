@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Follow cutter compensation (G41, G42) along lines and arcs in the XY plane, as LinuxCNC does.
 
-The first move ends beside its programmed end. Then the tool follows offset curves at the distance of its radius. Around
-an outer corner the tool moves along an arc; in an inner corner it stops where both offset curves meet. The end of a
-move is therefore known only at the next move, which changes the previous command.
+The first move ends beside its programmed end. Then the tool follows offset curves at the distance of its radius. At an
+outer corner, an arc joins two offset curves. At an inner corner, the tool leaves the first offset curve at the
+intersection with the second. The end of a move is therefore known only at the next move, which changes the previous
+command.
 """
 
 from __future__ import annotations

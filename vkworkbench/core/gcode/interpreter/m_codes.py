@@ -17,7 +17,7 @@ _SETTINGS = frozenset([92, 201, 203, 204, 205, 206])  # Marlin's M-codes for ste
 _OTHERS_M_CODE = 1000  # smallest number of M-codes that vendors define, for example Snapmaker's M2000
 _ORIENT = 19  # M19 turns the spindle to the angle in its R word
 _SPINDLE = frozenset([3, 4, 5])
-# M-codes at which the operator or the tool changer may move the tool.
+# M-codes at which the operator or the tool changer can move the tool.
 _STOPS = frozenset([0, 1, 6, 60, 600])
 _SAVE, _FORGET, _RESTORE, _SAVE_FOR_CALL = 70, 71, 72, 73  # LinuxCNC's M-codes for the modal state
 

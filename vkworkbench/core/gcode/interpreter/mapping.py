@@ -9,7 +9,7 @@ from vkworkbench.core.gcode.interpreter.state.maps import mapped, rotation
 from vkworkbench.core.gcode.moves import codes
 from vkworkbench.language import Message
 
-_LEAST_PERCENTAGE = 100.0  # a scale that is a whole number of at least this is in thousandths
+_LEAST_PERCENTAGE = 100.0  # a scale is in thousandths if it is a whole number of at least this size
 _XY_PLANE = 170
 
 

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-KILOMETRE = 1e6  # mm; an arc with this radius or a larger one is read as a line
+KILOMETRE = 1e6  # mm; an arc whose radius is at least this is read as a line
 # Largest radius of an arc of more than half a turn, mm. An arc with a larger radius is read as a line, because rounding
 # probably moved its centre to the wrong side of the chord.
 LARGEST_CIRCLE = 1e4

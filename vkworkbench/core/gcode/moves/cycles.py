@@ -29,7 +29,7 @@ class Heights:
     def drill(
         self, height: float | None, r: float, z: float, *, relative: bool, to_retract_plane: bool
     ) -> tuple[float, float, float, float]:
-        """Return four heights of a cycle: before it, of its R plane, of the hole's bottom, and after it, mm.
+        """Return four heights, mm: before the cycle, of the R plane, of the hole's bottom, and after the cycle.
 
         Parameters
         ----------
@@ -91,7 +91,7 @@ def heights(
     z : (n,) float64
         Absolute Z after each command that sets Z, mm; NaN elsewhere.
     heights : (m, 4) float64
-        Four heights of each cycle: before it, of its R plane, of the hole's bottom, and after it, mm.
+        Four heights of each cycle, mm: before the cycle, of its R plane, of the hole's bottom, and after the cycle.
     rises : (m,) bool
         Whether R is beyond the height at the start of the series. If so, the tool rises to R before it moves to the
         hole, as in LinuxCNC.
@@ -152,7 +152,8 @@ def moves(
     hole : (m, 2) float64
         X and Y of the hole, mm.
     heights : (m, 4) float64
-        Four heights of each cycle: before it, of its R plane, of the hole's bottom, and after it (G98/G99), mm.
+        Four heights of each cycle, mm: before the cycle, of its R plane, of the hole's bottom, and after the cycle
+        (G98/G99).
     peck : (m,) float64
         Q word, depth of one peck, mm; NaN where absent.
     rises : (m,) bool

@@ -75,7 +75,7 @@ def linearize(commands: Iterable[Any] | Words, *, tolerance: float = 0.01, infer
     points, rapid, command, sweep, is_cycle = _moves(program, tolerance)
 
     moved = _moved(points)
-    while not moved.all():  # repeat, because leaving out a short move may shorten the next move
+    while not moved.all():  # repeat, because leaving out a short move can shorten the next move
         points = points[np.concatenate([[True], moved])]
         rapid, command, sweep, is_cycle = rapid[moved], command[moved], sweep[moved], is_cycle[moved]
         moved = _moved(points)

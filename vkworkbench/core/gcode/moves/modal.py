@@ -51,7 +51,7 @@ class Problems(List[Problem]):
     """The problems found so far, one for each message."""
 
     def add(self, rows: np.ndarray, what: Message) -> None:
-        """Add a message on the commands with these indices, if there are any."""
+        """Add a message on the commands with the indices `rows`; without indices, add nothing."""
         if len(rows):
             self.append(Problem.at(rows, what))
 
@@ -173,7 +173,7 @@ class ModalState:
                 relative = self.relative
             position[:, axis], known[:, axis] = _coordinate(values, relative)
         beyond = np.abs(position) > COORDINATE_LIMIT
-        if beyond.any():  # the sum of relative words may exceed the limit
+        if beyond.any():  # the sum of relative words can exceed the limit
             self.problems.add(np.flatnonzero(beyond.any(axis=1)), Message("position-cut-off"))
             position = np.clip(position, -COORDINATE_LIMIT, COORDINATE_LIMIT)
         return position, known
@@ -245,7 +245,7 @@ def _mode(words: Words, states: dict[int, int], default: int) -> np.ndarray:
 
 
 def _coordinate(values: np.ndarray, relative: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Return the position of one axis after every command, (n,) mm, and whether it is known, (n,) bool.
+    """Return the position of one axis after every command, (n,) mm, and whether the position is known, (n,) bool.
 
     The position before the axis's first word is not known. If this word is absolute, its value is used as the unknown
     position. Relative words before the first absolute word are added up from 0. The position of an axis without words

@@ -35,7 +35,7 @@ class Program:
     inches : bool
         Whether the program's first unit is inches (G20). Lengths in comments have the same unit.
     unit_told : bool
-        Whether the program contains a unit word (G20, G21); without one, the program is read in mm.
+        Whether the program contains a unit word (G20, G21); without a unit word, the program is read in mm.
     other : Message or None
         Message with the machine for which the program was written; None for a mill.
     rotary : tuple of int

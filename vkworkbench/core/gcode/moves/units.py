@@ -37,7 +37,7 @@ def looks_like_inches(toolpath: Toolpath, *, tool_diameter: float | None = None,
     tool_diameter : float, optional
         Diameter of the tool, mm, if known from another source than the program.
     imported : bool
-        Whether FreeCAD imported the toolpath, so that its feeds are 60 times too large.
+        Whether FreeCAD imported the toolpath, so that the feeds are 60 times too large.
     """
     cuts = ~toolpath.rapid
     if not cuts.any():
@@ -55,8 +55,8 @@ def looks_like_inches(toolpath: Toolpath, *, tool_diameter: float | None = None,
 def looks_like_increments(toolpath: Toolpath, *, inches: bool) -> bool:
     """Return whether a toolpath looks as if its program has no decimal points.
 
-    Old controls read words without a decimal point in least increments (0.001 mm, 0.0001 inches), new controls in whole
-    units.
+    Old controls read words without a decimal point in least increments (0.001 mm, 0.0001 inches). New controls read
+    them in mm or inches.
 
     Parameters
     ----------

@@ -72,7 +72,7 @@ class Machine:
     length_changed : bool
         Whether the tool length offset changed since the last Z word.
     stopped : bool
-        Whether the operator or the tool changer may have moved the tool since the last Z word.
+        Whether the operator or the tool changer had the opportunity to move the tool since the last Z word.
     last_y : float or None
         The last absolute Y, mm.
     okuma : bool
@@ -176,7 +176,7 @@ class Machine:
         self.lines.append(self.number)
 
     def write(self, mode: int, move: dict[str, float]) -> None:
-        """Add the command of a move; its name is empty if the motion is still in force."""
+        """Add the command of a move; the name is empty if the motion is still in force."""
         self.add("" if mode == self.written else codes.name_of(mode), move)
         self.written = mode
 
@@ -192,7 +192,7 @@ class Machine:
         line.apart = True
 
     def unknown(self, code: int, line: Line) -> None:
-        """Report an unknown G-code, and the line's axis words, which may be its parameters."""
+        """Report an unknown G-code, and the line's axis words, which are possibly its parameters."""
         name, left_out = repr(codes.name_of(code)), ", ".join(sorted(line.letters & {"X", "Y", "Z"}))
         if left_out:
             self.problem(Message("unknown-code-with-words", name=name, letters=left_out))

@@ -90,7 +90,7 @@ class Compensation:
     name : str
         Name of the compensation's G-code.
     side : int
-        1 if the tool is to the left of the path, -1 if it is to the right.
+        1 if the tool is to the left of the path, -1 if the tool is to the right.
     radius : float
         Distance of the tool's centre from the path, mm.
     programmed, tool : complex

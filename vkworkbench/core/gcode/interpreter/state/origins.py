@@ -20,7 +20,7 @@ NUMBERED: dict[float, System] = dict(
 
 
 class Origins:
-    """The work offsets and the shift of a program, as far as the program contains them.
+    """The work offsets and the shift that a program contains.
 
     Attributes
     ----------
