@@ -71,7 +71,7 @@ def __dir__() -> list[str]:
 if not TYPE_CHECKING:  # mypy reads the imports above
 
     def __getattr__(name: str) -> object:
-        """Load the module of a name when the name is first used, because loading all modules takes long."""
+        """Load the module of a name when the name is first used, because loading all modules is slow."""
         if name not in _HOMES:
             raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
         globals()[name] = value = getattr(import_module(f"{__name__}.{_HOMES[name]}"), name)

@@ -38,12 +38,12 @@ class Machine:
         Accelerations of the axes, mm/s^2.
     deviation : float
         Largest distance between a corner and the rounded path of the tool, mm. In grbl, this is the junction deviation;
-        in LinuxCNC, the path tolerance (G64 P). At 0, the tool stops at each corner.
+        in LinuxCNC, the path tolerance (G64 P). If the value is 0, the tool stops at each corner.
     lookahead : int
         Number of moves that the controller plans ahead. The tool can always stop within these moves, so a small number
         slows the tool in programs with tiny moves.
     factor : float
-        Measured time of a job divided by its planned time. Multiplies all times.
+        Measured time of a job divided by its planned time. All times are multiplied by this factor.
     tool_change : float
         Time between two operations with different tools, s, without `spindle_start`.
     spindle_start : float

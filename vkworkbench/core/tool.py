@@ -75,7 +75,7 @@ class Tool:
         for name, takes in _SIZES.items():
             given = getattr(self, name)
             if given is not None or name != "tip_angle":
-                # This converts FreeCAD's quantities to plain numbers. The checks below reject unusable numbers.
+                # `number` converts FreeCAD's quantities to plain numbers. The checks below reject unusable numbers.
                 object.__setattr__(self, name, number(name, given, takes))
         for name in _BODIES:
             given = getattr(self, name)

@@ -76,7 +76,7 @@ class View:
         set_to("offset", tuple(offset.tolist()))
 
     def of_size(self, width: int, height: int) -> View:
-        """Return the view with an image of another size; a fixed pixel is enlarged so that the image shows at least as much."""
+        """Return the view with an image of another size. A fixed pixel grows so that the image shows at least as much."""
         pixel = self.pixel and self.pixel * wider_pixel(self, width, height)
         return replace(self, width=width, height=height, pixel=pixel)
 
@@ -103,7 +103,7 @@ class View:
 
 
 def wider_pixel(image: View | Frame, width: int, height: int) -> float:
-    """Return the factor by which a pixel grows so that an image of another size shows at least as much."""
+    """Return the factor by which a pixel grows so that an image of another size shows at least the same area."""
     return max(image.width / width, image.height / height)
 
 

@@ -169,7 +169,7 @@ def axis_of(along_x: float | np.ndarray, along_y: float | np.ndarray, length: fl
     """Return the main axis of moves, rad in [-pi/2, pi/2].
 
     The angles of the moves are doubled, so that opposite directions become equal. The main axis is half the direction
-    of the sum of these vectors.
+    of the sum of the vectors with doubled angles.
 
     Parameters
     ----------

@@ -201,7 +201,7 @@ def _on_circle(angle: np.ndarray) -> np.ndarray:
 
 
 def _carry_directions(alpha: np.ndarray, still: np.ndarray) -> None:
-    """Give each trajectory without length (indices `still`, (s,) int) the direction of the trajectory before.
+    """Give each trajectory without length (indices `still`, (s,) int) the direction of the previous trajectory.
 
     Trajectories without length at the beginning of the polyline get the direction of the first one with a length.
     """

@@ -72,7 +72,7 @@ class Section:
 
 
 class _Mark(NamedTuple):
-    """A comment, or a tool change.
+    """A comment or a tool change, with its position in the program.
 
     Attributes
     ----------
@@ -366,7 +366,7 @@ def _heights(words: Words, rows: np.ndarray, motion: np.ndarray) -> np.ndarray:
 
 
 def _held(all_codes: np.ndarray, group: tuple[int, ...]) -> np.ndarray:
-    """Return the last code of a group at each command, (n,) int; -1 before the first."""
+    """Return the last code of a group at each command, (n,) int; -1 before the first code of the group."""
     last = np.maximum.accumulate(np.where(np.isin(all_codes, group), np.arange(len(all_codes)), -1))
     held: np.ndarray = np.where(last >= 0, all_codes[last], -1)
     return held

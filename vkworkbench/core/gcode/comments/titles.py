@@ -15,7 +15,7 @@ _TITLED = re.compile(
 )
 # A title before the tool, as Fusion's post processor for Marlin and SheetCam write comments.
 _BEFORE_TOOL = re.compile(r"(\S.*?) - milling - tool: \d+ - |operation: (\S.*?), T\d+: ", re.IGNORECASE)
-_STARTING = re.compile(r"starting (\S.*) op$")  # Kiri:Moto
+_STARTING = re.compile(r"starting (\S.*) op$")  # a title as Kiri:Moto writes it
 # Comments that are not titles: remarks of post processors on themselves, on the machine, on modes, or on moves within
 # an operation.
 _REMARK = re.compile(

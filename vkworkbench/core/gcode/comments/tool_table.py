@@ -77,10 +77,10 @@ _IN_MM = re.compile(r"\W*compensated tool path\. diameter", re.IGNORECASE)
 _COMPENSATION = re.compile(r"\bcomp(?:ensation)?\b|\bregister\b", re.IGNORECASE)
 _SEVERAL = re.compile(r"\bsizes\b", re.IGNORECASE)  # a comment on several sizes describes several tools
 _LENGTH_OFFSET = re.compile(r"(?<!\w)H(\d{1,8})\b")
-_TOGETHER = re.compile(r"(?<=\btool)(?=Dia|Radius)")  # toolDiam: 0.125
+_TOGETHER = re.compile(r"(?<=\btool)(?=Dia|Radius)")  # between the words in toolDiam: 0.125
 _IN_BOTH = re.compile(
     r"(?<![\d.])(?P<mm>\d+(?:\.\d+)?\s*mm)\s*/\s*(?P<inches>\d*\.\d+)(?!\d|\s*mm)", re.IGNORECASE
-)  # 11mm / .433
+)  # a size in mm and in inches, as in 11mm / .433
 _FLUTES = re.compile(r"\b\d+\s*-?\s*fl(?:utes?)?\b", re.IGNORECASE)
 _LISTED = re.compile(r"\s*T\d+\s*(?:[|:=]|[\d.]+mm\s+[\d.]+in\b)", re.IGNORECASE)
 _LONGEST, _LONGEST_NAME = 200, 60  # characters; longer comments are prose that mentions a size in passing
@@ -212,7 +212,7 @@ def _in_mm(both: re.Match[str]) -> str:
 
 
 def _size(comment: str, number: re.Match[str] | None) -> re.Match[str] | None:
-    """Return the match of a tool's diameter in a comment; None if the comment contains none."""
+    """Return the match of a tool's diameter in a comment; None if the comment contains no diameter."""
     written = _CAMBAM.fullmatch(comment.strip()) or _CUTVIEWER.match(comment.strip())
     if written:
         return written

@@ -10,7 +10,7 @@ _TURNING = frozenset([32])
 _TURNING_MODES = frozenset([7, 8, 96])
 _TURNING_CYCLES = frozenset([70, 71, 72, 76])
 _PRINTER = frozenset([104, 109, 140, 190])
-_SLOWEST_MILLING = 2.0  # mm/min
+_SLOWEST_MILLING = 2.0  # mm/min; a lower feed rate is probably a feed per turn
 _EXTRUSIONS = 10  # largest number of moves whose E words count as typing errors; more are a sign of a 3D printer
 
 
@@ -43,7 +43,7 @@ class Clues:
     def g_code(self, number: int, letters: set[str], line: int) -> bool:
         """Note a G-code that indicates the machine; return whether the code is for a lathe."""
         cycle = number in _TURNING_CYCLES and not letters.isdisjoint("PQUW") and "Y" not in letters
-        mode = number in _TURNING_MODES and "P" not in letters  # Fanuc: G08 P1 looks ahead
+        mode = number in _TURNING_MODES and "P" not in letters  # on Fanuc controls, G08 P1 turns on look-ahead
         if self._turning is None and (number in _TURNING or cycle):
             self._turning = f"G{number}", line
         if self._mode is None and mode:

@@ -11,7 +11,7 @@ from vkworkbench.core.gcode.blocks import split_comments
 from vkworkbench.core.gcode.flow.ended import Unreadable
 from vkworkbench.core.gcode.flow.expressions import Parser, Postfix
 
-_LONGEST = 1000  # characters in a line that is parsed; LinuxCNC reads up to 255
+_LONGEST = 1000  # largest number of characters in a line that is parsed; LinuxCNC reads up to 255
 _MOST_ARGUMENTS = 30
 _BLOCK_DELETE = re.compile(r"(N\d+)?(?:/\d?)+")
 _NUMBER = re.compile(r"N\d+(?:\.\d+)?")

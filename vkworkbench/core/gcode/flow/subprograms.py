@@ -106,7 +106,7 @@ class Subprograms:
         return found[after % len(found)] if found else None
 
     def end(self, first: int) -> int:
-        """Return the index of the line with the next program's number, or the number of lines if there is none.
+        """Return the index of the line with the next program's number, or the number of lines if no program follows.
 
         The subprogram ends before this line, or earlier at an M99.
         """

@@ -75,7 +75,7 @@ def _move_along(machine: Machine, parameters: dict[str, float], move: dict[str, 
     for _ in range(repeats):
         machine.write(motion, move)
         if repeats > 1 and machine.modes.relative and is_polar(parameters):
-            # The next step of an angle has another direction.
+            # Each step in a series of moves by a polar angle has another direction.
             move.update(polar_step(machine, parameters))
 
 

@@ -56,7 +56,7 @@ def looks_like_increments(toolpath: Toolpath, *, inches: bool) -> bool:
     """Return whether a toolpath looks as if its program has no decimal points.
 
     Old controls read words without a decimal point in least increments (0.001 mm, 0.0001 inches). New controls read
-    them in mm or inches.
+    such words in mm or inches.
 
     Parameters
     ----------
