@@ -212,8 +212,8 @@ class _SeenMesh:
         slope[:, upright] = 0
         a, slope = a[:, pair], slope[:, pair]
         depth = a[2] + slope[0] * (x[ray] - a[0]) + slope[1] * (y[ray] - a[1])
-        # The depth in a triangle seen nearly edge-on is sensitive to rounding, so the depth is limited to the range of the
-        # corners' depths.
+        # The depth in a triangle seen nearly edge-on is sensitive to rounding, so the depth is limited to the range of
+        # the corners' depths.
         ends = a[2], b[2, pair], c[2, pair]
         return ray, np.clip(depth, np.minimum.reduce(ends), np.maximum.reduce(ends))
 

@@ -76,7 +76,7 @@ class View:
         set_to("offset", tuple(offset.tolist()))
 
     def of_size(self, width: int, height: int) -> View:
-        """Return the view with an image of another size. A fixed pixel grows so that the image shows at least as much."""
+        """Return the view with an image of another size. A fixed pixel grows to show at least as much."""
         pixel = self.pixel and self.pixel * wider_pixel(self, width, height)
         return replace(self, width=width, height=height, pixel=pixel)
 
