@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Random and chaotic paths, and toolpaths whose moves have lost their order, as nonsense.KINDS."""
+"""Make random and chaotic paths, and toolpaths with shuffled moves, for nonsense.KINDS."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ def brownian_loop(rng):
 
 
 def several_loops(rng):
-    """Brownian loops around one centre, one after the other."""
+    """Several Brownian loops around the same point, cut one after the other."""
     found = []
     for _ in range(int(rng.integers(3, 15))):
         at = np.cumsum(rng.normal(size=(int(rng.integers(30, 200)), 2)), axis=0)
@@ -41,7 +41,7 @@ def spline(rng):
 
 
 def self_avoiding_walk(rng):
-    """A walk on a grid that never returns to a point, and ends where it is stuck; some walks one behind the other."""
+    """Several random walks on a grid, each from the end of the previous walk. A walk never visits a point twice."""
     found, steps = [], [(1, 0), (0, 1), (-1, 0), (0, -1)]
     at = (0, 0)
     for _ in range(int(rng.integers(3, 12))):
@@ -57,7 +57,7 @@ def self_avoiding_walk(rng):
 
 
 def maze(rng):
-    """The way through all cells of a random maze, back from its dead ends."""
+    """The way through all cells of a random maze, with the returns from its dead ends."""
     side, at, seen, found = int(rng.integers(6, 18)), (0, 0), {(0, 0)}, [(0, 0)]
     stack = [at]
     while stack:
@@ -75,7 +75,7 @@ def maze(rng):
 
 
 def ant(rng):
-    """Langton's ant, which turns on white and black cells of a grid."""
+    """The path of Langton's ant, which turns right on white cells of a grid and left on black cells."""
     black, at, heading, found = set(), 0j, 1 + 0j, []
     for _ in range(int(rng.integers(200, 2500))):
         heading *= 1j if at in black else -1j
@@ -86,7 +86,7 @@ def ant(rng):
 
 
 def billiard(rng):
-    """A ball in a circular room, which bounces off its wall at any angle."""
+    """The path of a ball that bounces off the wall of a circular room at random angles."""
     at, angle, found = rng.uniform(-0.5, 0.5) + 0j, rng.uniform(0, 7), []
     for _ in range(count(rng) // 4):
         way = np.exp(1j * angle)
@@ -98,7 +98,7 @@ def billiard(rng):
 
 
 def swinging(rng):
-    """The lower end of a double pendulum."""
+    """The path of the lower end of a double pendulum."""
     a, b, va, vb = rng.uniform(-3, 3), rng.uniform(-3, 3), 0.0, 0.0
     found, h = [], 0.02
     for _ in range(2 * count(rng)):
@@ -113,7 +113,7 @@ def swinging(rng):
 
 
 def iterated_map(rng):
-    """The points of De Jong's map in their order."""
+    """The points of De Jong's chaotic map, in the order in which the map computes them."""
     a, b, c, d = rng.uniform(-2.5, 2.5, 4)
     x, y, found = 0.1, 0.1, []
     for _ in range(count(rng) // 2):
@@ -123,67 +123,67 @@ def iterated_map(rng):
 
 
 def sorted_noise(rng):
-    """Random points in the order of one coordinate."""
+    """Random points, sorted by one coordinate."""
     points = rng.uniform(size=(count(rng) // 2, 2))
     return points[np.argsort(points[:, 0])]
 
 
 def noise_around(rng):
-    """Random points in the order of their angle."""
+    """Random points, sorted by angle."""
     points = rng.normal(size=(count(rng) // 2, 2))
     return points[np.argsort(np.arctan2(*points.T))]
 
 
 def noise_outward(rng):
-    """Random points in the order of their distance."""
+    """Random points, sorted by their distance from the origin."""
     points = rng.normal(size=(count(rng) // 2, 2))
     return points[np.argsort(np.hypot(*points.T))]
 
 
 def clusters(rng):
-    """Noise around some centres in turn."""
+    """Random points around several centres, one centre after the other."""
     centres = rng.uniform(0, 10, (int(rng.integers(4, 20)), 2))
     return np.concatenate([c + rng.normal(0, rng.uniform(0.2, 1.5), (int(rng.integers(10, 60)), 2)) for c in centres])
 
 
 def binary_coordinates(rng):
-    """Coordinates that jump between few values."""
+    """Points whose coordinates are chosen at random from three to six values."""
     values = rng.uniform(0, 10, int(rng.integers(3, 7)))
     return rng.choice(values, (count(rng) // 2, 2))
 
 
 def digits(rng):
-    """A turtle that turns by a digit of a random number after each step."""
+    """Steps of equal length; before each step the direction turns by a random multiple of 36 degrees."""
     angle = np.cumsum(rng.integers(0, 10, count(rng))) * 2 * np.pi / 10
     return np.cumsum(np.column_stack([np.cos(angle), np.sin(angle)]), axis=0)
 
 
 def shuffled_moves(rng):
-    """The moves of rows or of offset squares, put behind each other in any order."""
+    """The moves of rows or of offset squares, joined end to end in random order."""
     steps = np.diff(_toolpath(rng), axis=0)
     return np.cumsum(rng.permutation(steps), axis=0)
 
 
 def shuffled_points(rng):
-    """The points of rows or of offset squares in any order."""
+    """The points of rows or of offset squares, in random order."""
     return rng.permutation(_toolpath(rng))
 
 
 def shuffled_stretches(rng):
-    """Stretches of rows or of offset squares, put behind each other in any order, some of them turned."""
+    """Stretches of rows or of offset squares, joined end to end in random order; some are rotated by quarter turns."""
     parts = np.array_split(np.diff(_toolpath(rng), axis=0), int(rng.integers(8, 40)))
     turns = [np.array([(c, -s), (s, c)]) for c, s in ((1, 0), (0, 1), (-1, 0), (0, -1))]
     return np.cumsum(np.concatenate([parts[k] @ turns[rng.integers(4)] for k in rng.permutation(len(parts))]), axis=0)
 
 
 def shaken(rng):
-    """The points of rows or of offset squares, displaced by more than their distance."""
+    """The points of rows or of offset squares, displaced at random by more than the distance between rows."""
     points = _toolpath(rng, fine=True)
     return points + rng.normal(0, rng.uniform(1.5, 4), points.shape)
 
 
 def mutated_walk(rng):
-    """A random walk that is repeated with changes around its first place."""
+    """A closed random walk that is repeated several times, each time with random changes."""
     steps = rng.normal(size=(int(rng.integers(15, 80)), 2))
     steps -= steps.mean(axis=0)
     times = int(rng.integers(4, 14))
@@ -191,7 +191,7 @@ def mutated_walk(rng):
 
 
 def swarm(rng):
-    """A path towards goals that jump."""
+    """A smooth path towards goals at random places, one goal after the other."""
     goals, at, speed, found = rng.uniform(0, 10, (int(rng.integers(8, 60)), 2)), np.zeros(2), np.zeros(2), []
     for goal in goals:
         for _ in range(int(rng.integers(5, 30))):
@@ -202,7 +202,7 @@ def swarm(rng):
 
 
 def crossing_strokes(rng):
-    """Long straight strokes across the part in all directions, one behind the other."""
+    """Long straight strokes across the part in random directions, linked by cutting moves."""
     angle = rng.uniform(0, 2 * np.pi, (int(rng.integers(25, 150)), 1))
     across = np.concatenate([np.cos(angle), np.sin(angle)], axis=1)
     middle = rng.uniform(-0.6, 0.6, (len(angle), 2))
@@ -210,7 +210,7 @@ def crossing_strokes(rng):
 
 
 def hatches_at_random(rng):
-    """Short hatches of a plotter, each in another direction and place, one behind the other."""
+    """Short hatches like a plotter's, at random places and in random directions, linked by cutting moves."""
     found = []
     for _ in range(int(rng.integers(10, 60))):
         k = np.arange(int(rng.integers(2, 6)))
@@ -234,7 +234,7 @@ def _toolpath(rng, fine=False):
     return np.concatenate([corners[:1], *(a + between * (b - a) for a, b in zip(corners, corners[1:]))])
 
 
-#: Kinds that may lift: with lifts, smooth curves and strokes would be drawings, which are engraving.
+#: Kinds that may contain lifts. The other kinds must not: smooth curves and strokes with lifts would be an engraving.
 RANDOM = (
     brownian_loop, self_avoiding_walk, ant, billiard, iterated_map, sorted_noise, noise_around, noise_outward, clusters,
     binary_coordinates, digits, shuffled_moves, shuffled_points, shuffled_stretches, shaken, mutated_walk,

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Drawn curves, fractals and orders of a grid that machine nothing, as nonsense.KINDS."""
+"""Make curves, fractals and paths through grids that do not machine a part, for nonsense.KINDS."""
 
 from __future__ import annotations
 
@@ -9,13 +9,13 @@ from toolpaths.turtle import grow
 
 
 def harmonograph(rng):
-    """Two damped pendulums for each axis."""
+    """A harmonograph: the sum of two damped oscillations along each axis."""
     t = np.linspace(0, 2 * np.pi * rng.integers(8, 40), count(rng) * 2)
     return np.column_stack([_pendulum(rng, t) + _pendulum(rng, t) for _ in range(2)])
 
 
 def woven_lissajous(rng):
-    """A Lissajous curve of nearly equal, not quite whole frequencies."""
+    """A Lissajous curve whose frequencies are nearly equal and not quite integers."""
     t = np.linspace(0, 2 * np.pi * rng.integers(6, 30), count(rng) * 2)
     ratio = rng.uniform(0.5, 3.0)
     return np.column_stack([np.sin(t + rng.uniform(0, 3)), np.sin(ratio * t)])
@@ -35,14 +35,14 @@ def precessing_ellipse(rng):
 
 
 def maurer_rose(rng):
-    """Chords of a rose at equal steps of the angle."""
+    """Chords of a rose curve between points at equal steps of the angle."""
     k = np.arange(rng.integers(150, 721)) * np.radians(rng.integers(19, 121))
     radius = np.sin(rng.integers(2, 9) * k)
     return radius[:, None] * np.column_stack([np.cos(k), np.sin(k)])
 
 
 def times_table(rng):
-    """Chords of a circle from every point to its multiple."""
+    """Chords of a circle from each of n points to the point with a multiple of its angle."""
     n, times = int(rng.integers(60, 400)), rng.uniform(2, 60)
     k = np.arange(n)
     angle = np.column_stack([k, times * k]).ravel() * 2 * np.pi / n
@@ -57,7 +57,7 @@ def star_polygon(rng):
 
 
 def stars_on_stars(rng):
-    """Small star polygons in a row, each in another size and place, without a lift between them."""
+    """Small star polygons of random sizes at random places, linked by cutting moves."""
     found = []
     for _ in range(int(rng.integers(8, 40))):
         points = int(rng.choice([5, 7, 9, 11]))
@@ -67,7 +67,7 @@ def stars_on_stars(rng):
 
 
 def overlapping_circles(rng):
-    """Circles of any size at any place, linked by cutting moves, each beginning anywhere."""
+    """Circles of random sizes at random places, linked by cutting moves; each begins at a random angle."""
     found, t = [], np.linspace(0, 2 * np.pi, 37)
     for _ in range(int(rng.integers(10, 60))):
         angle = rng.choice([-1, 1]) * t + rng.uniform(0, 7)
@@ -76,7 +76,7 @@ def overlapping_circles(rng):
 
 
 def overlapping_polygons(rng):
-    """Polygons of any shape and place, linked by cutting moves."""
+    """Polygons of random shapes at random places, linked by cutting moves."""
     found = []
     for _ in range(int(rng.integers(12, 80))):
         corners = np.sort(rng.uniform(0, 2 * np.pi, int(rng.integers(3, 8))))
@@ -86,7 +86,7 @@ def overlapping_polygons(rng):
 
 
 def flower_of_arcs(rng):
-    """Half circles of random radii, one behind the other, that bend to either side."""
+    """Tangential arcs of random radii and angles, joined end to end, which bend to random sides."""
     at, heading, found = 0j, 1 + 0j, []
     for _ in range(int(rng.integers(20, 120))):
         side, radius = rng.choice([-1, 1]), rng.uniform(0.3, 2)
@@ -113,7 +113,7 @@ def recaman(rng):
 
 
 def random_growth(rng):
-    """A Lindenmayer system whose rule is drawn by lot."""
+    """A Lindenmayer system with a random rule."""
     rule = "F" + "".join(rng.choice(["+F", "-F", "++F", "--F", "F"], int(rng.integers(2, 6))))
     return grow(
         "F", {"F": rule}, int(rng.choice([45, 60, 72, 90, 120])), int(np.log(900) / np.log(rule.count("F"))), "F"
@@ -121,7 +121,7 @@ def random_growth(rng):
 
 
 def two_random_growths(rng):
-    """A Lindenmayer system of two letters whose rules are drawn by lot."""
+    """A Lindenmayer system of two letters with random rules."""
     rules = {
         letter: "".join(rng.permutation(list("FFG+-" + "".join(rng.choice(["+", "-", "F"], 2))))) for letter in "FG"
     }
@@ -157,7 +157,7 @@ def rings_of_l(rng):
 
 
 def recursive_squares(rng):
-    """Squares at the corners of squares, each drawn when its corner is reached."""
+    """Smaller squares around the corners of squares. A smaller square is drawn when its corner is reached."""
     found: list[complex] = []
     shrink = rng.uniform(0.35, 0.55)
 
@@ -172,7 +172,7 @@ def recursive_squares(rng):
 
 
 def mixed_order(rng):
-    """Count through a grid by digits whose bases and axes are drawn by lot."""
+    """The cells of a grid in counting order, where each digit of the number has a random base and a random axis."""
     cells, sizes = np.zeros((1, 2)), [1, 1]
     while len(cells) < 150:
         axis, base = int(rng.integers(2)), int(rng.integers(2, 5))
@@ -184,7 +184,7 @@ def mixed_order(rng):
 
 
 def bent_order(rng):
-    """Count through a grid by digits of both axes; every other block is traversed backwards."""
+    """The cells of a grid in counting order by blocks, where every other block is traversed backwards."""
     cells, size = np.zeros((1, 2)), 1
     while len(cells) < 200:
         base = int(rng.integers(2, 4))
@@ -195,7 +195,7 @@ def bent_order(rng):
 
 
 def cross_order(rng):
-    """Visit the quadrants of a square in the order of a cross, and their quadrants likewise."""
+    """The quadrants of a square in a random order with diagonals, and the quadrants of each quadrant in the same order."""
     order = np.array([(0, 0), (1, 1), (0, 1), (1, 0)])[rng.permutation(4)]
     cells = np.zeros((1, 2))
     for k in range(int(rng.integers(3, 6))):
@@ -204,7 +204,7 @@ def cross_order(rng):
 
 
 def bit_reversal(rng):
-    """Rows of a grid in bit-reversed order, and their points in bit-reversed order too."""
+    """The rows of a grid in bit-reversed order, with the points of each row in bit-reversed order."""
     bits = int(rng.integers(3, 6))
     k = np.arange(2**bits)
     back = ((k[:, None] >> np.arange(bits)) & 1) @ (1 << np.arange(bits)[::-1])
@@ -212,7 +212,7 @@ def bit_reversal(rng):
 
 
 def low_discrepancy(rng):
-    """Halton's points in their order."""
+    """The points of Halton's low-discrepancy sequence in their order."""
     k = np.arange(1, count(rng) // 2)
 
     def inverse(base):
@@ -228,7 +228,7 @@ def low_discrepancy(rng):
 
 
 def text_as_coordinates(rng):
-    """The letters of a made text as numbers, two by two."""
+    """The character codes of a random text, where two consecutive letters give the coordinates of a point."""
     words = ["".join(rng.choice(list("aeinrstlomdu"), int(rng.integers(2, 9)))) for _ in range(count(rng) // 6)]
     codes = np.frombuffer(" ".join(words).encode(), np.uint8).astype(float)
     return codes[: len(codes) // 2 * 2].reshape(-1, 2) - 32
@@ -241,7 +241,7 @@ def _pendulum(rng, t):
 
 
 def count(rng) -> int:
-    """Return a number of points."""
+    """Return a random number of points."""
     return int(rng.integers(60, 1500))
 
 

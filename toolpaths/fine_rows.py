@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Rows that are finer than usual: stepovers from 0.5 % to 10 % of the tool's diameter, as in reliefs and fine finishing."""
+"""Make fine rows, with stepovers from 0.5 % to 10 % of the tool's diameter, as in reliefs and fine finishing."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from toolpaths.synthetic import Program
 
 WAYS = ("zigzag", "one-way", "linked", "relief", "one-way relief")
 SHAPES = ("rectangle", "triangle", "disc")
-DECIMALS = 4  # of coordinates in a program, which round rows of 0.001 mm to 0 or 1 units with three decimals
+DECIMALS = 4  # of coordinates; three decimals would round rows 0.001 mm apart to 0 or 1 units
 
 
 @dataclass(frozen=True)
@@ -42,7 +42,7 @@ def fine_rows(rng: np.random.Generator, way: str, shape: str) -> FineRows:
         z = 0.05 * tool * np.cos(x / tool) * np.cos(y / tool) - tool if "relief" in way else np.full(points, -tool / 10)
         flat = (turn @ np.array([x, y])).T
         p.cut(np.column_stack([flat, z]).round(DECIMALS), 0.0, linked=way in ("zigzag", "relief") and row > 0)
-        if way == "linked" and row + 1 < count:  # along the boundary, in a few moves
+        if way == "linked" and row + 1 < count:  # a link along the boundary in a few moves
             ahead = length * _ends(shape, (row + 1.5) / count)[(row + 1) % 2]
             link = np.array([np.linspace(x[-1], ahead, 3), np.linspace(y[-1], y[-1] + step, 3)])
             for place in (turn @ link).T.round(DECIMALS)[1:].tolist():
@@ -51,7 +51,7 @@ def fine_rows(rng: np.random.Generator, way: str, shape: str) -> FineRows:
 
 
 def _ends(shape: str, share: float) -> tuple[float, float]:
-    """Return where a row begins and ends, as shares of the longest row, at a share of the way across the shape."""
+    """Return where a row begins and ends, as shares of the longest row. `share` is the row's position in the shape."""
     if shape == "rectangle":
         return 0.0, 1.0
     if shape == "triangle":

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Toolpaths of a lathe in X and Z, which no strategy of milling describes, as G-code commands.
+"""Make toolpaths of a lathe in X and Z, which are not described by a milling strategy, as G-code commands.
 
-A facing cut, a groove or a finishing pass alone could also be a slot that a mill cuts in X and Z, so that none is here.
-Made as those of synthetic.py. SAMPLES lists (label, strategies that count as right, maker).
+No toolpath consists only of a facing cut, a groove or a finishing pass, because a mill can cut a slot in X and Z in the
+same way. The makers have the same form as in synthetic.py. SAMPLES lists (label, strategies that count as right, maker).
 """
 
 from __future__ import annotations
@@ -29,7 +29,7 @@ class Turning:
 
 
 def steps_of(rng, part: Turning) -> list[tuple[float, float]]:
-    """Return the corners (x, z) of a finished part from its face backwards; its diameter grows."""
+    """Return the corners (x, z) of a finished part from front to rear, with growing diameters."""
     count = int(rng.integers(1, 6))
     x = np.sort(rng.uniform(0.2, 0.95, count)) * part.diameter
     z = -np.sort(rng.uniform(0.05, 1.0, count)) * part.length
@@ -43,7 +43,7 @@ def steps_of(rng, part: Turning) -> list[tuple[float, float]]:
 
 
 def depth_at(corners, x: float) -> float:
-    """Return how far a pass at a diameter goes before it meets the finished part."""
+    """Return the z at which a pass at the diameter x meets the finished part."""
     for (x0, z0), (x1, z1) in zip(corners, corners[1:]):
         if x0 <= x < x1:
             return z0 + (z1 - z0) * (x - x0) / (x1 - x0)
@@ -51,7 +51,7 @@ def depth_at(corners, x: float) -> float:
 
 
 def rough(rng, part: Turning, corners) -> None:
-    """Cut passes along Z down to the finished part, each left by a short move outward."""
+    """Cut passes along Z until they meet the finished part. Each pass ends with a short move outwards."""
     step, out = rng.uniform(0.5, 4.0), rng.choice([0.5, 1.0, 2.0])
     fed = rng.random() < 0.3
     for x in np.arange(part.diameter - step, corners[0][0], -step):
@@ -67,7 +67,7 @@ def rough(rng, part: Turning, corners) -> None:
 
 
 def finish(rng, part: Turning, corners) -> None:
-    """Cut along the finished part, at times with rounded corners."""
+    """Cut along the contour of the finished part."""
     part.rapid(max(0.0, corners[0][0] - 2), CLEAR)
     for x, z in corners:
         part.cut(x, z)
@@ -76,7 +76,7 @@ def finish(rng, part: Turning, corners) -> None:
 
 
 def face(rng, part: Turning) -> None:
-    """Cut along X to the axis, once or in some passes."""
+    """Cut one or several passes along X to the axis."""
     for k in range(int(rng.integers(1, 6))):
         part.rapid(part.diameter + 2, CLEAR - 0.5 * k)
         part.cut(-1.0, CLEAR - 0.5 * k)

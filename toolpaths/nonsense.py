@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Paths that machine nothing: random walks, noise, rolling curves and curves that fill the plane.
+"""Make nonsense toolpaths, which machine no part: random walks, noise, rolling curves and space-filling curves.
 
-chaos.py and figures.py have more of their KINDS.
+KINDS also contains the paths from chaos.py and figures.py.
 """
 
 from __future__ import annotations
@@ -36,13 +36,13 @@ def walk_on_triangles(rng):
 
 
 def straying_walk(rng):
-    """Straight stretches with turns of any angle between them."""
+    """Straight stretches with random turns between them."""
     angle = np.cumsum(rng.uniform(-np.pi, np.pi, _count(rng)))
     return np.cumsum(np.column_stack([np.cos(angle), np.sin(angle)]) * rng.exponential(1, (len(angle), 1)), axis=0)
 
 
 def scribble(rng):
-    """A smooth closed curve of some random waves."""
+    """A smooth closed curve that is the sum of random waves."""
     t = np.linspace(0, 2 * np.pi, 2 * _count(rng))
     waves = np.arange(1, rng.integers(8, 40))
     size = 1 / np.sqrt(waves)
@@ -95,7 +95,7 @@ def rose(rng):
 
 
 def three_arms(rng):
-    """The pen at the end of three arms that turn at different speeds."""
+    """The path of a pen at the end of three linked arms, which rotate at different speeds."""
     t = np.linspace(0, 2 * np.pi * rng.integers(2, 8), 2 * _count(rng))
     arms, speeds = rng.uniform(0.2, 1, 3), rng.uniform(-12, 12, 3)
     return np.column_stack([turn(np.outer(t, speeds)) @ arms for turn in (np.cos, np.sin)])
@@ -134,7 +134,7 @@ def moore(rng):
 
 
 def meander(rng):
-    """Peano's second curve, with bent rows."""
+    """Peano's space-filling curve in the variant with bent rows."""
     rules = {"X": "FX+FX+FXFY-FY-", "Y": "+FX+FXFY-FY-FY"}
     return grow("X", rules, 90, rng.integers(3, 6), "F")
 
@@ -160,7 +160,7 @@ def terdragon(rng):
 
 
 def gray(rng):
-    """A grid in the order of a Gray code of the bits of both numbers."""
+    """The cells of a grid in the order of a Gray code, whose bits alternate between both coordinates."""
     k = np.arange(4 ** int(rng.integers(3, 6)))
     bits = ((k ^ (k >> 1))[:, None] >> np.arange(12)) & 1
     return np.column_stack([bits[:, 0::2] @ (1 << np.arange(6)), bits[:, 1::2] @ (1 << np.arange(6))]).astype(float)
@@ -173,7 +173,7 @@ def morton(rng):
 
 
 def odometer(rng):
-    """Count through the plane by digits of X and of Y in turn, as morton does, in other bases."""
+    """The cells of a grid in counting order, where digits alternate between X and Y, in other bases than in `morton`."""
     bases = ((3, 3), (2, 3), (3, 2), (4, 2), (2, 4), (3, 4))[int(rng.integers(6))]
     places, units = [], [1, 1]
     while units[0] * units[1] < 60 or len(places) % 2:
@@ -189,7 +189,7 @@ def odometer(rng):
 
 
 def wunderlich(rng):
-    """Fill the plane with Peano's serpentines, each upright or lying by chance (Wunderlich 1973)."""
+    """Peano's space-filling serpentines, each vertical or horizontal at random (Wunderlich 1973)."""
 
     def fill(times):
         if not times:
@@ -209,27 +209,27 @@ def wunderlich(rng):
 
 
 def levy_flight(rng):
-    """A walk whose steps are mostly short and now and then very long."""
+    """A random walk whose steps are mostly short and rarely very long."""
     angle = rng.uniform(0, 2 * np.pi, _count(rng))
     step = rng.pareto(rng.uniform(1.2, 2.5), (len(angle), 1)) + 0.1
     return np.cumsum(step * np.column_stack([np.cos(angle), np.sin(angle)]), axis=0)
 
 
 def drifting_noise(rng):
-    """Noise smoothed over some steps."""
+    """Noise, smoothed by a moving sum over a few points."""
     width = int(rng.integers(2, 12))
     steps = rng.normal(size=(_count(rng) + width, 2))
     return np.column_stack([np.convolve(of, np.ones(width), "valid") for of in steps.T])
 
 
 def knight(rng):
-    """Random moves of a chess knight."""
+    """Random moves of a knight on a chessboard."""
     steps = np.array([(1, 2), (2, 1), (2, -1), (1, -2), (-1, -2), (-2, -1), (-2, 1), (-1, 2)])
     return np.cumsum(steps[rng.integers(0, 8, _count(rng))], axis=0).astype(float)
 
 
 def tour(rng):
-    """Random points, visited from each to the nearest remaining one."""
+    """Random points, where each point is followed by its nearest unvisited point."""
     points = rng.uniform(size=(int(rng.integers(60, 400)), 2))
     left, at, order = np.ones(len(points), bool), 0, []
     for _ in points:
@@ -240,7 +240,7 @@ def tour(rng):
 
 
 def attractor(rng):
-    """A trajectory of the chaotic Lorenz flow, seen from one side."""
+    """A trajectory of the chaotic Lorenz system, projected along one axis."""
     at, found = rng.normal(size=3) + (0, 0, 25), []
     for _ in range(4 * _count(rng)):
         x, y, z = at
@@ -250,14 +250,14 @@ def attractor(rng):
 
 
 def sunflower(rng):
-    """The seeds of a sunflower, in the order in which they grow."""
+    """Points placed like the seeds of a sunflower, from the centre outwards."""
     k = np.arange(_count(rng) // 2)
     angle = k * np.pi * (3 - np.sqrt(5)) * rng.uniform(0.8, 1.2)
     return np.sqrt(k)[:, None] * np.column_stack([np.cos(angle), np.sin(angle)])
 
 
 def spirolateral(rng):
-    """Steps of growing length with the same turn after each; at a limit, the length starts again."""
+    """Steps with equal turns between them. The length of the steps grows, and starts again at a limit."""
     most, times = int(rng.integers(3, 12)), int(rng.integers(6, 30))
     angle = np.arange(most * times) * np.radians(rng.choice([36, 45, 60, 72, 80, 90, 108, 120, 144]))
     step = np.tile(np.arange(1, most + 1), times)[:, None]
@@ -287,9 +287,9 @@ KINDS = (
 
 
 def commands(kind, rng) -> list[tuple[str, dict]]:
-    """Return the commands that cut one of KINDS, 20 to 300 mm large.
+    """Return the commands that cut one of KINDS, scaled to 20 to 300 mm.
 
-    One in four strays in height as well, or sinks. Those of walks and noise may lift here and there.
+    The depth of one toolpath in four varies. Some of the kinds in RANDOM contain lifts at random places.
     """
     points = kind(rng)
     points = points - points.min(axis=0)

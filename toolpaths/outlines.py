@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Toolpaths around closed outlines, as G-code commands: profiles with many corners, which could pass for nonsense, and pairs.
+"""Make toolpaths around closed outlines, as G-code commands: profiles that resemble nonsense, and pairs of offsets.
 
-Made as those of synthetic.py. SAMPLES lists (label, strategies that count as right, maker).
+The profiles resemble nonsense because they have many corners. The makers have the same form as in synthetic.py. SAMPLES
+lists (label, strategies that count as right, maker).
 """
 
 from __future__ import annotations
@@ -44,7 +45,7 @@ def polygon(rng: np.random.Generator) -> np.ndarray:
 
 
 def snowflake(rng: np.random.Generator) -> np.ndarray:
-    """Return a polygon whose every third side has a corner of its own, and so on, (k, 2)."""
+    """Return a Koch snowflake, a polygon with a corner added to the middle third of each side, repeatedly, (k, 2)."""
     corners = np.exp(-2j * np.pi * np.arange(sides := int(rng.integers(3, 6))) / sides)
     out = rng.choice([-1, 1]) * np.pi / 3
     for _ in range(int(rng.integers(1, 4))):
@@ -62,7 +63,7 @@ def wavy(rng: np.random.Generator) -> np.ndarray:
 
 
 def walls(rng: np.random.Generator) -> np.ndarray:
-    """Return an outline of sides along two axes, as of a skyline or a joint of fingers, (k, 2)."""
+    """Return an outline with sides along two axes, like a skyline or a finger joint, (k, 2)."""
     count = int(rng.integers(4, 40))
     heights = np.repeat(np.where(np.arange(count) % 2, rng.uniform(0.1, 0.9, count), 1.0), 2)
     x = np.repeat(np.linspace(-1, 1, count + 1), 2)[1:-1]
@@ -70,7 +71,7 @@ def walls(rng: np.random.Generator) -> np.ndarray:
 
 
 def cut(rng: np.random.Generator, make) -> list[tuple[str, dict[str, float]]]:
-    """Return a program that cuts an outline, 20 to 160 mm wide, at one depth or at several."""
+    """Return a program that cuts an outline, 20 to 160 mm wide, at one or several depths."""
     p = Program(rng)
     shape = make(rng) * rng.uniform(10, 80)
     angle = rng.uniform(0, 2 * np.pi)
@@ -85,7 +86,7 @@ def cut(rng: np.random.Generator, make) -> list[tuple[str, dict[str, float]]]:
 
 
 def two_offsets(rng: np.random.Generator) -> list[tuple[str, dict[str, float]]]:
-    """Return a program that cuts an outline and its inner offset: where no tool is known, they are a pocket's."""
+    """Return a program that cuts an outline and its inner offset, which form a pocket if the tool is unknown."""
     p = Program(rng)
     while (inner := inward(shape := outline(rng), rng.uniform(0.5, 4.0))) is None:
         pass

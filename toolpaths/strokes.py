@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Toolpaths of open strokes, and contours with what CAM programs add to them, as G-code commands.
+"""Make toolpaths of open strokes, and contours with dress-ups of CAM programs, as G-code commands.
 
-Made as those of synthetic.py. SAMPLES lists (label, strategies that count as right, maker).
+The makers have the same form as in synthetic.py. SAMPLES lists (label, strategies that count as right, maker).
 """
 
 from __future__ import annotations
@@ -15,13 +15,13 @@ from toolpaths.words import word
 
 
 def turned(points: np.ndarray, angle: float) -> np.ndarray:
-    """Return points (k, 2) turned about the origin, rounded as posts do."""
+    """Return points (k, 2) rotated about the origin and rounded as postprocessors do."""
     c, s = math.cos(angle), math.sin(angle)
     return np.round(points @ np.array([[c, s], [-s, c]]), 4)
 
 
 def wall(rng: np.random.Generator, reach: float = 3.0, points: int = 60) -> tuple[np.ndarray, np.ndarray]:
-    """Return an open wall (k, 2), bent both ways, and its normals (k, 2); it has offsets as far as `reach` mm."""
+    """Return an open wall (k, 2) with bends to both sides, and its normals (k, 2). Offsets up to `reach` mm exist."""
     length = rng.uniform(50, 120)
     x = np.linspace(0, length, points)
     waves = rng.uniform(1.0, 1.8) * 2 * np.pi / length
@@ -44,7 +44,7 @@ def open_offsets(rng, *, both_ways=False):
 
 
 def open_adaptive(rng):
-    """Passes that change from the open side of the stock to the shape of a wall, with leads at both ends."""
+    """Passes whose shape changes gradually from the open side of the stock to a wall, with leads at both ends."""
     p, angle = Program(rng), rng.uniform(0, 2 * np.pi)
     (line, _), deep = wall(rng), rng.uniform(12, 25)
     edge = np.column_stack([line[:, 0], np.full(len(line), line[:, 1].max() + deep)])
@@ -55,7 +55,7 @@ def open_adaptive(rng):
             share = np.clip((k - 0.15 * np.sin(line[:, 0] / 9 + k)) / count, 0, 1)[:, None]
             path = (1 - share) * edge + share * line
             r = 2.0
-            lead = np.column_stack([-r * np.sin(t), r - r * np.cos(t)])  # from above into the pass
+            lead = np.column_stack([-r * np.sin(t), r - r * np.cos(t)])  # an arc from the side of larger y into the pass
             way = np.vstack([path[0] + lead, path[1:-1], (path[-1] + lead * (-1, 1))[::-1]])
             p.cut(turned(way, angle), z)
     return p.commands
@@ -76,7 +76,7 @@ def rows_in_steps(rng, *, both_ways=True):
 
 
 def carved_in_steps(rng, *, levels=None):
-    """V-carving at several depths: each pass is the final one, limited to its depth."""
+    """V-carving at several depths: each pass is the final carving, limited to a maximum depth."""
     whole, levels = letters(rng, vcarve=True), levels or int(rng.integers(2, 4))
     commands = []
     for level in range(levels):
@@ -99,7 +99,7 @@ def letters_in_steps(rng):
 
 
 def dogbones(rng, *, levels=None):
-    """A contour with a relief cut into each corner, out and back on its own line."""
+    """A contour with a relief in each corner, which is cut out and back on one line."""
     p, w, h = Program(rng), rng.uniform(15, 40), rng.uniform(10, 30)
     angle, bone = rng.uniform(0, 2 * np.pi), rng.uniform(0.5, 1.5)
     corners = np.array([(-w, -h), (w, -h), (w, h), (-w, h)])
@@ -140,7 +140,7 @@ def long_pocket(rng, *, linked=False):
 
 
 def ramps(rng, *, count=3, level=True):
-    """A slot entered by ramps back and forth on its own line."""
+    """A slot that the tool enters by ramps back and forth along the slot."""
     p, angle = Program(rng), rng.uniform(0, 2 * np.pi)
     length = rng.uniform(10, 60)
     ends = turned(np.array([(0.0, 0.0), (length, 0.0)]), angle)
@@ -153,7 +153,7 @@ def ramps(rng, *, count=3, level=True):
 
 
 def three_ramps(rng):
-    """Three slots along one line, each entered by a ramp back and forth."""
+    """Three slots on one line, each entered by ramps back and forth along the slot."""
     p, angle = Program(rng), rng.uniform(0, 2 * np.pi)
     length, deep = rng.uniform(10, 30), rng.uniform(0.5, 2.0)
     for k in range(3):
@@ -195,13 +195,16 @@ def entered(rng, *, turns=10, loops=3):
 
 
 def over_tags(rng, *, down="plunge"):
-    """A contour with tags at every depth: the tool lifts over each and returns by a plunge, by a ramp, or from 2 mm above."""
+    """A contour with tags at every depth.
+
+    The tool is lifted over each tag and returns by a plunge, by a ramp, or by a plunge from 2 mm above the depth.
+    """
     p = Program(rng)
     way = dense(closed(outline(rng)), 1.0)
     along = np.append(0.0, np.cumsum(np.linalg.norm(np.diff(way, axis=0), axis=1)))
     heading = np.unwrap(np.arctan2(*np.diff(way, axis=0).T[::-1]))
     tag, number = rng.uniform(3, 6), int(rng.integers(2, 7))
-    # Tags need a stretch that is straight enough.
+    # Keep only tags on nearly straight stretches.
     middles = np.linspace(0, along[-1], number + 2)[1:-1] + rng.uniform(-3, 3, number)
     begin, end = (np.interp(middles + d, along[1:], heading) for d in (-tag, tag))
     middles = middles[np.abs(end - begin) < 0.5]

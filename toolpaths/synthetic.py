@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Synthetic toolpaths: every strategy in the manner of several CAM programs, as G-code commands.
+"""Make synthetic toolpaths for every strategy, in the manner of several CAM programs, as G-code commands.
 
 Each maker takes a random generator and returns a list of (name, parameters) pairs in FreeCAD's units.
 SAMPLES lists (label, strategies that count as right, maker).
@@ -16,7 +16,7 @@ FEED = 10.0  # mm/s
 
 
 class Program:
-    """A list of commands, with the usual links from one cut to the next."""
+    """A list of commands, with the usual links between consecutive cuts."""
 
     def __init__(self, rng: np.random.Generator, *, rapids: bool = True) -> None:
         self.rng = rng
@@ -52,7 +52,7 @@ class Program:
         self.last = (*points[-1, :2].tolist(), float(heights[-1]))
 
     def arc(self, x: float, y: float, i: float, j: float, *, ccw: bool, z: float | None = None) -> None:
-        """Cut an arc in XY, centre (i, j) from here."""
+        """Cut an arc in XY. The centre (i, j) is relative to the current point."""
         name = "G3" if ccw else "G2"
         z = self.last[2] if z is None else z
         self.commands.append((name, {"X": x, "Y": y, "Z": z, "I": i, "J": j, "F": FEED}))
@@ -90,7 +90,7 @@ def outline(rng: np.random.Generator) -> np.ndarray:
 
 
 def inward(shape: np.ndarray, distance: float) -> np.ndarray | None:
-    """Return the mitred inward offset of a counter-clockwise outline; None if nothing is left of it."""
+    """Return the mitred inward offset of a counter-clockwise outline; None if the outline is too small for the offset."""
     before, after = np.roll(shape, 1, axis=0), np.roll(shape, -1, axis=0)
     d0, d1 = shape - before, after - shape
     d0 /= np.linalg.norm(d0, axis=1)[:, None]
@@ -114,7 +114,7 @@ def offsets(shape: np.ndarray, step: float) -> list[np.ndarray]:
 
 
 def closed(shape: np.ndarray, start: int = 0) -> np.ndarray:
-    """Return the outline from one of its vertices back to it."""
+    """Return the closed outline, which starts and ends at one of its vertices."""
     rolled = np.roll(shape, -start, axis=0)
     return np.vstack([rolled, rolled[:1]])
 
@@ -192,7 +192,7 @@ def raster(rng, *, both_ways=True, walls=False):
 
 
 def nested(rng, *, linked="lift", outward=False, ccw=True, rapids=True):
-    """Nested offset loops: each with its own plunge, linked by a step, or left before it closes (smooth links)."""
+    """Nested offset loops: each with its own plunge, or linked by a step, or linked before the loop closes (smooth)."""
     p = Program(rng, rapids=rapids)
     step = rng.uniform(1.2, 4.0)
     for _ in range(20):
@@ -217,7 +217,7 @@ def nested(rng, *, linked="lift", outward=False, ccw=True, rapids=True):
 
 
 def island(rng):
-    """Nested offset loops around an island and inside a boundary, interleaved, with opposite senses."""
+    """Nested offset loops of a boundary and of an island, cut alternately and with opposite senses."""
     p = Program(rng)
     step = rng.uniform(1.5, 3.0)
     outer = offsets(np.array([(-40, -30), (40, -30), (40, 30), (-40, 30)]) * rng.uniform(0.8, 1.3), step)[:5]
@@ -284,7 +284,7 @@ def profile(rng, *, lead=False, ramp=False, tabs=False, contours=1, opened=False
 
 
 def waterline(rng, *, opened=False):
-    """Level contours of a hill, shape changing with the depth."""
+    """Level contours of a hill, whose shape changes with the depth."""
     p = Program(rng)
     a = np.arange(100) * 2 * np.pi / 100
     wobble = 1 + 0.2 * np.cos(2 * a + rng.uniform(0, 6)) + 0.1 * np.cos(3 * a)
@@ -312,7 +312,7 @@ def spiral(rng, *, surface_too=False, inwards=False):
 
 
 def clipped(rng, *, both_ways=False, drifting=False):
-    """Circles, or a spiral, around a point beside the part, which cuts them open."""
+    """Circles, or a spiral, around a point beside the part, cut open by the boundary of the part."""
     p = Program(rng)
     half, step = rng.uniform(20, 40), rng.uniform(1.0, 3.0)
     away = half * rng.uniform(1.2, 2.0)  # from the centre of the circles to the centre of the part
@@ -327,7 +327,7 @@ def clipped(rng, *, both_ways=False, drifting=False):
 
 
 def square_spiral(rng):
-    """A spiral with corners: every side lies one step farther inside."""
+    """A spiral with corners, in which every side is one step farther inside than the previous parallel side."""
     p = Program(rng)
     step = rng.uniform(1, 4)
     west, south, east, north = (
@@ -345,7 +345,7 @@ def square_spiral(rng):
 
 
 def helix(rng, *, arcs=True, holes=1, thread=False):
-    """Bores: windings that descend at a constant radius, with a last level turn."""
+    """Bores: helices with a constant radius that descend and end with a level turn."""
     p = Program(rng)
     for k in range(holes):
         x, y, r = 40 * k, rng.uniform(-20, 20), rng.uniform(1.5, 12)
@@ -388,7 +388,7 @@ def trochoid_of_chords(rng):
 
 
 def winding(rng, *, corrects=False):
-    """A finely sampled inward winding, rounded, or corrected continuously to keep one engagement."""
+    """A finely sampled inward winding with rounded coordinates, or with constant corrections as in adaptive clearing."""
     p, step, digits = Program(rng), rng.uniform(0.8, 2.5), int(rng.integers(2, 4))
     a = np.arange(0, rng.uniform(7, 12) * 2 * np.pi, rng.uniform(0.003, 0.012))
     waves = rng.integers(15, 110)
@@ -400,21 +400,23 @@ def winding(rng, *, corrects=False):
 
 
 def entered_pocket(rng, *, even=False):
-    """A round pocket cleared outward from a helix of any length: evenly, or at one engagement, which lets steps grow."""
+    """A round pocket that is cleared outwards after a helical entry, with equal steps, or with the growing steps of
+    constant engagement.
+    """
     p, side = Program(rng), np.pi / 18
     entry, step, turns = rng.uniform(1.5, 4), rng.uniform(0.5, 2), rng.integers(3, 40)
     a, b = np.arange(0, turns * 2 * np.pi, side), np.arange(0, rng.uniform(7, 15) * 2 * np.pi, side)
     p.cut(np.column_stack([entry * np.cos(a), entry * np.sin(a), -0.5 * a / (2 * np.pi)]), 0.0)
     wound = b / (2 * np.pi)
     if not even:
-        wound -= 0.8 * (1 - np.exp(-wound / 2.5))  # as FreeCAD's and Fusion's do: from two thirds to the whole step
+        wound -= 0.8 * (1 - np.exp(-wound / 2.5))  # steps grow from two thirds to the whole step, as in FreeCAD and Fusion
     r = entry + step * wound
     p.cut(np.column_stack([r * np.cos(b), r * np.sin(b)]), p.last[2], linked=True)
     return p.commands
 
 
 def adaptive(rng, *, lift=0.3, rapid_back=True, arcs=False):
-    """Helical entry, a spiral out to the walls, then bites of constant engagement into the corners."""
+    """A helical entry, then a spiral out to the walls, then bites with constant engagement into the corners."""
     p = Program(rng, rapids=rapid_back)
     w, h, step = rng.uniform(35, 60), rng.uniform(14, 26), rng.uniform(0.5, 2.0)
     z, entry = -rng.uniform(3, 8), 2.5
@@ -452,10 +454,9 @@ def adaptive(rng, *, lift=0.3, rapid_back=True, arcs=False):
 
 
 def bites_in_a_row(rng, *, back="sloped", arcs=False, spiral_first=True, bends=False):
-    """Bites along a channel, the way back lifted a little on slopes, at the same height, or by a rapid.
+    """Bites along a channel, with returns that are slightly lifted, at the same height, or rapids.
 
-    This is how stay-down adaptive clearing looks: arcs from wall to wall, each begun and ended by a small
-    arc.
+    Stay-down adaptive clearing looks like this: arcs from wall to wall, with a small arc at both ends of each arc.
     """
     p = Program(rng)
     half, step, z = rng.uniform(5, 15), rng.uniform(0.3, 1.5), -rng.uniform(2, 8)
@@ -508,7 +509,7 @@ def bites_in_a_row(rng, *, back="sloped", arcs=False, spiral_first=True, bends=F
 
 
 def trochoid_of_arcs(rng):
-    """A slot cut by half circles forward, with straight returns."""
+    """A slot that is cut by half circles, with straight returns between them."""
     p = Program(rng)
     r, step, length, turn = (
         rng.uniform(2, 8),
@@ -528,7 +529,7 @@ def trochoid_of_arcs(rng):
 
 
 def isolation(rng):
-    """Isolation milling of a circuit board: many small contours at one depth, then nothing else."""
+    """Isolation milling of a circuit board: only many small contours at one depth."""
     p = Program(rng)
     for _ in range(int(rng.integers(15, 60))):
         x, y = rng.uniform(0, 60, 2)
@@ -548,7 +549,7 @@ def board(rng):
 
 
 def drilling(rng, *, cycle=None, pecks=1, rapids=True):
-    """Holes by canned cycles or by plunges."""
+    """Holes that are drilled by canned cycles or by plunges."""
     p = Program(rng, rapids=rapids)
     points = rng.uniform(0, 80, (int(rng.integers(2, 30)), 2))
     z = -rng.uniform(1, 12)
@@ -580,7 +581,7 @@ def letters(rng, *, vcarve=False):
 
 
 def comb(rng):
-    """A profile around a comb: back and forth in equal steps, but closed, with alternating teeth and gaps."""
+    """A profile around a comb. It goes back and forth in equal steps like a zigzag, but it is closed."""
     p, tool = Program(rng), rng.uniform(0.5, 2)
     tooth, gap, height = rng.uniform(2, 8), 2.5 * tool + rng.uniform(0.5, 6), rng.uniform(12, 40)
     left = np.arange(rng.integers(4, 16)) * (tooth + gap)
@@ -593,7 +594,7 @@ def comb(rng):
 
 
 def star(rng, *, drawn=False):
-    """The outline of a star; or one drawn with a single stroke from corner to corner, which crosses itself."""
+    """The outline of a star, or a star that is drawn from corner to corner in a single stroke and crosses itself."""
     p, corners, radius = Program(rng), int(rng.integers(5, 17)), rng.uniform(10, 40)
     if drawn:
         strides = [k for k in range(2, (corners + 1) // 2) if math.gcd(k, corners) == 1]
@@ -627,7 +628,7 @@ def pocket_then_profile(rng):
 
 
 def program(rng):
-    """Three operations of three tools: zigzag, holes, contours."""
+    """Three operations with three tools: a zigzag, holes and contours."""
     change = [("M6", {"T": 2.0})]
     return zigzag(rng) + change + drilling(rng, cycle="G83") + change + profile(rng, contours=2)
 

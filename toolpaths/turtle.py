@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Turtle paths of Lindenmayer systems."""
+"""Draw Lindenmayer systems by turtle graphics."""
 
 from __future__ import annotations
 
@@ -11,9 +11,9 @@ MOST = 4000  # steps
 
 
 def grow(word: str, rules: Mapping[str, str], degrees: float, times: int, forward: str) -> np.ndarray:
-    """Return the path, (n, 2), of a turtle along the word that some rewritings by the rules give.
+    """Return the path of a turtle, (n, 2), that follows a word after `times` rewritings by the rules.
 
-    The turtle moves at the letters `forward`, and turns by some degrees at "+" and "-".
+    The turtle moves one step at each letter in `forward`, and turns by `degrees` at "+" and "-".
     """
     for _ in range(times):
         word = "".join(rules.get(letter, letter) for letter in word)

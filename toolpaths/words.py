@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Words in a font of single strokes, as engravers have them."""
+"""Make words in a single-stroke font, as used for engraving."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ import numpy as np
 
 from toolpaths.synthetic import Program, depths
 
-# Strokes of each letter, with commas between: points x, y on a grid of 4 by 6.
+# The strokes of each letter, separated by commas. Each pair of digits is a point x, y on a grid of 4 by 6.
 FONT = {
     "A": "00 26 40,12 32", "B": "00 06 36 45 44 33 03,33 42 41 30 00", "C": "45 36 16 05 01 10 30 41",
     "D": "00 06 26 44 42 20 00", "E": "46 06 00 40,03 33", "F": "46 06 00,03 33", "G": "45 36 16 05 01 10 30 41 43 23",
@@ -33,7 +33,10 @@ def rounded(path: np.ndarray) -> np.ndarray:
 
 
 def word(rng, *, most=13):
-    """A word of random letters, upright or slanted, round or angular, along a line of any direction, at one or two depths."""
+    """A word of random letters along a line in a random direction, at one or two depths.
+
+    The letters are upright or slanted, and round or angular.
+    """
     p = Program(rng)
     size = np.exp(rng.uniform(np.log(0.4), np.log(8)))
     angle = rng.choice([0.0, rng.uniform(0, 2 * np.pi)])

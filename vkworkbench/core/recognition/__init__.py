@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Which strategy a toolpath follows.
+"""Recognise which strategy a toolpath follows.
 
-In: `Toolpath` and the tool's diameter, where it is known.
-Out: `Recognition`, the strategy with its confidence, its reason, the numbers behind it, and the spans of the parts.
+The input is a `Toolpath` and, if known, the tool's diameter. The output is a `Recognition`: the strategy with its
+confidence, its reason, the numbers behind it, and the spans of the parts.
 """
 
 from vkworkbench.core.recognition.programs.inches import recognize_inches

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Arcs around one centre: circles that the boundary cuts open, rows that are bent."""
+"""Find concentric arcs: circles that the boundary cuts open, or rows that are bent into arcs."""
 
 from __future__ import annotations
 
@@ -15,22 +15,23 @@ from vkworkbench.core.recognition.thresholds import ARCS
 
 @dataclass(frozen=True)
 class ConcentricArcs:
-    """Arcs around one centre.
+    """Open strokes that are arcs around one common centre.
 
     Attributes
     ----------
     count : int
-        Number of different radii. An open contour made of arcs has few, at however many depths it is cut.
+        Number of different radii. An open contour made of arcs has few radii, even if it is cut at many depths.
     length : float
         Length of all arcs, mm.
     opposite, same : float
-        Length of the arcs whose neighbour runs the other way, and the same way, mm.
+        Length of the arcs whose neighbour runs in the opposite direction, and of those whose neighbour runs in the same
+        direction, mm.
     spiral : float
         Length of the arcs whose radius changes steadily, mm.
     step : float
         Distance between arcs cut one after the other (median by length), mm.
     even : float
-        Share of the steps that are about as long as the usual one.
+        Share of the steps between arcs that are close to the usual step.
     """
 
     count: int
@@ -45,20 +46,20 @@ class ConcentricArcs:
 def find_arcs(moves: Areas, pieces: Pieces, index: np.ndarray) -> ConcentricArcs | None:
     """Find the arcs around a common centre.
 
-    Every move d of a circle around c is at a right angle to the ray from c to its middle m. The centre is the point c
-    that minimises the squares of d (m - c). Straight rows have no centre.
+    Each move d on a circle around c is perpendicular to the ray from c to the move's midpoint m. The centre is the point
+    c that minimises the sum of the squared dot products d (m - c). Straight rows have no centre.
 
     Parameters
     ----------
     moves : Areas
     pieces : Pieces
     index : (k,) int
-        Pieces that may be arcs.
+        Indices of the pieces that may be arcs.
 
     Returns
     -------
     ConcentricArcs or None
-        None if fewer than three arcs have one centre.
+        None if fewer than three arcs have a common centre.
     """
     chosen = np.zeros(len(pieces), bool)
     chosen[index] = True
@@ -96,12 +97,12 @@ def find_arcs(moves: Areas, pieces: Pieces, index: np.ndarray) -> ConcentricArcs
 def _rays(
     x: np.ndarray, y: np.ndarray, dx: np.ndarray, dy: np.ndarray, length: np.ndarray
 ) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray] | None:
-    """Return the rays from the common centre of moves to their middles (x, y and length, (k,) mm), and which moves are perpendicular.
+    """Return the rays from the common centre to the moves' midpoints, and which moves are perpendicular to their rays.
 
-    Return None if the moves have no common centre.
+    The rays are returned as x, y and length, (k,) mm each. Return None if the moves have no common centre.
     """
     weight = 1 / length
-    for _ in range(3):  # again and again without links and pieces of the boundary, which have other centres
+    for _ in range(3):  # repeat without links and pieces of the boundary, which have other centres
         xx, xy, yy = dot(weight * dx, dx), dot(weight * dx, dy), dot(weight * dy, dy)
         if xx * yy - xy * xy < ARCS.STRAIGHT_ROWS * (xx + yy) ** 2:
             return None

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Entries: how the tool enters the material before the pattern of an area, and the pattern without entries."""
+"""Find how the tool enters the material before the pattern of an area, and remove these entries."""
 
 from __future__ import annotations
 
@@ -9,17 +9,18 @@ from vkworkbench.core.paper import TURN, Areas
 from vkworkbench.core.recognition.patterns.spurs import some_moves
 from vkworkbench.core.recognition.thresholds import ENTRY, MAJORITY, ROUNDING
 
-LEVEL = 1e-6  # mm; a move that descends by more is not level
+LEVEL = 1e-6  # mm; a move whose height changes by more is not level
 ENTRIES = ("plunge", "ramp", "zigzag ramp", "helix")
 
 
 def find_entry(moves: Areas) -> str | None:
-    """Return the entry to most of the depth: one of `ENTRIES`; None if no level move follows.
+    """Return the kind of entry that descends most of the depth, one of `ENTRIES`; None if the operation itself descends.
 
-    An entry is the descent at the start of an area, before the first level move, or after a level move outwards on which the
-    descent returns. It winds (helix), goes back and forth (zigzag ramp), or does neither (ramp). Other areas that begin level are
-    entered by a plunge. If most of the following moves also descend, the descent is the operation and not an entry, as in a
-    helical bore or a surface.
+    An entry is the descent at the start of an area, before the first level move. Some descents first follow a level move
+    outwards and then return along its line. A descent that winds is a helix, a descent that goes back and forth is a
+    zigzag ramp, and any other descent is a ramp. An area that begins with another level move is entered by a plunge. If
+    most of the length after the descents is not level, the descent is the operation and not an entry, as in a helical
+    bore or on a surface.
 
     Parameters
     ----------
@@ -52,8 +53,9 @@ def find_entry(moves: Areas) -> str | None:
 def without_entries(moves: Areas) -> tuple[Areas, float]:
     """Remove lead-ins and lead-outs: descents at the start and climbs at the end of areas.
 
-    A lead is removed only if most of the remaining area is level and leads farther than the lead. A helix that ends with one flat
-    turn leads nowhere, so the helix is the operation. A ramp along a contour is part of the contour.
+    A lead is removed only if most of the remaining area is level and extends well beyond the lead's bounding box. A helix
+    that ends with one flat turn does not extend beyond itself, so the helix is the operation. A ramp along a contour is
+    part of the contour.
 
     Parameters
     ----------
@@ -63,7 +65,7 @@ def without_entries(moves: Areas) -> tuple[Areas, float]:
     Returns
     -------
     Areas
-        The pattern, with at least one move of every area.
+        The pattern. Every area keeps at least one move.
     float
         Share of the length in helical lead-ins.
     """
@@ -112,8 +114,8 @@ def share_rising(moves: Areas) -> float:
 def _ways_in(moves: Areas) -> tuple[np.ndarray, np.ndarray]:
     """Return the first move of the descent at the start of each area, and the move after the descent, (a,) each.
 
-    Both are the start of the area if it does not begin with a descent. Some ramps first move outwards at their height, and return
-    along the same line.
+    Both are the first move of the area if the area does not begin with a descent. Some ramps begin with a level move
+    outwards and descend back along the same line.
     """
     x, y, dx, dy, length = moves.x, moves.y, moves.dx, moves.dy, moves.length
     begin = _first(moves.start, moves.end, np.abs(moves.dz) >= LEVEL)
@@ -127,7 +129,7 @@ def _ways_in(moves: Areas) -> tuple[np.ndarray, np.ndarray]:
 
 
 def _first(start: np.ndarray, end: np.ndarray, which: np.ndarray) -> np.ndarray:
-    """Return the first chosen move in each stretch start[i] .. end[i] - 1, or end[i], (a,)."""
+    """Return the first chosen move in each stretch start[i] .. end[i] - 1, or end[i] if no move is chosen, (a,)."""
     at = np.append(np.flatnonzero(which), len(which))
     first: np.ndarray = np.minimum(at[np.searchsorted(at, start)], end)
     return first
@@ -141,7 +143,7 @@ def _way_out(moves: Areas) -> np.ndarray:
 
 
 def _boxes(moves: Areas, first: np.ndarray, end: np.ndarray) -> np.ndarray:
-    """Return how far the moves first[i] .. end[i] - 1 reach to the left, down, right and up, (k, 4) mm."""
+    """Return the boxes of the moves first[i] .. end[i] - 1: -lowest x, -lowest y, highest x, highest y, (k, 4) mm."""
     between = np.column_stack([first, end]).ravel()
     reach = []
     for sign in (-1, 1):

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Footprints: pieces that cover the same ground, seen from above, at any depth."""
+"""Group pieces by footprint. Pieces with the same footprint cover the same ground, seen from above, at any depth."""
 
 from __future__ import annotations
 
@@ -13,15 +13,15 @@ _PRIMES = (73856093, 19349663, 83492791, 49979687, 86028121)
 
 
 def footprints(pieces: Pieces, index: np.ndarray) -> tuple[np.ndarray, int]:
-    """Group the pieces that cover the same ground: equal bounding boxes and equal lengths.
+    """Group the pieces that have equal bounding boxes and equal lengths, and so cover the same ground.
 
-    Box and length are rounded to a grid and the rounded numbers are hashed: O(k).
+    Boxes and lengths are rounded to a grid, and the rounded numbers are hashed, so that no pairs need be compared.
 
     Parameters
     ----------
     pieces : Pieces
     index : (k,) int
-        The pieces to group.
+        Indices of the pieces to group.
 
     Returns
     -------
@@ -29,7 +29,7 @@ def footprints(pieces: Pieces, index: np.ndarray) -> tuple[np.ndarray, int]:
     groups : int
         Number of different footprints.
     """
-    # A quarter of the length is the side of a square, which is rounded like the sides of the box.
+    # A quarter of the length is the side of a square with this perimeter, so one grid is right for boxes and lengths.
     measures = np.column_stack([pieces.box[index], pieces.length[index] / 4])
     key = np.floor(measures / ROUNDING.GROUND + OFF_ROUND).astype(np.int64)
     key = (key * _PRIMES).sum(axis=1)
@@ -60,7 +60,7 @@ def count_depths(z: np.ndarray) -> int:
 
 
 def number_depths(z: np.ndarray) -> np.ndarray:
-    """Number the different heights in z (k,), mm, from the lowest: (k,) int."""
+    """Return for each height in z (k,), mm, the number of its depth, counted from the lowest depth, (k,) int."""
     order = np.argsort(z)
     number = np.zeros(len(z), np.int64)
     number[order[1:]] = np.cumsum(z[order][1:] - z[order][:-1] > ROUNDING.HEIGHT)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Open strokes side by side: offsets of an open wall, and the passes of adaptive clearing between two walls."""
+"""Find open strokes side by side, such as offsets of an open wall or adaptive clearing between two walls."""
 
 from __future__ import annotations
 
@@ -14,20 +14,20 @@ from vkworkbench.core.recognition.thresholds import NEIGHBOURS, NESTS, ROUNDING,
 
 @dataclass(frozen=True)
 class Neighbours:
-    """Strokes with a neighbour among the next three strokes.
+    """Strokes with a neighbouring stroke at most three places earlier or later in the order of cutting.
 
     Attributes
     ----------
     count : int
         Number of strokes with a neighbour.
     share : float
-        Share of the strokes' length that has a neighbour.
+        Share of all strokes' length in strokes with a neighbour.
     even : float
-        Share of that length whose neighbour keeps its distance, as an offset does.
+        Share of the neighbouring strokes' length with a constant distance to the neighbour, as offsets have.
     onward : float
-        Share of that length whose neighbour runs the same way.
+        Share of the neighbouring strokes' length in the same direction as the neighbour.
     step : float
-        Distance between neighbours (median), mm.
+        Median distance between neighbouring strokes, mm.
     """
 
     count: int
@@ -38,24 +38,24 @@ class Neighbours:
 
 
 def find_neighbours(moves: Areas, pieces: Pieces, index: np.ndarray, tool: float) -> Neighbours | None:
-    """Compare every stroke with the next three at its height: whether they are neighbours, a step apart.
+    """Find the neighbours of every stroke among the next three strokes at its height.
 
-    Two curves are neighbours if the foot of the perpendicular from most points of one lies on the other. Offsets keep their
-    distance; passes with constant engagement run from wall to wall with a changing distance.
+    Two strokes are neighbours if the perpendiculars from most points of one stroke meet the other stroke. Neighbouring
+    offsets have a constant distance. Passes with constant engagement run from wall to wall with a changing distance.
 
     Parameters
     ----------
     moves : Areas
     pieces : Pieces
     index : (k,) int
-        Open strokes; only the first thousand are compared.
+        Indices of the open strokes. Only the first thousand strokes are compared.
     tool : float
         Tool diameter, mm; 0 where unknown.
 
     Returns
     -------
     Neighbours or None
-        None without neighbours.
+        None if fewer than two strokes have a neighbour.
     """
     index = index[: ROWS.SAMPLE]
     k = len(index)
@@ -87,7 +87,7 @@ def find_neighbours(moves: Areas, pieces: Pieces, index: np.ndarray, tool: float
     beside &= step < NEIGHBOURS.MAX_DISTANCE * usual
     total = length[beside].sum()
     even = beside & (spread < NEIGHBOURS.EVEN * step)
-    # The first stroke of each row of neighbours has no neighbour before it.
+    # The first stroke in a series of neighbours has a neighbour only after it, but counts as well.
     first = np.append(~beside[:-1] & beside[1:], False)
     return Neighbours(
         count=int((beside | first).sum()),
@@ -109,9 +109,10 @@ def _sampled(moves: Areas, pieces: Pieces, index: np.ndarray) -> tuple[np.ndarra
 
 
 def _percentiles(values: np.ndarray, of: np.ndarray, percent: tuple[float, ...]) -> np.ndarray:
-    """Return percentiles (p, rows) of the chosen values (rows, k) in each row; `chosen` (rows, k) has at least one per row.
+    """Return percentiles (p, rows) of the values (rows, k) that `of` (rows, k) selects, at least one in each row.
 
-    numpy's `nanpercentile` computes one row after the other. Here rows with the same number of values are computed together.
+    numpy's `nanpercentile` processes the rows one by one. This function is faster, because it processes all rows with the
+    same number of values at once.
     """
     ascending, count = np.sort(np.where(of, values, np.inf), axis=1), of.sum(axis=1)
     found = np.empty((len(percent), len(values)))
@@ -121,7 +122,7 @@ def _percentiles(values: np.ndarray, of: np.ndarray, percent: tuple[float, ...])
 
 
 def _distances(ax: np.ndarray, ay: np.ndarray, bx: np.ndarray, by: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Return the distance of each point of b from the polyline a, (k, points), and whether it lies beside it."""
+    """Return the distance of each point of b from the polyline a, and whether its perpendicular meets a, (k, points)."""
     dx, dy = np.diff(ax)[:, None], np.diff(ay)[:, None]
     px, py = bx[:, :, None] - ax[:, None, :-1], by[:, :, None] - ay[:, None, :-1]
     t = (px * dx + py * dy) / np.maximum(dx * dx + dy * dy, 1e-12)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Nesting: how far a ring lies inside another, and how far apart the rings of one pocket may lie."""
+"""Measure how far rings lie inside one another, and the largest distance between the rings of one pocket."""
 
 from __future__ import annotations
 
@@ -16,21 +16,21 @@ class Shapes(NamedTuple):
     Attributes
     ----------
     sides : (4, k) float
-        Lowest x and y, highest x and y with their signs changed, mm.
+        Lowest x, lowest y, negative highest x and negative highest y, mm.
     size, z : (k,) float
         Longer side of the box, and mean height, mm.
     flat : (k,) bool
         Whether the ring stays at one height.
     enclosed, length : (k,) float
-        mm2, mm.
+        Enclosed area, mm2, and length, mm.
     sense : (k,) float
         +1 for a counter-clockwise ring, -1 for a clockwise one.
     wavy : (k,) bool
-        Rings that may be passes of a lattice, whose boxes show no distance.
+        Whether the ring may be a pass of a lattice. Boxes of such rings do not show the distance between them.
     slack : (k,) float
-        1 for closed loops; 2 for turns of windings, which are open, so that their areas are approximate.
+        Tolerance factor: 1 for closed loops; 2 for turns of windings, which are open and have approximate areas.
     turn, rest : (k,) bool
-        Full level turns of windings; rests of windings after their last full turn.
+        Whether the ring is a full level turn of a winding; whether it is the rest of a winding after its last full turn.
     """
 
     sides: np.ndarray
@@ -52,10 +52,10 @@ class Shift(NamedTuple):
     Attributes
     ----------
     low, high, mean : array
-        The least and the most that one of the four sides of the bounding box lies inside, and the mean of the four; negative
-        where the later ring is the outer one.
+        Smallest, largest and mean inward shift of the bounding box's four sides; negative where the later ring is the
+        outer ring.
     step : array
-        Distance between the two rings, 0 where neither is an offset of the other.
+        Distance between the two rings; 0 if neither ring is an offset of the other ring.
     """
 
     low: np.ndarray
@@ -65,13 +65,14 @@ class Shift(NamedTuple):
 
 
 class Inward(Dict[int, Shift]):
-    """The shifts of rings by lag, computed when they are first used.
+    """Shifts between rings, by lag. Each shift is computed at its first use.
 
-    Two parallel curves are 2 dA / (P1 + P2) apart, with the difference of their areas and the sum of their lengths (Steiner's
-    formula), in any orientation. All four sides of an offset's box move inwards, the least by about this distance, or by more if
-    a sharp corner touches the box. If the box moves by much less or more than the distance, an island covers a part of the area.
-    The offsets in a pocket that is open at a straight side share this side, and at most one side beside it. Shared sides do not
-    move, and only the other sides show the distance.
+    The distance between two parallel curves is 2 dA / (P1 + P2), where dA is the difference of their areas and P1 and P2
+    are their lengths (Steiner's formula). The formula is valid in any orientation. All four sides of an offset's box are
+    shifted inwards. The smallest shift is about the distance, or more if a sharp corner touches the box. If the smallest
+    shift is much less or much more than the distance, an island covers a part of the area. In a pocket that is open at a
+    straight side, all offsets share this side, and at most one adjacent side. Shared sides are not shifted, so that only
+    the other sides show the distance.
 
     Parameters
     ----------
@@ -97,7 +98,7 @@ class Inward(Dict[int, Shift]):
         step = 2 * np.abs(self.shapes.enclosed[lag:] - self.shapes.enclosed[:-lag]) / around
         fits = near > NESTS.SIDE_AT_LEAST * step / loose - ROUNDING.PLACE
         fits &= near < NESTS.SIDE_AT_MOST * step * loose + ROUNDING.PLACE
-        # An offset that runs around an island, too, is longer than the ring around it, but all its sides move alike.
+        # An offset that also runs around an island is longer than the next outer ring, but has four equal shifts.
         longer = (length[lag:] - length[:-lag]) * mean > 0
         alike = (high - low <= NESTS.EQUAL_SIDES * np.abs(mean)) & longer & ~(wavy[lag:] | wavy[:-lag])
         step = np.where(alike & ~fits, near, np.minimum(step, near))
@@ -105,13 +106,16 @@ class Inward(Dict[int, Shift]):
         return found
 
     def is_step(self, lag: int) -> np.ndarray:
-        """Return whether the distance to the ring `lag` later is a step: not rounding, and small for the rings, (k - lag,) bool."""
+        """Return whether the distance to the ring `lag` rings later is a step between offsets, (k - lag,) bool.
+
+        A step is larger than rounding, and small compared with the rings.
+        """
         size, step = self.shapes.size, self[lag].step
         found: np.ndarray = (step > ROUNDING.RING) & (step <= NESTS.LARGEST_STEP * np.maximum(size[lag:], size[:-lag]))
         return found
 
     def drop(self, lag: int) -> np.ndarray:
-        """Return the difference in height to the ring `lag` later, (k - lag,) mm."""
+        """Return the difference in height to the ring `lag` rings later, (k - lag,) mm."""
         drop: np.ndarray = np.abs(self.shapes.z[lag:] - self.shapes.z[:-lag])
         return drop
 
@@ -129,9 +133,9 @@ def _beside_shared_sides(moved: np.ndarray, sides: np.ndarray) -> tuple[np.ndarr
     shares : (s,) int
         Pairs that share sides.
     alike : (s,) bool
-        Whether the other sides moved the same way by similar distances.
+        Whether the unshared sides are all shifted inwards, or all outwards, by similar distances.
     least : (s,) float
-        Smallest shift of the other sides, mm.
+        Smallest shift of the unshared sides, mm.
     along : (s,) float
         Length of both rings along the shared sides, mm.
     """
@@ -147,12 +151,13 @@ def _beside_shared_sides(moved: np.ndarray, sides: np.ndarray) -> tuple[np.ndarr
 
 
 def reach(inward: Inward, tool: float, area: np.ndarray) -> float:
-    """Return the largest distance of rings in one nest, mm.
+    """Return the largest distance between neighbouring rings in one nest, mm.
 
-    With a tool, the distance is slightly more than the tool's diameter: rings that are farther apart leave uncut ground between
-    them and are separate contours. Without a tool, the distance is twice the usual step, but only if at least three rings are
-    nested, or if most rings are linked at their depth without a lift. Two contours of one part, such as a washer, are not a pocket
-    if one is inside the other and both are repeated at every depth; a link between them would cut into the part.
+    If the tool is known, the largest distance is slightly more than the tool's diameter. Rings at a larger distance leave
+    uncut ground between them and are separate contours. If the tool is unknown, the largest distance is twice the usual
+    step. A share of the largest ring's size also limits the distance, unless three rings are nested with equal steps or
+    most rings are linked to the next ring without a lift. This limit keeps the inner and the outer contour of a washer
+    separate, even if both are repeated at every depth. A link between two contours of a part would cut into the part.
 
     Parameters
     ----------
@@ -167,7 +172,7 @@ def reach(inward: Inward, tool: float, area: np.ndarray) -> float:
     steps, chained = _steps_in_nests(inward)
     if not len(steps):
         return 0.0
-    # If rings around islands are cut between boundary rings, the smaller steps are right.
+    # Use the lower quartile: if rings around islands are cut between boundary rings, only the smaller steps are right.
     usual, largest = middle(steps, 4), float(inward.shapes.size.max())
     regular = np.count_nonzero(np.abs(steps - usual) < NESTS.SIMILAR_STEP * usual) / len(steps)
     is_nest = chained and regular >= MAJORITY.SHARE and usual <= NESTS.TOO_LARGE * largest
@@ -177,17 +182,17 @@ def reach(inward: Inward, tool: float, area: np.ndarray) -> float:
 
 
 def _steps_in_nests(inward: Inward) -> tuple[np.ndarray, bool]:
-    """Return the steps between rings of one depth, (s,) mm, and whether three rings in a row are nested with equal steps."""
+    """Return the steps between rings of one depth, (s,) mm, and whether three rings are nested with equal steps."""
     flat, found, chained = inward.shapes.flat, [], False
     for lag in range(1, min(NESTS.NEXT, len(flat) - 1) + 1):
         step, even = inward[lag].step, inward.is_step(lag)
         signed = np.copysign(step, inward[lag].mean)
         chain = even[lag:] & even[:-lag] & (np.abs(signed[lag:] - signed[:-lag]) < NESTS.SIMILAR_STEP * step[lag:])
-        # At another depth, a slightly sloped wall shifts the ring by less than a step.
+        # Ignore rings at different depths, because a slightly sloped wall shifts a ring by less than a step.
         true = even & ((inward.drop(lag) < ROUNDING.HEIGHT) | ~flat[lag:] | ~flat[:-lag])
         chained = bool(chain.any())
         if chained:
-            # The next ring of the nest is `lag` rings later. Steps from a lead-in, or to a wall, differ.
+            # The next ring of the nest is `lag` rings later. Ignore steps from a lead-in or to a wall, which differ.
             of_chain = np.zeros(len(step), bool)
             of_chain[lag:] = chain
             of_chain[:-lag] |= chain
@@ -201,13 +206,13 @@ def _steps_in_nests(inward: Inward) -> tuple[np.ndarray, bool]:
 
 
 def _are_linked(inward: Inward, area: np.ndarray) -> bool:
-    """Return whether most rings are linked with the next at their depth, without a lift."""
+    """Return whether most rings are linked to the next or previous ring at their depth, without a lift."""
     pair = inward.is_step(1) & (inward.drop(1) < ROUNDING.HEIGHT) & (area[1:] == area[:-1])
     return bool((np.append(pair, False) | np.append(False, pair)).mean() > MAJORITY.SHARE)
 
 
 def next_steps(inward: Inward) -> tuple[np.ndarray, np.ndarray]:
-    """Return the steps from each ring to the next one, (s,), in the plane and in height, mm."""
+    """Return the steps from each ring to the next ring in the plane, and in height, (s,) mm each."""
     if len(inward.shapes.z) < 2:
         return np.zeros(0), np.zeros(0)
     even = inward.is_step(1)
@@ -220,8 +225,8 @@ def evenness(steps: np.ndarray, drops: np.ndarray) -> float:
     Returns
     -------
     float
-        Relative spread of the steps in the plane, divided by the relative spread in depth. Below 1 if the plane is divided more
-        evenly; 0 for rings of a single depth.
+        Relative spread of the steps in the plane, divided by the relative spread of the steps in depth. Below 1 if the
+        steps in the plane are more even; 0 for rings of a single depth.
     """
     if len(steps) < 3 or drops.max() < ROUNDING.HEIGHT:
         return 0.0
@@ -230,6 +235,6 @@ def evenness(steps: np.ndarray, drops: np.ndarray) -> float:
 
 
 def middle(values: np.ndarray, part: int = 2) -> float:
-    """Return the value at half the count, or at a quarter (part 4); O(n)."""
+    """Return the median of the values, or their lower quartile if `part` is 4, in linear time."""
     at = len(values) // part
     return float(np.partition(values, at)[at])

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The pieces that areas are cut into: loops, turns of windings, zigzags and open strokes."""
+"""Cut areas into pieces: loops, turns of windings, zigzags and open strokes."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ class Pieces:
     length : (k,) float
         Length in the plane, mm.
     net : (k,) float
-        Turn from the first to the last move, rad; for a loop with the closing turn, +-2 pi.
+        Net turn from the first to the last move, rad. With its closing turn, a loop has a net turn of +-2 pi.
     back : (k,) float
         Turning that cancels out, sum |turn| - |net|, rad; 0 for a convex curve.
     enclosed : (k,) float
@@ -39,11 +39,11 @@ class Pieces:
     box : (k, 4) float
         Bounding box: lowest x and y, highest x and y, mm.
     z, last_z, rise, drop : (k,) float
-        Mean height, height of the end, range of heights and height gained from start to end, mm.
+        Mean height, height at the end, range of heights, and height gained from start to end, mm.
     passes : (k,) int
         Number of passes along its axis, in either direction.
     wavy : (k,) bool
-        Loops and windings with alternating half-turns: concave contours, or zigzags that end at their start.
+        Whether a loop or winding has alternating half-turns, like a concave contour or a zigzag that ends at its start.
     """
 
     start: np.ndarray
@@ -93,10 +93,10 @@ def cut_pieces(moves: Areas) -> Pieces:
     parts = _Stretches(moves, start)
     net, closed = parts.net()
     kind = np.where(loop[start] | (closed & is_one_turn(net)), LOOP, STROKE)
-    # Only open pieces of at least three moves, and loops whose turns back add up to a full turn, may go back and forth.
+    # Only open pieces of at least three moves, and loops with at least a full turn that cancels out, go back and forth.
     able = np.where(kind == LOOP, parts.turned > np.abs(net) + TURN, parts.end - parts.start > 2)
     if parts.length[able].sum() < NEGLIGIBLE.LINKS * parts.length.sum():
-        able[:] = False  # the links between loops
+        able[:] = False  # such short pieces are links between loops
     alternating, constant, passes, parallel = half_turns(moves, parts, able)
     opened = kind != LOOP
     waves = (alternating > PASSES.ALTERNATING * parts.length) & (alternating > PASSES.MORE * constant)
@@ -119,10 +119,10 @@ def cut_pieces(moves: Areas) -> Pieces:
 
 
 def _comes_back(moves: Areas, cut: np.ndarray) -> np.ndarray:
-    """Return the exact reversals between a bent pass and the same pass backwards: a contour repeated on a ramp.
+    """Return the exact reversals between a bent pass and the same pass backwards, as in a contour repeated on a ramp.
 
-    If the tool plunges between the passes, an area ends there. A straight pass back and forth stays one piece, because it may be an
-    entry or a row of a zigzag.
+    A plunge between two passes ends the area, so that only passes without a plunge are compared. A straight pass back and
+    forth stays one piece, because it may be an entry or a row of a zigzag.
 
     Parameters
     ----------
@@ -135,7 +135,7 @@ def _comes_back(moves: Areas, cut: np.ndarray) -> np.ndarray:
     begins = cut.copy()
     begins[moves.reversals] = begins[-1] = True
     back: np.ndarray = moves.reversals[~cut[moves.reversals]]
-    back = back[~begins[back + 1]]  # one move is straight
+    back = back[~begins[back + 1]]  # a pass of one move is straight
     if not len(back):
         return back
     start = np.flatnonzero(begins[:-1])
@@ -147,7 +147,10 @@ def _comes_back(moves: Areas, cut: np.ndarray) -> np.ndarray:
 
 
 def off_line(moves: Areas, start: np.ndarray, end: np.ndarray) -> np.ndarray:
-    """Return how far the moves start[i] .. end[i] - 1 lie from the line of their longest, (k,) mm."""
+    """Return the largest distance of the moves start[i] .. end[i] - 1 from a line, (k,) mm.
+
+    The line runs through the first point in the direction of the longest move.
+    """
     if not len(start):
         return np.empty(0)
     size = end - start
@@ -186,7 +189,7 @@ class _Stretches:
         return np.add.reduceat(np.abs(self.moves.turning), self.start)
 
     def net(self) -> tuple[np.ndarray, np.ndarray]:
-        """Return the net turn of each stretch, with the closing turn where it is closed, and whether it is."""
+        """Return the net turn of each stretch (with the closing turn of closed stretches), and whether it is closed."""
         moves = self.moves
         net = moves.phi[self.end - 1] - moves.phi[self.start]
         closed = is_closed(self.gap, self.enclosed, self.end - self.start)
@@ -251,11 +254,11 @@ class HalfTurns(NamedTuple):
     Attributes
     ----------
     alternating, constant : (k,) float
-        Length of the passes between two half-turns of opposite and of equal sign, mm.
+        Length of the passes between two half-turns of opposite sign, and between two half-turns of equal sign, mm.
     passes : (k,) int
         Number of passes; 1 for a stretch that was not measured.
     parallel : (k,) float
-        Share of the passes' length that is parallel; only for a stretch of few passes, otherwise 0.
+        Share of the passes' length that is parallel to the axis. Measured only for stretches of few passes, otherwise 0.
     """
 
     alternating: np.ndarray
@@ -265,12 +268,13 @@ class HalfTurns(NamedTuple):
 
 
 def half_turns(moves: Areas, parts: _Stretches, able: np.ndarray) -> HalfTurns:
-    """Distinguish back-and-forth from around by the signs of the half-turns between passes.
+    """Measure the half-turns between passes, whose signs distinguish back-and-forth patterns from contours.
 
-    A pass is a run of moves one way along the axis of its stretch. Between two opposite passes phi turns by pi or
-    -pi: in a zigzag the signs alternate, around a contour they stay the same (paper, section 3.2). Unlike the paper's
-    condition -pi <= phi <= pi, the signs do not depend on the first trajectory, and they work with islands and concave borders.
-    An exact reversal has no sign; it returns on the same line and counts as alternating.
+    A pass is a run of moves in one direction along the axis of its stretch. Between two opposite passes phi changes by pi
+    or -pi. The signs of these half-turns alternate in a zigzag and stay the same around a contour (paper, section 3.2).
+    Unlike the paper's condition -pi <= phi <= pi, the signs do not depend on the first trajectory, and they are also
+    valid with islands and concave borders. An exact reversal has no sign. It returns on the same line and counts as
+    alternating.
 
     Parameters
     ----------
@@ -285,7 +289,7 @@ def half_turns(moves: Areas, parts: _Stretches, able: np.ndarray) -> HalfTurns:
         return HalfTurns(np.zeros(k), np.zeros(k), np.ones(k, np.int64), np.zeros(k))
     size = (parts.end - parts.start)[stretch]
     of, dx, dy, length = np.repeat(stretch, size), moves.dx, moves.dy, moves.length
-    chosen = None  # all of them
+    chosen = None  # all moves
     if len(stretch) < k:
         chosen = np.flatnonzero(np.repeat(able, parts.end - parts.start))
         dx, dy, length = dx[chosen], dy[chosen], length[chosen]
@@ -318,7 +322,7 @@ def half_turns(moves: Areas, parts: _Stretches, able: np.ndarray) -> HalfTurns:
     phi = moves.phi.take(first if chosen is None else chosen.take(first))
     half_turn = np.rint((phi[1:] - phi[:-1]) * (1 / np.pi))
     same = of[1:] == of[:-1]
-    between = same[1:] & same[:-1]  # passes between two others of their stretch
+    between = same[1:] & same[:-1]  # passes with another pass of their stretch before and after
     alternates = half_turn[1:] * half_turn[:-1] <= 0
     of, passed = of[1:-1], passed[1:-1]
     return HalfTurns(

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Relations between the rings of an operation: closed loops and turns of windings."""
+"""Find relations between the rings of an operation. Rings are closed loops and turns of windings."""
 
 from __future__ import annotations
 
@@ -27,41 +27,41 @@ class Rings:
     index : (k,) int
         Piece of each ring.
     length : (k,) float
-        mm.
+        Length of each ring, mm.
     nested : array
-        Another ring of the same depth is an offset: all four sides of the box are shifted inwards, or outwards, and the distance
-        is within the reach of the tool.
+        Whether another ring at the same depth is an offset: the sides of its box are all shifted inwards, or all
+        outwards, and the distance is within the reach of the tool.
     opposite : array
-        The next nested ring turns the other way.
+        Whether the next nested ring has the opposite sense of rotation.
     deeper : array
-        A ring of another shape is above or below.
+        Whether a ring of another shape is above or below the ring.
     repeated : array
-        The ring is repeated at another depth.
+        Whether the ring is repeated at another depth.
     stacked : array
-        The ring is repeated next, without another pattern between, as in a helix.
+        Whether the ring is repeated at another depth by one of the next or previous three rings, as in a helix.
     moved : array
-        A ring of similar size is shifted and overlaps: trochoids.
+        Whether a ring of similar size is shifted and overlaps the ring, as in trochoids.
     crossing : array
-        A ring of another shape touches the same four sides: passes of a lattice from wall to wall.
+        Whether a ring of another shape has the same box, like the passes of a lattice from wall to wall.
     alone : array
-        The ring has none of these relations.
+        Whether the ring is neither nested, deeper, repeated, moved nor crossing.
     winding, round, sloped : array
-        A turn of a winding; a circle; a ring with a steady descent or climb.
+        Whether the ring is a turn of a winding; whether it is a circle; whether its height changes steadily.
     back : (k,) float
-        Turning that cancels out, rad.
+        Turning that cancels out, rad; 0 for a convex ring.
     step : float
         Distance from a ring to the next nested one (median by enclosed area), mm; NaN without nested rings.
     growing : float
-        Share of outward steps; NaN without nested rings.
+        Share of the steps between nested rings that go outwards; NaN without nested rings.
     equidistant : bool
         Whether the level turns of windings, at least three, are evenly spaced.
     distinct, depths : int
         Number of different footprints, and of depths.
     depth_range : float
-        From the lowest to the highest ring, mm.
+        Height difference between the lowest and the highest ring, mm.
     evenness : float
-        Spread of the steps in the plane, divided by the spread in depth. Circles on a dome are even in the plane, its waterlines
-        in depth.
+        Relative spread of the steps in the plane, divided by the relative spread of the steps in depth. On a dome,
+        evenly spaced circles have even steps in the plane, and waterlines have even steps in depth.
     """
 
     index: np.ndarray
@@ -92,13 +92,13 @@ class Rings:
 
 
 def relate_rings(pieces: Pieces, index: np.ndarray, tool: float) -> Rings:
-    """Compare every ring with the next three in the order of cutting: O(k).
+    """Compare every ring with the next three rings in the order of cutting.
 
     Parameters
     ----------
     pieces : Pieces
     index : (k,) int
-        Pieces that are rings.
+        Indices of the pieces that are rings.
     tool : float
         Tool diameter, mm; 0 where unknown.
     """
@@ -111,11 +111,12 @@ def relate_rings(pieces: Pieces, index: np.ndarray, tool: float) -> Rings:
     again, distinct = come_again(pieces, index) if depths > 1 else (np.zeros(k, bool), k)
     flags["stacked"] = flags["repeated"].copy()
     flags["repeated"] |= again
-    # Contours of one part come again deeper in the same company; a waterline that is cut again does not.
+    # If each of a few footprints is repeated at most depths, the rings are contours of one part and not a waterline.
     if distinct * depths < WATERLINES.DEPTHS * k:
         flags["deeper"] &= ~again
     inside = np.isfinite(inner)
-    # Large loops show the stepover. The turns of windings count alike, because their areas are approximate.
+    # Weight the steps by area, because large loops show the stepover best. All turns of windings have the same weight,
+    # because their areas are approximate.
     weight = np.where(shapes.slack > 1, shapes.enclosed.mean(), shapes.enclosed)[inside] if k else shapes.enclosed
     related = flags["nested"] | flags["deeper"] | flags["repeated"] | flags["moved"] | flags["crossing"]
     return Rings(
@@ -175,12 +176,12 @@ def _compare_rings(inward: Inward, limit: float) -> _Compared:
         if lag == 1 and shapes.turn.any():
             turns = step[nested & shapes.turn[one] & shapes.turn[two]]
         shifts.append(mean[nested])
-        # The next ring but one is two steps away. Both views may be of the same rings: one after the other.
+        # The minimum ignores the ring after next, which is two steps away. The two slices overlap, so update one at a time.
         np.minimum(inner[one], np.where(nested & (mean > 0), step, np.inf), out=inner[one])
         np.minimum(inner[two], np.where(nested & (mean < 0), step, np.inf), out=inner[two])
         if flags["nested"].all():
             steps = inner[np.isfinite(inner)]
-            if steps.max() < 2 * steps.min():  # no room for another ring between two
+            if steps.max() < 2 * steps.min():  # no room for another ring between neighbouring rings
                 break
     return _Compared(flags, inner, np.concatenate(shifts), turns)
 
@@ -206,7 +207,7 @@ def _shapes(pieces: Pieces, index: np.ndarray) -> Shapes:
 
 
 class Pairs:
-    """Pairs of rings, p = k - lag: each ring and the ring that is cut `lag` rings later.
+    """The p = k - lag pairs of a ring and the ring that is cut `lag` rings later.
 
     Parameters
     ----------
@@ -238,21 +239,21 @@ class Pairs:
 
     @cached_property
     def level(self) -> np.ndarray:
-        """Whether both rings have one height, (p,) bool."""
+        """Whether both rings have the same mean height, (p,) bool."""
         one, two = self.both(self.shapes.z)
         level: np.ndarray = np.abs(one - two) < ROUNDING.HEIGHT
         return level
 
     @cached_property
     def beside(self) -> np.ndarray:
-        """Whether both rings have one depth, (p,) bool. Rings on a sculptured surface have no own depth: the plane decides."""
+        """Whether both rings have the same depth, or one ring has no single depth because it is not level, (p,) bool."""
         one, two = self.both(self.shapes.flat)
         found: np.ndarray = self.level | ~one | ~two
         return found
 
     @cached_property
     def same_box(self) -> np.ndarray:
-        """Whether the boxes are equal but for rounding, (p,) bool."""
+        """Whether the boxes are equal up to rounding, (p,) bool."""
         rounding = ROUNDING.RING + ROUNDING.RING_OF_SIZE * self.larger
         same: np.ndarray = np.maximum(-self.shift.low, self.shift.high) < np.minimum(
             rounding, max(ROUNDING.RING_OF_REACH * self.limit, ROUNDING.RING)
@@ -268,7 +269,7 @@ class Pairs:
 
     @cached_property
     def alike(self) -> np.ndarray:
-        """Whether all sides move by the same distance, (p,) bool. Sides of passes of a lattice that wind by chance rarely do."""
+        """Whether all four sides are shifted by the same distance, (p,) bool. In a lattice this is rare."""
         low, high, mean, _ = self.shift
         alike: np.ndarray = high - low <= NESTS.EQUAL_SIDES * np.abs(mean) + ROUNDING.PLACE
         return alike
@@ -281,7 +282,7 @@ class Pairs:
         # large rings.
         apart = ~self.same_box | (self.level & (step > ROUNDING.RING))
         wavy, other_wavy = self.both(shapes.wavy)
-        # Parallel curves differ in length by distance times turn (Steiner), unless bays close between them.
+        # The lengths of parallel curves differ by the distance times the turn (Steiner's formula), unless bays close.
         one, two = self.both(shapes.length)
         longer, shorter = np.maximum(one, two), np.minimum(one, two)
         parallel = (longer - shorter < NESTS.LONGER * np.abs(self.shift.mean)) | (shorter > NESTS.LENGTH_ALIKE * longer)
@@ -293,16 +294,16 @@ class Pairs:
 
     @cached_property
     def nested(self) -> np.ndarray:
-        """Whether one ring is an offset of the other at its depth, (p,) bool."""
+        """Whether one ring is an offset of the other at the same depth, (p,) bool."""
         found: np.ndarray = self.offset & self.beside
         return found
 
 
 def _is_opposite(pairs: Pairs) -> np.ndarray:
-    """Return whether the next ring is an offset that turns the other way, and so is a third ring.
+    """Return whether the next ring is an offset with the opposite sense, in a series of at least three such rings.
 
-    An outline and its hole also have opposite senses. The loops of one pattern keep their shape; a boundary and an island between
-    its offsets do not.
+    Two rings are not enough, because an outline and its hole also have opposite senses. The loops of one pattern have the
+    same shape. A boundary and an island between its offsets have different shapes.
     """
     one, two = pairs.both(pairs.shapes.sense)
     turns, mean = pairs.offset & pairs.alike & (one != two), pairs.shift.mean
@@ -314,9 +315,10 @@ def _is_opposite(pairs: Pairs) -> np.ndarray:
 
 
 def _is_moved(pairs: Pairs) -> np.ndarray:
-    """Return whether a ring of similar size is shifted and overlaps.
+    """Return whether a ring of similar size is shifted and overlaps, as in trochoids.
 
-    Trochoids overlap; ribs in a row, and loops around them, do not. A part of a turn has no place.
+    Ribs side by side, and the loops around the ribs, do not overlap. The rest of a winding after its last full turn is
+    ignored, because an incomplete turn does not show its position.
     """
     (low, high, mean, _), shapes = pairs.shift, pairs.shapes
     moved: np.ndarray = pairs.beside & ~pairs.same_box & (low < 0) & (high > 0)
@@ -329,7 +331,7 @@ def _is_moved(pairs: Pairs) -> np.ndarray:
     return moved
 
 
-#: The relations of pairs of rings, by their names in `Rings`: functions of `Pairs` that return (p,) bool.
+#: Relations between the rings of a pair, by their names in `Rings`. Each function takes `Pairs` and returns (p,) bool.
 RELATIONS: dict[str, Callable[[Pairs], np.ndarray]] = {
     "nested": lambda pairs: pairs.nested,
     "deeper": lambda pairs: ~pairs.same_box & ~pairs.beside & (pairs.shift.low > -pairs.smaller),
@@ -348,15 +350,15 @@ def _equal(steps: np.ndarray) -> bool:
 
 
 def _widths(length: np.ndarray, enclosed: np.ndarray, slack: np.ndarray) -> np.ndarray:
-    """Return the shorter side of a rectangle with the same area and perimeter, (k,) mm, in any orientation of a ring."""
+    """Return the shorter side of the rectangle with each ring's area and perimeter, (k,) mm, for any orientation."""
     result: np.ndarray = slack * (length / 4 - np.sqrt(np.maximum((length / 4) ** 2 - enclosed, 0)))
     return result
 
 
 def _sloped(pieces: Pieces, index: np.ndarray) -> np.ndarray:
-    """Return which pieces change their height steadily, with the mean height in the middle of the drop.
+    """Return which pieces change their height steadily: their mean height is in the middle of the drop.
 
-    A contour with a ramp over its first moves only does not.
+    The height of a contour with a ramp in only its first moves does not change steadily.
     """
     drop = pieces.drop[index]
     if not drop.any():

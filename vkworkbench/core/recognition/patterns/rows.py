@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Rows: long parallel passes side by side, and whether their direction alternates or stays."""
+"""Find rows: long parallel passes side by side, whose direction alternates or stays the same."""
 
 from __future__ import annotations
 
@@ -11,13 +11,13 @@ import numpy as np
 from vkworkbench.core.paper import Areas, axis_of
 from vkworkbench.core.recognition.thresholds import MAJORITY, NEGLIGIBLE, NESTS, ROUNDING, ROWS
 
-_ROUNDING = 1e-9  # rad; an axis less than this below 0 is 0 and not pi
-_EQUAL = 1e-12  # share; gaps that differ by less are equal but for the rounding of float64
+_ROUNDING = 1e-9  # rad; an axis closer to pi than this is 0
+_EQUAL = 1e-12  # share of the pitch; smaller differences between gaps are rounding errors of float64
 
 
 @dataclass(frozen=True)
 class Rows:
-    """Parallel passes of one axis.
+    """A family of parallel passes along one axis.
 
     Attributes
     ----------
@@ -34,19 +34,19 @@ class Rows:
     once : float
         Length of the passes, without passes that repeat the line of the previous pass at another depth, mm.
     opposite, same : float
-        Length of the passes whose neighbour runs the other way, and the same way, mm.
+        Length of the passes whose neighbour runs in the opposite direction, and in the same direction, mm.
     step : float
         Distance between rows cut one after the other (median by length), mm.
     pitch : float
         Distance between neighbouring rows in any order (median), mm.
     period : float
-        Distance after which the lines repeat, mm. A lattice whose passes bounce off the boundary has two sets of lines in each
-        pocket. Lines of one set are one stepover apart; the distance between the sets is arbitrary. There the period is the
-        stepover; for evenly spaced rows it is the pitch.
+        Distance after which the lines repeat, mm. A lattice whose passes bounce off the boundary has two sets of lines in
+        each pocket. Lines of one set are one stepover apart, and the distance between the sets is arbitrary. The period
+        of such a lattice is the stepover. The period of evenly spaced rows is the pitch.
     even : float
-        Share of the steps that are about as long as the usual one.
+        Share of the steps that are close to the usual step.
     steep : bool
-        Whether most neighbours differ more in their mean heights than in their places, as passes down a wall do.
+        Whether most neighbouring passes differ more in height than in position across the axis, like passes down a wall.
     lies : (p, 3) float
         Sample of passes: position across the axis, and beginning and end along the axis, ascending, mm.
     moves : (k,) int
@@ -73,8 +73,8 @@ class Rows:
 def find_rows(moves: Areas, chosen: np.ndarray) -> list[Rows]:
     """Find up to two families of parallel rows among the chosen moves.
 
-    In the Gauss image, rows are two opposite points of the circle. The axis of a family is where the image, with opposite
-    directions joined, is densest. Grids and crossed rasters have a second family.
+    The Gauss image of rows is two opposite points of the circle. If opposite directions count as one, the axis of a
+    family is the densest direction of the Gauss image. Grids and crossed rasters have a second family.
 
     Parameters
     ----------
@@ -103,12 +103,12 @@ def find_rows(moves: Areas, chosen: np.ndarray) -> list[Rows]:
 
 
 def weighted_median(values: np.ndarray, weights: np.ndarray) -> float:
-    """Return the weighted median. Of many values, a regular sample is used.
+    """Return the weighted median, computed from a regular sample if there are many values.
 
     Parameters
     ----------
     values, weights : (k,) float
-        At least one.
+        At least one value.
     """
     every = len(values) // ROWS.SAMPLE + 1
     values, weights = values[::every], weights[::every]
@@ -118,7 +118,7 @@ def weighted_median(values: np.ndarray, weights: np.ndarray) -> float:
 
 
 def median(values: np.ndarray) -> float:
-    """Return the median of k > 0 numbers, (k,). For so few numbers np.median spends most of its time on checks."""
+    """Return the median of k > 0 numbers, (k,). np.median is slower, because it spends most of its time on checks."""
     half = len(values) // 2
     if len(values) % 2:
         return float(np.partition(values, half)[half])
@@ -127,7 +127,7 @@ def median(values: np.ndarray) -> float:
 
 
 def dot(a: np.ndarray, b: np.ndarray) -> float:
-    """Return the sum of products of two arrays (k,) in this thread, because BLAS would start other threads and wait for them."""
+    """Return the dot product of two arrays (k,) without BLAS, which would start other threads and wait for them."""
     return float(np.einsum("i,i->", a, b))
 
 
@@ -137,15 +137,15 @@ class Steps(NamedTuple):
     Attributes
     ----------
     shorter : (k-1,) float
-        Length of the shorter of two passes, mm.
+        Length of the shorter of two consecutive passes, mm.
     aside, neighbour : (k-1,) bool
-        Whether two passes are on different lines, and whether their distance is at most the usual one.
+        Whether two consecutive passes are on different lines; whether their distance, besides, is at most about `usual`.
     usual : float
         Usual distance (median by length), mm.
     even : float
-        Share of the steps of about the usual length.
+        Share of the steps that are close to the usual step.
     line : float
-        Largest distance of passes on one line, mm.
+        Largest distance between passes on one line, mm.
     """
 
     shorter: np.ndarray
@@ -173,7 +173,7 @@ def steps_between(place: np.ndarray, length: np.ndarray) -> Steps | None:
 
 
 def _is_fine(step: np.ndarray, lateral: np.ndarray) -> bool:
-    """Return whether steps within rounding lead on to one side, as fine rows do. Rounding of one line leads back and forth."""
+    """Return whether steps within rounding go to one side, as in fine rows. Rounding of one line goes to both sides."""
     small = step[(lateral > ROWS.FINEST) & (lateral <= ROUNDING.PLACE)]
     if len(small) < max(ROWS.MANY, MAJORITY.SHARE * np.count_nonzero(lateral > ROWS.FINEST)):
         return False
@@ -181,7 +181,7 @@ def _is_fine(step: np.ndarray, lateral: np.ndarray) -> bool:
 
 
 def _in_half_turn(axis: float) -> float:
-    """Return the same axis in [0, pi), rad."""
+    """Return an axis as an angle in [0, pi), rad."""
     axis %= np.pi
     return 0.0 if np.pi - axis < _ROUNDING else axis
 
@@ -194,7 +194,7 @@ class _Passes(NamedTuple):
     first, last : (p,) int
         First and last move.
     length : (p,) float
-        mm.
+        Length of each pass, mm.
     forward : (p,) bool
         Whether the pass runs along the axis, and not against it.
     area : (p,) int
@@ -229,8 +229,8 @@ def _densest(moves: Areas, chosen: np.ndarray) -> Rows | None:
         once = passes.length[0]
         return Rows(axis, total, once, passes.typical, 1, 1, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, False, lies, on)
     turned = passes.forward[1:] != passes.forward[:-1]
-    # Two passes in the same direction in one area, without a lift, are steps of one stroke and not rows: a contour that was
-    # sampled on a grid looks like a staircase.
+    # Two passes in the same direction in one area, without a lift, are steps of one stroke and not rows. For example, a
+    # contour that was sampled on a grid looks like a staircase.
     onward = steps.neighbour & ~turned & (passes.area[1:] != passes.area[:-1])
     steep = np.abs(np.diff(passes.height)) > np.abs(np.diff(passes.place))
     place = np.sort(passes.place[: ROWS.SAMPLE])
@@ -264,14 +264,14 @@ def _cut_passes(moves: Areas, on: np.ndarray, forward: np.ndarray, length: np.nd
     on : (k,) int
         Moves that are parallel to the axis, ascending.
     forward, length : (k,) bool and float
-        Whether each runs along the axis, and its length, mm.
+        Whether each move runs along the axis, and not against it; length of each move, mm.
     axis : float
         rad.
     """
     several = len(moves.start) > 1
     area = np.searchsorted(moves.start, on, side="right") if several else np.zeros(len(on), np.int64)
-    # A pass ends where the next move runs the other way. It continues over links and lifts on the same line, so that a row
-    # interrupted by islands is one row.
+    # A pass ends where the next move runs in the opposite direction. A pass continues over links and lifts on its line,
+    # so that a row interrupted by islands is one row.
     new = forward[1:] != forward[:-1]
     apart = on[1:] - on[:-1] > 1
     if several:
@@ -286,7 +286,7 @@ def _cut_passes(moves: Areas, on: np.ndarray, forward: np.ndarray, length: np.nd
     height = moves.z[first]
     if moves.climbs:
         height = np.add.reduceat(moves.z[on] * length, begin)[long] / passed[long]
-    # The middle of a pass, because links along a slanting boundary may turn the axis a little.
+    # Use the midpoint of each pass, because links along a slanting boundary can rotate the axis slightly.
     middle_x = (moves.x[first] + moves.x[last] + moves.dx[last]) / 2
     middle_y = (moves.y[first] + moves.y[last] + moves.dy[last]) / 2
     place = middle_y * np.cos(axis) - middle_x * np.sin(axis)
@@ -295,7 +295,7 @@ def _cut_passes(moves: Areas, on: np.ndarray, forward: np.ndarray, length: np.nd
 
 
 def _leaves_line(moves: Areas, before: np.ndarray, after: np.ndarray, forward: np.ndarray, axis: float) -> np.ndarray:
-    """Return whether moves `after` (k,) lie on other lines than moves `before` (k,), which run along or against an axis."""
+    """Return whether the moves `after` (k,) lie on other lines than the moves `before` (k,), all parallel to an axis."""
     u, v = np.cos(axis), np.sin(axis)
     gap_x = moves.x[after] - moves.x[before] - moves.dx[before]
     gap_y = moves.y[after] - moves.y[before] - moves.dy[before]
@@ -315,38 +315,39 @@ def _sampled_lines(moves: Areas, passes: _Passes, axis: float) -> np.ndarray:
 
 
 def _period(gaps: np.ndarray, pitch: float, line: float) -> float:
-    """Return the distance after which most lines repeat, mm; the pitch if they do not.
+    """Return the distance after which most lines repeat, mm; return the pitch if most lines do not repeat.
 
-    A lattice has two sets of lines in each pocket. The distance between two sets is arbitrary; only inside a set it repeats.
+    A lattice has two sets of lines in each pocket. The distance between two sets is arbitrary. Only the distance between
+    the lines of one set repeats.
 
     Parameters
     ----------
     gaps : (g,) float
         Distances between neighbouring lines, in order, mm.
     pitch, line : float
-        Usual gap, and largest distance of passes on one line, mm.
+        Usual gap, and largest distance between passes on one line, mm.
     """
     if len(gaps) < 2 or np.ptp(gaps) < _EQUAL * pitch:
         return pitch
     place = np.append(0.0, np.cumsum(gaps))
     lags = range(1, min(ROWS.MAX_PERIOD, len(gaps)) + 1)
     distance = np.concatenate([place[lag:] - place[:-lag] for lag in lags])
-    distance = distance[distance < ROWS.FARTHEST * pitch]  # farther on begins another pocket, however far away
+    distance = distance[distance < ROWS.FARTHEST * pitch]  # larger distances are between different pockets
     width = max(line, ROWS.SAME_GAP * pitch)
     cell = np.rint(distance / width).astype(np.int64)
     count = np.bincount(cell, minlength=2)
-    count[:-1] += count[1:]  # no border between cells divides what is one distance
-    with_room = np.searchsorted(place, place[-1] - width * np.arange(-1, len(count) - 1))  # lines with room for another
+    count[:-1] += count[1:]  # join neighbouring cells, because equal distances may be in both
+    with_room = np.searchsorted(place, place[-1] - width * np.arange(-1, len(count) - 1))  # number of lines that can have a line behind them
     share = np.where(2 * with_room >= len(place), count / np.maximum(with_room, 1), 0.0)
-    score = count * share  # a distance that repeats by chance repeats for few lines
-    nearest = int(np.argmax(score > ROWS.PITCH_FREQUENCY * score.max()))  # twice the distance is as frequent
+    score = count * share  # a distance that repeats by chance does so for few lines
+    nearest = int(np.argmax(score > ROWS.PITCH_FREQUENCY * score.max()))  # multiples are equally frequent
     if share[nearest] <= MAJORITY.SHARE:
         return pitch
     return median(distance[(cell == nearest) | (cell == nearest + 1)])
 
 
 def _main_axis(moves: Areas, chosen: np.ndarray) -> tuple[float, np.ndarray, np.ndarray, np.ndarray]:
-    """Find the axis of most of the length.
+    """Find the axis along which most of the chosen length lies.
 
     Returns
     -------
@@ -367,7 +368,7 @@ def _main_axis(moves: Areas, chosen: np.ndarray) -> tuple[float, np.ndarray, np.
     along, aligned = _aligned(dx, dy, length, axis)
     kept = length.take(aligned).sum() / total
     if kept < ROWS.ONE_AXIS:
-        # With several axes the mean lies between them, so use the densest direction and its neighbours.
+        # With several axes the mean lies between the axes, so use the densest direction and the directions next to it.
         bins = np.rint(moves.alpha[chosen] * (ROWS.DIRECTIONS / np.pi)).astype(np.int64) % ROWS.DIRECTIONS
         weight = np.bincount(bins, weights=length, minlength=ROWS.DIRECTIONS)
         around = np.roll(weight, 1) + np.roll(weight, -1)
@@ -375,7 +376,7 @@ def _main_axis(moves: Areas, chosen: np.ndarray) -> tuple[float, np.ndarray, np.
         near = (np.arange(ROWS.DIRECTIONS) - peak + 1) % ROWS.DIRECTIONS <= 2
         aligned = np.flatnonzero(near[bins])
     if kept < ROWS.ALL_ALIGNED:
-        # Again without the links, because links along a slanting boundary turn the axis.
+        # Compute the axis again without the links, because links along a slanting boundary rotate it.
         cos = cos.take(aligned)
         axis = axis_of(dot(cos, dx.take(aligned)), dot(cos, dy.take(aligned)), float(length.take(aligned).sum()))
         along, aligned = _aligned(dx, dy, length, axis)
@@ -383,7 +384,7 @@ def _main_axis(moves: Areas, chosen: np.ndarray) -> tuple[float, np.ndarray, np.
 
 
 def _aligned(dx: np.ndarray, dy: np.ndarray, length: np.ndarray, axis: float) -> tuple[np.ndarray, np.ndarray]:
-    """Return the distances that moves cover along an axis, mm, and which moves are parallel to it."""
+    """Return the distances that moves cover along an axis, mm, and the indices of the moves parallel to the axis."""
     along = dx * np.cos(axis)
     along += dy * np.sin(axis)
     return along, np.flatnonzero(np.abs(along) >= np.cos(ROWS.ALIGNED) * length)
@@ -406,8 +407,8 @@ def filling(families: list[Rows], tool: float, *, length: float, contour: bool) 
     good = [family for family in families if _fills(family, tool) and not (contour and _walls(family))]
     if good or len(families) < 2 or (tool and max(family.period for family in families) > NESTS.REACH * tool):
         return good
-    # The tool cuts a lattice like a ball on a billiard table, so that consecutive rows are not neighbours. Two families of many
-    # long rows with nearly the whole length fill the area nevertheless. The sides of contours do not cross.
+    # The passes of a lattice bounce from wall to wall, so that consecutive rows are not neighbours. Two families of many
+    # long rows that have nearly the whole length fill the area nevertheless. The sides of contours do not cross.
     if sum(family.length for family in families) > ROWS.GRID * length and _cross(*families):
         if all(
             family.count >= MAJORITY.REPETITIONS and family.typical > ROWS.MIN_LENGTH * family.pitch
@@ -421,7 +422,7 @@ def _cross(one: Rows, other: Rows) -> bool:
     """Return whether most passes of one family cross passes of the other between their ends."""
     turned = other.axis - one.axis
     c, s = np.cos(turned), np.sin(turned)
-    # In the frame of one pass: the positions along both passes at which their lines meet.
+    # Positions along each pass of one family, and along each pass of the other family, at which their lines meet.
     here = (one.lies[:, 0, None] * c - other.lies[:, 0]) / s
     there = (one.lies[:, 0, None] - other.lies[:, 0] * c) / s
     inside = [
@@ -433,13 +434,13 @@ def _cross(one: Rows, other: Rows) -> bool:
 
 
 def _fills(family: Rows, tool: float) -> bool:
-    """Return whether passes lie side by side like rows: long moves, short steps between them (paper, section 2.1)."""
-    # In teeth of two steps width the rows are short, but many and even.
+    """Return whether passes are rows: long passes with short steps between neighbours (paper, section 2.1)."""
+    # In teeth that are two steps wide, the rows are short, but there are many rows with even steps.
     longer = ROWS.MIN_LENGTH_IF_MANY if family.lines >= ROWS.MANY and family.even > ROWS.EVEN else ROWS.MIN_LENGTH
     if family.opposite + family.same <= ROWS.WITH_NEIGHBOUR * family.once or family.typical <= longer * family.step:
         return False
     if family.step < max(ROWS.RETRACED * tool, ROUNDING.PLACE) and (family.lines < ROWS.MANY or family.steep):
-        return False  # the same pass again, or deeper along a wall
+        return False  # repetitions of one pass, or passes down a wall
     reach = NESTS.REACH * tool
     if tool and family.step > reach and (family.period > reach or family.step > ROWS.LEFT_BETWEEN * family.period):
         return False
@@ -448,8 +449,8 @@ def _fills(family: Rows, tool: float) -> bool:
 
 
 def _walls(family: Rows) -> bool:
-    """Return whether passes of a closed contour are the walls of its teeth, with alternating gaps and teeth.
+    """Return whether the passes of a closed contour are the walls of teeth.
 
-    A zigzag rarely returns to its start; a contour always does.
+    Teeth and gaps of different widths alternate, so that the period of the lines is longer than the pitch.
     """
     return family.period > ROWS.WALLS * family.pitch

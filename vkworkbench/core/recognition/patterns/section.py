@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""A section: moves that are judged as one operation, with their measures."""
+"""Measure a section, which is the moves that are judged as one operation."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ from vkworkbench.core.recognition.thresholds import (
     WINDINGS,
 )
 
-_LOW = np.array([1.0, 1.0, -1.0, -1.0])  # with it the lowest of boxes are their outermost sides
+_LOW = np.array([1.0, 1.0, -1.0, -1.0])  # after multiplication, the outermost side is the lowest
 
 
 class Corrections(NamedTuple):
@@ -91,7 +91,7 @@ class Section:
 
     @cached_property
     def _kinds(self) -> np.ndarray:
-        """Kinds of the pieces, (p,) int. Unlike in `pieces`, small loops belong to the zigzag around them, and slots are strokes."""
+        """Kinds of the pieces, (p,) int, with small loops counted as the zigzag around them, and slots as strokes."""
         kinds = _absorbed(self.pieces)
         kinds[self._slots] = STROKE
         return kinds
@@ -114,7 +114,7 @@ class Section:
 
     @cached_property
     def strokes(self) -> Strokes:
-        """The open strokes; none if they are only links."""
+        """The open strokes. If their total length is short, they are links and are left out."""
         opened = self._kinds == STROKE
         if self.pieces.length[opened].sum() < NEGLIGIBLE.LINKS * self.length:
             opened[:] = False
@@ -126,14 +126,15 @@ class Section:
 
     @cached_property
     def aside(self) -> np.ndarray:
-        """Rings that step aside to the next ring, (k,) bool: windings that turn against their sense and back."""
+        """Whether each ring steps aside to the next ring, (k,) bool: a winding that turns against its sense and back."""
         return self._corrections.angle > WINDINGS.STEP_ASIDE * TURN
 
     @cached_property
     def hunting(self) -> np.ndarray:
-        """Rings that correct their direction all the time, (k,) bool: adaptive clearing keeps its engagement constant.
+        """Whether each ring constantly corrects its direction, (k,) bool, as adaptive clearing does.
 
-        Concave corners and links to the next loop are larger turns at few places.
+        Adaptive clearing corrects its direction to keep the engagement constant. Concave corners and links to the next
+        loop are larger turns at few places, and are not corrections.
         """
         angle, places = self._corrections
         small: np.ndarray = (places >= WINDINGS.CORRECTIONS) & (angle < WINDINGS.CORRECTION * places)
@@ -142,7 +143,7 @@ class Section:
 
     @cached_property
     def lattice(self) -> np.ndarray:
-        """Rings that may be rows, (k,) bool: passes from wall to wall that wind by chance."""
+        """Whether each ring may consist of rows, (k,) bool: passes from wall to wall form a winding by chance."""
         rings = self.rings
         wavy = self.pieces.wavy[rings.index]
         # Wavy loops that are offsets of each other follow a concave contour and are not rows.
@@ -165,14 +166,14 @@ class Section:
         """Families of parallel passes, at most two."""
         pieces, rowlike = self.pieces, self._rowlike
         if float(pieces.length[rowlike].sum()) <= NEGLIGIBLE.ROWS * self.length:
-            return []  # the links between loops
+            return []  # such short pieces are links between loops
         if rowlike.all():
             return find_rows(self.moves, np.arange(len(self.moves)))
         return find_rows(self.moves, np.flatnonzero(np.repeat(rowlike, pieces.end - pieces.start)))
 
     @cached_property
     def rows(self) -> list[Rows]:
-        """Families that fill an area."""
+        """Families of rows that fill an area."""
         length, rowlike = self.pieces.length, self._rowlike
         searched = float(length[rowlike].sum())
         contour = length[rowlike & (self._kinds == LOOP)].sum() > MAJORITY.SHARE * searched
@@ -180,7 +181,7 @@ class Section:
 
     @cached_property
     def _closed_rows(self) -> np.ndarray:
-        """Pieces that are rings but also two neighbouring rows, closed by links, (p,) bool."""
+        """Whether each piece is a ring that consists of two neighbouring rows and links, (p,) bool."""
         moves, pieces, rings = self.moves, self.pieces, self.rings
         closed = np.zeros(len(pieces), bool)
         if self.rows and len(rings):
@@ -219,7 +220,8 @@ class Section:
     def cornered(self) -> float:
         """Return the share of the turning of windings in corners.
 
-        A spiral turns continually. Polygons that step aside to the next one in a corner also wind in one sense.
+        A spiral turns continually. Polygons that step to the next polygon in a corner also wind in one sense, but turn only
+        in corners.
         """
         chosen = np.zeros(len(self.pieces), bool)
         chosen[self.rings.index[self.rings.winding]] = True
@@ -237,9 +239,9 @@ class Section:
         return bool(small and shallow and shapes >= LETTERS.COUNT and shapes > STROKES.DISTINCT * self.rings.distinct)
 
     def ends_with_contour(self) -> bool:
-        """Return whether the cutting ends with a large closed contour at the depths of most of the length: a finishing pass.
+        """Return whether the last piece at the depths with most of the length is a large closed contour, a finishing pass.
 
-        A contour around the part and a contour inside a pocket are both larger than half of the ground that is cut.
+        A contour around the part, or inside a pocket, is larger than half of the ground that is cut at its depth.
         """
         pieces = self.pieces
         level = np.flatnonzero(pieces.flat & (pieces.length > NEGLIGIBLE.PASS * pieces.length.max()))
@@ -248,27 +250,27 @@ class Section:
         depth = number_depths(pieces.z[level])
         around, last = np.full((int(depth.max()) + 1, 4), np.inf), np.zeros(int(depth.max()) + 1, np.int64)
         np.minimum.at(around, depth, pieces.box[level] * _LOW)
-        last[depth] = level  # of several pieces of one depth, numpy keeps the last
+        last[depth] = level  # for several pieces at one depth, numpy keeps the last
         large = pieces.box[last, 2:] - pieces.box[last, :2] > -MAJORITY.SHARE * (around[:, :2] + around[:, 2:])
         ends = (pieces.kind[last] == LOOP) & large.all(axis=1) & (np.bincount(depth) > 2)
         return bool(pieces.length[level][ends[depth]].sum() > MAJORITY.SHARE * pieces.length[level].sum())
 
     def bordered(self) -> tuple[float, float]:
-        """Return how much rows and rings of one depth belong together.
+        """Return how much of the rows and rings at one depth belongs to one pattern.
 
         Returns
         -------
         float
             Share of the rows' length inside a ring, which is the contour of their walls.
         float
-            Share of the rings' length in single level rings amid rows, which are contours of islands.
+            Share of the rings' length in level rings that are not nested and lie amid rows. They are contours of islands.
         """
         pieces, row, ring = self.pieces, np.flatnonzero(self.row_pieces), self.rings.index
         if not len(row) or not len(ring):
             return 0.0, 0.0
         depth = number_depths(np.concatenate([pieces.z[row], pieces.z[ring]]))
         of_row, of_ring, depths = depth[: len(row)], depth[len(row) :], int(depth.max()) + 1
-        # The largest rings of each depth; smaller rings go around islands or lie inside.
+        # Compare with the largest rings of each depth, because smaller rings go around islands or lie inside other rings.
         order = np.lexsort((-np.hypot(*(pieces.box[ring, 2:] - pieces.box[ring, :2]).T), of_ring))
         rank = np.arange(len(ring)) - np.searchsorted(of_ring[order], of_ring[order])
         inside = np.zeros(len(row), bool)
@@ -287,9 +289,10 @@ class Section:
         return of_rows, float(self.rings.length[amid].sum() / self.rings.length.sum())
 
     def _beside(self, strokes: np.ndarray) -> Iterator[tuple[np.ndarray, np.ndarray, np.ndarray]]:
-        """Yield the rings cut after some strokes, (s,) int, and the rings cut before them, as pieces.
+        """Yield the rings that are cut after some strokes, (s,) int, then the rings that are cut before these strokes.
 
-        Each with the distance of the piece inside the ring's box, mm, and whether both have the same depth.
+        The rings are indices of pieces. Each time also yield how far the strokes lie inside the boxes of the rings, mm, and
+        whether stroke and ring have the same depth.
         """
         pieces, ring = self.pieces, self.rings.index
         after = np.clip(np.searchsorted(ring, strokes), 0, len(ring) - 1)
@@ -303,10 +306,10 @@ class Section:
     def filled(self) -> float:
         """Return the share of the cutting length in open strokes that clear the inside of a ring.
 
-        The ring was cut before or after the strokes at the same depth. The strokes go back and forth; a stroke of one pass is a
-        lead. No part of a stroke is farther from the ring than the tool reaches; otherwise ground stays uncut, and the stroke is
-        another contour that does not quite close. A stroke encloses little area with its chord for its length; a stroke that
-        encloses as much as the ring is a repetition of the ring.
+        The ring is the ring cut last before or first after the stroke, at the same depth. A stroke that clears goes back
+        and forth, because a stroke of one pass is a lead. A stroke that clears lies within the tool's reach of the ring;
+        a stroke farther inside leaves uncut ground and is another contour that is not quite closed. A stroke that clears
+        encloses less area for its length than the ring; a stroke that encloses as much is a repetition of the ring.
         """
         pieces, strokes = self.pieces, self.strokes.index
         strokes = strokes[pieces.passes[strokes] > 1]
@@ -321,13 +324,13 @@ class Section:
 
 
 def _inward(inner: np.ndarray, outer: np.ndarray) -> np.ndarray:
-    """Return the smallest distance of the sides of boxes (k, 4) inside other boxes (k, 4), (k,) mm."""
+    """Return how far each box `inner` (k, 4) lies inside the box `outer` (k, 4), the smallest of four sides, (k,) mm."""
     least: np.ndarray = ((inner - outer) * _LOW).min(axis=1)
     return least
 
 
 def _absorbed(pieces: Pieces) -> np.ndarray:
-    """Return the kinds of the pieces, with small loops inside a zigzag joined to the zigzag.
+    """Return the kinds of the pieces, with small loops inside a zigzag counted as zigzag.
 
     A zigzag that follows the boundary between its rows makes small loops. Only a loop that surrounds the rows is a contour.
     """
@@ -355,7 +358,7 @@ def _retraced(moves: Areas, pieces: Pieces) -> np.ndarray:
 
 
 def _long(pieces: Pieces, which: np.ndarray) -> np.ndarray:
-    """Return the indices of the chosen pieces without short ones, which are links and leads."""
+    """Return the indices of the chosen pieces without short pieces, which are links and leads."""
     index = np.flatnonzero(which)
     if not len(index):
         return index

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Spurs: short moves out and back on one line, such as dogbone reliefs in corners. Spurs are not part of the pattern."""
+"""Remove spurs, which are short moves out and back on one line, such as dogbone reliefs in corners."""
 
 from __future__ import annotations
 
@@ -12,15 +12,16 @@ from vkworkbench.core.recognition.thresholds import ROUNDING, SPURS
 
 
 def without_spurs(moves: Areas) -> Areas:
-    """Return the areas, without the spurs of closed areas. The tool then turns from the move before a spur to the move after it.
+    """Return the areas, without the spurs of closed areas.
 
-    A spur is a move and its exact reversal, shorter than the moves around it. Its half turn has no sign, so phi of a contour with
-    corner reliefs does not reach 2 pi. If spurs are most of an area, they are rows.
+    A spur is a move and its exact reversal, shorter than the moves before and after. The half turn of a spur has no sign,
+    so that phi of a contour with corner reliefs does not reach 2 pi. Without the spur, the tool turns from the move before
+    it to the move after it. If spurs are a large share of an area, they are rows and stay.
     """
     out = moves.reversals - 1
     if not len(out):
         return moves
-    inside = np.ones(len(moves) + 2, bool)  # not the first move of an area
+    inside = np.ones(len(moves) + 2, bool)  # excludes the first move of an area
     inside[moves.start] = inside[len(moves) :] = False
     out = out[inside[out] & inside[out + 2]]
     back_x = moves.dx[out] + moves.dx[out + 1]
@@ -31,13 +32,13 @@ def without_spurs(moves: Areas) -> Areas:
     area = np.searchsorted(moves.start, out, side="right") - 1
     spent = np.bincount(area, moves.length[out] + moves.length[out + 1], len(moves.start))
     out = out[moves.closed[area] & (spent[area] < SPURS.LENGTH * moves.area_length[area])]
-    out = out[np.diff(out, prepend=-4) > 2]  # one that follows on another stays
+    out = out[np.diff(out, prepend=-4) > 2]  # a spur directly after another spur stays
     if not len(out):
         return moves
     after = out + 2
     turn = closing_turns(moves.alpha, after, out)
     more = np.zeros(len(moves))
-    more[after] = turn - moves.turning[np.array([out, out + 1, after])].sum(axis=0)  # in place of three turns
+    more[after] = turn - moves.turning[np.array([out, out + 1, after])].sum(axis=0)  # replaces the three turns of the spur
     turning = moves.turning.copy()
     turning[after] = turn
     more = np.cumsum(more)
@@ -49,7 +50,7 @@ def without_spurs(moves: Areas) -> Areas:
 
 
 def some_moves(moves: Areas, kept: np.ndarray) -> Areas:
-    """Return the areas with the kept moves (m,) bool, at least one of every area.
+    """Return the areas with only the moves that `kept` (m,) bool selects, at least one in every area.
 
     If the first moves of an area are removed, phi begins at 0 with the first kept move.
     """

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Open strokes: the bites of adaptive clearing, open contours, letters."""
+"""Measure open strokes, which are bites of adaptive clearing, open contours or letters."""
 
 from __future__ import annotations
 
@@ -23,14 +23,14 @@ class Strokes:
     index : (k,) int
         Piece of each stroke.
     length : (k,) float
-        mm.
+        Length of each stroke, mm.
     bite : (k,) bool
-        Bends by more than a quarter turn in the sense of most strokes, and lies close to the stroke before or after it at the
-        same depth: the arcs that adaptive clearing cuts one after the other.
+        Whether the stroke bends by more than a quarter turn in the sense of most strokes, and lies close to the bent
+        stroke before or after it at the same depth. Adaptive clearing cuts such arcs one after the other.
     against : (k,) bool
-        Bends by more than a quarter turn in the other sense.
+        Whether the stroke bends by more than a quarter turn in the sense opposite to most strokes.
     sloped : (k,) bool
-        Changes its height.
+        Whether the height of the stroke changes.
     distinct, depths : int
         Number of footprints, and number of depths of level strokes.
     typical : float
@@ -58,7 +58,7 @@ def relate_strokes(pieces: Pieces, index: np.ndarray) -> Strokes:
     ----------
     pieces : Pieces
     index : (k,) int
-        Pieces that are open strokes.
+        Indices of the pieces that are open strokes.
     """
     length = pieces.length[index]
     if not len(index):
@@ -78,7 +78,7 @@ def relate_strokes(pieces: Pieces, index: np.ndarray) -> Strokes:
     beside[1:] |= meets
     bite, against = np.zeros(len(index), bool), np.zeros(len(index), bool)
     with_most = sense == common
-    # If most strokes of this sense lie elsewhere, the others lie beside one another by chance.
+    # If most strokes of the common sense have no such neighbour, the remaining strokes have a neighbour by chance.
     if np.count_nonzero(with_most & beside) >= MAJORITY.SHARE * np.count_nonzero(with_most):
         bite[bent[with_most & beside]] = True
     against[bent[sense == -common]] = True

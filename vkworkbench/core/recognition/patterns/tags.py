@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Tags hold a part in the stock. A contour that is lifted over tags is still one contour."""
+"""Join the strokes of a contour that is lifted over tags, which hold the part in the stock."""
 
 from __future__ import annotations
 
@@ -14,9 +14,10 @@ from vkworkbench.core.recognition.thresholds import MAJORITY, ROUNDING, TAGS
 def joined_over_tags(moves: Areas) -> tuple[Areas, float]:
     """Join areas that follow one another around a closed contour.
 
-    Between the areas the tool is lifted and continues at the same place or ahead. The moves before such gaps are extended to bridge
-    the gaps. Cuts over a tag are part of the contour. Rows that are lifted over an island also continue ahead, but do not close. If
-    each area is cut to its full depth before the next, the contour has as many turns as an area has passes.
+    Between two such areas the tool is lifted, and continues at the same place or ahead. The move before each gap is
+    extended to bridge the gap. Cuts over a tag are part of the contour. Rows that are lifted over an island also continue
+    ahead, but do not close. If each stroke between tags is cut to its full depth before the next stroke, the joined
+    contour goes around as often as a stroke has passes.
 
     Parameters
     ----------
@@ -26,7 +27,7 @@ def joined_over_tags(moves: Areas) -> tuple[Areas, float]:
     Returns
     -------
     Areas
-        Areas with each such contour joined.
+        The areas, in which each interrupted contour is one area.
     float
         Share of the length in the joined contours.
     """
@@ -65,9 +66,9 @@ def joined_over_tags(moves: Areas) -> tuple[Areas, float]:
 
 
 def _pass_by_pass(moves: Areas) -> Areas:
-    """Return the areas in the order around the contour, if each is cut to its full depth before the next.
+    """Return the areas in their order around the contour, if each stroke is cut to its full depth before the next stroke.
 
-    Areas that go back and forth between their ends are given one direction.
+    Areas that are cut back and forth between the same ends are given one direction.
     """
     count, first, last = len(moves.start), moves.start, moves.end - 1
     end_x, end_y = moves.x[last] + moves.dx[last], moves.y[last] + moves.dy[last]
@@ -91,7 +92,7 @@ def _pass_by_pass(moves: Areas) -> Areas:
 
 
 def _rearranged(moves: Areas, order: np.ndarray, backward: np.ndarray) -> Areas:
-    """Return the areas in another order, some of them reversed, between the same trajectories."""
+    """Return the areas in another order, with the areas selected by `backward` reversed."""
     size = (moves.end - moves.start)[order]
     start = np.cumsum(size) - size
     place = np.arange(len(moves)) - np.repeat(start, size)
@@ -104,7 +105,7 @@ def _rearranged(moves: Areas, order: np.ndarray, backward: np.ndarray) -> Areas:
 
 
 def _measured(moves: Areas, **changed: np.ndarray) -> Areas:
-    """Return the areas with changed moves, measured again."""
+    """Return the areas with changed moves, and measure the moves again."""
     moves = replace(moves, **changed)
     alpha = directions(moves.dx, moves.dy)
     turning, phi = np.zeros(len(moves)), np.empty(len(moves))
@@ -121,7 +122,7 @@ def _gap(moves: Areas, one: np.ndarray, two: np.ndarray) -> tuple[np.ndarray, np
 
 
 def _goes_on(moves: Areas, one: np.ndarray, two: np.ndarray) -> np.ndarray:
-    """Return whether areas `two` begin at the end of areas `one`, or ahead, without turning back, (k,) bool."""
+    """Return whether areas `two` begin at the end of areas `one`, or ahead of it, without a reversal, (k,) bool."""
     end, start = moves.end[one] - 1, moves.start[two]
     x, y = _gap(moves, one, two)
     gap = np.hypot(x, y)

@@ -15,7 +15,7 @@ from vkworkbench.core.toolpath import Toolpath
 
 
 class CutSection(NamedTuple):
-    """A section between two borders: its first trajectory, the first one after it, and its recognition."""
+    """A section between two borders: its first trajectory, the first trajectory after it, and its recognition."""
 
     begin: int
     end: int
@@ -23,7 +23,7 @@ class CutSection(NamedTuple):
 
 
 class _Run(NamedTuple):
-    """Consecutive sections of one depth that all clear, or all go around; boxes: bounding box of each section, (2, 3) mm."""
+    """Consecutive sections at one depth that all clear an area, or are all contours, with their boxes, (2, 3) mm each."""
 
     sections: list[CutSection]
     clears: bool
@@ -33,15 +33,16 @@ class _Run(NamedTuple):
 def within_operations(toolpath: Toolpath, cut: Sequence[CutSection], doubtful: Collection[int]) -> set[int]:
     """Return the doubtful borders inside operations that clear an area and finish its walls with contours.
 
-    The contours go around the whole cleared area, at the same depth. There may be several, for example around islands.
+    The contours go around the whole cleared area, at the same depth. Several contours finish the walls if there are
+    islands, for example.
 
     Parameters
     ----------
     toolpath : Toolpath
-    cut : sequence of Cut
+    cut : sequence of CutSection
         The sections of the program.
     doubtful : collection of int
-        Borders that may lie inside an operation.
+        Borders that are not certain, so that they can lie inside an operation.
     """
     found: set[int] = set()
     runs = _runs(toolpath, cut, doubtful)
@@ -50,7 +51,7 @@ def within_operations(toolpath: Toolpath, cut: Sequence[CutSection], doubtful: C
             continue
         area, walls = (one, two) if one.clears else (two, one)
         low, high = np.min(area.boxes, axis=(0, 1)), np.max(area.boxes, axis=(0, 1))
-        # Only the contours next to the cleared area that go around it; others may be another operation.
+        # Accept only contours cut next to the clearing that go around the area. Other contours can be another operation.
         outward = np.array(walls.boxes if area is one else walls.boxes[::-1])
         if abs(low[2] - outward[0, 0, 2]) > ROUNDING.HEIGHT:
             continue
@@ -67,12 +68,12 @@ def within_operations(toolpath: Toolpath, cut: Sequence[CutSection], doubtful: C
 
 
 def _runs(toolpath: Toolpath, cut: Sequence[CutSection], doubtful: Collection[int]) -> list[_Run]:
-    """Group consecutive sections that clear, and consecutive sections that go around."""
+    """Group consecutive sections that clear an area, and consecutive sections that are contours."""
     runs: list[_Run] = []
     for section in cut:
         strategy = section.found.strategy
         clears = strategy.family is Family.ROWS or strategy is Strategy.ADAPTIVE
-        # Two nested walls look like two offsets.
+        # The finishing passes of two nested walls look like two offsets.
         offsets = strategy is Strategy.CONTOUR_PARALLEL and (section.found.passes or 0) <= PARTS.WALLS
         if not (clears or offsets or strategy is Strategy.PROFILE):
             continue
@@ -87,7 +88,7 @@ def _runs(toolpath: Toolpath, cut: Sequence[CutSection], doubtful: Collection[in
 
 
 def _meet(one: CutSection, two: CutSection, doubtful: Collection[int]) -> bool:
-    """Return whether the second section may continue the operation of the first."""
+    """Return whether only a doubtful border separates the two sections."""
     return one.end == two.begin and two.begin in doubtful
 
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Recognise a toolpath in inches that was read as millimetres. Thresholds in mm need its true size."""
+"""Recognise a toolpath in inches that was read as millimetres, at its true size, because thresholds are in mm."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ def recognize_inches(toolpath: Toolpath, *, tool_diameter: float | None = None, 
     Returns
     -------
     Recognition
-        The verdict on 25.4 times the size. Its lengths are as in the toolpath that was read.
+        The verdict on the toolpath at 25.4 times its size. All lengths are in the unit of the toolpath as it was read.
     """
     found = recognize(replace(toolpath, points=INCH * toolpath.points), tool_diameter=tool_diameter, program=program)
     paper = found.paper and replace(found.paper, v=(found.paper.v[0] / INCH, found.paper.v[1] / INCH))
@@ -37,7 +37,7 @@ def recognize_inches(toolpath: Toolpath, *, tool_diameter: float | None = None, 
 
 
 def _as_read(value: Any) -> Any:
-    """Return a message with steps as in the toolpath that was read."""
+    """Return a message with its steps in the unit of the toolpath as it was read."""
     if isinstance(value, tuple):
         return tuple(map(_as_read, value))
     if not isinstance(value, Message):

@@ -22,9 +22,10 @@ from vkworkbench.language import Message
 
 
 def find_borders(toolpath: Toolpath, moves: Areas) -> dict[int, bool]:
-    """Return the trajectories at which another operation may begin, and whether the border is certain.
+    """Return the trajectories at which another operation can begin, and whether each of these borders is certain.
 
-    Tool changes and runs of drilled holes are certain borders. A comment that is a title is a hint; other comments are ignored.
+    Tool changes, and both ends of a run of drilled holes, are certain borders. A comment that is a title is an uncertain
+    border. Other comments are ignored.
     """
     comments = {int(at) for at, text in toolpath.comments if title_of(text)}
     borders = dict.fromkeys(comments, False) if len(comments) <= PARTS.BORDERS else {}
@@ -33,10 +34,10 @@ def find_borders(toolpath: Toolpath, moves: Areas) -> dict[int, bool]:
     if len(holes) < PARTS.DRILLED * len(moves.start) or _sculptured(moves) or _in_layers(toolpath, moves):
         holes = holes[toolpath.cycle[holes]]  # a canned cycle always drills
     if len(moves) and len(holes):
-        # Holes without milling between them are one run.
+        # Holes form one run if there is no milling between them.
         place = np.searchsorted(moves.index, holes)
         begin = np.flatnonzero(np.append(True, place[1:] != place[:-1]))
-        # The border is at a rapid, because a steep lift after milling, or out of a tapped hole, belongs to the operation before.
+        # Place the border at a rapid: a steep lift after milling, or out of a tapped hole, is part of the operation before.
         milled = moves.index[place[begin[place[begin] > 0]] - 1]
         rapids = np.append(np.flatnonzero(toolpath.rapid), len(toolpath))
         parted = rapids[np.searchsorted(rapids, np.concatenate([milled, holes[begin[1:] - 1], holes[-1:]]))]
@@ -45,25 +46,28 @@ def find_borders(toolpath: Toolpath, moves: Areas) -> dict[int, bool]:
 
 
 def is_titled(toolpath: Toolpath, first: int) -> bool:
-    """Return whether the only title and tool change come before the first cut: the program then is one operation."""
+    """Return whether one title and all tool changes come before the first cut, so that the program is one operation."""
     titles = [at for at, text in toolpath.comments if title_of(text)]
     return len(titles) == 1 and titles[0] <= first and bool((toolpath.tool_changes <= first).all())
 
 
 def without_lone_plunge(toolpath: Toolpath, moves: Areas) -> Areas:
-    """Return the areas without a lone plunge beside milling, which parks the tool or touches the stock."""
+    """Return the areas without a single plunge beside milling, because it parks the tool or touches the stock."""
     if not len(moves) or len(moves.holes) >= PARTS.HOLES:
         return moves
     return replace(moves, holes=moves.holes[toolpath.cycle[moves.holes]])
 
 
 def _sculptured(moves: Areas) -> bool:
-    """Return whether there are too many heights for depths. Plunges are then passes of a raster, clipped to a point."""
+    """Return whether a surface is cut at many heights. Its plunges are passes of a raster, clipped to a point."""
     return count_depths(moves.z[:: len(moves) // ROWS.SAMPLE + 1]) > PARTS.DEPTHS
 
 
 def _in_layers(toolpath: Toolpath, moves: Areas) -> bool:
-    """Return whether plunges at different places reach several depths of the milling: contours of a surface, clipped to a point."""
+    """Return whether plunges at different places reach several depths of the milling.
+
+    Such plunges are contours of a surface, clipped to a point.
+    """
     bottom = toolpath.points[moves.holes + 1]
     depth = number_depths(np.concatenate([bottom[:, 2], moves.z[moves.start]]))
     drilled, milled = set(depth[: len(bottom)].tolist()), set(depth[len(bottom) :].tolist())
@@ -90,7 +94,7 @@ class Sections:
         self._known: dict[tuple[int, int], Recognition] = {}
 
     def between(self, borders: Iterable[int]) -> Iterator[CutSection]:
-        """Yield the sections between borders, without sections that cut nothing."""
+        """Yield the sections between borders. Sections without cuts are left out."""
         at = sorted({0, *borders, len(self.toolpath)})
         ends = zip(at, at[1:], np.searchsorted(self._cutting, at), np.searchsorted(self._cutting, at[1:]))
         for a, b, begin, end in ends:
@@ -107,16 +111,17 @@ class Sections:
 def dividing_retracts(sections: Sections, borders: Collection[int], retracts: dict[int, float]) -> list[int]:
     """Return the retracts that separate two operations.
 
-    A retract separates operations if its probability is high, or if the sections before and after it have clearly different verdicts.
+    A retract separates operations if its probability is high. A retract with a lower probability separates operations if
+    the sections before and after it have clearly different verdicts.
 
     Parameters
     ----------
     sections : Sections
         Sections of the program.
     borders : collection of int
-        Other borders.
+        Borders that are not retracts.
     retracts : dict
-        Trajectories at which another operation may begin, with probabilities.
+        Trajectories of retracts after which another operation can begin, with probabilities.
     """
     if not retracts:
         return []
@@ -129,7 +134,7 @@ def dividing_retracts(sections: Sections, borders: Collection[int], retracts: di
         if retracts[at] <= VISITS.BORDER and _odds(retracts[at]) * _odds_of_difference(*pair) > VISITS.DIFFER
     }
     times = Counter(names.values())
-    # Two alternating patterns are one operation, depth after depth or place after place.
+    # Two patterns that alternate, at each depth or at each place, are one operation.
     dividing = {at for at, pair in names.items() if times[pair] < PARTS.TURNS}
     dividing |= {at for at, probability in retracts.items() if probability > VISITS.BORDER}
     # A pattern and the contours that finish its walls are one operation.
@@ -139,10 +144,10 @@ def dividing_retracts(sections: Sections, borders: Collection[int], retracts: di
 
 
 def _odds_of_difference(one: Recognition, other: Recognition) -> float:
-    """Return the odds that two sections are different operations, by their verdicts; 0 if they may be one operation."""
+    """Return the odds that the verdicts on two sections show different operations; 0 if one operation can have both."""
     if not (one.strategy.is_answer and other.strategy.is_answer):
         return 0.0
-    # Adaptive clearing of a round place winds like a spiral.
+    # Adaptive clearing of a round pocket winds like a spiral.
     if one.strategy is other.strategy or {one.strategy, other.strategy} == {Strategy.ADAPTIVE, Strategy.SPIRAL}:
         return 0.0
     return _odds(one.confidence * other.confidence)
@@ -153,7 +158,7 @@ def _odds(share: float) -> float:
 
 
 def recognize_parts(sections: Sections, borders: Mapping[int, bool], whole: Recognition, program: bool) -> Recognition:
-    """Recognise the sections between borders. The result is mixed if the sections differ enough for their borders."""
+    """Recognise the sections between borders. The result is mixed if sections are long enough and clearly differ."""
     toolpath, cuts = sections.toolpath, list(sections.between(borders))
     found = [cut.found for cut in cuts]
     stretch = _stretches(borders, cuts)
@@ -175,7 +180,7 @@ def recognize_parts(sections: Sections, borders: Mapping[int, bool], whole: Reco
         # A few other cuts of the same tool do not change the name of the pattern.
         pattern = whole if whole.strategy is found[main].strategy else found[main]
         others = [name for name in names if name is not pattern.strategy]
-        # No others if rows with a contour around them are the rows of the pattern.
+        # There are no other strategies if the other cuts are contours that finish the rows of the pattern.
         why = Message("with-others", told=pattern.why, strategies=others) if others else pattern.why
         return replace(pattern, why=why, spans=spans)
     why = Message("sections", count=len(runs), strategies=names, strategy=Strategy.MIXED)
@@ -198,13 +203,13 @@ def _shares(toolpath: Toolpath, found: list[Recognition]) -> np.ndarray:
 
 
 def _is_enough(found: list[Recognition], share: np.ndarray, program: bool) -> np.ndarray:
-    """Return whether each section is long enough to be an operation of its own, (k,) bool. Holes have nearly no length."""
+    """Return whether each section is long enough for an operation, (k,) bool. Drilling always is, despite its length."""
     drilled = np.array([one.strategy is Strategy.DRILLING for one in found])
     return drilled | (share > PARTS.CERTAIN) if program else drilled
 
 
 def _one_span(one: Recognition) -> Recognition:
-    """Return an operation of a program with one span. Rows with a contour around them are rows with a finishing pass."""
+    """Return an operation of a program with one span. Rows and a contour around the rows become rows."""
     if len(one.spans) < 2:
         return one
     share = sum(s.share for s in one.spans if s.strategy.family is Family.ROWS)
@@ -239,8 +244,8 @@ def _agree(
 ) -> Recognition:
     """Return the verdict on the whole, or on the longest section if every section contradicts the whole.
 
-    Sections that are too short to show a strategy do not count: the loops of a waterline and the rows of a zigzag may each have
-    a title. The sections that count must have more than half of the length.
+    Sections that are too short to show a strategy do not count, because some programs give a title to each loop of a
+    waterline or to each row of a zigzag. The sections that count must have at least half of the length.
     """
     clear = [k for k, r in enumerate(found) if r.strategy is not Strategy.UNKNOWN and not _short(r, 2)]
     if share[clear].sum() < MAJORITY.SHARE or whole.strategy in {found[k].strategy for k in clear}:
@@ -255,7 +260,7 @@ def _agree(
 def _short(one: Recognition, loops: int) -> bool:
     """Return whether a section has fewer than `loops` loops and too few passes to show a strategy.
 
-    One loop is enough for an operation beside rows. Contradicting the verdict on the whole needs two loops.
+    One loop is enough for an operation beside rows. Two loops are needed to contradict the verdict on the whole.
     """
     return one.closed_loops < loops and (one.passes or 0) < PARTS.PASSES
 
@@ -263,9 +268,9 @@ def _short(one: Recognition, loops: int) -> bool:
 def _differs(one: Recognition, main: Recognition, apart: bool, program: bool) -> bool:
     """Return whether a section is another operation than the main one.
 
-    Behind a certain border, another strategy is another operation. A comment alone divides only strategies of different
-    families: FreeCAD titles the passes of one operation, and the roughing and the finishing pass of one pocket are a
-    contour-parallel and a profile.
+    After a certain border, a section with another strategy is another operation. A comment alone divides only strategies
+    of different families, because FreeCAD gives titles to the passes of one operation. For example, the roughing of a
+    pocket is contour-parallel, and its finishing pass is a profile.
     """
     if Strategy.UNKNOWN in (one.strategy, main.strategy):
         return False

@@ -33,20 +33,21 @@ def recognize(toolpath: Toolpath, *, tool_diameter: float | None = None, program
     toolpath : Toolpath
         The linearised trajectories.
     tool_diameter : float, optional
-        mm. If unknown (None, 0, NaN), the usual step between passes is used instead.
+        Tool diameter, mm. If unknown (None, 0, NaN), the usual step between passes is used instead.
     program : bool
-        Whether the toolpath may contain several operations that only retracts separate, as imported programs do. A single
-        operation also retracts, so pass False for it.
+        Whether the toolpath can contain several operations that only retracts separate, like an imported program. Pass
+        False for a single operation, which also contains retracts.
 
     Returns
     -------
     Recognition
-        Strategy.EMPTY if nothing cuts, Strategy.UNKNOWN if a problem of the toolpath hides cuts. No toolpath raises an exception.
+        Strategy.EMPTY if nothing cuts, Strategy.UNKNOWN if a problem of the toolpath hides cuts. No Toolpath raises an
+        exception.
 
     Raises
     ------
     TypeError
-        If `toolpath` is not a Toolpath (but a list of commands, for example), or the diameter has no numeric type.
+        If `toolpath` is not a Toolpath (for example, a list of commands), or if the diameter has no numeric type.
     ValueError
         If the diameter is a text that is not a number.
     """

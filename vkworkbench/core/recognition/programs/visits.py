@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Visits: the cutting between two retracts to the program's top height. Find the visits that begin another operation."""
+"""Find the visits that begin another operation. A visit is the cutting between two retracts to the top height."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ from vkworkbench.core.toolpath import Toolpath
 
 @lru_cache(maxsize=1)
 def shipped_forest() -> Forest:
-    """Return the trees that tell the borders; read once, where a program is divided for the first time."""
+    """Return the decision trees that find borders. The trees are read once, when a program is first divided."""
     return Forest(TREES, 2)
 
 
@@ -70,7 +70,7 @@ class Visits:
 
 
 class _Blocks(NamedTuple):
-    """Measures of b blocks (areas and drilled holes) in the order of cutting. A hole has no length.
+    """Measures of b blocks (areas and drilled holes) in the order of cutting. The length of a hole is 0.
 
     Attributes
     ----------
@@ -116,7 +116,7 @@ def find_visits(toolpath: Toolpath, moves: Areas) -> Visits | None:
     if len(moves.start) + len(moves.holes) < 2:
         return None
     blocks = _blocks(toolpath, moves)
-    # The height reached between the end of a block and the start of the next.
+    # The highest point between the end of each block and the start of the next block.
     z = toolpath.points[:, 2]
     between = np.column_stack([blocks.last[:-1] + 1, np.maximum(blocks.first[1:], blocks.last[:-1] + 1) + 1]).ravel()
     reached = np.maximum.reduceat(np.append(z, -np.inf), between)[::2]
@@ -192,7 +192,7 @@ def _blocks(toolpath: Toolpath, areas: Areas) -> _Blocks:
 
 
 def compare_visits(visits: Visits) -> np.ndarray:
-    """Compare every visit with the next; return `MEASURES`, (k-1, m), all without a unit of length."""
+    """Compare every visit with the next visit. Return the dimensionless `MEASURES` of each pair, (k-1, m)."""
     a, b = slice(None, -1), slice(1, None)
 
     def differ(values: np.ndarray, least: float = 1e-6) -> np.ndarray:
@@ -242,7 +242,7 @@ def compare_visits(visits: Visits) -> np.ndarray:
         "visits": np.full(len(visits) - 1, np.log(len(visits))),
     }  # fmt: skip
     measures["again"], measures["again_above"] = _cut_again(visits)
-    # Measures of the pairs before and after, because a regular series continues.
+    # Average the measures of the pairs before and after, which show whether the visits form a regular series.
     for name in ("same_ground", "overlap", "same_top", "same_bottom", "same_feed"):
         values = measures[name]
         if len(values) > 1:
@@ -273,8 +273,8 @@ def _shared_ground(visits: Visits, back: int) -> np.ndarray:
 def _cut_again(visits: Visits) -> tuple[np.ndarray, np.ndarray]:
     """Return the share of each visit's ground that one of the previous visits covers, two arrays (k-1,).
 
-    The first array counts previous visits of the same depth or deeper, the second only deeper ones. An operation rarely cuts
-    the same ground again.
+    The first array counts previous visits at the same depth or deeper; the second array counts only deeper visits. An
+    operation rarely cuts the same ground again.
     """
     again = np.zeros((2, len(visits) - 1))
     ground = _ground(visits)
@@ -287,12 +287,12 @@ def _cut_again(visits: Visits) -> tuple[np.ndarray, np.ndarray]:
 
 
 def find_retracts(toolpath: Toolpath, moves: Areas) -> dict[int, float]:
-    """Return the trajectories at which another operation may begin, with probabilities, from the motion alone.
+    """Return the trajectories at which another operation can begin, with probabilities, from the motion alone.
 
-    Operations retract, too, and programs do not mark their operations. A retract to the top height is a border only if feed,
-    ground, depths or pattern change as they do between operations; a model learned from programs estimates the probability
-    (benchmarks/learn_borders.py). A visit without such retracts is divided at retracts to its own top height, because tools are
-    changed at a greater height than operations retract to.
+    Programs do not mark their operations, and there are also retracts within an operation. A retract to the top height is
+    a border only if feed, ground, depths or pattern change as between operations. A model learned from programs estimates
+    the probability (benchmarks/learn_borders.py). A visit that lies alone between two borders is divided further, at
+    retracts to its own top height, because tools are changed at a greater height than operations retract to.
     """
     found, alone = _retracts_to_top(toolpath, moves, VISITS.DOUBTFUL)
     for _ in range(VISITS.NESTED):
@@ -303,13 +303,13 @@ def find_retracts(toolpath: Toolpath, moves: Areas) -> dict[int, float]:
 
 
 def _retracts_to_top(toolpath: Toolpath, moves: Areas, least: float) -> tuple[dict[int, float], list[tuple[int, int]]]:
-    """Return {trajectory: probability} for retracts to the top height, and the visits that contain lower retracts."""
+    """Return {trajectory: probability} for retracts to the top height, and the visits that can be divided further."""
     visits = find_visits(toolpath, moves)
     if visits is None:
         return {}, []
     share = shipped_forest().shares(compare_visits(visits))[:, 1]
     at = np.flatnonzero(share > least)
-    # At the highest point between two visits, before the descent to the next one.
+    # A border is at the highest point between two visits, before the descent to the next visit.
     z = toolpath.points[:, 2]
     gaps = zip(visits.last[at] + 1, visits.first[at + 1] + 1)
     found = {int(a + np.argmax(z[a:b])): float(s) for (a, b), s in zip(gaps, share[at])}

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Scan lines across a toolpath, which measure how passes of any shape lie side by side."""
+"""Measure how passes of any shape lie side by side, with scan lines across the toolpath."""
 
 from __future__ import annotations
 
@@ -73,12 +73,12 @@ class Crossings(NamedTuple):
 
 
 def measure_crossings(moves: Areas, sample: Sample, extent: float) -> dict[str, float]:
-    """Cross the moves with scan lines and measure the distances, senses and order of neighbouring crossings.
+    """Cross the moves with scan lines, and measure the distances, senses and order of neighbouring crossings.
 
-    The scan lines run across the preferred direction of the moves. Along each line the crossings are sorted by position,
-    once for each depth ("level") and once for all depths together ("plan"). Two neighbouring crossings with parallel
-    moves are passes side by side. Passes at the usual distance are compared by their sense and their order of cutting.
-    No measure changes if the toolpath is turned, mirrored, moved, scaled or reversed.
+    The scan lines are perpendicular to the preferred direction of the moves. The crossings on each line are sorted by
+    position, separately for each depth ("level") and for all depths together ("plan"). Two neighbouring crossings with
+    parallel moves are passes side by side. Passes at the usual distance are compared by their sense and by their order of
+    cutting. No measure changes if the toolpath is rotated, mirrored, moved, scaled or reversed.
 
     Parameters
     ----------
@@ -91,19 +91,19 @@ def measure_crossings(moves: Areas, sample: Sample, extent: float) -> dict[str, 
     Returns
     -------
     dict
-        "crossings" is the logarithm of the crossings of a line. All other names are NAMES with the prefixes "level_" and
-        "plan_"; the value is -1 without crossings to measure. A pair is two passes side by side at the usual distance; a
-        triple is two pairs with a common pass.
+        "crossings" is the logarithm of the number of crossings per line. All other names are NAMES with the prefixes
+        "level_" and "plan_". Their value is -1 if there are no crossings to measure. A pair is two passes side by side at
+        the usual distance. A triple is two pairs with a common pass.
 
-        * step: logarithm of the usual distance over the extent
+        * step: logarithm of the usual distance divided by the extent
         * even: share of the passes side by side that are pairs
-        * tight: median deviation of the pairs from the usual distance, as a share of it
+        * tight: median deviation of the pairs from the usual distance, as a share of the usual distance
         * count: logarithm of the number of pairs on a line
         * cover: share of the line that lies between pairs
         * opposite: share of the pairs with opposite senses
         * next: share of the pairs cut one directly after the other
-        * run: triples, as a ratio to the pairs
-        * keep, alternating: share of the triples with one sense, and with alternating senses
+        * run: ratio of the number of triples to the number of pairs
+        * keep, alternating: share of the triples with one sense, and share with alternating senses
         * monotonous: share of the triples that are cut in the order in which they lie
         * signed: excess of crossings to one side, as a share of the crossings
         * other: share of the neighbours that are not parallel
@@ -121,10 +121,10 @@ def measure_crossings(moves: Areas, sample: Sample, extent: float) -> dict[str, 
 
 
 def _across(sample: Sample) -> tuple[float, float]:
-    """Return the unit vector at a right angle to the preferred direction of the moves.
+    """Return a unit vector that is perpendicular to the preferred direction of the moves.
 
-    The mean of four times the angles gives the preferred direction up to quarter turns; the total length across the two
-    candidates decides between them.
+    The mean of four times the angles gives two candidates for the preferred direction, a quarter turn apart. The
+    candidate with less length across it is the preferred direction.
     """
     angle = float(directions(sample.four_x.sum(), sample.four_y.sum())) / 4
     u, v = np.cos(angle), np.sin(angle)
@@ -154,7 +154,7 @@ def _cross(moves: Areas, sample: Sample) -> Crossings:
     for line in lines[:wanted]:
         on = np.flatnonzero((begin < line) != (end < line))
         spare = max(0, len(on) - SCAN.ENOUGH // 2)
-        found.append(on[spare // 2 : len(on) - (spare + 1) // 2])  # those in the middle of the cutting time
+        found.append(on[spare // 2 : len(on) - (spare + 1) // 2])  # the middle of the cutting order
     on, line = np.concatenate(found), np.repeat(np.arange(wanted), [len(moves) for moves in found])
     step, length = end[on] - begin[on], moves.length[on]
     steep = np.abs(step) > SCAN.GRAZING * length
@@ -170,7 +170,7 @@ def _cross(moves: Areas, sample: Sample) -> Crossings:
 
 
 def _neighbours(crossed: Crossings, extent: float, by_depth: bool) -> dict[str, float]:
-    """Measure the neighbouring crossings on all lines, at each depth alone or at all depths together."""
+    """Measure the neighbouring crossings on all lines, separately for each depth or for all depths together."""
     line, place, z, slope, alpha = crossed
     if len(line) < 2:
         return {}
@@ -200,7 +200,7 @@ def _neighbours(crossed: Crossings, extent: float, by_depth: bool) -> dict[str, 
     most = int(np.argmax(2 * count + around[:-2] + around[2:]))
     usual = float(np.exp(median(logarithm[np.abs(bins - most) <= 1])))
     even = beside & (np.abs(aside / usual - 1) < SCAN.EVEN)
-    number = np.count_nonzero(even)  # never 0: the median lies in these bins
+    number = np.count_nonzero(even)  # never 0, because the median lies in these bins
     opposite = slope[1:] * slope[:-1] < 0
     later = order[1:] - order[:-1]
     three = even[1:] & even[:-1]

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The decision: learned trees vote on the measures, the proposal of the rules and the paper's literal verdict."""
+"""Decide the strategy: learned trees vote, given the measures, the proposal of the rules and the paper's verdict."""
 
 from __future__ import annotations
 
@@ -17,51 +17,51 @@ from vkworkbench.core.strategy import Family, Strategy
 from vkworkbench.language import Message
 
 STRATEGIES = tuple(s for s in Strategy if s is not Strategy.EMPTY)
-# Only the rules name the parts of a mixed operation; and where something is milled, nothing else is drilling.
+# Only the rules can propose these strategies: the votes of the trees never elect them.
 OF_THE_RULES = np.array([s in (Strategy.MIXED, Strategy.DRILLING, Strategy.UNKNOWN) for s in STRATEGIES])
-# The classes of the paper, rows and around, and beside them adaptive clearing, which bites, and the other families.
+# The class of each strategy is its family; only adaptive clearing is a class of its own.
 CLASSES = [-1 if s is Strategy.ADAPTIVE else list(Family).index(s.family) for s in STRATEGIES]
 ALIKE = np.equal.outer(CLASSES, CLASSES)
-#: The paper's literal verdict as a number between its two classes; 0 where it is open.
+#: The paper's literal verdict as a number; a verdict that is not in this table counts as 0.
 LETTERS = {Strategy.ZIGZAG: -1, Strategy.CONTOUR_PARALLEL: 1}
 
 
 def features(values: dict[str, float], rules: Strategy, paper: Strategy | None, *, tool: bool) -> dict[str, float]:
-    """Return the features that the trees ask for, by name.
+    """Return the features that the trees read, by name.
 
     Parameters
     ----------
     values : dict
         Measures of a section.
     rules : Strategy
-        What the rules propose.
+        Strategy that the rules propose.
     paper : Strategy or None
         The paper's literal verdict.
     tool : bool
-        Whether the tool's diameter is known; many rules measure in tool diameters.
+        Whether the tool's diameter is known, which matters because many rules measure in tool diameters.
     """
     proposed = {f"rules: {s.value}": float(s is rules) for s in STRATEGIES}
     return {**values, **proposed, "letter": float(LETTERS.get(paper, 0) if paper else 0), "tool": float(tool)}
 
 
 def decide(s: Section, rules: Verdict, paper: PaperVerdict | None) -> tuple[Verdict, float]:
-    """Decide what a section is.
+    """Decide which strategy a section follows.
 
     Parameters
     ----------
     s : Section
     rules : Verdict
-        What the rules say of it.
+        Verdict of the rules on the section.
     paper : PaperVerdict or None
         The paper's literal verdict.
 
     Returns
     -------
     Verdict
-        That of the rules, or another strategy where most votes are for it, or UNKNOWN where the section is like nothing
-        that machines.
+        The verdict of the rules, unless the votes elect another strategy. UNKNOWN if the section is nonsense: no
+        operation that machines a part looks like it.
     float
-        How often such verdicts are right, 0..1.
+        Probability that the verdict is right, 0..1.
     """
     model = shipped_model()
     known = features(measure_section(s), rules.strategy, paper.strategy if paper else None, tool=s.tool > 0)
@@ -75,18 +75,19 @@ def decide(s: Section, rules: Verdict, paper: PaperVerdict | None) -> tuple[Verd
 
 
 def elect(nonsense: float, votes: np.ndarray, rules: int) -> tuple[int, float]:
-    """Return the strategy that most votes are for, within the class that most votes are for, and its probability.
+    """Return the strategy with most votes in the class with most votes, as an index of STRATEGIES, and its probability.
 
-    Its probability is its share of the votes of the trees for strategies, times the share of the votes against nonsense.
+    The probability is the strategy's share of the votes for strategies, times the share of the votes against nonsense.
+    If the votes for nonsense exceed VOTES.NONSENSE, return UNKNOWN and their share.
 
     Parameters
     ----------
     nonsense : float
-        Share of the votes for what machines nothing.
+        Share of the votes for nonsense.
     votes : (c,) float
         Shares of the votes for STRATEGIES.
     rules : int
-        What the rules propose, an index of STRATEGIES.
+        Strategy that the rules propose, an index of STRATEGIES.
     """
     if nonsense > VOTES.NONSENSE:
         return STRATEGIES.index(Strategy.UNKNOWN), nonsense

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The numbers behind a verdict, and the reason in the paper's terms."""
+"""Collect the numbers behind a verdict, and give the reason for the verdict in the paper's terms."""
 
 from __future__ import annotations
 
@@ -49,7 +49,7 @@ def gather_evidence(section: Section, verdict: Verdict) -> Evidence:
                 # In climb milling, uncut material is on the right of the tool: outside a growing counter-clockwise loop.
                 milling = "climb" if (rings.growing > 0.5) == (sense == "ccw") else "conventional"
     elif main:
-        # Grids are not cut row by row, even if one family of rows looks like it.
+        # In a grid, consecutive rows need not be neighbours, so that the period is the stepover.
         passes, stepover = sum(f.count for f in rows), main.step
         longest = max(section.families, key=lambda f: f.length)
         if len(rows) > 1 or sum(f.length for f in section.families) > (1 + MAJORITY.SHARE) * longest.length:
@@ -71,9 +71,9 @@ def gather_evidence(section: Section, verdict: Verdict) -> Evidence:
 
 
 def _heights(section: Section, strategy: Strategy) -> np.ndarray:
-    """Return the heights of pieces that are nearly all level, (k,) mm, ignoring ramps, and the leads of a helix.
+    """Return the heights of nearly level pieces, (k,) mm, without ramps and without the leads of a helix.
 
-    A zigzag with ramps to several depths without a lift is one piece with several heights.
+    A zigzag that ramps to several depths without a lift is one piece with several heights.
     """
     pieces, moves = section.pieces, section.moves
     counts = pieces.length > NEGLIGIBLE.PIECE * pieces.length.max()
@@ -102,7 +102,7 @@ def _heights(section: Section, strategy: Strategy) -> np.ndarray:
 
 
 def reason_of(section: Section, verdict: Verdict, evidence: Evidence) -> Message:
-    """Return the reason of a verdict, with its numbers."""
+    """Return the reason for a verdict, with its numbers."""
     low, high = evidence.phi_range
     strategy, seen, spread = verdict.strategy, verdict.seen, _spread(evidence)
     at_0 = ENGLISH.turns(low) == ENGLISH.turns(high) == "0"
@@ -125,7 +125,7 @@ def reason_of(section: Section, verdict: Verdict, evidence: Evidence) -> Message
 
 
 def _spread(evidence: Evidence) -> Message | None:
-    """Return the distance of the passes and the number of depths as a message; None without both."""
+    """Return the stepover and the number of depths as a message; None without a stepover and at a single depth."""
     if evidence.stepover and evidence.depths > 1:
         return Message("apart-at-depths", step=evidence.stepover, depths=evidence.depths)
     if evidence.stepover:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""A small forest of decision trees, learned elsewhere and kept as numbers."""
+"""Evaluate a small forest of decision trees. The trees are learned elsewhere and stored as text."""
 
 from __future__ import annotations
 
@@ -11,9 +11,9 @@ import numpy as np
 
 
 class _Nodes(NamedTuple):
-    """The nodes of all trees as columns, and the first of each tree.
+    """The nodes of all trees as columns, and the first node of each tree.
 
-    Arrays: the numbers of a list lie all over the memory, and reading them takes longer than what is done with them.
+    The columns are arrays and not lists, because the numbers of a list are scattered in memory and slow to read.
     """
 
     measure: array[int]
@@ -23,7 +23,7 @@ class _Nodes(NamedTuple):
     roots: list[int]
 
     def read(self, nodes: Iterator[str], classes: int) -> None:
-        """Append the next subtree."""
+        """Read the next subtree and append its nodes."""
         asked, inner, below = next(nodes).partition("<")
         at, share = len(self.measure), np.zeros(classes)
         self.measure.append(int(asked) if inner else -1)
@@ -41,14 +41,14 @@ class _Nodes(NamedTuple):
 
 
 class Forest:
-    """Decision trees that each give the shares of the classes; their mean is the answer.
+    """Decision trees that each return the shares of the classes. The forest returns their mean.
 
     Parameters
     ----------
     trees : sequence of str
-        Each a tree in prefix order, its nodes parted by spaces. "3<0.25" asks whether measure 3 is below 0.25: the
-        node that follows is for yes, the one after that subtree for no. "2:70,5:30" is a leaf with the shares of the
-        classes in percent.
+        Each text is a tree in prefix order, with spaces between the nodes. The node "3<0.25" asks whether measure 3 is
+        below 0.25. The next subtree is for yes, and the subtree after it is for no. The node "2:70,5:30" is a leaf with
+        70 percent for class 2 and 30 percent for class 5.
     classes : int
         Number of classes.
     """
@@ -84,7 +84,7 @@ class Forest:
     def vote(self, case: Sequence[float]) -> np.ndarray:
         """Return the mean shares of the classes, (c,), for one case, a sequence of (m,) measures.
 
-        For one case it is faster to ask one question after the other than to begin with arrays.
+        For a single case, following the nodes of each tree one by one is faster than computing with arrays.
         """
         measure, below, no, _, roots = self._nodes
         values, leaves = [float(value) for value in case], []

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The measures of a section, without a unit of length, which the decision trees read."""
+"""Compute the dimensionless measures of a section, which the decision trees read."""
 
 from __future__ import annotations
 
@@ -17,8 +17,8 @@ FLAGS = ("nested", "sloped", "round", "stacked", "deeper", "alone", "moved", "op
 def measure_section(section: Section) -> dict[str, float]:
     """Return the measures of a section by name: shares, ratios, and logarithms of counts.
 
-    No measure changes if the section is moved, mirrored, scaled with its tool, or cut in reverse. Turning the section
-    changes only the measures in units of its extent.
+    No measure changes if the section is moved, mirrored, scaled with its tool, or cut in reverse. Rotating the section
+    changes only the measures that are relative to its extent.
     """
     moves = section.moves
     extent = (
@@ -93,8 +93,8 @@ def _measure_moves(moves: Areas, sample: Sample) -> dict[str, float]:
 def _measure_turns(moves: Areas) -> dict[str, float]:
     """Measure the arcs of the Gauss map, for moves from the middle of the cutting time.
 
-    A run of turns in one sense is an arc of the Gauss map: a half turn between alternating rows, a whole turn around a
-    contour. In random walks and noise all turns are equally likely, and so are both senses.
+    A run of turns in one sense is an arc of the Gauss map. The arc between alternating rows is a half turn, and the arc
+    of a contour is a whole turn. In random walks and noise, all turns are equally likely, and both senses are.
     """
     spare = max(0, len(moves) - MEASURED.TURNS)
     middle = slice(spare // 2, len(moves) - (spare + 1) // 2)
@@ -136,7 +136,7 @@ def _measure_rings(section: Section, extent: float) -> dict[str, float]:
     some = rings.length[every]
     flags = np.array([*(getattr(rings, name)[every] for name in FLAGS), section.hunting[every], section.aside[every]])
     shares = (flags * some).sum(axis=1) * (length / (float(some.sum()) or 1.0) / section.length)
-    # How straight the centres of the rings move: the rings of a trochoid move on and never return.
+    # Measure how straight the path of the ring centres is, because the rings of a trochoid advance and never return.
     box = pieces.box[rings.index[every]]
     centre = (box[:, :2] + box[:, 2:]) / 2
     moved = float(np.hypot(*(centre[1:] - centre[:-1]).T).sum())

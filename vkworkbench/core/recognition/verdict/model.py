@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The learned model: decision trees that vote on what machines nothing, and on the strategy of what machines something.
+"""Read and evaluate the learned model: decision trees that vote on nonsense toolpaths, and on strategies.
 
-benchmarks/learn_model.py learns it from benchmarks/labelled_operations.csv and writes model.npz, which is read where
-something is recognised for the first time.
+benchmarks/learn_model.py learns the trees from benchmarks/labelled_operations.csv and writes model.npz. The file is read
+once, at the first recognition.
 """
 
 from __future__ import annotations
@@ -26,15 +26,15 @@ class Trees:
     Attributes
     ----------
     feature : (n,) int
-        Feature that a node asks for; -1 in a leaf.
+        Feature that a node compares; -1 in a leaf.
     most : (n,) float
-        Largest value of the feature that leads to the first of the next nodes; infinite in a leaf.
+        Largest value of the feature for which the first child is the next node; infinite in a leaf.
     ahead : (n,) int
-        Distance from a node to the first of its two next nodes; the second follows directly behind the first. 0 in a leaf.
+        Distance from a node to its first child; 0 in a leaf. The second child directly follows the first child.
     votes : (n, c) int
         Votes of a leaf for each class.
     roots : (t,) int
-        First node of every tree.
+        Root node of every tree.
     """
 
     feature: np.ndarray
@@ -63,11 +63,12 @@ class Model:
     names : (m,) str
         Names of the features.
     nonsense : Trees
-        Vote for what machines something (0) and what machines nothing (1).
+        Trees that vote whether a toolpath machines a part (class 0) or is nonsense (class 1).
     strategies : Trees
-        Vote for decide.STRATEGIES.
+        Trees that vote for the classes decide.STRATEGIES.
     calibration : (2,) float
-        Offset and slope of a line from the log odds of the share of the votes to the log odds that the verdict is right.
+        Offset and slope of the line that calibrates the confidence. The line maps the log odds of the share of the votes
+        to the log odds that the verdict is right.
     """
 
     names: np.ndarray
@@ -81,7 +82,7 @@ class Model:
         return float(self.nonsense.shares(case)[0, 1]), self.strategies.shares(case)[0]
 
     def sureness(self, share: float) -> float:
-        """Return the probability that a verdict with a share of the votes is right."""
+        """Return the probability that a verdict with this share of the votes is right."""
         offset, slope = self.calibration
         return float(1 / (1 + np.exp(-offset - slope * log_odds(share))))
 
@@ -94,7 +95,7 @@ def log_odds(share: np.ndarray | float) -> np.ndarray:
 
 
 def read_model(file: Path) -> Model:
-    """Return the model that a file holds."""
+    """Read a model from a file."""
     with np.load(file, allow_pickle=False) as arrays:
 
         def trees(of: str) -> Trees:
@@ -105,5 +106,5 @@ def read_model(file: Path) -> Model:
 
 @lru_cache(maxsize=1)
 def shipped_model() -> Model:
-    """Return the model that ships."""
+    """Return the model that is part of the workbench."""
     return read_model(FILE)

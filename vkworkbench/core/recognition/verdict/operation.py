@@ -62,9 +62,9 @@ def _with_layers(why: Message, entry: str | None, finishing: Message | None) -> 
 
 
 def _runs(section: Section, verdict: Verdict, first: int, last: int) -> list[tuple[int, int, Strategy]]:
-    """Return the stretches of loops and of rows in a mixed operation, first .. last.
+    """Divide the trajectories first .. last of a mixed operation into stretches of loops and stretches of rows.
 
-    A link belongs to the piece before it, a lead-in to the piece after it.
+    A link belongs to the piece before it. A lead-in belongs to the piece after it.
     """
     of_rings, of_rows = verdict.parts
     is_ring = section.ring_pieces.copy()

@@ -45,12 +45,13 @@ class Recognition:
     why : Message
         Reason in the paper's terms, with numbers.
     spans : tuple of Span
-        Stretches in the order of cutting. More than one if the strategy is mixed, or if a few other cuts are beside the pattern.
-        Neighbours with the same strategy are two operations of a program.
+        Stretches in the order of cutting. There are several spans if the strategy is mixed, or if a few cuts follow another
+        strategy than the pattern. Neighbouring spans with the same strategy are two operations of a program.
     level : int
-        Level n in the paper: full turns of phi in one area, with sign, truncated toward zero.
+        Level n in the paper: number of full turns of phi in one area, with sign, truncated toward zero.
     phi_range : tuple of float
-        Lowest and highest phi in any area, rad, measured from the area's first trajectory, including closing turns of loops.
+        Lowest and highest phi in any area, rad. phi is 0 at the first trajectory of each area, and includes the closing
+        turns of loops.
     reversals : int
         Number of exact reversals: turns of +-pi, which have no sign.
     sense : str or None
@@ -68,7 +69,7 @@ class Recognition:
     milling : str or None
         "climb" or "conventional" for nested loops cut by a spindle that turns clockwise (M3).
     entry : str or None
-        Entry to most of the depth before the pattern: "plunge", "ramp", "zigzag ramp" or "helix". None if the descent is the
+        Kind of the entry before the pattern: "plunge", "ramp", "zigzag ramp" or "helix". None if the descent is the
         operation itself, and for mixed operations.
     finishing : bool
         Whether a contour around the rows, or after adaptive clearing, finishes the walls.

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The rules: which strategy the pieces of one section show."""
+"""Propose the strategy of a section by rules about its pieces."""
 
 from __future__ import annotations
 
@@ -56,7 +56,7 @@ class Verdict:
 
 
 def judge_section(section: Section) -> Verdict:
-    """Return the strategy of a section by its rings, rows or open strokes, whichever make up most of its length."""
+    """Return the strategy that the rings, rows or open strokes of a section show, whichever prevail."""
     rings = section.share(section.ring_pieces[section.rings.index])
     rows = _share_of_rows(section, 1 - rings)
     arcs = _judge_arcs(section) if rings < RINGS.OFFSETS and rows < MAJORITY.SHARE else None
@@ -73,15 +73,15 @@ def judge_section(section: Section) -> Verdict:
 
 
 def _share_of_rows(section: Section, open_share: float) -> float:
-    """Return the share of the length in rows; if rows are most of the open length, the rest of it are their links."""
+    """Return the share of the length in rows. If most of the open length is rows, the rest is links and counts as rows."""
     rows = max(section.zigzag, sum(family.length for family in section.rows) / section.length)
     return open_share if rows > MAJORITY.SHARE * open_share else rows
 
 
 def _judge_bites(section: Section, rows: float, arcs: Verdict | None) -> Verdict | None:
-    """Return adaptive clearing if enough strokes overlap as the bites of a cutter at a limited engagement do.
+    """Return adaptive clearing if enough strokes overlap, as the bites of a cutter with limited engagement do.
 
-    Circles cut open by the boundary overlap too, but keep their radii: arcs around a centre are not bites.
+    Circles that the boundary cuts open also overlap, but have a common centre. Concentric arcs are not bites.
     """
     strokes = section.strokes
     bites, against = section.part(strokes.bite), section.part(strokes.against)
@@ -94,7 +94,7 @@ def _judge_bites(section: Section, rows: float, arcs: Verdict | None) -> Verdict
 
 
 def _judge_hunting(section: Section, rings: float) -> Verdict | None:
-    """Return adaptive clearing if most nested rings correct their direction all the time, whatever lies beside them."""
+    """Return adaptive clearing if most rings are nested and most rings constantly correct their direction."""
     hunting, nested = section.share(section.hunting), section.share(section.rings.nested)
     if min(hunting, nested) > MAJORITY.SHARE * rings:
         return Verdict(Strategy.ADAPTIVE, len(section.rings), Message("endless-winding"))
@@ -102,13 +102,13 @@ def _judge_hunting(section: Section, rings: float) -> Verdict | None:
 
 
 def _rings_prevail(section: Section, rings: float, rows: float) -> bool:
-    """Return whether the rings decide: nested offsets, also with passes inside the innermost, or hardly any rows."""
+    """Return whether the rings decide: nearly all length is nested offsets, or there are hardly any rows."""
     offsets = rings > RINGS.OFFSETS and section.share(section.rings.nested) > RINGS.OFFSETS * rings
     return offsets or (rings > RINGS.ALONE and (rows < RINGS.ROWS_BESIDE or not section.rows))
 
 
 def _judge_rows_and_rings(section: Section, of_rows: Verdict, rings: float, rows: float) -> Verdict:
-    """Return rows that contours finish, or a mixed section of rows and rings."""
+    """Return rows with a finishing pass if the rings are contours of the rows, otherwise a mixed section."""
     if max(section.bordered()) > MAJORITY.SHARE:
         return replace(of_rows, finished=True)
     seen = Message("rows-and-loops", rows=rows, loops=rings)
@@ -116,7 +116,7 @@ def _judge_rows_and_rings(section: Section, of_rows: Verdict, rings: float, rows
 
 
 def _judge_rings(section: Section, rings: float) -> Verdict:
-    """Return the strategy of the rings, which have the share `rings` of the length."""
+    """Return the strategy of the rings, which make up the share `rings` of the length."""
     count = len(section.rings)
     helix = _judge_helix(section, rings)
     if helix:
@@ -134,12 +134,12 @@ def _judge_rings(section: Section, rings: float) -> Verdict:
         return Verdict(Strategy.MIXED, 2, Message("pass-inside"))
     if section.letters():
         return Verdict(Strategy.ENGRAVING, count, Message("many-shapes"))
-    # A loop repeated at other depths is a contour, and so are separate loops.
+    # Loops that are repeated at other depths are contours, and so are separate loops.
     return Verdict(Strategy.PROFILE, count, _seen_of_contours(section, rings))
 
 
 def _seen_of_contours(section: Section, rings: float) -> Message:
-    """Return what shows contours: strokes over tags, hardly any nested loops, or none."""
+    """Return the reason for a profile: strokes between tags, few nested loops, or no nested loops."""
     if section.in_strokes > MAJORITY.SHARE:
         return Message("in-strokes")
     nested = section.share(section.rings.nested) / rings
@@ -153,12 +153,12 @@ def _share_of_helix(section: Section) -> float:
 
 
 def _judge_helix(section: Section, rings: float) -> Verdict | None:
-    """Return a helix, or the pocket that a helix enters; None where other contours are ramped in the same way."""
+    """Return a helix, or the clearing that a helix enters; None if other contours descend in the same way."""
     found, count = section.rings, len(section.rings)
     all_round = section.share(found.round) > RINGS.ALL_ROUND * rings
     if _share_of_helix(section) <= MAJORITY.SHARE * rings or not all_round:
         return None
-    # Flat turns that wind outward clear a pocket, however long the helix is that enters it.
+    # Nested level turns clear a pocket, even if the helix that enters the pocket is longer.
     clears = found.nested & found.winding & ~found.sloped & ~found.stacked
     if (clears[1:] & clears[:-1]).sum() < 2:
         climbs = section.pieces.drop[found.index].sum() > 0
@@ -169,7 +169,7 @@ def _judge_helix(section: Section, rings: float) -> Verdict | None:
 
 
 def _judge_changing_rings(section: Section, rings: float) -> Verdict | None:
-    """Return the strategy of contours whose shape changes with the depth; None where it does not."""
+    """Return the strategy of contours whose shape changes with the depth; None if the shape does not change."""
     found = section.rings
     deeper = section.share(found.deeper)
     deep = found.depths >= WATERLINES.DEPTHS and found.depth_range > WATERLINES.RANGE * section.tool
@@ -187,7 +187,7 @@ def _judge_nested_rings(section: Section, rings: float) -> Verdict:
     winding = section.share(section.rings.winding)
     if winding <= MAJORITY.SHARE * rings or section.share(section.aside) >= MAJORITY.SHARE * winding:
         return offsets
-    # A spiral leaves neither bites nor strokes. A spiral cut open by the boundary is judged by its arcs.
+    # A spiral contains neither bites nor open strokes. `_judge_arcs` judges a spiral that the boundary cuts open.
     bitten = section.part(strokes.bite) > ADAPTIVE.BITES and strokes.bite.sum() >= MAJORITY.REPETITIONS
     entered = _share_of_helix(section) + section.wound > ADAPTIVE.ENTRY and not _is_even_spiral(section, rings)
     if bitten or entered or strokes.length.sum() > ADAPTIVE.STROKES * section.length:
@@ -198,12 +198,12 @@ def _judge_nested_rings(section: Section, rings: float) -> Verdict:
 
 
 def _is_even_spiral(section: Section, rings: float) -> bool:
-    """Return whether all rings are round and equidistant: adaptive clearing steps unevenly to keep its engagement."""
+    """Return whether nearly all rings are circles with equal steps. Adaptive clearing has unequal steps."""
     return section.rings.equidistant and section.share(section.rings.round) > RINGS.ALL_ROUND * rings
 
 
 def _judge_rows(section: Section, rows: float) -> Verdict:
-    """Return whether the rows, which have the share `rows` of the length, alternate or all run the same way."""
+    """Return zigzag or one-way for rows with the share `rows` of the length, depending on whether they alternate."""
     opposite, same = (sum(getattr(family, name) for family in section.rows) for name in ("opposite", "same"))
     count = sum(family.count for family in section.rows)
     if opposite >= same or section.zigzag > MAJORITY.SHARE * rows:
@@ -212,7 +212,7 @@ def _judge_rows(section: Section, rows: float) -> Verdict:
 
 
 def _judge_arcs(section: Section) -> Verdict | None:
-    """Return the strategy of circles that the boundary cuts open; None where too little is arcs around a centre."""
+    """Return the strategy of circles that the boundary cuts open; None if too few strokes are concentric arcs."""
     arcs = find_arcs(section.moves, section.pieces, np.union1d(section.strokes.index, section.rings.index))
     if arcs is None or arcs.count < MAJORITY.REPETITIONS:
         return None
@@ -240,7 +240,7 @@ def _judge_strokes(section: Section) -> Verdict:
 
 
 def _judge_neighbours(section: Section) -> Verdict | None:
-    """Return offsets, rows or adaptive clearing for open strokes that lie side by side; None where too few do."""
+    """Return offsets, rows or adaptive clearing for open strokes side by side; None if too few strokes are."""
     beside = find_neighbours(section.moves, section.pieces, section.strokes.index, section.tool)
     if not beside or beside.count < MAJORITY.REPETITIONS or beside.share <= NEIGHBOURS.SHARE:
         return None
@@ -253,15 +253,15 @@ def _judge_neighbours(section: Section) -> Verdict | None:
 
 
 def _judge_contours_or_letters(section: Section, sloped: float) -> Verdict:
-    """Return a profile for an open contour, at one depth or at several, and an engraving for many short strokes."""
+    """Return a profile for an open contour at one or several depths, and an engraving for many short strokes."""
     strokes, box = section.strokes, section.pieces.box
     count = len(strokes)
     extent = box[:, 2:].max(axis=0) - box[:, :2].min(axis=0)
     long = strokes.typical > STROKES.LONG * extent.sum()
     few = strokes.distinct <= MAJORITY.REPETITIONS
-    # Letters are repeated at several depths as contours are, but there are more letters, and they are short.
+    # Letters can also be repeated at several depths, but there are more letters than contours, and letters are short.
     contours = strokes.distinct < STROKES.DISTINCT * count and (long or few)
-    # A contour repeated at greater depths rises at its ends, where it is left; letters rise in their corners.
+    # A contour repeated at greater depths rises only at its ends. Carved letters rise in their corners.
     level = max(sloped, section.retraced) < MAJORITY.SHARE
     if not contours and level and share_rising(section.areas) > STROKES.RISING:
         return Verdict(Strategy.ENGRAVING, count, Message("rising-strokes"))
