@@ -15,7 +15,7 @@ def harmonograph(rng):
 
 
 def woven_lissajous(rng):
-    """A Lissajous curve whose frequencies are nearly equal and not quite integers."""
+    """A Lissajous curve with a random ratio of its frequencies."""
     t = np.linspace(0, 2 * np.pi * rng.integers(6, 30), count(rng) * 2)
     ratio = rng.uniform(0.5, 3.0)
     return np.column_stack([np.sin(t + rng.uniform(0, 3)), np.sin(ratio * t)])
@@ -195,7 +195,7 @@ def bent_order(rng):
 
 
 def cross_order(rng):
-    """The quadrants of a square in a random order with diagonals, and the quadrants of each quadrant in the same order."""
+    """The quadrants of a square in a random order, and the quadrants of each quadrant in the same order."""
     order = np.array([(0, 0), (1, 1), (0, 1), (1, 0)])[rng.permutation(4)]
     cells = np.zeros((1, 2))
     for k in range(int(rng.integers(3, 6))):
@@ -247,7 +247,7 @@ def count(rng) -> int:
 
 KINDS = (
     harmonograph, woven_lissajous, product_of_waves, precessing_ellipse, maurer_rose, times_table, star_polygon,
-    stars_on_stars, overlapping_circles, overlapping_polygons, flower_of_arcs, recaman, random_growth, two_random_growths,
-    twin_dragon, cesaro, minkowski, gasket, crystal, pentaplexity, rings_of_l, recursive_squares, mixed_order, bent_order,
-    cross_order, bit_reversal, low_discrepancy, text_as_coordinates,
+    stars_on_stars, overlapping_circles, overlapping_polygons, flower_of_arcs, recaman, random_growth,
+    two_random_growths, twin_dragon, cesaro, minkowski, gasket, crystal, pentaplexity, rings_of_l, recursive_squares,
+    mixed_order, bent_order, cross_order, bit_reversal, low_discrepancy, text_as_coordinates,
 )  # fmt: skip

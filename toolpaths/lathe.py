@@ -2,7 +2,8 @@
 """Make toolpaths of a lathe in X and Z, which are not described by a milling strategy, as G-code commands.
 
 No toolpath consists only of a facing cut, a groove or a finishing pass, because a mill can cut a slot in X and Z in the
-same way. The makers have the same form as in synthetic.py. SAMPLES lists (label, strategies that count as right, maker).
+same way. The makers have the same form as in synthetic.py. SAMPLES lists (label, strategies that count as right,
+maker).
 """
 
 from __future__ import annotations

@@ -173,7 +173,7 @@ def morton(rng):
 
 
 def odometer(rng):
-    """The cells of a grid in counting order, where digits alternate between X and Y, in other bases than in `morton`."""
+    """The cells of a grid in counting order, whose digits alternate between X and Y, in bases 2 to 4."""
     bases = ((3, 3), (2, 3), (3, 2), (4, 2), (2, 4), (3, 4))[int(rng.integers(6))]
     places, units = [], [1, 1]
     while units[0] * units[1] < 60 or len(places) % 2:
@@ -280,9 +280,9 @@ RANDOM = (
     knight,
 )
 KINDS = (
-    *RANDOM, scribble, epicycloid, hypocycloid, lissajous, rose, three_arms, star, hilbert, moore, peano, meander, dragon,
-    levy, gosper, arrowhead, koch, quadratic_island, morton, sierpinski, terdragon, gray, tour, attractor, sunflower,
-    spirolateral, wunderlich, odometer, *chaos.OTHER, *figures.KINDS,
+    *RANDOM, scribble, epicycloid, hypocycloid, lissajous, rose, three_arms, star, hilbert, moore, peano, meander,
+    dragon, levy, gosper, arrowhead, koch, quadratic_island, morton, sierpinski, terdragon, gray, tour, attractor,
+    sunflower, spirolateral, wunderlich, odometer, *chaos.OTHER, *figures.KINDS,
 )  # fmt: skip
 
 

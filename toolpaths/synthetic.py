@@ -90,7 +90,7 @@ def outline(rng: np.random.Generator) -> np.ndarray:
 
 
 def inward(shape: np.ndarray, distance: float) -> np.ndarray | None:
-    """Return the mitred inward offset of a counter-clockwise outline; None if the outline is too small for the offset."""
+    """Return the mitred inward offset of a counter-clockwise outline; None if the outline is too small for it."""
     before, after = np.roll(shape, 1, axis=0), np.roll(shape, -1, axis=0)
     d0, d1 = shape - before, after - shape
     d0 /= np.linalg.norm(d0, axis=1)[:, None]
@@ -388,7 +388,7 @@ def trochoid_of_chords(rng):
 
 
 def winding(rng, *, corrects=False):
-    """A finely sampled inward winding with rounded coordinates, or with constant corrections as in adaptive clearing."""
+    """A finely sampled inward winding, with rounded coordinates, or with corrections as in adaptive clearing."""
     p, step, digits = Program(rng), rng.uniform(0.8, 2.5), int(rng.integers(2, 4))
     a = np.arange(0, rng.uniform(7, 12) * 2 * np.pi, rng.uniform(0.003, 0.012))
     waves = rng.integers(15, 110)
@@ -400,8 +400,9 @@ def winding(rng, *, corrects=False):
 
 
 def entered_pocket(rng, *, even=False):
-    """A round pocket that is cleared outwards after a helical entry, with equal steps, or with the growing steps of
-    constant engagement.
+    """A round pocket, cleared outwards after a helical entry with equal steps, or with steps that grow.
+
+    The steps grow if the engagement is constant.
     """
     p, side = Program(rng), np.pi / 18
     entry, step, turns = rng.uniform(1.5, 4), rng.uniform(0.5, 2), rng.integers(3, 40)
@@ -409,7 +410,7 @@ def entered_pocket(rng, *, even=False):
     p.cut(np.column_stack([entry * np.cos(a), entry * np.sin(a), -0.5 * a / (2 * np.pi)]), 0.0)
     wound = b / (2 * np.pi)
     if not even:
-        wound -= 0.8 * (1 - np.exp(-wound / 2.5))  # steps grow from two thirds to the whole step, as in FreeCAD and Fusion
+        wound -= 0.8 * (1 - np.exp(-wound / 2.5))  # steps grow to the whole step, as in FreeCAD
     r = entry + step * wound
     p.cut(np.column_stack([r * np.cos(b), r * np.sin(b)]), p.last[2], linked=True)
     return p.commands

@@ -46,8 +46,8 @@ class ConcentricArcs:
 def find_arcs(moves: Areas, pieces: Pieces, index: np.ndarray) -> ConcentricArcs | None:
     """Find the arcs around a common centre.
 
-    Each move d on a circle around c is perpendicular to the ray from c to the move's midpoint m. The centre is the point
-    c that minimises the sum of the squared dot products d (m - c). Straight rows have no centre.
+    Each move d on a circle around c is perpendicular to the ray from c to the move's midpoint m. The centre is the
+    point c that minimises the sum of the squared dot products d (m - c). Straight rows have no centre.
 
     Parameters
     ----------

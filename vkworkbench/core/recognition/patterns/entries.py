@@ -14,13 +14,13 @@ ENTRIES = ("plunge", "ramp", "zigzag ramp", "helix")
 
 
 def find_entry(moves: Areas) -> str | None:
-    """Return the kind of entry that descends most of the depth, one of `ENTRIES`; None if the operation itself descends.
+    """Return the kind of entry that descends most of the depth, one of `ENTRIES`; None if the operation descends.
 
-    An entry is the descent at the start of an area, before the first level move. Some descents first follow a level move
-    outwards and then return along its line. A descent that winds is a helix, a descent that goes back and forth is a
-    zigzag ramp, and any other descent is a ramp. An area that begins with another level move is entered by a plunge. If
-    most of the length after the descents is not level, the descent is the operation and not an entry, as in a helical
-    bore or on a surface.
+    An entry is the descent at the start of an area, before the first level move. Some descents first follow a level
+    move outwards and then return along its line. A descent that winds is a helix, a descent that goes back and forth is
+    a zigzag ramp, and any other descent is a ramp. An area that begins with another level move is entered by a plunge.
+    If most of the length after the descents is not level, the descent is the operation and not an entry, as in a
+    helical bore or on a surface.
 
     Parameters
     ----------
@@ -53,9 +53,9 @@ def find_entry(moves: Areas) -> str | None:
 def without_entries(moves: Areas) -> tuple[Areas, float]:
     """Remove lead-ins and lead-outs: descents at the start and climbs at the end of areas.
 
-    A lead is removed only if most of the remaining area is level and extends well beyond the lead's bounding box. A helix
-    that ends with one flat turn does not extend beyond itself, so the helix is the operation. A ramp along a contour is
-    part of the contour.
+    A lead is removed only if most of the remaining area is level and extends well beyond the lead's bounding box. A
+    helix that ends with one flat turn does not extend beyond itself, so the helix is the operation. A ramp along a
+    contour is part of the contour.
 
     Parameters
     ----------

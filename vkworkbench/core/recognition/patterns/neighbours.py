@@ -111,8 +111,8 @@ def _sampled(moves: Areas, pieces: Pieces, index: np.ndarray) -> tuple[np.ndarra
 def _percentiles(values: np.ndarray, of: np.ndarray, percent: tuple[float, ...]) -> np.ndarray:
     """Return percentiles (p, rows) of the values (rows, k) that `of` (rows, k) selects, at least one in each row.
 
-    numpy's `nanpercentile` processes the rows one by one. This function is faster, because it processes all rows with the
-    same number of values at once.
+    numpy's `nanpercentile` processes the rows one by one. This function is faster, because it processes all rows with
+    the same number of values at once.
     """
     ascending, count = np.sort(np.where(of, values, np.inf), axis=1), of.sum(axis=1)
     found = np.empty((len(percent), len(values)))
@@ -122,7 +122,7 @@ def _percentiles(values: np.ndarray, of: np.ndarray, percent: tuple[float, ...])
 
 
 def _distances(ax: np.ndarray, ay: np.ndarray, bx: np.ndarray, by: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Return the distance of each point of b from the polyline a, and whether its perpendicular meets a, (k, points)."""
+    """Return the distance of each point of b from polyline a, and whether its perpendicular meets a, (k, points)."""
     dx, dy = np.diff(ax)[:, None], np.diff(ay)[:, None]
     px, py = bx[:, :, None] - ax[:, None, :-1], by[:, :, None] - ay[:, None, :-1]
     t = (px * dx + py * dy) / np.maximum(dx * dx + dy * dy, 1e-12)

@@ -30,7 +30,8 @@ class Shapes(NamedTuple):
     slack : (k,) float
         Tolerance factor: 1 for closed loops; 2 for turns of windings, which are open and have approximate areas.
     turn, rest : (k,) bool
-        Whether the ring is a full level turn of a winding; whether it is the rest of a winding after its last full turn.
+        Whether the ring is a full level turn of a winding; whether it is the rest of a winding after its last full
+        turn.
     """
 
     sides: np.ndarray
@@ -67,12 +68,12 @@ class Shift(NamedTuple):
 class Inward(Dict[int, Shift]):
     """Shifts between rings, by lag. Each shift is computed at its first use.
 
-    The distance between two parallel curves is 2 dA / (P1 + P2), where dA is the difference of their areas and P1 and P2
-    are their lengths (Steiner's formula). The formula is valid in any orientation. All four sides of an offset's box are
-    shifted inwards. The smallest shift is about the distance, or more if a sharp corner touches the box. If the smallest
-    shift is much less or much more than the distance, an island covers a part of the area. In a pocket that is open at a
-    straight side, all offsets share this side, and at most one adjacent side. Shared sides are not shifted, so that only
-    the other sides show the distance.
+    The distance between two parallel curves is 2 dA / (P1 + P2), where dA is the difference of their areas and P1 and
+    P2 are their lengths (Steiner's formula). The formula is valid in any orientation. All four sides of an offset's box
+    are shifted inwards. The smallest shift is about the distance, or more if a sharp corner touches the box. If the
+    smallest shift is much less or much more than the distance, an island covers a part of the area. In a pocket that is
+    open at a straight side, all offsets share this side, and at most one adjacent side. Shared sides are not shifted,
+    so that only the other sides show the distance.
 
     Parameters
     ----------
@@ -153,11 +154,12 @@ def _beside_shared_sides(moved: np.ndarray, sides: np.ndarray) -> tuple[np.ndarr
 def reach(inward: Inward, tool: float, area: np.ndarray) -> float:
     """Return the largest distance between neighbouring rings in one nest, mm.
 
-    If the tool is known, the largest distance is slightly more than the tool's diameter. Rings at a larger distance leave
-    uncut ground between them and are separate contours. If the tool is unknown, the largest distance is twice the usual
-    step. A share of the largest ring's size also limits the distance, unless three rings are nested with equal steps or
-    most rings are linked to the next ring without a lift. This limit keeps the inner and the outer contour of a washer
-    separate, even if both are repeated at every depth. A link between two contours of a part would cut into the part.
+    If the tool is known, the largest distance is slightly more than the tool's diameter. Rings at a larger distance
+    leave uncut ground between them and are separate contours. If the tool is unknown, the largest distance is twice the
+    usual step. A share of the largest ring's size also limits the distance, unless three rings are nested with equal
+    steps or most rings are linked to the next ring without a lift. This limit keeps the inner and the outer contour of
+    a washer separate, even if both are repeated at every depth. A link between two contours of a part would cut into
+    the part.
 
     Parameters
     ----------

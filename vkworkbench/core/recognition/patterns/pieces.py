@@ -24,8 +24,8 @@ class Pieces:
     start, end : (k,) int
         The moves of piece i are start[i] .. end[i] - 1.
     kind : (k,) int
-        LOOP: closed, with a net turn of 2 pi. WINDING: one of several consecutive turns. ZIGZAG: back and forth, with half-turns
-        of alternating sign between its passes. STROKE: any other piece.
+        LOOP: closed, with a net turn of 2 pi. WINDING: one of several consecutive turns. ZIGZAG: back and forth, with
+        half-turns of alternating sign between its passes. STROKE: any other piece.
     area : (k,) int
         Monotonous area of each piece.
     length : (k,) float
@@ -121,8 +121,8 @@ def cut_pieces(moves: Areas) -> Pieces:
 def _comes_back(moves: Areas, cut: np.ndarray) -> np.ndarray:
     """Return the exact reversals between a bent pass and the same pass backwards, as in a contour repeated on a ramp.
 
-    A plunge between two passes ends the area, so that only passes without a plunge are compared. A straight pass back and
-    forth stays one piece, because it may be an entry or a row of a zigzag.
+    A plunge between two passes ends the area, so that only passes without a plunge are compared. A straight pass back
+    and forth stays one piece, because it may be an entry or a row of a zigzag.
 
     Parameters
     ----------
@@ -258,7 +258,8 @@ class HalfTurns(NamedTuple):
     passes : (k,) int
         Number of passes; 1 for a stretch that was not measured.
     parallel : (k,) float
-        Share of the passes' length that is parallel to the axis. Measured only for stretches of few passes, otherwise 0.
+        Share of the passes' length that is parallel to the axis. Measured only for stretches of few passes, otherwise
+        0.
     """
 
     alternating: np.ndarray
@@ -270,11 +271,11 @@ class HalfTurns(NamedTuple):
 def half_turns(moves: Areas, parts: _Stretches, able: np.ndarray) -> HalfTurns:
     """Measure the half-turns between passes, whose signs distinguish back-and-forth patterns from contours.
 
-    A pass is a run of moves in one direction along the axis of its stretch. Between two opposite passes phi changes by pi
-    or -pi. The signs of these half-turns alternate in a zigzag and stay the same around a contour (paper, section 3.2).
-    Unlike the paper's condition -pi <= phi <= pi, the signs do not depend on the first trajectory, and they are also
-    valid with islands and concave borders. An exact reversal has no sign. It returns on the same line and counts as
-    alternating.
+    A pass is a run of moves in one direction along the axis of its stretch. Between two opposite passes phi changes by
+    pi or -pi. The signs of these half-turns alternate in a zigzag and stay the same around a contour (paper, section
+    3.2). Unlike the paper's condition -pi <= phi <= pi, the signs do not depend on the first trajectory, and they are
+    also valid with islands and concave borders. An exact reversal has no sign. It returns on the same line and counts
+    as alternating.
 
     Parameters
     ----------

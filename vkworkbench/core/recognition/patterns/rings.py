@@ -176,7 +176,7 @@ def _compare_rings(inward: Inward, limit: float) -> _Compared:
         if lag == 1 and shapes.turn.any():
             turns = step[nested & shapes.turn[one] & shapes.turn[two]]
         shifts.append(mean[nested])
-        # The minimum ignores the ring after next, which is two steps away. The two slices overlap, so update one at a time.
+        # The minimum ignores the ring after next, which is two steps away. The slices overlap, so update one at a time.
         np.minimum(inner[one], np.where(nested & (mean > 0), step, np.inf), out=inner[one])
         np.minimum(inner[two], np.where(nested & (mean < 0), step, np.inf), out=inner[two])
         if flags["nested"].all():
@@ -246,7 +246,7 @@ class Pairs:
 
     @cached_property
     def beside(self) -> np.ndarray:
-        """Whether both rings have the same depth, or one ring has no single depth because it is not level, (p,) bool."""
+        """Whether both rings have the same depth, or at least one of them is not level, (p,) bool."""
         one, two = self.both(self.shapes.flat)
         found: np.ndarray = self.level | ~one | ~two
         return found
@@ -278,8 +278,8 @@ class Pairs:
     def offset(self) -> np.ndarray:
         """Whether one ring is an offset of the other within the reach of the tool, at any depth, (p,) bool."""
         step, shapes = self.shift.step, self.shapes
-        # At one height, a shift of all four sides by the full step is an offset, even if it is within the rounding allowed for
-        # large rings.
+        # At one height, a shift of all four sides by the full step is an offset, even if it is within the rounding
+        # allowed for large rings.
         apart = ~self.same_box | (self.level & (step > ROUNDING.RING))
         wavy, other_wavy = self.both(shapes.wavy)
         # The lengths of parallel curves differ by the distance times the turn (Steiner's formula), unless bays close.
@@ -302,8 +302,8 @@ class Pairs:
 def _is_opposite(pairs: Pairs) -> np.ndarray:
     """Return whether the next ring is an offset with the opposite sense, in a series of at least three such rings.
 
-    Two rings are not enough, because an outline and its hole also have opposite senses. The loops of one pattern have the
-    same shape. A boundary and an island between its offsets have different shapes.
+    Two rings are not enough, because an outline and its hole also have opposite senses. The loops of one pattern have
+    the same shape. A boundary and an island between its offsets have different shapes.
     """
     one, two = pairs.both(pairs.shapes.sense)
     turns, mean = pairs.offset & pairs.alike & (one != two), pairs.shift.mean

@@ -40,13 +40,14 @@ class Rows:
     pitch : float
         Distance between neighbouring rows in any order (median), mm.
     period : float
-        Distance after which the lines repeat, mm. A lattice whose passes bounce off the boundary has two sets of lines in
-        each pocket. Lines of one set are one stepover apart, and the distance between the sets is arbitrary. The period
-        of such a lattice is the stepover. The period of evenly spaced rows is the pitch.
+        Distance after which the lines repeat, mm. A lattice whose passes bounce off the boundary has two sets of lines
+        in each pocket. Lines of one set are one stepover apart, and the distance between the sets is arbitrary. The
+        period of such a lattice is the stepover. The period of evenly spaced rows is the pitch.
     even : float
         Share of the steps that are close to the usual step.
     steep : bool
-        Whether most neighbouring passes differ more in height than in position across the axis, like passes down a wall.
+        Whether most neighbouring passes differ more in height than in position across the axis, like passes down a
+        wall.
     lies : (p, 3) float
         Sample of passes: position across the axis, and beginning and end along the axis, ascending, mm.
     moves : (k,) int
@@ -139,7 +140,8 @@ class Steps(NamedTuple):
     shorter : (k-1,) float
         Length of the shorter of two consecutive passes, mm.
     aside, neighbour : (k-1,) bool
-        Whether two consecutive passes are on different lines; whether their distance, besides, is at most about `usual`.
+        Whether two consecutive passes are on different lines; whether their distance, besides, is at most about
+        `usual`.
     usual : float
         Usual distance (median by length), mm.
     even : float
@@ -157,7 +159,10 @@ class Steps(NamedTuple):
 
 
 def steps_between(place: np.ndarray, length: np.ndarray) -> Steps | None:
-    """Compare passes, given by positions across their direction and lengths, (k,) mm each; None if all are on one line."""
+    """Compare consecutive passes, given by their positions across the axis and their lengths, (k,) mm each.
+
+    Return None if all passes are on one line.
+    """
     step, shorter = np.diff(place), np.minimum(length[1:], length[:-1])
     lateral = np.abs(step)
     line = ROWS.FINEST if _is_fine(step, lateral) else ROUNDING.PLACE
@@ -295,7 +300,7 @@ def _cut_passes(moves: Areas, on: np.ndarray, forward: np.ndarray, length: np.nd
 
 
 def _leaves_line(moves: Areas, before: np.ndarray, after: np.ndarray, forward: np.ndarray, axis: float) -> np.ndarray:
-    """Return whether the moves `after` (k,) lie on other lines than the moves `before` (k,), all parallel to an axis."""
+    """Return whether the moves `after` (k,) lie on other lines than the moves `before` (k,), parallel to an axis."""
     u, v = np.cos(axis), np.sin(axis)
     gap_x = moves.x[after] - moves.x[before] - moves.dx[before]
     gap_y = moves.y[after] - moves.y[before] - moves.dy[before]
@@ -317,8 +322,8 @@ def _sampled_lines(moves: Areas, passes: _Passes, axis: float) -> np.ndarray:
 def _period(gaps: np.ndarray, pitch: float, line: float) -> float:
     """Return the distance after which most lines repeat, mm; return the pitch if most lines do not repeat.
 
-    A lattice has two sets of lines in each pocket. The distance between two sets is arbitrary. Only the distance between
-    the lines of one set repeats.
+    A lattice has two sets of lines in each pocket. The distance between two sets is arbitrary. Only the distance
+    between the lines of one set repeats.
 
     Parameters
     ----------
@@ -337,7 +342,7 @@ def _period(gaps: np.ndarray, pitch: float, line: float) -> float:
     cell = np.rint(distance / width).astype(np.int64)
     count = np.bincount(cell, minlength=2)
     count[:-1] += count[1:]  # join neighbouring cells, because equal distances may be in both
-    with_room = np.searchsorted(place, place[-1] - width * np.arange(-1, len(count) - 1))  # number of lines that can have a line behind them
+    with_room = np.searchsorted(place, place[-1] - width * np.arange(-1, len(count) - 1))  # lines with room behind
     share = np.where(2 * with_room >= len(place), count / np.maximum(with_room, 1), 0.0)
     score = count * share  # a distance that repeats by chance does so for few lines
     nearest = int(np.argmax(score > ROWS.PITCH_FREQUENCY * score.max()))  # multiples are equally frequent
@@ -407,8 +412,8 @@ def filling(families: list[Rows], tool: float, *, length: float, contour: bool) 
     good = [family for family in families if _fills(family, tool) and not (contour and _walls(family))]
     if good or len(families) < 2 or (tool and max(family.period for family in families) > NESTS.REACH * tool):
         return good
-    # The passes of a lattice bounce from wall to wall, so that consecutive rows are not neighbours. Two families of many
-    # long rows that have nearly the whole length fill the area nevertheless. The sides of contours do not cross.
+    # The passes of a lattice bounce from wall to wall, so that consecutive rows are not neighbours. Two families of
+    # many long rows that have nearly the whole length fill the area nevertheless. The sides of contours do not cross.
     if sum(family.length for family in families) > ROWS.GRID * length and _cross(*families):
         if all(
             family.count >= MAJORITY.REPETITIONS and family.typical > ROWS.MIN_LENGTH * family.pitch

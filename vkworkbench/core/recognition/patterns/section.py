@@ -126,7 +126,7 @@ class Section:
 
     @cached_property
     def aside(self) -> np.ndarray:
-        """Whether each ring steps aside to the next ring, (k,) bool: a winding that turns against its sense and back."""
+        """Whether each ring turns against the sense of its winding to step aside to the next ring, (k,) bool."""
         return self._corrections.angle > WINDINGS.STEP_ASIDE * TURN
 
     @cached_property
@@ -220,8 +220,8 @@ class Section:
     def cornered(self) -> float:
         """Return the share of the turning of windings in corners.
 
-        A spiral turns continually. Polygons that step to the next polygon in a corner also wind in one sense, but turn only
-        in corners.
+        A spiral turns continually. Polygons that step to the next polygon in a corner also wind in one sense, but turn
+        only in corners.
         """
         chosen = np.zeros(len(self.pieces), bool)
         chosen[self.rings.index[self.rings.winding]] = True
@@ -239,7 +239,7 @@ class Section:
         return bool(small and shallow and shapes >= LETTERS.COUNT and shapes > STROKES.DISTINCT * self.rings.distinct)
 
     def ends_with_contour(self) -> bool:
-        """Return whether the last piece at the depths with most of the length is a large closed contour, a finishing pass.
+        """Return whether the depths with most of the length end with a large closed contour, a finishing pass.
 
         A contour around the part, or inside a pocket, is larger than half of the ground that is cut at its depth.
         """
@@ -263,14 +263,16 @@ class Section:
         float
             Share of the rows' length inside a ring, which is the contour of their walls.
         float
-            Share of the rings' length in level rings that are not nested and lie amid rows. They are contours of islands.
+            Share of the rings' length in level rings that are not nested and lie amid rows. They are contours of
+            islands.
         """
         pieces, row, ring = self.pieces, np.flatnonzero(self.row_pieces), self.rings.index
         if not len(row) or not len(ring):
             return 0.0, 0.0
         depth = number_depths(np.concatenate([pieces.z[row], pieces.z[ring]]))
         of_row, of_ring, depths = depth[: len(row)], depth[len(row) :], int(depth.max()) + 1
-        # Compare with the largest rings of each depth, because smaller rings go around islands or lie inside other rings.
+        # Compare with the largest rings of each depth, because smaller rings go around islands or lie inside other
+        # rings.
         order = np.lexsort((-np.hypot(*(pieces.box[ring, 2:] - pieces.box[ring, :2]).T), of_ring))
         rank = np.arange(len(ring)) - np.searchsorted(of_ring[order], of_ring[order])
         inside = np.zeros(len(row), bool)
@@ -291,8 +293,8 @@ class Section:
     def _beside(self, strokes: np.ndarray) -> Iterator[tuple[np.ndarray, np.ndarray, np.ndarray]]:
         """Yield the rings that are cut after some strokes, (s,) int, then the rings that are cut before these strokes.
 
-        The rings are indices of pieces. Each time also yield how far the strokes lie inside the boxes of the rings, mm, and
-        whether stroke and ring have the same depth.
+        The rings are indices of pieces. Each time also yield how far the strokes lie inside the boxes of the rings, mm,
+        and whether stroke and ring have the same depth.
         """
         pieces, ring = self.pieces, self.rings.index
         after = np.clip(np.searchsorted(ring, strokes), 0, len(ring) - 1)
@@ -306,10 +308,11 @@ class Section:
     def filled(self) -> float:
         """Return the share of the cutting length in open strokes that clear the inside of a ring.
 
-        The ring is the ring cut last before or first after the stroke, at the same depth. A stroke that clears goes back
-        and forth, because a stroke of one pass is a lead. A stroke that clears lies within the tool's reach of the ring;
-        a stroke farther inside leaves uncut ground and is another contour that is not quite closed. A stroke that clears
-        encloses less area for its length than the ring; a stroke that encloses as much is a repetition of the ring.
+        The ring is the ring cut last before or first after the stroke, at the same depth. A stroke that clears goes
+        back and forth, because a stroke of one pass is a lead. A stroke that clears lies within the tool's reach of the
+        ring; a stroke farther inside leaves uncut ground and is another contour that is not quite closed. A stroke that
+        clears encloses less area for its length than the ring; a stroke that encloses as much is a repetition of the
+        ring.
         """
         pieces, strokes = self.pieces, self.strokes.index
         strokes = strokes[pieces.passes[strokes] > 1]
@@ -324,7 +327,7 @@ class Section:
 
 
 def _inward(inner: np.ndarray, outer: np.ndarray) -> np.ndarray:
-    """Return how far each box `inner` (k, 4) lies inside the box `outer` (k, 4), the smallest of four sides, (k,) mm."""
+    """Return how far boxes `inner` (k, 4) lie inside boxes `outer` (k, 4), the smallest of four sides, (k,) mm."""
     least: np.ndarray = ((inner - outer) * _LOW).min(axis=1)
     return least
 
@@ -332,7 +335,8 @@ def _inward(inner: np.ndarray, outer: np.ndarray) -> np.ndarray:
 def _absorbed(pieces: Pieces) -> np.ndarray:
     """Return the kinds of the pieces, with small loops inside a zigzag counted as zigzag.
 
-    A zigzag that follows the boundary between its rows makes small loops. Only a loop that surrounds the rows is a contour.
+    A zigzag that follows the boundary between its rows makes small loops. Only a loop that surrounds the rows is a
+    contour.
     """
     kind = pieces.kind.copy()
     zigzag = np.flatnonzero(kind == ZIGZAG)

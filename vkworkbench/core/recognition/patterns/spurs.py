@@ -14,9 +14,9 @@ from vkworkbench.core.recognition.thresholds import ROUNDING, SPURS
 def without_spurs(moves: Areas) -> Areas:
     """Return the areas, without the spurs of closed areas.
 
-    A spur is a move and its exact reversal, shorter than the moves before and after. The half turn of a spur has no sign,
-    so that phi of a contour with corner reliefs does not reach 2 pi. Without the spur, the tool turns from the move before
-    it to the move after it. If spurs are a large share of an area, they are rows and stay.
+    A spur is a move and its exact reversal, shorter than the moves before and after. The half turn of a spur has no
+    sign, so that phi of a contour with corner reliefs does not reach 2 pi. Without the spur, the tool turns from the
+    move before it to the move after it. If spurs are a large share of an area, they are rows and stay.
     """
     out = moves.reversals - 1
     if not len(out):
@@ -38,7 +38,7 @@ def without_spurs(moves: Areas) -> Areas:
     after = out + 2
     turn = closing_turns(moves.alpha, after, out)
     more = np.zeros(len(moves))
-    more[after] = turn - moves.turning[np.array([out, out + 1, after])].sum(axis=0)  # replaces the three turns of the spur
+    more[after] = turn - moves.turning[np.array([out, out + 1, after])].sum(axis=0)  # in place of the spur's turns
     turning = moves.turning.copy()
     turning[after] = turn
     more = np.cumsum(more)

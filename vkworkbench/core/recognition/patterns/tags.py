@@ -15,9 +15,9 @@ def joined_over_tags(moves: Areas) -> tuple[Areas, float]:
     """Join areas that follow one another around a closed contour.
 
     Between two such areas the tool is lifted, and continues at the same place or ahead. The move before each gap is
-    extended to bridge the gap. Cuts over a tag are part of the contour. Rows that are lifted over an island also continue
-    ahead, but do not close. If each stroke between tags is cut to its full depth before the next stroke, the joined
-    contour goes around as often as a stroke has passes.
+    extended to bridge the gap. Cuts over a tag are part of the contour. Rows that are lifted over an island also
+    continue ahead, but do not close. If each stroke between tags is cut to its full depth before the next stroke, the
+    joined contour goes around as often as a stroke has passes.
 
     Parameters
     ----------
@@ -66,8 +66,7 @@ def joined_over_tags(moves: Areas) -> tuple[Areas, float]:
 
 
 def _pass_by_pass(moves: Areas) -> Areas:
-    """Return the areas in their order around the contour, if each stroke is cut to its full depth before the next stroke.
-
+    """Return the areas in their order around the contour, if each stroke is cut to full depth before the next stroke.
     Areas that are cut back and forth between the same ends are given one direction.
     """
     count, first, last = len(moves.start), moves.start, moves.end - 1
@@ -111,7 +110,8 @@ def _measured(moves: Areas, **changed: np.ndarray) -> Areas:
     turning, phi = np.zeros(len(moves)), np.empty(len(moves))
     unsigned, reversals = turned(alpha, moves.start, turning, phi)
     return replace(
-        moves, length=np.hypot(moves.dx, moves.dy), alpha=alpha, turning=turning, phi=phi, unsigned=unsigned, reversals=reversals
+        moves, length=np.hypot(moves.dx, moves.dy), alpha=alpha, turning=turning, phi=phi, unsigned=unsigned,
+        reversals=reversals
     )  # fmt: skip
 
 

@@ -12,9 +12,9 @@ from vkworkbench.core.toolpath import Toolpath
 def is_turned(toolpath: Toolpath) -> bool:
     """Return whether a toolpath looks like the toolpath of a lathe, for programs in which no code identifies a lathe.
 
-    Passes of a lathe run along Z at many X positions, and each pass ends with a move in X away from the part. A mill that
-    never moves in Y cuts one slot or one row, and its cuts along X are longer than its descents. A mill that drills a row
-    of holes moves up again after each descent.
+    Passes of a lathe run along Z at many X positions, and each pass ends with a move in X away from the part. A mill
+    that never moves in Y cuts one slot or one row, and its cuts along X are longer than its descents. A mill that
+    drills a row of holes moves up again after each descent.
 
     Parameters
     ----------

@@ -23,7 +23,7 @@ class CutSection(NamedTuple):
 
 
 class _Run(NamedTuple):
-    """Consecutive sections at one depth that all clear an area, or are all contours, with their boxes, (2, 3) mm each."""
+    """Consecutive sections at one depth that all clear an area or are all contours, and their boxes, (2, 3) mm."""
 
     sections: list[CutSection]
     clears: bool
@@ -51,7 +51,7 @@ def within_operations(toolpath: Toolpath, cut: Sequence[CutSection], doubtful: C
             continue
         area, walls = (one, two) if one.clears else (two, one)
         low, high = np.min(area.boxes, axis=(0, 1)), np.max(area.boxes, axis=(0, 1))
-        # Accept only contours cut next to the clearing that go around the area. Other contours can be another operation.
+        # Accept only contours around the area that are cut next to the clearing; others can be another operation.
         outward = np.array(walls.boxes if area is one else walls.boxes[::-1])
         if abs(low[2] - outward[0, 0, 2]) > ROUNDING.HEIGHT:
             continue

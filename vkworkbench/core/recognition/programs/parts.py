@@ -24,8 +24,8 @@ from vkworkbench.language import Message
 def find_borders(toolpath: Toolpath, moves: Areas) -> dict[int, bool]:
     """Return the trajectories at which another operation can begin, and whether each of these borders is certain.
 
-    Tool changes, and both ends of a run of drilled holes, are certain borders. A comment that is a title is an uncertain
-    border. Other comments are ignored.
+    Tool changes, and both ends of a run of drilled holes, are certain borders. A comment that is a title is an
+    uncertain border. Other comments are ignored.
     """
     comments = {int(at) for at, text in toolpath.comments if title_of(text)}
     borders = dict.fromkeys(comments, False) if len(comments) <= PARTS.BORDERS else {}
@@ -37,7 +37,7 @@ def find_borders(toolpath: Toolpath, moves: Areas) -> dict[int, bool]:
         # Holes form one run if there is no milling between them.
         place = np.searchsorted(moves.index, holes)
         begin = np.flatnonzero(np.append(True, place[1:] != place[:-1]))
-        # Place the border at a rapid: a steep lift after milling, or out of a tapped hole, is part of the operation before.
+        # Place the border at a rapid, because a steep lift after milling or tapping is part of the operation before.
         milled = moves.index[place[begin[place[begin] > 0]] - 1]
         rapids = np.append(np.flatnonzero(toolpath.rapid), len(toolpath))
         parted = rapids[np.searchsorted(rapids, np.concatenate([milled, holes[begin[1:] - 1], holes[-1:]]))]
@@ -111,8 +111,8 @@ class Sections:
 def dividing_retracts(sections: Sections, borders: Collection[int], retracts: dict[int, float]) -> list[int]:
     """Return the retracts that separate two operations.
 
-    A retract separates operations if its probability is high. A retract with a lower probability separates operations if
-    the sections before and after it have clearly different verdicts.
+    A retract separates operations if its probability is high. A retract with a lower probability separates operations
+    if the sections before and after it have clearly different verdicts.
 
     Parameters
     ----------
@@ -167,7 +167,8 @@ def recognize_parts(sections: Sections, borders: Mapping[int, bool], whole: Reco
     differs = np.array([
         _differs(one, found[main], apart, program) for one, apart in zip(found, stretch != stretch[main])
     ])  # fmt: skip
-    # In a program, each stretch between certain borders is an operation. FreeCAD's titles within an operation are not borders.
+    # In a program, each stretch between certain borders is an operation. FreeCAD's titles within an operation are not
+    # borders.
     operation = stretch if program else np.zeros_like(stretch)
     little = bool(share[differs].sum() < PARTS.ASIDE)
     if little and not (differs & (stretch != stretch[main]) & _is_enough(found, share, program)).any():
@@ -203,7 +204,7 @@ def _shares(toolpath: Toolpath, found: list[Recognition]) -> np.ndarray:
 
 
 def _is_enough(found: list[Recognition], share: np.ndarray, program: bool) -> np.ndarray:
-    """Return whether each section is long enough for an operation, (k,) bool. Drilling always is, despite its length."""
+    """Return whether each section is long enough for an operation, (k,) bool. Drilling always is."""
     drilled = np.array([one.strategy is Strategy.DRILLING for one in found])
     return drilled | (share > PARTS.CERTAIN) if program else drilled
 
@@ -268,9 +269,9 @@ def _short(one: Recognition, loops: int) -> bool:
 def _differs(one: Recognition, main: Recognition, apart: bool, program: bool) -> bool:
     """Return whether a section is another operation than the main one.
 
-    After a certain border, a section with another strategy is another operation. A comment alone divides only strategies
-    of different families, because FreeCAD gives titles to the passes of one operation. For example, the roughing of a
-    pocket is contour-parallel, and its finishing pass is a profile.
+    After a certain border, a section with another strategy is another operation. A comment alone divides only
+    strategies of different families, because FreeCAD gives titles to the passes of one operation. For example, the
+    roughing of a pocket is contour-parallel, and its finishing pass is a profile.
     """
     if Strategy.UNKNOWN in (one.strategy, main.strategy):
         return False

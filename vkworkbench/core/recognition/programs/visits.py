@@ -43,7 +43,8 @@ class Visits:
     turn : (k,) float
         Mean net turn of a block, turns.
     chord, closed : (k,) float
-        Sum of the distances from start to end of the blocks, and length of the closed blocks, both divided by the length.
+        Sum of the distances from start to end of the blocks, and length of the closed blocks, both divided by the
+        length.
     axis : (k,) complex
         Sum of the moves with doubled angles, divided by the length. Its magnitude is 1 if all moves have one axis.
     """
@@ -289,10 +290,11 @@ def _cut_again(visits: Visits) -> tuple[np.ndarray, np.ndarray]:
 def find_retracts(toolpath: Toolpath, moves: Areas) -> dict[int, float]:
     """Return the trajectories at which another operation can begin, with probabilities, from the motion alone.
 
-    Programs do not mark their operations, and there are also retracts within an operation. A retract to the top height is
-    a border only if feed, ground, depths or pattern change as between operations. A model learned from programs estimates
-    the probability (benchmarks/learn_borders.py). A visit that lies alone between two borders is divided further, at
-    retracts to its own top height, because tools are changed at a greater height than operations retract to.
+    Programs do not mark their operations, and there are also retracts within an operation. A retract to the top height
+    is a border only if feed, ground, depths or pattern change as between operations. A model learned from programs
+    estimates the probability (benchmarks/learn_borders.py). A visit that lies alone between two borders is divided
+    further, at retracts to its own top height, because tools are changed at a greater height than operations retract
+    to.
     """
     found, alone = _retracts_to_top(toolpath, moves, VISITS.DOUBTFUL)
     for _ in range(VISITS.NESTED):

@@ -77,8 +77,8 @@ def measure_crossings(moves: Areas, sample: Sample, extent: float) -> dict[str, 
 
     The scan lines are perpendicular to the preferred direction of the moves. The crossings on each line are sorted by
     position, separately for each depth ("level") and for all depths together ("plan"). Two neighbouring crossings with
-    parallel moves are passes side by side. Passes at the usual distance are compared by their sense and by their order of
-    cutting. No measure changes if the toolpath is rotated, mirrored, moved, scaled or reversed.
+    parallel moves are passes side by side. Passes at the usual distance are compared by their sense and by their order
+    of cutting. No measure changes if the toolpath is rotated, mirrored, moved, scaled or reversed.
 
     Parameters
     ----------
@@ -92,8 +92,8 @@ def measure_crossings(moves: Areas, sample: Sample, extent: float) -> dict[str, 
     -------
     dict
         "crossings" is the logarithm of the number of crossings per line. All other names are NAMES with the prefixes
-        "level_" and "plan_". Their value is -1 if there are no crossings to measure. A pair is two passes side by side at
-        the usual distance. A triple is two pairs with a common pass.
+        "level_" and "plan_". Their value is -1 if there are no crossings to measure. A pair is two passes side by side
+        at the usual distance. A triple is two pairs with a common pass.
 
         * step: logarithm of the usual distance divided by the extent
         * even: share of the passes side by side that are pairs

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Read and evaluate the learned model: decision trees that vote on nonsense toolpaths, and on strategies.
 
-benchmarks/learn_model.py learns the trees from benchmarks/labelled_operations.csv and writes model.npz. The file is read
-once, at the first recognition.
+benchmarks/learn_model.py learns the trees from benchmarks/labelled_operations.csv and writes model.npz. The file is
+read once, at the first recognition.
 """
 
 from __future__ import annotations
@@ -67,8 +67,8 @@ class Model:
     strategies : Trees
         Trees that vote for the classes decide.STRATEGIES.
     calibration : (2,) float
-        Offset and slope of the line that calibrates the confidence. The line maps the log odds of the share of the votes
-        to the log odds that the verdict is right.
+        Offset and slope of the line that calibrates the confidence. The line maps the log odds of the share of the
+        votes to the log odds that the verdict is right.
     """
 
     names: np.ndarray

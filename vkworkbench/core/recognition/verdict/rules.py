@@ -73,7 +73,7 @@ def judge_section(section: Section) -> Verdict:
 
 
 def _share_of_rows(section: Section, open_share: float) -> float:
-    """Return the share of the length in rows. If most of the open length is rows, the rest is links and counts as rows."""
+    """Return the share of the length in rows. If most of the open length is rows, the rest is links and counts too."""
     rows = max(section.zigzag, sum(family.length for family in section.rows) / section.length)
     return open_share if rows > MAJORITY.SHARE * open_share else rows
 
