@@ -597,7 +597,7 @@ class LATHE:
 
 
 class MEASURED:
-    """Sample sizes and limits of the measures; the trees were learned with these."""
+    """Sample sizes and limits of the measures. The trees were learned with these values."""
 
     #: moves. Sample size for shares of the length; the sample is spread evenly over all moves.
     MOVES = 1000
@@ -629,7 +629,7 @@ class MEASURED:
 
 
 class SCAN:
-    """Scan lines across a section; the trees were learned with these."""
+    """Scan lines across a section. The trees were learned with these values."""
 
     #: lines. Number of scan lines across a section.
     LINES = 12

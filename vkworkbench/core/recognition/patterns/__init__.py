@@ -1,2 +1,2 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Patterns of one section: its pieces, and the relations between the pieces."""
+"""Find the patterns of one section: the pieces of the section, and the relations between the pieces."""

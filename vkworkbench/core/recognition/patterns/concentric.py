@@ -29,7 +29,7 @@ class ConcentricArcs:
     spiral : float
         Length of the arcs whose radius changes steadily, mm.
     step : float
-        Distance between arcs cut one after the other (median by length), mm.
+        Distance between consecutive arcs (median by length), mm.
     even : float
         Share of the steps between arcs that are close to the usual step.
     """
@@ -54,7 +54,7 @@ def find_arcs(moves: Areas, pieces: Pieces, index: np.ndarray) -> ConcentricArcs
     moves : Areas
     pieces : Pieces
     index : (k,) int
-        Indices of the pieces that may be arcs.
+        Indices of the pieces among which to find arcs.
 
     Returns
     -------

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Find how the tool enters the material before the pattern of an area, and remove these entries."""
+"""Find how the tool enters the material before the pattern of an area, and remove the entries."""
 
 from __future__ import annotations
 

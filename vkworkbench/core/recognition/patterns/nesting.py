@@ -26,7 +26,7 @@ class Shapes(NamedTuple):
     sense : (k,) float
         +1 for a counter-clockwise ring, -1 for a clockwise one.
     wavy : (k,) bool
-        Whether the ring may be a pass of a lattice. Boxes of such rings do not show the distance between them.
+        Whether the ring is possibly a pass of a lattice. The boxes of such passes do not show their distance.
     slack : (k,) float
         Tolerance factor: 1 for closed loops; 2 for turns of windings, which are open and have approximate areas.
     turn, rest : (k,) bool

@@ -122,7 +122,7 @@ def _comes_back(moves: Areas, cut: np.ndarray) -> np.ndarray:
     """Return the exact reversals between a bent pass and the same pass backwards, as in a contour repeated on a ramp.
 
     A plunge between two passes ends the area, so that only passes without a plunge are compared. A straight pass back
-    and forth stays one piece, because it may be an entry or a row of a zigzag.
+    and forth stays one piece, because it can be an entry or a row of a zigzag.
 
     Parameters
     ----------

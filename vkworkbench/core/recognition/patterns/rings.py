@@ -111,7 +111,7 @@ def relate_rings(pieces: Pieces, index: np.ndarray, tool: float) -> Rings:
     again, distinct = come_again(pieces, index) if depths > 1 else (np.zeros(k, bool), k)
     flags["stacked"] = flags["repeated"].copy()
     flags["repeated"] |= again
-    # If each of a few footprints is repeated at most depths, the rings are contours of one part and not a waterline.
+    # If few footprints are repeated at most depths, the rings are contours of one part and not a waterline.
     if distinct * depths < WATERLINES.DEPTHS * k:
         flags["deeper"] &= ~again
     inside = np.isfinite(inner)
@@ -150,7 +150,7 @@ class _Compared(NamedTuple):
     shifts : (s,) float
         Mean shift of the sides from each ring to a nested one that is cut later, mm.
     turns : (t,) float
-        Steps between full level turns of a winding that are cut one after the other, mm.
+        Steps between consecutive full level turns of a winding, mm.
     """
 
     flags: dict[str, np.ndarray]
@@ -287,7 +287,7 @@ class Pairs:
         longer, shorter = np.maximum(one, two), np.minimum(one, two)
         parallel = (longer - shorter < NESTS.LONGER * np.abs(self.shift.mean)) | (shorter > NESTS.LENGTH_ALIKE * longer)
         slack, other_slack = self.both(shapes.slack)
-        parallel |= slack + other_slack > 2  # a winding is as long as all its turns
+        parallel |= slack + other_slack > 2  # lengths of winding turns are not compared
         near = (step > NESTS.APART) & (step <= self.limit)
         found: np.ndarray = apart & near & parallel & (self.alike | ~(wavy & other_wavy))
         return found

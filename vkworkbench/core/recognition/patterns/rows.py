@@ -36,7 +36,7 @@ class Rows:
     opposite, same : float
         Length of the passes whose neighbour runs in the opposite direction, and in the same direction, mm.
     step : float
-        Distance between rows cut one after the other (median by length), mm.
+        Distance between consecutive rows (median by length), mm.
     pitch : float
         Distance between neighbouring rows in any order (median), mm.
     period : float
@@ -91,7 +91,7 @@ def find_rows(moves: Areas, chosen: np.ndarray) -> list[Rows]:
             break
         found.append(family)
         total -= moves.length.take(family.moves).sum()
-        # The few remaining moves are links; do not look for a second family of rows.
+        # The search for a second family of rows ends, because the few remaining moves are links.
         if len(found) == 2 or total < NEGLIGIBLE.FAMILY * found[0].length:
             break
         left = np.zeros(len(moves), bool)
@@ -133,7 +133,7 @@ def dot(a: np.ndarray, b: np.ndarray) -> float:
 
 
 class Steps(NamedTuple):
-    """Relations of k passes to the passes cut before them.
+    """Relations between k consecutive passes.
 
     Attributes
     ----------
@@ -337,12 +337,14 @@ def _period(gaps: np.ndarray, pitch: float, line: float) -> float:
     place = np.append(0.0, np.cumsum(gaps))
     lags = range(1, min(ROWS.MAX_PERIOD, len(gaps)) + 1)
     distance = np.concatenate([place[lag:] - place[:-lag] for lag in lags])
-    distance = distance[distance < ROWS.FARTHEST * pitch]  # larger distances are between different pockets
+    distance = distance[distance < ROWS.FARTHEST * pitch]  # larger distances lie between pockets
     width = max(line, ROWS.SAME_GAP * pitch)
     cell = np.rint(distance / width).astype(np.int64)
     count = np.bincount(cell, minlength=2)
-    count[:-1] += count[1:]  # join neighbouring cells, because equal distances may be in both
-    with_room = np.searchsorted(place, place[-1] - width * np.arange(-1, len(count) - 1))  # lines with room behind
+    count[:-1] += count[1:]  # join neighbouring cells, because equal distances can be in both
+    with_room = np.searchsorted(
+        place, place[-1] - width * np.arange(-1, len(count) - 1)
+    )  # lines far enough from the last line
     share = np.where(2 * with_room >= len(place), count / np.maximum(with_room, 1), 0.0)
     score = count * share  # a distance that repeats by chance does so for few lines
     nearest = int(np.argmax(score > ROWS.PITCH_FREQUENCY * score.max()))  # multiples are equally frequent
@@ -373,7 +375,7 @@ def _main_axis(moves: Areas, chosen: np.ndarray) -> tuple[float, np.ndarray, np.
     along, aligned = _aligned(dx, dy, length, axis)
     kept = length.take(aligned).sum() / total
     if kept < ROWS.ONE_AXIS:
-        # With several axes the mean lies between the axes, so use the densest direction and the directions next to it.
+        # With several axes, the mean lies between the axes. Use the densest class of directions and its neighbours.
         bins = np.rint(moves.alpha[chosen] * (ROWS.DIRECTIONS / np.pi)).astype(np.int64) % ROWS.DIRECTIONS
         weight = np.bincount(bins, weights=length, minlength=ROWS.DIRECTIONS)
         around = np.roll(weight, 1) + np.roll(weight, -1)
@@ -407,7 +409,7 @@ def filling(families: list[Rows], tool: float, *, length: float, contour: bool) 
     length : float
         Length of all searched moves, mm.
     contour : bool
-        Whether the moves are closed loops, which may be contours.
+        Whether most of the searched moves are closed loops, which can be contours.
     """
     good = [family for family in families if _fills(family, tool) and not (contour and _walls(family))]
     if good or len(families) < 2 or (tool and max(family.period for family in families) > NESTS.REACH * tool):
@@ -424,7 +426,7 @@ def filling(families: list[Rows], tool: float, *, length: float, contour: bool) 
 
 
 def _cross(one: Rows, other: Rows) -> bool:
-    """Return whether most passes of one family cross passes of the other between their ends."""
+    """Return whether most passes of one family cross a pass of the other family between the ends of both passes."""
     turned = other.axis - one.axis
     c, s = np.cos(turned), np.sin(turned)
     # Positions along each pass of one family, and along each pass of the other family, at which their lines meet.

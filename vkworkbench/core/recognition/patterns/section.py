@@ -77,7 +77,7 @@ class Section:
 
     @cached_property
     def pieces(self) -> Pieces:
-        """The p pieces of the pattern."""
+        """The p pieces of the section's pattern."""
         return cut_pieces(self.moves)
 
     @cached_property
@@ -98,7 +98,7 @@ class Section:
 
     @cached_property
     def zigzag(self) -> float:
-        """Share of the length in pieces that go back and forth."""
+        """Share of the section's length in zigzags."""
         return float((self.pieces.length * (self._kinds == ZIGZAG)).sum()) / self.length
 
     @cached_property
@@ -143,7 +143,7 @@ class Section:
 
     @cached_property
     def lattice(self) -> np.ndarray:
-        """Whether each ring may consist of rows, (k,) bool: passes from wall to wall form a winding by chance."""
+        """Whether each ring possibly consists of rows, (k,) bool. Passes of a lattice can form a winding by chance."""
         rings = self.rings
         wavy = self.pieces.wavy[rings.index]
         # Wavy loops that are offsets of each other follow a concave contour and are not rows.
@@ -155,7 +155,7 @@ class Section:
 
     @cached_property
     def _rowlike(self) -> np.ndarray:
-        """Pieces that may contain rows, (p,) bool."""
+        """Whether each piece possibly contains rows, (p,) bool."""
         rowlike = (self._kinds == ZIGZAG) | (self._kinds == STROKE)
         rowlike[self.rings.index[self.lattice]] = True
         found: np.ndarray = rowlike
@@ -197,7 +197,7 @@ class Section:
 
     @cached_property
     def ring_pieces(self) -> np.ndarray:
-        """Pieces that count as rings, (p,) bool."""
+        """Whether each piece counts as a ring, (p,) bool."""
         chosen = ~(self._rowlike | self._closed_rows) if self.rows else np.ones(len(self.pieces), bool)
         found = np.zeros(len(self.pieces), bool)
         found[self.rings.index] = chosen[self.rings.index]
@@ -205,7 +205,7 @@ class Section:
 
     @cached_property
     def row_pieces(self) -> np.ndarray:
-        """Pieces that count as rows or strokes, (p,) bool."""
+        """Whether each piece counts as a row or a stroke, (p,) bool."""
         found: np.ndarray = (self._rowlike | self._closed_rows) & ~self.ring_pieces
         return found
 
@@ -333,7 +333,7 @@ def _inward(inner: np.ndarray, outer: np.ndarray) -> np.ndarray:
 
 
 def _absorbed(pieces: Pieces) -> np.ndarray:
-    """Return the kinds of the pieces, with small loops inside a zigzag counted as zigzag.
+    """Return the kinds of the pieces, with small loops inside a zigzag counted as parts of the zigzag.
 
     A zigzag that follows the boundary between its rows makes small loops. Only a loop that surrounds the rows is a
     contour.
@@ -353,7 +353,7 @@ def _absorbed(pieces: Pieces) -> np.ndarray:
 
 
 def _retraced(moves: Areas, pieces: Pieces) -> np.ndarray:
-    """Return the indices of zigzags that stay on one line, such as ramps into a slot. They are not rows."""
+    """Return the indices of zigzags that stay on one line and so are not rows, such as ramps into a slot."""
     index = np.flatnonzero(pieces.kind == ZIGZAG)
     # Zigzags on a line enclose no area.
     index = index[np.abs(pieces.enclosed[index]) < ROUNDING.PLACE * pieces.length[index]]

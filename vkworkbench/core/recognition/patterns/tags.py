@@ -67,6 +67,7 @@ def joined_over_tags(moves: Areas) -> tuple[Areas, float]:
 
 def _pass_by_pass(moves: Areas) -> Areas:
     """Return the areas in their order around the contour, if each stroke is cut to full depth before the next stroke.
+
     Areas that are cut back and forth between the same ends are given one direction.
     """
     count, first, last = len(moves.start), moves.start, moves.end - 1

@@ -52,14 +52,14 @@ def is_titled(toolpath: Toolpath, first: int) -> bool:
 
 
 def without_lone_plunge(toolpath: Toolpath, moves: Areas) -> Areas:
-    """Return the areas without a single plunge beside milling, because it parks the tool or touches the stock."""
+    """Return the areas without holes if milling has a single plunge, which parks the tool or touches the stock."""
     if not len(moves) or len(moves.holes) >= PARTS.HOLES:
         return moves
     return replace(moves, holes=moves.holes[toolpath.cycle[moves.holes]])
 
 
 def _sculptured(moves: Areas) -> bool:
-    """Return whether a surface is cut at many heights. Its plunges are passes of a raster, clipped to a point."""
+    """Return whether a surface is cut at many heights. Plunges on a surface are raster passes, clipped to a point."""
     return count_depths(moves.z[:: len(moves) // ROWS.SAMPLE + 1]) > PARTS.DEPTHS
 
 
@@ -178,7 +178,7 @@ def recognize_parts(sections: Sections, borders: Mapping[int, bool], whole: Reco
     names = list(dict.fromkeys(strategy for _, _, strategy in runs))
     tool_changes = np.searchsorted(np.sort(toolpath.tool_changes), [cut.begin for cut in cuts], side="right")
     if little and (tool_changes[differs] == tool_changes[main]).all():
-        # A few other cuts of the same tool do not change the name of the pattern.
+        # A few other cuts with the same tool do not change the strategy of the program.
         pattern = whole if whole.strategy is found[main].strategy else found[main]
         others = [name for name in names if name is not pattern.strategy]
         # There are no other strategies if the other cuts are contours that finish the rows of the pattern.

@@ -46,7 +46,7 @@ class Visits:
         Sum of the distances from start to end of the blocks, and length of the closed blocks, both divided by the
         length.
     axis : (k,) complex
-        Sum of the moves with doubled angles, divided by the length. Its magnitude is 1 if all moves have one axis.
+        Sum of the moves with doubled angles, divided by the length. The magnitude is 1 if all moves have one axis.
     """
 
     first: np.ndarray
@@ -261,7 +261,7 @@ def _ground(visits: Visits) -> np.ndarray:
 
 
 def _shared_ground(visits: Visits, back: int) -> np.ndarray:
-    """Return the common area of the bounding boxes of each visit and the one `back` visits earlier, (k - back,) mm2."""
+    """Return the common area of the boxes of each visit and the visit cut `back` visits earlier, (k - back,) mm2."""
     sides = (
         np.minimum(visits.high[back:], visits.high[:-back])
         - np.maximum(visits.low[back:], visits.low[:-back])

@@ -1,2 +1,2 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The strategy of one section: the rules, the measures, the trees, and the decision."""
+"""Find the strategy of one section by rules, measures, learned trees and a decision."""

@@ -15,7 +15,7 @@ NAMES = (
     "step", "keep", "opposite", "monotonous", "alternating", "even", "count", "signed", "tight", "run", "next", "other",
     "cover",
 )  # fmt: skip
-#: Places of the scan lines, from the middle outward, as shares of the width that they cross.
+#: Positions of the scan lines, from the middle outwards, as shares of the width of the scanned moves.
 FROM_THE_MIDDLE = 0.5 + np.array([side * (k + 0.5) / SCAN.LINES for k in range(SCAN.LINES // 2) for side in (-1, 1)])
 
 
@@ -101,10 +101,10 @@ def measure_crossings(moves: Areas, sample: Sample, extent: float) -> dict[str, 
         * count: logarithm of the number of pairs on a line
         * cover: share of the line that lies between pairs
         * opposite: share of the pairs with opposite senses
-        * next: share of the pairs cut one directly after the other
+        * next: share of the pairs whose passes are consecutive in the order of cutting
         * run: ratio of the number of triples to the number of pairs
         * keep, alternating: share of the triples with one sense, and share with alternating senses
-        * monotonous: share of the triples that are cut in the order in which they lie
+        * monotonous: share of the triples that are cut in the order of their positions
         * signed: excess of crossings to one side, as a share of the crossings
         * other: share of the neighbours that are not parallel
     """
@@ -147,7 +147,7 @@ def _cross(moves: Areas, sample: Sample) -> Crossings:
     reached = np.cumsum(sample.length[order])
     low, high = height[order[np.searchsorted(reached, (SCAN.EDGE * reached[-1], (1 - SCAN.EDGE) * reached[-1]))]]
     lines = low + (high - low) * FROM_THE_MIDDLE
-    # Pairs of lines from the middle outward, until the sample promises enough crossings.
+    # Use pairs of lines from the middle outwards, until the sample shows that there will be enough crossings.
     promised = ((one < lines[:, None]) != (other < lines[:, None])).sum(axis=1) * (len(begin) / len(one))
     wanted = max(2, int(np.count_nonzero(np.cumsum(promised)[1::2] <= SCAN.ENOUGH)) * 2)
     found = []

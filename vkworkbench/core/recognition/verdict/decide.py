@@ -17,7 +17,7 @@ from vkworkbench.core.strategy import Family, Strategy
 from vkworkbench.language import Message
 
 STRATEGIES = tuple(s for s in Strategy if s is not Strategy.EMPTY)
-# Only the rules can propose these strategies: the votes of the trees never elect them.
+# Strategies that only the rules can propose, and that the votes of the trees never elect.
 OF_THE_RULES = np.array([s in (Strategy.MIXED, Strategy.DRILLING, Strategy.UNKNOWN) for s in STRATEGIES])
 # The class of each strategy is its family; only adaptive clearing is a class of its own.
 CLASSES = [-1 if s is Strategy.ADAPTIVE else list(Family).index(s.family) for s in STRATEGIES]
@@ -58,8 +58,8 @@ def decide(s: Section, rules: Verdict, paper: PaperVerdict | None) -> tuple[Verd
     Returns
     -------
     Verdict
-        The verdict of the rules, unless the votes elect another strategy. UNKNOWN if the section is nonsense: no
-        operation that machines a part looks like it.
+        The verdict of the rules, unless the votes elect another strategy. The strategy is UNKNOWN if the section is
+        nonsense, which means that no operation that machines a part looks like the section.
     float
         Probability that the verdict is right, 0..1.
     """

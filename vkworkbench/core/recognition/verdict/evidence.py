@@ -97,7 +97,7 @@ def _heights(section: Section, strategy: Strategy) -> np.ndarray:
     if not len(begin):
         return flat
     share = np.add.reduceat(moves.length[level], begin) / pieces.length[of[begin]]
-    share[share < ENTRY.ONE_OF_SEVERAL] = 0.0  # short plateaus
+    share[share < ENTRY.ONE_OF_SEVERAL] = 0.0  # ignore short plateaus
     lies = (share > 0) & (np.bincount(of[begin], share, len(pieces))[of[begin]] > ENTRY.LEVEL)
     return np.concatenate([flat, moves.z[level[begin[lies]]]])
 

@@ -91,10 +91,10 @@ def _measure_moves(moves: Areas, sample: Sample) -> dict[str, float]:
 
 
 def _measure_turns(moves: Areas) -> dict[str, float]:
-    """Measure the arcs of the Gauss map, for moves from the middle of the cutting time.
+    """Measure the arcs of the Gauss map, for moves from the middle of the cutting order.
 
     A run of turns in one sense is an arc of the Gauss map. The arc between alternating rows is a half turn, and the arc
-    of a contour is a whole turn. In random walks and noise, all turns are equally likely, and both senses are.
+    of a contour is a whole turn. In random walks and noise, all turns and both senses are equally likely.
     """
     spare = max(0, len(moves) - MEASURED.TURNS)
     middle = slice(spare // 2, len(moves) - (spare + 1) // 2)

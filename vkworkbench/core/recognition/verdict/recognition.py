@@ -19,7 +19,7 @@ class Span:
     first, last : int
         First and last trajectory, inclusive.
     first_command, last_command : int
-        Source commands of these trajectories.
+        Commands from which the first and the last trajectory come.
     strategy : Strategy
     share : float
         Share of the operation's cutting length, 0..1.

@@ -56,7 +56,7 @@ class Verdict:
 
 
 def judge_section(section: Section) -> Verdict:
-    """Return the strategy that the rings, rows or open strokes of a section show, whichever prevail."""
+    """Return the strategy of a section, which its rings, rows or open strokes show, whichever prevail."""
     rings = section.share(section.ring_pieces[section.rings.index])
     rows = _share_of_rows(section, 1 - rings)
     arcs = _judge_arcs(section) if rings < RINGS.OFFSETS and rows < MAJORITY.SHARE else None
@@ -147,7 +147,7 @@ def _seen_of_contours(section: Section, rings: float) -> Message:
 
 
 def _share_of_helix(section: Section) -> float:
-    """Return the share of the length in round rings that descend one below the other."""
+    """Return the share of the length in sloped circles that are repeated at other depths, as in a helix."""
     rings = section.rings
     return section.share(rings.stacked & rings.sloped & rings.round)
 
@@ -203,7 +203,7 @@ def _is_even_spiral(section: Section, rings: float) -> bool:
 
 
 def _judge_rows(section: Section, rows: float) -> Verdict:
-    """Return zigzag or one-way for rows with the share `rows` of the length, depending on whether they alternate."""
+    """Return zigzag if the rows alternate, otherwise one-way. The rows have the share `rows` of the length."""
     opposite, same = (sum(getattr(family, name) for family in section.rows) for name in ("opposite", "same"))
     count = sum(family.count for family in section.rows)
     if opposite >= same or section.zigzag > MAJORITY.SHARE * rows:
