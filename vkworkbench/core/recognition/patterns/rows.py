@@ -342,9 +342,7 @@ def _period(gaps: np.ndarray, pitch: float, line: float) -> float:
     cell = np.rint(distance / width).astype(np.int64)
     count = np.bincount(cell, minlength=2)
     count[:-1] += count[1:]  # join neighbouring cells, because equal distances can be in both
-    with_room = np.searchsorted(
-        place, place[-1] - width * np.arange(-1, len(count) - 1)
-    )  # lines far enough from the last line
+    with_room = np.searchsorted(place, place[-1] - width * np.arange(-1, len(count) - 1))  # lines with room behind them
     share = np.where(2 * with_room >= len(place), count / np.maximum(with_room, 1), 0.0)
     score = count * share  # a distance that repeats by chance does so for few lines
     nearest = int(np.argmax(score > ROWS.PITCH_FREQUENCY * score.max()))  # multiples are equally frequent
