@@ -50,7 +50,7 @@ def find_neighbours(moves: Areas, pieces: Pieces, index: np.ndarray, tool: float
     index : (k,) int
         Indices of the open strokes. Only the first thousand strokes are compared.
     tool : float
-        Tool diameter, mm; 0 where unknown.
+        Tool diameter, mm; 0 if unknown.
 
     Returns
     -------

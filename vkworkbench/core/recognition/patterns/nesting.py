@@ -165,7 +165,7 @@ def reach(inward: Inward, tool: float, area: np.ndarray) -> float:
     ----------
     inward : Inward
     tool : float
-        Tool diameter, mm; 0 where unknown.
+        Tool diameter, mm; 0 if unknown.
     area : (k,) int
         Monotonous area of each ring.
     """

@@ -100,7 +100,7 @@ def relate_rings(pieces: Pieces, index: np.ndarray, tool: float) -> Rings:
     index : (k,) int
         Indices of the pieces that are rings.
     tool : float
-        Tool diameter, mm; 0 where unknown.
+        Tool diameter, mm; 0 if unknown.
     """
     shapes = _shapes(pieces, index)
     inward = Inward(shapes)

@@ -403,7 +403,7 @@ def filling(families: list[Rows], tool: float, *, length: float, contour: bool) 
     families : list of Rows
         Families from `find_rows`.
     tool : float
-        Tool diameter, mm; 0 where unknown.
+        Tool diameter, mm; 0 if unknown.
     length : float
         Length of all searched moves, mm.
     contour : bool

@@ -50,14 +50,14 @@ class Corrections(NamedTuple):
 
 
 class Section:
-    """The moves that are judged as one operation. Every measure is computed when it is first used, and cached.
+    """The moves that are judged as one operation. Every measure is computed at its first use, and cached.
 
     Parameters
     ----------
     areas : Areas
         At least one move.
     tool : float
-        Tool diameter, mm; 0 where unknown.
+        Tool diameter, mm; 0 if unknown.
 
     Attributes
     ----------

@@ -16,7 +16,7 @@ def without_spurs(moves: Areas) -> Areas:
 
     A spur is a move and its exact reversal, shorter than the moves before and after. The half turn of a spur has no
     sign, so that phi of a contour with corner reliefs does not reach 2 pi. Without the spur, the tool turns from the
-    move before it to the move after it. If spurs are a large share of an area, they are rows and stay.
+    move before the spur to the move after the spur. If spurs are a large share of an area, they are rows and stay.
     """
     out = moves.reversals - 1
     if not len(out):

@@ -1,2 +1,2 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Whole programs: where operations begin and end, and the strategy of each."""
+"""Find where the operations of a whole program begin and end, and the strategy of each operation."""

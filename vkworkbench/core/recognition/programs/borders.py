@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Which retracts part two operations: numbers learned by benchmarks/learn_borders.py, which writes this table.
+"""Decide which retracts separate two operations, by decision trees from benchmarks/learn_borders.py.
 
-MEASURES names what `compared` in visits.py measures; TREES are decision trees over them, see forest.py.
+MEASURES names the measures that `compare_visits` in visits.py returns. TREES are decision trees that read the measures;
+forest.py describes their format. benchmarks/learn_borders.py writes TREES.
 """
 
 MEASURES = (

@@ -112,7 +112,7 @@ def dividing_retracts(sections: Sections, borders: Collection[int], retracts: di
     """Return the retracts that separate two operations.
 
     A retract separates operations if its probability is high. A retract with a lower probability separates operations
-    if the sections before and after it have clearly different verdicts.
+    if the sections before and after the retract have clearly different verdicts.
 
     Parameters
     ----------
