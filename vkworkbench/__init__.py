@@ -1,16 +1,16 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Recognise the machining strategies of FreeCAD's Path/CAM operations, and estimate their simulation cost.
+"""Recognise the machining strategies of FreeCAD's Path/CAM operations, and predict the cost of simulating them.
 
     import vkworkbench
-    report = vkworkbench.analyze()     # the active document, a job, or operations; writes nothing
-    report = vkworkbench.analyze("program.nc")     # one or more NC programs, or a folder; works without FreeCAD
+    report = vkworkbench.analyze()     # analyses the active document, a job, or operations, and writes nothing
+    report = vkworkbench.analyze("program.nc")     # analyses NC programs or a folder, also without FreeCAD
     print(report)
-    vkworkbench.mark(report)           # marks the tree in one undo step
-    vkworkbench.clear()
-    vkworkbench.set_clamps(job, [vice])     # what no tool may touch, for the simulation
-    vkworkbench.set_previous_job(second, first)     # the simulation begins with what the first job leaves
-    vkworkbench.simulate(job, view="Isometric").at(100)     # the part after 100 trajectories
-    vkworkbench.simulate("program.nc").facts()      # crashes and collisions of an NC program; works without FreeCAD
+    vkworkbench.mark(report)           # marks the operations in FreeCAD's tree in one undo step
+    vkworkbench.clear()                # removes the marks
+    vkworkbench.set_clamps(job, [vice])     # sets the objects that no tool may touch in a simulation
+    vkworkbench.set_previous_job(second, first)     # the finished part of the first job is the stock of the second
+    vkworkbench.simulate(job, view="Isometric").at(100)     # returns the part after 100 trajectories
+    vkworkbench.simulate("program.nc").facts()      # finds crashes and collisions, also without FreeCAD
 
 Importing this package is cheap, because the functions load their modules when they are first called.
 """
@@ -25,7 +25,7 @@ from importlib import import_module
 __version__ = "0.1.0"
 __all__ = ["Cancelled", "Report", "analyze", "clear", "mark", "set_clamps", "set_previous_job", "simulate"]
 
-# numpy before 1.20 warns when NaN is compared; newer versions do not.
+# Versions of numpy before 1.20 warn when NaN is compared. The comparisons in this package are intended.
 warnings.filterwarnings("ignore", "invalid value encountered in (less|greater)", RuntimeWarning, r"vkworkbench\.")
 
 _HOMES = {
@@ -39,36 +39,38 @@ _HOMES = {
 
 
 def analyze(what=None, *, progress=None, cancelled=None, machine=None):
-    """Recognise the strategies of operations or NC programs, and estimate lengths, times and simulation costs.
+    """Recognise the strategies of operations or NC programs, and compute lengths, times and simulation costs.
 
     Parameters
     ----------
     what : Document, DocumentObject, path, or iterable of them, optional
-        A document (all its jobs and imported toolpaths), a job, or operations; the active document if None. Or files
-        and folders of NC programs.
+        A document (with all its jobs and imported toolpaths), a job, or operations; or files and folders of NC
+        programs. None stands for the active document.
     progress : callable, optional
         Called before each operation or file with the number of finished ones, the number of all, and the label.
     cancelled : callable, optional
-        Called during the analysis. If it returns True, the analysis ends.
+        Called during the analysis. If the function returns True, the analysis ends.
     machine : Machine, str or path, optional
-        Plans the machining times: a `vkworkbench.core.Machine`, the name of a typical machine ("hobby-router", "small-mill",
-        "machining-centre"), or a file with the settings that grbl prints (``$$``). None: the machine of the preferences.
+        The machine for which machining times are planned: a `vkworkbench.core.Machine`, the name of a typical machine
+        ("hobby-router", "small-mill", "machining-centre"), or a file with the settings that grbl prints (``$$``). None
+        stands for the machine in the preferences.
 
     Returns
     -------
     Report
-        One row for each operation. A problem of an operation is in its row, and does not stop the others.
+        One row for each operation. If an operation has a problem, its row states it, and the other operations are
+        analysed.
 
     Raises
     ------
     ValueError
-        If `what` is None and no document is open, or if the name of a file is empty or the text of a program.
-        Or if `machine` is neither a typical machine nor a file of settings.
+        If `what` is None and no document is open, if the name of a file is empty or is the text of a program, or if
+        `machine` is neither a typical machine nor a file of settings.
     ReferenceError
         If an object of `what` was deleted, or its document was closed.
     TypeError
-        If `what` has another type. Without FreeCAD, only files and folders are accepted. Or if `progress` or `cancelled`
-        cannot be called.
+        If `what` has another type, or if `progress` or `cancelled` cannot be called. Without FreeCAD, only files and
+        folders are accepted.
     Cancelled
         If `cancelled` returned True.
     """
@@ -94,15 +96,17 @@ def analyze(what=None, *, progress=None, cancelled=None, machine=None):
 
 
 def simulate(what=None, **options):
-    """Simulate operations or an NC program in the extended z-buffer, one operation after the other. Writes nothing.
+    """Simulate operations or an NC program in the extended z-buffer, one operation after the other, and write nothing.
 
     Parameters
     ----------
     what : Document, DocumentObject, iterable of these objects, or path, optional
-        A document with one job, a job, or some of its operations; the active document if None. Or the file of an NC program.
+        A document with one job, a job, or some operations of a job; or the file of an NC program. None stands for the
+        active document.
     **options
         For FreeCAD's operations: ``view``, ``stock``, ``clamps``, ``memory_budget``, ``going_on``; see
-        `vkworkbench.document.simulation.simulate.simulate`. For a program also ``tool``; see `vkworkbench.program.simulate`.
+        `vkworkbench.document.simulation.simulate.simulate`. Programs also accept ``tool``; see
+        `vkworkbench.program.simulate`.
 
     Returns
     -------
@@ -112,11 +116,12 @@ def simulate(what=None, **options):
     Raises
     ------
     Unusable
-        If there is nothing to simulate. The message says what to do.
+        If there is nothing to simulate. The message gives advice.
     OverBudget
-        If the simulation would need more memory. Nothing was simulated; the message names an image that fits.
+        If the simulation would exceed the memory limit. Nothing was simulated, and the message names an image that
+        fits.
     ValueError, TypeError, ReferenceError
-        If an argument is impossible, has another type, or was deleted.
+        If an argument has an invalid value, has another type, or was deleted.
     """
     from vkworkbench import program
 
@@ -126,7 +131,10 @@ def simulate(what=None, **options):
 
 
 def __dir__() -> list[str]:
-    """Return the names of the package. ``help`` and completion load all of them, so names that need FreeCAD are left out without it."""
+    """Return the names of the package. Without FreeCAD, names that need FreeCAD are left out.
+
+    ``help`` and completion load all returned names, so each of them must be loadable.
+    """
     homes = _HOMES.items()
     return sorted({*globals(), *(name for name, home in homes if "FreeCAD" in sys.modules or "document" not in home)})
 

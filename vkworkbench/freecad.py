@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The names of FreeCAD's properties, commands and docks in each version. No other module contains them.
+"""The names of FreeCAD's properties, commands and docks in each version. No other module contains these names.
 
-A document keeps the property names of the FreeCAD that saved it. Therefore the newest name that an object has is read in any
-FreeCAD. This module does not load numpy, because it is needed when FreeCAD starts.
+A document keeps the property names of the FreeCAD version that saved it. Therefore, in every version, the newest name
+that an object has is read. This module does not load numpy, because it is loaded when FreeCAD starts.
 """
 
 from __future__ import annotations
@@ -14,20 +14,20 @@ from functools import lru_cache
 
 import FreeCAD
 
-TOOLPATH = "Path::Feature"  # type of all objects with a Path
+TOOLPATH = "Path::Feature"  # type of all objects with a toolpath
 LINK = "App::Link"  # type of links, which have the properties of the linked object
-COMPOUND = "Path::FeatureCompound"  # type of compounds, which repeat the paths of their members
-# The workbench for machining and its menu: since 1.0, and before.
+COMPOUND = "Path::FeatureCompound"  # type of compounds, whose path consists of the paths of their members
+# The workbench for machining and its menu, since FreeCAD 1.0 and before.
 WORKBENCHES = {"CAMWorkbench": "&CAM", "PathWorkbench": "&Path"}
-TREE_DOCKS = ("Combo View", "Model", "Tree view")  # docks with the tree: in 0.20, since 1.0, and the separate one
-TASK_DOCKS = ("Combo View", "Tasks")  # docks with the task view: in 0.20, since 1.0
-DESCRIPTION_HIDDEN_SINCE = (1, 0)  # the tree's Description column is hidden by default
+TREE_DOCKS = ("Combo View", "Model", "Tree view")  # docks that show the tree: in 0.20, since 1.0, and the separate dock
+TASK_DOCKS = ("Combo View", "Tasks")  # docks that show the task view: in 0.20, and since 1.0
+DESCRIPTION_HIDDEN_SINCE = (1, 0)  # first version that hides the tree's Description column by default
 QT6_SINCE = (1, 1)
-TIME_PROPERTY_SINCE = (1, 0)  # App::PropertyTime
+TIME_PROPERTY_SINCE = (1, 0)  # first version with App::PropertyTime
 
 
 def version() -> tuple[int, int, int]:
-    """Return the version of this FreeCAD, e.g. ``(0, 20, 2)``. Parts that do not begin with a number are 0."""
+    """Return the version of this FreeCAD, e.g. ``(0, 20, 2)``. A part that does not begin with a number becomes 0."""
     return _numbers(tuple(FreeCAD.Version()[:3]))
 
 
@@ -36,8 +36,9 @@ def _numbers(parts: tuple[str, ...]) -> tuple[int, ...]:
     return tuple(int(re.match(r"\d*", part).group() or 0) for part in parts)
 
 
-# FreeCAD's simulators, by the names of their entries in core/simulators. Each has, newest first: the version of FreeCAD, the
-# translation context of its menu text, its menu text, and the name of its command.
+# FreeCAD's simulators, by the names of their entries in core/simulators. Each simulator has a list, the newest entry
+# first. An entry contains the first version of FreeCAD for which the entry is valid, the translation context of the
+# menu text, the menu text, and the name of the command.
 _SIMULATORS = {
     "legacy": (
         ((1, 1), "CAM_Simulator", "Legacy CAM Simulator", "CAM_Simulator"),
@@ -49,28 +50,28 @@ _SIMULATORS = {
         ((1, 0), "CAM_Simulator", "New CAM Simulator", "CAM_SimulatorGL"),
     ),
 }
-_LEGACY_FIRST = (1, 1)  # since this version, a preference of FreeCAD makes the button start the legacy simulator
+_LEGACY_FIRST = (1, 1)  # first version with a preference that makes FreeCAD's button start the legacy simulator
 
 
 def simulator_title(name: str) -> str | None:
-    """Return the menu text of a simulator in the user's language; None if this FreeCAD does not have it."""
+    """Return the menu text of a simulator in the user's language; None if this FreeCAD lacks the simulator."""
     entry = _simulator(name)
     return FreeCAD.Qt.translate(*entry[:2]) if entry else None
 
 
 def simulator_command(name: str) -> str | None:
-    """Return the name of the command that starts a simulator; None if this FreeCAD does not have it."""
+    """Return the name of the command that starts a simulator; None if this FreeCAD lacks the simulator."""
     entry = _simulator(name)
     return entry[2] if entry else None
 
 
 def own_simulators() -> tuple[str, ...]:
-    """Return the names of the simulators of this FreeCAD."""
+    """Return the names of the simulators that this FreeCAD has."""
     return tuple(name for name in _SIMULATORS if _simulator(name))
 
 
 def own_simulator() -> str:
-    """Return the name of the simulator of FreeCAD's button."""
+    """Return the name of the simulator that FreeCAD's button starts."""
     chosen = FreeCAD.ParamGet("User parameter:BaseApp/Preferences/Mod/CAM")
     legacy = version() >= _LEGACY_FIRST and chosen.GetBool("DefaultSimulatorLegacy", False)
     return "legacy" if legacy or _simulator("OpenGL") is None else "OpenGL"
@@ -83,7 +84,7 @@ def _simulator(name: str) -> tuple[str, str, str] | None:
 
 @dataclass(frozen=True)
 class Property:
-    """A property of FreeCAD's objects.
+    """A property of objects in FreeCAD documents, with its names in all versions.
 
     Attributes
     ----------
@@ -94,7 +95,8 @@ class Property:
     before : tuple of str
         Names in earlier versions, the newest first.
     fingerprint : {"path", "setting"} or None
-        Part of a mark's fingerprint that contains the property. If it changes, the mark may be outdated.
+        Part of the fingerprint of a mark in the tree that contains the property. If the property changes, the mark may
+        be outdated. None: the fingerprint does not contain the property.
     """
 
     newest: str
@@ -104,7 +106,7 @@ class Property:
 
     @property
     def names(self) -> tuple[str, ...]:
-        """tuple of str : all names, the newest first."""
+        """tuple of str : the names in all versions, the newest first."""
         return (self.newest, *self.before)
 
     @property
@@ -113,7 +115,7 @@ class Property:
         return self.newest if version() >= self.since else self.before[0]
 
     def is_in(self, obj) -> bool:
-        """Return whether an object has the property, even if it is not set."""
+        """Return whether an object has the property, even if the property is not set."""
         return any(hasattr(obj, name) for name in self.names)
 
     def values(self, obj) -> Iterator:
@@ -122,7 +124,7 @@ class Property:
         return (value for value in found if value is not None)
 
     def of(self, obj, default=None):
-        """Return the value for an object, or a default if it is missing or not set."""
+        """Return the value for an object, or a default if the property is missing or not set."""
         return next(self.values(obj), default)
 
     def number(self, obj) -> float | None:
@@ -141,23 +143,23 @@ PATH = Property("Path", fingerprint="path")
 PLACEMENT = Property("Placement", fingerprint="path")
 BASE = Property("Base")
 COPIES = Property("Copies")
-CLEARANCE_HEIGHT = Property("ClearanceHeight")  # all operations of FreeCAD that machine a shape have one
+CLEARANCE_HEIGHT = Property("ClearanceHeight")  # exists in all operations of FreeCAD that machine a shape
 ACTIVE = Property("Active", fingerprint="setting")
 CONTROLLER = Property("ToolController", fingerprint="setting")
 POCKET_PATTERN = Property("ClearingPattern", since=(1, 1), before=("OffsetPattern",))
 SURFACE_PATTERN = Property("CutPattern")
-ALGORITHM = Property("Algorithm")  # of a waterline
+ALGORITHM = Property("Algorithm")  # algorithm of a waterline operation
 # A job and its stock.
 OPERATIONS = Property("Operations")
 TOOLS = Property("Tools")
 GROUP = Property("Group", fingerprint="setting")
-# Work offsets, G54 to G59. All operations are posted once for each.
+# Work offsets, G54 to G59. All operations are posted once for each work offset.
 FIXTURES = Property("Fixtures", fingerprint="setting")
 STOCK = Property("Stock", fingerprint="setting")
 MODEL = Property("Model")
-# Objects that hold the workpiece; a property of this add-on.
+# Objects that hold the workpiece. This add-on defines the property.
 CLAMPS = Property("ToolpathClamps", fingerprint="setting")
-# The job whose finished part is the stock of a job; a property of this add-on.
+# The job whose finished part is the stock of this job. This add-on defines the property.
 PREVIOUS_JOB = Property("ToolpathPreviousJob", fingerprint="setting")
 SHAPE = Property("Shape", fingerprint="setting")
 # A tool controller.
@@ -168,12 +170,12 @@ HORIZONTAL_RAPID = Property("HorizRapid", fingerprint="setting")
 VERTICAL_RAPID = Property("VertRapid", fingerprint="setting")
 VERTICAL_FEED = Property("VertFeed")
 GCODE = Property("Gcode")  # lines of a file that FreeCAD imported as a custom operation
-# Depths of an operation, and the sizes of a deburred edge.
+# Depths of an operation, and the width and depth of a deburred edge.
 START_DEPTH = Property("StartDepth")
 FINAL_DEPTH = Property("FinalDepth")
 DEBURRED_WIDTH = Property("Width")
 EXTRA_DEPTH = Property("ExtraDepth")
-# A tool. The last name of its shape is for tools of 0.20 without a tool bit.
+# A tool. In FreeCAD 0.20, tools that are not tool bits have the property "ToolType".
 TOOL_SHAPE = Property("ShapeType", since=(1, 1), before=("ShapeName", "ToolType"), fingerprint="setting")
 TOOL_SHAPE_FILE = Property("ShapeID", since=(1, 1), before=("BitShape",), fingerprint="setting")
 DIAMETER = Property("Diameter", fingerprint="setting")
@@ -182,7 +184,7 @@ FLAT_RADIUS = Property("FlatRadius", fingerprint="setting")  # before 1.1: radiu
 TIP_ANGLE = Property("TipAngle", fingerprint="setting")
 CUTTING_ANGLE = Property("CuttingEdgeAngle", fingerprint="setting")
 TIP_DIAMETER = Property("TipDiameter", fingerprint="setting")  # flat end of a V-bit or chamfer mill
-CUTTING_EDGE_HEIGHT = Property("CuttingEdgeHeight", fingerprint="setting")  # of a V-bit, the part above its cone
+CUTTING_EDGE_HEIGHT = Property("CuttingEdgeHeight", fingerprint="setting")  # a V-bit's edge above its cone
 TOOL_LENGTH = Property("Length", fingerprint="setting")
 SHANK_DIAMETER = Property("ShankDiameter", fingerprint="setting")
 # FreeCAD's tool bits have no holder. Users may add these properties.
@@ -193,14 +195,14 @@ _PROPERTIES = tuple(entry for entry in globals().values() if isinstance(entry, P
 
 
 def names_in_fingerprint(part: str) -> frozenset[str]:
-    """Return the names of the properties in a part of a mark's fingerprint, "path" or "setting"."""
+    """Return the names of the properties in one part of a mark's fingerprint: "path" or "setting"."""
     return frozenset(name for entry in _PROPERTIES if entry.fingerprint == part for name in entry.names)
 
 
 def is_imported(obj) -> bool:
-    """Return whether a toolpath may come from a file: it is a custom operation, or not an operation of FreeCAD.
+    """Return whether a toolpath may come from a file, because it is a custom operation or not an operation of FreeCAD.
 
-    An operation or dress-up from another version has no proxy, but it has its properties.
+    Operations and dress-ups from another version may have no proxy. Their properties show that they are not imported.
     """
     if GCODE.is_in(obj):
         return True
@@ -208,9 +210,10 @@ def is_imported(obj) -> bool:
 
 
 def operation_name(obj) -> str:
-    """Return FreeCAD's name for the type of an operation, e.g. ``"Profile"``. It is the module of the proxy in all versions.
+    """Return FreeCAD's name for the type of an operation, e.g. ``"Profile"``, from the module of the operation's proxy.
 
-    In a document from another version, the proxy may be missing. The name is then not the name of an operation.
+    In a document from another version, the proxy may be missing. The returned text is then not the name of an
+    operation.
     """
     name = type(getattr(obj, "Proxy", None)).__module__.rpartition(".")[2]
     return name[len("Path") :] if name.startswith("Path") else name

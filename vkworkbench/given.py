@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Checks of arguments of public functions. The errors name the accepted values and the given one."""
+"""Check the arguments of public functions. The error messages name the accepted values and the given value."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ def not_negative(number: float) -> bool:
 
 
 def number(name: str, given: Any, takes: str, fits: Callable[[float], bool] = lambda _: True) -> float:
-    """Return an argument as a float. FreeCAD's quantities and texts of numbers are accepted.
+    """Return an argument as a float. FreeCAD's quantities and numbers as text are accepted, too.
 
     Parameters
     ----------
@@ -35,7 +35,7 @@ def number(name: str, given: Any, takes: str, fits: Callable[[float], bool] = la
     takes : str
         Description of the accepted values, e.g. ``"a positive number of mm"``.
     fits : callable
-        Returns whether a number is accepted. The default accepts all numbers.
+        Function that returns whether a number is accepted. The default accepts all numbers.
 
     Raises
     ------
@@ -48,12 +48,12 @@ def number(name: str, given: Any, takes: str, fits: Callable[[float], bool] = la
 
 
 def numbers(name: str, given: Any, takes: str, fits: Callable[[np.ndarray], bool] = lambda _: True) -> np.ndarray:
-    """Return an argument as an array of float64, without a copy if possible. Arguments and errors are as in `number`."""
+    """Return an argument as an array of float64, copied only if necessary. Parameters and errors are as in `number`."""
     return _read(name, given, takes, lambda given: np.asarray(given, float), fits)
 
 
 def whole(name: str, given: Any, takes: str, fits: Callable[[int], bool] = lambda _: True) -> int:
-    """Return an argument as an int. Arguments and errors are as in `number`. 1.0 is not accepted."""
+    """Return an argument as an int. Floats such as 1.0 are not accepted. Parameters and errors are as in `number`."""
     return _read(name, given, takes, index, fits)
 
 
@@ -70,7 +70,10 @@ def of_kind(name: str, given: Any, kinds: Any, takes: str) -> None:
 
 
 def check_file_name(path: Any) -> None:
-    """Check that `path` is the name of a file. `open` would accept the number of an open file, too. The error is as in `of_kind`."""
+    """Check that `path` is the name of a file, not the number of an open file, which `open` would accept.
+
+    Other types raise the TypeError of `of_kind`.
+    """
     of_kind("path", path, (str, bytes, PathLike), "the name of a file")
 
 

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The user's preferences with their meanings and defaults.
 
-Commands and macros use the same preferences. FreeCAD stores them in its parameters, in ``Mod/VkWorkbench``, with names such
-as ``ImageWidth``. A page in FreeCAD's preferences shows them. This module does not import numpy, because the page is
-registered when FreeCAD starts.
+Commands and macros use the same preferences. FreeCAD stores the preferences in its parameters, in ``Mod/VkWorkbench``,
+with names such as ``ImageWidth``. A page in FreeCAD's preferences dialog shows them. This module does not import numpy,
+because the page is registered when FreeCAD starts.
 """
 
 from __future__ import annotations
@@ -15,7 +15,7 @@ from dataclasses import dataclass, field, fields, replace
 from functools import cached_property
 from pathlib import Path
 
-OWN = "own"  # the simulator of FreeCAD's button; the user's own values of a machine
+OWN = "own"  # stands for the simulator that FreeCAD's button starts, and for a machine with the user's own values
 GROUP = "User parameter:BaseApp/Preferences/Mod/VkWorkbench"
 
 # View directions by the names of FreeCAD's standard views.
@@ -34,7 +34,7 @@ def _choice(default: str, choices: Callable[[], tuple[str, ...]]):
 
 
 def _simulators() -> tuple[str, ...]:
-    """Return the names of the simulators of this FreeCAD."""
+    """Return the names of the simulators that this FreeCAD has, after "own"."""
     from vkworkbench.core.simulators import available
     from vkworkbench.freecad import version
 
@@ -55,19 +55,21 @@ class Preferences:
     Attributes
     ----------
     mark_simulator : {"own", "z-buffer", "legacy", "OpenGL"}
-        Simulator whose time the marks show: the simulator of FreeCAD's button, the paper's extended z-buffer, FreeCAD's
-        legacy simulator in fast-forward, or its OpenGL simulator at the highest speed. FreeCAD 0.20 has no OpenGL simulator.
+        Simulator whose time the marks in the tree show: the simulator that FreeCAD's button starts, the paper's
+        extended z-buffer, FreeCAD's legacy simulator in fast-forward, or FreeCAD's OpenGL simulator at the highest
+        speed. FreeCAD 0.20 has no OpenGL simulator.
     legacy_accuracy : float
-        Edge length of the legacy simulator's cells, in percent of the stock's longer side. 0.1 is the finest position of
-        its slider, 1 the coarsest.
+        Edge length of the legacy simulator's cells, in percent of the stock's longer side. 0.1 is the finest position
+        of the simulator's slider, and 1 is the coarsest.
     opengl_quality : int
         Position of the OpenGL simulator's quality slider. 10 is the best quality.
     time_budget : float
-        Time limit of a simulation, s. Longer simulations get a warning, and recommended settings are within the limit.
+        Time limit of a simulation, s. Longer simulations get a warning, and recommended settings stay within the limit.
     memory_budget : float
-        Memory limit of a simulation, MB, with the same effects.
+        Memory limit of a simulation, MB. Simulations that need more memory get a warning, and recommended settings stay
+        within the limit.
     image_width, image_height : int
-        Image of the extended z-buffer, pixels. The default is the paper's image (section 1).
+        Size of the extended z-buffer's image, pixels. The default is the size in the paper (section 1).
     view_direction : str
         View direction of the z-buffer: one of FreeCAD's standard views.
     tolerance : float
@@ -80,27 +82,29 @@ class Preferences:
         Whether a bar above the 3D view warns of simulations in FreeCAD's simulators that would hang or exceed the time
         limit.
     holder_diameter, holder_length : float
-        Diameter and length of the holders of tools that have no holder of their own, mm; 0 if unknown.
+        Diameter and length of the holder, mm, for tools without a holder of their own; 0 if unknown.
     travel_x, travel_y, travel_z : float
         Travel of the machine along its axes, mm; 0 if unknown.
     machine : {"", "hobby-router", "small-mill", "machining-centre", "own"}
-        The machine for which machining times are planned; "" for constant feeds, "own" for the values below.
+        The machine for which machining times are planned. "" means that times are computed with constant feeds. "own"
+        means the machine with the values of the following preferences.
     rate_x, rate_y, rate_z : float
         Largest speeds of the axes, mm/min.
     acceleration_x, acceleration_y, acceleration_z : float
-        mm/s^2.
+        Accelerations of the axes, mm/s^2.
     corner_deviation : float
-        mm; see `core.Machine.deviation`.
+        Corner deviation of the machine, mm; see `core.Machine.deviation`.
     lookahead : int
         Number of moves that the controller plans ahead.
     time_factor : float
         Measured time of a job divided by its planned time.
     tool_change, spindle_start : float
-        s; see `core.Machine`.
+        Times of a tool change and of a start of the spindle, s; see `core.Machine`.
     renderer : str
-        OpenGL's name of the renderer at the last calibration. Not on the page.
+        Name of the renderer that OpenGL reported at the last calibration. The page does not show it.
     result_columns : str
-        Columns of the results whose visibility differs from the default, separated by commas. Not on the page.
+        Columns of the results whose visibility differs from the default, separated by commas. The page does not show
+        them.
     """
 
     mark_simulator: str = _choice(OWN, _simulators)
@@ -137,7 +141,7 @@ class Preferences:
 
     @cached_property
     def simulator(self) -> str:
-        """Name of the simulator whose time the marks show, never "own"."""
+        """Name of the simulator whose time the marks show. "own" is replaced by a simulator's name."""
         if self.mark_simulator != OWN:
             return self.mark_simulator
         from vkworkbench.freecad import own_simulator
@@ -156,12 +160,12 @@ class Preferences:
 
     @property
     def budget(self) -> dict[str, float]:
-        """Limits of memory, bytes, and time, s, as ``best_resolution`` takes them."""
+        """Limits of memory, bytes, and time, s, as arguments of ``best_resolution``."""
         return {"memory_bytes": self.memory_budget_bytes, "seconds": self.time_budget}
 
     @property
     def holder(self) -> dict[str, float]:
-        """Known sizes of the holder, mm, by their names in a `Tool`."""
+        """Known sizes of the holder, mm, by the names of the attributes of `Tool`."""
         sizes = {"holder_diameter": self.holder_diameter, "holder_length": self.holder_length}
         return {name: size for name, size in sizes.items() if size} if self.holder_diameter else {}
 
@@ -185,7 +189,7 @@ class Preferences:
                        self.tool_change, self.spindle_start)  # fmt: skip
 
     def with_machine(self, name: str, machine) -> Preferences:
-        """Return the preferences with the values of a machine, except its time factor."""
+        """Return the preferences with the values of a machine. The time factor is not changed."""
         rates, accelerations = machine.rates, machine.accelerations
         return replace(
             self, machine=name, rate_x=60 * rates[0], rate_y=60 * rates[1], rate_z=60 * rates[2],
@@ -200,8 +204,8 @@ class Preferences:
         Parameters
         ----------
         given : Machine, str, path or None
-            A machine, the name of a typical machine, or a file with the settings that grbl prints (``$$``), whose other
-            values are a hobby router's; None keeps the machine.
+            A machine, the name of a typical machine, or a file with the settings that grbl prints (``$$``). Values that
+            are not in the file are the values of the hobby router. None keeps the machine of the preferences.
 
         Raises
         ------
@@ -236,7 +240,7 @@ class Preferences:
 
 
 def read() -> Preferences:
-    """Return the present preferences. Impossible values become defaults, and so do all values outside FreeCAD."""
+    """Return the stored preferences. Defaults replace invalid values, and outside FreeCAD all values."""
     if "FreeCAD" not in sys.modules:
         return Preferences()
     import FreeCAD
@@ -252,7 +256,7 @@ def read() -> Preferences:
 
 
 def write(**values) -> None:
-    """Store preferences, given by name."""
+    """Store preferences, which are given by name."""
     import FreeCAD
 
     group = FreeCAD.ParamGet(GROUP)
@@ -263,7 +267,7 @@ def write(**values) -> None:
 
 
 def observe(changed: Callable[[str], None]) -> None:
-    """Call a function with the name of each preference that changes from now on, no matter who changes it."""
+    """Register a function that is called with the name of a preference whenever the stored preference changes."""
     import FreeCAD
 
     names = {entry(preference.name): preference.name for preference in fields(Preferences)}
@@ -275,7 +279,7 @@ def observe(changed: Callable[[str], None]) -> None:
 
     group, observer = FreeCAD.ParamGet(GROUP), Observer()
     group.Attach(observer)
-    _observers.append((group, observer))  # FreeCAD does not keep them alive
+    _observers.append((group, observer))  # FreeCAD itself does not keep these objects alive
 
 
 _observers: list = []
@@ -287,16 +291,16 @@ def entry(name: str) -> str:
 
 
 def choices(name: str) -> tuple[str, ...]:
-    """Return the possible values of a preference, in the order of the form."""
+    """Return the possible values of a preference, in the order in which the page shows them."""
     return next(preference.metadata["choices"]() for preference in fields(Preferences) if preference.name == name)
 
 
 def is_possible(name: str, value) -> bool:
-    """Return whether a preference may have a value."""
+    """Return whether a value is valid for a preference."""
     return _possible(value, next(preference.metadata for preference in fields(Preferences) if preference.name == name))
 
 
 def _possible(value, limits) -> bool:
     if "choices" in limits:
-        return value in limits["choices"]()  # another FreeCAD with other simulators may have stored the value
+        return value in limits["choices"]()  # a FreeCAD version with other simulators may have stored the value
     return not limits or limits["least"] <= value <= limits["most"]

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Work in separate processes, because Python runs one thread at a time, and because a crash then affects one process only."""
+"""Work in separate processes, because of Python's GIL, and because a crash then affects only one process."""
 
 from __future__ import annotations
 
@@ -18,8 +18,9 @@ from typing import Any
 
 import numpy as np
 
-# The other process imports the standard library, this package and numpy: nothing from the current folder, PYTHONPATH, the
-# user's site-packages, .pth files or sitecustomize. The folders come last, so they replace no module of the standard library.
+# The other process imports only the standard library, this package and numpy. It imports nothing from the current
+# folder, PYTHONPATH, the user's site-packages, .pth files or sitecustomize. The folders of this package and of numpy
+# are at the end of sys.path, so that they replace no module of the standard library.
 _ISOLATED = ["-I", "-S"]
 _START = "import sys; sys.path += sys.argv[1:]; from vkworkbench.worker import serve; serve()"
 _FOLDERS = [str(Path(__file__).resolve().parents[1]), str(Path(np.__file__).resolve().parents[1])]
@@ -29,27 +30,27 @@ _NO_WINDOW: int = getattr(subprocess, "CREATE_NO_WINDOW", 0)
 
 
 class WorkerDied(Exception):
-    """A process could not be started, has another Python or numpy, has died, or was ended."""
+    """A process could not be started, has another version of Python or numpy, has died, or was ended."""
 
 
 class Worker:
-    """A process that applies one function to one argument after the other.
+    """A worker process, which applies one function to one argument after the other.
 
-    The process ends with this process, also in the middle of its work and if this process is killed. On Linux it ends with
-    the thread that starts it.
+    The worker process ends when this process ends or is killed, even during its work. On Linux, the worker process also
+    ends when the thread that has started it ends.
 
     Parameters
     ----------
     work : callable
         Function of one argument. The function, its arguments and its results must be picklable.
     most_memory : float, optional
-        Limit of the memory for the work, bytes; beyond it the work gets a `MemoryError`. Other systems than Linux have no
-        such limit.
+        Memory limit for the work, bytes. Above the limit, `work` gets a `MemoryError`. The limit is effective only on
+        Linux.
 
     Raises
     ------
     WorkerDied
-        If no Python was found to run the process.
+        If no Python interpreter was found for the process.
     """
 
     def __init__(self, work: Callable[[Any], Any], most_memory: float | None = None) -> None:
@@ -99,7 +100,7 @@ class Worker:
         return self._answer()
 
     def kill(self) -> None:
-        """Kill the process. A thread that waits for a result gets a `WorkerDied`. Any thread may call this."""
+        """Kill the process. A thread that waits for a result gets a `WorkerDied`. Any thread may call this method."""
         with suppress(ProcessLookupError):  # Python before 3.9 raises it if the process has just ended
             self._process.kill()
 
@@ -116,26 +117,26 @@ class Worker:
             with _broken_pipes_are_errors():
                 pickle.dump(what, self._process.stdin, pickle.HIGHEST_PROTOCOL)  # type: ignore[arg-type]
                 self._process.stdin.flush()  # type: ignore[union-attr]
-        except (OSError, ValueError):  # one end of the pipe is closed
+        except (OSError, ValueError):  # the pipe is closed at one end
             self.end()
             raise WorkerDied from None
 
     def _answer(self) -> Any:
         try:
             return pickle.load(self._process.stdout)  # type: ignore[arg-type] # of this package's own process
-        # There is no answer, or it does not fit into the memory.
+        # There is no answer, or the answer does not fit into the memory.
         except (EOFError, OSError, ValueError, MemoryError, pickle.UnpicklingError):
             self.end()
             raise WorkerDied from None
 
 
 def serve() -> None:
-    """Run the other process: read the function from the standard input, then arguments until its end, and answer each."""
-    signal.signal(signal.SIGINT, signal.SIG_IGN)  # the parent process handles Ctrl-C, and then ends the input
-    with suppress(OSError, AttributeError, TypeError):  # other systems
+    """Run in the worker process: read the function from the standard input, then read and answer the arguments."""
+    signal.signal(signal.SIGINT, signal.SIG_IGN)  # the parent process handles Ctrl-C, and then closes the input
+    with suppress(OSError, AttributeError, TypeError):  # only Linux has this call
         ctypes.CDLL(None).prctl(_PR_SET_PDEATHSIG, signal.SIGKILL)
     answers = os.fdopen(os.dup(sys.stdout.fileno()), "wb")
-    os.dup2(2, 1)  # other output must not mix with the answers
+    os.dup2(2, 1)  # redirect other output, which must not mix with the answers
     received: SimpleQueue[Any] = SimpleQueue()
     threading.Thread(target=_receive, args=(received,), daemon=True).start()
 
@@ -152,7 +153,7 @@ def serve() -> None:
 
 
 def _receive(received: SimpleQueue[Any]) -> None:
-    """Read the standard input. When it ends, the parent process is gone: end this process, also in the middle of its work."""
+    """Read the standard input. When it ends, the parent process is gone: end this process, even during its work."""
     try:
         while True:
             received.put(pickle.load(sys.stdin.buffer))
@@ -161,9 +162,9 @@ def _receive(received: SimpleQueue[Any]) -> None:
 
 
 def _limit_memory(most: float | None) -> None:
-    """Limit the memory that this process allocates from now on, bytes."""
+    """Limit the memory that this process allocates from now on to `most` bytes."""
     if most is not None and sys.platform == "linux":
-        import resource  # Windows has none
+        import resource  # Windows does not have this module
 
         pages = int(Path("/proc/self/statm").read_text().split()[5])  # data and stack, without reserved addresses
         limit = pages * resource.getpagesize() + int(most)
@@ -172,7 +173,7 @@ def _limit_memory(most: float | None) -> None:
 
 
 def interpreter() -> str | None:
-    """Return the Python interpreter of this process. FreeCAD is not an interpreter itself, but has one in its folders.
+    """Return the Python interpreter for new processes. FreeCAD is not an interpreter, but its folders contain one.
 
     Returns
     -------
@@ -191,7 +192,7 @@ def interpreter() -> str | None:
 
 
 def processes() -> int:
-    """Return the number of processes for parallel work: one for each usable core, or 1 if no process can be started."""
+    """Return the number of processes for parallel work: the number of usable cores, or 1 if none can be started."""
     if interpreter() is None:
         return 1
     if hasattr(os, "sched_getaffinity"):
@@ -201,7 +202,7 @@ def processes() -> int:
 
 @contextmanager
 def _broken_pipes_are_errors() -> Iterator[None]:
-    """Block the signal for a write to a dead process, which would end FreeCAD 1.0. Python ignores it."""
+    """Block SIGPIPE, the signal for writing to a dead process, because it would end FreeCAD 1.0. Python ignores it."""
     if not hasattr(signal, "pthread_sigmask"):  # Windows has no such signal
         yield
         return
@@ -215,5 +216,5 @@ def _broken_pipes_are_errors() -> Iterator[None]:
 
 
 def _versions() -> tuple[tuple[int, ...], str]:
-    """Return the versions of Python and numpy, which must be equal in both processes for equal results."""
+    """Return the versions of Python and numpy, which must be equal in both processes to give equal results."""
     return tuple(sys.version_info[:3]), np.__version__

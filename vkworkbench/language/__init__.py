@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Messages and their sentences: the lowest floor, which uses the standard library only.
+"""Messages and their sentences. This package uses only the standard library, and all other packages may import it.
 
-In: `Message`, a code with its arguments, which all floors above create; `Unusable`, the error that carries a message.
-Out: `render`, the sentence of a message in the language, units and number format of a `Reader`. Documents and files
-use the default, `ENGLISH`.
+Input: `Message`, a code with arguments, which the other packages create; `Unusable`, an error with a message. Output:
+`render`, which returns the sentence of a message in the language, units and number format of a `Reader`. Texts in
+documents and files use the default reader, `ENGLISH`.
 """
 
 from vkworkbench.language.marking import QT_TRANSLATE_NOOP

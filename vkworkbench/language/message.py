@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Messages: codes with arguments, which programs compare and `sentences` renders."""
+"""Messages: codes with arguments. Programs can compare messages, and the module `sentences` renders them as text."""
 
 from __future__ import annotations
 
@@ -14,15 +14,15 @@ Argument = Union[int, float, str, None, "Message", Tuple[Any, ...]]
 
 @dataclass(frozen=True, init=False, repr=False)
 class Message:
-    """A code of the table of sentences, with the arguments of the sentence.
+    """A code from the table of sentences, with the arguments for the sentence's places.
 
     Parameters
     ----------
     code : str
     **arguments : int, float, str, None, Message, or sequence of these
-        Values for the places of the sentence: numbers in mm, s, rad, bytes and shares of 1; labels and other names,
-        which are not translated; messages for parts of the sentence; None for a missing part. Members of an enum,
-        such as strategies, are stored by their value.
+        Values for the places of the sentence. Numbers are in mm, s, rad, bytes or shares of 1. Labels and other names
+        are texts, which are not translated. A message stands for a part of the sentence, and None for a part that is
+        left out. Members of an enum, such as strategies, are stored as their values.
     """
 
     code: str
@@ -40,7 +40,7 @@ class Message:
 
     @property
     def codes(self) -> tuple[str, ...]:
-        """The codes of the message and of the messages in it, in the order of the arguments' names."""
+        """The code of the message, then the codes of the messages in its arguments, sorted by the arguments' names."""
         return (self.code, *(code for _, value in self._items for code in _codes_of(value)))
 
     def __repr__(self) -> str:
@@ -52,12 +52,12 @@ class Message:
 
     @classmethod
     def from_data(cls, data: Any) -> Message:
-        """Return the message that `as_data` returned `data` for.
+        """Return the message that `as_data` has converted to `data`.
 
         Raises
         ------
         ValueError
-            If `data` is not the data of a message.
+            If `data` does not describe a message.
         """
         if isinstance(data, dict) and set(data) == {"code", "arguments"}:
             code, arguments = data["code"], data["arguments"]
@@ -67,7 +67,7 @@ class Message:
 
 
 def _plain(value: Any) -> Argument:
-    """Return an argument that can be compared and written as JSON, e.g. numpy numbers as Python numbers."""
+    """Return an argument in a form that can be compared and written as JSON. Numpy numbers become Python numbers."""
     if value is None or isinstance(value, Message):
         return value
     if isinstance(value, Enum):
@@ -77,7 +77,7 @@ def _plain(value: Any) -> Argument:
     if isinstance(value, Integral):
         return int(value)
     if isinstance(value, Real):
-        # JSON has no infinity and no NaN. Stored as text, a NaN also equals itself.
+        # Infinity and NaN are stored as text, because JSON does not have them, and because a NaN does not equal itself.
         return float(value) if isfinite(value) else str(float(value))
     if isinstance(value, (list, tuple)):
         return tuple(map(_plain, value))

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Numbers for people: two or three significant digits and a unit."""
+"""Format numbers for people, with few significant digits and a unit."""
 
 from __future__ import annotations
 
@@ -8,14 +8,16 @@ from math import floor, inf, log10, tau
 
 from vkworkbench.language.marking import QT_TRANSLATE_NOOP
 
-# An estimate that may be off by ROUGH or more has one digit and an "about". Above ESTIMATED it has two digits.
+# If an estimate can be wrong by the factor ROUGH or more, it is shown with one digit and "about". If it can be wrong by
+# more than the factor ESTIMATED, it is shown with two digits. Lower: useful digits are hidden. Higher: meaningless
+# digits appear.
 ROUGH, ESTIMATED = 2.0, 1.05
-# Units of time: the name, the length and the time from which the next unit is used, s.
+# Units of time: the name, the length, s, and the time from which the next unit is used, s.
 _UNITS = (("ms", 1e-3, 1.0), ("s", 1.0, 60.0), ("min", 60.0, 3600.0), ("h", 3600.0, inf))
 ABOUT = QT_TRANSLATE_NOOP("Sentences", "about {number}")
 _BETWEEN = QT_TRANSLATE_NOOP("Sentences", "{low} to {high}")
 _PERCENT = QT_TRANSLATE_NOOP("Sentences", "{number}%")
-# Names of the simulators in documents. The window uses the names of FreeCAD's menu.
+# Names of the simulators in documents. The user interface shows the names from FreeCAD's menu instead.
 _SIMULATORS = {
     "z-buffer": QT_TRANSLATE_NOOP("Sentences", "extended z-buffer"),
     "legacy": QT_TRANSLATE_NOOP("Sentences", "legacy simulator"),
@@ -26,53 +28,56 @@ _THOUSANDS = re.compile(r"^-?\d{4,}")
 
 
 class Reader:
-    """Language, units and number format of a person. This class is for English and millimetres; others are subclasses.
+    """The language, units and number format of a person. This class is for English and mm; subclasses are for others.
 
     Attributes
     ----------
     decimal, thousands : str
-        Separators of decimals and of groups of three digits.
+        Decimal separator, and separator of groups of three digits.
     """
 
     decimal, thousands = ".", ","
 
     def translate(self, context: str, text: str) -> str:
-        """Return the translation of a marked text into the reader's language."""
+        """Return the translation of a text, which is marked with `QT_TRANSLATE_NOOP`, into the reader's language."""
         return text
 
     def simulator(self, name: str) -> str:
-        """Return the reader's name for a simulator, from the name of its entry in the table of simulators."""
+        """Return the name of a simulator for the reader. `name` is the name in the table of simulators."""
         return self.translate("Sentences", _SIMULATORS.get(name, name))
 
     def length_unit(self, millimetres: float) -> tuple[float, str]:
-        """Return the unit for a length of this size: its size in mm, and its name."""
+        """Return the unit for a length of this size, as its length in mm and its name."""
         return 1.0, "mm"
 
     def length(self, millimetres: float) -> str:
-        """Return a length in mm, or in m from 10 m on."""
+        """Return a length as text, in mm if it is below 10 m, and in m otherwise."""
         if millimetres < 10_000:
             return f"{self._digits(millimetres)} mm"
         return f"{self._digits(millimetres / 1e3)} m"
 
     def measure(self, millimetres: float, digits: int) -> str:
-        """Return a length with a number of significant digits, e.g. ``"0.125 mm"``."""
+        """Return a length as text with the given number of significant digits, e.g. ``"0.125 mm"``."""
         factor, unit = self.length_unit(millimetres)
         return f"{self.number(millimetres / factor, digits)} {unit}"
 
     def volume(self, cubic_millimetres: float, digits: int) -> str:
-        """Return a volume with a number of significant digits, e.g. ``"212 mm³"``, in the cube of the unit of its side."""
+        """Return a volume as text with the given number of significant digits, e.g. ``"212 mm³"``.
+
+        The unit is the cube of the unit for the side of a cube with this volume.
+        """
         factor, unit = self.length_unit(cubic_millimetres ** (1 / 3))
         return f"{self.number(cubic_millimetres / factor**3, digits)} {unit}³"
 
     def number(self, value: float, digits: int = 6) -> str:
-        """Return a number with a number of significant digits. Large numbers are rounded to whole numbers."""
+        """Return a number as text with the given number of significant digits. Large numbers become integers."""
         text = f"{value:.{digits}g}"
         if "e+" in text:
             text = f"{value:.0f}"
         return self.separated(_THOUSANDS.sub(lambda number: f"{int(number.group()):,}", text))
 
     def decimals(self, value: float, places: int) -> str:
-        """Return a number with a number of decimals."""
+        """Return a number as text with the given number of decimals."""
         return self.separated(f"{value:.{places}f}")
 
     def is_one(self, count: int) -> bool:
@@ -80,28 +85,29 @@ class Reader:
         return count == 1
 
     def count(self, number: int) -> str:
-        """Return a count, e.g. ``"5,752"``."""
+        """Return a count as text, e.g. ``"5,752"``."""
         return self.separated(f"{number:,}")
 
     def share(self, share: float) -> str:
-        """Return a share of 1 in percent, e.g. ``"98%"``."""
+        """Return a share of 1 as text in percent, e.g. ``"98%"``."""
         return self.translate("Sentences", _PERCENT).replace("{number}", f"{100 * share:.0f}")
 
     def turns(self, angle: float) -> str:
-        """Return an angle, rad, in turns with two decimals. Angles below half a hundredth of a turn are ``"0"``."""
+        """Return an angle, given in rad, as text in turns with two decimals. An angle that rounds to 0 is ``"0"``."""
         turns = round(angle / tau, 2)
         return self.separated(f"{turns:+.2f}") if turns else "0"
 
     def time(self, seconds: float, factor: float = 1.0, extra_digits: int = 0) -> str:
-        """Return a duration, e.g. ``"12 ms"``, ``"1.4 s"``, ``"3.0 min"``, ``"2.5 h"``.
+        """Return a duration as text, e.g. ``"12 ms"``, ``"1.4 s"``, ``"3.0 min"``, ``"2.5 h"``.
 
         Parameters
         ----------
         seconds : float
         factor : float
-            The true time is between `seconds` / `factor` and `seconds` * `factor`, which limits the number of digits.
+            The true time is between `seconds` / `factor` and `seconds` * `factor`. A large factor reduces the number of
+            digits.
         extra_digits : int
-            Number of additional digits of an exact duration.
+            Number of additional digits. Only exact durations, with a factor near 1, get additional digits.
         """
         if factor > ESTIMATED and 0 < seconds < inf:
             return self._rounded_time(seconds, 1 if factor >= ROUGH else 2)
@@ -114,33 +120,33 @@ class Reader:
         return f"{self._digits(seconds / 3600, extra_digits)} h"
 
     def clock(self, seconds: float) -> str:
-        """Return a time on the machine as machinists write it, e.g. ``"0:45"``, ``"15:04"``, ``"1:02:30"``."""
+        """Return a machining time as machinists write it, e.g. ``"0:45"``, ``"15:04"``, ``"1:02:30"``."""
         minutes, rest = divmod(max(round(seconds), 1) if seconds else 0, 60)
         hours, minutes = divmod(minutes, 60)
         return f"{hours}:{minutes:02}:{rest:02}" if hours else f"{minutes}:{rest:02}"
 
     @staticmethod
     def seconds_of(clock: str) -> float | None:
-        """Return the seconds of a time like ``"0:45"``, ``"17:30"`` or ``"1:02:30"``; None for another text."""
+        """Return the seconds of a text such as ``"0:45"``, ``"17:30"`` or ``"1:02:30"``; None for other texts."""
         if not _CLOCK.fullmatch(clock.strip()):
             return None
         hours, minutes, seconds = [0, 0, *map(int, clock.strip().split(":"))][-3:]
         return 3600.0 * hours + 60.0 * minutes + seconds
 
     def estimated_time(self, seconds: float, factor: float) -> str:
-        """Return a duration as :meth:`time` does, after "about" if `factor` is `ROUGH` or more."""
+        """Return a duration as :meth:`time` does. If `factor` is at least `ROUGH`, the text begins with "about"."""
         text = self.time(seconds, factor)
         return self.translate("Sentences", ABOUT).replace("{number}", text) if factor >= ROUGH else text
 
     def memory(self, size: float, extra_digits: int = 0) -> str:
-        """Return a memory size, given in bytes, in kB, MB or GB (powers of 1000)."""
+        """Return a memory size, given in bytes, as text in kB, MB or GB (powers of 1000)."""
         for unit, factor in (("GB", 1e9), ("MB", 1e6)):
             if size >= 0.9995 * factor:
                 return f"{self._digits(size / factor, extra_digits)} {unit}"
         return f"{self._digits(size / 1e3, extra_digits)} kB"
 
     def between(self, low: str, high: str) -> str:
-        """Return a range of numbers."""
+        """Return a range of numbers as text, e.g. ``"2 to 5"``."""
         return self.translate("Sentences", _BETWEEN).replace("{low}", low).replace("{high}", high)
 
     def _rounded_time(self, seconds: float, digits: int) -> str:
@@ -151,7 +157,7 @@ class Reader:
             text = f"{self.separated(f'{value:,.{places}f}')} {unit}"
             if value * length < most:
                 break
-            seconds = max(seconds, most)  # 59.7 s is shown as a minute
+            seconds = max(seconds, most)  # so that 59.7 s is shown as 1 min
         return text
 
     def _digits(self, value: float, extra_digits: int = 0) -> str:
@@ -160,7 +166,7 @@ class Reader:
         return self.separated(f"{value:.{1 + extra_digits}f}" if value >= 0.095 else f"{value:.{2 + extra_digits}g}")
 
     def separated(self, english: str) -> str:
-        """Return a text with an English number and no other points or commas, with the reader's separators."""
+        """Return an English number with the reader's separators. The text must have no other points or commas."""
         return english.translate({ord("."): self.decimal, ord(","): self.thousands})
 
 

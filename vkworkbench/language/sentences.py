@@ -1,24 +1,25 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Sentences of messages, in the reader's language, units and number format.
+"""Render messages as sentences in the reader's language, units and number format.
 
-A template is the sentence of a code. It has places ``{name}`` or ``{name:quantity}`` for the arguments of the message.
-A place without a quantity takes a text, or another message. These are the quantities:
+Each code has a template, which is a sentence with places ``{name}`` or ``{name:quantity}`` for the message's arguments.
+A place without a quantity stands for a text or for another message. The quantities are:
 
 * ``n``: a count
 * ``#``: the number of a line or command, counted from 1
 * ``g``: a number
 * ``mm``, ``mm³``, ``mm/min``: a length, a volume, a speed
 * ``s``: a duration in s
+* ``estimate``: an estimated duration in s
 * ``bytes``: a memory size
 * ``%``: a share of 1
 * ``turns``: an angle in rad
-* ``strategy``: a strategy, by its value
-* ``simulator``: a simulator, by its name
+* ``strategy``: a strategy, given by its value
+* ``simulator``: a simulator, given by its name
 
-``g``, ``mm``, ``mm³`` and ``mm/min`` may be followed by the number of significant digits, e.g. ``mm3``.
+The number of significant digits can follow ``g``, ``mm``, ``mm³`` and ``mm/min``, e.g. ``mm3``.
 
-Durations and sizes have few digits. If two different ones of a sentence would look the same, both get more digits, so
-that no sentence says "about 2.0 GB, which is over your 2.0 GB limit".
+Durations and memory sizes have few digits. If two different values in one sentence would look the same, both get more
+digits. Otherwise a sentence could say "about 2.0 GB, which is over your 2.0 GB limit".
 """
 
 from __future__ import annotations
@@ -50,7 +51,7 @@ _QUANTITIES: dict[str, Callable[[Reader, Any, int], str]] = {
     "simulator": lambda reader, value, digits: reader.simulator(value),
     "strategy": lambda reader, value, digits: reader.translate("Strategy", value),
 }
-_ROUNDED = ("s", "bytes")  # quantities with few digits, which take a number of extra digits
+_ROUNDED = ("s", "bytes")  # quantities with few digits, for which a number of extra digits is computed
 _DEFAULT_DIGITS = 6
 _MOST_EXTRA_DIGITS = 6
 
@@ -63,12 +64,12 @@ def render(message: Message, reader: Reader = ENGLISH, *, plain: bool = False) -
     message : Message
     reader : Reader
     plain : bool
-        Whether to use a machinist's words instead of the paper's terms, where the table has them.
+        Whether to use a machinist's words instead of the paper's terms, if the table has such a sentence.
 
     Raises
     ------
     LookupError, TypeError, ValueError
-        If the table has no such message. Another version may have written it.
+        If the table does not contain the message, e.g. because another version has written it.
     """
     arguments = message.arguments
     template = _with_different_times(
@@ -84,14 +85,14 @@ def render(message: Message, reader: Reader = ENGLISH, *, plain: bool = False) -
 
 
 def _with_different_times(template: str, arguments: dict[str, Argument], reader: Reader) -> str:
-    """Return a template with exact times instead of estimates, if an estimate looks like another time."""
+    """Return the template. If a rounded estimate would look like another time, all estimates are shown exactly."""
     places = [place for place in _PLACE.finditer(template) if place[2] in ("s", "estimate")]
     texts = {arguments[place[1]]: _QUANTITIES[place[2]](reader, arguments[place[1]], 0) for place in places}
     return template if len(set(texts.values())) == len(texts) else template.replace(":estimate}", ":s}")
 
 
 def _extra_digits(template: str, arguments: dict[str, Argument], quantity: str, reader: Reader) -> int:
-    """Return how many extra digits make all different numbers of a quantity look different."""
+    """Return the number of extra digits with which all different numbers of a quantity look different."""
     numbers = {arguments[place[1]] for place in _PLACE.finditer(template) if place[2] == quantity}
     text = _QUANTITIES[quantity]
     enough = (
@@ -101,7 +102,7 @@ def _extra_digits(template: str, arguments: dict[str, Argument], quantity: str, 
 
 
 def _template(message: Message, reader: Reader, plain: bool) -> str:
-    """Return the template of a message: the singular or the plural one, if the table has both."""
+    """Return the template of a message. If there are a singular and a plural template, the count determines which."""
     template = _plain_template(message) if plain else None
     template = template or TABLE[message.code]
     if isinstance(template, str):
@@ -130,7 +131,7 @@ def _text(value: Argument, quantity: str | None, digits: int, reader: Reader, pl
 
 
 class Unusable(ValueError):
-    """An input cannot be used. The message says why.
+    """An input cannot be used. The message contains the reason.
 
     Attributes
     ----------

@@ -1,9 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Analysis and simulation of NC programs in files. Uses numpy and the standard library, but not FreeCAD.
+"""Analysis and simulation of NC programs in files, with numpy and the standard library, but without FreeCAD.
 
-In: paths of files and folders, from a macro or the command line.
-Out: `Report`, with one row for each operation of each program; `ProgramSimulation`, a program that `simulate` has
-simulated; `main`, the command ``python3 -m vkworkbench``.
+Input: paths of files and folders, from a macro or the command line. Output: `Report`, with one row for each operation
+of each program; `ProgramSimulation`, the result of `simulate`; `main`, the command ``python3 -m vkworkbench``.
 """
 
 from vkworkbench.program.analysis import analyze, is_path

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Analyse the file of an NC program: one row for each operation, separated by titles and tool changes."""
+"""Analyse the file of an NC program. Titles and tool changes divide it into operations, one row for each operation."""
 
 from __future__ import annotations
 
@@ -58,12 +58,12 @@ def analyze(
     cancelled: Callable[[], bool] | None = None,
     machine: Machine | str | os.PathLike | None = None,
 ) -> Report:
-    """Recognise the strategies of NC programs, and estimate lengths, times and simulation costs. FreeCAD is not needed.
+    """Recognise the strategies of NC programs, and compute lengths, times and simulation costs, without FreeCAD.
 
     Parameters
     ----------
     what : path, or iterable of paths
-        Files, and folders. All NC programs in a folder are analysed; the report names the other files.
+        Files and folders. All NC programs in a folder are analysed. The report names the other files of the folder.
     progress : callable, optional
         Called before each file with the number of finished files, the number of all files, and the name of the file.
     cancelled : callable, optional
@@ -79,7 +79,7 @@ def analyze(
     Raises
     ------
     ValueError
-        If a name is empty, or the text of a program; or if `machine` is not a machine.
+        If a name is empty, if a name is the text of a program, or if `machine` is not a machine.
     Cancelled
         If `cancelled` returned True.
     """
@@ -97,7 +97,7 @@ def analyze(
 
 
 def report_of(rows: Iterable[OperationReport], chosen: Preferences) -> Report:
-    """Return the report of the rows of one or more programs."""
+    """Return a report with the rows of one or more programs."""
     rows = tuple(rows)
     return Report(rows, {(row.document, row.job): row.job for row in rows if row.counted}, chosen.budget)
 
@@ -108,9 +108,10 @@ def analyze_file(path: Path, chosen: Preferences) -> tuple[OperationReport, ...]
     Returns
     -------
     tuple of OperationReport
-        One row for each operation with a cut. The document of a row is the file's path, and its job is the file's name.
-        Its name and the commands of its spans are line numbers, counted from 1. A program without a cut has one row. A
-        file that cannot be read has one row with the reason in its remarks, which is not counted.
+        One row for each operation with a cut. A row's document is the path of the file, and its job is the file's name.
+        The row's name and the commands of its spans are line numbers, counted from 1. A program without a cut has one
+        row. A file that cannot be read has one row, whose remarks contain the reason and which the total does not
+        include.
     """
     try:
         rows = _rows(path, read_program(text_of(read_bytes(path))), chosen)
@@ -124,7 +125,7 @@ def analyze_file(path: Path, chosen: Preferences) -> tuple[OperationReport, ...]
 
 
 def unread(path: Path, why: Message) -> OperationReport:
-    """Return the row of a file without results, with the reason."""
+    """Return the row of a file that has no results, with the reason as a remark."""
     return without_results(
         why, document=str(path), name="", label=path.name, job=path.name, counted=False, fingerprint=""
     )
@@ -132,7 +133,7 @@ def unread(path: Path, why: Message) -> OperationReport:
 
 @dataclass(frozen=True)
 class _Whole:
-    """Common data of all operations of a program.
+    """Data that all operations of a program have in common.
 
     Attributes
     ----------
@@ -142,11 +143,11 @@ class _Whole:
     stock : Stock or None
         A box around all cuts; None if no tool is known.
     inches : bool
-        Whether the program is in inches that are read as millimetres.
+        Whether the program is in inches but its numbers were read as millimetres.
     remarks : tuple of Message
-        Remarks on every operation.
+        Remarks that every operation gets.
     undivided : bool
-        Whether the program has no title and no tool change between cuts, so that it may contain several operations.
+        Whether no title and no tool change divides the program. Such a program may still contain several operations.
     """
 
     path: Path
@@ -160,7 +161,7 @@ class _Whole:
 
 @dataclass(frozen=True)
 class Divided:
-    """A program, divided into its operations.
+    """A program that is divided into its operations.
 
     Attributes
     ----------
@@ -169,7 +170,8 @@ class Divided:
     parts : tuple of (Toolpath, Section)
         The moves of each operation.
     inches : bool
-        Whether the program is in inches that are read as millimetres. The sizes of its tools are smaller in the same way.
+        Whether the program is in inches but its numbers were read as millimetres. The tools are then too small by the
+        same factor.
     """
 
     toolpath: Toolpath
@@ -178,12 +180,15 @@ class Divided:
 
 
 def divide_program(program: Program, tolerance: float) -> Divided:
-    """Divide a program at its titles and tool changes; `tolerance` is the largest distance of an arc from its chords, mm."""
+    """Divide a program at its titles and tool changes.
+
+    `tolerance` is the largest distance between an arc and its chords, mm.
+    """
     toolpath, sections = program.toolpath(tolerance=tolerance), split_sections(program)
     inches = not program.unit_told and (
         looks_like_inches(toolpath) or any(tells_inches(text) for _, _, text in program.comments)
     )
-    if inches:  # some comments give the size of a tool with its unit
+    if inches:  # some comments state the size of a tool with its unit, which must be read in inches from the beginning
         sections = tuple(map(_scaled_to_millimetres, split_sections(replace(program, inches=True))))
     bounds = np.searchsorted(toolpath.command, [section.first for section in sections[1:]])
     parts = [toolpath.part(int(a), int(b)) for a, b in zip([0, *bounds], [*bounds, len(toolpath)])]
@@ -219,7 +224,7 @@ def _without_cuts(path: Path, program: Program, toolpath: Toolpath) -> Operation
     row = replace(row, remarks=(*row.remarks, *map(at_line, toolpath.problems)))
     if program.other:
         return replace(row, counted=True)
-    counted = all(problem.of_time for problem in toolpath.problems)  # ignored commands may be the cuts
+    counted = all(problem.of_time for problem in toolpath.problems)  # if commands were ignored, they may have been cuts
     return replace(row, counted=counted, recognition=recognize(toolpath), trajectories=len(toolpath),
                    machining=_machining(toolpath, toolpath.problems, None))  # fmt: skip
 
@@ -266,12 +271,12 @@ def _row(whole: _Whole, part: Toolpath, section: Section, problems: list[Problem
 
 
 def label_of(section: Section, path: Path) -> str:
-    """Return the label of an operation: its title, the number of its tool, or the name of the file."""
+    """Return the label of an operation: the title, or else the tool's number, or else the name of the file."""
     return section.title or (path.stem if section.number is None else f"T{section.number}")
 
 
 def _scaled_to_millimetres(section: Section) -> Section:
-    """Return a section in inches that are read as millimetres, with its tool scaled in the same way."""
+    """Return a section with its tool scaled down by 25.4, for programs whose inches were read as millimetres."""
     tool = section.tool
     if tool is None:
         return section
@@ -286,7 +291,7 @@ def _rotary(program: Program, section: Section) -> Message | None:
 
 
 def _machining(part: Toolpath, problems: Iterable[Problem], machine: Machine | None) -> Machining:
-    """Return lengths and times. Without a machine, rapids have no time: a program does not contain their speed."""
+    """Return lengths and times. Without a machine, rapids have no time, because programs do not state their speed."""
     found = machining(part, machine=machine)
     left_out = [message for message in found.left_out if message.code == "cutting-untimed"]
     if found.rapid_length and machine is None:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Analysis of a program in a separate process, so that a crash or an endless analysis affects one file only."""
+"""Analyse each program in a separate process, so that a crash or an endless analysis affects only one file."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from vkworkbench.program.analysis import analyze_file, unread
 from vkworkbench.report import OperationReport
 from vkworkbench.worker import Worker, WorkerDied
 
-# Memory for the analysis of one program, bytes. A toolpath of 5 million moves, the largest that is read, needs less.
+# Memory limit for the analysis of one program, bytes. The largest accepted toolpath, with 5 million moves, needs less.
 _MOST_MEMORY = 4e9
 _of_thread = threading.local()
 _workers: weakref.WeakSet[Worker] = weakref.WeakSet()
@@ -33,7 +33,7 @@ def analyze_apart(path: Path, chosen: Preferences, patience: float) -> tuple[Ope
     Returns
     -------
     tuple of OperationReport
-        If the process died or exceeded the time limit, one row with this reason.
+        The rows of the program. If the process died or exceeded the time limit, one row with this reason.
     """
     begin = float("inf")
     try:
@@ -49,18 +49,18 @@ def analyze_apart(path: Path, chosen: Preferences, patience: float) -> tuple[Ope
         late = time.monotonic() - begin >= patience
         return (unread(path, Message("too-long", time=patience) if late else Message("worker-died")),)
     if any(remark.code == "memory-short" for row in rows for remark in row.remarks):
-        worker.end()  # the memory that a large program leaves may not suffice for the next program
+        worker.end()  # free the memory of the large program for the next program
     return rows
 
 
 def end_workers() -> None:
-    """End the processes of all threads. Their unfinished work is lost."""
+    """End the processes of all threads. The results of unfinished analyses are lost."""
     for worker in list(_workers):
         worker.end()
 
 
 def _worker() -> Worker:
-    """Return the process of this thread, ready for work. A process that died is replaced."""
+    """Return this thread's process, ready for work. A process that died is replaced by a new one."""
     worker = getattr(_of_thread, "worker", None)
     if worker is None or not worker.lives:
         worker = _of_thread.worker = Worker(_analyze, _MOST_MEMORY)

@@ -26,26 +26,27 @@ from vkworkbench.report import OperationReport, cells_of, files_left_out, how_ma
 from vkworkbench.worker import processes
 
 _WRONG, _UNREAD, _STOPPED = 2, 1, 130  # exit statuses
-_CONNECT = 30  # s
-_AHEAD = 4  # files in the queue for each process
+_CONNECT = 30  # time limit for connecting to a Dask scheduler, s
+_AHEAD = 4  # number of files that are submitted in advance for each process
 _STANDARD_OUTPUT = "-"
-# Only this process could read these files, but other processes read the programs. The shell's <(...) is such a file.
+# Names of files that only this process can open, such as the shell's <(...). Programs are read in other processes, so
+# these names are refused.
 _STANDARD_INPUT = re.compile(r"-|/dev/stdin|/(?:dev|proc/self)/fd/\d+")
 
 
 class _Wrong(Exception):
-    """The command cannot be done, or not completely."""
+    """The command cannot be carried out, or not completely."""
 
 
 def main(arguments: list[str] | None = None) -> int:
     """Run the command, and return its exit status.
 
-    0: all programs were read. 1: some programs could not be read. 2: nothing could be done, or the results could not be
-    written. 130: stopped with Ctrl-C.
+    The status is 0 if all programs were read, 1 if some programs could not be read, 2 if nothing could be done or the
+    results could not be written, and 130 if the user stopped the command with Ctrl-C.
     """
     asked = _parser().parse_args(with_joined_stock(sys.argv[1:] if arguments is None else arguments))
     for name in ("stdout", "stderr"):
-        if getattr(sys, name) is None:  # closed, as by ">&-" or without a console
+        if getattr(sys, name) is None:  # the stream is closed, e.g. by ">&-", or there is no console
             setattr(sys, name, open(os.devnull, "w", encoding="utf-8"))
         getattr(sys, name).reconfigure(errors="backslashreplace")
     try:
@@ -53,14 +54,14 @@ def main(arguments: list[str] | None = None) -> int:
     except _Wrong as error:
         print(f"vkworkbench: {error}", file=sys.stderr)
         return _WRONG
-    except BrokenPipeError:  # the reader of the output has ended, e.g. "| head"
+    except BrokenPipeError:  # the program that reads the output has ended, e.g. "| head"
         return _STOPPED
     finally:
         _drop_unwritten()
 
 
 def _drop_unwritten() -> None:
-    """Drop unwritten output. Python would try to write it at the end, and print an error."""
+    """Discard output that cannot be written. Otherwise Python would print an error when it exits."""
     try:
         sys.stdout.flush()
     except OSError:
@@ -132,7 +133,7 @@ def _run(asked: argparse.Namespace) -> int:
     if asked.simulate:
         with _writing(asked.stl or asked.png or _STANDARD_OUTPUT):
             return _UNREAD if simulate_programs(paths, asked) else 0
-    # The executor comes before the results: if it fails, an existing file of results is not lost.
+    # The executor is created before the results are opened. If its creation fails, existing results are not lost.
     with _executor(asked, len(paths)) as (executor, ahead):
         return _work(asked, paths, executor, ahead, chosen)
 
@@ -140,7 +141,7 @@ def _run(asked: argparse.Namespace) -> int:
 def _work(
     asked: argparse.Namespace, paths: list[Path], executor: Executor, ahead: int, chosen: preferences.Preferences
 ) -> int:
-    """Analyze the programs, write the results, and return the exit status."""
+    """Analyse the programs, write the results, and return the exit status."""
     results = _results(asked, paths)
     place = asked.csv or asked.json_lines or _STANDARD_OUTPUT
     advice = "" if place == _STANDARD_OUTPUT else "; continue with --resume"
@@ -179,7 +180,7 @@ def _work(
 
 
 def _results(asked: argparse.Namespace, programs: list[Path]) -> Results | None:
-    """Return the results to which the rows are added; None for a table."""
+    """Return the file of results that receives the rows, or None if a table is printed."""
     path = asked.csv or asked.json_lines
     if asked.resume and path in (None, _STANDARD_OUTPUT):
         raise _Wrong("--resume needs a file of results: --csv PATH or --json-lines PATH")
@@ -200,7 +201,7 @@ def _results(asked: argparse.Namespace, programs: list[Path]) -> Results | None:
 
 @contextmanager
 def _writing(path: str, advice: str = "") -> Iterator[None]:
-    """Raise an error for a file that cannot be written, with advice on how to continue."""
+    """Convert errors of writing to `path` into `_Wrong`, with advice on how to continue."""
     try:
         yield
     except BrokenPipeError:
@@ -218,7 +219,7 @@ def _is_same_file(one: str, other: Path) -> bool:
 
 @contextmanager
 def _executor(asked: argparse.Namespace, files: int) -> Iterator[tuple[Executor, int]]:
-    """Yield an executor for a number of files, and the number of files that it gets at once."""
+    """Yield an executor, and the number of files that may be submitted to it at the same time."""
     if asked.scheduler:
         with _cluster(asked.scheduler) as both:
             yield both
@@ -256,7 +257,7 @@ def _cluster(address: str) -> Iterator[tuple[Executor, int]]:
 def _analyzed(
     paths: Iterable[Path], executor: Executor, ahead: int, patience: float, chosen: preferences.Preferences
 ) -> Iterator[tuple[Path, tuple[OperationReport, ...]]]:
-    """Yield each program with its rows when they are ready. Closing the iterator cancels the waiting programs."""
+    """Yield each program with its rows as soon as it is analysed. Closing the iterator cancels the waiting programs."""
     rest = iter(paths)
     pending: dict[Future, Path] = {}
     try:
@@ -275,7 +276,7 @@ def _analyzed(
 
 
 def _rows(path: Path, future: Future) -> tuple[OperationReport, ...]:
-    """Return the rows of a program. If its computer has left the cluster, one row says so."""
+    """Return the rows of a program, or one row if the analysis failed, e.g. because a computer left the cluster."""
     try:
         return future.result()
     except ModuleNotFoundError as error:

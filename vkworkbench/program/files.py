@@ -15,24 +15,28 @@ from pathlib import Path
 from vkworkbench.core.gcode import split_comments, split_words
 from vkworkbench.language import Message, Unusable
 
-# Suffixes of NC programs. Other files in folders are read only if they look like programs. A file that is named directly
-# is always read.
+# Suffixes of NC programs. A file in a folder with another suffix is read only if it looks like a program. A file that
+# the user names is always read.
 _SUFFIXES = frozenset([
     ".nc", ".ngc", ".gcode", ".gc", ".g", ".tap", ".cnc", ".ncc", ".ncf", ".iso",
     ".eia", ".din", ".min", ".mpf", ".spf", ".prg", ".fnc", ".nc1", ".ptp", ".mcd",
 ])  # fmt: skip
-_HEAD, _FEWEST_WORDS = 100_000, 3  # bytes of a text that are looked at, and least number of lines with words
-# The tools and the formats of circuit boards' drill files (Excellon) and drawings (Gerber), whose lines consist of words, too.
+_HEAD, _FEWEST_WORDS = 100_000, 3  # number of examined bytes, and minimum number of lines with words
+# Definitions of tools and formats in files of circuit boards: drill files (Excellon) and drawings (Gerber). The lines
+# of these files look like words of an NC program.
 _OF_CIRCUIT_BOARDS = re.compile(r"T\d+(?:[FSBHZ]\d*)*C[\d.]|%(?:FS|MO|AD)")
-# Limits of a text, decompressed. A toolpath has up to 5 million moves. A longer line has no moves of a machine.
+# Limits of a decompressed text: bytes, lines, and characters of a line. A toolpath has at most 5 million moves, and so
+# long a line is not a line of an NC program.
 MOST_BYTES, MOST_LINES, LONGEST_LINE = 400_000_000, 10_000_000, 500_000
-_PART = 10_000_000  # bytes that are read at once
+_PART = 10_000_000  # size of one read, bytes
 _LINE_END = re.compile("[\n\r]")
 _PACKED = {".xz": lzma.open, ".gz": gzip.open}
 _MARKS = ((codecs.BOM_UTF8, "utf-8-sig"), (codecs.BOM_UTF16_LE, "utf-16"), (codecs.BOM_UTF16_BE, "utf-16"))
-# Three neighbouring letters beyond ASCII mean Cyrillic text. In Western languages these letters are single.
+# Three consecutive letters outside ASCII mean that the text is Cyrillic. In Western languages, such letters stand
+# alone.
 _CYRILLIC = re.compile(rb"[\xc0-\xff]{3}")
-# Characters that serial lines add to a text: the leader of a punched tape, and DC1 to DC4, which start and stop a device.
+# Characters that serial transmission adds to a text: NUL from the leader of a punched tape, and DC1 to DC4, which start
+# and stop a device.
 _OF_THE_LINE = b"\0\x11\x12\x13\x14"
 _TEXT_CONTROLS = frozenset(b"\t\n\r\f\x0b")
 _ZIP, _FIRST_NAME = b"PK\3\4", 30  # the first bytes of an archive, and the offset of the name of its first file
@@ -43,8 +47,8 @@ def find_programs(what: Iterable[str | os.PathLike], left_out: list[Path]) -> It
 
     A file in a folder is a program if it has the suffix of one, or if it is a text that consists of G-code.
 
-    Folders are searched at any depth, in the order of names, and through links. Each file comes once. A folder that cannot
-    be read is yielded itself, so that reading it reports the error.
+    Folders are searched at any depth, sorted by name, and through links. Each file is yielded once. A folder that
+    cannot be read is yielded instead of its files, so that the attempt to read it reports the error.
 
     Parameters
     ----------
@@ -56,8 +60,8 @@ def find_programs(what: Iterable[str | os.PathLike], left_out: list[Path]) -> It
     Raises
     ------
     ValueError
-        If a name is empty, e.g. from a cancelled file dialog: it does not mean the current folder. Or if a name is the text
-        of a program.
+        If a name is empty, e.g. from a cancelled file dialog, because an empty name should not mean the current folder.
+        Also if a name is the text of a program.
     """
     what = list(what)
     if "" in what:
@@ -98,7 +102,7 @@ def _in_folder(folder: Path, left_out: list[Path]) -> Iterator[Path]:
 
 
 def is_called_a_program(name: str) -> bool:
-    """Return whether a file has the suffix of an NC program, compressed or not."""
+    """Return whether a file has the suffix of an NC program, possibly followed by the suffix of a compressed file."""
     suffixes = [suffix.lower() for suffix in Path(name).suffixes]
     if suffixes and suffixes[-1] in _PACKED:
         suffixes.pop()
@@ -106,7 +110,7 @@ def is_called_a_program(name: str) -> bool:
 
 
 def _looks_like_a_program(path: Path) -> bool:
-    """Return whether a file without the suffix of an NC program looks like one."""
+    """Return whether the content of a file looks like an NC program."""
     try:
         with _PACKED.get(path.suffix.lower(), open)(path, "rb") as file:
             lines = text_of(file.read(_HEAD)).upper().splitlines()
@@ -116,14 +120,14 @@ def _looks_like_a_program(path: Path) -> bool:
         return False
     blocks = [code for line in lines if (code := split_comments(line)[0].strip(" %"))]
     split = [(code, *split_words(code)) for code in blocks]
-    # Checksums and decimal commas are not words.
+    # A line counts if at most a third of its characters are not words. Checksums and decimal commas are not words.
     read = [{letter for letter, _ in words} for code, words, rest in split if words and 3 * len(rest) <= len(code)]
     letters = set().union(*read)
     return len(read) >= max(_FEWEST_WORDS, len(blocks) / 2) and "G" in letters and not letters.isdisjoint("XYZ")
 
 
 def _is_endless(path: str | Path) -> bool:
-    """Return whether a path is a pipe or a device, which may never end."""
+    """Return whether a path is a pipe or a device. Reading it might never end."""
     return os.path.exists(path) and not os.path.isfile(path) and not os.path.isdir(path)
 
 
@@ -139,7 +143,7 @@ def read_bytes(path: Path) -> bytes:
         raise Unusable(Message("no-file"))
     try:
         with _PACKED.get(path.suffix.lower(), open)(path, "rb") as file:
-            parts: list[bytes] = []  # file.read(MOST_BYTES) would allocate as much for every file
+            parts: list[bytes] = []  # file.read(MOST_BYTES) would allocate MOST_BYTES for every file
             while sum(map(len, parts)) <= MOST_BYTES and (part := file.read(_PART)):
                 parts.append(part)
     except (OSError, EOFError, lzma.LZMAError, zlib.error) as error:
@@ -151,13 +155,13 @@ def read_bytes(path: Path) -> bytes:
 
 
 def text_of(data: bytes) -> str:
-    """Return the text of a program. The encoding is Unicode with a mark, UTF-8, or Windows' Cyrillic or Western encoding.
+    """Return the text of a program. The encoding can be UTF-8, UTF-16, or Windows' Cyrillic or Western code page.
 
     Raises
     ------
     Unusable
-        If the data is not text, or has too many or too long lines. A line of `LONGEST_LINE` characters may be too long, a
-        line of twice that length always is.
+        If the data is not text, or has too many or too long lines. Lines shorter than `LONGEST_LINE` are always
+        accepted. Lines of at least twice this length are always refused.
     """
     text = _decoded(data)
     if text.count("\n") + text.count("\r") - text.count("\r\n") > MOST_LINES:
@@ -189,7 +193,10 @@ def _decoded(data: bytes) -> str:
 
 
 def _unmarked_utf16(data: bytes) -> str | None:
-    """Return the UTF-16 encoding of a text in which every other byte is 0, as in Latin letters; None for other texts."""
+    """Return the encoding of a UTF-16 text without a byte order mark; None for other texts.
+
+    In UTF-16, every second byte of Latin letters is 0.
+    """
     zeros = [data[first::2].count(0) for first in (0, 1)]
     if min(zeros) > 0.01 * max(zeros) or 4 * max(zeros) <= len(data):
         return None

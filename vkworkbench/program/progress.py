@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Progress of the analysis of many files, with the remaining time."""
+"""Report the progress of the analysis of many files, with the remaining time."""
 
 from __future__ import annotations
 
@@ -12,8 +12,8 @@ from typing import TextIO
 
 from vkworkbench.language import ENGLISH
 
-_PAUSE = 0.2, 30.0  # time between two reports to a terminal and to a file, s
-_SMALL = 2000  # work for opening a file, in bytes of a program
+_PAUSE = 0.2, 30.0  # shortest time between two reports to a terminal, and to another stream, s
+_SMALL = 2000  # work of opening a file, as the number of bytes whose analysis takes the same time
 
 
 class Progress:
@@ -24,7 +24,7 @@ class Progress:
     paths : iterable of Path
         Files to analyse.
     stream : TextIO
-        A terminal shows one changing line. Other streams get a new line for each report.
+        A terminal shows one line that changes. Other streams get a new line for each report.
     """
 
     def __init__(self, paths: Iterable[Path], stream: TextIO) -> None:
@@ -53,7 +53,7 @@ class Progress:
             self._stream.flush()
 
     def clear(self) -> None:
-        """Clear the line in the terminal for other output."""
+        """Clear the line in the terminal, to make room for other output."""
         if self._terminal:
             self._stream.write("\r\x1b[K")
             self._stream.flush()

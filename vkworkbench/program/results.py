@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Files of results, with one line of CSV or JSON for each operation. A stopped run can be continued."""
+"""Write files of results, with one line of CSV or JSON for each operation. A stopped run can be continued."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ from vkworkbench.report import OperationReport, cells_of
 
 _LOCKED = (
     2**60
-)  # position of the byte that Windows locks, beyond the end of every file, so that anybody can read the file
+)  # position of the byte that is locked on Windows; it is beyond the end of the file, so that others can read the file
 _CONTROL = re.compile(r"[\x00-\x1f\x7f-\x9f\u2028\u2029]")
 
 
@@ -31,12 +31,12 @@ def _text(data: bytes) -> str:
 
 
 def _open_untruncated(path: str, flags: int) -> int:
-    """Open a file for `open`, which would delete the results of a command that writes the file."""
+    """Open a file for `open` without emptying the file, because another command may be writing its results to it."""
     return os.open(path, flags & ~os.O_TRUNC, 0o666)
 
 
 def _lock(file: io.FileIO | BinaryIO) -> None:
-    """Lock a file until it is closed or this process ends.
+    """Lock a file until the file is closed or this process ends.
 
     Raises
     ------
@@ -68,16 +68,16 @@ class JsonLines:
         return _bytes(json.dumps(row.as_dict(), ensure_ascii=False) + "\n")
 
     def document(self, line: bytes) -> tuple[str, bool]:
-        """Return the file of a line, and whether the file was read.
+        """Return the program to which a line belongs, and whether the program was read.
 
-        Raises ValueError, LookupError or TypeError for other lines.
+        Lines that do not have this form raise ValueError, LookupError or TypeError.
         """
         row = json.loads(_text(line))
         return row["document"], row["counted"]
 
 
 class Csv:
-    """One line for each operation, as in `cells_of`, below a line with the names of the columns."""
+    """One line for each operation with the cells of `cells_of`, below a header with the names of the columns."""
 
     def __init__(self, names: Iterable[str]) -> None:
         self._names = list(names)
@@ -89,7 +89,7 @@ class Csv:
         return self._written(cells[name] for name in self._names)
 
     def document(self, line: bytes) -> tuple[str, bool]:
-        """Return the file of a line, and whether the file was read. Raises ValueError for other lines."""
+        """Return the program to which a line belongs, and whether it was read. Other lines raise ValueError."""
         (cells,) = csv.reader([_text(line)])
         if len(cells) != len(self._names):
             raise ValueError(line)
@@ -104,12 +104,12 @@ class Csv:
 
 
 class Results:
-    """A file of results, or the standard output. Rows are added program by program.
+    """A file of results, or the standard output, to which rows are added program by program.
 
     Parameters
     ----------
     path : str
-        ``"-"`` for the standard output.
+        Name of the file, or ``"-"`` for the standard output.
     form : JsonLines or Csv
     resume : bool
         Whether to continue an existing file. Its last program is analysed again, because its rows may be incomplete.
@@ -124,16 +124,16 @@ class Results:
     Raises
     ------
     ValueError
-        If the existing file has other lines.
+        If a line of the existing file is not a result of this command.
     OSError
-        If the file cannot be written, or another command writes it.
+        If the file cannot be written, or another command is writing it.
     """
 
     def __init__(self, path: str, form: JsonLines | Csv, *, resume: bool) -> None:
         self._form = form
         self.done: set[str] = set()
         self.unread: set[str] = set()
-        self._file: BinaryIO | io.FileIO  # without a buffer: data that a full disk refused is not written again
+        self._file: BinaryIO | io.FileIO  # no buffer, so that data that a full disk refused is not written again
         if path == "-":
             self._file = sys.stdout.buffer
         else:
@@ -148,7 +148,7 @@ class Results:
                 raise
 
     def _begin(self, path: str, *, resume: bool) -> None:
-        """Lock the file, and remove what is not kept."""
+        """Lock the file, and truncate it after the lines to keep."""
         try:
             _lock(self._file)
             kept = 0
@@ -162,7 +162,7 @@ class Results:
         self._file.seek(kept)
 
     def add(self, rows: Iterable[OperationReport]) -> None:
-        """Write the rows of one program, all at once."""
+        """Write all rows of one program together."""
         self._write(b"".join(map(self._form.line, rows)))
 
     def close(self) -> None:
@@ -175,7 +175,7 @@ class Results:
         self._file.flush()
 
     def _keep(self, file: BinaryIO) -> int:
-        """Fill `done` and `unread`, and return the number of bytes to keep."""
+        """Fill `done` and `unread` from an existing file, and return the number of bytes to keep."""
         place, begin, last = 0, 0, None
         header = self._form.header
         for line in file:

@@ -13,7 +13,7 @@ from vkworkbench.language import Unusable
 from vkworkbench.program.simulation import simulate
 from vkworkbench.report import printable
 
-_LONGEST = 1000  # letters of a path in the output
+_LONGEST = 1000  # maximum length of a path in the output, characters
 
 
 def add_options(parser: argparse.ArgumentParser) -> None:
@@ -33,7 +33,7 @@ def add_options(parser: argparse.ArgumentParser) -> None:
 
 
 def with_joined_stock(arguments: Iterable[str]) -> list[str]:
-    """Return the arguments with the corners of the stock in one argument, because they may begin with a minus sign."""
+    """Return the arguments with ``--stock`` joined to its value, because the value may begin with a minus sign."""
     joined: list[str] = []
     for argument in arguments:
         if joined and joined[-1] == "--stock":
@@ -54,7 +54,7 @@ def _stock(text: str) -> Stock:
 
 
 def check_options(asked: argparse.Namespace, programs: int) -> str | None:
-    """Return what is wrong with the options of the simulation; None if nothing is."""
+    """Return the error in the options of the simulation as text; None if the options are valid."""
     if not asked.simulate:
         options = [name for name in ("stock", "png", "stl") if getattr(asked, name) is not None]
         return f"--{options[0]} needs --simulate" if options else None
@@ -74,7 +74,7 @@ def check_options(asked: argparse.Namespace, programs: int) -> str | None:
 
 
 def simulate_programs(paths: Iterable[Path], asked: argparse.Namespace) -> int:
-    """Simulate programs and print the facts on each; return the number of programs that could not be simulated.
+    """Simulate programs, print the facts of each, and return the number of programs that could not be simulated.
 
     Raises
     ------

@@ -42,25 +42,26 @@ def simulate(
     memory_budget: float | None = None,
     going_on: Callable[[float], None] = lambda _: None,
 ) -> ProgramSimulation:
-    """Simulate an NC program. Needs no FreeCAD.
+    """Simulate an NC program, without FreeCAD.
 
     Parameters
     ----------
     path : path
         File of the program.
     tool : Tool, or mapping of int to Tool, optional
-        The tool of the whole program, or tools by their numbers in the program. Other tools are read from comments. Operations
-        whose tool is unknown are left out, and a remark names them.
+        The tool of the whole program, or tools by their numbers in the program. Other tools are read from the program's
+        comments. Operations with an unknown tool are not simulated, and a remark names each of them.
     stock : Solid, optional
-        By default a box around the cuts, and a remark says so.
+        The default is a box around the cuts. A remark states that the default was used.
     view : View or str, optional
-        The image, or the name of a direction, e.g. ``"Isometric"``. None stands for the view in the preferences.
+        The image, or the name of a view direction, e.g. ``"Isometric"``. None stands for the view in the preferences.
     clamps : mapping of str to Solid, optional
         Solids that no tool may touch, by their names.
     memory_budget : float, optional
-        Largest memory, bytes. None stands for the budget in the preferences.
+        Memory limit, bytes. None stands for the limit in the preferences.
     going_on : callable, optional
-        Called many times a second with the completed share, 0 to 1. An exception from it ends the simulation.
+        Called many times a second with the completed share, 0 to 1. If the function raises an exception, the simulation
+        ends.
 
     Returns
     -------
@@ -70,9 +71,10 @@ def simulate(
     Raises
     ------
     Unusable
-        If the file cannot be read, is not a milling program, has no cut, or no tool is known. The message says what to do.
+        If the file cannot be read, is not a milling program, has no cut, or has no known tool. The message gives
+        advice.
     OverBudget
-        If the simulation would need more memory.
+        If the simulation would exceed the memory limit.
     ValueError
         If the direction is unknown, or the budget is not a number of bytes.
     TypeError
@@ -97,17 +99,17 @@ def simulate(
 
 @dataclass(frozen=True, eq=False)
 class ReadProgram:
-    """A program that was read.
+    """An NC program after reading, ready for simulation.
 
     Attributes
     ----------
     path : Path
     labels, lines : tuple of str
-        Label and lines of each operation.
+        Label of each operation, and the range of its lines as text.
     cuts : tuple of Cut
-        Moves and tools of the operations. Commands are lines of the text, counted from 1.
+        Moves and tool of each operation. Commands are lines of the text, counted from 1.
     remarks : tuple of Message
-        What was left out or assumed, and why.
+        Remarks on ignored commands, operations that are left out, and assumptions.
     """
 
     path: Path
@@ -143,7 +145,7 @@ def _read(path: Path, tool: Tool | Mapping[int, Tool] | None, chosen: preference
 
 
 def _tool_of(section: Section, given: Tool | Mapping[int, Tool] | None, inches: bool) -> Tool | None:
-    """Return the tool of an operation: the given one, or the one that the comments describe, in true millimetres."""
+    """Return the tool of an operation in millimetres: the given tool, or the tool that the comments describe."""
     if isinstance(given, Tool):
         return given
     if given and section.number in given:
@@ -159,9 +161,10 @@ def _missing(tool: Tool, holder: dict[str, float]) -> dict[str, float]:
 
 
 def _box_around(cuts: tuple[Cut, ...]) -> Stock:
-    """Return the box around all cuts.
+    """Return a box around all cuts as the stock.
 
-    Its top is the height 0 if all cuts are below it and at least half of the rapids are not. Otherwise the top is the highest cut.
+    The top of the box is at the height 0 if all cuts are at or below 0 and at least half of the horizontal rapids are
+    at or above 0. Otherwise the top is at the height of the highest cut.
     """
     cutting = [cut for cut in cuts if not cut.toolpath.rapid.all()]
     boxes = [stock_around(cut.toolpath, cut.tool) for cut in cutting]
@@ -179,7 +182,10 @@ def _sideways(toolpath: Toolpath) -> np.ndarray:
 
 
 def _highest_cut(cut: Cut) -> float:
-    """Return the height of the highest feed move, mm, at its lower end: ramps and plunges begin above the material."""
+    """Return the height of the highest feed move, mm. The lower end counts, because ramps begin above the material.
+
+    Vertical moves count only if the operation has no other feed moves.
+    """
     toolpath = cut.toolpath
     feeds, lower = ~toolpath.rapid, np.minimum(toolpath.points[:-1, 2], toolpath.points[1:, 2])
     level = feeds & _sideways(toolpath)
@@ -187,7 +193,7 @@ def _highest_cut(cut: Cut) -> float:
 
 
 def _rapid_heights(toolpath: Toolpath) -> np.ndarray:
-    """Return the height of each rapid sideways, mm."""
+    """Return the lower end of each rapid that moves sideways, mm."""
     heights = np.minimum(toolpath.points[:-1, 2], toolpath.points[1:, 2])
     result: np.ndarray = heights[toolpath.rapid & _sideways(toolpath)]
     return result
@@ -203,7 +209,7 @@ class ProgramSimulation(SimulatedPart):
     stock : Solid
     clamps : dict of str to Solid
     memory_budget : float
-        Largest memory, bytes.
+        Memory limit, bytes.
     zbuffer : ZBuffer
         Depth and owner of every pixel, dexels and traces.
     """
@@ -218,7 +224,7 @@ class ProgramSimulation(SimulatedPart):
         return f"<Simulation of {how_many(len(self.program.cuts), 'operation')}, {self.step} of {self.trajectories} trajectories>"
 
     def facts(self, *, tolerance: float = TOLERANCE) -> SimulationFacts:
-        """Return what each operation and the program remove, and where they cut air, crash or collide.
+        """Return the facts of each operation and of the program: removed volumes, air cuts, crashes and collisions.
 
         The facts do not depend on the view and the moment. Commands are lines of the program, counted from 1.
         """
@@ -236,7 +242,7 @@ class ProgramSimulation(SimulatedPart):
 
     @cached_property
     def _along_axis(self) -> ZBuffer:
-        """The simulation along the tool axis, as fine as is useful and as the budgets allow."""
+        """The simulation along the tool axis, with an image as fine as is useful and as the limits allow."""
         seconds, begin = preferences.read().time_budget, time.monotonic()
         view = axis_view(self.program.cuts, self.stock, memory_bytes=self.memory_budget, seconds=seconds / 2)
         while True:
@@ -248,5 +254,5 @@ class ProgramSimulation(SimulatedPart):
                 view = view.of_size(*refused.size)
 
     def _of_solid(self) -> ZBuffer:
-        """Return the z-buffer along the tool axis, whose walls are upright."""
+        """Return the z-buffer along the tool axis, in which the walls of the solid are vertical."""
         return self.zbuffer if not self.zbuffer.frame.direction[:2].any() else self._along_axis.at(self.step)

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Results as plain data, which can be printed as a table and saved as CSV or JSON.
 
-In: the `Recognition`, costs, cautions and remarks (Messages) of each operation; the facts of a simulation.
-Out: `Report`, with an `OperationReport` for each operation and a `Total` for each job; `SimulationFacts` and `JobVerdict`;
-`SimulatedPart`, the pictures and the solid of a simulated part.
+Input: the `Recognition`, costs, cautions and remarks (Messages) of each operation, and the facts of a simulation.
+Output: `Report`, with an `OperationReport` for each operation and a `Total` for each job; `SimulationFacts` and
+`JobVerdict`; `SimulatedPart`, with the pictures and the solid of a simulated part.
 """
 
 from vkworkbench.report.job_verdict import JobVerdict, fingerprint_of_job

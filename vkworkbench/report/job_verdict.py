@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The verdict of a simulation on a whole job, and what it is valid for."""
+"""The verdict of a simulation on a whole job, and the fingerprint of the job for which the verdict is valid."""
 
 from __future__ import annotations
 
@@ -11,16 +11,16 @@ from vkworkbench.language import Message, render
 
 @dataclass(frozen=True)
 class JobVerdict:
-    """The verdict of a simulation on a job.
+    """The verdict of a simulation on a job: whether the job is sound, or which faults it has.
 
     Attributes
     ----------
     what : Message
-        The verdict in one message.
+        The verdict as one message.
     valid_for : str
         Fingerprint of the simulated job, see `fingerprint_of_job`.
     outdated : bool
-        Whether the job has changed since.
+        Whether the job has changed since the simulation.
     """
 
     what: Message
@@ -29,7 +29,7 @@ class JobVerdict:
 
     @property
     def is_sound(self) -> bool:
-        """Whether the whole job was read and checked, nothing is wrong, and the job has not changed since."""
+        """Whether the whole job was checked without finding a fault, and the job has not changed since then."""
         return "verdict-sound" in self.what.codes and not self.outdated
 
     @property
@@ -42,5 +42,8 @@ class JobVerdict:
 
 
 def fingerprint_of_job(operations: Iterable[str], surroundings: str) -> str:
-    """Return the fingerprint of a job from the fingerprints of its operations and of its model, clamps and holder."""
+    """Return a job's fingerprint, from the fingerprints of its operations and the fingerprint of its surroundings.
+
+    The surroundings are the model, the clamps and the holder.
+    """
     return " ".join([*operations, surroundings])

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The results of one operation as plain data, and as the cells of a row of a table."""
+"""The results of one operation as plain data, and as cells for one row of a table."""
 
 from __future__ import annotations
 
@@ -21,18 +21,19 @@ SERIOUS = HANGS | {"long-play", "memory"}
 
 
 class Setup(NamedTuple):
-    """The tool of an operation, and the time of its setup.
+    """The tool of an operation, and the time to set it up.
 
     Attributes
     ----------
     tool : str
-        Name of the tool; empty if unknown, and for a job.
+        Name of the tool; empty if the tool is unknown, and for a job.
     planned : bool
-        Whether the machining time is planned for a machine. If not, it is at constant feed, and setups take no time.
+        Whether the machining time is planned for a machine. Otherwise it is computed with constant feeds, and without
+        times for setups.
     change : float
-        Time of a change to this tool, s; for a job, the time of all setups.
+        Time to change to this tool, s; for a job, the time of all setups.
     spindle : float
-        Time until the spindle turns, s.
+        Time until the spindle runs at its speed, s.
     """
 
     tool: str = ""
@@ -42,7 +43,7 @@ class Setup(NamedTuple):
 
 
 def setup_of(tool: str, machine: Machine | None) -> Setup:
-    """Return the setup of a tool on a machine; without a machine, it takes no time."""
+    """Return the setup of a tool on a machine. Without a machine, the setup takes no time."""
     if machine is None:
         return Setup(tool)
     return Setup(tool, True, machine.factor * machine.tool_change, machine.factor * machine.spindle_start)
@@ -59,29 +60,31 @@ class OperationReport(Costs):
     job : str or None
         Internal name of the operation's job.
     counted : bool
-        Whether the operation counts in its job's total. Inactive operations and operations with a dress-up do not.
+        Whether the operation is included in its job's total. Inactive operations and operations with a dress-up are
+        not.
     recognition : Recognition
         Strategy, confidence, reason and spans with their evidence.
     trajectories : int
-        Number of straight moves, arcs divided into chords.
+        Number of straight moves. Each chord of an arc counts as one move.
     machining : Machining
-        Lengths and machining time, computed here because FreeCAD's are wrong for arcs.
+        Lengths and machining time. FreeCAD's own values are not used, because they are wrong for arcs.
     costs, advice : mapping
-        As in `Costs`. If they are empty, `remarks` has the reason.
+        As in `Costs`. If both are empty, `remarks` contains the reason.
     cautions : tuple of Caution
         Problems and long times in FreeCAD's simulators, the worst first.
     remarks : tuple of Message
-        Problems of the operation, and missing information.
+        Problems of the operation, and remarks on missing information.
     fingerprint : str
-        Fingerprint of the analysed path, tool and stock; empty for a program.
+        Fingerprint of the analysed path, tool and stock; empty for an NC program.
     document_id : str
-        Distinguishes documents with the same name; empty for a program.
+        Identifies the document even if another document has the same name; empty for an NC program.
     called : str or None
-        FreeCAD's name of the operation's type or pattern, if its toolpath contradicts it, e.g. ``"Offset"`` for a zigzag.
+        FreeCAD's name for the operation's type or pattern, if the toolpath contradicts this name, e.g. ``"Offset"`` for
+        a zigzag; None otherwise.
     simulated : CutFacts or None
         Facts of a simulation, see `Report.with_facts`; None without a simulation.
     extent : tuple of (3,) tuples of float, or None
-        Lowest and highest coordinates of the tool's tip, mm; None without a position.
+        Lowest and highest coordinates of the tool's tip, mm; None if the toolpath has no position.
     setup : Setup
     """
 
@@ -105,12 +108,12 @@ class OperationReport(Costs):
     setup: Setup = field(default_factory=Setup)
 
     def __repr__(self) -> str:
-        """Return one line, because all attributes would fill pages of a console."""
+        """Return one line, because the console would show many pages if it printed all attributes."""
         return f"<OperationReport of {printable(self.label)}: {self.strategy}>"
 
     @property
     def strategy(self) -> Strategy:
-        """The strategy that was recognised."""
+        """The recognised strategy."""
         return self.recognition.strategy
 
     @property
@@ -165,7 +168,7 @@ class OperationReport(Costs):
         return (self.recognition.why, *self.remarks, *(c.what for c in self.cautions), *self.machining.left_out)
 
     def as_dict(self) -> dict[str, Any]:
-        """Return the results as numbers, strings and lists, in mm, s, rad and bytes."""
+        """Return the results as a dictionary of numbers, strings and lists, in mm, s, rad and bytes."""
         found = self.recognition
         return {
             "document": self.document,
@@ -220,7 +223,10 @@ class OperationReport(Costs):
 
 
 def _paper(verdict: PaperVerdict | None) -> dict[str, Any]:
-    """Return the verdict of the paper's own rule and V_k, in rad and mm; None in all cells without a verdict."""
+    """Return the verdict of the paper's own rule, and V_k (the sum of the moves), in rad and mm.
+
+    Without a verdict, all values are None.
+    """
     return {
         "paper_strategy": verdict and verdict.strategy.value,
         "paper_level": verdict and verdict.level,
@@ -235,7 +241,7 @@ def _paper(verdict: PaperVerdict | None) -> dict[str, Any]:
 
 
 def without_results(why: Message, **whose: Any) -> OperationReport:
-    """Return a row without a strategy, length, time or cost.
+    """Return the row of an operation that has no results: no strategy, length, time or cost.
 
     Parameters
     ----------
@@ -251,23 +257,24 @@ def without_results(why: Message, **whose: Any) -> OperationReport:
 
 
 def is_switched_off(found: Any) -> bool:
-    """Return whether the operation of an OperationReport or Record is switched off, and so has no toolpath."""
+    """Return whether the operation of an OperationReport or Record is inactive, so that it has no toolpath."""
     return any(remark.code == "inactive" for remark in found.remarks)
 
 
 def contradiction(found: Any) -> Message | None:
-    """Return a message if the name in an OperationReport or Record contradicts its toolpath; None otherwise."""
+    """Return a message if the toolpath of an OperationReport or Record contradicts the operation's name, else None."""
     return Message("called", name=found.called, strategy=found.strategy) if found.called else None
 
 
 def cells_of(operation: OperationReport) -> dict[str, Any]:
-    """Return the results of an operation as the cells of a row of a table.
+    """Return the results of an operation as the cells of one row of a table.
 
-    The facts of a simulation are in the columns ``simulated_...``, with commands counted from 0. These columns are empty
-    without a simulation. ``codes`` has the code of each message, followed by the codes of the messages in it. ``spans`` has
-    the first and last command of each strategy, as in `Span`: indices into ``Path.Commands``, counted from 0, or lines of a
-    program, counted from 1. Sentences count both from 1. Texts that a spreadsheet would calculate as formulas begin with an
-    apostrophe.
+    The columns ``simulated_...`` contain the facts of a simulation, with commands counted from 0. Without a simulation,
+    these columns are empty. The column ``codes`` contains the code of each message, followed by the codes of the
+    messages in its arguments. The column ``spans`` contains the first and the last command of each strategy, as in
+    `Span`. For operations in FreeCAD, the commands are indices into ``Path.Commands``, counted from 0. For NC programs,
+    they are lines, counted from 1. Sentences count commands and lines from 1. An apostrophe is put before texts that a
+    spreadsheet would calculate as formulas.
     """
     row = operation.as_dict()
     del row["messages"]

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The results of an analysis as plain data, which can be printed as a table and saved as CSV or JSON."""
+"""The report of an analysis as plain data, which can be printed as a table and saved as CSV or JSON."""
 
 from __future__ import annotations
 
@@ -20,11 +20,11 @@ from vkworkbench.report.table import table_of
 from vkworkbench.report.text_table import files_left_out, how_many
 from vkworkbench.report.total import Total, counted_in, total_of
 
-_NO_UTF8 = "surrogateescape"  # the name of a file may contain bytes that are not UTF-8
+_NO_UTF8 = "surrogateescape"  # writes file names with bytes that are not UTF-8 unchanged
 
 
 class Cancelled(Exception):
-    """The analysis was cancelled. Nothing has changed."""
+    """The analysis was cancelled, and has changed nothing."""
 
 
 @dataclass(frozen=True)
@@ -37,15 +37,16 @@ class Report:
     jobs : dict
         Label of each job, by (document name, job name).
     budget : dict
-        Limits of memory and time, as `best_resolution` takes them.
+        Limits of memory and time, as arguments of `best_resolution`.
     fixtures : dict
-        Number of times that the operations of a job are posted, if known, by (document name, job name).
+        Number of work offsets for which the operations of a job are posted, by (document name, job name). Jobs with an
+        unknown number are missing.
     simulated : dict
-        Facts of a simulation of the whole job, if there was one, by (document name, job name).
+        Facts of a simulation of the whole job, by (document name, job name). Jobs without a simulation are missing.
     verdicts : dict
-        The `JobVerdict` of a simulation of the whole job, if there was one, by (document name, job name).
+        The `JobVerdict` of a simulation of the whole job, by (document name, job name). Jobs without one are missing.
     simulator : str
-        Name of the simulator whose time and memory the table shows: the one that the marks show, if there are marks.
+        Name of the simulator whose time and memory the table shows. Marks in the tree show the same simulator.
     left_out : tuple of str
         Files in folders that were not analysed, because they do not look like NC programs.
     """
@@ -62,8 +63,9 @@ class Report:
     def with_facts(self, facts: SimulationFacts) -> Report:
         """Return the report with the facts of a simulation.
 
-        An operation gets its facts only if its toolpath, tool and stock are the simulated ones. A job gets its facts and the
-        verdict only if all its operations have theirs, except for the ones that the verdict calls unread.
+        An operation gets facts only if its toolpath, tool and stock are equal to the simulated ones. A job gets facts
+        and a verdict only if all its operations were simulated, except for the operations that `facts` lists as left
+        out.
 
         Parameters
         ----------
@@ -73,7 +75,7 @@ class Report:
         Raises
         ------
         TypeError
-            If `facts` is something else, e.g. the simulation itself.
+            If `facts` has another type, e.g. if it is the simulation itself.
         """
         of_kind("facts", facts, SimulationFacts, "what a simulation's facts() returns")
         known = {
@@ -99,7 +101,7 @@ class Report:
 
     @property
     def totals(self) -> tuple[Total, ...]:
-        """The total of each job, with every operation counted once."""
+        """The total of each job. Every operation counts once."""
         return tuple(self._total(*key, label) for key, label in self.jobs.items())
 
     def _total(self, document: str, job: str, label: str) -> Total:
@@ -113,7 +115,7 @@ class Report:
         return None if verdict is None else as_cell(str(verdict))
 
     def __repr__(self) -> str:
-        """Return one line for consoles. `print` prints the table."""
+        """Return one line for consoles. `print` prints the whole table."""
         return f"<Report of {how_many(len(self), 'operation')}>"
 
     def __iter__(self) -> Iterator[OperationReport]:
@@ -127,9 +129,9 @@ class Report:
         return f"{table}\n{files_left_out(self.left_out)}" if self.left_out else table
 
     def to_csv(self, path: str | os.PathLike[str]) -> None:
-        """Write one line for each operation, with a header, in mm, s, rad and bytes; see `cells_of`.
+        """Write a CSV file with a header and one line for each operation, in mm, s, rad and bytes; see `cells_of`.
 
-        The column ``verdict`` holds the verdict of a simulation on the job of the operation.
+        The column ``verdict`` contains the verdict of a simulation on the operation's job.
         """
         check_file_name(path)
         rows = [{**cells_of(one), "verdict": self._verdict_on_job_of(one)} for one in self.operations]
@@ -140,7 +142,7 @@ class Report:
             writer.writerows(rows)
 
     def to_json(self, path: str | os.PathLike[str]) -> None:
-        """Write the operations and the totals of their jobs, in mm, s, rad and bytes."""
+        """Write a JSON file with the operations and the totals of their jobs, in mm, s, rad and bytes."""
         check_file_name(path)
         data = {
             "operations": [o.as_dict() for o in self.operations],

@@ -19,7 +19,7 @@ _Part = TypeVar("_Part", bound="SimulatedPart")
 
 
 class SimulatedPart:
-    """A part at one moment of a simulation; the base class of a dataclass.
+    """A part at one moment of a simulation: the base class of the simulations of jobs and of NC programs.
 
     Attributes
     ----------
@@ -31,16 +31,16 @@ class SimulatedPart:
 
     @property
     def step(self) -> int:
-        """Number of trajectories that have been simulated at this moment."""
+        """Number of trajectories up to this moment."""
         return self.zbuffer.step
 
     @property
     def trajectories(self) -> int:
-        """Number of all trajectories."""
+        """Number of all trajectories of the simulation."""
         return self.zbuffer.trajectories
 
     def at(self: _Part, step: int) -> _Part:  # noqa: PYI019 - older Pythons have no Self
-        """Return the simulation at another moment, after `step` trajectories.
+        """Return the simulation at the moment after `step` trajectories.
 
         Raises
         ------
@@ -73,14 +73,14 @@ class SimulatedPart:
         Path(path).write_bytes(png(self.image()))
 
     def triangles(self) -> np.ndarray:
-        """Return the closed surface of the part at this moment, (t, 3, 3) float64 mm; see `core.zbuffer.part_triangles`.
+        """Return the triangles of the part's closed surface at this moment, (t, 3, 3) float64 mm.
 
-        The walls are upright where the pixels of the simulation end.
+        All walls are vertical and follow the edges of the pixels; see `core.zbuffer.part_triangles`.
         """
         return part_triangles(self._of_solid())
 
     def save_stl(self, path: str | os.PathLike[str]) -> None:
-        """Write the part at this moment to a binary STL file, in mm. The surface is closed, see `triangles`.
+        """Write the part at this moment to a binary STL file, in mm, as a closed surface; see `triangles`.
 
         Raises
         ------
@@ -95,7 +95,7 @@ class SimulatedPart:
         write_stl(path, self.triangles())
 
     def _of_solid(self) -> ZBuffer:
-        """Return the z-buffer whose pixels become the solid."""
+        """Return the z-buffer from which the solid is made."""
         return self.zbuffer
 
 

@@ -19,12 +19,14 @@ from vkworkbench.language import ENGLISH, Message, render
 from vkworkbench.report.spreadsheet import as_cell
 from vkworkbench.report.text_table import how_many, line, printable, widths_of
 
-_WIDTH = 400  # characters of a remark below the table
+_WIDTH = 400  # maximum length of a remark below the table, characters
 
 
 @dataclass(frozen=True)
 class SimulationFacts:
-    """The facts of a simulation. Commands are counted from 0, as in ``Path.Commands``.
+    """The facts of a simulation: removed volumes, removal rates and faults.
+
+    Commands are indices into ``Path.Commands``, counted from 0, or lines of an NC program, counted from 1.
 
     Attributes
     ----------
@@ -33,20 +35,20 @@ class SimulationFacts:
     job : CutFacts
         Facts of all operations together.
     names : tuple of (str, str)
-        Internal names of the document and the object of each operation.
+        Internal names of each operation's document and object.
     fingerprints : tuple of str
-        Fingerprint of the simulated toolpath, tool and stock of each operation.
+        Fingerprint of each operation's simulated toolpath, tool and stock.
     trajectories : mapping of str to ndarray
         Columns with one value for each trajectory, see `core.zbuffer.trajectory_table`.
     remarks : tuple of Message
-        Remarks on the simulation, e.g. tools that were simulated only approximately.
+        Remarks on the simulation, e.g. about tools that were simulated only approximately.
     verdict : Verdict
-        Faults, fineness and gaps of the check.
+        The faults that the simulation has found, its pixel size, and everything that it could not check.
     left_out : tuple of (str, str)
-        Internal names of document and object of the operations that were not simulated.
+        Internal names of document and object of each operation that was not simulated.
     valid_for : str
-        Fingerprint of the job for its verdict; empty if only a part of the job was simulated, or with another stock or other
-        clamps, and for a program.
+        Fingerprint of the job for which the verdict is valid. Empty for a program, if only a part of the job was
+        simulated, or if the simulation used another stock or other clamps.
     """
 
     operations: tuple[tuple[str, CutFacts], ...]
@@ -60,7 +62,7 @@ class SimulationFacts:
     valid_for: str = ""
 
     def __repr__(self) -> str:
-        """Return one line for consoles. `print` prints the table."""
+        """Return one line for consoles. `print` prints the whole table."""
         return f"<SimulationFacts of {how_many(len(self.operations), 'operation')}>"
 
     @property
@@ -69,7 +71,7 @@ class SimulationFacts:
         return self.verdict.message([label for label, _ in self.operations])
 
     def as_dict(self) -> dict[str, Any]:
-        """Return the facts as numbers, strings and lists, in mm, s, mm^3 and mm^3/min."""
+        """Return the facts as a dictionary of numbers, strings and lists, in mm, s, mm^3 and mm^3/min."""
         return {
             "operations": [{"label": label, **facts.as_dict()} for label, facts in self.operations],
             "job": self.job.as_dict(),
@@ -82,9 +84,10 @@ class SimulationFacts:
         }
 
     def to_csv(self, path: str | os.PathLike[str]) -> None:
-        """Write a header, one line for each operation, and one for the job, with the number of faults and the worst ones.
+        """Write a CSV file with a header, one line for each operation, and one line for the job.
 
-        The last column, ``verdict``, is filled in the line of the job.
+        Each line has the number of faults of each kind and the worst fault. The last column, ``verdict``, is filled
+        only in the line of the job.
         """
         check_file_name(path)
         rows = [{"label": as_cell(label), **facts.cells()} for label, facts in self.operations]
@@ -95,15 +98,15 @@ class SimulationFacts:
             writer.writerows(rows)
 
     def to_json(self, path: str | os.PathLike[str]) -> None:
-        """Write all facts, with the place of every fault."""
+        """Write a JSON file with all facts, including the place of every fault."""
         check_file_name(path)
         with open(path, "w", encoding="utf-8") as file:
             json.dump(self.as_dict(), file, indent=1, ensure_ascii=False)
 
     def trajectories_to_csv(self, path: str | os.PathLike[str]) -> None:
-        """Write a header and one line for each trajectory: its operation, its command and the removed volume.
+        """Write a CSV file with a header and one line for each trajectory, see `trajectories`.
 
-        Unknown rates are empty cells.
+        The first column is the operation's label. Cells with unknown numbers are empty.
         """
         check_file_name(path)
         table = dict(self.trajectories)
@@ -140,7 +143,7 @@ class SimulationFacts:
 
 
 def _cells(column: np.ndarray) -> list[Any]:
-    """Return the cells of a column. NaN becomes an empty cell, because spreadsheets would read it as text."""
+    """Return the cells of a column. NaN becomes an empty cell, because spreadsheets would read NaN as text."""
     return [None if isinstance(value, float) and isnan(value) else value for value in column.tolist()]
 
 

@@ -14,11 +14,11 @@ from vkworkbench.report.operation import OperationReport, contradiction
 from vkworkbench.report.text_table import how_many, line, printable, widths_of
 from vkworkbench.report.total import Total, counted_in
 
-_VERDICT = 1000  # letters of a verdict
+_VERDICT = 1000  # maximum length of a verdict below the table, characters
 
 
 def table_of(operations: Sequence[OperationReport], totals: Sequence[Total], simulator: str) -> str:
-    """Return the table of operations with their costs in a simulator, and the totals of their jobs below a line."""
+    """Return a table of the operations with their costs in one simulator, and the jobs' totals below a line."""
     header: tuple[str, ...] = (
         "operation", "strategy", "confidence", "moves", "cutting", "machining", f"{simulator} time", f"{simulator} memory", "",
     )  # fmt: skip
@@ -30,7 +30,7 @@ def table_of(operations: Sequence[OperationReport], totals: Sequence[Total], sim
         rows = [(names[o.document], *row) for o, row in zip(operations, rows)]
         below = [(names[t.document], *row) for t, row in zip(totals, below)]
     widths = widths_of([header, *rows, *below])
-    left = {*range(len(widths) - 7), len(widths) - 1}  # all columns except the six with numbers
+    left = {*range(len(widths) - 7), len(widths) - 1}  # left-aligned columns: all except the six with numbers
     rule = "  ".join("-" * width for width in widths[:-1])
     title, *shown = (line(row, widths, left) for row in (header, *rows))
     lines = [title, rule, *shown]
@@ -41,7 +41,7 @@ def table_of(operations: Sequence[OperationReport], totals: Sequence[Total], sim
 
 
 def _short_names(documents: Iterable[str]) -> dict[str, str]:
-    """Return the documents' names for the table. The names of programs are paths, which lose their common folder."""
+    """Return the documents' names for the table. Programs have paths as names, whose common folder is removed."""
     parts = {name: PurePath(name).parts for name in documents}
     shared = next((depth for depth, names in enumerate(zip_longest(*parts.values())) if len(set(names)) > 1), 0)
     return {name: printable(str(PurePath(*of_name[shared:])), 200) for name, of_name in parts.items()}
@@ -61,7 +61,7 @@ def _row(o: OperationReport, simulator: str) -> tuple[str, ...]:
 
 
 def _is_idle(o: OperationReport) -> bool:
-    """Return whether an operation has no moves: it is switched off, a stop, or has no toolpath. It gets no times."""
+    """Return whether an operation has no moves, e.g. an inactive operation or a stop. Its cells for times are empty."""
     return o.strategy is Strategy.EMPTY and not o.trajectories
 
 
@@ -84,12 +84,12 @@ def _total_row(t: Total, operations: Sequence[OperationReport], simulator: str) 
 
 
 def _is_measured(o: OperationReport) -> bool:
-    """Return whether the cutting length is known. It may be 0."""
+    """Return whether the cutting length is known. A known length can be 0."""
     return bool(o.length) or o.machining.cutting_seconds is not None
 
 
 def _machining(length: float, seconds: float, complete: bool, measured: bool) -> tuple[str, str]:
-    """Return the cutting length and the machining time as texts; unknown ones are question marks."""
+    """Return the cutting length and the machining time as texts. A question mark stands for an unknown value."""
     time = ENGLISH.clock(seconds)
     if complete:
         return ENGLISH.length(length), time
@@ -97,7 +97,7 @@ def _machining(length: float, seconds: float, complete: bool, measured: bool) ->
 
 
 def _cost(of: Costs, simulator: str, least: bool) -> tuple[str, str]:
-    """Return the time and the memory of a simulation as texts, in the same form as in marks."""
+    """Return the time and the memory of a simulation as texts, in the same form as in the marks in the tree."""
     cost = of.cost(simulator)
     if cost is None:
         return "?", "?"

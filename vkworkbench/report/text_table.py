@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Printed tables, whose columns are as wide as their widest cell."""
+"""Helpers for printed tables. Each column is as wide as its widest cell."""
 
 from __future__ import annotations
 
@@ -7,12 +7,12 @@ import re
 import sys
 from collections.abc import Collection, Iterable, Sequence
 
-_MOST_NAMED = 20  # files that are left out, by name
+_MOST_NAMED = 20  # maximum number of names in the sentence about files that are left out
 _CONTROL = re.compile(r"[\x00-\x1f\x7f-\x9f]+")
 
 
 def printable(text: str, longest: int = 60) -> str:
-    """Return a text of limited length without control characters, which would break the table or control the terminal."""
+    """Return a text of limited length. Control characters are replaced, because they could change the terminal."""
     text = _CONTROL.sub(" ", text)
     return text if len(text) <= longest else text[: longest - 1] + "…"
 
@@ -23,7 +23,7 @@ def how_many(number: int, thing: str) -> str:
 
 
 def files_left_out(paths: Iterable[str]) -> str:
-    """Return a sentence with the names of files in folders that are not analysed."""
+    """Return a sentence that names the files in folders that are not analysed."""
     names = [printable(path, sys.maxsize) for path in paths]
     more = f", and {len(names) - _MOST_NAMED:,} more" if len(names) > _MOST_NAMED else ""
     return f"Left out, because they do not look like NC programs: {', '.join(names[:_MOST_NAMED])}{more}."
@@ -35,6 +35,6 @@ def widths_of(rows: Sequence[Sequence[str]]) -> list[int]:
 
 
 def line(row: Sequence[str], widths: Sequence[int], left: Collection[int]) -> str:
-    """Return a row as a line. The columns `left` are aligned to the left, all others to the right."""
+    """Return a row of the table as a line of text. The columns `left` are left-aligned, all others right-aligned."""
     cells = (cell.ljust(w) if i in left else cell.rjust(w) for i, (cell, w) in enumerate(zip(row, widths)))
     return "  ".join(cells).rstrip()

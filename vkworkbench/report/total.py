@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The total of the operations of a job."""
+"""Add up the operations of a job."""
 
 from __future__ import annotations
 
@@ -25,23 +25,23 @@ class Total(Costs):
         Internal names of the document and the job, and the job's label.
     operations, trajectories : int
     length : float
-        Cutting length for one fixture, mm.
+        Cutting length for one work offset, mm.
     fixtures : int
-        Number of times that the operations are posted: once for each work offset (G54 to G59) of the job.
+        Number of work offsets of the job (G54 to G59). All operations are posted once for each work offset.
     machining_seconds : float
-        Time of the moves with a known speed, the dwells and the setups, for all fixtures, s.
+        Time of the moves with a known speed, the dwells and the setups, for all work offsets, s.
     machining_complete : bool
-        Whether `machining_seconds` includes all moves. If not, it is a lower bound.
+        Whether `machining_seconds` includes all moves. Otherwise it is a lower bound.
     incomplete : bool
-        Whether the cost of an operation is unknown, so that the costs are lower bounds.
+        Whether the cost of at least one operation is unknown, so that the costs are lower bounds.
     costs, advice : mapping
-        As in `Costs`, for one run of all operations; empty if the cost of no operation is known.
+        As in `Costs`, for one run of all operations. Both are empty if no operation has a known cost.
     setup : Setup
-        Time of tool changes and starts of the spindle, for all fixtures.
+        Time of tool changes and starts of the spindle, for all work offsets.
     simulated : CutFacts or None
         Facts of a simulation of all operations; None without a simulation.
     verdict : JobVerdict or None
-        Its verdict.
+        Verdict of this simulation; None without a simulation.
     """
 
     document: str
@@ -76,7 +76,7 @@ class Total(Costs):
         return cost[1] if cost else 0
 
     def as_dict(self) -> dict[str, Any]:
-        """Return the total as numbers and strings, in mm, s and bytes."""
+        """Return the total as a dictionary of numbers and strings, in mm, s and bytes."""
         return {
             "document": self.document,
             "job": self.job,
@@ -99,14 +99,14 @@ class Total(Costs):
 
 
 def counted_in(operations: Iterable[OperationReport], document: str, job: str) -> list[OperationReport]:
-    """Return the operations that count in a job's total."""
+    """Return the operations that a job's total includes."""
     return [o for o in operations if o.counted and (o.document, o.job) == (document, job)]
 
 
 def total_of(
     document: str, job: str, label: str, counted: Sequence[Any], budget: dict[str, float] | None, fixtures: int = 1
 ) -> Total:
-    """Return the total of operations that run one after another. All shown totals come from this function.
+    """Return the total of operations that run one after another. This function computes all totals that a user sees.
 
     Parameters
     ----------
@@ -115,9 +115,9 @@ def total_of(
     counted : sequence of OperationReport or Record
         The posted operations, in their order.
     budget : dict or None
-        As in :class:`Report`. Without a budget, there is no advice.
+        As in :class:`Report`. Without a budget, the total contains no advice.
     fixtures : int
-        Number of times that the operations are posted.
+        Number of work offsets for which the operations are posted.
     """
     known = [o for o in counted if o.costs]
     costs: Mapping[str, Any]
@@ -146,7 +146,7 @@ def total_of(
 
 
 def _setup_seconds(counted: Sequence[Any]) -> float:
-    """Return the time of tool changes and starts of the spindle, s. The first tool is in the spindle already."""
+    """Return the time of tool changes and starts of the spindle, s. The first tool needs no tool change."""
     setups = [o.setup for o in counted if o.setup.tool]
     changes = [new for old, new in zip(setups, setups[1:]) if new.tool != old.tool]
     seconds: float = sum(setup.spindle for setup in (*setups[:1], *changes)) + sum(setup.change for setup in changes)
@@ -154,5 +154,5 @@ def _setup_seconds(counted: Sequence[Any]) -> float:
 
 
 def has_unknown_cost(operation: Any) -> bool:
-    """Return whether the operation of an OperationReport or Record cuts, but its cost is unknown."""
+    """Return whether the operation of an OperationReport or Record has moves, but no known cost."""
     return operation.trajectories > 0 and operation.strategy is not Strategy.EMPTY and not operation.costs

@@ -10,12 +10,12 @@ from vkworkbench.core import Toolpath
 from vkworkbench.language import Message
 from vkworkbench.report.operation import OperationReport
 
-# Share by which a job may exceed the travel because of rounding.
+# Share by which the needed travel may exceed the machine's travel without a remark, to allow for rounding.
 _ROUNDING = 1e-9
 
 
 def extent_of(toolpath: Toolpath) -> tuple[tuple[float, float, float], tuple[float, float, float]] | None:
-    """Return the lowest and the highest coordinates of the tool's tip, mm; None without a position."""
+    """Return the lowest and highest coordinates of the tool's tip, mm; None if the toolpath has no position."""
     if not len(toolpath.points):
         return None
     return tuple(toolpath.points.min(axis=0).tolist()), tuple(toolpath.points.max(axis=0).tolist())
@@ -24,14 +24,16 @@ def extent_of(toolpath: Toolpath) -> tuple[tuple[float, float, float], tuple[flo
 def with_travel(
     rows: Sequence[OperationReport], job: Iterable[OperationReport], travel: tuple[float, float, float]
 ) -> list[OperationReport]:
-    """Return the rows of a report. The first one of a job has a remark for each axis along which the job needs more travel.
+    """Return the rows of a report with remarks on axes along which a job needs more travel than the machine has.
+
+    The job's first row in the report gets the remarks.
 
     Parameters
     ----------
     rows : sequence of OperationReport
-        Rows of the report.
+        All rows of the report.
     job : iterable of OperationReport
-        Rows of one job; not all need be in the report.
+        All rows of one job. Some of them may be missing in the report.
     travel : tuple of float
         Travel of the machine along X, Y and Z, mm; 0 if unknown.
     """

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Images of the simulated part, from its depths and owners.
 
-Input: a `ZBuffer` along the tool axis, and the `Frame` of a picture from any direction. Output: images (height, width, 3) of uint8 with row 0 at the top, positions
-of points in the image, and the image as a PNG file.
+Input: a `ZBuffer` along the tool axis, and the `Frame` of a picture from any direction. Output: images
+(height, width, 3) of uint8 with row 0 at the top, positions of points in the image, and the image as a PNG file.
 """
 
 from vkworkbench.core.rendering.camera import direction_of, project, turned

@@ -9,7 +9,8 @@ import numpy as np
 
 from vkworkbench.core.view import VERTICAL, Frame
 
-# Steepest view that turning can reach, rad: a vertical view has no upright direction.
+# Steepest elevation of the view that turning can reach, rad. In a vertical view, the image has no natural upward
+# direction.
 _STEEPEST = pi / 2 - 1e-3
 
 
@@ -21,7 +22,7 @@ def turned(direction: tuple[float, float, float], across: float, up: float) -> t
     direction : (3,) tuple of float
         Direction in which the eye looks.
     across, up : float
-        Angles by which the part turns to the right and its front upwards, rad.
+        Angle by which the part turns to the right, and angle by which its front turns upwards, rad.
 
     Returns
     -------
@@ -38,7 +39,7 @@ def turned(direction: tuple[float, float, float], across: float, up: float) -> t
 
 
 def direction_of(quaternion: tuple[float, float, float, float]) -> tuple[float, float, float]:
-    """Return the direction of a camera with the rotation quaternion (x, y, z, w); without rotation the camera looks down."""
+    """Return the view direction of a camera from its rotation quaternion (x, y, z, w). Unrotated cameras look down."""
     x, y, z, w = quaternion
     return -2 * (x * z + w * y), -2 * (y * z - w * x), -(1 - 2 * (x * x + y * y))
 

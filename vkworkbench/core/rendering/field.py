@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The part at one moment as columns of material along the tool axis: the field that is drawn from any direction.
+"""The simulated part at one moment as a field of columns of material along the tool axis, drawn from any direction.
 
-Tools open the rays of a view from above from the top, so a ray holds one column of material, from the surface that was cut down
-to the end of the stock. Only a stock with undercuts has several columns on a ray; each further column belongs to another layer.
+Each vertical ray has one column of material, from the cut surface down to the end of the stock, because tools remove
+material from the top. Only a stock with undercuts has several columns on a ray. The first columns of all rays form one
+layer, the second columns form the next layer, and so on.
 """
 
 from __future__ import annotations
@@ -17,7 +18,8 @@ import numpy as np
 from vkworkbench.core.rendering.shading import EMPTY, STEEPEST, shadow, slope
 from vkworkbench.core.zbuffer import STOCK, ZBuffer
 
-# Cells around the top of a wall that determine its direction: offsets along x and y.
+# Offsets along x and y of the cells around the top of a wall. The heights of these cells determine the wall's
+# direction.
 _AROUND = [(x, y) for x in range(-4, 5) for y in range(-4, 5) if 0 < x * x + y * y <= 17]
 
 
@@ -27,11 +29,11 @@ class Section(NamedTuple):
     Attributes
     ----------
     axis : int
-        Axis at right angles to the plane: 0 for X, 1 for Y, 2 for Z.
+        Axis perpendicular to the plane: 0 for X, 1 for Y, 2 for Z.
     place : float
         Coordinate of the plane, mm.
     hides_above : bool
-        Whether the part is hidden above the plane, where the coordinate is greater, or below.
+        True: the part is hidden where the coordinate is greater than `place`. False: where it is smaller.
     """
 
     axis: int
@@ -52,9 +54,9 @@ class Layer:
     cell : float
         Side of a cell, mm.
     is_part : bool
-        Whether the material belongs to the part, not to chips.
+        True for the part, False for chips.
     cut : (rows + 2, columns + 2) bool, optional
-        Cells with a face of a section: on their own tops, or on the walls behind them.
+        Cells at which the section's cut face is visible: on the cell's own top, or on the wall behind the cell.
     """
 
     top: np.ndarray
@@ -66,7 +68,7 @@ class Layer:
 
     @cached_property
     def upside_down(self) -> Layer:
-        """The layer for views from below. The lower ends of the part's columns are surfaces of the raw stock."""
+        """The layer turned upside down, for views from below. The part's lower surface belongs to the raw stock."""
         owner = np.full_like(self.owner, STOCK) if self.is_part else self.owner
         turned = Layer(-self.bottom, -self.top, owner, self.cell, self.is_part, self.cut)
         vars(turned)["upside_down"] = self
@@ -86,7 +88,7 @@ class Layer:
 
     @cached_property
     def slopes(self) -> tuple[np.ndarray, np.ndarray]:
-        """Slopes of the tops along x and y; at a step the smaller slope of the two sides."""
+        """Slopes of the tops along x and y. A cell at a step has the smaller slope of its two sides."""
         return slope(self.top, self.cell, 1), slope(self.top, self.cell, 0)
 
     @cached_property
@@ -97,12 +99,12 @@ class Layer:
         return result
 
     def wall_normals(self, cell: np.ndarray) -> np.ndarray:
-        """Return the level normals of the walls of cells (k,): away from the material around their tops.
+        """Return the horizontal normals of the walls of cells (k,). A normal points away from the surrounding material.
 
         Returns
         -------
         (2, k) float32
-            x and y of unit vectors; 0 for a pin, or a wall between two slots.
+            x and y of unit vectors; 0 for a pin or a wall between two slots, which have no single direction.
         """
         known = self._wall_normals
         unknown = np.zeros(self.top.size, bool)
@@ -123,7 +125,7 @@ class Layer:
 
     @cached_property
     def _wall_normals(self) -> np.ndarray:
-        """The normals that were computed, by cell, (2, cells) float32; NaN for the others."""
+        """Cache of the walls' normals by cell, (2, cells) float32. NaN: not computed yet."""
         return np.full((2, self.top.size), np.nan, np.float32)
 
 
@@ -204,7 +206,7 @@ class Field:
         return replace(layer, top=top, bottom=np.where(hidden, np.float32(-EMPTY), bottom), cut=cut)
 
     def _layer(self, near: np.ndarray, far: np.ndarray, owner: np.ndarray, is_part: bool) -> Layer:
-        """Return the layer of the columns between depths (pixels,), NaN for a ray without one."""
+        """Return the layer of columns that reach from `near` to `far` (pixels,). Rays without a column have NaN."""
         return Layer(self._in_border(-near, EMPTY), self._in_border(-far, -EMPTY), self._in_border(owner, STOCK),
                      self.frame.pixel, is_part)  # fmt: skip
 
@@ -218,14 +220,14 @@ class Field:
 
 
 def _columns_of_part(zbuffer: ZBuffer) -> Iterator[tuple[np.ndarray, np.ndarray, np.ndarray]]:
-    """Yield near ends, far ends and owners of the first column on each ray, then of the second columns, until none is left."""
+    """Yield near ends, far ends and owners of the first columns of all rays, then of the second columns, and so on."""
     picture, records = zbuffer.picture, zbuffer.records
     if not records.has_gaps:
         yield picture.depth, np.where(np.isnan(picture.depth), np.float32(np.nan), records.ends), picture.owner
         return
     dexels = zbuffer.dexel_records
     pixel = dexels["pixel"].astype(np.int64)
-    order = np.arange(len(pixel)) - np.searchsorted(pixel, pixel)  # of each dexel on its ray
+    order = np.arange(len(pixel)) - np.searchsorted(pixel, pixel)  # position of each dexel on its ray
     for number in range(int(order.max(initial=0)) + 1):
         own = order == number
         near, far = np.full((2, len(picture.depth)), np.nan, np.float32)

@@ -1,10 +1,12 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Which column of a field each pixel of a parallel view sees.
+"""Find the column of a field that each pixel of a parallel view sees, by the floating-horizon algorithm.
 
-In parallel projection, a step away from the eye rises sin(e) on the screen and a step up rises cos(e), where e is the elevation of
-the eye. Along one column of pixels, from the front to the back, the running maximum of the screen heights of the back edges of
-columns is the horizon: a pixel sees the first column whose horizon reaches it (the floating-horizon algorithm). Below the front edge
-of its top it sees the wall. The running minimum of the lower ends of the columns is a second, lower horizon.
+In parallel projection, with the eye at the elevation e, a horizontal step of 1 mm away from the eye moves a point
+up by sin(e) on the screen, and a vertical step of 1 mm moves it up by cos(e). The columns behind one column of pixels
+are visited from front to rear. The horizon is the greatest screen height of the rear edges of the columns visited so
+far. A pixel sees the first column whose horizon reaches the pixel. The pixel sees the column's wall if it is below the
+front edge of the column's top, and the top otherwise. The lower ends of the columns have a second horizon, which is the
+smallest screen height so far.
 """
 
 from __future__ import annotations
@@ -18,14 +20,14 @@ from vkworkbench.core.rendering.field import Layer
 from vkworkbench.core.rendering.shading import EMPTY
 from vkworkbench.core.view import Frame
 
-# Sine and cosine of the elevation below which tops, or walls, are not seen.
+# If the sine of the elevation is smaller, tops are invisible. If the cosine is smaller, walls are invisible.
 _LEVEL = 1e-6
 _FRACTION = 16  # bits of the fraction in positions of cells
 
 
 @dataclass(frozen=True, eq=False)
 class Seen:
-    """The surfaces that the pixels of an image see. Pixels without a surface are left out.
+    """The surfaces that the pixels of an image see. Pixels that see no surface are not included.
 
     Attributes
     ----------
@@ -36,7 +38,7 @@ class Seen:
     depth : (k,) float32
         Depth along the view, mm.
     walls : Walls
-        The pixels that see the wall of the column, not its top.
+        The pixels that see the wall of a column instead of its top.
     """
 
     pixel: np.ndarray
@@ -55,7 +57,7 @@ class Walls(NamedTuple):
     cell, front : (k,) int64
         Cell of the column, and the cell in front of it.
     height : (k,) float32
-        Height of the seen place in the coordinates of the layer, mm.
+        Height of the visible point in the coordinates of the layer, mm.
     """
 
     number: np.ndarray
@@ -64,19 +66,19 @@ class Walls(NamedTuple):
     height: np.ndarray
 
     def chosen(self, which: np.ndarray) -> Walls:
-        """Return some of the pixels, `which` (k,) bool."""
+        """Return the pixels that are selected by `which`, (k,) bool."""
         number = np.flatnonzero(which)
         return Walls(*(part[number] for part in self))
 
 
-# Arrays are indexed with brackets and int64, because `take`, and indices of 32 bits, are several times slower.
+# Arrays are indexed with brackets and int64, because `take` and 32-bit indices are several times slower.
 def look(layer: Layer, of_layer: Frame, frame: Frame) -> Seen:
-    """Return what the pixels of an image see.
+    """Return the surfaces of a layer that the pixels of an image see.
 
     Parameters
     ----------
     layer : Layer
-        For a view from below, the layer upside down.
+        For a view from below: the layer turned upside down.
     of_layer : Frame
         Frame in which the layer was simulated, from above.
     frame : Frame
@@ -104,7 +106,7 @@ def look(layer: Layer, of_layer: Frame, frame: Frame) -> Seen:
     if len(solid) < len(pixel):
         pixel, step, cell, row, top, rise = (part[solid] for part in (pixel, step, cell, row, top, rise))
     number = np.flatnonzero(top * scale + rise > row)
-    # Division by nearly 0 occurs only for the kind of surface that such a view does not see.
+    # The divisor is nearly 0 only for tops in horizontal views and for walls in vertical views, which are invisible.
     row -= np.float32(frame.height / 2)
     depth = row * np.float32(frame.pixel * cosine / max(sine, _LEVEL))
     top += np.float32(turned.lift)
@@ -122,24 +124,25 @@ def look(layer: Layer, of_layer: Frame, frame: Frame) -> Seen:
 
 
 def _places(height: int, width: int) -> tuple[np.ndarray, np.ndarray]:
-    """Return the centre of each pixel's row, in pixels from the lower edge, and its column, (pixels,)."""
+    """Return the row's centre, in pixels from the lower edge, and the column's number of each pixel, (pixels,) both."""
     row, column = np.arange(0.5, height, dtype=np.float32), np.arange(width)
     return np.repeat(row, width), np.tile(column, height)
 
 
 class _Turned:
-    """The cells of a layer, turned so that each column of pixels has a column of cells from the front to the back.
+    """The cells of a layer, resampled so that each column of pixels has a column of cells from front to rear.
 
     Attributes
     ----------
     cell : (n, width) int64
-        Cells of the layer. Those of the last row belong to the border.
+        Cells of the layer. The cells of the last row belong to the border.
     step, first : float
-        Length of a cell away from the eye, and distance of the front edge of the first one from the image's centre, mm.
+        Length of a cell in the direction away from the eye, and position of the first cell's front edge relative to the
+        image's centre, mm.
     lift : float
-        Height of the layer's height 0 above the image's centre, mm.
+        Height of the layer's origin above the image's centre, mm.
     rise : (n,) float32
-        Height on the screen of the front edge of each cell at the height 0 of the layer, pixels from the lower edge.
+        Screen height of each cell's front edge, for a top at height 0 in the layer, in pixels from the lower edge.
     """
 
     def __init__(self, layer: Layer, of_layer: Frame, frame: Frame, sine: float, cosine: float) -> None:
@@ -150,7 +153,7 @@ class _Turned:
         half = np.array([of_layer.width, of_layer.height]) * of_layer.pixel / 2
         middle, reach = float(from_centre[:2] @ away), float(np.abs(away) @ half)
         nearest, farthest = middle - reach, middle + reach
-        if sine > _LEVEL:  # only what the image can show
+        if sine > _LEVEL:  # only the cells that the image can show
             low, high = (lift + height for height in layer.extent)
             edge = frame.height * frame.pixel / 2
             nearest = max(nearest, (-edge - high * cosine) / sine)
@@ -161,7 +164,8 @@ class _Turned:
         edges = self.first + self.step * np.arange(count)
         self.rise = ((edges * sine + lift * cosine) / frame.pixel + frame.height / 2).astype(np.float32)
         across = (np.arange(frame.width) + 0.5 - frame.width / 2) * frame.pixel
-        # Sums of fixed-point numbers instead of a rotation of each cell.
+        # The index of a cell is the sum of two fixed-point numbers. Sums are faster than rotating the position of each
+        # cell.
         side = layer.top.shape[1]
         index = [
             _sums((edges + self.step / 2) * away[axis], across * right[axis], of_layer.pixel,
@@ -175,7 +179,7 @@ class _Turned:
 
 
 def _sums(along: np.ndarray, across: np.ndarray, cell: float, offset: float, count: int) -> np.ndarray:
-    """Return the row or column of a layer at each sum of two coordinates, (len(along), len(across)) int32."""
+    """Return the layer's row or column for each sum of two coordinates, mm, (len(along), len(across)) int32."""
     one = 1 << _FRACTION
     fixed = [np.rint(part / cell * one).astype(np.int64) for part in (along, across + offset + cell)]
     limit = 1 << 29
@@ -186,12 +190,14 @@ def _sums(along: np.ndarray, across: np.ndarray, cell: float, offset: float, cou
 
 
 def _first_above(back: np.ndarray, height: int) -> np.ndarray:
-    """Return the first step at which the horizon reaches each pixel, (height, width) int32; the last step if it never does.
+    """Return the first step at which the horizon reaches each pixel, (height, width) int32.
+
+    The last step stands for pixels that the horizon never reaches.
 
     Parameters
     ----------
     back : (n, width) float32
-        Heights on the screen of the back edges of the tops, pixels.
+        Screen heights of the rear edges of the tops, pixels.
     """
     steps, width = back.shape
     covered = np.empty((steps, width), np.int32)  # pixels below the horizon before each step
@@ -204,7 +210,7 @@ def _first_above(back: np.ndarray, height: int) -> np.ndarray:
     covered *= np.int32(width)
     covered += np.arange(width, dtype=np.int32)
     found = np.zeros((height + 1, width), np.int32)
-    # Of the steps with the same horizon before them, the last one is assigned last: it raises the horizon.
+    # Several steps may have the same horizon before them. The last of them raises the horizon, and it is assigned last.
     found.ravel()[covered.astype(np.int64)] = np.arange(steps, dtype=np.int32)[:, None]
     for below, row in zip(found, found[1:-1]):
         np.maximum(below, row, out=row)
@@ -212,12 +218,12 @@ def _first_above(back: np.ndarray, height: int) -> np.ndarray:
 
 
 def _first_between(low: np.ndarray, back: np.ndarray, row: np.ndarray) -> np.ndarray:
-    """Return the first step that each pixel sees if columns end at different heights, (height, width) int32.
+    """Return the first step that each pixel sees, if the columns' lower ends differ in height, (height, width) int32.
 
     Parameters
     ----------
     low, back : (n, width) float32
-        Heights on the screen of the lower end of each column, and of the back edge of its top, pixels.
+        Screen heights of the lower end of each column, and of the rear edge of its top, pixels.
     row : (pixels,) float32
         Centre of the row of each pixel.
     """
@@ -227,7 +233,7 @@ def _first_between(low: np.ndarray, back: np.ndarray, row: np.ndarray) -> np.nda
     low, back = low.ravel(), back.ravel()
     index = (first * np.int64(width) + np.arange(width)).ravel()
     pending = np.flatnonzero((low[index] > row) | (back[index] < row))
-    # Rays that pass below one column and above another: look on, column by column.
+    # Some rays pass below one column and above another. For these rays, the search continues column by column.
     last = (steps - 1) * width
     for _ in range(steps):
         pending = pending[index[pending] < last]

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Colours of surfaces: distinct ones for operations, a scale for numbers."""
+"""Colours of surfaces: distinct colours for operations, a colour scale for numbers, and colours for deviations."""
 
 from __future__ import annotations
 
@@ -7,7 +7,8 @@ import colorsys
 
 import numpy as np
 
-# Colours of gouges and of excess stock, from the tolerance to DEEPEST times the tolerance.
+# Colours of gouges and of excess stock. The first colour stands for a deviation of one tolerance, the last for DEEPEST
+# tolerances.
 GOUGED = np.array([(244, 166, 154), (214, 39, 40), (120, 0, 20)], np.uint8)
 LEFT = np.array([(158, 202, 241), (49, 110, 214), (10, 30, 120)], np.uint8)
 # Colours of surfaces within the tolerance, and of pixels without a model.
@@ -15,13 +16,13 @@ MET, NO_MODEL = (214, 219, 208), (150, 146, 138)
 # Deviation with the darkest colour, as a multiple of the tolerance.
 DEEPEST = 10.0
 
-# Colours of the scale at equal distances, from the least to the most: dark to bright, so that the scale is readable
-# without colour vision. Stations of viridis (van der Walt and Smith 2015).
+# Equally spaced colours of the scale, from the smallest to the largest number. The colours are samples of viridis
+# (van der Walt and Smith 2015). They become steadily brighter, so the scale is readable without colour vision.
 SCALE = np.array(
     [(68, 1, 84), (72, 40, 120), (62, 74, 137), (49, 104, 142), (38, 130, 142), (31, 158, 137), (53, 183, 121),
      (110, 206, 88), (181, 222, 43), (253, 231, 37)], np.uint8,
 )  # fmt: skip
-# Difference between successive hues, in turns: with the golden section, no two of many hues are close.
+# Difference between successive hues, in turns. With the golden section, even many hues differ clearly from each other.
 _GOLDEN = 0.618033988749895
 
 
@@ -30,7 +31,7 @@ RAW, CUT = (160, 146, 122), (176, 192, 208)
 
 
 def palette(colors: np.ndarray | tuple[int, int, int]) -> np.ndarray:
-    """Return the colours of surfaces by owner: the raw stock's colour, then the colour of each trajectory.
+    """Return the colours by owner: first the colour of the raw stock, then the colour of each trajectory.
 
     Parameters
     ----------
@@ -45,20 +46,20 @@ def palette(colors: np.ndarray | tuple[int, int, int]) -> np.ndarray:
 
 
 def colors_of(owner: np.ndarray, palette: np.ndarray) -> np.ndarray:
-    """Return the colour of each pixel, the shape of `owner` and 3.
+    """Return the colour of each pixel, (height, width, 3) uint8.
 
     Parameters
     ----------
     owner : (height, width) int32
-        Trajectory that made the surface, -1 for the stock's own.
+        Trajectory that made the surface; -1 for the raw stock.
     palette : (n + 1, 3) or (2, 3) uint8
-        Colours from :func:`palette`; with two colours, all trajectories have the second.
+        Colours from :func:`palette`. If there are two colours, all trajectories have the second colour.
     """
     return palette.take(owner + 1, axis=0, mode="clip")
 
 
 def distinct_colors(count: int) -> np.ndarray:
-    """Return `count` colours, neighbours in the list clearly different, (count, 3) uint8."""
+    """Return `count` colours, (count, 3) uint8. Successive colours are clearly different."""
     hues = 0.58 + _GOLDEN * np.arange(count)  # in turns
     colors = [[round(255 * part) for part in colorsys.hls_to_rgb(hue, 0.6, 0.55)] for hue in hues]
     return np.array(colors, np.uint8).reshape(-1, 3)
@@ -70,7 +71,7 @@ def scale_colors(values: np.ndarray) -> np.ndarray:
     Parameters
     ----------
     values : (n,) ndarray
-        0 for the least to 1 for the most; NaN counts as 0.
+        From 0, the low end of the scale, to 1, the high end. NaN counts as 0.
 
     Returns
     -------
@@ -87,9 +88,9 @@ def difference_colors(left: np.ndarray, gouged: np.ndarray, model: np.ndarray, t
     left, gouged : ndarray
         Heights of the excess stock above the model and of the gouge below it, mm, at least 0.
     model : ndarray of bool
-        Whether a pixel shows the model; elsewhere `left` is the excess stock in holes of the model.
+        Whether a pixel shows the model. At the other pixels, `left` is the excess stock in through holes of the model.
     tolerance : float
-        Largest height that does not count as a deviation, mm; `DEEPEST` times the tolerance has the darkest colour.
+        Largest height that does not count as a deviation, mm. `DEEPEST` times the tolerance has the darkest colour.
     """
     colors = np.where(model[..., None], np.array(MET, np.uint8), np.array(NO_MODEL, np.uint8))
     for amount, stations in ((left, LEFT), (gouged, GOUGED)):
@@ -99,6 +100,6 @@ def difference_colors(left: np.ndarray, gouged: np.ndarray, model: np.ndarray, t
 
 
 def _between(stations: np.ndarray, shares: np.ndarray) -> np.ndarray:
-    """Return the colours between stations at shares from 0 to 1 of the scale; shares beyond get the end colours."""
+    """Return interpolated colours at shares of the scale, 0 to 1. Shares outside this range get the end colours."""
     at, numbers = shares * (len(stations) - 1), np.arange(len(stations))
     return np.stack([np.interp(at, numbers, stations[:, channel]) for channel in range(3)], axis=-1).astype(np.uint8)

@@ -8,17 +8,17 @@ import numpy as np
 from vkworkbench.core.rendering.camera import project
 from vkworkbench.core.view import Frame
 
-# Most pixels of a drawn path: more would take longer than the picture.
+# Maximum number of pixels of a drawn path. Drawing more pixels would take longer than computing the picture.
 _MOST = 1_000_000
 
 
 def draw_path(pixels: np.ndarray, points: np.ndarray, frame: Frame, color: tuple[int, int, int]) -> None:
-    """Draw a path over a picture, from its first point on until it has about a million pixels.
+    """Draw a path over a picture, starting at its first point. The drawing ends after about a million pixels.
 
     Parameters
     ----------
     pixels : (height, width) uint32
-        Colours as 0xffRRGGBB, row 0 at the top. They are changed.
+        Colours as 0xffRRGGBB, row 0 at the top. The function changes this array.
     points : (n, 3) ndarray
         Corners of the path, mm.
     frame : Frame
@@ -42,7 +42,10 @@ def draw_path(pixels: np.ndarray, points: np.ndarray, frame: Frame, color: tuple
 
 
 def _inside(start: np.ndarray, move: np.ndarray, size: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Return the shares of moves at which they enter and leave an image, (n,); the first is greater if they miss it."""
+    """Return the shares of each move at which it enters and leaves an image, (n,) each.
+
+    For a move outside the image, the first share is greater than the second.
+    """
     with np.errstate(divide="ignore", invalid="ignore"):
         one, other = -start / move, (size - start) / move
     still = move == 0

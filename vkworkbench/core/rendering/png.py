@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""An image as a PNG file (ISO/IEC 15948), by the standard library."""
+"""Encode an image as a PNG file (ISO/IEC 15948), with the standard library only."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ def png(image: np.ndarray) -> bytes:
         Red, green and blue, row 0 at the top.
     """
     height, width = image.shape[:2]
-    rows = np.zeros((height, 1 + 3 * width), np.uint8)  # each row begins with its filter: none
+    rows = np.zeros((height, 1 + 3 * width), np.uint8)  # each row begins with a byte for its filter; 0 means no filter
     rows[:, 1:] = image.reshape(height, -1)
     header = struct.pack(">IIBBBBB", width, height, 8, 2, 0, 0, 0)
     chunks = ((b"IHDR", header), (b"IDAT", zlib.compress(rows.tobytes(), 6)), (b"IEND", b""))

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The picture of a field from any direction: light, colours by owner or by cell, edges, and highlights."""
+"""Draw a field from any direction, with light, colours by owner or by cell, edges, and highlights."""
 
 from __future__ import annotations
 
@@ -17,11 +17,12 @@ from vkworkbench.core.rendering.shading import BACKGROUND, EDGE, EMPTY, LIGHT, S
 from vkworkbench.core.view import Frame
 from vkworkbench.core.zbuffer import STOCK
 
-# Colour of the faces of a section, and the number that stands for the trajectory that made them.
+# Colour of the cut face of a section, and the number that stands for its owner instead of a trajectory.
 SECTION, CUT_OPEN = np.array((206, 128, 96), np.uint8), -2
 # Colour of highlighted surfaces.
 LIT = np.array((255, 170, 40), np.uint8)
-# Difference in depth between neighbouring pixels that is an edge, in pixels.
+# Difference in depth between neighbouring pixels above which a dark edge is drawn, in sides of a pixel. Lower: steep
+# slopes get edges. Higher: small steps of the part get none.
 _JUMP = 8.0
 
 
@@ -34,7 +35,8 @@ class Scene:
     depth : (height, width) float32
         mm, row 0 below; NaN where the image is empty.
     owner : (height, width) int32
-        Trajectory that made the visible surface, or that cuts the visible chip; -1 for the raw stock, `CUT_OPEN` for the face of a section.
+        Trajectory that made the visible surface, or that cuts the visible chip. -1: raw stock. `CUT_OPEN`: the cut face
+        of a section.
     pixels : (height, width) uint32
         Colours as 0xffRRGGBB, row 0 at the top.
     """
@@ -77,11 +79,12 @@ def scene(
     ----------
     field : Field
     frame : Frame
-        Frame of the picture, with any direction, pixel and centre.
+        Frame of the picture. It may have any direction, pixel size and centre.
     colors : (n + 1, 3) or (2, 3), or (rows, columns, 3) uint8
-        Colours by owner, see `palette`; or the colour of every cell of the part from above, row 0 below.
+        Colours by owner, see `palette`; or the colour of every cell of the part as seen from above, row 0 at the
+        bottom.
     lit : tuple of int, optional
-        Highlight the surfaces of the trajectories lit[0] .. lit[1] - 1.
+        Highlight the surfaces that the trajectories lit[0] .. lit[1] - 1 have made.
     background : tuple of int
         Colour of empty pixels.
     """
@@ -110,7 +113,7 @@ def _packed(channels: Sequence[np.ndarray]) -> np.ndarray:
 
 
 class _Drawn(NamedTuple):
-    """The pixels that see a surface, see `Seen`, with its colour and brightness, (k,) each."""
+    """Pixels that see a surface, as in `Seen`, with the surface's owner, brightness and colour, (k,) each."""
 
     pixel: np.ndarray
     depth: np.ndarray
@@ -122,7 +125,7 @@ class _Drawn(NamedTuple):
 
 
 def _draw(field: Field, layer: Layer, frame: Frame, colors: np.ndarray) -> _Drawn:
-    """Return what a layer alone shows."""
+    """Return the picture of one layer."""
     below = frame.direction[2] > 0
     layer, towards = layer.upside_down if below else layer, _light_of(frame)
     seen = look(layer, field.frame, frame)
@@ -130,7 +133,7 @@ def _draw(field: Field, layer: Layer, frame: Frame, colors: np.ndarray) -> _Draw
     brightness = _light_tops(layer, seen.cell, towards)
     walls, steep = seen.walls, []
     if not layer.is_even:
-        # Below the end of the column in front, a pixel sees the lower end of its column.
+        # A pixel that looks under the lower end of the column in front sees the lower face of its own column.
         below_front = walls.height < layer.bottom.ravel()[walls.front]
         below_front &= layer.top.ravel()[walls.front] > EMPTY
         lower, towards_lower = walls.chosen(below_front), towards * (1, 1, -1)
@@ -167,11 +170,11 @@ def _light_tops(layer: Layer, cell: np.ndarray, towards: np.ndarray) -> np.ndarr
 
 
 def _paint_walls(layer: Layer, walls: Walls, frame: Frame, towards: np.ndarray, brightness: np.ndarray) -> Walls:
-    """Light the walls that are steeper than a slope, and return them."""
+    """Light the walls with a slope above `STEEPEST`, and return these walls."""
     top, shadow = layer.top.ravel(), layer.shadow.ravel()
     steep = walls.chosen(top[walls.cell] - top[walls.front] > STEEPEST * layer.cell)
     x, y = layer.wall_normals(steep.cell)
-    lone = (x == 0) & (y == 0)  # as if the wall faced the eye
+    lone = (x == 0) & (y == 0)  # walls without a direction are lit as if they faced the eye
     x[lone], y[lone] = frame.right[1], -frame.right[0]
     lit = light((x, y, np.zeros(1, np.float32)), towards)
     brightness[steep.number] = lit * np.sqrt(shadow[steep.front] * shadow[steep.cell])
@@ -179,7 +182,7 @@ def _paint_walls(layer: Layer, walls: Walls, frame: Frame, towards: np.ndarray, 
 
 
 def _nearest(one: _Drawn, other: _Drawn) -> _Drawn:
-    """Return the nearer of two surfaces in each pixel."""
+    """Return the surface nearer to the eye in each pixel."""
     depth = np.full(1 + max(drawn.pixel.max(initial=0) for drawn in (one, other)), np.nan, np.float32)
     depth[one.pixel] = one.depth
     its = ~(depth[other.pixel] <= other.depth)
@@ -189,7 +192,7 @@ def _nearest(one: _Drawn, other: _Drawn) -> _Drawn:
 
 
 def _light_of(frame: Frame) -> np.ndarray:
-    """Return the direction to the light in the coordinates of a layer, which is upside down in views from below."""
+    """Return the direction to the light in a layer's coordinates. In views from below, the layer is upside down."""
     mirror = np.array([1.0, 1.0, -1.0 if frame.direction[2] > 0 else 1.0])
     towards: np.ndarray = mirror * (LIGHT @ np.array([frame.right, frame.up, -frame.direction]))
     return towards
@@ -201,7 +204,7 @@ def _in_border(colors: np.ndarray) -> np.ndarray:
 
 
 def _edges(depth: np.ndarray, pixel: float) -> np.ndarray:
-    """Return the pixels in front of a jump in depth."""
+    """Return the pixels on the near side of a jump in depth, (height, width) bool."""
     edges, jump = np.zeros(depth.shape, bool), np.float32(_JUMP * pixel)
     for one, other, mark, beyond in (
         (depth[:-1], depth[1:], edges[:-1], edges[1:]), (depth[:, :-1], depth[:, 1:], edges[:, :-1], edges[:, 1:]),

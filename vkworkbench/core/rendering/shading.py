@@ -1,27 +1,27 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Shading of a depth image: light by the slope of the surface, dark lines at jumps in depth."""
+"""Shade a depth image: the slope of the surface determines its brightness, and sharp bends and edges are dark."""
 
 from __future__ import annotations
 
 import numpy as np
 
 BACKGROUND = (232, 235, 240)
-# Direction to the light (right, up, towards the eye): over the left shoulder of the viewer.
+# Direction to the light (right, up, towards the eye). The light comes over the left shoulder of the viewer.
 LIGHT = np.array([-0.35, 0.5, 0.79], np.float32)
 _AMBIENT = np.float32(0.38)
-# Height of the top of an empty cell, mm. Finite, because vertical views multiply it by 0. And the slope above which a step
-# ends in an empty cell.
+# Height of the top of an empty cell, mm. The height is finite, because vertical views multiply it by 0. The second
+# number is the slope above which one of two neighbouring cells is empty.
 EMPTY, _TO_NOTHING = -1e9, np.float32(1e5)
-# Slope above which a surface is a wall, which is lit as if it were vertical.
+# Slope above which a surface is drawn as a vertical wall.
 STEEPEST = np.float32(3.0)
-# Soft shadow in pockets: the part of the light that the deepest pockets lose, the distance to the surroundings as a share of
-# the shorter side of the field, and the cells that share one mean height.
+# Soft shadow in pockets: the share of the light that the deepest pockets lose, the radius of the compared surroundings
+# as a share of the field's shorter side, and the spacing of the sampled heights in cells.
 _SHADOW, _SHADOW_REACH, _SHADOW_CELLS = np.float32(0.45), 0.02, 2
-# Change of slope from one pixel to the next at which a dark line begins; at twice the change it is darkest. Scallops of a
-# finished surface are below the limit, the steps of roughing above it.
+# Change of slope between neighbouring pixels at which a dark line begins. At twice this change, the line is darkest.
+# Lower: the scallops of a finished surface get dark lines. Higher: the steps of roughing get none.
 _CREASE = np.float32(1.2)
 _DARKEST = np.float32(0.45)
-# Part of the light that the edges of near surfaces lose in front of far ones.
+# Share of the light that a near surface loses along its edge in front of a far surface.
 EDGE = np.float32(0.35)
 
 
@@ -70,7 +70,10 @@ def _bends(depth: np.ndarray, pixel: float, axis: int) -> np.ndarray:
 
 
 def _steps(depth: np.ndarray, unit: float, axis: int) -> tuple[np.ndarray, np.ndarray]:
-    """Return the differences to the pixel before and after each, in `unit`; at the outline, both are the existing one."""
+    """Return the differences from the previous and to the next pixel, in `unit`.
+
+    At the outline of the part, only one difference exists, and it is returned for both.
+    """
     around = [(1, 1) if side == axis else (0, 0) for side in (0, 1)]
     step = np.diff(np.pad(depth, around, constant_values=np.nan), axis=axis) / np.float32(unit)
     before, after = (step[:-1], step[1:]) if axis == 0 else (step[:, :-1], step[:, 1:])
@@ -78,9 +81,9 @@ def _steps(depth: np.ndarray, unit: float, axis: int) -> tuple[np.ndarray, np.nd
 
 
 def slope(height: np.ndarray, cell: float, axis: int) -> np.ndarray:
-    """Return the slope of a height field along an axis, (n, m) float32; at a step, the smaller slope of the two sides.
+    """Return the slope of a height field along an axis, (n, m) float32.
 
-    A cell between two empty cells is level.
+    A cell has the smaller slope of its two sides. A cell between two empty cells has the slope 0.
 
     Parameters
     ----------
@@ -101,7 +104,9 @@ def slope(height: np.ndarray, cell: float, axis: int) -> np.ndarray:
 
 
 def shadow(height: np.ndarray, cell: float) -> np.ndarray:
-    """Return the share of light that reaches each cell of a height field past the mean height around it, (n, m) float32.
+    """Return the share of light that reaches each cell of a height field, (n, m) float32.
+
+    The share is smaller the deeper the cell lies below the mean height of its surroundings.
 
     Parameters
     ----------
@@ -122,7 +127,10 @@ def shadow(height: np.ndarray, cell: float) -> np.ndarray:
 
 
 def _mean_of_rows(values: np.ndarray, reach: int) -> np.ndarray:
-    """Return the mean of each value and `reach` values on both sides in its row; beyond the ends, the end value counts."""
+    """Return for each value the mean of its row from `reach` values before it to `reach` values after it.
+
+    Each row is padded with its first and its last value.
+    """
     padded = np.pad(values, [(0, 0), (reach + 1, reach)], mode="edge")
     sums = np.cumsum(padded, axis=1, dtype=np.float64)
     length = 2 * reach + 1
@@ -131,7 +139,7 @@ def _mean_of_rows(values: np.ndarray, reach: int) -> np.ndarray:
 
 
 def light(normal: tuple[np.ndarray, ...], towards: np.ndarray) -> np.ndarray:
-    """Return the brightness of surfaces: ambient light and Lambert's law; 1 for a surface that faces the eye.
+    """Return the brightness of surfaces from ambient light and Lambert's law. A surface that faces the eye has 1.
 
     Parameters
     ----------

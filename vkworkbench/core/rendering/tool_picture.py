@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The tool in a picture: a shaded solid with flutes, shank and holder, hidden by the part before it."""
+"""Draw the tool into a picture as a shaded solid with flutes, shank and holder. The part hides what is behind it."""
 
 from __future__ import annotations
 
@@ -14,11 +14,13 @@ from vkworkbench.core.rendering.shading import LIGHT, light
 from vkworkbench.core.tool import Tool
 from vkworkbench.core.view import Frame
 
-# Lengths of flutes and of a shank with unknown sizes, in diameters; rings of a rounded tip.
+# Lengths of flutes and of a shank of unknown length, in tool diameters; and number of rings of a rounded tip.
 _FLUTES, _SHANK, _RINGS = 3.0, 2.0, 7
-# Colours of cutter, shank and holder, and their opacities: what a holder covers stays visible.
+# Colours and opacities of cutter, shank and holder. The holder is translucent, so that the part behind it stays
+# visible.
 _CUTTER, _SHAFT, _HOLDER = ((236, 196, 92), 0.9), ((176, 182, 192), 0.9), ((112, 120, 138), 0.5)
-# Drawn flutes: their number, their pitch in diameters, their share of the surface, and the light that they lose.
+# The drawn flutes: number, pitch in tool diameters, share of the cutter's surface, and share of the light that they
+# lose.
 _NUMBER, _PITCH, _SHARE, _DARKER = 3, 3.0, 0.35, 0.35
 
 
@@ -30,7 +32,10 @@ class _Ring(NamedTuple):
 
 
 class _Hits(NamedTuple):
-    """Where the rays of pixels meet a part of the tool: depth and place (k,), normals and place relative to the tip (k, 3)."""
+    """Points where the rays of pixels hit a part of the tool.
+
+    Column, row and depth are (k,). The normal and the place relative to the tip are (k, 3).
+    """
 
     column: np.ndarray
     row: np.ndarray
@@ -45,7 +50,7 @@ def draw_tool(scene: Scene, tool: Tool, tip: np.ndarray, frame: Frame) -> None:
     Parameters
     ----------
     scene : Scene
-        Its pixels are changed.
+        The function changes the scene's pixels.
     tool : Tool
     tip : (3,) array_like
         Position of the tip, mm.
@@ -77,7 +82,7 @@ def draw_tool(scene: Scene, tool: Tool, tip: np.ndarray, frame: Frame) -> None:
 
 
 def _pieces(tool: Tool) -> Iterator[tuple[_Ring, _Ring, tuple[tuple[int, int, int], float], bool]]:
-    """Yield the rings at both ends of each piece of the tool's surface, its colour, and whether it has flutes."""
+    """Yield for each piece of the tool's surface its end rings, its colour with opacity, and whether it has flutes."""
     share = np.sin(np.linspace(0, np.pi / 2, _RINGS)) if tool.rounding else np.array([0.0, 1.0])
     radii = np.union1d(tool.radius * share, (tool.tip, tool.radius - tool.rounding))
     rings = [_Ring(*pair) for pair in zip(radii.tolist(), tool.height(radii).tolist())]
@@ -99,14 +104,14 @@ def _pieces(tool: Tool) -> Iterator[tuple[_Ring, _Ring, tuple[tuple[int, int, in
 
 
 def _meet(one: _Ring, other: _Ring, tip: np.ndarray, frame: Frame) -> _Hits:
-    """Return where rays meet the surface of a cone between two rings, or the disc if both have one height."""
+    """Return where rays hit the cone between two rings, or the disc if both rings have the same height."""
     column, row = _around(one, other, tip, frame)
     origin = frame.origins(*frame.pixel_centres(column, row)) - tip
     direction = frame.direction
     depths: list[np.ndarray] = []
     if one.height == other.height:
         slope, bounds = np.inf, sorted((one.radius, other.radius))
-        if direction[2]:  # otherwise the disc is seen from its edge
+        if direction[2]:  # otherwise the disc is seen edge-on
             depths = [(one.height - origin[:, 2]) / direction[2]]
     else:
         slope, bounds = (other.radius - one.radius) / (other.height - one.height), sorted((one.height, other.height))
@@ -114,7 +119,7 @@ def _meet(one: _Ring, other: _Ring, tip: np.ndarray, frame: Frame) -> _Hits:
         a = direction[:2] @ direction[:2] - (slope * direction[2]) ** 2
         b = origin[:, :2] @ direction[:2] - slope * direction[2] * radius
         c = (origin[:, :2] ** 2).sum(axis=1) - radius**2
-        if a:  # otherwise the surface is seen from its edge
+        if a:  # otherwise the rays are parallel to the surface
             root = np.sqrt(np.where(b * b < a * c, np.nan, b * b - a * c))
             depths = [(-b - root) / a, (-b + root) / a]
     best = np.full(len(column), np.inf)
@@ -135,7 +140,7 @@ def _meet(one: _Ring, other: _Ring, tip: np.ndarray, frame: Frame) -> _Hits:
 
 
 def _around(one: _Ring, other: _Ring, tip: np.ndarray, frame: Frame) -> tuple[np.ndarray, np.ndarray]:
-    """Return columns and rows, from below, of the pixels around two rings."""
+    """Return columns and rows, row 0 at the bottom, of the pixels around two rings."""
     centres = project(tip + np.array([(0, 0, one.height), (0, 0, other.height)]), frame)[:, :2]
     reach = np.array([one.radius, other.radius])[:, None] / frame.pixel * (1, abs(frame.direction[2]))
     low, high = (centres - reach).min(axis=0), (centres + reach).max(axis=0)

@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The cost of simulating in each simulator: the paper's extended z-buffer, and FreeCAD's own simulators.
+"""Predict the cost of a simulation in the paper's extended z-buffer and in FreeCAD's own simulators.
 
-In: `Task`, one operation's toolpath with tool and stock; `Conditions`, the FreeCAD, the computer and the settings.
-Out: the table `SIMULATORS`, whose entries compute the Cost of one operation or of several in sequence, and the finest
-setting within a budget; `Caution`, a warning before a simulation is started.
+Input: `Task`, the toolpath of one operation with its tool and stock; `Conditions`, the version of FreeCAD, the speed of
+the computer and the settings. Output: the table `SIMULATORS`, whose entries compute the `Cost` of one operation or of
+several operations in sequence, and the finest setting within a budget; `Caution`, a warning before a simulation is
+started.
 """
 
 from vkworkbench.core.simulators.constants import DEFAULTS, Constants

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The cost of one unit of each kind of work of FreeCAD's simulators, on one computer."""
+"""The times and memory sizes of the single steps of FreeCAD's simulators on one computer."""
 
 from __future__ import annotations
 
@@ -8,42 +8,43 @@ from dataclasses import dataclass
 
 @dataclass(frozen=True)
 class Constants:
-    """The cost of one unit of work on one computer, seconds and bytes.
+    """The time, s, or the memory, bytes, of one step of each kind on one computer.
 
-    The defaults were measured with FreeCAD 0.20.2, 1.0.0 and 1.1.3 on two Xeon cores without a graphics card;
-    ``redraw``, ``frame``, ``draw`` and ``fill`` are guesses for a computer with a graphics card: none was measured.
-    ``document/computer/calibration.py`` has the values for software rendering, ``document/computer/measuring.py`` measures the user's computer.
+    The defaults were measured with FreeCAD 0.20.2, 1.0.0 and 1.1.3 on two Xeon cores without a graphics card. Only
+    ``redraw``, ``frame``, ``draw`` and ``fill`` are guesses, for a computer with a graphics card.
+    ``document/computer/calibration.py`` has the values for software rendering.
+    ``document/computer/measuring.py`` measures the user's computer.
 
     Attributes
     ----------
     start : float
-        Legacy: from the press of fast-forward to the first command, and showing the result.
+        Legacy simulator: time between pressing fast-forward and the first command, plus the time to show the result.
     tick : float
-        Legacy: one command in fast-forward (a timer of 1 ms).
+        Legacy simulator: time of one command in fast-forward, which a timer of 1 ms starts.
     repaint : float
-        Legacy: showing another percent of a fast-forward's progress.
+        Legacy simulator: time to show that the progress of a fast-forward has increased by one percent.
     redraw : float
-        Legacy: showing one command in play, without its mesh.
+        Legacy simulator: time to show one command in play, without the time for the mesh.
     cell : float
-        Legacy: one cell of the grid, each time it becomes a mesh.
+        Legacy simulator: time for one cell of the grid when the grid is converted to a mesh.
     facet : float
-        Legacy: one triangle of the mesh.
+        Legacy simulator: time to compute one triangle of the mesh.
     display : float
-        Legacy: showing one triangle of a mesh.
+        Legacy simulator: time to show one triangle of the mesh.
     profile : float
-        Legacy: one test whether a point is inside the tool, when the tool's profile is taken.
+        Legacy simulator: time of one test whether a point is inside the tool, for computing the tool's profile.
     facet_bytes : float
-        Legacy: memory of one triangle.
+        Legacy simulator: memory of one triangle.
     refresh : float
-        OpenGL: the shortest time from one frame to the next (two refreshes of a 60 Hz screen).
+        OpenGL simulator: shortest time between two frames (two refreshes of a 60 Hz screen).
     frame, draw : float
-        OpenGL: the part of every frame that does not depend on the path, and one draw call.
+        OpenGL simulator: time of a frame without its draw calls, and time of one draw call.
     fill : float
-        OpenGL: filling the whole window once; not in seconds but in draw calls that take as long.
+        OpenGL simulator: time to fill the whole window once, as the number of draw calls that take the same time.
     line_bytes, arc_bytes : float
-        OpenGL: memory of a straight motion and of an arc.
+        OpenGL simulator: memory of a straight motion and of an arc.
     legacy_factor, opengl_factor : float
-        The true time is between the estimate divided and multiplied by this.
+        The true time is between the estimate divided by this factor and the estimate multiplied by it.
     """
 
     start: float = 0.32

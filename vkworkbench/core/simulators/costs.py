@@ -14,13 +14,13 @@ from vkworkbench.core.zbuffer import Resolution
 
 
 class Costs:
-    """The costs of an operation, or of several in sequence, by the simulators' names.
+    """The costs of an operation, or of several operations in sequence, by the simulators' names.
 
     Attributes
     ----------
     costs : mapping of str to Cost
-        Each cost is computed at its first use. Simulators that this FreeCAD does not have, and simulators whose cost is
-        unknown, are missing.
+        Each cost is computed at its first use. The mapping does not contain simulators that this FreeCAD does not have,
+        and simulators whose cost is unknown.
     advice : mapping of str to Resolution
         The finest setting of a simulator within the budget of the preferences.
     """
@@ -30,19 +30,19 @@ class Costs:
 
     @property
     def legacy(self) -> LegacyCost | None:
-        """The cost in FreeCAD's legacy simulator, at the accuracy of the preferences."""
+        """The cost in FreeCAD's legacy simulator at the accuracy set in the preferences; None if it is unknown."""
         cost: LegacyCost | None = self.costs.get(LEGACY.name)
         return cost
 
     @property
     def opengl(self) -> OpenGLCost | None:
-        """The cost in FreeCAD's OpenGL simulator; None also if this FreeCAD does not have one."""
+        """The cost in FreeCAD's OpenGL simulator; None if it is unknown, or if this FreeCAD has no OpenGL simulator."""
         cost: OpenGLCost | None = self.costs.get(OPENGL.name)
         return cost
 
     @property
     def resolution(self) -> Resolution | None:
-        """The finest image of the z-buffer within the budget of the preferences."""
+        """The finest image of the z-buffer within the budget of the preferences; None if it is unknown."""
         chosen: Resolution | None = self.advice.get(ZBUFFER.name)
         return chosen
 
@@ -52,8 +52,7 @@ class Costs:
         Parameters
         ----------
         simulator : str
-            Name of a simulator: ``"z-buffer"``, ``"legacy"``, which runs in fast-forward, or ``"OpenGL"``, at its
-            highest speed.
+            Name of a simulator: ``"z-buffer"``, ``"legacy"`` (in fast-forward), or ``"OpenGL"`` (at its highest speed).
 
         Raises
         ------
@@ -64,7 +63,7 @@ class Costs:
         return None if cost is None else (cost.seconds, float(cost.memory_bytes))
 
     def factor(self, simulator: str) -> float:
-        """Return the factor of the time of :meth:`cost`: the true time is between it divided and multiplied by this."""
+        """Return the factor by which the time from :meth:`cost` may be too high or too low, at least 1."""
         cost = self._of(simulator)
         return 1.0 if cost is None else float(cost.factor)
 
@@ -75,7 +74,7 @@ class Costs:
         return self.costs.get(simulator)
 
     def columns(self) -> dict[str, Any]:
-        """Return columns of CSV and JSON: the explanations of the advice, and the costs in FreeCAD's simulators."""
+        """Return the columns for CSV and JSON files: explanations of the advice, and costs in FreeCAD's simulators."""
         columns = {advice.column: chosen and chosen.explanation for advice, chosen in self._advised()}
         for simulator in _beside_the_papers():
             columns.update(simulator.figures(self.costs.get(simulator.name)))

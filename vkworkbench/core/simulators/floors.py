@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Coarse maps of the material left at the stock's lower face while a toolpath cuts."""
+"""Compute coarse maps of the places where a toolpath leaves material at the stock's lower face."""
 
 from __future__ import annotations
 
@@ -10,8 +10,8 @@ from vkworkbench.core.stocks import Solid
 from vkworkbench.core.tool import Tool
 from vkworkbench.core.toolpath import Toolpath
 
-# Number of cells along the stock's longer side, and maximum number of rows of cells that all moves together may pass over:
-# with more, the cells become larger.
+# Number of cells along the stock's longer side, and limit for the number of rows of cells that all moves together
+# cross. If the moves would cross more rows, the cells are made larger, so that the time stays bounded.
 _CELLS = 500
 _MOST_ROWS = 300_000
 
@@ -21,8 +21,8 @@ def floors(
 ) -> tuple[list[np.ndarray], float]:
     """Map where the toolpath leaves material at the lower face of the stock's bounding box.
 
-    The map is finer than the map of the heights, because it takes less time: only moves that cut through count, and each
-    such move, a disc swept along a line, covers one interval of a row of cells.
+    Only the moves that cut through the stock count. Each of these moves sweeps a disc along a line and covers one
+    interval in each row of cells. This takes less time than a map of the heights, so the cells can be smaller.
 
     Parameters
     ----------
@@ -45,7 +45,7 @@ def floors(
     begin, end = points[through], points[through + 1]
     width = np.linspace(0, tool.radius, 65)
     radius = width[np.searchsorted(tool.height(width), level - lowest[through], side="right") - 1]
-    # Only the piece of the move on which the tip is below the level.
+    # Shorten each move to the piece on which the tip is below the level.
     rise = end[:, 2] - begin[:, 2]
     crossing = (level - begin[:, 2]) / np.where(rise == 0, 1, rise)
     first, last = np.where(begin[:, 2] > level, crossing, 0), np.where(end[:, 2] > level, crossing, 1)

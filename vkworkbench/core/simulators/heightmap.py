@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Coarse maps of the stock's heights while a toolpath cuts."""
+"""Compute coarse maps of the stock's heights at several moments of a toolpath."""
 
 from __future__ import annotations
 
@@ -9,40 +9,40 @@ from vkworkbench.core.stocks import Solid
 from vkworkbench.core.tool import Tool
 from vkworkbench.core.toolpath import Toolpath
 
-# Number of cells along the stock's longer side, and maximum number along the tool's radius.
+# Number of cells along the stock's longer side, and maximum number of cells along the tool's radius.
 _CELLS = 100
 _CELLS_PER_RADIUS = 16
-# Maximum number of points at which a toolpath is sampled.
+# Approximate maximum number of points at which a toolpath is sampled.
 _MOST_SAMPLES = 300_000
-# Points processed at once, so that they stay in the processor's cache.
+# Number of points in one batch. Larger batches do not fit into the processor's cache.
 _SAMPLES_AT_ONCE = 16_384
 
 
 def heightmaps(toolpath: Toolpath, *, tool: Tool, stock: Solid, parts: int = 1) -> tuple[list[np.ndarray], float]:
-    """Compute the heights that the tool leaves of the stock's bounding box, where rapids cut, too.
+    """Compute the heights of the stock after the toolpath. The stock is its bounding box, and rapids cut, too.
 
-    The lowest height of the tip over each cell is spread over the tool's disc: the time is O(n) for the toolpath, and
-    constant for the maps.
+    First the lowest height of the tip over each cell is found, in a time of O(n). Then this height is applied to all
+    cells under the tool, in a time that does not depend on the length of the toolpath.
 
     Parameters
     ----------
     toolpath : Toolpath
         The trajectories.
     tool : Tool
-        Its radius and the form of its tip.
+        Only the radius and the shape of the tip are used.
     stock : Solid
-        Anything with ``lower`` and ``upper`` corners, mm.
+        Only the ``lower`` and ``upper`` corners are used, mm.
     parts : int
-        Number of maps. The commands that move are divided into this number of equal parts; a map shows the stock after
-        each part.
+        Number of maps. The commands with moves are divided into this number of equal parts, and each map shows the
+        stock after one part.
 
     Returns
     -------
     maps : list of (nx, ny) float64
-        Height of the stock's surface in every cell, mm; the stock's bottom where the toolpath cuts through. The last map
-        shows the finished part.
+        Height of the stock's surface in every cell, mm. Cells where the toolpath cuts through have the height of the
+        stock's lower face. The last map shows the finished part.
     size : float
-        Edge of a cell, mm: a hundredth of the longer side, or a sixteenth of the tool's radius if that is longer.
+        Edge of a cell, mm: the larger of 1/100 of the stock's longer side and 1/16 of the tool's radius.
     """
     lower, upper = np.asarray(stock.lower, float), np.asarray(stock.upper, float)
     size = float(max((upper - lower)[:2].max() / _CELLS, tool.radius / _CELLS_PER_RADIUS))
@@ -72,12 +72,12 @@ def heightmaps(toolpath: Toolpath, *, tool: Tool, stock: Solid, parts: int = 1) 
 
 
 def _stamp(tips: np.ndarray, points: np.ndarray, origin: np.ndarray, size: float, spacing: float) -> None:
-    """Lower the cells under a polyline to its height; it is sampled at points at most `spacing` apart."""
+    """Lower the cells under a polyline to the polyline's height, at sampled points that are about `spacing` apart."""
     if len(points) == 0:
         return
     moves = np.diff(points, axis=0)
     lengths = np.abs(moves[:, :2]).max(axis=1)
-    # A toolpath with more samples passes over every cell many times: a wider spacing misses no cell.
+    # A toolpath that would have more samples crosses every cell many times, so even a wider spacing samples every cell.
     spacing = max(spacing, float(lengths.sum()) / _MOST_SAMPLES)
     _lower(tips, points[:1].T, origin, size)
     low = np.flatnonzero(np.minimum(points[:-1, 2], points[1:, 2]) < tips.max())
@@ -120,7 +120,7 @@ def grid_shape(stock: Solid, size: float) -> np.ndarray:
 
 
 def motions_done(toolpath: Toolpath, parts: int) -> np.ndarray:
-    """Return the number of trajectories before and after each of `parts` equal parts of the commands, (parts + 1,) int."""
+    """Return the numbers of trajectories at the bounds of `parts` equal parts of the commands, (parts + 1,) int."""
     moving = np.unique(toolpath.command)
     ends = np.append(moving, toolpath.commands)[np.arange(parts + 1) * len(moving) // parts]
     return np.searchsorted(toolpath.command, ends)

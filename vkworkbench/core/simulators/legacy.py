@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The cost of FreeCAD's legacy simulator (``PathSimulator.PathSim``).
+"""Predict the cost of FreeCAD's legacy simulator (``PathSimulator.PathSim``).
 
-The simulator holds the stock as a grid of heights and turns the grid into a mesh (`legacy_mesh.py`). Cutting the grid is
-left out: on a long move of a wide tool it takes longer than the timer waits, which adds at most 5 % to a fast-forward.
+The simulator stores the stock as a grid of heights and converts the grid to a mesh (`legacy_mesh.py`). The prediction
+ignores the time to cut the grid. Only long moves of wide tools take longer than one tick of the simulator's timer, and
+they add at most 5 % to the time of a fast-forward.
 """
 
 from __future__ import annotations
@@ -23,11 +24,11 @@ from vkworkbench.core.toolpath import Toolpath
 
 NAME = "legacy"
 
-# A float for the height and a character for the mesh.
+# A cell has a float for its height, and a character that is used when the mesh is made.
 _BYTES_PER_CELL = 5
 # Moments of a play at which the size of the mesh is estimated.
 _LOOKS = 5
-# Commands per second that play shows at most, as the speed slider is set at first.
+# Maximum number of commands per second in play, at the initial position of the speed slider.
 _SPEED = 50
 # A fast-forward repaints its progress at most this many times.
 _PERCENTS = 100
@@ -35,22 +36,22 @@ _PERCENTS = 100
 
 @dataclass(frozen=True)
 class LegacyCost:
-    """The cost of one operation, or of several in sequence, in the legacy simulator.
+    """The cost of one operation, or of several operations in sequence, in the legacy simulator.
 
     Attributes
     ----------
     fast_forward_seconds, play_seconds : float
-        From pressing the button to the finished part.
+        Time from pressing the button to the finished part, s.
     commands, shown : int
-        All commands, and the commands that play shows, which are all but comments.
+        Number of all commands, and number of the commands that play shows. Play does not show comments.
     resolution : float
         Edge of a cell, mm.
     cells : int
-        Cells of the grid.
+        Number of cells of the grid.
     facets : float
-        Triangles of the mesh at the end.
+        Number of triangles of the last mesh.
     constants : Constants
-        The unit costs that the prediction used.
+        Constants with which the cost was predicted.
     """
 
     fast_forward_seconds: float
@@ -64,39 +65,40 @@ class LegacyCost:
 
     @property
     def seconds(self) -> float:
-        """float : the time shown for this simulator, which is the time of fast-forward, s."""
+        """float : the time of fast-forward, s. The user sees this time for the legacy simulator."""
         return self.fast_forward_seconds
 
     @property
     def factor(self) -> float:
-        """float : the true time is between the estimated one divided and multiplied by this."""
+        """float : the true time is between the estimate divided by this factor and the estimate multiplied by it."""
         return self.constants.legacy_factor
 
     @property
     def memory_bytes(self) -> float:
-        """float : memory of the grid and of the mesh at the end, bytes."""
+        """float : memory of the grid and of the last mesh, bytes."""
         return _BYTES_PER_CELL * self.cells + self.constants.facet_bytes * self.facets
 
 
 def predict(task: Task, conditions: Conditions) -> LegacyCost:
-    """Estimate the simulator at the accuracy of the conditions."""
+    """Estimate the cost of one operation at the accuracy of the conditions."""
     return legacy_cost(task, accuracy=conditions.legacy_accuracy, constants=conditions.constants)
 
 
 def legacy_cost(task: Task, *, accuracy: float = 0.1, constants: Constants = DEFAULTS) -> LegacyCost:
     """Estimate the cost of one operation in the legacy simulator.
 
-    In fast-forward every command, comments included, takes one tick of a timer, every new percent of the progress takes
-    a repaint, and one mesh is made and shown at the end. Play shows the uncut stock first. Then a command takes 20 ms, or
-    the time to make and show a mesh if that is longer. The mesh grows with the cuts, or shrinks if it ends flat.
+    In fast-forward, every command, including comments, takes one tick of a timer. Every new percent of the progress
+    takes a repaint. At the end, one mesh is made and shown. Play first shows the uncut stock. Then each command takes
+    20 ms, or the time to make and show a mesh, whichever is longer. The number of triangles increases with the cuts,
+    and decreases if the part becomes flat in the end.
 
     Parameters
     ----------
     task : Task
     accuracy : float
-        Edge of a cell in percent of the stock's longer side: 1.1 - 0.1 times the slider's position, 0.1 to 1.
+        Edge of a cell in percent of the stock's longer side, 0.1 to 1. It is 1.1 - 0.1 times the slider's position.
     constants : Constants
-        Costs of the unit work.
+        Times and memory sizes of the simulator's steps.
 
     Returns
     -------
@@ -129,7 +131,7 @@ def legacy_cost(task: Task, *, accuracy: float = 0.1, constants: Constants = DEF
 
 
 def _triangles(toolpath: Toolpath, tool: Tool, stock: Solid, resolution: float) -> tuple[float, float]:
-    """Return the triangles of the last mesh, and their mean over the play."""
+    """Return the number of triangles of the last mesh, and the mean number of triangles during a play."""
     maps, size = heightmaps(toolpath, tool=tool, stock=stock, parts=_LOOKS)
     kept, floor_size = floors(toolpath, tool=tool, stock=stock, thickness=resolution, parts=_LOOKS)
     looks = [BOX]
@@ -140,7 +142,7 @@ def _triangles(toolpath: Toolpath, tool: Tool, stock: Solid, resolution: float) 
 
 
 def _panel_seconds(constants: Constants, commands: int) -> float:
-    """Return the time of a fast-forward without the tool's profile and the mesh, s."""
+    """Return the time of a fast-forward, s, without the times for the tool's profile and for the mesh."""
     return constants.start + constants.tick * commands + constants.repaint * min(commands, _PERCENTS)
 
 
@@ -155,15 +157,15 @@ def _uncut_seconds(constants: Constants, cells: int) -> float:
 
 
 def legacy_together(costs: Sequence[LegacyCost]) -> LegacyCost:
-    """Estimate the legacy simulator for several operations, run one after another at one accuracy.
+    """Estimate the cost of several operations in the legacy simulator, one after another at the same accuracy.
 
-    The simulator starts once, shows the uncut stock once and makes one last mesh. Every mesh of a play also has the
+    The simulator starts once, shows the uncut stock once and makes one last mesh. Every mesh of a play includes the
     triangles of the earlier operations.
 
     Parameters
     ----------
     costs : sequence of LegacyCost
-        Costs of the operations in their order, at least one; all for one stock and one accuracy.
+        Costs of at least one operation, in the order of the operations. All must have the same stock and accuracy.
 
     Returns
     -------

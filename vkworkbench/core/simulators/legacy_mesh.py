@@ -1,30 +1,32 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The number of triangles in the legacy simulator's mesh, from coarse maps of the part's heights and lower face."""
+"""Estimate the number of triangles in the legacy simulator's mesh from coarse maps of the part."""
 
 from __future__ import annotations
 
 import numpy as np
 
-# A step in height between two cells is a wall, not a slope, if it is higher than this number of cells' edges, or more than
-# twice as high as the steps beside it.
+# A height difference between two cells of the map is a wall if it is at least this number of cell edges, or if it is
+# more than twice the height differences beside it. Other height differences are slopes. Lower: steep slopes count as
+# walls. Higher: walls beside slopes count as slopes. Both give a wrong number of triangles.
 _WALL = 1.8
-# Triangles per corner of a wall, per cell of a wall, per rectangle on a slope, and of an uncut box. Fitted to FreeCAD's
-# meshes (benchmarks/simulators.py).
+# Number of triangles per corner of a wall, per cell of a wall, per rectangle on a slope, and in the mesh of an uncut
+# box. The numbers were fitted to FreeCAD's meshes (benchmarks/simulators.py).
 _CORNER, _ALONG, _RECTANGLE, BOX = 3.6, 0.26, 3.65, 12.0
-# Maximum length of FreeCAD's rectangles, in widths (VolSim.cpp).
+# Maximum ratio of length to width of FreeCAD's rectangles (VolSim.cpp).
 _LONGEST = 5
-# Rectangles of the simulator's grid over rectangles of the map times the ratio of their cells. The grid is finer and
-# follows curved outlines more closely. Fitted to FreeCAD's meshes of round holes, discs and slanted cuts.
+# Correction factor for the number of rectangles of a lower face. The simulator's grid is finer than the map and follows
+# curved outlines more closely. The factor was fitted to FreeCAD's meshes of round holes, discs and slanted cuts.
 _FINER = 1.05
 
 
 def mesh_facets(heights: np.ndarray, size: float, resolution: float, *, floor: np.ndarray, floor_size: float) -> float:
-    """Count the triangles of the mesh that the legacy simulator makes of a stock.
+    """Estimate the number of triangles of the mesh that the legacy simulator makes of a stock.
 
-    The triangles cover the stock with rectangles of cells whose heights differ by less than a cell's edge. On a slope of
-    (gx, gy) a rectangle spans 1/gx by 1/gy cells, at most 5:1, so there are gx gy rectangles per cell. A flat floor has
-    a few rectangles, and each wall a few per corner. A lower face that is cut through is divided into many rectangles, see
-    :func:`bottom_rectangles`; their number grows with the number of cells.
+    The simulator covers the stock with rectangles of cells whose heights differ by less than the edge of a cell. On a
+    slope with the gradients gx and gy, a rectangle has 1/gx by 1/gy cells, so there are gx gy rectangles per cell.
+    Rectangles are at most five times as long as wide. A flat floor has a few rectangles, and a wall has a few per
+    corner. A lower face that is cut through is divided into many rectangles, see :func:`bottom_rectangles`. The number
+    of these rectangles increases with the number of cells.
 
     Parameters
     ----------
@@ -42,7 +44,7 @@ def mesh_facets(heights: np.ndarray, size: float, resolution: float, *, floor: n
     Returns
     -------
     float
-        Number of triangles, inner and outer mesh together.
+        Number of triangles of the inner and the outer mesh together.
     """
     step_x, step_y = np.abs(np.diff(heights, axis=0)), np.abs(np.diff(heights, axis=1))
     wall_x = _may_be_walls(step_x, size) & (step_x > resolution)
@@ -67,9 +69,10 @@ def mesh_facets(heights: np.ndarray, size: float, resolution: float, *, floor: n
 def bottom_rectangles(kept: np.ndarray) -> int:
     """Count the rectangles into which the legacy simulator divides the lower face (``TesselBot`` in VolSim.cpp).
 
-    From the first free cell a rectangle grows to the right and upwards in turn. If the rectangle is longer than 5:1,
-    FreeCAD by mistake takes a single cell, five widths further on, and starts again. Beside a curved outline nearly all
-    rectangles are longer than 5:1, so the face is divided into pieces of about one by five cells.
+    From the first free cell, a rectangle grows alternately to the right and upwards. If the rectangle becomes more than
+    five times as long as wide, FreeCAD by mistake uses a single cell at a distance of five widths instead, and starts
+    again. Beside a curved outline, nearly all rectangles are too long, so the face is divided into pieces of about one
+    by five cells.
 
     Parameters
     ----------
@@ -80,7 +83,7 @@ def bottom_rectangles(kept: np.ndarray) -> int:
     -------
     int
     """
-    # Each row and each column is one integer. Its set bits are the free cells: stock without a rectangle so far.
+    # Each row and each column is one integer. Set bits stand for free cells, which have material but no rectangle yet.
     columns, rows = _bits(kept), _bits(kept.T)
     count = 0
     for y in range(len(rows)):
@@ -99,9 +102,9 @@ def bottom_rectangles(kept: np.ndarray) -> int:
 
 
 def _grown(columns: list[int], rows: list[int], x: int, y: int) -> tuple[int, int]:
-    """Grow a rectangle from the first free cell of a row; return its width and height.
+    """Grow a rectangle from the first free cell of a row, and return the rectangle's width and height.
 
-    To the left of the first free cell no cell of the row is free, so the rectangle grows to the right and upwards only.
+    The row has no free cell to the left of the first free cell, so the rectangle grows only to the right and upwards.
     """
     width = height = 1
     right = up = True
@@ -112,7 +115,7 @@ def _grown(columns: list[int], rows: list[int], x: int, y: int) -> tuple[int, in
         top = ((1 << width) - 1) << x
         up = y + height < len(rows) and rows[y + height] & top == top
         height += up
-    if up:  # as far as all columns are free
+    if up:  # the rectangle grows upwards until a column is not free
         height += _ones(_common(columns[x : x + width]) >> (y + height))
     elif right:
         width += _ones(_common(rows[y : y + height]) >> (x + width))
@@ -131,7 +134,7 @@ def _common(lines: list[int]) -> int:
 
 
 def _ones(bits: int) -> int:
-    """Return the number of set bits below the lowest bit that is not set."""
+    """Return the number of consecutive set bits, counted from the lowest bit."""
     return (~bits & (bits + 1)).bit_length() - 1
 
 
@@ -142,7 +145,10 @@ def _clear(lines: list[int], first: int, count: int, begin: int, length: int) ->
 
 
 def _may_be_walls(step: np.ndarray, size: float) -> np.ndarray:
-    """Return which steps along the first axis are walls if they are higher than a cell of the simulator."""
+    """Return which height differences along the first axis may be walls, bool.
+
+    A wall must also be higher than a cell of the simulator, which this function does not check.
+    """
     around = np.pad(step, ((1, 1), (0, 0)))
     alone = (around[:-2] < step / 2) & (around[2:] < step / 2)
     return alone | (step >= _WALL * size)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The motions that FreeCAD's simulators make of a toolpath."""
+"""Convert a toolpath to the motions that FreeCAD's simulators compute from it."""
 
 from __future__ import annotations
 
@@ -13,12 +13,12 @@ from vkworkbench.core.toolpath import Toolpath
 
 @dataclass(frozen=True, eq=False)
 class Motions:
-    """The motions that FreeCAD's simulators make of a toolpath: an arc is one, a drilling cycle is three.
+    """The motions that FreeCAD's simulators compute from a toolpath. An arc is one motion, a drilling cycle is three.
 
     Attributes
     ----------
     move : (m, 3) float64
-        From start to end, mm.
+        Vector from start to end, mm.
     sweep, radius : (m,) float64
         Angle, rad, and radius, mm, of an arc in the XY plane; 0 for straight motions.
     command : (m,) int64
@@ -32,7 +32,7 @@ class Motions:
 
     @cached_property
     def level(self) -> np.ndarray:
-        """(m,) length in the XY plane, mm; of an arc, its chord."""
+        """(m,) length in the XY plane, mm. The length of an arc is the length of its chord."""
         result: np.ndarray = np.hypot(self.move[:, 0], self.move[:, 1])
         return result
 
@@ -40,7 +40,8 @@ class Motions:
 def motions(toolpath: Toolpath) -> Motions:
     """Join the chords of each arc, and reduce each drilling cycle to the three motions of both simulators.
 
-    Arcs in the ZX and YZ planes stay chords: the simulators read every arc as an arc in XY, and draw something else.
+    Arcs in the ZX and YZ planes remain chords. The simulators read these arcs as arcs in the XY plane and draw them
+    wrongly.
 
     Parameters
     ----------
@@ -50,7 +51,7 @@ def motions(toolpath: Toolpath) -> Motions:
     Returns
     -------
     Motions
-        m <= n motions in order, without motions of length 0.
+        The motions in their order, without drilling motions of length 0.
     """
     n = len(toolpath)
     if n == 0:
@@ -66,8 +67,9 @@ def motions(toolpath: Toolpath) -> Motions:
     width = np.add.reduceat(np.where(arc, 2 * np.abs(np.sin(toolpath.sweep / 2)), 0.0), first)
     radius = np.divide(np.add.reduceat(chords, first), width, out=np.zeros(len(first)), where=width > 0)
 
-    # A drilling cycle moves over the hole at the retract height, straight down and straight up; pecks are not shown. The
-    # next motion begins at the retract height, whatever the height to which the cycle returns.
+    # A drilling cycle has three motions: over the hole at the retract height, straight down, and straight up. The
+    # simulators do not show pecks. The next motion begins at the retract height, even if the cycle returns to another
+    # height.
     cycle = toolpath.cycle[first]
     lowest = np.minimum.reduceat(points[1:, 2], first)
     retract = _height_before_first_feed(toolpath, first)
@@ -77,7 +79,7 @@ def motions(toolpath: Toolpath) -> Motions:
     down = np.column_stack((np.zeros((len(first), 2)), lowest - retract))
     move = np.stack((approach, down, -down), axis=1)
     exists = ~np.isclose(move, 0).all(axis=2)
-    exists[~cycle, 0] = True  # a full circle has no chord but is a motion
+    exists[~cycle, 0] = True  # a full circle is a motion although its chord is 0
     exists[:, 1:] &= cycle[:, None]
     arcs = np.zeros((len(first), 3))
     radii = np.zeros((len(first), 3))
@@ -86,7 +88,7 @@ def motions(toolpath: Toolpath) -> Motions:
 
 
 def _height_before_first_feed(toolpath: Toolpath, first: np.ndarray) -> np.ndarray:
-    """Return the height at which the first move at feed of each group of trajectories begins, mm."""
+    """Return the height at which the first feed move of each group of trajectories begins, mm."""
     n = len(toolpath)
     index = np.where(toolpath.rapid, n, np.arange(n))
     result: np.ndarray = toolpath.points[np.minimum.reduceat(index, first), 2]

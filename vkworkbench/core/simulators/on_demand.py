@@ -10,10 +10,10 @@ from typing import Any, Mapping
 
 
 class OnDemand(Mapping[str, Any]):
-    """Values by name, each computed once, at its first use.
+    """Values by name. Each value is computed once, at its first use.
 
-    A value whose computation fails is missing, and the error is written to the log. Iterating over the mapping, copying or
-    pickling it computes all values; `bool` computes none.
+    If the computation of a value fails, the value is missing, and the error is written to the log. Iterating over the
+    mapping, copying it or pickling it computes all values. `bool` computes no value.
 
     Parameters
     ----------
@@ -23,7 +23,7 @@ class OnDemand(Mapping[str, Any]):
 
     def __init__(self, makers: dict[str, Callable[[], Any]]) -> None:
         self._names = tuple(makers)
-        self._makers = dict(makers)  # a function is dropped after its call, with all objects that it holds
+        self._makers = dict(makers)  # a function is deleted after its call, to free the objects that it refers to
         self._made: dict[str, Any] = {}
         self._lock = threading.RLock()
 

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The cost of FreeCAD's OpenGL simulator (``CAMSimulator.PathSim``), from exact counts of its draw calls.
+"""Predict the cost of FreeCAD's OpenGL simulator (``CAMSimulator.PathSim``) from exact counts of its draw calls.
 
-The simulator keeps nothing between two frames: each frame draws every motion made so far nine times. The counts follow
-MillPathSegment.cpp and MillSimulation.cpp of FreeCAD 1.0.0.
+The simulator draws each frame from scratch: all motions up to the present one are drawn nine times. The draw calls are
+counted as in MillPathSegment.cpp and MillSimulation.cpp of FreeCAD 1.0.0.
 """
 
 from __future__ import annotations
@@ -20,28 +20,30 @@ from vkworkbench.language import Message
 
 NAME = "OpenGL"
 SINCE = (1, 0)
-SLOWEST_FRAME = 0.1  # s, ten pictures per second
+SLOWEST_FRAME = 0.1  # s, i.e. ten frames per second; slower frames get a caution
 
 # Smallest and largest angle of a chord of an arc, rad (MillPathSegment.cpp).
 _SMALLEST_STEP, _LARGEST_STEP = np.pi / 90, np.pi / 2
-# Renders of a motion in one frame: four passes of two stencil steps, one of colour (MillSimulation.cpp).
+# How often a motion is drawn in one frame: four passes with two stencil steps each, and one pass of colour
+# (MillSimulation.cpp).
 _PASSES = 9
-# Height of a tool as it is drawn, mm; bits are 20 to 50 mm long.
+# Assumed height of the drawn tool, mm. FreeCAD's tool bits are 20 to 50 mm long.
 _TOOL_HEIGHT = 30.0
-# The part is seen along Y and 30 degrees down, from 1.6 times the stock's longer side, in a window of 4:3 that shows
-# 0.7 rad of height (SimDisplay.cpp).
+# The first view of the simulator: the eye looks along Y and 30 degrees down, from a distance of 1.6 times the stock's
+# longer side. The window has the ratio 4:3, and its height shows an angle of 0.7 rad (SimDisplay.cpp).
 _TILT = np.pi / 6
-_WINDOW = 4 / 3 * (2 * 1.6 * np.tan(0.35)) ** 2  # area of the window, as a share of the square on that side
-# Length of the pieces in which a rounded corner of the tool is drawn, mm (SimulatorGL.py), and the share by which
-# drawing takes longer for each segment of the outline beyond the two of a flat end (benchmarks/simulators.py).
+_WINDOW = 4 / 3 * (2 * 1.6 * np.tan(0.35)) ** 2  # area of the window / square of the stock's longer side
+# Length of the segments in which a rounded corner of the tool is drawn, mm (SimulatorGL.py). The second number is the
+# share by which each segment beyond the two segments of a flat end increases the drawing time
+# (benchmarks/simulators.py).
 _CORNER_PIECE = 0.5
 _LONGER_PER_SEGMENT = 0.1
-# Parts into which an operation is divided to estimate its frames where other operations were played before it.
+# Number of parts into which an operation is divided to estimate the times of its frames after other operations.
 _PARTS = 32
 
 
 def opengl_speeds(version: tuple[int, ...]) -> tuple[int, ...]:
-    """Steps per frame that the speed button offers in a FreeCAD version."""
+    """Return the numbers of steps per frame that the speed button offers in a version of FreeCAD."""
     return (1, 5, 10, 25, 50) if tuple(version[:2]) >= (1, 1) else (1, 10, 40)
 
 
@@ -52,13 +54,13 @@ class OpenGLWork:
     Attributes
     ----------
     steps : (m,) float64
-        Steps of each motion; the speed of a play is its number of steps per frame.
+        Number of steps of each motion. The speed of a play is the number of steps per frame.
     draws : (m,) float64
-        Draw calls of each finished motion in every frame.
+        Number of draw calls of each finished motion in every frame.
     area : (m,) float64
-        Area drawn for each motion in one pass, as seen in the first view, mm^2.
+        Area drawn for each motion in one pass, as it appears in the first view, mm^2.
     arc : (m,) bool
-        Which motions are arcs. An arc is drawn as far as it has been played, a straight motion is drawn whole at once.
+        Which motions are arcs. Only the played part of an arc is drawn. A straight motion is always drawn completely.
     """
 
     steps: np.ndarray
@@ -83,7 +85,7 @@ def opengl_work(made: Motions, *, diameter: float, quality: int = 10) -> OpenGLW
     -------
     OpenGLWork
     """
-    # The simulator asks for the size of the stock before the stock is known, and always gets 100 mm.
+    # The simulator reads the size of the stock before the stock is set, so the size is always 100 mm.
     resolution = min(max(100 * 0.05 / quality, 0.5), 4.0)
     small_step = np.pi / (8 if quality >= 8 else 4 if quality >= 4 else 2)
 
@@ -98,15 +100,16 @@ def opengl_work(made: Motions, *, diameter: float, quality: int = 10) -> OpenGLW
 
 
 def _seen(made: Motions, diameter: float, small: np.ndarray, chords: np.ndarray) -> np.ndarray:
-    """Return the area drawn for each motion, as seen in the first view, (m,) mm^2.
+    """Return the area drawn for each motion, as it appears in the first view, (m,) mm^2.
 
-    A straight motion is drawn as the box that it sweeps and the front half of the tool, a vertical one as the tool, an
-    arc as a box for every chord and the tool at its end, a small arc as the tool at the end of every chord.
+    A straight motion is drawn as the box that it sweeps and the front half of the tool. A vertical motion is drawn as
+    the tool. An arc is drawn as a box for every chord and the tool at the end. A small arc is drawn as the tool at the
+    end of every chord.
     """
     disc = np.pi / 4 * diameter**2
     x, y = np.abs(made.move[:, :2]).T
     across = np.divide(y, made.level, out=np.zeros(len(y)), where=made.level > 0)
-    arc, turned = made.radius * np.abs(made.sweep), 2 / np.pi  # mean share that is seen of a length that turns
+    arc, turned = made.radius * np.abs(made.sweep), 2 / np.pi  # visible share of a length, averaged over all directions
     kinds = small, made.radius > 0, made.level < 1e-6
     wide = np.select(
         kinds,
@@ -119,31 +122,31 @@ def _seen(made: Motions, diameter: float, small: np.ndarray, chords: np.ndarray)
 
 
 def outline_segments(tool: Tool) -> int:
-    """Return in how many segments the tool's outline is drawn: its side, its rounded corner, and its flat or cone."""
+    """Return the number of segments of the tool's drawn outline: the side, the rounded corner, and the flat or cone."""
     corner = int(tool.rounding * np.pi / 2 / _CORNER_PIECE) + 1 if tool.rounding else 0
     return 1 + corner + (tool.rounding < tool.radius)
 
 
 @dataclass(frozen=True)
 class OpenGLCost:
-    """The cost of one operation, or of several in sequence, in the OpenGL simulator.
+    """The cost of one operation, or of several operations in sequence, in the OpenGL simulator.
 
     Attributes
     ----------
     drawing_seconds : float
-        Drawing all motions once, without the constant part of a frame.
+        Time to draw all motions in one frame, without the constant part of the frame's time, s.
     play_seconds : dict of int to float
-        Time to play for each speed, steps per frame.
+        Time of a play, s, by speed in steps per frame.
     memory_bytes : float
-        Buffers of the motions.
+        Memory of the motions' buffers.
     draws : int
-        Draw calls of the last frame.
+        Number of draw calls of the last frame.
     arc_draws : int
-        Draw calls of the last frame for arcs.
+        Number of draw calls for arcs in the last frame.
     steps : int
-        Steps of the whole operation.
+        Number of steps of all motions.
     constants : Constants
-        The unit costs that the prediction used.
+        Constants with which the cost was predicted.
     """
 
     drawing_seconds: float
@@ -156,22 +159,22 @@ class OpenGLCost:
 
     @property
     def seconds(self) -> float:
-        """float : the time shown for this simulator, which is the time of a play at the highest speed, s."""
+        """float : the time of a play at the highest speed, s. The user sees this time for the OpenGL simulator."""
         return self.play_seconds[max(self.play_seconds)]
 
     @property
     def factor(self) -> float:
-        """float : the true time is between the estimated one divided and multiplied by this."""
+        """float : the true time is between the estimate divided by this factor and the estimate multiplied by it."""
         return self.constants.opengl_factor
 
     @property
     def frame_seconds(self) -> float:
-        """float : time of the last frame, and of each frame while the finished part is turned, s."""
+        """float : time of the last frame of a play, and of each frame while the user turns the finished part, s."""
         return max(self.constants.refresh, self.constants.frame + self.drawing_seconds)
 
 
 def predict(task: Task, conditions: Conditions) -> OpenGLCost:
-    """Estimate the simulator with the quality of the conditions, at the speeds that their FreeCAD offers."""
+    """Estimate the cost of one operation at the quality of the conditions, for all speeds of their FreeCAD version."""
     speeds = opengl_speeds(conditions.version)
     return opengl_cost(task, speeds=speeds, quality=conditions.opengl_quality, constants=conditions.constants)
 
@@ -183,11 +186,12 @@ def opengl_cost(
     quality: int = 10,
     constants: Constants = DEFAULTS,
 ) -> OpenGLCost:
-    """Estimate the OpenGL simulator for one operation.
+    """Estimate the cost of one operation in the OpenGL simulator.
 
-    A frame draws a straight motion with two calls in each of nine passes, a vertical one with one and an arc
-    with one per chord, for all that was cut so far: the time of playing grows with the square of the number of motions.
-    The area that a motion fills in the window counts as further draw calls, and a rounded tool is drawn in more pieces.
+    Each frame draws all motions up to the present one in nine passes. In each pass, a straight motion takes two draw
+    calls, a vertical motion takes one, and an arc takes one per chord. So the time of a play increases with the square
+    of the number of motions. The area that a motion fills in the window counts as further draw calls. A rounded tool
+    takes longer, because its outline has more segments.
 
     Parameters
     ----------
@@ -197,7 +201,7 @@ def opengl_cost(
     quality : int
         Position of the quality slider, 1 to 10.
     constants : Constants
-        Costs of the unit work.
+        Times and memory sizes of the simulator's steps.
 
     Returns
     -------
@@ -210,7 +214,8 @@ def opengl_cost(
     longer = 1 + _LONGER_PER_SEGMENT * (outline_segments(tool) - 2)
     drawing = constants.draw * longer * (draws + constants.fill * _PASSES * work.area / window)
 
-    # Mean time of the frames during each motion: a line is drawn whole at once, an arc grows chord by chord.
+    # Mean time of the frames during each motion. A line is drawn completely in its first frame, an arc grows chord by
+    # chord.
     before = np.cumsum(drawing) - drawing
     frames = np.maximum(constants.frame + before + np.where(arc, drawing / 2, drawing), constants.refresh)
     total = float((steps * frames).sum())
@@ -226,14 +231,15 @@ def opengl_cost(
 
 
 def opengl_together(costs: Sequence[OpenGLCost]) -> OpenGLCost:
-    """Estimate the OpenGL simulator for several operations, played one after another.
+    """Estimate the cost of several operations in the OpenGL simulator, played one after another.
 
-    Every frame of an operation also draws all motions of the earlier operations, so a play takes more than the sum.
+    Every frame of an operation also draws all motions of the earlier operations, so playing all operations together
+    takes longer than the sum of the single plays.
 
     Parameters
     ----------
     costs : sequence of OpenGLCost
-        Of the operations, in their order, at least one; all for the same stock and speeds.
+        Costs of at least one operation, in the order of the operations. All must have the same stock and speeds.
 
     Returns
     -------
@@ -259,7 +265,7 @@ def opengl_together(costs: Sequence[OpenGLCost]) -> OpenGLCost:
 
 
 def cautions(task: Task, cost: OpenGLCost | None, conditions: Conditions) -> list[Caution]:
-    """Find long times, and slow pictures because of arcs."""
+    """Find plays that take too long, and slow frames that are mostly caused by arcs."""
     found = []
     if cost is not None and cost.seconds > conditions.time_budget:
         found.append(Caution("long-play", Message("opengl-long-play", simulator=NAME, time=cost.seconds)))

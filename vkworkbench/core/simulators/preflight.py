@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Warnings before a simulation is started: the cautions of every simulator, and too much memory."""
+"""Collect the warnings before a simulation is started: each simulator's own cautions, and excessive memory."""
 
 from __future__ import annotations
 
@@ -11,20 +11,20 @@ from vkworkbench.language import Message
 
 
 def preflight(task: Task, costs: Mapping[str, Cost], conditions: Conditions) -> tuple[Caution, ...]:
-    """Find errors in the simulators, and simulations that take too long or too much memory.
+    """Find commands that a simulator handles wrongly, and simulations that take too long or too much memory.
 
     Parameters
     ----------
     task : Task
-        Without words there is no caution about commands, without a tool none about ramps.
+        Without words, there are no cautions about commands. Without a tool, there are no cautions about ramps.
     costs : mapping of str to Cost
-        The predicted costs by the simulators' names. Without a cost there is no caution about time and memory.
+        Predicted costs by the simulators' names. Without a cost, there are no cautions about time and memory.
     conditions : Conditions
 
     Returns
     -------
     tuple of Caution
-        The worst first.
+        The cautions, the worst first.
     """
     simulators = available(conditions.version)
     found = [c for s in simulators if s.cautions for c in s.cautions(task, costs.get(s.name), conditions)]
@@ -43,7 +43,7 @@ def preflight(task: Task, costs: Mapping[str, Cost], conditions: Conditions) -> 
 
 
 def _surely_fits(simulator: Simulator, task: Task, conditions: Conditions) -> bool:
-    """Return whether even a quick upper bound of the memory is within the budget."""
+    """Return whether a quickly computed upper bound of the memory is within the budget."""
     if simulator.most_bytes is None or not (task.tool and task.stock):
         return False
     return simulator.most_bytes(task, conditions) <= conditions.memory_budget

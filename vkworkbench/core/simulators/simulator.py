@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The interface of a simulator: its entry in the table (table.py), and the arguments of its functions."""
+"""The interface of a simulator: the class of its entry in table.py, and the arguments of the entry's functions."""
 
 from __future__ import annotations
 
@@ -28,11 +28,11 @@ class Task:
     ----------
     toolpath : Toolpath
     tool : Tool or None
-        Without a tool or a stock there is no cost. In FreeCAD's legacy simulator a shank wider than the cutting edge cuts as
-        well; give its diameter then.
+        Without a tool or a stock, no cost is predicted. FreeCAD's legacy simulator also cuts with a shank that is wider
+        than the cutting edge. For such a tool, give the diameter of the shank.
     stock : Solid or None
     words : Words or None
-        Words of the commands, in which the simulators look for commands that they handle wrongly.
+        Words of the commands. In these words, the cautions look for commands that a simulator handles wrongly.
     recognition : Recognition or None
     """
 
@@ -44,12 +44,12 @@ class Task:
 
     @cached_property
     def motions(self) -> Motions:
-        """The motions that FreeCAD's simulators make of the toolpath, computed once."""
+        """The motions that FreeCAD's simulators compute from the toolpath."""
         return motions(self.toolpath)
 
     @property
     def cutting(self) -> tuple[Tool, Solid]:
-        """Tool and stock.
+        """The tool and the stock.
 
         Raises
         ------
@@ -61,7 +61,7 @@ class Task:
         return self.tool, self.stock
 
     def without_words(self) -> Task:
-        """Return the same task without the words, which take more memory than everything else."""
+        """Return the same task without the words, which take more memory than the rest of the task."""
         bare = replace(self, words=None)
         vars(bare)["motions"] = self.motions
         return bare
@@ -69,14 +69,14 @@ class Task:
 
 @dataclass(frozen=True)
 class Conditions:
-    """The FreeCAD, the computer and the settings of a simulation.
+    """The version of FreeCAD, the speed of the computer, and the settings of a simulation.
 
     Attributes
     ----------
     version : tuple of int
         Version of FreeCAD, at least major and minor; empty without FreeCAD.
     constants : Constants
-        Costs of the unit work of FreeCAD's simulators on this computer.
+        Times and memory sizes of the steps of FreeCAD's simulators on this computer.
     speed : Speed
         Speed of this computer, for the extended z-buffer.
     view : View
@@ -86,7 +86,7 @@ class Conditions:
     opengl_quality : int
         Position of the OpenGL simulator's quality slider, 1 to 10.
     memory_budget, time_budget : float
-        Memory, bytes, and time, s, that one operation may take; more gives a caution.
+        Limits of memory, bytes, and time, s, for one operation. A caution warns of simulations above the limits.
     """
 
     version: tuple[int, ...] = ()
@@ -100,29 +100,29 @@ class Conditions:
 
 
 class Cost(Protocol):
-    """The cost of an operation, or of several in sequence, in one simulator.
+    """The cost of an operation, or of several operations in sequence, in one simulator.
 
     Attributes
     ----------
     seconds, memory_bytes : float
     factor : float
-        The true time is between `seconds` divided and multiplied by this.
+        The true time is between `seconds` divided by this factor and `seconds` multiplied by it.
     """
 
     @property
     def seconds(self) -> float:
-        """Time of the simulation and of its display, s."""
+        """Time of the simulation, including its display, s."""
 
     @property
     def memory_bytes(self) -> float:
-        """Memory of the simulation at its peak, bytes."""
+        """Peak memory of the simulation, bytes."""
 
     @property
     def factor(self) -> float:
         """Factor by which the time may be off, at least 1."""
 
 
-# The codes of cautions: simulations that never end, take too much memory or time, are wrong, or are slow.
+# Codes of cautions, the worst first: simulations that never end, take too much memory or time, are wrong, or are slow.
 WORST_FIRST = "legacy-hangs", "memory", "long-play", "legacy-ramp", "arcs", "short-moves"
 
 
@@ -133,9 +133,9 @@ class Caution:
     Attributes
     ----------
     code : str
-        One of `WORST_FIRST`, or the code of a further simulator, which is sorted behind them.
+        One of `WORST_FIRST`, or a code of another simulator. Other codes are sorted behind the codes of `WORST_FIRST`.
     what : Message
-        What happens and what to do.
+        Message that describes the problem and gives advice.
     command : int or None
         Index of the first command concerned; None if the caution concerns the whole operation.
     """
@@ -155,22 +155,22 @@ class Caution:
 
 @dataclass(frozen=True)
 class Advice:
-    """Functions and texts for a simulator's finest setting within a budget.
+    """Functions and texts for the advice on a simulator's finest setting within a budget.
 
     Attributes
     ----------
     choose : callable
-        ``choose(costs, memory_bytes=, seconds=, stepover=, labels=)`` returns the choice for operations in sequence: an
-        object with the message `why` and its English `explanation`.
+        ``choose(costs, memory_bytes=, seconds=, stepover=, labels=)`` returns the chosen setting for operations in
+        sequence. It is an object with the message `why` and the English text `explanation`.
     numbers : callable
-        Returns the numbers of a choice; all 0 if no setting is within the budget.
+        Returns the numbers of a chosen setting. All numbers are 0 if no setting is within the budget.
     form : str
-        Format string for the numbers of a choice.
+        Format string for the numbers of a chosen setting.
     column : str
-        Name of its column in CSV and JSON.
+        Name of the column in CSV and JSON.
     title, tooltip, sentence, none : str
-        Title and tooltip of the column in the panel, the sentence below the table, which may name the ``{simulator}``, and
-        the text if no setting is within the budget. Translated in the context "Vk_Results".
+        Title and tooltip of the column in the panel; the sentence below the table, which may contain ``{simulator}``;
+        and the text if no setting is within the budget. All are translated in the context "Vk_Results".
     """
 
     choose: Callable[..., Any]
@@ -190,32 +190,33 @@ class Simulator:
     Attributes
     ----------
     name : str
-        Name in preferences, documents and macros. It never changes.
+        Name in preferences, documents and macros. The name must never change.
     since : tuple of int
-        The first FreeCAD that has the simulator; empty if it does not need FreeCAD.
+        First version of FreeCAD with the simulator; empty if the simulator does not need FreeCAD.
     predict : callable
         ``predict(task, conditions)`` returns the Cost of one operation whose tool and stock are known.
     together : callable
         ``together(costs)`` returns the Cost of several operations in sequence.
     cautions : callable or None
-        ``cautions(task, cost, conditions)`` returns the Cautions for one operation; the cost may be None. None if the
-        simulator has no errors of its own.
+        ``cautions(task, cost, conditions)`` returns the Cautions for one operation. The argument `cost` is None if the
+        cost is unknown. The attribute is None if the simulator has no errors of its own.
     kept : type
-        The dataclass whose fields documents keep for each of its costs.
+        Dataclass with the fields of a cost that documents store.
     less_memory : Message
-        Advice for simulations that take too much memory.
+        Advice on how to reduce the memory of a simulation.
     columns : dict of str to callable
-        Columns in CSV and JSON: names, and functions that return a number from a cost.
+        Columns in CSV and JSON. The keys are the columns' names. The functions return a number from a cost.
     factor_column : str or None
-        Column of the cost's factor, behind the columns of all simulators; None if `columns` has the factor.
+        Name of the column with the cost's factor, behind the columns of all simulators; None if `columns` has the
+        factor.
     time_tooltip, memory_tooltip : str
-        Tooltips of the columns in the panel; translated in the context "Vk_Results".
+        Tooltips of the columns in the panel, translated in the context "Vk_Results".
     advice : Advice or None
     preferences : tuple of str
         Names of the preferences that have no effect without the simulator.
     most_bytes : callable or None
-        ``most_bytes(task, conditions)`` returns a quick upper bound of the memory of one operation. The cost is not computed
-        if even the bound is within the budget.
+        ``most_bytes(task, conditions)`` returns a quick upper bound of the memory of one operation. If this bound is
+        within the budget, the check of the memory does not compute the cost.
     """
 
     name: str
@@ -234,5 +235,5 @@ class Simulator:
     most_bytes: Callable[[Task, Conditions], float] | None = None
 
     def figures(self, cost: Cost | None) -> dict[str, Any]:
-        """Return the columns with the numbers of a cost; without a cost the cells are empty."""
+        """Return the columns with the numbers of a cost, or with None if there is no cost."""
         return {name: None if cost is None else number(cost) for name, number in self.columns.items()}

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The table of simulators. A new simulator is a module with its model, and an entry in this table."""
+"""The table of simulators. To add a simulator, write a module that predicts its cost, and add an entry here."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from vkworkbench.core.simulators.on_demand import OnDemand
 from vkworkbench.core.simulators.simulator import Advice, Conditions, Cost, Simulator, Task
 from vkworkbench.language import QT_TRANSLATE_NOOP, Message
 
-#: The paper's simulator; its columns in CSV and JSON have no prefix.
+#: The paper's extended z-buffer. Its columns in CSV and JSON have no prefix.
 ZBUFFER = Simulator(
     name=zbuffer.NAME,
     since=(),
@@ -115,7 +115,7 @@ def available(version: tuple[int, ...]) -> tuple[Simulator, ...]:
 
 
 def predict(task: Task, conditions: Conditions) -> tuple[OnDemand, OnDemand]:
-    """Predict the cost of an operation with known tool and stock in every simulator of this FreeCAD.
+    """Predict the cost of an operation with known tool and stock in every simulator of the FreeCAD in `conditions`.
 
     Parameters
     ----------
@@ -125,7 +125,8 @@ def predict(task: Task, conditions: Conditions) -> tuple[OnDemand, OnDemand]:
     Returns
     -------
     costs, advice : OnDemand
-        The cost, and the finest setting within the budget, by the simulators' names; each is computed at its first use.
+        The costs, and the finest settings within the budget, by the simulators' names. Each is computed at its first
+        use.
     """
     task = task.without_words()
     stepover = task.recognition and task.recognition.stepover
@@ -152,14 +153,14 @@ def together(
     labels : sequence of str
         The operations' labels.
     stepover : float or None
-        Smallest distance between passes, mm.
+        Smallest stepover of the operations, mm; None if unknown.
     **budget : float
         `memory_bytes` and `seconds`, for the advice.
 
     Returns
     -------
     costs, advice : OnDemand
-        As from :func:`predict`, without the simulators whose cost is unknown.
+        As returned by :func:`predict`, but without simulators whose cost is unknown.
     """
 
     def known(name: str) -> tuple[list[str], list[Cost]]:

@@ -15,13 +15,13 @@ from vkworkbench.core.zbuffer import Cut, Estimate, Resolution, Speed, best_reso
 from vkworkbench.core.zbuffer import most_bytes as most_bytes_of
 
 NAME = "z-buffer"
-# Number of jobs whose estimates are cached: a total is computed whenever it is shown.
+# Number of jobs whose estimates are cached, because a job's total is computed every time it is shown.
 _JOBS = 8
 
 
 @dataclass(frozen=True)
 class ZBufferCost:
-    """The part of an estimate that marks keep, or the sum of several.
+    """The part of an estimate that marks in the tree store, or the sum of several estimates.
 
     Attributes
     ----------
@@ -36,7 +36,7 @@ class ZBufferCost:
 
 
 def predict(task: Task, conditions: Conditions) -> Estimate:
-    """Estimate the simulation for the image of the conditions."""
+    """Estimate the cost of one operation for the image of the conditions."""
     tool, stock = task.cutting
     return estimate(
         task.toolpath, task.recognition, tool=tool, stock=stock, view=conditions.view, speed=conditions.speed
@@ -44,10 +44,10 @@ def predict(task: Task, conditions: Conditions) -> Estimate:
 
 
 def together(costs: Sequence[Estimate | ZBufferCost]) -> Estimate | ZBufferCost:
-    """Estimate several operations in sequence in one z-buffer, where each cuts the stock that the earlier ones left.
+    """Estimate the cost of several operations in sequence in one z-buffer. Each operation cuts the remaining stock.
 
-    If an operation is known from its mark alone, or the operations have different stocks or images, the costs are added
-    and the stock counts once. Material that two operations cut then counts twice.
+    The costs are only added if an operation is known from its mark alone, or if the operations have different stocks or
+    images. The sum includes the stock once, but material that two operations cut counts twice.
     """
     if len(costs) == 1:
         return costs[0]
@@ -79,12 +79,12 @@ def _of_job(cuts: tuple[Cut, ...], stock: Solid, view: View, speed: Speed) -> Es
 
 
 def finest_image(costs: Sequence[Estimate], **asked: Any) -> Resolution:
-    """Choose the finest image for operations in sequence; see `best_resolution`."""
+    """Choose the finest image within a budget for several operations in sequence, as `best_resolution` does."""
     whole = together(costs)
     return best_resolution(costs, whole=whole if isinstance(whole, Estimate) else None, **asked)
 
 
 def most_bytes(task: Task, conditions: Conditions) -> float:
-    """Return an upper bound of the memory, bytes, in much less time than the estimate takes."""
+    """Return an upper bound of the memory, bytes. It takes much less time than the estimate."""
     tool, stock = task.cutting
     return most_bytes_of(task.toolpath, tool=tool, stock=stock, view=conditions.view)
