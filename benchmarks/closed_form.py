@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The number of trace elements in closed form, with and without the strategy, for benchmarks/resources.py.
+"""Compute the number of trace elements in closed form, with and without the strategy, for benchmarks/resources.py.
 
-Neither formula looks at the sequence of the trajectories. The strategy replaces it: strategy, stepover and tool
-determine how much new material each trajectory meets (the paper's thesis, sections 1 and 2.1).
+Neither formula uses the sequence of the trajectories. One formula uses the strategy instead: according to the paper
+(sections 1 and 2.1), strategy, stepover and tool determine how much new material each trajectory cuts.
 """
 
 from __future__ import annotations
@@ -20,24 +20,25 @@ from vkworkbench.core.toolpath import Toolpath
 from vkworkbench.core.view import Frame, View
 from vkworkbench.core.zbuffer.memory.silhouette import clip, polygon_area
 
-# Heights closer than this, mm, are one level.
+# Heights that differ by less than this, mm, count as one height of level moves.
 _LEVEL = 1e-3
-# Share of a level's length in one direction that is rows and not links.
+# A direction with more than this share of the length at one height has rows. Directions with less length have only
+# links.
 _FAMILY = 0.15
-# Least distance of two rows, mm.
+# Minimum distance between two rows, mm. Moves at a smaller distance belong to the same row.
 _APART = 0.05
-# Mixed operations are mostly rows with a contour around them.
+# Strategies that are computed as rows. Mixed operations are mostly rows with a contour around them.
 _ROWS = {Strategy.ZIGZAG, Strategy.ONE_WAY, Strategy.MIXED}
 _LOOPS = {Strategy.CONTOUR_PARALLEL, Strategy.SPIRAL, Strategy.ADAPTIVE}
 
 
 @dataclass(frozen=True, eq=False)
 class _Trajectories:
-    """The trajectories below the top of the stock, one value each.
+    """The trajectories below the top of the stock. Each array has one value for each trajectory.
 
     run : horizontal length, mm; rise : end height - start height, mm; low : lowest height, mm;
-    share : part of its sweep that lies over the stock, 0..1; heading : direction, rad; turn : angle of the arc that it
-    is a chord of, rad, 0 where it is none.
+    share : share of the swept area that lies over the stock, 0 to 1; heading : direction, rad; turn : angle of the arc
+    to which the chord belongs, rad, 0 for straight moves.
     """
 
     start: np.ndarray
@@ -72,7 +73,7 @@ def _in_stock(toolpath: Toolpath, tool: Tool, stock: Solid) -> _Trajectories:
 
 
 def swept(toolpath: Toolpath, *, tool: Tool, stock: Solid, view: View) -> float:
-    """Count trace elements as if every trajectory cut its whole width, seen from above.
+    """Return the number of trace elements if every trajectory cut new material over the tool's whole width.
 
     Parameters
     ----------
@@ -82,19 +83,19 @@ def swept(toolpath: Toolpath, *, tool: Tool, stock: Solid, view: View) -> float:
     view : View
     """
     t = _in_stock(toolpath, tool, stock)
-    # The foot where a move begins is new in a plunge only.
+    # The tool's circle at the start of a move contains new material only in a plunge.
     area = np.where(t.run > 0, tool.diameter * t.run, np.pi * tool.radius**2)
     return float((area * t.share).sum() / view.frame(stock).pixel ** 2)
 
 
 def closed_form(toolpath: Toolpath, recognition: Recognition, *, tool: Tool, stock: Solid, view: View) -> float:
-    """Count the trace elements that strategy, stepover and tool lead to expect.
+    """Return the number of trace elements that is expected from strategy, stepover and tool.
 
     Parameters
     ----------
     toolpath : Toolpath
     recognition : Recognition
-        Its strategy, stepover (the tool's whole width where there is none), passes and depths are used.
+        Strategy, stepover, passes and depths are used. Without a stepover, the tool's diameter is used.
     tool : Tool
     stock : Solid
     view : View
@@ -105,7 +106,7 @@ def closed_form(toolpath: Toolpath, recognition: Recognition, *, tool: Tool, sto
         return 0.0
     stepover = recognition.stepover
     if stepover is None and recognition.strategy in _ROWS | _LOOPS:
-        # One layer of passes: its area divided by their length.
+        # For one layer of passes, the stepover is the area divided by the length of the passes.
         room, _ = _grown_hull(np.concatenate((t.start, t.end))[:, :2], tool.radius, stock)
         stepover = room / max(float((t.run * t.share).sum()), 1e-9)
     stepover = min(stepover or tool.diameter, tool.diameter)
@@ -121,11 +122,12 @@ def _tilt(frame: Frame) -> tuple[float, float, float]:
 
 
 def _levels(t: _Trajectories, recognition: Recognition, tool: Tool, stock: Solid, stepover: float) -> float:
-    """Area a flat tool cuts, mm^2: each level once, and its whole foot again wherever it descends."""
+    """Return the area that a flat tool cuts, mm^2: each height once, and the tool's circle again at each descent."""
     radius = tool.radius
     level = np.flatnonzero((np.abs(t.rise) < _LEVEL) & (t.run > 0))
     key = np.rint(t.low / _LEVEL).astype(np.int64)
-    # A descent that ends on a level is part of the level. Other descents also cut the area of the tool.
+    # A descent that ends at the height of level moves is part of this height. Other descents also cut the tool's
+    # circle.
     between = ~np.isin(key, key[level])
     descents = _descents(t, tool) * t.share
     if recognition.strategy is Strategy.HELIX:
@@ -141,7 +143,7 @@ def _levels(t: _Trajectories, recognition: Recognition, tool: Tool, stock: Solid
         if room <= 0:
             continue  # beside the stock
         if recognition.strategy in _ROWS:
-            # Rows of several directions cross without regard to each other.
+            # Rows of different directions are assumed to cross independently of each other.
             shares = [_rows_area(t, rows, tool, stepover) / room for rows in _row_families(t, here)]
             area = room * (1 - np.prod(1 - np.minimum(shares, 1)))
         elif recognition.strategy in _LOOPS:
@@ -153,9 +155,9 @@ def _levels(t: _Trajectories, recognition: Recognition, tool: Tool, stock: Solid
 
 
 def _descents(t: _Trajectories, tool: Tool) -> np.ndarray:
-    """Area each descending trajectory of a flat tool cuts: every step down cuts the whole foot anew."""
+    """Return the area that each descending trajectory of a flat tool cuts, mm^2, including the tool's circle."""
     down = np.flatnonzero(t.rise < -_LEVEL)
-    # A plunge only counts where it goes deeper than earlier ones at the same place.
+    # A plunge counts only if it is deeper than all earlier plunges at the same place.
     place = np.rint(t.end[down, :2] / _LEVEL).astype(np.int64)
     _, group = np.unique(place, axis=0, return_inverse=True)
     group = group.ravel()
@@ -172,7 +174,7 @@ def _descents(t: _Trajectories, tool: Tool) -> np.ndarray:
 
 
 def _beside_last_helix(t: _Trajectories, tool: Tool) -> np.ndarray:
-    """Part of the tool's foot beside the ring that the helix before it in the same hole has cut, 0..1."""
+    """Return the share of the tool's circle, 0 to 1, that the previous helix in the same hole has not cut."""
     arc = np.flatnonzero(t.turn)
     half = t.turn[arc] / 2
     chord = (t.end - t.start)[arc, :2]
@@ -196,7 +198,7 @@ def _beside_last_helix(t: _Trajectories, tool: Tool) -> np.ndarray:
 
 
 def _common_area(a: float, b: float, apart: float) -> float:
-    """Area of the overlap of two circles."""
+    """Return the overlap area of two circles with radii `a` and `b`, whose centres have the distance `apart`."""
     if apart >= a + b:
         return 0.0
     if apart <= abs(a - b):
@@ -206,34 +208,42 @@ def _common_area(a: float, b: float, apart: float) -> float:
 
 
 def _row_families(t: _Trajectories, here: np.ndarray) -> list[np.ndarray]:
-    """Return the trajectories of each frequent direction of a level."""
+    """Return the trajectories at one height for each frequent direction."""
     bins = np.rint(t.heading[here] / np.pi * 36).astype(np.int64) % 36
     length = np.bincount(bins, t.run[here], minlength=36)
     return [here[bins == b] for b in np.flatnonzero(length > _FAMILY * length.sum())]
 
 
 def _rows_area(t: _Trajectories, rows: np.ndarray, tool: Tool, stepover: float) -> float:
-    """Return the area of parallel rows with round ends: the first row has the tool's width, each further row adds its step."""
+    """Return the area of parallel rows with round ends, mm^2.
+
+    The first row has the width of the tool, and each further row adds its stepover.
+    """
     heading = float(np.angle((t.run[rows] * np.exp(2j * t.heading[rows])).sum()) / 2)
     offset = t.start[rows, 1] * np.cos(heading) - t.start[rows, 0] * np.sin(heading)
     in_order, sorted_ = np.abs(np.diff(offset)), np.diff(np.sort(offset))
     passes = np.count_nonzero(in_order > _APART) + 1
-    # Sorting mixes the rows of several pockets; without sorting, the rows of a lattice jump. Both only lower the step.
+    # If the rows are sorted, rows of several pockets mix. If they are not sorted, distances between distant rows occur.
+    # Both errors only make the step smaller, so the larger of the two steps is used.
     steps = [s.mean() for s in (x[(x > _APART) & (x <= tool.diameter + _APART)] for x in (in_order, sorted_)) if len(s)]
     step = min(float(max(steps)), tool.diameter) if steps else stepover
     along = float((t.run * t.share)[rows].sum())
-    # The tool's circle where the row is its own, |y| < step / 2.
+    # Area of the tool's circle within the row's own strip, |y| < step / 2.
     ends = step * np.sqrt(tool.radius**2 - step**2 / 4) + 2 * tool.radius**2 * np.arcsin(step / tool.diameter)
     return float(step * along + passes * ends + (tool.diameter - step) * along / passes)
 
 
 def _grown_hull(points: np.ndarray, radius: float, stock: Solid) -> tuple[float, float]:
-    """Area of the points' convex hull grown by the radius, cut to the stock, and the hull's perimeter."""
+    """Return the area of the points' convex hull, enlarged by a radius and clipped to the stock, and its perimeter.
+
+    The perimeter is the perimeter of the hull before it is enlarged.
+    """
     angles = 2 * np.pi * np.arange(64) / 64
     normals = np.column_stack((np.cos(angles), np.sin(angles)))
     reach = (points @ normals.T).max(axis=0)
     step = angles[1]
-    # Support lines k and k + 1 meet in a corner; the perimeter is the mean width times pi (Cauchy).
+    # Each corner of the hull is the intersection of the support lines k and k + 1. The perimeter is the mean width
+    # times pi (Cauchy).
     grown = reach + radius
     along = (np.roll(grown, -1) - grown * np.cos(step)) / np.sin(step)
     tangents = np.column_stack((-normals[:, 1], normals[:, 0]))
@@ -245,10 +255,10 @@ def _grown_hull(points: np.ndarray, radius: float, stock: Solid) -> tuple[float,
 
 
 def _recut(t: _Trajectories, tool: Tool, stock: Solid, stepover: float) -> float:
-    """Area a ball or a cone cuts, mm^2: it deepens what lies ahead of it at every trajectory.
+    """Return the area that a ball or a cone cuts, mm^2, including pixels that are cut several times.
 
-    Ahead of the tool a pixel is cut again by each trajectory until the axis has passed, as far as the tool is
-    lower there than the previous pass left it.
+    Until the tool's axis has passed a pixel, each trajectory cuts the pixel again, if the tool there is lower than the
+    surface that the previous pass has left.
     """
     depth = stock.upper[2] - t.low
     if tool.steepness > 0:
@@ -265,7 +275,7 @@ def _recut(t: _Trajectories, tool: Tool, stock: Solid, stepover: float) -> float
 
 
 def _walls(t: _Trajectories, tool: Tool, stock: Solid, stepover: float, azimuth: float) -> float:
-    """Area of the walls the trajectories cut, seen from the side, mm^2."""
+    """Return the area of the walls that the trajectories cut, as seen from the side, mm^2."""
     key = np.rint(t.low / _LEVEL).astype(np.int64)
     levels, which = np.unique(key, return_inverse=True)
     ceiling = np.append(levels[1:] * _LEVEL, stock.upper[2])

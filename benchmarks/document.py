@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Use the add-on on one document inside FreeCAD, as its owner would: a part of real_documents.py.
+"""Use the add-on on one document inside FreeCAD, as the document's owner would: a part of real_documents.py.
 
     VKWORKBENCH_DOCUMENT=FILE.FCStd freecadcmd $PWD/benchmarks/document.py
 
-Analyses and marks the document, saves and opens a copy, analyses the copy, and simulates each job. Prints one JSON record
-after the word RESULT: the operations by FreeCAD's class and pattern, and all errors.
+The script analyses and marks the document, saves and opens a copy, analyses the copy, and simulates each job. It prints
+one JSON record after the word RESULT, with the operations by FreeCAD's class and pattern, and all errors.
 """
 
 from __future__ import annotations
@@ -30,12 +30,12 @@ from vkworkbench.language import Unusable
 
 
 def told(report) -> dict[str, tuple[str, str]]:
-    """The strategy and the warnings of each operation, by its name."""
+    """Return the strategy and the warnings of each operation, by the operation's name."""
     return {o.name: (str(o.recognition and o.recognition.strategy), o.error) for o in report.operations}
 
 
 def kinds(document) -> dict[str, str]:
-    """The class of each operation and the pattern that FreeCAD was told, by its name."""
+    """Return the class of each operation and the pattern that is set in FreeCAD, by the operation's name."""
     found = {}
     for operation in find(document):
         obj = operation.object

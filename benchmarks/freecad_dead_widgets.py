@@ -1,11 +1,12 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Widgets that FreeCAD deletes without telling PySide.
+"""Count the widgets that FreeCAD deletes without informing PySide.
 
     xvfb-run -a freecad $PWD/benchmarks/freecad_dead_widgets.py
 
-Prints the number of such widgets after the preferences and the panel of the simulator were opened and closed, and how
-often the simulator could not be opened. When Qt makes another object at the address of such a widget, PySide takes the
-object for the widget, and FreeCAD may crash. The script does not import the add-on.
+The script opens and closes the preferences and the panel of the simulator. Then it prints the number of deleted widgets
+that PySide considers alive, and how often the simulator could not be opened. If Qt creates another object at the
+address of a deleted widget, PySide confuses the object with the widget, and FreeCAD may crash. The script does not
+import the add-on.
 """
 
 import gc
@@ -27,7 +28,7 @@ OLD = FreeCAD.Version()[0] == "0"
 
 
 def dead() -> int:
-    """Return the number of widgets that PySide considers alive and Qt does not know."""
+    """Return the number of widgets that PySide considers alive but that Qt has deleted."""
     alive = {shiboken.getCppPointer(widget)[0] for widget in QtGui.QApplication.allWidgets()}
     return sum(
         shiboken.isValid(thing) and shiboken.getCppPointer(thing)[0] not in alive

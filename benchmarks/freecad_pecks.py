@@ -1,10 +1,11 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""FreeCAD's window takes all memory for one command, by itself: it draws each peck of a drilling cycle, without a bound.
+"""Show that FreeCAD without the add-on uses all memory to draw one drilling cycle, because it draws every peck.
 
     (ulimit -v 8000000; xvfb-run -a freecad $PWD/benchmarks/freecad_pecks.py)
 
-Printed are the seconds and the memory that the drawing of a hole took with ever smaller pecks, until FreeCAD ends. A
-peck that is lost in rounding, such as 1e-20 mm, is drawn for ever. Run without the add-on, which this script does not import.
+The script draws a hole with smaller and smaller pecks until FreeCAD ends, and prints the time and the memory of each
+drawing. If a peck is so small that rounding removes it, such as 1e-20 mm, the drawing never ends. The script does not
+import the add-on.
 """
 
 import os

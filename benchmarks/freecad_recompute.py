@@ -1,12 +1,13 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""FreeCAD 1.1 crashes in a recompute: a tool changes its size while an object of its body has an error.
+"""Show that FreeCAD 1.1 crashes in a recompute if a tool changes its size while an object in its body has an error.
 
     MALLOC_PERTURB_=255 freecadcmd $PWD/benchmarks/freecad_recompute.py
 
-A tool bit makes its body again after the recompute (Mod/CAM/Path/Tool/toolbit/models/base.py, slotRecomputedDocument).
-Document::recompute then reports the errors of all objects that it recomputed, also of deleted objects, and reads freed
-memory: often it prints nonsense, sometimes FreeCAD ends with SIGSEGV. MALLOC_PERTURB_ fills freed memory, so FreeCAD
-crashes at once. The script does not import the add-on.
+After the recompute, a tool bit creates its body again (Mod/CAM/Path/Tool/toolbit/models/base.py,
+slotRecomputedDocument). Then Document::recompute reports the errors of all objects that it has recomputed. Some of
+these objects have been deleted, so it reads freed memory. Often FreeCAD only prints nonsense, but sometimes it ends
+with SIGSEGV. MALLOC_PERTURB_ fills freed memory, so that FreeCAD crashes at once. The script does not import the
+add-on.
 """
 
 import os

@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""FreeCAD 0.20 ends after an undo, by itself: a job is made, that is undone, and something else is done.
+"""Show that FreeCAD 0.20 crashes without the add-on, after a job was created, undone, and followed by another action.
 
     MALLOC_PERTURB_=255 xvfb-run -a freecad $PWD/benchmarks/freecad_undo.py
 
-A job is made in several steps. *Create ToolBit* is the last that undo knows; that the tool controller has this tool is
-in no step. So the undo takes the tool away and leaves the controller's link to it; the next step of any kind, for which
-FreeCAD forgets what could be redone, frees the tool, and the next recompute follows the link. The variable fills free
-memory, so that it ends at once. Run without the add-on, which this script does not import.
+FreeCAD creates a job in several undo steps. The last recorded step is *Create ToolBit*. The link from the tool
+controller to this tool is not part of a step. So the undo removes the tool, but not the link. The next action deletes
+the redo steps and frees the tool, and the next recompute follows the link into freed memory. MALLOC_PERTURB_ fills
+freed memory, so that FreeCAD crashes at once. The script does not import the add-on.
 """
 
 import os

@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""How often the unit inch is guessed: wrongly for toolpaths at their true size, correctly at 1/25.4 of their size.
+"""Count how often the unit inch is guessed wrongly, for toolpaths in mm, and rightly, for toolpaths scaled by 1/25.4.
 
     python3 benchmarks/inches.py FILE...
 
-FILE is an NC program, a folder of programs, or a ``.jsonl.gz`` of operations with ``commands`` and ``tool_diameter`` in
-FreeCAD's units. For each kind the command prints how often the guess is inches at both sizes, and how many toolpaths get
-the same strategy at both sizes, with `recognize` and with `recognize_inches`.
+FILE is an NC program, a folder of programs, or a ``.jsonl.gz`` file of operations with ``commands`` and
+``tool_diameter`` in FreeCAD's units. For each kind of file, the script prints how often the guess is inches at both
+sizes, and how many toolpaths get the same strategy at both sizes, with `recognize` and with `recognize_inches`.
 """
 
 from __future__ import annotations
@@ -24,7 +24,7 @@ from vkworkbench.core.gcode import INCH, looks_like_inches, read_program
 from vkworkbench.core.recognition import recognize_inches
 from vkworkbench.program.files import find_programs, read_bytes, text_of
 
-LONGEST = 50_000  # trajectories; recognising longer ones twice more takes long
+LONGEST = 50_000  # maximum number of trajectories; recognising a longer toolpath several times takes too long
 
 
 def operations(path: Path) -> Iterator[tuple[Toolpath, float | None]]:
@@ -49,7 +49,7 @@ def shrunk(toolpath: Toolpath, feeds: float) -> Toolpath:
 def main() -> None:
     print(f"{'':40s} {'number':>7s} {'said at 1':>10s} {'at 1/25.4':>10s} {'same':>7s} {'as inches':>10s}")
     for name in map(Path, sys.argv[1:]):
-        imported = name.name.endswith(".jsonl.gz")  # FreeCAD takes a file's mm or inches a minute for mm/s
+        imported = name.name.endswith(".jsonl.gz")  # FreeCAD reads a file's mm/min or in/min as mm/s
         number = said = found = same = same_in_inches = judged = 0
         for toolpath, tool in (operations if imported else programs)(name):
             small = shrunk(toolpath, 60 / INCH if imported else 1 / INCH)

@@ -1,12 +1,13 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""How often the remark that a toolpath contradicts its operation's name is right.
+"""Measure how often the remark that a toolpath contradicts its operation's name is right.
 
     python3 benchmarks/intent.py FILE.jsonl.gz ...
 
-The FILEs hold FreeCAD's operations as recognition.py reads them; a label is the kind, and the pattern where it has one.
-With its own name, no operation is contradicted. Each operation also gets the name of another, drawn at random, whose
-accepted strategies have no family in common with its own: there the remark is right. Needs numpy only.
+Each FILE contains operations from FreeCAD in the form that recognition.py reads. A label is the operation's kind,
+followed by its pattern if it has one. With the operation's own name, every remark is wrong. Each operation also gets
+the name of another random operation whose accepted strategies belong to other families. With this name, every remark is
+right. The script needs numpy only.
 """
 
 from __future__ import annotations
@@ -19,7 +20,7 @@ import numpy as np
 
 HERE = Path(__file__).resolve().parent
 sys.path[:0] = [str(HERE.parent), str(HERE)]
-sys.modules.setdefault("FreeCAD", types.ModuleType("FreeCAD"))  # the names that fit need none
+sys.modules.setdefault("FreeCAD", types.ModuleType("FreeCAD"))  # comparing names does not need FreeCAD
 
 from records import operations
 
@@ -31,7 +32,7 @@ KINDS = ("Adaptive", "Deburr", "Drilling", "Engrave", "Helix", "Profile", "Slot"
 
 
 def called(label: str) -> str | None:
-    """Return the name that is compared: the kind, or where it has one the pattern."""
+    """Return the name that is compared: the pattern if the label has one, otherwise the kind."""
     kind, *rest = label.replace("+", ":").split(":")
     if kind in KINDS:
         return kind

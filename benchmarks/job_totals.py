@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The cost of simulating a job in the extended z-buffer: the estimated total against the true one.
+"""Compare the estimated and the exact cost of simulating a job in the extended z-buffer.
 
     freecadcmd "$PWD/benchmarks/job_totals.py"
 
-Uses the example job, and random jobs of toolpaths from toolpaths/synthetic.py in a box around all toolpaths. Prints the truth,
-the estimated total, and the sum of the operations estimated one by one; errors are ratios, the larger over the smaller.
-Then prints the processor time of analyses, the best of three.
+The jobs are the example job, and random jobs of toolpaths from toolpaths/synthetic.py in a box around all toolpaths.
+The script prints the exact cost, the estimated total, and the sum of the operations' separate estimates. Errors are
+ratios of the larger to the smaller value. Then the script prints the processor time of analyses, the best of three.
 """
 
 from __future__ import annotations
@@ -35,7 +35,7 @@ from vkworkbench.document.simulation.copy import read_job
 
 JOBS, RUNS = 20, 3
 DIRECTIONS = {"from above": (0, 0, -1), "from (1, 1, -1)": (1, 1, -1)}
-# FreeCAD writes its progress to the standard output.
+# A copy of the standard output, because FreeCAD writes its progress to the original.
 OUT = os.fdopen(os.dup(1), "w")
 os.dup2(os.open(os.devnull, os.O_WRONLY), 1)
 
@@ -59,7 +59,7 @@ def main() -> None:
 
 
 def told(cuts, stock, view, speed) -> None:
-    """The example job's numbers."""
+    """Print the numbers of the example job."""
     whole, alone = estimates(cuts, stock, view, speed)
     begin = time.process_time()
     true = simulate_job(cuts, stock=stock, view=view, processes=1)
@@ -74,18 +74,18 @@ def told(cuts, stock, view, speed) -> None:
 
 
 def estimates(cuts, stock, view, speed):
-    """Return the cost of the job, and of its operations one by one."""
+    """Return the cost of the job, and the costs of its operations simulated separately."""
     alone = [estimate(cut.toolpath, None, tool=cut.tool, stock=stock, view=view, speed=speed) for cut in cuts]
     return zbuffer.together(alone), alone
 
 
 def summed(alone) -> zbuffer.ZBufferCost:
-    """Add up operations as where they are known from marks alone."""
+    """Return the sum of the operations' costs, as for operations that are known from their marks alone."""
     return zbuffer.together([zbuffer.ZBufferCost(e.seconds, e.memory_bytes, e.factor, e.stock_bytes) for e in alone])
 
 
 def errors(cuts, stock, view, speed):
-    """Errors of a job's total, and of the sum: of traces, memory and time."""
+    """Return the errors of traces, memory and time, for a job's total and for the sum of its operations."""
     whole, alone = estimates(cuts, stock, view, speed)
     begin = time.process_time()
     true = simulate_job(cuts, stock=stock, view=view, processes=1)
@@ -99,7 +99,7 @@ def errors(cuts, stock, view, speed):
 
 
 def random_jobs(rng):
-    """Cuts and stock of jobs of two to six operations that lie over each other."""
+    """Yield cuts and stock of jobs of two to six operations that overlap each other."""
     for _ in range(JOBS):
         cuts = []
         for number in rng.choice(len(SAMPLES), rng.integers(2, 7)):
@@ -117,7 +117,7 @@ def spread(values) -> str:
 
 
 def analyses(document) -> None:
-    """How long an analysis of the example takes, without its z-buffer costs, with them, and with the total."""
+    """Print how long an analysis of the example takes: without z-buffer costs, with them, and with the total."""
     least = [np.inf] * 3
     for _ in range(RUNS):
         RESULTS.clear()

@@ -4,9 +4,10 @@
 
     python3 benchmarks/learn_borders.py PROGRAMS.jsonl.gz OPERATIONS.jsonl.gz ... [--write]
 
-PROGRAMS holds whole programs, OPERATIONS single operations as benchmarks/recognition.py reads both. The operations are
-also joined at random, two of one part with a rapid between, so that their border is certain. What is printed is judged
-on sources that had no part in the learning: a tenth of the repositories and parts at a time.
+PROGRAMS contains whole programs and OPERATIONS contains single operations, in the forms that benchmarks/recognition.py
+reads. Random pairs of operations from the same part are also joined by a rapid, so that the border between them is
+certain. The printed accuracy is measured by cross-validation: each tenth of the repositories and parts is judged by a
+model that was learned without this tenth.
 """
 
 from __future__ import annotations
@@ -30,14 +31,14 @@ from vkworkbench.core.recognition.thresholds import VISITS
 from vkworkbench.core.recognition.verdict.forest import Forest
 
 TREES, LEAVES = 32, 100
-MANY = 60  # visits of one operation that are taken at most, so that no raster outweighs all other programs
+MANY = 60  # maximum number of retracts inside the sections of a program, so that no raster outweighs all other programs
 FOLDS = 10
-BORDERS_OF_PROGRAMS, OF_JOINED = 4.0, 0.5  # weights: true borders of real programs are rare
+BORDERS_OF_PROGRAMS, OF_JOINED = 4.0, 0.5  # weights of borders in programs (rare) and of joined operations
 TABLE = HERE.parent / "vkworkbench" / "core" / "recognition" / "programs" / "borders.py"
 
 
 def examples(path, sections) -> tuple[np.ndarray, np.ndarray]:
-    """Return the measures of those retracts of a program that lie in a section (0) or between two (1)."""
+    """Return the measures of a program's retracts, and 0 for each retract inside a section, 1 for each between two."""
     visits = find_visits(path, monotonous_areas(path))
     if visits is None:
         return np.empty((0, len(MEASURES))), np.empty(0, int)
@@ -72,7 +73,10 @@ def retracts(of_programs: list[Record], single: list[Record]) -> tuple[np.ndarra
 
 
 def left_out(x, y, group, weight) -> tuple[dict[str, Forest], np.ndarray]:
-    """Learn without each fold of groups in turn: return the forest for every group, and its share for every retract."""
+    """Learn without each fold of groups in turn.
+
+    Return the forest that has not seen a group, for every group, and the share of votes for every retract.
+    """
     groups = sorted(set(group))
     fold = dict(zip(np.random.default_rng(0).permutation(groups).tolist(), (np.arange(len(groups)) % FOLDS).tolist()))
     of = np.array([fold[g] for g in group])

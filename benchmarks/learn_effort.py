@@ -1,13 +1,13 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Learn the time of a unit of the z-buffer's work from simulations of synthetic toolpaths, for `core/zbuffer/cost/effort.py`.
+"""Learn the time for each kind of the z-buffer's work, for `core/zbuffer/cost/effort.py`.
 
     python3 benchmarks/learn_effort.py
 
-Every toolpath of toolpaths/synthetic.py and zbuffer_cases.py is simulated with tools of two or four shapes, each in two
-of five sizes of image and in one of four views. The processor time (the better of two runs) is fitted by the amounts of
-work: least squares of the relative differences, no negative cost, with a small weight towards the usual costs.
-Prints the errors for toolpaths that were left out of the fit, the tables of effort.py and the constants of `Speed`.
-benchmarks/resources.py tests with other toolpaths.
+Every toolpath of toolpaths/synthetic.py and zbuffer_cases.py is simulated with tools of two or four shapes, in two of
+five image sizes and in one of four views. The processor time is the better of two runs. It is modelled as a sum of
+amounts of work times unknown costs. The costs minimise the squared relative errors, are not negative, and are drawn
+slightly towards usual costs. The script prints the errors for toolpaths that were left out of the fit, the tables of
+effort.py and the constants of `Speed`. benchmarks/resources.py tests with other toolpaths.
 """
 
 from __future__ import annotations
@@ -28,17 +28,21 @@ from vkworkbench.core import Tool, View, estimate, simulate
 from vkworkbench.core.gcode import linearize
 
 RUNS = 2
-# Widths of images. In large ones each pixel has few pairs, and what the pixel itself takes is most of the time.
+# Widths of images. In large images, most of the time is spent on the pixels themselves, because each pixel has few
+# pairs.
 SIZES = (240, 400, 640, 1600, 3200)
 DIRECTIONS = ((0, 0, -1), (0, 0, -1), (1, 1, -1), (0, 0.5, -1), (1, -2, -0.3))
-# What is estimated to take longer, s, is left out, and what takes less: it is not told from noise.
+# Simulations with a longer estimated time, s, are left out because they take too long. Simulations with a shorter
+# measured time are left out because their time cannot be distinguished from noise.
 LONGEST, SHORTEST = 2.0, 3e-3
 FOLDS = 10
-# Roughly what each costs, s, from above or below and obliquely, and the weight of that against one run.
+# Approximate cost of each kind of work, s, in vertical and in oblique views; and the weight of these costs relative to
+# one run.
 USUAL = 1e-6 * np.array([2, 0.03, 0.005, 300, 0.035, 0.18, *[0.06, 0.35] * 8, *[0.05, 0.4] * 8, 0.1])
 RIDGE = 0.3
 STEPS = 20_000
-# Columns of the amounts: trajectory, pixel, meeting, block; records, tests and cells by kind, and cells that are sorted.
+# Columns of the amounts: trajectories, pixels, meetings and blocks; then records, tests and cells by kind; then sorted
+# cells.
 PLAIN, RECORDS, TESTS, CELLS, SORTED = slice(0, 4), slice(4, 6), slice(6, 22), slice(22, 38), slice(38, 39)
 
 
@@ -47,7 +51,7 @@ def main() -> None:
 
 
 def runs():
-    """Amounts of work, s that they take, and which toolpath it is, of each simulation."""
+    """Return the amounts of work, the time, s, and the number of the toolpath for each simulation."""
     rng = np.random.default_rng(5)
     for source, toolpath, tool, stock in operations(rng):
         direction = DIRECTIONS[rng.integers(len(DIRECTIONS))]
@@ -59,7 +63,7 @@ def runs():
 
 
 def operations(rng):
-    """Numbers of toolpaths, these, tools and stocks."""
+    """Yield the number of the toolpath, the toolpath, the tool and the stock of each operation."""
     for source, (_, _, maker) in enumerate(SAMPLES):
         toolpath = linearize(maker(rng))
         for shape in rng.permutation(4)[:2]:
@@ -71,14 +75,14 @@ def operations(rng):
 
 
 def tool_of(shape: int, diameter: float) -> Tool:
-    """A flat, pointed, ball or bull-nose end."""
+    """Return a tool with a flat, pointed, ball or bull-nose end."""
     if shape == 3:
         return Tool("bullnose", diameter, corner_radius=diameter / 5)
     return Tool(("endmill", "vbit", "ballend")[shape], diameter)
 
 
 def best_time(toolpath, **solids) -> float:
-    """Processor time of the fastest run, s."""
+    """Return the processor time of the fastest run, s."""
     times = []
     for _ in range(RUNS):
         begin = time.process_time()
@@ -88,7 +92,7 @@ def best_time(toolpath, **solids) -> float:
 
 
 def amounts(work) -> np.ndarray:
-    """Amounts of one simulation's work, (39,), by kind."""
+    """Return the amounts of each kind of work in one simulation, (39,)."""
     blocks = work.amounts()[3]
     plain = [work.trajectories, work.pixels, work.first, blocks]
     tests, sorted_ = 4 * np.reshape(work.pairs, (-1, 16)).sum(axis=0), work.unconnected * sum(work.cells)
@@ -96,7 +100,7 @@ def amounts(work) -> np.ndarray:
 
 
 def learn(rows: np.ndarray, seconds: np.ndarray, source: np.ndarray) -> None:
-    """Print what the amounts (k, 39) of runs cost that took so long, and what leaving out toolpaths costs."""
+    """Fit the costs of the amounts (k, 39) to the times of runs. Print the costs and the errors on left-out toolpaths."""
     long = seconds > SHORTEST
     rows, seconds, source = rows[long], seconds[long], source[long]
     predicted = np.empty(len(seconds))
@@ -120,14 +124,14 @@ def learn(rows: np.ndarray, seconds: np.ndarray, source: np.ndarray) -> None:
 
 
 def costs_of(relative: np.ndarray) -> np.ndarray:
-    """Costs (39,) of amounts per s (k, 39)."""
+    """Return the costs (39,) with which the amounts divided by their times, (k, 39), give about 1."""
     return positive(
         np.vstack((relative, RIDGE * np.diag(1 / USUAL))), np.append(np.ones(len(relative)), np.full(len(USUAL), RIDGE))
     )
 
 
 def positive(rows: np.ndarray, right: np.ndarray) -> np.ndarray:
-    """Costs, none below nothing, with which the rows (k, n) come nearest to `right` (Lee and Seung 2001)."""
+    """Return the non-negative costs (n,) with the least squared error of `rows` @ costs (Lee and Seung 2001)."""
     scale = rows.max(axis=0)
     rows = rows / scale
     costs = np.full(rows.shape[1], 1 / rows.sum(axis=1).mean())

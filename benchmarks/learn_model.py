@@ -1,12 +1,14 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Learn the model of the recognition from the table alone, and judge it on sources that it has not seen.
+"""Learn the model of the recognition from the table alone, and judge it on sources that it was not learned from.
 
     python3 benchmarks/learn_model.py              # learns and writes vkworkbench/core/recognition/verdict/model.npz
-    python3 benchmarks/learn_model.py --check      # fails unless the model that ships is what the table gives
-    python3 benchmarks/learn_model.py --judge      # prints how good it is where sources are left out of the learning
+    python3 benchmarks/learn_model.py --check      # fails if the shipped model differs from the model learned from the
+    table python3 benchmarks/learn_model.py --judge      # prints the accuracy on sources that are left out of the
+    learning
 
-The table is benchmarks/labelled_operations.csv, which make_table.py makes. Needs scikit-learn as tests/tools.txt names it.
+The table is benchmarks/labelled_operations.csv, which make_table.py writes. The script needs the version of
+scikit-learn in tests/tools.txt.
 """
 
 from __future__ import annotations
@@ -35,8 +37,8 @@ from vkworkbench.core.recognition.verdict.model import FILE, Model, Trees, log_o
 VALUES = tuple(s.value for s in STRATEGIES)
 UNKNOWN = STRATEGIES.index(Strategy.UNKNOWN)
 FOLDS = 10
-#: Weights of a row in the learning of the strategies, of what machines nothing, and of the confidence. Programs are what
-#: users have, and they are rare.
+#: Weights of a row for learning the strategies, the nonsense toolpaths, and the confidence. Programs have large
+#: weights, because users have programs, but the table has few of them.
 WEIGHTS = {
     "program": (4.0, 6.0, 1.0),
     "program, told": (3.0, 0.0, 1.0),
@@ -46,8 +48,9 @@ WEIGHTS = {
     "nonsense": (0.0, 2.0, 0.0),
 }
 BEST = 2.0  # weight of the best label of a row; its other labels have the weight 1
-# Random forests (Breiman 2001) are right about the strategy more often; extremely randomised trees (Geurts, Ernst and
-# Wehenkel 2006) know more kinds of nonsense that they have not seen. More trees or leaves gain little, and 200 kB are full.
+# Random forests (Breiman 2001) recognise the strategy more accurately. Extremely randomised trees (Geurts, Ernst and
+# Wehenkel 2006) recognise more kinds of nonsense toolpaths that they were not learned from. More trees or leaves
+# improve the accuracy only a little, and the model's file already has 200 kB.
 OF_STRATEGIES = {"n_estimators": 80, "max_leaf_nodes": 160, "max_features": 0.3, "random_state": 1, "n_jobs": -1}
 OF_NONSENSE = {"n_estimators": 60, "max_leaf_nodes": 160, "max_features": 0.5, "random_state": 1, "n_jobs": -1}
 SHARES = 255  # votes of a leaf
@@ -60,17 +63,18 @@ class Examples:
     Attributes
     ----------
     kind, group, system : (n,) str
-        Which WEIGHTS they have; what is left out together, repositories, parts or kinds; or, instead, CAM systems.
+        Key of the row's WEIGHTS; repository, part or kind whose rows are left out together; and CAM system, which can
+        be used for leaving out instead of the group.
     x : (n, m) float
         Features.
     accepted : (n, c) bool
-        Which STRATEGIES count as right.
+        STRATEGIES that count as right.
     best : (n,) int
         The best strategy of the row.
     rules : (n,) int
-        What the rules propose.
+        The strategy that the rules propose.
     paper : (n,) int
-        The paper's literal verdict.
+        The verdict of the paper's own rule.
     names : (m,) str
         Names of the features.
     """
@@ -112,11 +116,11 @@ class Examples:
         return cls(*map(np.array, zip(*found)), np.array(list(known)))
 
     def weight(self, which: int) -> np.ndarray:
-        """Return weights of every row, see WEIGHTS."""
+        """Return one weight of every row: `which` is the position in WEIGHTS."""
         return np.array([WEIGHTS[kind][which] for kind in self.kind])
 
     def folds(self, by: str) -> np.ndarray:
-        """Return for every row when it is left out, 0 .. FOLDS - 1, together with all of its group or system."""
+        """Return the fold of every row, 0 .. FOLDS - 1. All rows of a group or system have the same fold."""
         sources = np.unique(getattr(self, by))
         fold = np.empty(len(sources), int)
         fold[np.random.default_rng(0).permutation(len(sources))] = np.arange(len(sources)) % FOLDS
@@ -124,14 +128,14 @@ class Examples:
 
 
 def kind_of(row: dict[str, str], *, told: bool, tool: bool) -> str:
-    """Return which WEIGHTS a row has; `told` where another row of the operation has its tool."""
+    """Return the key of a row's WEIGHTS. `told` means that another row of the operation has its tool."""
     if row["kind"] == "program" and tool:
         return "program, told"
     return "freecad without tool" if row["kind"] == "freecad" and told and not tool else row["kind"]
 
 
 def exported(forest, classes: int) -> Trees:
-    """Return the trees of a forest of scikit-learn for some classes, the shares in their leaves in SHARES votes."""
+    """Return the trees of a scikit-learn forest. The classes' shares in a leaf become numbers of votes up to SHARES."""
     columns, roots, count = [], [], 0
     for tree in (one.tree_ for one in forest.estimators_):
         leaf = tree.children_left < 0
@@ -170,7 +174,7 @@ def verdicts(model: Model, e: Examples, some: np.ndarray) -> tuple[np.ndarray, n
 
 
 def calibrated(share: np.ndarray, right: np.ndarray, weight: np.ndarray) -> tuple[float, float]:
-    """Return the offset and the slope that turn shares of votes into the probability to be right."""
+    """Return the offset and the slope that convert shares of votes to the probability that the verdict is right."""
     some = weight > 0
     found = LogisticRegression(C=100.0).fit(log_odds(share[some])[:, None], right[some], weight[some])
     return float(found.intercept_[0]), float(found.coef_[0, 0])
@@ -178,18 +182,18 @@ def calibrated(share: np.ndarray, right: np.ndarray, weight: np.ndarray) -> tupl
 
 @dataclass
 class LeftOut:
-    """Verdicts on every row by a model that has not seen its source.
+    """Verdicts on every row by a model that was learned without the row's source.
 
     Attributes
     ----------
     fold, said : (n,) int
     confidence : (n,) float
-        Fitted on the other folds.
+        Confidence of each verdict, calibrated on the other folds.
     right : (n,) bool
     models : list of Model
-        What was learned without each fold.
+        The models that were learned without each fold.
     calibration : tuple of float
-        Fitted on all folds.
+        Calibration of the confidence on all folds.
     """
 
     fold: np.ndarray
@@ -201,7 +205,7 @@ class LeftOut:
 
 
 def leave_out(e: Examples, by: str) -> LeftOut:
-    """Learn without each fold of groups, or of systems, in turn."""
+    """Learn without each fold of groups or of systems in turn, and return the verdicts on the folds."""
     fold, weight = e.folds(by), e.weight(2)
     said, share, models = np.empty(len(fold), int), np.empty(len(fold)), []
     for k in range(FOLDS):
@@ -235,7 +239,7 @@ def judge(e: Examples) -> None:
 
 
 def two_classes(e: Examples, of: np.ndarray, said: np.ndarray) -> str:
-    """Return the share of some rows, (k,), whose strategies `said`, (k,), are in the right class of the paper."""
+    """Return the share of the rows `of` (k,) whose recognised strategies `said` (k,) are in the paper's right class."""
     names = [[VALUES[s] for s in np.flatnonzero(e.accepted[i])] for i in of]
     told = [two_class(VALUES[e.best[i]], set(n), VALUES[s]) for i, n, s in zip(of, names, said)]
     known = [one for one in told if one is not None]

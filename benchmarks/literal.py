@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The effect of each change to the paper's rule, on the synthetic zigzags and contours of toolpaths/.
+"""Measure the effect of each change to the paper's rule on the synthetic zigzags and contours of toolpaths/.
 
     python3 benchmarks/literal.py [SEEDS]
 
-Prints how many toolpaths of the paper's two classes are recognised rightly, wrongly, or not at all: by the paper's own
-rule, and after each change. docs/method.md explains the changes.
+The script prints how many toolpaths of the paper's two classes are recognised rightly, wrongly, or not at all, by the
+paper's own rule and after each change. docs/method.md explains the changes.
 """
 
 import sys
@@ -33,14 +33,14 @@ AROUND = {
 
 
 def phi_to_the_letter(alpha):
-    """Return the cumulative angular function of sections 3.1 and 3.2: rounding decides the sign of half turns."""
+    """Return the paper's cumulative angular function (sections 3.1, 3.2). Rounding decides the sign of half turns."""
     turn = np.diff(alpha % TURN)
     turn = np.where(turn > np.pi, turn - TURN, np.where(turn < -np.pi, turn + TURN, turn))
     return np.append(0.0, np.cumsum(turn))
 
 
 def told(low, high):
-    """Return the answer of the paper's two inequalities: rows, around, or "" between them."""
+    """Return the answer of the paper's two inequalities: rows, around, or "" if neither holds."""
     reached = max(high, -low)
     return "around" if reached > TURN + 1e-6 else "rows" if reached <= np.pi + 1e-6 else ""
 

@@ -1,12 +1,13 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Memory and time of analysing documents of 1,000 to 1,000,000 commands, and an NC program of 1,000,000 lines.
+"""Measure memory and time for analysing documents of 1,000 to 1,000,000 commands and a program of 1,000,000 lines.
 
     python3 benchmarks/loads.py
 
-It needs freecadcmd. Each size, in four operations, and the largest in one, is analysed, marked and cleared in a FreeCAD
-of its own. Prints the peak memory of the analysis on top of FreeCAD and the document, the part of it that FreeCAD
-needs alone to return the longest path with its commands, the time, and the ratio of the time to the row above, which has a
-tenth of the commands: 10 is linear. The program is read without FreeCAD.
+The script needs freecadcmd. Each document is analysed, marked and cleared in a separate FreeCAD process. The documents
+have four operations, and the largest number of commands is also tested in one operation. The script prints the peak
+memory of the analysis in addition to FreeCAD and the document, and the part of this memory that FreeCAD itself needs to
+return the longest path with its commands. It also prints the time, and the ratio to the time in the row above, which
+has a tenth of the commands, so a ratio of 10 means linear time. The program is read without FreeCAD.
 """
 
 from __future__ import annotations
@@ -25,13 +26,13 @@ LOADS = [(1_000, 4), (10_000, 4), (100_000, 4), (1_000_000, 4), (1_000_000, 1)] 
 
 
 def memory(line):
-    """A line of the process's status in bytes: VmRSS is what it takes, VmHWM the peak since the last reset."""
+    """Return a line of the process's status, bytes. VmRSS is the present memory, VmHWM the peak since a reset."""
     status = Path("/proc/self/status").read_text()
     return 1024 * next(int(entry.split()[1]) for entry in status.splitlines() if entry.startswith(line + ":"))
 
 
 def raster(count, length=100.0):
-    """Points of a raster over a wavy surface with as many rows as points in a row, mm."""
+    """Return the points of a raster over a wavy surface, mm, with as many rows as points in a row."""
     rows = points = round(math.sqrt(count))
     for row in range(rows):
         y = row * length / rows
@@ -41,7 +42,7 @@ def raster(count, length=100.0):
 
 
 def path_of(points):
-    """FreeCAD's path through points."""
+    """Return a FreeCAD path through the points."""
     import Path as CAM
 
     start = [CAM.Command("G0", {"Z": 30.0}), CAM.Command("G0", {"X": 0.0, "Y": 0.0})]
@@ -49,7 +50,7 @@ def path_of(points):
 
 
 def measure(size, count, alone):
-    """Analyse a new document of `size` commands in `count` operations; if `alone`, only let FreeCAD return a path of it."""
+    """Analyse a new document of `size` commands in `count` operations. If `alone`, only let FreeCAD return a path."""
     import FreeCAD
 
     import vkworkbench
@@ -116,7 +117,7 @@ def measure_program(lines):
 
 
 def run(size, count, alone):
-    """Return what `measure` finds in a FreeCAD of its own."""
+    """Run `measure` in a separate FreeCAD process, and return its results."""
     found = subprocess.run(
         ["freecadcmd", Path(__file__).resolve()],
         env={**os.environ, "VK_LOAD": f"{size} {count} {alone:d}"},

@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Operations of every kind on the parts of shapes.py, made by this FreeCAD, as test data for recognition.py.
+"""Make operations of every kind on the parts of shapes.py in this FreeCAD, as test data for recognition.py.
 
     VKWORKBENCH_OPERATIONS=OUT.jsonl.gz freecadcmd $PWD/benchmarks/make_operations.py
 
-Writes a JSON record per line, in the form of records.py: the strategy follows from the operation's class and
-pattern, never from its path. Tools, steps, angles, sides and starts are random, but from a fixed seed. Operations that
-FreeCAD fails on or leaves empty are counted by name. 3D Surface and Waterline need OpenCAMLib.
+The script writes one JSON record per line, in the form of records.py. The labelled strategy follows from the
+operation's class and pattern, never from its path. Tools, steps, angles, sides and starts are random with a fixed seed.
+Operations that fail in FreeCAD or remain empty are counted by name. 3D Surface and Waterline need OpenCAMLib.
 """
 
 from __future__ import annotations
@@ -33,11 +33,12 @@ from vkworkbench import freecad
 VERSION = ".".join(map(str, freecad.version()))
 PATTERN = freecad.POCKET_PATTERN.name
 PATTERNS = ("ZigZag", "Offset", "ZigZagOffset", "Line", "Grid")
-PATIENCE = 30  # s; some operations never end
+PATIENCE = 30  # time limit for an operation, s, because some operations never end
 SCULPTURED = ("saddle", "ripple", "ball", "twisted")
 
-# Strategies that count as right, the operation's own strategy first. FreeCAD's Line goes back and forth; ZigZagOffset is a zigzag whose walls
-# a contour finishes; narrow areas leave Offset a single loop; outside, where the stock is thin, Adaptive is a contour.
+# Strategies that count as right, the operation's own strategy first. FreeCAD's Line pattern cuts back and forth.
+# ZigZagOffset is a zigzag followed by a contour along the walls. In narrow areas, Offset is a single loop. Outside the
+# part, where the stock is thin, Adaptive is a contour.
 TRUTH = {
     "ZigZag": "zigzag", "Line": "zigzag", "Offset": "contour-parallel profile", "ZigZagOffset": "zigzag",
     "Grid": "zigzag one-way mixed",
@@ -52,7 +53,7 @@ TRUTH = {
 
 
 class Part:
-    """A job on one part, which makes one operation after the other and keeps only its record."""
+    """A job on one part. It creates one operation after the other and keeps only the records."""
 
     def __init__(self, name, out, counts):
         self.name, self.out, self.counts = name, out, counts
@@ -69,27 +70,27 @@ class Part:
         self.controllers = {}
 
     def controller(self, shape, diameter):
-        """The tool of that shape and diameter."""
+        """Return the tool controller for a tool of this shape and diameter."""
         if (shape, diameter) not in self.controllers:
             number = len(self.controllers) + 2
             self.controllers[shape, diameter] = tool_controller(self.document, number, "Tool", shape, diameter, 600)
         return self.controllers[shape, diameter]
 
     def names(self):
-        """The names of all objects."""
+        """Return the names of all objects."""
         return {obj.Name for obj in self.document.Objects}
 
     def make(self, kind, label, truth, base, diameter, tool="endmill.fcstd", **properties):
-        """Make an operation of `kind` and write its record; afterwards the document is as before."""
+        """Make an operation of `kind`, write its record, and remove the operation from the document."""
         controller = self.controller(tool, diameter)
-        self.job.Tools.Group = [controller]  # with several, FreeCAD asks which
+        self.job.Tools.Group = [controller]  # FreeCAD would ask the user to choose among several controllers
         before = self.names()
         signal.alarm(PATIENCE)
         try:
             op = operation(self.job, kind, "Op", controller, base, **properties)
             commands = [[command.Name, _rounded(command.Parameters)] for command in op.Path.Commands]
             failed = not any(name in _CUTTING for name, _ in commands) and "empty"
-        except Exception as error:  # FreeCAD raises all kinds; the tally names them
+        except Exception as error:  # FreeCAD raises many kinds of errors, which are counted by name
             failed = f"{type(error).__name__}: {error}"
         signal.alarm(0)
         self.counts[label, failed or "made"] += 1
@@ -105,11 +106,11 @@ class Part:
             self.out.write(json.dumps(record) + "\n")
         self.job.Operations.Group = []
         for name in self.names() - before:
-            if self.document.getObject(name):  # some are removed together with others
+            if self.document.getObject(name):  # some objects are removed together with others
                 self.document.removeObject(name)
 
     def mill(self):
-        """Every operation of 2.5D milling that the part's faces allow."""
+        """Make every operation of 2.5D milling that the part's faces allow."""
         names = dict(_named(self.shape.Faces, "Face"))
         flat = {
             name: face for name, face in names.items()
@@ -126,7 +127,7 @@ class Part:
         self.strokes(floors)
 
     def areas(self, floors, top):
-        """Pockets of all floors and of one, and the top face, in every pattern."""
+        """Make pockets of all floors and of one floor, and mill the top face, in every pattern."""
         choice = self.random.choice
 
         def clearing(pattern):
@@ -155,7 +156,7 @@ class Part:
             self.make("Pocket", "Pocket3D:" + pattern, pattern, floors[:1], choice((4, 6)), **clearing(pattern))
 
     def profiles(self, floors):
-        """Profiles of one floor, inside and outside, and of the whole part."""
+        """Make profiles of one floor, inside and outside, and of the whole part."""
         choice = self.random.choice
 
         def profile(truth, base, diameter, **properties):
@@ -180,7 +181,7 @@ class Part:
             profile("Profile:Passes", (), 6, NumPasses=3, Stepover=2)
 
     def adaptive(self, floors):
-        """Adaptive clearing and profiling on both sides."""
+        """Make adaptive clearing and adaptive profiling operations on both sides."""
         choice = self.random.choice
         for what in ("Clearing", "Profiling"):
             for side in ("Inside", "Outside"):
@@ -199,7 +200,7 @@ class Part:
                 )
 
     def holes(self, holes):
-        """Helix, drilling and threads in those round holes."""
+        """Make helix, drilling and thread milling operations in the round holes."""
         choice, radius = self.random.choice, {name: self.shape.getElement(name).Surface.Radius for name in holes}
         bores, drilled = [n for n in holes if radius[n] > 3], [n for n in holes if radius[n] < 8]
         for base in ([choice(bores)], bores) if bores else ():
@@ -223,7 +224,7 @@ class Part:
             self.make("Drilling", "Drilling", "Drilling", drilled, 3, "drill.fcstd", PeckEnabled=pecks, PeckDepth=3)
 
     def strokes(self, floors):
-        """Slots, engraved and chamfered edges and a carved floor."""
+        """Make slots, engraved edges, chamfered edges and a carved floor."""
         choice, edges = self.random.choice, dict(_named(self.shape.Edges, "Edge"))
         top = [name for name, edge in edges.items() if edge.BoundBox.ZMin > HEIGHT - 0.1]
         straight = [name for name in top if edges[name].Curve.TypeId == "Part::GeomLine" and edges[name].Length > 12]
@@ -257,7 +258,7 @@ class Part:
             self.make("Vcarve", "Vcarve", "Vcarve", [choice(floors)], 10, "v-bit.fcstd", StartDepth=HEIGHT)
 
     def sculpture(self):
-        """Rasters, rings, spirals and waterlines over the whole part."""
+        """Make rasters, rings, spirals and waterlines over the whole part."""
         choice = self.random.choice
         for pattern in ("Line", "ZigZag", "Circular", "CircularZigZag", "Offset", "Spiral"):
             for _ in range(2):
@@ -301,12 +302,12 @@ _CUTTING = {"G1", "G2", "G3", "G01", "G02", "G03", "G73", "G81", "G82", "G83"}
 
 
 def _rounded(words):
-    """The words of a command to the six decimals that a file keeps."""
+    """Return the words of a command rounded to six decimals, as they are stored in a file."""
     return {word: round(value, 6) for word, value in words.items()}
 
 
 def _named(elements, kind):
-    """Pairs of the name that FreeCAD gives an element, and the element."""
+    """Return pairs of FreeCAD's name for an element and the element."""
     return ((f"{kind}{number}", element) for number, element in enumerate(elements, 1))
 
 
@@ -315,7 +316,7 @@ def give_up(*_):
 
 
 def has_opencamlib():
-    """Whether this FreeCAD can drop cutters on surfaces."""
+    """Return whether this FreeCAD has OpenCAMLib, which 3D Surface and Waterline need."""
     for name in ("ocl", "opencamlib"):
         try:
             __import__(name)
