@@ -4,19 +4,21 @@
 
     python3 benchmarks/make_table.py FOLDER [--from https://raw.githubusercontent.com]
 
-Writes benchmarks/labelled_operations.csv, one row for each operation; docs/learning.md explains its columns and how to
-add a program. The operations are
+The script writes benchmarks/labelled_operations.csv with one row for each operation. docs/learning.md explains the
+columns and how to add a program. The operations are
 
-* operations of the programs in real_programs.csv and real_programs_unseen.csv; the command fetches programs that are not in
+* operations of the programs in real_programs.csv and real_programs_unseen.csv; the script fetches programs that are not
+in
   FOLDER/texts,
-* FreeCAD's operations, from all FOLDER/freecad-*.jsonl.gz, which make_operations.py makes in each FreeCAD,
+* operations from FreeCAD, in all files FOLDER/freecad-*.jsonl.gz, which make_operations.py writes in each FreeCAD
+version,
 * toolpaths made by the modules synthetic, strokes, outlines, lathe, fine_rows and nonsense of toolpaths/.
 
-An operation with a tool has one row with the tool and one row without. Rows with the same labels, measures and proposals
-are kept once.
+An operation with a tool has one row with the tool and one row without it. If several rows have the same labels,
+measures and proposals, only one of them is kept.
 
-Programs that cannot be fetched, and versions of FreeCAD that FOLDER has no file of, keep their rows of the last table, unless
-the measures have changed since.
+Programs that cannot be fetched, and FreeCAD versions without a file in FOLDER, keep their rows of the last table,
+unless the measures have changed since then.
 """
 
 from __future__ import annotations
@@ -59,14 +61,15 @@ class Labelled(NamedTuple):
     kind : str
         "program", "freecad", "made" or "nonsense".
     source, place : str
-        Where it comes from: a file at an address and its lines, or a command and what of its output.
+        Origin of the toolpath: the address of a file and the lines in it, or a command and a part of its output.
     group, system : str
-        What is left out of the learning together: a repository, part or kind; or a CAM system.
+        Repository, part or kind, and CAM system. Toolpaths of one group or of one system are left out of the learning
+        together.
     strategies : str
-        The strategies that count as right, the best first, parted by spaces.
+        The strategies that count as right, the best first, separated by spaces.
     path : Toolpath
     tool : float or None
-        Diameter, mm; None if it is not known.
+        Diameter of the tool, mm; None if unknown.
     """
 
     kind: str
@@ -84,7 +87,7 @@ COLUMNS = (*Labelled._fields[:6], "tool", "rules", "letter")
 
 
 def sources(folder: Path, host: str) -> Iterator[Callable[[], Iterable[Labelled]]]:
-    """Yield what reads or makes the labelled toolpaths of every source."""
+    """Yield for every source a function that reads or makes its labelled toolpaths."""
     for table in PROGRAMS:
         for rows in programs_of(HERE / table):
             yield partial(of_program, rows, folder, host)
@@ -100,17 +103,17 @@ def sources(folder: Path, host: str) -> Iterator[Callable[[], Iterable[Labelled]
 
 
 def source_of(row: dict[str, str]) -> str:
-    """Return the address of the program of a row of PROGRAMS."""
+    """Return the address of the program in a row of PROGRAMS."""
     return f"https://github.com/{row['repository']}/blob/{row['commit']}/{row['path']}"
 
 
 def place_of(row: dict[str, str]) -> str:
-    """Return the lines of a row of PROGRAMS."""
+    """Return the range of lines in a row of PROGRAMS."""
     return f"L{row['first_line']}-L{row['last_line']}"
 
 
 def of_program(rows: list[dict[str, str]], folder: Path, host: str) -> Iterator[Labelled]:
-    """Yield the operations of a program."""
+    """Yield the labelled operations of a program."""
     _, path, found = label_program(rows, folder, host) or ("", None, [])
     for one in found:
         row = one.row
@@ -137,7 +140,7 @@ def of_freecad(file: Path) -> Iterator[Labelled]:
 
 
 def of_sample(name: str, number: int) -> Iterator[Labelled]:
-    """Yield the toolpaths that one of the SAMPLES of a module makes."""
+    """Yield the toolpaths that one sample from the SAMPLES of a module makes."""
     label, accepted, make = MODULES[name].SAMPLES[number]
     best = "zigzag" if "zigzag" in accepted else "mixed" if "mixed" in accepted else min(accepted)
     strategies = " ".join([best, *sorted(accepted - {best})])
@@ -147,7 +150,7 @@ def of_sample(name: str, number: int) -> Iterator[Labelled]:
 
 
 def of_fine_rows(way: str, shape: str) -> Iterator[Labelled]:
-    """Yield rows that are much closer than their tool is wide."""
+    """Yield toolpaths whose stepover is much smaller than the tool's diameter."""
     label = f"fine rows: {way}, {shape}"
     for seed in range(SEEDS):
         rows = fine_rows.fine_rows(rng_of(label, seed), way, shape)
@@ -156,7 +159,7 @@ def of_fine_rows(way: str, shape: str) -> Iterator[Labelled]:
 
 
 def of_nonsense(kind: Callable) -> Iterator[Labelled]:
-    """Yield toolpaths of a kind that machines nothing."""
+    """Yield nonsense toolpaths of one kind, which machine nothing."""
     name = kind.__name__
     for seed in range(SEEDS):
         path = linearize(nonsense.commands(kind, rng_of(name, seed)))
@@ -164,7 +167,7 @@ def of_nonsense(kind: Callable) -> Iterator[Labelled]:
 
 
 def rows_of(one: Labelled) -> list[dict[str, str]]:
-    """Return the rows of an operation, with its tool and without. Drilling has none: it needs no vote."""
+    """Return the rows of an operation with its tool and without it. Drilling has no rows, because it is not learned."""
     moves, rows = monotonous_areas(one.path), []
     for tool in dict.fromkeys((one.tool or 0.0, 0.0)) if len(moves) else ():
         section, paper = Section(moves, tool), paper_verdict(moves)
@@ -186,17 +189,17 @@ def rows_of_source(source: Callable[[], Iterable[Labelled]]) -> list[dict[str, s
 
 
 def identity(row: dict[str, str]) -> tuple[str, ...]:
-    """Return which operation a row is of, and with which tool."""
+    """Return the values that identify the operation of a row and its tool."""
     return row["source"], row["place"], row["tool"]
 
 
 def values(row: dict[str, str]) -> tuple[str, ...]:
-    """Return the labels of a row and everything that is computed from its toolpath."""
+    """Return the labels of a row and all values that are computed from its toolpath."""
     return tuple(value for name, value in row.items() if name not in COLUMNS[:5])
 
 
 def rows_to_keep(last: list[dict[str, str]], made: list[dict[str, str]]) -> list[dict[str, str]]:
-    """Return the rows of the last table whose programs or FreeCADs cannot be had now, with their newest labels."""
+    """Return the last table's rows whose program or FreeCAD version is not available now, with the newest labels."""
     labels = {
         (source_of(row), place_of(row)): row["strategies"]
         for table in PROGRAMS
@@ -212,7 +215,7 @@ def rows_to_keep(last: list[dict[str, str]], made: list[dict[str, str]]) -> list
 
 
 def changed(last: list[dict[str, str]], made: list[dict[str, str]]) -> bool:
-    """Return whether any row of an operation differs from its row in the last table by more than its labels."""
+    """Return whether a value of any operation, except its labels, differs from the last table."""
     measured = slice(1, None)
     before = {identity(row): values(row)[measured] for row in last}
     return any(before.get(identity(row), values(row)[measured]) != values(row)[measured] for row in made)

@@ -12,13 +12,13 @@ import FreeCAD
 import numpy as np
 import Part
 
-RENDERER = "llvmpipe"  # under Xvfb
-MOST_STOLEN = 0.03  # of a run's time
-ROUNDS = {"fast-forward": 3, "play": 5, "OpenGL play": 3}  # how often each simulation is run in a window
+RENDERER = "llvmpipe"  # the renderer under Xvfb
+MOST_STOLEN = 0.03  # maximum share of a run's time that the host may take for other virtual machines
+ROUNDS = {"fast-forward": 3, "play": 5, "OpenGL play": 3}  # number of runs of each simulation in a window
 
 
 def shape(tool):
-    """The solid of a tool."""
+    """Return the solid of a tool."""
     if tool.shape == "ballend":
         ball = Part.makeSphere(tool.radius, FreeCAD.Vector(0, 0, tool.radius))
         shank = Part.makeCylinder(tool.radius, 30, FreeCAD.Vector(0, 0, tool.radius))
@@ -31,9 +31,10 @@ def shape(tool):
 
 
 def in_rounds(runs):
-    """Run each simulation, a kind and a function, a few times in turns: a slow minute spoils one time of each only.
+    """Run each simulation, given as a kind and a function, a few times in turns.
 
-    Return the seconds of each without the runs from which the host took time; None for one that did not end.
+    The simulations take turns, so that a slow minute of the computer affects only one time of each. Return the times of
+    each simulation, s, without the runs from which the host took time; None for a simulation that did not end.
     """
     times = [[] for _ in runs]
     for turn in range(max(ROUNDS.values())):
@@ -48,30 +49,30 @@ def in_rounds(runs):
 
 
 def beside(predicted, seconds):
-    """Return a prediction, the median time of the runs and all their times as text."""
+    """Return as text a prediction, the median time of the runs, and all times of the runs."""
     each = " ".join(f"{taken:.2f}" for taken in seconds)
     return f"{predicted:7.2f} s  {median(seconds or [math.nan]):7.2f} s  of {each}"
 
 
 def left_out(durations):
-    """How many simulations have no undisturbed run, in words."""
+    """Return a text with the number of simulations without an undisturbed run."""
     return f"left out, the host took time from them: {durations.count([])} of {len(durations)}"
 
 
 def summary(kind, ratios):
-    """The ratios of a kind of simulation in words."""
+    """Return a text with the ratios for one kind of simulation."""
     if not ratios:
         return f"{kind}, 0 runs"
     return f"{kind}, {len(ratios)} runs, ratio median / p90 / worst: {quantiles(ratios)}"
 
 
 def quantiles(ratios):
-    """Their median, 90th percentile and largest in words."""
+    """Return a text with the median, the 90th percentile and the largest of the ratios."""
     return " / ".join(f"{q:.2f}" for q in np.percentile(ratios, (50, 90, 100)))
 
 
 def stolen() -> float:
-    """Return the seconds that the host of a virtual machine gave to others so far; 0 where it does not say."""
+    """Return the time that the host has given to other virtual machines so far, s; 0 if it is unknown."""
     try:
         times = Path("/proc/stat").read_text().split("\n", 1)[0].split()
     except OSError:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Draw calls of FreeCAD's OpenGL simulator for half circles, counted in straight motions, by quality and tool.
+"""Compare half circles with straight motions by their draw calls in FreeCAD's OpenGL simulator, by quality and tool.
 
     python3 benchmarks/opengl_draws.py
 
@@ -22,7 +22,7 @@ QUALITIES = 1, 4, 8, 10  # positions of the slider
 
 
 def draws(command, words, diameter, quality):
-    """Draw calls of one command at one height."""
+    """Return the number of draw calls for one command at constant height."""
     path = linearize([("G0", {"X": 0.0, "Y": 0.0, "Z": 0.0}), (command, words)])
     cost = opengl_cost(Task(path, Tool("endmill", diameter), STOCK), quality=quality)
     return cost.arc_draws if command == "G2" else cost.draws

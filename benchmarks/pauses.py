@@ -1,12 +1,13 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Longest time for which an event waits in FreeCAD's window while the add-on processes 500,000 commands.
+"""Measure the longest time for which an event waits in FreeCAD's window while the add-on processes 500,000 commands.
 
     benchmarks/in_window.sh pauses [0.20.2|1.0.0|1.1.3]
 
-Two documents: five operations of 100,000 commands each, and one of 500,000. For each document the command prints how long
-FreeCAD itself blocks the window to return one path, its commands and its text, and to open, recompute and draw the document.
-Then it prints the longest time between two events during each action of a user. Each time is the best of three rounds,
-because a pause caused by the add-on comes in every round. The computer must be idle.
+One document has five operations of 100,000 commands each, and another document has one operation of 500,000 commands.
+For each document, the script prints how long FreeCAD itself blocks the window to return one path, its commands and its
+text, and to open, recompute and draw the document. Then the script prints the longest time between two events during
+each action of a user. Each time is the best of three rounds, because a pause caused by the add-on occurs in every
+round. The computer must be idle.
 """
 
 from __future__ import annotations
@@ -41,11 +42,14 @@ from vkworkbench.gui.strategies import view as strategy_view
 OUT = sys.__stdout__
 COMMANDS = 500_000
 ROUNDS = 3
-PATIENCE = 120  # s
+PATIENCE = 120  # time limit of an action, s
 
 
 class Stopwatch:
-    """Seconds as on a computer where nothing else runs: no other process counts, nor a thread beside another."""
+    """A clock for the time that an idle computer would take, s: the smaller of wall time and processor time.
+
+    The processor time does not include other processes. The wall time counts parallel threads only once.
+    """
 
     def __init__(self) -> None:
         self._wall, self._process = time.perf_counter(), time.process_time()
@@ -55,7 +59,7 @@ class Stopwatch:
 
 
 class Events:
-    """Notes the longest time between two events while something is done."""
+    """Measures the longest time between two events during an action."""
 
     def __init__(self) -> None:
         self._timer = QtCore.QTimer()
@@ -66,7 +70,7 @@ class Events:
         self.longest, self._last = max(self.longest, self._last()), Stopwatch()
 
     def during(self, do, is_over) -> float:
-        """Do something and wait until it is over; return the longest time between two events, s."""
+        """Start an action, wait until it is over, and return the longest time between two events, s."""
         rest()
         self.longest, self._last = 0.0, Stopwatch()
         self._timer.start(1)
@@ -184,14 +188,14 @@ CHANGES = itertools.count(1)
 
 
 def change(op) -> None:
-    """Give an operation another path, by a last command that it did not have."""
+    """Change the path of an operation by adding a command at the end."""
     path = op.Path
     path.addCommands(Cam.Command(f"G1 X{next(CHANGES) / 1000}"))
     op.Path = path
 
 
 def alone(call) -> float:
-    """Return how long something of FreeCAD's takes, s."""
+    """Return how long a call of FreeCAD's own functions takes, s."""
     watch = Stopwatch()
     call()
     return watch()
@@ -226,7 +230,7 @@ def wait(condition) -> None:
 
 
 def rest(duration: float = 0.5) -> None:
-    """Let FreeCAD finish what it does."""
+    """Let FreeCAD process its pending events."""
     end = time.monotonic() + duration
     wait(lambda: time.monotonic() > end)
 

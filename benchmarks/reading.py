@@ -1,11 +1,12 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Time of reading, recognising and analysing operations, against loops that only read them.
+"""Compare the times for reading, recognising and analysing operations with the times of loops that only read commands.
 
     freecadcmd "$PWD/benchmarks/reading.py" [profile]
 
-The first table is one operation of 100,000 commands, read and recognised. The second is the analysis of a job of 140
-operations with a million commands, for the first time and again when nothing has changed; `profile` prints where the
-time of the first goes. Compare the ratios within this run; the times depend on the computer.
+The first table shows the times to read and recognise one operation of 100,000 commands. The second table shows the
+times to analyse a job of 140 operations with a million commands, for the first time and again without changes.
+`profile` prints the functions that take the most time in the first analysis. Only ratios within one run are comparable,
+because the times depend on the computer.
 """
 
 import cProfile
@@ -34,11 +35,11 @@ OPERATIONS = 140
 COMMANDS = 1_000_000
 ANALYSES = 3
 DEPTHS = 10
-SIDE = 100.0  # mm, of the job's block
+SIDE = 100.0  # side of the job's block, mm
 
 
 def scan(count=COUNT, columns=250):
-    """Words of a zigzag over a wavy surface."""
+    """Return the words of a zigzag over a wavy surface."""
     words = [("G0", {"Z": 30.0}), ("G0", {"X": 0.0, "Y": 0.0})]
     rows = max(1, (count - 2) / columns)
     for k in range(count - 2):
@@ -50,7 +51,7 @@ def scan(count=COUNT, columns=250):
 
 
 def zigzag(count):
-    """Rows back and forth at ten depths, as close as the count requires."""
+    """Return the words of a zigzag at ten depths. The stepover follows from the number of commands."""
     words = [("G0", {"Z": 30.0}), ("G0", {"X": 10.0, "Y": 10.0})]
     rows = max(2, count // DEPTHS // 2)
     for depth in range(DEPTHS):
@@ -63,7 +64,7 @@ def zigzag(count):
 
 
 def offsets(count):
-    """Rounded squares from the outside inwards, their corners arcs, at ten depths."""
+    """Return the words of nested squares with rounded corners, from the outside inwards, at ten depths."""
     words = [("G0", {"Z": 30.0}), ("G0", {"X": 50.0, "Y": 10.0})]
     loops, r = max(2, count // DEPTHS // 9), 4.0
     for depth in range(DEPTHS):
@@ -85,7 +86,7 @@ def offsets(count):
 
 
 def adaptive(count):
-    """Rows of trochoidal loops in chords, at two depths."""
+    """Return the words of rows of trochoidal loops, divided into chords, at two depths."""
     words, chords = [("G0", {"Z": 30.0}), ("G0", {"X": 6.0, "Y": 6.0})], 24
     loops = (count - 2) // chords // 2 + 1
     rows = max(1, round(math.sqrt(loops / 3)))
@@ -102,7 +103,7 @@ def adaptive(count):
 
 
 def bores(count):
-    """Helices of half circles in rows of holes."""
+    """Return the words of helices of half circles in rows of holes."""
     words, turns = [("G0", {"Z": 30.0})], 40
     holes = -(-count // (2 * turns + 4))
     side = math.ceil(math.sqrt(holes))
@@ -128,7 +129,7 @@ def bores(count):
 
 
 def waterline(count):
-    """Wavy contours at many heights, the lower the wider."""
+    """Return the words of wavy contours at many heights. Lower contours are wider."""
     words, points = [("G0", {"Z": 30.0})], 180
     levels = max(1, (count - 1) // (points + 3))
     for level in range(levels):
@@ -144,7 +145,7 @@ def waterline(count):
 
 
 def holes(count):
-    """Drilling cycles."""
+    """Return the words of drilling cycles."""
     side = math.ceil(math.sqrt(count))
     words = [("G0", {"Z": 30.0}), ("G90", {})]
     for k in range(count - 3):
@@ -155,15 +156,15 @@ def holes(count):
 
 
 class Operation:
-    """What tells an operation of FreeCAD's from an imported program."""
+    """A proxy, which distinguishes an operation of FreeCAD from an imported program."""
 
 
 KINDS = (scan, zigzag, offsets, adaptive, bores, waterline, holes)
-FEW = {bores: 0.1, holes: 0.1}  # nobody drills ten thousands of holes
+FEW = {bores: 0.1, holes: 0.1}  # realistic operations have fewer of these commands than of others
 
 
 def job():
-    """A job of operations of all kinds, the largest fifty times as long as the smallest."""
+    """Return a job with operations of all kinds. The largest operation is fifty times as long as the smallest."""
     document = FreeCAD.newDocument("Loads")
     block = document.addObject("Part::Box", "Block")
     block.Length, block.Width, block.Height = SIDE, SIDE, 20
@@ -188,7 +189,7 @@ def job():
 
 
 def bare_loop(operation):
-    """Read names and parameters."""
+    """Read the names and parameters of all commands."""
     names, parameters = [], []
     for command in operation.Path.Commands:
         names.append(command.Name)

@@ -1,13 +1,13 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Fetch other people's FreeCAD documents with CAM jobs, and do with each what its owner would.
+"""Fetch other people's FreeCAD documents with CAM jobs, and use the add-on on each document.
 
     python3 benchmarks/real_documents.py FOLDER [--from https://raw.githubusercontent.com]
 
-real_documents.csv names documents in public repositories; they are their owners' and stay in FOLDER. Each is opened in a
-FreeCAD of its own (document.py), because one that FreeCAD cannot read may end it. Printed are how many were opened,
-analysed, marked, saved, opened again and simulated, what went wrong, and what operations of each class and pattern are
-called.
+real_documents.csv names documents in public repositories. The documents belong to their owners and stay in FOLDER. Each
+document is opened in a separate FreeCAD process (document.py), because FreeCAD may crash if it cannot read a document.
+The script prints how many documents were opened, analysed, marked, saved, opened again and simulated, the errors, and
+the recognised strategies for each class and pattern of operations.
 """
 
 from __future__ import annotations
@@ -23,11 +23,11 @@ from pathlib import Path
 from fetching import HOST, fetch, rows_of
 
 HERE = Path(__file__).resolve().parent
-PATIENCE = 600  # s for one document
+PATIENCE = 600  # time limit for one document, s
 
 
 def tried(document: Path) -> dict:
-    """Return what document.py says of a document; an empty record where FreeCAD does not open it."""
+    """Return the record that document.py prints for a document; an empty record if FreeCAD does not open it."""
     command = ["freecadcmd", str(HERE / "document.py")]
     environment = {**os.environ, "VKWORKBENCH_DOCUMENT": str(document)}
     try:

@@ -1,14 +1,16 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Fetch other people's programs whose operations are labelled, and write what benchmarks/recognition.py reads.
+"""Fetch other people's labelled programs, and write files for benchmarks/recognition.py.
 
-    python3 benchmarks/real_programs.py FOLDER [--table benchmarks/real_programs_unseen.csv] [--from https://raw.githubusercontent.com]
+    python3 benchmarks/real_programs.py FOLDER [--table benchmarks/real_programs_unseen.csv] [--from
+    https://raw.githubusercontent.com]
 
-real_programs.csv names public repositories, the lines of their programs that are one operation, and the strategies that
-count as right, labelled from titles and plots by people who saw no verdict. The rules were written for them, and for none
-of real_programs_unseen.csv; the model learns from both (make_table.py). The programs are theirs and stay in FOLDER, with
-operations.jsonl.gz and programs.jsonl.gz; told.jsonl.gz has the operations whose tool the program tells, with its
-diameter. Programs that cannot be fetched, or that have another text, are left out and named.
+real_programs.csv names programs in public repositories, the lines of each operation, and the strategies that count as
+right. People labelled the operations from titles and plots, without seeing a verdict. The rules were written with the
+programs of real_programs.csv, but without the programs of real_programs_unseen.csv. The model learns from both
+(make_table.py). The programs belong to their owners and stay in FOLDER, together with operations.jsonl.gz and
+programs.jsonl.gz. The file told.jsonl.gz contains the operations whose tool is stated in the program, with the tool's
+diameter. The script leaves out programs that cannot be fetched or whose text has changed, and prints their names.
 """
 
 from __future__ import annotations
@@ -35,14 +37,14 @@ from vkworkbench.language import Unusable
 
 
 def commands(path: Toolpath, first: int, last: int) -> list[tuple[str, dict[str, float]]]:
-    """Return the trajectories first .. last, which are straight, as commands behind one that goes to their start."""
+    """Return the straight trajectories first .. last as commands, after a rapid to the start of the first one."""
     to = [dict(zip("XYZ", map(float, point))) for point in path.points[first : last + 2].round(6)]
     moves = zip(path.rapid[first : last + 1], to[1:], path.feed[first : last + 1])
     return [("G0", to[0]), *(("G0" if rapid else "G1", {**at, "F": float(feed)}) for rapid, at, feed in moves)]
 
 
 def told_diameter(titled: Sequence[Section], path: Toolpath, first: int, end: int) -> float | None:
-    """Return the diameter, mm, that the program tells of what cuts in the middle of the trajectories first .. end - 1."""
+    """Return the diameter, mm, that the program states for the tool halfway through trajectories first .. end - 1."""
     cuts = first + np.flatnonzero(~path.rapid[first:end])
     middle = path.command[cuts[len(cuts) // 2]] if len(cuts) else -1
     return next((s.tool.diameter for s in titled if s.tool and s.first <= middle <= s.last), None)
@@ -55,11 +57,11 @@ class Labelled:
     Attributes
     ----------
     row : dict of str
-        Its row of the table.
+        The operation's row in the table.
     first, end : int
-        Its trajectories are first .. end - 1 of the program.
+        The operation consists of the program's trajectories first .. end - 1.
     tool : float or None
-        Diameter that the program tells, mm.
+        Diameter of the tool that the program states, mm; None if it states none.
     """
 
     row: dict[str, str]
@@ -79,7 +81,7 @@ def label_program(
 ) -> tuple[str, Toolpath, list[Labelled]] | None:
     """Return the name, the toolpath and the labelled operations of a program that is in FOLDER or at HOST.
 
-    Says on the standard error output if it cannot be had, which gives None, and where nothing moves.
+    Return None and print an error if the program is not available. Also print an error for lines without moves.
     """
     name = f"{rows[0]['repository'].replace('/', '_')}__{rows[0]['commit'][:7]}/{rows[0]['path']}"
     try:

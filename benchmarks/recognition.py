@@ -1,14 +1,15 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Accuracy of the recognition, calibration of its confidence, and its time.
+"""Measure the accuracy of the recognition, the calibration of its confidence, and its time.
 
     python3 benchmarks/recognition.py [FILE.jsonl.gz ...] [--programs PROGRAMS.jsonl.gz] [--sources | --speed]
 
-FILE holds operations, PROGRAMS whole programs with their sections; records.py tells their forms. Toolpaths that are the
-same to a micrometre count once. Operations of FILE are also joined to pairs, and toolpaths/nonsense.py makes paths that
-machine nothing. The shipped trees may have been learned from FILE; --sources prints instead the accuracy on sources that
-were left out of the learning, with scikit-learn (see learn_model.py), which takes some minutes; --speed prints the cost
-alone. Without files the toolpaths of toolpaths/synthetic.py and strokes.py are taken. Needs numpy only.
+FILE contains operations, and PROGRAMS contains whole programs with their sections. records.py describes both forms.
+Toolpaths that differ by less than a micrometre count once. Operations of FILE are also joined to pairs, and
+toolpaths/nonsense.py makes nonsense paths. The shipped trees may have been learned from FILE. Therefore --sources
+prints the accuracy on sources that were left out of the learning, which needs scikit-learn (see learn_model.py) and
+some minutes. --speed prints only the cost. Without files, the toolpaths of toolpaths/synthetic.py and strokes.py are
+used. Without --sources, the script needs numpy only.
 """
 
 from __future__ import annotations
@@ -31,7 +32,7 @@ from reliability import how_sure, two_class
 from vkworkbench.core import Toolpath
 from vkworkbench.core.recognition import recognize
 
-WITHOUT_STEPOVER = {"adaptive", "waterline", "helix"}  # their StepOver means something else
+WITHOUT_STEPOVER = {"adaptive", "waterline", "helix"}  # operations whose StepOver property is not a stepover
 
 
 def accuracy(files: list[str]) -> None:
@@ -106,12 +107,12 @@ def _print_reliability(answers) -> None:
 
 
 def path_through(points: np.ndarray) -> Toolpath:
-    """Return a toolpath that cuts through all points (n+1, 2)."""
+    """Return a toolpath whose cutting moves connect the points (n+1, 2)."""
     return Toolpath.through(np.column_stack([points, np.zeros(len(points))]))
 
 
 def zigzag(n: int) -> Toolpath:
-    """Return a raster of n trajectories with ten moves a row."""
+    """Return a raster of n trajectories with ten moves per row."""
     k = np.arange(n + 1)
     row, at = np.divmod(k, 11)
     return path_through(np.column_stack([np.where(row % 2 == 0, at, 10 - at) * 8.0, row * 1.0]))
@@ -136,16 +137,16 @@ def linked_squares(n: int) -> Toolpath:
 
 
 def obvious(points: np.ndarray) -> np.ndarray:
-    """Return phi by the obvious numpy pipeline: differences, arctan2, wrap, cumulative sum."""
+    """Return phi, the sum of the turns, by the obvious numpy steps: differences, arctan2, wrap, cumulative sum."""
     steps = np.diff(points[:, :2], axis=0)
     alpha = np.arctan2(steps[:, 1], steps[:, 0])
     return np.cumsum((np.diff(alpha) + np.pi) % (2 * np.pi) - np.pi)
 
 
 def times(path: Toolpath) -> np.ndarray:
-    """Return processor times of a recognition and of the obvious pipeline, (k, 2) s, taken in turns.
+    """Return processor times of a recognition and of the obvious numpy steps, measured in turns, (k, 2) s.
 
-    A computer's speed changes from second to second: only neighbours can be compared.
+    A computer's speed changes from second to second, so only successive times can be compared.
     """
     pairs, began = [], time.perf_counter()
     while len(pairs) < 5 or (len(pairs) < 200 and time.perf_counter() - began < 4):
@@ -158,7 +159,7 @@ def times(path: Toolpath) -> np.ndarray:
 
 
 def speed() -> None:
-    """Print the cost of a recognition as a multiple of the obvious pipeline, and its growth."""
+    """Print the time of a recognition as a multiple of the obvious numpy steps, and how it grows with the length."""
     print(
         f"speed with numpy {np.__version__}: time of recognize / time of the obvious pipeline (median), "
         "and time per trajectory / that at 17,000"
@@ -189,7 +190,7 @@ if __name__ == "__main__":
         speed()
         sys.exit()
     if options.sources:
-        import sources  # which needs scikit-learn
+        import sources  # this module needs scikit-learn
 
         sources.report_sources(options.files, options.programs)
         sys.exit()

@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Labelled toolpaths: single operations from files, synthetic operations, whole programs, and pairs of operations.
 
-Each line of a file is a JSON record. The record of an operation has id, label, strategy, accept (the strategies that count
-as right), tool_diameter (mm or null), commands ([name, parameters], mm and mm/s), and perhaps params (properties of
-FreeCAD's operation, such as StepOver in percent of the tool's diameter), stock (lower and upper corner, mm) and source (the
-CAM system). The record of a program has id, commands, group (the records that are left out together when a model is judged)
-and sections, each [first command, last command, label, accept].
+Each line of a file is a JSON record. The record of an operation has id, label, strategy, accept (the strategies that
+count as right), tool_diameter (mm or null), commands ([name, parameters], mm and mm/s), and perhaps params (properties
+of FreeCAD's operation, such as StepOver in percent of the tool's diameter), stock (lower and upper corner, mm) and
+source (the CAM system). The record of a program has id, commands, group (the records that are left out together when a
+model is judged) and sections, each [first command, last command, label, accept].
 """
 
 from __future__ import annotations
@@ -24,8 +24,8 @@ from toolpaths import strokes, synthetic
 from vkworkbench.core import Stock, Toolpath
 from vkworkbench.core.gcode import linearize
 
-JOINED = 20_000  # trajectories; longer operations are not joined
-SEEDS = 20  # synthetic toolpaths of each kind
+JOINED = 20_000  # maximum number of trajectories of an operation that is joined to another
+SEEDS = 20  # number of synthetic toolpaths of each kind
 
 
 @dataclass(frozen=True)
@@ -40,9 +40,9 @@ class Section:
 
 @dataclass(frozen=True)
 class Record:
-    """A labelled toolpath. `group` is its repository or part, `system` its CAM system.
+    """A labelled toolpath. `group` is its repository or part, and `system` is its CAM system.
 
-    Each kind of synthetic toolpath is a group and a system of its own.
+    Each kind of synthetic toolpath is a separate group and a separate system.
     """
 
     id: str
@@ -63,14 +63,14 @@ def lines(file: str) -> Iterator[dict]:
 
 
 def with_stock(file: str, most: int) -> Iterator[tuple[dict, Stock]]:
-    """Yield at most `most` records that have a stock and a tool, spread evenly over the file, and their stocks."""
+    """Yield up to `most` records with stock and tool, evenly distributed over the file, together with their stocks."""
     records = [r for r in lines(file) if r.get("stock") and r.get("tool_diameter")]
     for r in records[:: max(1, math.ceil(len(records) / most))]:
         yield r, Stock(r["stock"][:3], r["stock"][3:])
 
 
 def group_of(r: dict) -> str:
-    """Return the source of a record: a repository (OWNER_NAME__file) or a part (version:part:operation)."""
+    """Return the group of a record from its id: a repository (OWNER_NAME__file) or a part (version:part:operation)."""
     if "group" in r:
         return r["group"]
     name = r.get("id", "")
@@ -136,7 +136,7 @@ def rng_of(kind: str, seed: int) -> np.random.Generator:
 
 
 def programs(file: str) -> Iterator[Record]:
-    """Yield whole programs, without comments and tool changes."""
+    """Yield whole programs without their comments and tool changes."""
     for r in lines(file):
         path = linearize([(name, words) for name, words in r["commands"]])
         path = replace(path, comments=(), tool_changes=np.empty(0, np.int64))
@@ -150,7 +150,7 @@ def programs(file: str) -> Iterator[Record]:
 
 
 def joined(records: list[Record], count: int) -> Iterator[Record]:
-    """Yield pairs of operations of one group, one after the other with a rapid between, from a fixed seed."""
+    """Yield random pairs of operations of one group, joined by rapids. The random seed is fixed."""
     rng = np.random.default_rng(1)
     by_group: dict[str, list[Record]] = {}
     for r in records:
@@ -169,7 +169,7 @@ def joined(records: list[Record], count: int) -> Iterator[Record]:
 
 
 def after(first: Toolpath, second: Toolpath) -> Toolpath:
-    """Return one toolpath after the other: up, over and down at rapid."""
+    """Return one toolpath after the other, joined by rapids up, sideways and down."""
     top = max(first.points[:, 2].max(), second.points[:, 2].max())
     a, b = first.points[-1], second.points[0]
     link = np.array([(*a[:2], top), (*b[:2], top), b])

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Reliability of the answers: the two classes of the paper, and the calibration of the confidence."""
+"""Measure the reliability of verdicts: accuracy in the paper's two classes, and calibration of the confidence."""
 
 from __future__ import annotations
 
@@ -8,19 +8,22 @@ import numpy as np
 from vkworkbench.core import Family, Strategy
 
 BACK_AND_FORTH = {s.value for s in Strategy if s.family is Family.ROWS}
-AROUND = {s.value for s in Strategy if s.family is Family.AROUND} - {"adaptive"}  # adaptive bites are neither
-HIGH = 0.9  # confidence
+AROUND = {s.value for s in Strategy if s.family is Family.AROUND} - {"adaptive"}  # adaptive is in neither class
+HIGH = 0.9  # a confidence of at least this counts as high
 
 
 def two_class(strategy: str, accepted: set[str], got: str) -> bool | None:
-    """Return whether an answer is accepted or of the right class, back-and-forth or around; None where the truth is neither."""
+    """Return whether an answer is accepted or is in the right class: back-and-forth or around.
+
+    Return None if the right strategy is in neither class.
+    """
     if not (accepted <= BACK_AND_FORTH or strategy in {"contour-parallel", "spiral", "waterline"}):
         return None
     return got in accepted or got in (BACK_AND_FORTH if strategy in BACK_AND_FORTH else AROUND)
 
 
 def how_sure(confidence: np.ndarray, right: np.ndarray) -> str:
-    """Say how true the confidence of some verdicts is, (n,) and (n,) bool."""
+    """Return a text on how well the confidences (n,) agree with the correctness of the verdicts (n,) bool."""
     high = right[confidence >= HIGH]
     return (
         f"calibration error {calibration_error(confidence, right):.3f}; "
@@ -29,7 +32,10 @@ def how_sure(confidence: np.ndarray, right: np.ndarray) -> str:
 
 
 def calibration_error(confidence: np.ndarray, right: np.ndarray, bins: int = 10) -> float:
-    """Return the expected calibration error: |mean confidence - share of right ones| over equal bins, by their size."""
+    """Return the expected calibration error: the weighted mean of |confidence - share of right verdicts| over bins.
+
+    The bins have equal widths, and the weight of a bin is the number of its verdicts.
+    """
     of = np.minimum((confidence * bins).astype(int), bins - 1)
     errors = [(of == k).mean() * abs(confidence[of == k].mean() - right[of == k].mean()) for k in set(of.tolist())]
     return float(sum(errors))

@@ -1,14 +1,14 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The cost of simulating in the extended z-buffer: estimates against the counts of the exact simulator.
+"""Compare the estimated cost of the extended z-buffer with the exact counts of the simulator.
 
     python3 benchmarks/resources.py [time] [FILE.jsonl.gz ...]
 
-Each line of a file is an operation: label, strategy, accept, tool_diameter, stock, commands. Without a file,
-the operations come from toolpaths/synthetic.py. The exact simulations run at 800 x 600 pixels, those with many
-candidate pixels at 400 x 300 to bound their time (small holes are not round then). Errors are ratios, the
-larger of estimate and truth over the smaller. Times are processor times. The speed of a shared computer changes: it is
-measured again before each operation, and for a time budget also between its three simulations. With `time` only the time
-of a simulation is predicted, of every third operation.
+Each line of a file is an operation: label, strategy, accept, tool_diameter, stock, commands. Without a file, the
+operations come from toolpaths/synthetic.py. The exact simulations run at 800 x 600 pixels. Simulations with many
+candidate pixels run at 400 x 300 pixels to limit their time, although small holes are then not round. Errors are ratios
+of the larger to the smaller of estimate and exact value. Times are processor times. The speed of a shared computer
+changes, so it is measured before each operation, and for a time budget also between its three simulations. With `time`,
+the script only predicts the time of a simulation, for every third operation.
 """
 
 from __future__ import annotations
@@ -45,12 +45,12 @@ from vkworkbench.core.zbuffer import (
     simulate,
 )
 
-MANY = 1.5e6  # candidate pixels
-ALLOWED = 2e9  # bytes, more `simulate` refuses
-MOST = 25  # operations of each file
+MANY = 1.5e6  # number of candidate pixels above which the image is smaller
+ALLOWED = 2e9  # memory limit, bytes; `simulate` refuses simulations that need more
+MOST = 25  # maximum number of operations from each file
 VIEWS = {"top": (0, 0, -1), "tilted 30": (0, 0.5, -math.sqrt(0.75)), "isometric": (1, 1, -math.sqrt(2 / 3))}
-FEWEST = 1000  # trace elements; with fewer, a ratio says nothing
-SPEEDS = 5  # measurements of the computer's speed that are averaged
+FEWEST = 1000  # minimum number of trace elements, because ratios of smaller numbers are meaningless
+SPEEDS = 5  # number of averaged measurements of the computer's speed
 
 
 def main() -> None:
@@ -80,7 +80,7 @@ def main() -> None:
 
 
 def of_file(name: str):
-    """Operations of a file of JSON lines; 3D surfaces are cut with a ball end, carvings with a V-bit."""
+    """Yield the operations in a file of JSON lines. 3D surfaces get a ball end mill, and carvings get a V-bit."""
     for record, stock in with_stock(name, MOST):
         toolpath = linearize(record["commands"])
         shape = {"Surface": "ballend", "Waterline": "ballend", "Vcarve": "vbit"}.get(record["label"].split(":")[0])
@@ -93,7 +93,7 @@ def of_file(name: str):
 
 
 def synthetic():
-    """Operations of every strategy with a stock around them."""
+    """Yield operations of every strategy with a stock around them."""
     rng = np.random.default_rng(1)
     for label, accept, maker in SAMPLES:
         toolpath = linearize(maker(rng))
@@ -129,7 +129,7 @@ def measure(toolpath, found, tool, stock, view, speed) -> dict[str, float]:
 
 
 def mean_speed() -> Speed:
-    """The mean of some measurements: a processor shared with others has a fast and a slow moment within a second."""
+    """Return the mean of several measured speeds, because the speed of a shared processor changes within a second."""
     return Speed(*np.mean([measure_speed().constants for _ in range(SPEEDS)], axis=0))
 
 
@@ -220,7 +220,7 @@ def print_budgets(operations) -> None:
 
 
 def seconds_at(speed: Speed, toolpath, tool, stock, view) -> float:
-    """Median time of three simulations, s, corrected to the computer's speed at the beginning."""
+    """Return the median time of three simulations, s, corrected to the computer's speed at the beginning."""
     durations, speeds = [], [speed]
     for _ in range(3):
         begin = time.process_time()

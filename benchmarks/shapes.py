@@ -11,17 +11,17 @@ import math
 import Part
 from FreeCAD import Vector
 
-HEIGHT = 20.0  # mm, of every plate
+HEIGHT = 20.0  # height of every plate, mm
 
 
 def polar(radius, degrees, center=(0, 0)):
-    """The point (x, y) at that angle and radius."""
+    """Return the point (x, y) at an angle and a radius around a centre."""
     angle = math.radians(degrees)
     return center[0] + radius * math.cos(angle), center[1] + radius * math.sin(angle)
 
 
 def polygon(*points):
-    """A flat face with those corners (x, y)."""
+    """Return a flat face with the given corners (x, y)."""
     corners = [Vector(x, y, 0) for x, y in points]
     return Part.Face(Part.makePolygon([*corners, corners[0]]))
 
@@ -35,7 +35,7 @@ def disk(x, y, radius):
 
 
 def smooth(*points):
-    """A flat face bounded by one closed curve through those points (x, y)."""
+    """Return a flat face bounded by one closed curve through the given points (x, y)."""
     curve = Part.BSplineCurve()
     curve.interpolate([Vector(x, y, 0) for x, y in points], PeriodicFlag=True)
     return Part.Face(Part.Wire(curve.toShape()))
@@ -47,7 +47,7 @@ def turned(face, degrees, center):
 
 
 def cut(plate, *pockets):
-    """A plate of that outline with pockets: pairs of a face and the height of its floor."""
+    """Return a plate with pockets. Each pocket is a pair of its outline, as a face, and the height of its floor."""
     solid = plate.extrude(Vector(0, 0, HEIGHT))
     for face, floor in pockets:
         face.translate(Vector(0, 0, floor))
@@ -124,7 +124,7 @@ def oblique():
 
 
 def details():
-    """A large pocket whose walls have small notches and bumps."""
+    """Return a large pocket whose walls have small notches and bumps."""
     pocket = rectangle(12, 12, 176, 116)
     for k in range(5):
         pocket = pocket.fuse(disk(30 + 35 * k, 128, 7)).cut(rectangle(25 + 33 * k, 12, 5, 6))
@@ -132,7 +132,7 @@ def details():
 
 
 def depths():
-    """Several pockets of different depths."""
+    """Return several pockets of different depths."""
     return cut(
         rectangle(0, 0, 150, 100), (rectangle(10, 10, 40, 30), 5), (disk(80, 30, 19), 8),
         (rectangle(108, 10, 32, 80), 11), (polygon((12, 60), (60, 52), (50, 92)), 14),
@@ -141,14 +141,14 @@ def depths():
 
 
 def bolts():
-    """A flange: a bore and two bolt circles."""
+    """Return a flange with a bore and two bolt circles."""
     holes = [(disk(*polar(40, 45 * k + 11, (60, 60)), 3.5), 0) for k in range(8)]
     holes += [(disk(*polar(29, 72 * k, (60, 60)), 2), 6) for k in range(5)]
     return cut(disk(60, 60, 55), (disk(60, 60, 20), 0), *holes)
 
 
 def ribs():
-    """A pocket whose floor carries ribs, and a step beside it."""
+    """Return a pocket with ribs on its floor, and a step beside the pocket."""
     pocket = rectangle(10, 10, 90, 70)
     for k in range(4):
         pocket = pocket.cut(rectangle(20, 20 + 14 * k, 55, 4))
@@ -156,12 +156,12 @@ def ribs():
 
 
 def block(surface):
-    """The block under a surface over 0..70 x 0..50."""
+    """Return the block under a surface, for x from 0 to 70 and y from 0 to 50 mm."""
     return surface.toShape().extrude(Vector(0, 0, -100)).common(Part.makeBox(70, 50, 100)).Solids[0]
 
 
 def field(height):
-    """A smooth surface through height(x, y), a little larger than the block."""
+    """Return a smooth surface through the heights height(x, y). The surface is slightly larger than the block."""
     grid = [[Vector(x, y, height(x, y)) for y in range(-5, 56, 5)] for x in range(-5, 76, 5)]
     surface = Part.BSplineSurface()
     surface.interpolate(grid)
@@ -177,13 +177,13 @@ def ripple():
 
 
 def ball():
-    """Half a sphere standing on a plate."""
+    """Return a hemisphere on a plate."""
     half = Part.makeSphere(17, Vector(35, 25, 10), Vector(0, 0, 1), 0, 90)
     return Part.makeBox(70, 50, 10).fuse(half).removeSplitter()
 
 
 def twisted():
-    """A ruled surface between two lines that cross."""
+    """Return the block under a ruled surface between two lines with different slopes."""
     lines = [Part.makeLine(Vector(-5, y, a), Vector(75, y, b)) for y, a, b in ((-5, 24, 10), (55, 9, 26))]
     return block(Part.makeRuledSurface(*lines).Surface)
 

@@ -1,11 +1,12 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The gain of several processes, and of threads: images are cut by one and by two of each, in turns.
+"""Measure the speed gain of several processes and of threads, compared with one process.
 
     python3 benchmarks/sharing.py
 
-The cases of zbuffer_cases.py, from above at 800 x 600 and obliquely. Prints the wall time of one process, the measured
-and the predicted gain of two processes (and of more, if there are more cores), and the gain of two threads; medians of several
-turns. Checks that the records are equal to the last bit. The figures are valid only on an idle computer.
+The script simulates the cases of zbuffer_cases.py at 800 x 600 pixels, from above and obliquely, with one and with
+several processes in turns. It prints the wall time of one process, the measured and the predicted gain of two processes
+(and of more, if there are more cores), and the gain of two threads, as medians of several turns. It checks that all
+records are exactly equal. The results are valid only on an idle computer.
 """
 
 from __future__ import annotations
@@ -46,7 +47,7 @@ def main() -> None:
 
 
 def measured(cuts, stock, view, several):
-    """Seconds of one process, seconds of several, and the gain of two threads."""
+    """Return the time of one process, s, the times of several processes, s, and the gain of two threads."""
     alone, shared, threads = [], [], []
     for _ in range(TURNS):
         seconds, expected = timed(lambda: simulate_job(cuts, stock=stock, view=view, processes=1))

@@ -1,11 +1,11 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Time of the signature against the obvious numpy pipeline, and its growth with the number of trajectories.
+"""Compare the time of the signature with the obvious numpy steps, and measure its growth with the trajectories.
 
     python3 benchmarks/signature.py
 
-The paper: "for the machining program composed of more than 17,000 trajectories, the execution time is about less
-than one milli-second". Compare the ratios within this run; the times depend on the computer.
+The paper says: "for the machining program composed of more than 17,000 trajectories, the execution time is about less
+than one milli-second". Only ratios within one run are comparable, because the times depend on the computer.
 """
 
 import sys
@@ -19,7 +19,7 @@ from vkworkbench.core import signature
 
 
 def obvious(points):
-    """alpha, turning and phi as one would write them at once."""
+    """Return alpha, the turns and phi by the obvious numpy steps."""
     step = np.diff(points, axis=0)
     alpha = np.arctan2(step[:, 1], step[:, 0])
     turning = (np.diff(alpha) + np.pi) % (2 * np.pi) - np.pi
@@ -27,7 +27,7 @@ def obvious(points):
 
 
 def zigzag(count):
-    """Rows of 1,000 short trajectories each, as on a sculptured surface."""
+    """Return rows of 1,000 short trajectories each, as on a sculptured surface."""
     k = np.arange(count + 1)
     row, place = np.divmod(k, 1000)
     x = np.where(row % 2 == 0, place, 1000 - place) * 0.1
@@ -35,7 +35,7 @@ def zigzag(count):
 
 
 def best_pair(first, second, runs):
-    """Best times of two functions called in turn, so that both see the same machine."""
+    """Return the best times of two functions. The functions are called in turns, so that both run at the same speed."""
     times = np.empty((runs, 2))
     for run in range(runs):
         for column, function in enumerate((first, second)):

@@ -1,16 +1,23 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The tab of *Simulate Toolpaths* beside FreeCAD's own simulators, on the same jobs, in real windows.
+"""Compare the tab of *Simulate Toolpaths* with FreeCAD's own simulators, on the same jobs, in real windows.
 
     benchmarks/in_window.sh simulation_tab [0.20.2|1.0.0|1.1.3]
 
-which gives FreeCAD a home of its own, without the user's settings. The example job, and two of 100,000 trajectories, in 20
-operations and in one, that are made here. Printed are, from the click: when the first picture is there, when the finest; the
-processor time until both, in parentheses; pictures a second while the time line is dragged; the longest time for which an
-event had to wait, in parentheses the longest that FreeCAD worked meanwhile: the rest a busy computer took; and the memory
-that came on top. Below stand how long FreeCAD alone holds the window for the longest path, the expected cost of the finest
-picture, the time until the job is checked, the verdict, and the pictures a second while the part is turned.
-FreeCAD's simulators show a finished part only at the end of their fast-forward, or of a play at their fastest. The slider of
-the OpenGL simulator is dragged before the play, and the line above its row prints how long one move of the mouse blocked the window. `VKWORKBENCH_PATIENCE` is how long each may take, s.
+The shell script gives FreeCAD a separate home folder, without the user's settings. The jobs are the example job, and
+two jobs of 100,000 trajectories, in 20 operations and in one operation. For each simulator, a row of the table shows:
+
+* the time from the click to the first picture and to the finest picture, with the processor times in parentheses
+* the pictures per second while the time line is dragged
+* the longest time for which an event waited, and in parentheses the processor time of FreeCAD during this wait; if the
+computer
+  is busy, the rest of the time was spent in other processes
+* the additional memory
+
+The lines below the row show how long FreeCAD itself blocks the window for the longest path, the expected cost of the
+finest picture, the time until the job is checked, the verdict, and the pictures per second while the part is turned.
+FreeCAD's simulators show the finished part only at the end of their fast-forward, or of a play at their highest speed.
+The slider of the OpenGL simulator is dragged before the play, and the line above its row shows how long one move of the
+mouse blocked the window. `VKWORKBENCH_PATIENCE` is the time limit for each simulator, s.
 """
 
 from __future__ import annotations
@@ -44,8 +51,8 @@ from vkworkbench.gui.simulation.command import open_tab
 
 OUT = sys.__stdout__
 PATIENCE = float(os.environ.get("VKWORKBENCH_PATIENCE", "600"))
-DRAGGED, MOUSE = 4.0, 0.008  # s, and s between two moves of a mouse
-_SLID = 150  # px by which the slider of the OpenGL simulator is dragged
+DRAGGED, MOUSE = 4.0, 0.008  # duration of dragging, and time between two moves of the mouse, s
+_SLID = 150  # distance by which the slider of the OpenGL simulator is dragged, pixels
 ROW = "{:30}{:>18}{:>18}{:>12}{:>15}{:>10}"
 
 
@@ -64,7 +71,7 @@ def main() -> int:
         for simulator in simulators:
             try:
                 print(ROW.format(*simulator(document)), file=OUT, flush=True)
-            except Exception:  # a FreeCAD without it, or one that fails: the others go on
+            except Exception:  # if a simulator is missing or fails, the other simulators still run
                 last = traceback.format_exc().strip().splitlines()[-1]
                 print(f"{simulator.__doc__.splitlines()[0]:34} {last}", file=OUT, flush=True)
         FreeCAD.closeDocument(document.Name)
@@ -77,17 +84,17 @@ def example(folder: Path):
 
 
 def long(folder: Path):
-    """The example's job with one pocket: FreeCAD hands out its path whole."""
+    """Make the example's job with one large pocket, whose whole path FreeCAD returns in one call."""
     return made(folder, 1, 1, 0.036)
 
 
 def made(folder: Path, across: int = 5, along: int = 4, layer: float = 0.1):
-    """The example's job with pockets of many thin layers, mm, zigzag and contour-parallel in turn: 100,000 moves."""
+    """Make the example's job with pockets of many thin layers, alternately zigzag and contour-parallel: 100,000 moves."""
     document = example(folder)
     job = next(obj for obj in document.Objects if freecad.OPERATIONS.is_in(obj) and freecad.TOOLS.is_in(obj))
     controller = job.Tools.Group[1]
     for name in [obj.Name for obj in document.Objects if operates(obj)]:
-        document.removeObject(name)  # the bases of dressups, too
+        document.removeObject(name)  # also removes the base operations of dress-ups
     low, high = job.Stock.Shape.BoundBox, job.Stock.Shape.BoundBox.ZMax
     width, depth, moves = low.XLength / across, low.YLength / along, 100_000 // (across * along)
     operations = []
@@ -109,7 +116,7 @@ def operates(obj) -> bool:
 
 
 def pocket(number: int, corner, width: float, depth: float, top: float, layer: float, moves: int):
-    """Commands of one pocket: so many moves, rows or rings 1 mm apart."""
+    """Return the commands of one pocket with the given number of moves, in rows or rings with a stepover of 1 mm."""
     left, right, front, back = corner[0] + 5, corner[0] + width - 5, corner[1] + 5, corner[1] + depth - 5
     commands = [("G0", {"X": left, "Y": front, "Z": top + 5}), ("G1", {"Z": top, "F": 5.0})]
     z = top
@@ -130,7 +137,7 @@ def pocket(number: int, corner, width: float, depth: float, top: float, layer: f
 
 
 class Watch:
-    """Time on the wall and of the processor since it was made, s."""
+    """Measures wall time and processor time since its creation, s."""
 
     def __init__(self) -> None:
         self._begin = time.perf_counter(), time.process_time()
@@ -140,12 +147,12 @@ class Watch:
 
 
 def happen() -> None:
-    """Let FreeCAD's next events happen when they come, as FreeCAD itself does."""
+    """Wait for FreeCAD's next events and process them, as FreeCAD's event loop does."""
     QtGui.QApplication.processEvents(QtCore.QEventLoop.WaitForMoreEvents)
 
 
 class Waiting:
-    """Lets FreeCAD's events happen, and notes the longest time in which none could."""
+    """Lets FreeCAD process events, and measures the longest time in which no event was processed."""
 
     def __init__(self) -> None:
         self.longest = self.worked = 0.0
@@ -160,7 +167,7 @@ class Waiting:
         self._beaten = Watch()
 
     def end(self) -> str:
-        """Tell the longest time, and the longest for which this process had the processor meanwhile; look no more."""
+        """Stop the measurement. Return as text the longest wait and the longest processor time during a wait."""
         self._timer.stop()
         return f"{1e3 * self.longest:.0f} ms ({1e3 * self.worked:.0f})"
 
@@ -207,7 +214,7 @@ def tab(document):
 
 
 def held(document) -> str:
-    """Tell how long FreeCAD, which lets nothing else happen meanwhile, takes to hand out the longest path."""
+    """Return as text how long FreeCAD blocks the window to return the longest path."""
     longest = max((obj for obj in document.Objects if operates(obj)), key=lambda obj: obj.Path.Size)
     watch = Watch()
     path = longest.Path
@@ -219,12 +226,12 @@ def held(document) -> str:
 
 
 def seen(opened) -> bool:
-    """Whether there is a picture of the whole job."""
+    """Return whether a picture of the whole job is visible."""
     return opened.player is not None and opened.player.simulation is not None
 
 
 def turn(player) -> str:
-    """Turn the part for some seconds; tell pictures a second, and the processor time of a picture drawn alone."""
+    """Turn the part for some seconds. Return as text the pictures per second and the processor time of one picture."""
     view = player.view
     shown, show = [], view.show_scene
     view.show_scene = lambda *scene: (shown.append(1), show(*scene))
@@ -249,7 +256,7 @@ def turn(player) -> str:
 
 
 def drag(player) -> float:
-    """Drag the time line there and back; return the pictures a second."""
+    """Drag the time line forwards and backwards, and return the pictures per second."""
     line, drawn = player.time_line, []
     show = player.view.show_scene
     player.view.show_scene = lambda *scene: (drawn.append(1), show(*scene))
@@ -302,7 +309,7 @@ def opengl(document):
 
     from vkworkbench.core.simulators import opengl_speeds
 
-    Gui.activateWorkbench("CAMWorkbench")  # which loads the pictures of the simulator's buttons
+    Gui.activateWorkbench("CAMWorkbench")  # loads the pictures of the simulator's buttons
     panel = module.CAMSimulation()
     waiting, memory, watch = Waiting(), resident(), Watch()
     panel.Activate()
@@ -342,7 +349,7 @@ def opengl(document):
 
 
 def slide(window, shown: list) -> str:
-    """Drag the slider to the right; return the pictures a second, and how long a move of the mouse held the window."""
+    """Drag the slider to the right. Return the pictures per second, and how long one mouse move blocked the window."""
     before, held, (left, below) = grabbed(window), [], THUMB
     send(window, left, below, MOVE)
     send(window, left, below, PRESS)
@@ -360,7 +367,7 @@ def slide(window, shown: list) -> str:
 
 
 class Frames(QtCore.QObject):
-    """Counts what a window draws."""
+    """Counts the pictures that a window draws."""
 
     def __init__(self, shown: list) -> None:
         super().__init__()
@@ -378,7 +385,7 @@ def simulator_windows() -> list:
 
 
 def grabbed(window):
-    """The part's picture in the window, without the buttons."""
+    """Return the picture of the part in the window, without the buttons."""
     return window.screen().grabWindow(0, window.x(), window.y(), window.width(), window.height() - 100).toImage()
 
 
@@ -393,7 +400,7 @@ def said(spent: tuple[float, float], done: bool = True) -> str:
 
 
 def resident() -> int:
-    """Memory of this process, bytes."""
+    """Return the memory of this process, bytes."""
     return int(Path("/proc/self/statm").read_text().split()[1]) * os.sysconf("SC_PAGE_SIZE")
 
 

@@ -1,14 +1,15 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""FreeCAD's simulators: what is predicted against what they really do.
+"""Compare the predicted cost of FreeCAD's simulators with their measured times and meshes.
 
     freecadcmd $PWD/benchmarks/simulators.py                 # the legacy simulator's meshes, without a window
     xvfb-run -a freecad $PWD/benchmarks/simulators.py        # fast-forward and play, in their own windows
 
-Cuts the operations of the example job and, where the environment variable VKWORKBENCH_CORPUS names files of
-JSON lines (id, label, tool_diameter, stock, commands; optionally gzipped, separated by colons), up to 60 of
-each. Errors are ratios, the larger of prediction and truth over the smaller. Timings need a quiet computer; runs from
-which a virtual machine's host took time are left out. The median run of each simulation counts: the shortest run would
-favour short simulations, which fit into the moments when a shared processor is fast.
+The script simulates the operations of the example job, and up to 60 operations of each file in the environment variable
+VKWORKBENCH_CORPUS. The names of these files are separated by colons. The files have JSON lines (id, label,
+tool_diameter, stock, commands) and may be gzipped. Errors are ratios of the larger to the smaller of prediction and
+measurement. Times are valid only on an idle computer. Runs from which the host of a virtual machine took time are left
+out. The median run of each simulation counts, because the shortest run would favour short simulations, which fit into
+the fast moments of a shared processor.
 """
 
 from __future__ import annotations
@@ -45,8 +46,8 @@ from vkworkbench.document.job.setting import read_stock, read_tool
 ACCURACIES = (0.1, 0.5, 1.0)
 MOST = 60
 OUT = sys.__stdout__
-FEW = 1000  # triangles; smaller meshes count as this number, because they take almost no time
-LOOKS = 12  # moments of a play at which the true mesh is counted
+FEW = 1000  # minimum number of triangles; smaller meshes count as this number, because they take almost no time
+LOOKS = 12  # number of moments of a play at which the triangles of the mesh are counted
 
 
 def main() -> int:
@@ -70,7 +71,7 @@ def main() -> int:
 
 
 def calibrate_undisturbed():
-    """Calibrate until the host takes no time from it."""
+    """Repeat the calibration until the host takes no time from it."""
     for _ in range(20):
         before = stolen()
         calibrate(RENDERER)
@@ -79,14 +80,14 @@ def calibrate_undisturbed():
 
 
 def of_document(doc):
-    """Name, commands, tool and stock of every operation of a document's jobs."""
+    """Yield name, commands, tool and stock of every operation in a document's jobs."""
     for operation in find(doc):
         commands = [(c.Name, c.Parameters) for c in operation.object.Path.Commands]
         yield operation.object.Label, commands, read_tool(operation.object), read_stock(operation.job)
 
 
 def of_corpus(name):
-    """Name, commands, tool and stock of every operation in a file of JSON lines; 3D surfaces get a ball end."""
+    """Yield name, commands, tool and stock of operations in a file of JSON lines. 3D surfaces get a ball end mill."""
     for record, stock in with_stock(name, MOST):
         ball = record["label"].startswith(("Surface", "Waterline"))
         tool = Tool("ballend" if ball else "endmill", record["tool_diameter"])
@@ -94,7 +95,7 @@ def of_corpus(name):
 
 
 def headless(samples):
-    """Cut every sample at every accuracy and print how far the predictions were off."""
+    """Simulate every sample at every accuracy, and print the errors of the predictions."""
     constants = calibrate().constants
     errors = {accuracy: [] for accuracy in ACCURACIES}
     simpler = {}
@@ -128,7 +129,7 @@ def headless(samples):
 
 
 def simpler_plays(task, predicted, looks):
-    """Names of the model of the mesh and of simpler ones, and predicted over true time of a play, with usual constants."""
+    """Yield the names of the model of the mesh and of simpler models, and their ratios of predicted to true play time."""
     every = [legacy.BOX, *looks]
     true = float(np.add(every[1:], every[:-1]).mean() / 2)
     tool, stock = task.cutting
@@ -149,7 +150,10 @@ def simpler_plays(task, predicted, looks):
 
 
 def really(commands, tool, stock, resolution, accuracy):
-    """Cut with FreeCAD as its panel does; return the seconds of the last mesh, the triangles of some, and the cells."""
+    """Cut with FreeCAD's simulator as its panel does.
+
+    Return the time of the last mesh, s, the numbers of triangles at some moments, and the number of cells.
+    """
     size = stock.upper - stock.lower
     sim = PathSim()
     sim.BeginSimulation(Part.makeBox(*size, FreeCAD.Vector(*stock.lower)), resolution)
@@ -173,7 +177,7 @@ def really(commands, tool, stock, resolution, accuracy):
 
 
 def straight(commands, resolution, top):
-    """The straight moves that PerformCutVoxel makes of commands; what it would hang on is left out."""
+    """Return the straight moves that PerformCutVoxel makes of commands, without commands on which it would hang."""
     at = {"X": 0.0, "Y": 0.0, "Z": top}
     made = []
     first_hole = True
@@ -208,5 +212,5 @@ def straight(commands, resolution, top):
     return made
 
 
-if __name__ in ("__main__", "simulators"):  # the second where FreeCAD imports its script
+if __name__ in ("__main__", "simulators"):  # the second name if FreeCAD imports the script
     run_and_leave(main)

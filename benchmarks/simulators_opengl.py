@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Play in the OpenGL simulator's own window, for benchmarks/simulators.py."""
+"""Measure plays in the OpenGL simulator's own window, for benchmarks/simulators.py."""
 
 from __future__ import annotations
 
@@ -22,12 +22,12 @@ from vkworkbench.core import Tool, linearize
 from vkworkbench.core.simulators import Task, opengl_cost, opengl_speeds
 from vkworkbench.document.computer.calibration import constants
 
-LONGEST = 8.0  # s
-PATIENCE = 60.0  # s
+LONGEST = 8.0  # maximum predicted time of a play, s
+PATIENCE = 60.0  # time limit of a play, s
 
 
 class Frames(QtCore.QObject):
-    """Times at which the simulator's window draws."""
+    """Records the times at which the simulator's window draws."""
 
     def __init__(self):
         super().__init__()
@@ -40,11 +40,11 @@ class Frames(QtCore.QObject):
 
 
 def run(samples, out):
-    """Play every sample that does not take too long at the fastest speed, and print the ratios.
+    """Play every sample that does not take too long at the highest speed, and print the ratios of prediction to time.
 
     Each prediction is multiplied by the median ratio of time to prediction in the runs before it.
     """
-    FreeCADGui.activateWorkbench("CAMWorkbench")  # which loads the pictures of the simulator's buttons
+    FreeCADGui.activateWorkbench("CAMWorkbench")  # loads the pictures of the simulator's buttons
     speed = max(opengl_speeds(freecad.version()))
     simulator = PathSim()
     cases = []
@@ -75,7 +75,7 @@ def run(samples, out):
 
 
 def lines_and_arcs(sample):
-    """Paths of lines only and of arcs only, with the tool and the stock of a sample, and lines with a ball end."""
+    """Return paths of lines only and of arcs only, with a sample's tool and stock, and lines with a ball end mill."""
     _, _, tool, stock = sample
     x, y, top = stock.lower[0] + 10, stock.lower[1] + 10, stock.upper[2]
     start = ("G0", {"X": x, "Y": y, "Z": top})
@@ -90,7 +90,7 @@ def lines_and_arcs(sample):
 
 
 def play(simulator, commands, tool, stock, frames):
-    """Play at the fastest speed; return the seconds that the frames took, None if fewer frames were played."""
+    """Play at the highest speed, and return the time of all frames, s; None if not all frames were played."""
     simulator.ResetSimulation()
     simulator.AddTool(profile(tool), 1, tool.diameter, 1)
     for name, words in commands:
@@ -116,13 +116,13 @@ def play(simulator, commands, tool, stock, frames):
 
 
 def picture(window):
-    """The part's picture in the window, without the buttons."""
+    """Return the picture of the part in the window, without the buttons."""
     screen = window.screen()
     return screen.grabWindow(0, window.x(), window.y(), window.width(), window.height() - 100).toImage()
 
 
 def profile(tool):
-    """Radius and height along the tool's outline, from its top to its tip, as FreeCAD's panel makes it."""
+    """Return radii and heights along the tool's outline, from the top to the tip, as FreeCAD's panel computes them."""
     corner = tool.rounding
     turns = np.linspace(0, np.pi / 2, int(corner * np.pi / 2 / 0.5) + 2 if corner else 1)
     radii = [*(tool.radius - corner * (1 - np.cos(turns))), *([0.0] if corner < tool.radius else [])]

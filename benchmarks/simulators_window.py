@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Fast-forward and play in the legacy simulator's own panel, for benchmarks/simulators.py."""
+"""Measure fast-forward and play in the legacy simulator's own panel, for benchmarks/simulators.py."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ from vkworkbench.core.gcode import Words
 from vkworkbench.core.simulators import Conditions, Task, legacy_cost, preflight
 from vkworkbench.document.computer.calibration import constants
 
-LONGEST = {"fast-forward": 7000, "play": 100}  # commands
+LONGEST = {"fast-forward": 7000, "play": 100}  # maximum number of commands
 
 
 def run(samples, out):
@@ -58,17 +58,17 @@ def run(samples, out):
 
 
 def cost_of(path, tool, stock, known):
-    """Predict what a path costs, with the constants known."""
+    """Return the predicted cost of a path, with the known constants."""
     return legacy_cost(Task(path, tool, stock), constants=known)
 
 
 def seconds_of(cost, kind):
-    """The predicted time of a kind of simulation."""
+    """Return the predicted time of one kind of simulation, s."""
     return cost.play_seconds if kind == "play" else cost.fast_forward_seconds
 
 
 def odd_arcs():
-    """Arcs that preflight says the panel hangs on, and one it does not."""
+    """Return arcs on which the panel hangs according to preflight, and one arc on which it does not hang."""
     start = ("G0", {"X": 10.0, "Y": 0.0, "Z": 5.0})
     half = {"X": -10.0, "Y": 0.0, "Z": 5.0, "I": -10.0, "J": 0.0}
     tool, stock = Tool("endmill", 6.0), Stock((-30, -30, 0), (30, 30, 10))
@@ -85,7 +85,7 @@ def odd_arcs():
 
 
 def open_panel():
-    """Open the legacy simulator's panel on the open job, with one operation to be replaced."""
+    """Open the legacy simulator's panel for the open job. Its only operation will be replaced."""
     old = freecad.version() < (1, 0, 0)
     module = importlib.import_module("PathScripts.PathSimulatorGui" if old else "Path.Main.Gui.Simulator")
     for other in FreeCAD.ActiveDocument.Objects:  # the view is fitted to the simulated part
@@ -99,7 +99,7 @@ def open_panel():
 
 
 def simulate(panel, kind, commands, tool, stock, patience):
-    """Simulate a stand-in for an operation; return the seconds, None if it did not end."""
+    """Simulate commands in place of the panel's operation. Return the time, s; None if the simulation did not end."""
     operation = SimpleNamespace(
         Path=Path.Path([Path.Command(name, words) for name, words in commands]),
         ToolController=SimpleNamespace(Tool=SimpleNamespace(Shape=shape(tool), Name="tool")),
@@ -109,7 +109,7 @@ def simulate(panel, kind, commands, tool, stock, patience):
     panel.operations = [operation]
     panel.job = SimpleNamespace(Stock=SimpleNamespace(Shape=box))
     panel.SetupSimulation()
-    panel.resetSimulation = True  # as when it was opened
+    panel.resetSimulation = True  # reset the panel to the state after opening it
     FreeCADGui.SendMsgToActiveView("ViewFit")
     FreeCADGui.updateGui()
 

@@ -13,9 +13,9 @@ from vkworkbench.core.recognition.verdict import decide
 
 
 def report_sources(files: list[str], programs: str | None) -> None:
-    """Print the figures of the table, and how well whole programs and pairs of operations are divided.
+    """Print the accuracy on the table, and how well whole programs and pairs of operations are divided.
 
-    A tenth of the repositories and parts is left out of the learning of the verdicts and of the borders at a time.
+    Each tenth of the repositories and parts is judged by models for verdicts and borders that were learned without it.
     """
     e = Examples.read()
     judge(e)
@@ -28,7 +28,7 @@ def report_sources(files: list[str], programs: str | None) -> None:
     in_use = decide.shipped_model, visits.shipped_forest
 
     def learn(group: str) -> None:
-        # Nothing was learned from a group in which nothing is milled.
+        # A group without milling is not in the table, so every fold's model was learned without it.
         decide.shipped_model = lambda: found.models[fold.get(group, 0)]
         visits.shipped_forest = lambda: borders.get(group) or in_use[1]()
 

@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""How long FreeCAD takes to start with the add-on and without, alternating.
+"""Measure how long FreeCAD takes to start with the add-on and without it, alternately.
 
     xvfb-run -a python3 benchmarks/startup.py [ROUNDS]        # 8 rounds
 
-Each start is a process of its own with a home folder of its own; it ends when FreeCAD's event loop runs.
+Each start is a separate process. FreeCAD with and without the add-on have separate home folders. A start ends when
+FreeCAD's event loop runs.
 """
 
 from __future__ import annotations
@@ -24,7 +25,7 @@ QtCore.QTimer.singleShot(0, lambda: os._exit(0))
 
 
 def home(folder: Path, with_addon: bool) -> Path:
-    """Return a home folder as the tests have it, with or without the add-on in it."""
+    """Return a home folder like the home folder of the tests, with or without the add-on."""
     subprocess.run([ROOT / "tests" / "make_home.sh", folder], check=True)
     if not with_addon:
         for link in folder.glob(".local/share/FreeCAD/**/ToolpathAnalysis"):
@@ -33,7 +34,7 @@ def home(folder: Path, with_addon: bool) -> Path:
 
 
 def start(folder: Path, script: Path) -> float:
-    """Start FreeCAD and return the seconds until it is there."""
+    """Start FreeCAD and return the time until its event loop runs, s."""
     environment = {
         **os.environ, "HOME": str(folder), "XDG_RUNTIME_DIR": str(folder / "run"), "LC_ALL": "C.UTF-8",
         "LIBGL_ALWAYS_SOFTWARE": "1", "QT_QPA_PLATFORM": "xcb", "QTWEBENGINE_DISABLE_SANDBOX": "1",
@@ -44,7 +45,7 @@ def start(folder: Path, script: Path) -> float:
 
 
 def main(rounds: int) -> None:
-    """Print the times of both."""
+    """Print the start times with and without the add-on."""
     with tempfile.TemporaryDirectory() as folder:
         script = Path(folder) / "leave.py"
         script.write_text(LEAVE)
