@@ -129,7 +129,7 @@ def headless(samples):
 
 
 def simpler_plays(task, predicted, looks):
-    """Yield the names of the model of the mesh and of simpler models, and their ratios of predicted to true play time."""
+    """Yield the names of the mesh's model and of simpler models, and their ratios of predicted to true play time."""
     every = [legacy.BOX, *looks]
     true = float(np.add(every[1:], every[:-1]).mean() / 2)
     tool, stock = task.cutting

@@ -1,17 +1,19 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The effect of every threshold of the recognition: how many verdicts change with its value.
+"""Measure the effect of every threshold of the recognition: how many verdicts change with the threshold's value.
 
     python3 benchmarks/thresholds.py [--rules] [NAME ...] [FILE.jsonl.gz ...]
 
-Each threshold is divided by a thousand, halved, doubled and multiplied by a thousand; shares, cosines and angles move
-to the ends of their range in place of the thousand. The toolpaths come from toolpaths/synthetic.py, strokes.py and the
-files (as recognition.py reads them). NAME, as ROWS or ROWS.MAX_DISTANCE, asks for some thresholds only. Needs numpy only.
+Each threshold is divided by 1,000, halved, doubled and multiplied by 1,000. Shares, cosines and angles are set to the
+ends of their range instead of the factor 1,000. The toolpaths come from toolpaths/synthetic.py, strokes.py and the
+files (in the form that recognition.py reads). NAME, such as ROWS or ROWS.MAX_DISTANCE, selects thresholds. The script
+needs numpy only.
 
-Printed for each move: how many of the verdicts change, how many right ones become wrong (-) and wrong ones right (+).
-After a ~ stand the answers that keep their strategy and change in a number or in the confidence. For the thresholds
-that were asked for by name, the kinds of toolpath that get another verdict follow. With --rules the rules
-alone decide, as in the comments beside the thresholds; otherwise the learned trees outvote many of the errors described there.
+For each new value, the script prints the number of verdicts that change, the number of right verdicts that become wrong
+(-), and the number of wrong verdicts that become right (+). The number after ~ counts answers with the same strategy,
+but with another number or confidence. If thresholds were selected by name, the script also prints the kinds of
+toolpaths with another verdict. With --rules, only the rules decide, as described in the comments at the thresholds.
+Without --rules, the learned trees outvote many of the errors that these comments describe.
 """
 
 from __future__ import annotations
@@ -36,7 +38,7 @@ from vkworkbench.core.paper import thresholds as of_paper
 from vkworkbench.core.recognition import thresholds as of_recognition
 
 HOMES = (of_paper, of_recognition)
-#: Measurements that are reused while they do not depend on the threshold that moves.
+#: Measurements that are reused as long as they do not depend on the changed threshold.
 STEPS = (
     ("recognize", "monotonous_areas"), ("parts", "monotonous_areas"), ("operation", "paper_verdict"),
     ("recognize", "find_retracts"), ("operation", "Section"),
@@ -45,12 +47,12 @@ STEPS = (
 
 
 class Watched:
-    """Stands in for one subject of thresholds in every module that reads it."""
+    """Replaces one class of thresholds in every module that reads the class."""
 
     readers: ClassVar[
         list[set]
-    ] = []  # the calls in progress, the innermost last, and the thresholds that each has read
-    moved: ClassVar[dict] = {}  # values other than those of the subject
+    ] = []  # for each call in progress, the innermost last: the thresholds that the call has read
+    moved: ClassVar[dict] = {}  # changed values of thresholds
 
     def __init__(self, subject: type) -> None:
         self.subject = subject
@@ -63,7 +65,7 @@ class Watched:
 
 
 class Remembered:
-    """A function that is called again only where a threshold that it read has moved."""
+    """A function with a cache. It is called again only if a threshold that it has read was changed."""
 
     def __init__(self, function) -> None:
         self.function = function
@@ -78,19 +80,19 @@ class Remembered:
             Watched.readers.append(set())
             try:
                 result = self.function(*arguments, **options)
-                for name in ("loops", "phi_range"):  # measured when first asked for: do it now
+                for name in ("loops", "phi_range"):  # these attributes are computed at their first use
                     getattr(result, name, None)
             finally:
                 reads = Watched.readers.pop()
             if not Watched.moved:
-                self.known[same] = result, reads, (arguments, options)  # kept alive: they are known by their address
+                self.known[same] = result, reads, (arguments, options)  # keeps the arguments, identified by address
         if Watched.readers:
             Watched.readers[-1] |= reads
         return result
 
 
 def subjects() -> dict[type, dict[str, str]]:
-    """Return the unit of every threshold by subject and name, as the comments tell it."""
+    """Return the unit of every threshold by class and name, as stated in the threshold's comment."""
     found = {}
     for home in HOMES:
         for _, subject in inspect.getmembers(home, inspect.isclass):
@@ -101,7 +103,7 @@ def subjects() -> dict[type, dict[str, str]]:
 
 
 def watch(found) -> None:
-    """Put the watchers in place of the subjects, and the remembering functions in place of the steps."""
+    """Replace the classes of thresholds by watchers, and the steps by functions with a cache."""
     watchers = {subject: Watched(subject) for subject in found}
     for name, module in list(sys.modules.items()):
         if name.startswith("vkworkbench.core.") and module not in HOMES:
@@ -114,7 +116,7 @@ def watch(found) -> None:
 
 
 def moves(value, unit: str) -> list:
-    """Return four other values of a threshold."""
+    """Return four changed values of a threshold."""
     if unit.startswith(("share", "cosine", "support", "confidence", "isoperimetric")):
         return [0.0, value / 2, min(2 * value, 1.0), 1.0]
     if unit == "rad":
@@ -128,7 +130,7 @@ def answer(path, diameter) -> tuple:
     """Return the strategy, and all other results of a recognition."""
     try:
         found = sys.modules["vkworkbench.core.recognition.programs.recognize"].recognize(path, tool_diameter=diameter)
-    except Exception as error:  # a threshold at the end of its range may not be a sensible number
+    except Exception as error:  # at the end of its range, a threshold may cause an error
         return f"error: {error!r}", ()
     return str(found.strategy), tuple(repr(getattr(found, f.name)) for f in fields(found) if f.name != "paper")
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Grow random forests (Breiman 2001), weighted and with few leaves, in plain numpy."""
+"""Grow random forests (Breiman 2001) with weighted rows and few leaves, with numpy only."""
 
 from __future__ import annotations
 
@@ -11,22 +11,23 @@ from vkworkbench.core.recognition.verdict.forest import Forest
 
 
 def grow(x, y, weight, *, trees: int, leaves: int, seed: int = 0, tried: float = 0.5) -> list[str]:
-    """Return trees as :class:`Forest` reads them.
+    """Return grown trees in the form that :class:`Forest` reads.
 
     Parameters
     ----------
     x : (n, m) float
     y : (n,) int
-        Classes.
+        Class of each row.
     weight : (n,) float
     trees, leaves : int
-        Number of trees, and of leaves of each.
+        Number of trees, and number of leaves of each tree.
     seed : int
     tried : float
         Share of the measures that are tried at every node.
     """
     rng = np.random.default_rng(seed)
-    # Four digits: what lies between two of these has five, and is the same when it is read again.
+    # The measures are rounded to four digits. A threshold between two of them then has at most five digits, and does
+    # not change when it is written and read again.
     x = np.array([[float(f"{value:.4g}") for value in row] for row in x])
     y, grown = y.astype(np.uint8), []
     for _ in range(trees):
@@ -36,15 +37,15 @@ def grow(x, y, weight, *, trees: int, leaves: int, seed: int = 0, tried: float =
 
 
 def forest(x, y, weight, classes: int, **options) -> Forest:
-    """Return a grown forest that tells the shares of some classes."""
+    """Return a grown forest that computes the shares of the classes."""
     return Forest(grow(x, y, weight, **options), classes)
 
 
 def _split(x, y, weight, tried, rng):
-    """Return the gain, measure and threshold of the best split by some random measures; None where none parts anything.
+    """Return the gain, the measure and the threshold of the best split by random measures; None if no split has a gain.
 
-    The best leaves the least weighted Gini impurity on both sides: the largest sum of squares of what each class has there,
-    for the sum of all.
+    The best split has the least weighted Gini impurity on both sides. This means the largest sum of the classes'
+    squared weights on each side, divided by the total weight on this side.
     """
     able = np.flatnonzero(x.max(axis=0) > x.min(axis=0))
     whole = np.bincount(y, weight)
@@ -53,12 +54,13 @@ def _split(x, y, weight, tried, rng):
     some = rng.permutation(able)[:tried]
     order = np.argsort(x[:, some], axis=0)
     value, of, weight = np.take_along_axis(x[:, some], order, axis=0), y[order], weight[order]
-    # What the class of each row has up to that row: sums that run through class after class.
+    # For each row, compute the weight of the row's class up to this row, by cumulative sums over the rows sorted by
+    # class.
     by_class = np.argsort(of, axis=0, kind="stable")
     has = np.empty_like(weight)
     np.put_along_axis(has, by_class, np.cumsum(np.take_along_axis(weight, by_class, axis=0), axis=0), axis=0)
     has -= (np.cumsum(whole) - whole)[of]
-    # (a + w)^2 is w (2 (a + w) - w) more than a^2.
+    # Adding the weight w to a class with the weight a increases its square by (a + w)^2 - a^2 = w (2 (a + w) - w).
     below, squares = np.cumsum(weight, axis=0), np.cumsum(weight * (2 * has - weight), axis=0)
     all_squares, total = whole @ whole, whole.sum()
     above_squares = all_squares - 2 * np.cumsum(weight * whole[of], axis=0) + squares
@@ -72,7 +74,7 @@ def _split(x, y, weight, tried, rng):
 
 
 def _tree(x, y, weight, leaves, tried, rng) -> str:
-    """Grow one tree, the node that gains most first."""
+    """Grow one tree. The node with the largest gain is split first."""
     nodes, heap = [], []
 
     def add(rows):

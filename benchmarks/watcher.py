@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Time that the watcher of the marks adds to a recompute of a job of 200 marked operations.
+"""Measure the time that the watcher of the marks adds to a recompute of a job with 200 marked operations.
 
     freecadcmd $PWD/benchmarks/watcher.py
 
-Recomputes with and without the watcher take turns in one run. Printed are the shortest and the median time of
-each, their ratio, and the share of the recompute that the watcher's own functions took, which noise does not hide.
-Exits with 1 where that share is not below 1 %.
+Recomputes with and without the watcher take turns in one run. The script prints the shortest and the median time of
+both, and their ratio. It also prints the share of the watcher's own functions in the recompute, which noise does not
+affect. The exit status is 1 if this share is not below 1 %.
 """
 
 from __future__ import annotations
@@ -31,7 +31,7 @@ OPERATIONS, TURNS = 200, 3
 
 
 class Timed(watcher.Watcher):
-    """The watcher with a clock."""
+    """The watcher with a clock for its own functions."""
 
     seconds, calls = 0.0, 0
 
@@ -53,7 +53,7 @@ for name in [name for name in vars(watcher.Watcher) if name.startswith("slot")]:
 
 
 def job_document():
-    """FreeCAD's own operations on the example's plate: faces, pockets of both patterns and profiles."""
+    """Return a job with FreeCAD's operations on the example's plate: faces, pockets of both patterns, and profiles."""
     document = FreeCAD.newDocument()
     model = document.addObject("Part::Feature", "Plate")
     model.Shape = shape = plate()
@@ -94,7 +94,7 @@ def main():
     recompute(document, job)
     without, with_watcher, shares = [], [], []
     for turn in range(2 * TURNS):
-        if turn % 4 in (1, 2):  # without, with, with, without: a drift of the computer's speed favours neither
+        if turn % 4 in (1, 2):  # without, with, with, without: a drift of the computer's speed affects both equally
             FreeCAD.addDocumentObserver(observer)
             Timed.seconds, Timed.calls = 0.0, 0
             with_watcher.append(recompute(document, job))

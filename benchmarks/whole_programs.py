@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Accuracy of the division of programs, and the verdicts on nonsense toolpaths: a part of recognition.py."""
+"""Measure how well programs are divided, and the verdicts on nonsense toolpaths: a part of recognition.py."""
 
 from __future__ import annotations
 
@@ -13,16 +13,17 @@ from vkworkbench.core import Recognition, Strategy
 from vkworkbench.core.gcode import linearize
 from vkworkbench.core.recognition import recognize
 
-NAMED, IN_PLACE = 0.5, 0.9  # share of a section's length under a right name: in a program, and of each of a pair
-NEAR = 0.02  # share of a section's length by which a border may lie inside it
+NAMED, IN_PLACE = 0.5, 0.9  # minimum share of a section's length with a right name: in a program, and in a pair
+NEAR = 0.02  # maximum distance of a found border from the true border, as a share of the section's length
 PAIRS, SEEDS = 200, 20
 
 
 @dataclass
 class Borders:
-    """How many borders between sections of different names there are and were found, were said, and were said rightly.
+    """Numbers of true borders between sections of different names, of found ones, and of all and right reported ones.
 
-    Borders within a section that is labelled mixed are counted separately, because its inner borders have no labels.
+    Reported borders inside a section with the label mixed are counted separately, because such a section has no labels
+    for its inner borders.
     """
 
     true: int = 0
@@ -33,9 +34,10 @@ class Borders:
 
 
 def covered(record: Record, found: Recognition, reached: np.ndarray) -> list[float]:
-    """Share of each section's cutting length that lies in spans with a right name; `reached` is the length before a move.
+    """Return for each section the share of its cutting length that lies in spans with a right name.
 
-    A span has one strategy: what is labelled as mixed is so where its spans have several.
+    `reached` is the cutting length before each move. A span has one strategy, so a section with the label mixed is
+    right if its spans have several strategies.
     """
     shares = []
     for s in record.sections:
@@ -52,7 +54,7 @@ def covered(record: Record, found: Recognition, reached: np.ndarray) -> list[flo
 
 
 def compare(record: Record, found: Recognition, reached: np.ndarray, borders: Borders) -> None:
-    """Count the borders of a program."""
+    """Count the borders of a program, and add the numbers to `borders`."""
     said = [(reached[a.last + 1], reached[b.first]) for a, b in zip(found.spans, found.spans[1:])]
     true = []
     for s, t in zip(record.sections, record.sections[1:]):
@@ -76,12 +78,12 @@ def compare(record: Record, found: Recognition, reached: np.ndarray, borders: Bo
 
 
 def reached(record: Record) -> np.ndarray:
-    """Cutting length before every trajectory and after the last, mm."""
+    """Return the cutting length before every trajectory and after the last one, mm."""
     return np.append(0.0, np.cumsum(np.where(record.path.rapid, 0.0, record.path.lengths)))
 
 
 def report_programs(file: str, learn=lambda group: None) -> None:
-    """Print how many labelled sections of whole programs have their name, and how their borders are found.
+    """Print how many labelled sections of whole programs get a right name, and how well the borders are found.
 
     `learn` is called with the group of a program before it is recognised.
     """
@@ -104,7 +106,7 @@ def report_programs(file: str, learn=lambda group: None) -> None:
 
 
 def report_joined(records: list[Record], learn=lambda group: None) -> None:
-    """Print how many pairs of operations with a rapid between them are separated; `learn` as in `report_programs`."""
+    """Print how many pairs of operations, joined by a rapid, are separated. `learn` is as in `report_programs`."""
     single = [r for r in records if r.sections and len(r.path) < JOINED]
     pairs = [r for r in joined(single, 2 * PAIRS) if not r.sections[0].accepted & r.sections[1].accepted][:PAIRS]
     if pairs:
@@ -118,7 +120,7 @@ def report_joined(records: list[Record], learn=lambda group: None) -> None:
 
 
 def report_nonsense() -> None:
-    """Print how often the answer is unknown where nothing is machined."""
+    """Print how often the verdict on nonsense toolpaths is unknown."""
     unknown = [
         recognize(linearize(nonsense.commands(kind, np.random.default_rng([seed, 3])))).strategy is Strategy.UNKNOWN
         for kind in nonsense.KINDS

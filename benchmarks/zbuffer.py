@@ -1,13 +1,14 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Speed and memory of the extended z-buffer, at 800 x 600.
+"""Measure the speed and the memory of the extended z-buffer at 800 x 600 pixels.
 
     python3 benchmarks/zbuffer.py [quick]
 
-It needs numpy alone. Printed for toolpaths made by zbuffer_cases.py, from above and obliquely: the records, the pairs
-of tile or pixel and trajectory that were tested, the processor time (of three runs the best) and how many times as long
-trying every trajectory on every ray it passes takes, where that ends soon enough; how time grows with the number of
-trajectories; any moment of a simulation; and a million trajectories (not with `quick`). Times hold for the computer;
-the ratios are what counts. benchmarks/zbuffer_freecad.py compares with FreeCAD.
+The script needs numpy only. For toolpaths of zbuffer_cases.py, from above and obliquely, it prints the number of
+records, the number of tested pairs (a tile or pixel, and a trajectory), and the processor time, the best of three runs.
+If it is fast enough, the script also tests every trajectory on every ray that it passes, and prints the ratio of this
+time to the processor time. Then the script prints how the time grows with the number of trajectories, the time to show
+any moment of a simulation, and, without `quick`, the cost of a million trajectories. The times depend on the computer,
+and only ratios are comparable. benchmarks/zbuffer_freecad.py compares with FreeCAD.
 """
 
 from __future__ import annotations
@@ -29,9 +30,10 @@ from vkworkbench.core.zbuffer import Cut, memory_needed
 from vkworkbench.core.zbuffer.rays.removal import Removal
 from vkworkbench.core.zbuffer.sweeps.cuts import Cuts
 
-# Pairs of pixel and trajectory that may be tried without culling. Higher: the benchmark takes minutes per toolpath.
+# Maximum number of pairs of pixel and trajectory for a test without culling. Higher: the benchmark takes minutes per
+# toolpath.
 MOST_TRIED = 50e6
-# Rows of the image that are tried at once, and the side of the blocks of pixels that follow each other in them.
+# Number of rows of the image in one batch, and side of the blocks of pixels in a batch, whose pixels follow each other.
 ROWS_TRIED, BLOCK_SIDE = 60, 4
 VIEWS = {"above": (0, 0, -1), "oblique": (1, 1, -1)}
 MOMENTS = 60
@@ -47,7 +49,7 @@ def main() -> None:
     growth()
     moments()
     if not quick:
-        # A process of its own: memory that is used again does not count.
+        # A separate process, because memory that is used again would not be counted.
         subprocess.run([sys.executable, __file__, "million"], check=True)
 
 
@@ -90,14 +92,18 @@ def tried(toolpath, tool, stock, view) -> int:
 
 
 def tried_in(toolpath, tool, stock, direction) -> View:
-    """The largest image in which trying everything ends soon."""
+    """Return the largest image for which the test without culling is fast enough."""
     views = [View(direction, width, width * 3 // 4) for width in (800, 400, 200)]
     passes = (estimate(toolpath, None, tool=tool, stock=stock, view=view).candidates for view in views)
     return next((view for view, pairs in zip(views, passes) if pairs < MOST_TRIED), views[-1])
 
 
 def growth() -> None:
-    """Exponents of time in the number of trajectories: over one plate, ever closer, so that no more is cut."""
+    """Print exponents of the time in the number of trajectories.
+
+    All toolpaths of a case cut the same plate or block. With more trajectories, the rows are closer, so the removed
+    material is about the same.
+    """
     print("\ntime ~ trajectories ^ exponent, and pairs tested:")
     for name, path, tool, stock in (
         ("zigzag", zigzag, FLAT, PLATE),
@@ -123,7 +129,10 @@ def moments() -> None:
 
 
 def moments_of(z) -> tuple[float, float, float, float]:
-    """Median ms of random moments, of steps by one forwards and backwards; s that the first picture takes once."""
+    """Return the median times of random moments, of single steps forwards and of single steps backwards, ms.
+
+    The last number is the additional time of the first picture, s.
+    """
     rng = np.random.default_rng(0)
     first, _ = processor_time(lambda: (z.picture, z.surface.changed(0, 1)))
     middle = z.trajectories // 2
@@ -154,13 +163,13 @@ def million() -> None:
 
 
 def reading_time(toolpath) -> float:
-    """Seconds to make a toolpath of its commands."""
+    """Return the time to make a toolpath from its commands, s."""
     commands = [("G1", dict(zip("XYZ", point), F=10.0)) for point in toolpath.points.tolist()]
     return processor_time(lambda: linearize(commands))[0]
 
 
 def memory(line) -> int:
-    """A line of the process's status in bytes: VmRSS is what it takes, VmHWM the peak since the last reset."""
+    """Return a line of the process's status, bytes. VmRSS is the present memory, VmHWM the peak since a reset."""
     status = Path("/proc/self/status").read_text()
     return 1024 * next(int(entry.split()[1]) for entry in status.splitlines() if entry.startswith(line + ":"))
 

@@ -40,7 +40,7 @@ def surface(rows: int, chords: int) -> Toolpath:
 
 
 def adaptive(trajectories: int) -> Toolpath:
-    """Small loops of 40 chords that advance along rows."""
+    """Return small loops of 40 chords that advance along rows."""
     chords, rows = 40, 20
     angle = np.linspace(0, 2 * np.pi, chords, endpoint=False)
     each = trajectories // chords // rows
@@ -54,7 +54,7 @@ def adaptive(trajectories: int) -> Toolpath:
 
 
 def helices(trajectories: int) -> Toolpath:
-    """Twenty-five holes, each a helix of ten turns."""
+    """Return twenty-five holes, each cut by a helix of ten turns."""
     points = []
     angle = np.linspace(0, 20 * np.pi, trajectories // 25)
     depth = np.linspace(10.5, 2, len(angle))
@@ -66,7 +66,7 @@ def helices(trajectories: int) -> Toolpath:
 
 
 def stock_of(*toolpaths: Toolpath) -> Stock:
-    """A block around all that is cut and under it."""
+    """Return a block around and below everything that the toolpaths cut."""
     cutting = np.concatenate([path.points[1:][~path.rapid] for path in toolpaths])
     lower, upper = cutting.min(axis=0) - 5, cutting.max(axis=0) + 5
     lower[2] -= 1

@@ -1,14 +1,15 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Make jobs with one fault each, and sound jobs, and count the faults that a simulation finds.
 
-    python3 benchmarks/zbuffer_faults.py [JOBS [KIND ...]]      # jobs of each kind, 25 by default; four times as many sound jobs
-    freecadcmd "$PWD/benchmarks/zbuffer_faults.py"              # also print the facts on the example job
+    python3 benchmarks/zbuffer_faults.py [JOBS [KIND ...]]      # jobs of each kind, 25 by default; four times as many
+    sound jobs freecadcmd "$PWD/benchmarks/zbuffer_faults.py"              # also print the facts on the example job
 
-A pocket anywhere in a block of 20 to 600 mm is cut in layers by rows and a contour, with a tool of 0.1 to 20 mm; then some holes are
-drilled and some lines engraved around it. Each fault has a random place and a random size. The sound jobs have shanks, holders,
-clamps and travel that just suffice. For each kind of fault the benchmark prints the number of jobs, the number of jobs in which the
-fault is found with the right operation and command, and the number of jobs in which another fault is found; and before them
-the jobs in which the result is wrong. The jobs of each kind depend only on `SEED` and on the kind.
+Each job cuts a pocket at a random place in a block of 20 to 600 mm, in layers by rows and a contour, with a tool of 0.1
+to 20 mm. Then some holes are drilled and some lines are engraved around the pocket. Each fault has a random place and a
+random size. In the sound jobs, the shanks, holders, clamps and travel are only just sufficient. The benchmark prints
+each job with a wrong result. Then it prints for each kind of fault the number of jobs, the number of jobs in which the
+fault is found with the right operation and command, and the number of jobs in which another fault is found. The jobs of
+each kind depend only on `SEED` and on the kind.
 """
 
 from __future__ import annotations
@@ -39,17 +40,17 @@ from vkworkbench.core.zbuffer import (
 from vkworkbench.report import OperationReport, extent_of, with_travel
 
 JOBS, SEED = 25, 47
-# The memory that a simulation may take, bytes. The default of the preferences is 25 times as large, so that its images are finer.
+# Memory limit of a simulation, bytes. The default in the preferences is 25 times as large and gives finer images.
 MEMORY = 40e6
 FEED, PLUNGE = 10.0, 2.0  # mm/s
-ABOVE = 5.0  # height of rapids above the block, mm
+ABOVE = 5.0  # distance of rapids above the block, mm
 # A copy of the standard output, because FreeCAD writes its progress to the original.
 OUT = os.fdopen(os.dup(1), "w")
 
 
 @dataclass
 class Moves:
-    """Moves with their feeds, one command each."""
+    """Moves with their feeds. Each move is one command."""
 
     points: list = field(default_factory=list)
     feeds: list = field(default_factory=list)
@@ -81,7 +82,7 @@ class Job:
 
     def __init__(self, rng, fault) -> None:
         self.rng, self.fault = rng, fault
-        self.made_by = None  # cut and command of the fault
+        self.made_by = None  # number of the cut and of the command that make the fault
         self.size = np.exp(rng.uniform(np.log(20), np.log(600), 3))
         self.size[2] = min(self.size[2], 50)
         diameter = np.exp(rng.uniform(np.log(0.1), np.log(min(20, self.size[:2].min() / 5))))
@@ -92,7 +93,7 @@ class Job:
         self.high = self.low + np.maximum(wide, 1.2 * diameter)
         self.top = self.size[2]
         self.safe = self.top + ABOVE
-        # The error that a fault makes, mm.
+        # Size of the error that the fault makes, mm.
         self.error = float(rng.uniform(0.2, 1.0))
         self.hole_places = self.places(4)
         if fault in BODIES:
@@ -110,7 +111,7 @@ class Job:
 
     @property
     def extent(self) -> np.ndarray:
-        """Range of the positions of all tools, (3,) mm."""
+        """Return the range of the positions of all tools along X, Y and Z, (3,) mm."""
         return np.ptp(np.concatenate([cut.toolpath.points for cut in self.cuts]), axis=0)
 
     def clamp_in_the_way(self) -> Stock:
@@ -128,7 +129,7 @@ class Job:
             self.cuts[1:2] = self.holes()
 
     def choose_bodies(self, layers) -> np.ndarray:
-        """Choose the sizes of flutes, shank and holder of the tool of the pocket; return the heights of the layers."""
+        """Choose the sizes of flutes, shank and holder of the pocket's tool, and return the heights of the layers."""
         rng, fault, diameter = self.rng, self.fault, 2 * self.radius
         depth = self.top - layers[-1]
         thickest = diameter + max(2 * diameter, 0.5)
@@ -140,7 +141,7 @@ class Job:
             "holder_diameter": 3 * thickest,
             "holder_length": 30.0,
         }
-        # Height between two layers: the lower one is too deep for a body that begins there.
+        # A height between two layers. If a shank or holder begins at this height, the lower layer is too deep for it.
         deep = int(rng.integers(1, len(layers)))
         between = self.top - (layers[deep - 1] + layers[deep]) / 2
         if fault == "shank":
@@ -155,8 +156,9 @@ class Job:
             if fault == "short":
                 sizes.update(holder_diameter=None, holder_length=None)
         elif rng.random() < 0.5 and fault not in ("no retract", "wall", "clamp"):
-            # The shank is as wide as the flutes, and rubs at the walls. Or the holder is just above the block. These flutes are too short
-            # for cuts beside the pocket, and this holder is too low for a clamp beside it.
+            # Either the shank is as wide as the flutes and rubs at the walls, or the holder is just above the block.
+            # Such flutes are too short for cuts beside the pocket, and such a holder is too low for a clamp beside the
+            # pocket.
             if rng.random() < 0.5:
                 thickness = max(-np.diff(layers, prepend=self.top))
                 sizes.update(cutting_edge_height=1.01 * thickness + 0.05, shank_diameter=diameter)
@@ -177,7 +179,7 @@ class Job:
         for number, z in enumerate(layers):
             last = number == len(layers) - 1
             if fault == "rapid plunge" and last:
-                # Beside the earlier layers, which have opened the pocket only.
+                # A place beside the pocket, where the earlier layers have not removed the material.
                 x, y = low[0] - self.radius * rng.uniform(1, 2), low[1]
                 self.made_by = 0, moves.commands + 1
                 moves.rapid(x, y, self.safe)
@@ -219,7 +221,10 @@ class Job:
         return moves
 
     def holes(self) -> list[Cut]:
-        """Return the cut of holes through a face that is part of the model, in steps."""
+        """Return drilling moves that end just above the block, because the top of the block is part of the model.
+
+        The fault "deep hole" is a move into the block.
+        """
         moves = Moves()
         moves.rapid(0, 0, self.safe)
         for x, y in self.hole_places:
@@ -236,7 +241,7 @@ class Job:
         return [moves.cut(Tool("endmill", 2 * self.radius))]
 
     def lines(self) -> Cut:
-        """Return the cut of engraved lines, which belong to no model."""
+        """Return the cut of engraved lines, which are not in the model."""
         moves, depth = Moves(), 0.2
         moves.rapid(0, 0, self.safe)
         for number, (x, y) in enumerate(self.places(3)):
@@ -256,7 +261,7 @@ class Job:
 
     @property
     def model(self) -> Mesh:
-        """The block with its pocket."""
+        """Return the model: the block with its pocket."""
         xs, ys = ([0.0, low, high, end] for low, high, end in zip(self.low, self.high, self.size))
         floor, top = self.top - self.depth, self.top
         triangles = []
@@ -276,7 +281,10 @@ class Job:
         return Mesh(np.array(triangles))
 
     def _walls(self, across, along):
-        """Yield position, extent and lower end of the outer walls, in the pieces of the faces, and of the walls of the pocket."""
+        """Yield position, extent and lower end of each outer wall and of each wall of the pocket.
+
+        The outer walls are divided into the same pieces as the faces.
+        """
         for at in (across[0], across[3]):
             for k in range(3):
                 yield at, along[k], along[k + 1], 0.0
@@ -290,14 +298,17 @@ KINDS = {
     "deep hole": "gouges", "deep line": "gouges", "shank": "shank", "flutes": "flutes", "holder": "holder", "short": "length",
     "clamp": "tool", "travel": "travel",
 }  # fmt: skip
-# Faults that cut into the model, too.
+# Faults that also cut into the model.
 GOUGING = ("no retract", "rapid plunge")
-# Faults of parts of a tool that do not cut.
+# Faults of the parts of a tool that do not cut.
 BODIES = ("shank", "flutes", "holder", "short")
 
 
 def entered(cuts, lower, upper, top) -> list:
-    """Return the cut and command of the first move of each cut that enters a box (x, y) below a height, by small steps."""
+    """Return for each cut its number and the command of the first move that enters a box (x, y) below a height.
+
+    The moves are tested in small steps.
+    """
     found = []
     for number, cut in enumerate(cuts):
         points = cut.toolpath.points

@@ -1,12 +1,13 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The extended z-buffer against FreeCAD's PathSimulator, which looks from above only and writes no traces.
+"""Compare the extended z-buffer with FreeCAD's PathSimulator, which only cuts from above and records no traces.
 
     freecadcmd "$PWD/benchmarks/zbuffer_freecad.py"
 
-Both cut the same toolpaths at the same size of cell, one after the other, in this process, on one core: the cases of
-zbuffer_cases.py and the example job with all its tools. Printed is the processor time, of three runs the best, and the
-ratio; from (1, 1, -1) the image has as many pixels, and FreeCAD's time is that from above. Below it stands how long any
-moment of the example job takes.
+Both simulators cut the same toolpaths with the same cell size, one after the other, in this process on one core. The
+toolpaths are the cases of zbuffer_cases.py and the example job with all its tools. The script prints the processor
+times, the best of three runs, and their ratio. For the view from (1, 1, -1), the image has the same number of pixels,
+and the z-buffer is compared with FreeCAD's time from above. The last lines show how long it takes to show any moment of
+the example job.
 """
 
 from __future__ import annotations
@@ -35,7 +36,7 @@ from vkworkbench.core import Cut, View, simulate_job
 from vkworkbench.document.simulation.copy import read_job
 
 RUNS = 3
-# FreeCAD writes its progress to the standard output.
+# A copy of the standard output, because FreeCAD writes its progress to the original.
 OUT = os.fdopen(os.dup(1), "w")
 os.dup2(os.open(os.devnull, os.O_WRONLY), 1)
 
@@ -49,7 +50,7 @@ def main() -> None:
         view, oblique = View(), View((1, 1, -1))
         cell = view.frame(stock).pixel
         seconds = np.full((3, RUNS), np.nan)
-        for run in range(RUNS):  # in turns, so that a slow moment spoils neither alone
+        for run in range(RUNS):  # in turns, so that a slow moment affects both
             seconds[0, run] = freecads(cuts, stock, cell)
             for row, seen in ((1, view), (2, oblique)):
                 begin = time.process_time()
@@ -71,7 +72,7 @@ def main() -> None:
 
 
 def cases():
-    """Names, cuts and stocks."""
+    """Yield the name, the cuts and the stock of each case."""
     for name, (toolpath, tool, stock) in CASES.items():
         yield name, [Cut(toolpath, tool)], stock
     with tempfile.TemporaryDirectory() as folder:
@@ -80,7 +81,7 @@ def cases():
 
 
 def freecads(cuts, stock, cell):
-    """Seconds that PathSimulator takes to cut."""
+    """Return the time that PathSimulator takes to cut, s."""
     simulator = PathSim()
     simulator.BeginSimulation(Part.makeBox(*(stock.upper - stock.lower), FreeCAD.Vector(*stock.lower)), cell)
     seconds = 0.0

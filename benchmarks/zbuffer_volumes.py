@@ -3,12 +3,14 @@
 
     python3 benchmarks/zbuffer_volumes.py [JOBS [SEED]]     # 40 jobs by default
 
-Each job has two operations with tools of 0.1 to 20 mm in a sheet or a block of 20 to 600 mm: rows, contours, slots, ramps, holes or
-circles, with flat, conical or ball-shaped ends, of which some move beyond the edges. The exact volume is the integral of the area
-that all tools have cut at a height. At each height, a straight move cuts the points within a radius of a segment. The area of the
-union of such figures is integrated over lines, on which it is a union of intervals. This computation shares no code with the
-simulator. Printed are, for operations and for whole jobs, the share of the volumes within the stated error, and the largest and
-the mean deviation and the largest stated error, in percent of the exact volume.
+Each job has two operations with tools of 0.1 to 20 mm in a sheet or a block of 20 to 600 mm. The operations cut rows,
+contours, slots, ramps, holes or circles, with flat, conical or ball-shaped ends, and some of them move beyond the edges
+of the stock. The exact volume is the integral, over the height, of the area that all tools have cut at this height. At
+each height, a straight move cuts all points within a radius of a segment. To compute the area of the union of these
+figures, lengths are integrated over parallel lines. On each line, the union is a union of intervals. This computation
+shares no code with the simulator. For operations and for whole jobs, the script prints the share of volumes within the
+stated error. It also prints the largest and the mean deviation, and the largest stated error, in percent of the exact
+volume.
 """
 
 from __future__ import annotations
@@ -26,12 +28,14 @@ from vkworkbench.core import Cut, Stock, Tool, Toolpath
 from vkworkbench.core.zbuffer import measure_volumes
 
 JOBS, SEED = 40, 47
-# Number of lines between two breaks of an area, and of heights between two breaks of a volume.
+# Number of lines between two neighbouring breaks of an area, and number of heights between two neighbouring breaks of a
+# volume. The breaks divide the range of an integral into intervals, which are integrated separately.
 NODES = 6
-# Number of equal parts of a range of heights, because figures that grow with the height touch each other anywhere.
+# Number of equal parts of a range of heights. The range is divided because figures that grow with the height can begin
+# to touch each other at any height.
 PARTS = 5
-# Smallest number of breaks in the radius of a figure, so that its crossings with other figures and with the edges of the stock lie in
-# short intervals; and number of breaks of all figures together.
+# Minimum number of breaks within the radius of a figure, and number of breaks of all figures together. With enough
+# breaks, the crossings of a figure with other figures and with the edges of the stock lie in short intervals.
 BREAKS, BREAKS_TOGETHER = 4, 200
 
 
@@ -46,7 +50,7 @@ def main(jobs: int = JOBS, seed: int = SEED) -> None:
         for k in range(len(cuts)):
             after = exact_volume(cuts[: k + 1], stock)
             row = after - before, measured.images[:, k].mean(), measured.error(range(k, k + 1))
-            # The second operation may only repeat what the first has cut.
+            # The second operation possibly cuts only where the first has cut, and then it has no volume to compare.
             if row[0] > 1e-6 * after:
                 found.append(("operations", sheet, *row))
             before = after
@@ -67,7 +71,7 @@ def main(jobs: int = JOBS, seed: int = SEED) -> None:
 
 
 def random_job(rng, sheet):
-    """Return two cuts and their stock."""
+    """Return two random cuts and their stock."""
     size = np.exp(rng.uniform(np.log(20), np.log(600), 3))
     size[2] = rng.uniform(1, 5) if sheet else rng.uniform(10, 50)
     cuts = []
@@ -86,7 +90,7 @@ def random_job(rng, sheet):
 
 
 def moves(rng, kind, size, diameter, depth) -> Toolpath:
-    """Return the moves of an operation: some pieces in straight lines, each reached from above."""
+    """Return the moves of an operation: some polylines, each of which the tool approaches from above."""
     top, z, pieces = size[2], size[2] - depth, []
     middle = rng.uniform(0.2, 0.8, 2) * size[:2]
     turn = rng.choice([0.0, np.pi / 2, rng.uniform(0, np.pi)])
@@ -152,7 +156,7 @@ def exact_volume(cuts, stock) -> float:
 
 
 def height_of_tip(tool) -> float:
-    """Return the height from which a tool has its full radius, mm."""
+    """Return the height above the tip at which a tool reaches its full radius, mm."""
     return {"vbit": (tool.diameter - tool.tip_diameter) / 2, "ballend": tool.diameter / 2}.get(tool.shape, 0.0)
 
 
@@ -166,16 +170,17 @@ def radius_at(tool, height) -> float:
 
 
 def figures(segments, z) -> np.ndarray:
-    """Return what moves cut at a height: ends (x, y) of segments, and the radius around each, (k, 5)."""
+    """Return the figures that moves cut at a height, (k, 5): both ends (x, y) of a segment, and a radius around it."""
     found = []
     for tool, start, end in segments:
         low, high = (start, end) if start[2] <= end[2] else (end, start)
         if low[2] >= z:
             continue
-        # The tool is unbounded upwards, so the part of a move below this height counts. Only flat ends move on slopes.
+        # The tool is treated as infinitely long, so only the part of a move below this height counts. Only tools with
+        # flat ends have sloping moves.
         share = min(1.0, (z - low[2]) / (high[2] - low[2])) if high[2] > low[2] else 1.0
         if tool.shape != "endmill" and high[2] > low[2]:
-            share = 0.0  # a vertical move cuts as much as its lower end
+            share = 0.0  # a vertical move cuts the same area as its lower end
         until = low + share * (high - low)
         found.append((*low[:2], *until[:2], radius_at(tool, z - low[2])))
     return np.unique(np.array(found).reshape(-1, 5), axis=0)
@@ -201,7 +206,8 @@ def area_of(found, width, height) -> float:
         for cx, cy in ((ax, ay), (bx, by)):
             half = np.sqrt(np.where(np.abs(y - cy) <= radius, radius**2 - (y - cy) ** 2, np.nan))
             begin, end = np.fmin(begin, cx - half), np.fmax(end, cx + half)
-        # Between the discs: from 0 to the length along the segment, and up to the radius across.
+        # The rectangle between the discs: from 0 to the length along the segment, and up to the radius perpendicular to
+        # it.
         nearer, farther = slab(ux, (y - ay) * uy, 0.0, length)
         left, right = slab(-uy, (y - ay) * ux, -radius, radius)
         left, right = ax + np.maximum(left, nearer), ax + np.minimum(right, farther)
@@ -217,7 +223,7 @@ def area_of(found, width, height) -> float:
 
 
 def slab(slope, offset, low, high):
-    """Return where ``low <= slope * x + offset <= high``: first and last x, reversed if nowhere."""
+    """Return the first and last x with ``low <= slope * x + offset <= high``; the first is greater if there is no x."""
     level = np.abs(slope) < 1e-12
     safe = np.where(level, 1.0, slope)
     one, other = (low - offset) / safe, (high - offset) / safe
@@ -227,15 +233,18 @@ def slab(slope, offset, low, high):
 
 
 def nodes(low, high, count):
-    """Return nodes and weights of integrals from `low` to `high` (k,), whose integrands may have vertical tangents at both ends."""
+    """Return nodes and weights of integrals from `low` to `high` (k,).
+
+    The integrands can have vertical tangents at both ends.
+    """
     t, weight = np.polynomial.legendre.leggauss(count)
     half = (high - low)[:, None] / 2
-    points = low[:, None] + half + half * np.sin(np.pi / 2 * t)  # Gauss, with y = sin
+    points = low[:, None] + half + half * np.sin(np.pi / 2 * t)  # Gauss quadrature after the substitution by a sine
     return points.ravel(), (weight * half * np.pi / 2 * np.cos(np.pi / 2 * t)).ravel()
 
 
 def check_exact_volume() -> None:
-    """Print how exact the exact volume is, for a slot with a ball and a crossing of two slots with a flat end."""
+    """Print the error of the exact volume for a slot with a ball end, and for two crossing slots with a flat end."""
     stock = Stock((0, 0, 0), (100, 80, 10))
 
     def cut(shape, *points):
