@@ -100,7 +100,7 @@ def amounts(work) -> np.ndarray:
 
 
 def learn(rows: np.ndarray, seconds: np.ndarray, source: np.ndarray) -> None:
-    """Fit the costs of the amounts (k, 39) to the times of runs. Print the costs and the errors on left-out toolpaths."""
+    """Fit the costs of the amounts (k, 39) to the times of runs. Print the costs, and errors on left-out toolpaths."""
     long = seconds > SHORTEST
     rows, seconds, source = rows[long], seconds[long], source[long]
     predicted = np.empty(len(seconds))

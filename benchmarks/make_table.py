@@ -7,11 +7,10 @@
 The script writes benchmarks/labelled_operations.csv with one row for each operation. docs/learning.md explains the
 columns and how to add a program. The operations are
 
-* operations of the programs in real_programs.csv and real_programs_unseen.csv; the script fetches programs that are not
-in
-  FOLDER/texts,
+* operations of the programs in real_programs.csv and real_programs_unseen.csv; the script fetches programs that are
+  not in FOLDER/texts,
 * operations from FreeCAD, in all files FOLDER/freecad-*.jsonl.gz, which make_operations.py writes in each FreeCAD
-version,
+  version,
 * toolpaths made by the modules synthetic, strokes, outlines, lathe, fine_rows and nonsense of toolpaths/.
 
 An operation with a tool has one row with the tool and one row without it. If several rows have the same labels,

@@ -8,9 +8,8 @@ two jobs of 100,000 trajectories, in 20 operations and in one operation. For eac
 
 * the time from the click to the first picture and to the finest picture, with the processor times in parentheses
 * the pictures per second while the time line is dragged
-* the longest time for which an event waited, and in parentheses the processor time of FreeCAD during this wait; if the
-computer
-  is busy, the rest of the time was spent in other processes
+* the longest time for which an event waited, and in parentheses the processor time of FreeCAD during this wait; on a
+  busy computer, the rest of the time was spent in other processes
 * the additional memory
 
 The lines below the row show how long FreeCAD itself blocks the window for the longest path, the expected cost of the
