@@ -48,7 +48,8 @@ def main() -> int:
     window.screenshot("stranger-1-marks")
     assert window.descriptions()["Face"].startswith("⟦zigzag")
 
-    assert is_shown(window, "Toolpath Results")
+    step(window, "Toolpath Results", "Vk_Results")
+    window.wait(lambda: is_shown(window, "Toolpath Results"))
 
     Gui.Selection.clearSelection()
     Gui.Selection.addSelection(document.getObjectsByLabel("Face")[0])

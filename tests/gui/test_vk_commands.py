@@ -35,8 +35,9 @@ def test_the_first_click_marks_the_job_and_shows_the_column(opened, window):
     assert f"⟦{count} operations" in opened.getObject("Job").Label2
     warned = f" {told} has a warning." if told == 1 else f" {told} have warnings." if told else ""
     warned += " The job has a warning." * jobs[0].is_warned
-    assert warned
-    warned += " Toolpath Results (V, R) lists them."
+    assert warned or freecad.version() < (1, 0)  # the legacy simulator has no problem with the example
+    if warned:
+        warned += " Toolpath Results (V, R) lists them."
     assert window.main.statusBar().currentMessage() == f"{count} operations were analyzed.{warned}"
     assert window.dismiss() == [] and not any(one.isVisible() for one in window.find(QtGui.QDockWidget, "VkResults"))
     window.tree.expandAll()

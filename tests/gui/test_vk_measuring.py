@@ -60,6 +60,7 @@ def first_session(never_measured, monkeypatch):
     measuring._measurement._pauses.stop()
 
 
+@pytest.mark.usefixtures("default_preferences")
 def test_marks_come_first_and_are_refreshed(opened, window, first_session, monkeypatch):
     monkeypatch.setattr(
         calibration, "measure_legacy", lambda clock, going_on: replace(DEFAULTS, cell=9 * DEFAULTS.cell)

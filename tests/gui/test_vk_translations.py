@@ -242,8 +242,9 @@ def test_mark_panel_and_gauss_map_in_german(opened, german, window):
     """Mark, panel and Gauss map have German numbers and no English sentence."""
     (face,) = opened.getObjectsByLabel("Face")
     window.click("Werkzeugwege analysieren")
-    window.wait(lambda: docks.find(docks.RESULTS) is not None and marks.is_marked(face))
-    window.dismiss()
+    window.wait(lambda: marks.is_marked(face))
+    window.click(FreeCAD.Qt.translate("Vk_Results", "Toolpath Results"))
+    window.wait(lambda: docks.find(docks.RESULTS) is not None)
     window.tree.expandAll()
     Gui.Selection.clearSelection()
     Gui.Selection.addSelection(face)
