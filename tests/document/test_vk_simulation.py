@@ -233,7 +233,8 @@ def test_facts_of_a_job_with_a_fault_of_each_kind(small, tmp_path):
     found.to_csv(tmp_path / "facts.csv")
     found.to_json(tmp_path / "facts.json")
     with open(tmp_path / "facts.csv", newline="", encoding="utf-8") as file:
-        (row,) = csv.DictReader(file)
+        row, job = csv.DictReader(file)
+    assert job["verdict"] and job["crashes"] == "1"
     data = json.loads((tmp_path / "facts.json").read_text(encoding="utf-8"))
     assert row["label"] == "'=Fault" and (row["crashes"], row["first_crash_command"], row["fast_plunges"]) == (
         "1",

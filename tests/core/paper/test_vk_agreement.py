@@ -173,8 +173,8 @@ def test_literal_verdict_of_the_paper():
 def test_directions_and_turns_are_taken_in_one_file():
     core = Path(__file__).resolve().parents[3] / "vkworkbench" / "core"
     sources = {path: path.read_text() for path in core.rglob("*.py")}
-    # Elsewhere only the angles of arcs about their centres, and of the view.
-    arcs = {"arcs.py", "legacy_cautions.py"}
+    # Other files compute only angles around the centres of arcs and around the axis of a drawn tool.
+    arcs = {"arcs.py", "legacy_cautions.py", "tool_picture.py"}
     assert {path.name for path, text in sources.items() if "arctan2" in text} <= {"directions.py", *arcs}
     wrapped = {path.name for path, text in sources.items() if re.search(r"rint\([^\n]*TURN|def wrap\b", text)}
     assert wrapped == {"directions.py"}
