@@ -108,22 +108,9 @@ def agreement(name, view, step=None):
     )
 
 
-# Known faults: in these views the picture names another operation for a fifth of the pixels (the depths are right).
-WRONG_OPERATION = {
-    *(("through holes", direction) for direction in ((0, 1, 0), (-1, 0, 0))),
-    *(("everything", direction) for direction in ((0, 1, 0), (-1, 0, 0), (-1, 0.1, -0.05))),
-}
-
-
-def marks_of(name, direction, *, quick):
-    """Return the marks of a case."""
-    known = [pytest.mark.xfail(reason="another operation on walls, seen horizontally")]
-    return [*([] if quick else [pytest.mark.long]), *(known if (name, direction) in WRONG_OPERATION else [])]
-
-
 # Each job from one direction; from the other nineteen, too, where time allows.
 CASES = [
-    pytest.param(name, direction, marks=marks_of(name, direction, quick=(turn - 7 * number) % 20 == 4))
+    pytest.param(name, direction, marks=() if (turn - 7 * number) % 20 == 4 else pytest.mark.long)
     for number, name in enumerate(JOBS)
     for turn, direction in enumerate(DIRECTIONS)
 ]

@@ -118,6 +118,7 @@ def look(layer: Layer, of_layer: Frame, frame: Frame) -> Seen:
     of_walls *= np.float32(1 / max(cosine, _LEVEL))
     depth[number] = of_walls
     front = cells[np.maximum(step - 1, 0) * width + column[pixel[number]]]
+    front[step == 0] = 0  # the border: nothing is in front of the first cell
     walls = Walls(number, cell[number], front,
                   height * np.float32(cosine) - of_walls * np.float32(sine) - np.float32(turned.lift))  # fmt: skip
     return Seen(pixel, cell, depth, walls)
