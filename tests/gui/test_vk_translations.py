@@ -252,7 +252,11 @@ def test_mark_panel_and_gauss_map_in_german(opened, german, window):
     text = explanation(marks.read(face), preferences.read())
     panel = docks.find(docks.RESULTS)
     shown = text + panel.details.toPlainText()
-    assert "Bearbeitungszeit bei konstantem Vorschub: " in text and "16 Zeilen im Abstand von" in text and "φ bleibt" not in shown
+    assert (
+        "Bearbeitungszeit bei konstantem Vorschub: " in text
+        and "16 Zeilen im Abstand von" in text
+        and "φ bleibt" not in shown
+    )
     assert re.search(r"\d,\d+ mm", shown) and not re.search(r"\d\.\d\d?\b", shown), shown
     assert not re.search(r"\b(φ stays|turns|the|of|limited)\b", shown), shown
     assert re.search(r"\b\d+ %", text), text
