@@ -11,7 +11,7 @@ def told(text):
     return path, [problem.what.code for problem in path.problems]
 
 
-def test_circles_do_not_outvote_an_arc_with_a_position():
+def test_full_circles_do_not_outvote_an_arc_with_coordinates():
     path, said = told("G2 X30 Y20 I5 J0\nG1 X31\nG2 X31 Y20 I6 J0\nG1 X30\nG3 X20 Y30 I20 J20\n")
     assert said == ["absolute-centres"]
     assert abs(path.points[-1] - (20, 30, -1)).max() < 1e-9
@@ -22,9 +22,9 @@ def test_arcs_with_a_radius_do_not_decide_about_centres():
     assert said == ["absolute-centres"]
 
 
-def test_full_circles_alone_have_a_remark():
+def test_full_circles_without_other_arcs_have_a_remark():
     assert told("G2 X30 Y20 I-5 J-3\n")[1] == ["circles-alone"]
-    assert told("G2 I-5\n")[1] == []  # a position needs both words
+    assert told("G2 I-5\n")[1] == []  # centres as coordinates need both words
     assert told("G2 X30 Y20 I-5 J0 Z-2\nG2 X30 Y20 I-5 J0 Z-3\n")[1] == []  # a helix
     assert told("G91.1\nG2 X30 Y20 I-5 J-3\n")[1] == []
     assert told("G2 X30 Y20 I-5 J-3\nG2 X20 Y30 I-10 J0\n")[1] == []  # the second arc fits only with offsets

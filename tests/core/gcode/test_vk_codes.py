@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Names of commands as numbers."""
+"""Names of commands are converted to numbers and back."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ def test_only_m6_changes_the_tool():
     ]  # fmt: skip
 
 
-def test_other_words_are_not_g_codes():
+def test_words_other_than_g_have_no_g_code():
     assert [codes.code_of(name) for name in ("G999.9", "G1000", "G", "M1000", "X1", "(G1)", "/G1", "%", " ")] == [
         9999, codes.UNKNOWN, codes.UNKNOWN, codes.OTHER, codes.UNKNOWN, *[codes.COMMENT] * 3, codes.MODAL
     ]  # fmt: skip

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The list of a program's commands, held against a list of pairs, and the memory of a long program."""
+"""The list of a program's commands, compared with a list of pairs, and the memory of a long program."""
 
 from __future__ import annotations
 
@@ -24,23 +24,23 @@ def commands(pairs):
     return made
 
 
-def test_pairs_are_as_they_were_given():
+def test_commands_return_the_pairs_that_were_appended():
     made = commands(PAIRS)
     assert list(made) == PAIRS and len(made) == 5 and made[4] == PAIRS[4]
     assert made.names == ["G1", "", "T5", "M6", "G1"]
-    assert list(made[4][1]) == ["Y", "X"]  # in their order
+    assert list(made[4][1]) == ["Y", "X"]  # the parameters keep their order
 
 
-def test_a_command_becomes_another_one_and_the_others_stay():
+def test_replaced_command_leaves_the_other_commands():
     made, pairs = commands(PAIRS), list(PAIRS)
     for at, other in [(2, ("M6", {"T": 7.0})), (0, ("G94", {})), (3, ("G94", {})), (0, ("G0", {"X": 1.0, "Z": 2.0}))]:
         made[at] = pairs[at] = other
         assert list(made) == pairs and len(made) == 5
 
 
-def test_a_long_program_takes_little_more_than_its_numbers():
-    """Pairs and dictionaries would take 500 bytes a line."""
-    read_program("G1 X1 F100")  # what is compiled once
+def test_long_program_needs_few_bytes_per_command():
+    """Pairs and dictionaries would need 500 bytes per line."""
+    read_program("G1 X1 F100")  # the first call compiles regular expressions
     text = "".join(f"G1 X{x / 1000:.3f} Y{x / 700:.3f} Z-{x / 900:.3f} F1200\n" for x in range(4_000))
     program, taken, _ = memory(lambda: read_program(text))
     assert program.commands[7] == ("G1", {"X": 0.007, "Y": 0.01, "Z": -0.008, "F": 20.0})

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Canned cycles as a control runs them."""
+"""Canned cycles move the tool like a control does."""
 
 import numpy as np
 
@@ -26,20 +26,20 @@ def test_home_rises_to_the_r_plane_of_a_cycle():
     assert linearize(commands).points[-1].tolist() == [9, 0, 8]
 
 
-def test_deep_hole_returns_at_rapid_above_the_last_peck():
+def test_deep_hole_cycle_returns_at_rapid_above_last_peck():
     path = read_program("G21 G90\nG0 X0 Y0 Z5\nG99 G83 X1 Y1 Z-5 R2 Q3 F100\nG80").toolpath()
     returns = path.points[1:, 2][path.rapid][2:]
     assert returns.round(3).tolist() == [2, -0.746, 2, -3.746, 2]
 
 
-def test_chip_break_feeds_on_from_its_retract():
+def test_chip_breaking_cycle_continues_at_feed_after_retract():
     path = read_program("G21 G90\nG0 X0 Y0 Z5\nG99 G73 X1 Y1 Z-5 R2 Q3 F100\nG80").toolpath()
     assert np.column_stack([path.points[1:, 2], path.rapid])[2:].round(3).tolist() == [
         [-1, 0], [-0.746, 1], [-4, 0], [-3.746, 1], [-5, 0], [2, 1]
     ]  # fmt: skip
 
 
-def test_tiny_peck_has_a_remark():
+def test_tiny_peck_depth_has_a_remark():
     text = "G21 G90\nG0 X0 Y0 Z5\nG83 X1 Y1 Z-5 R2 Q{} F100\nG80"
     assert codes(text.format(0.00000001)) == ["tiny-pecks"]
     assert codes(text.format(1)) == []
@@ -49,7 +49,7 @@ def titles(text):
     return [section.title for section in split_sections(read_program(text))]
 
 
-def test_a_retract_at_feed_is_not_a_hole():
+def test_retract_at_feed_is_not_a_hole():
     cut = "G21 G90\nG0 X0 Y0 Z5\n(first)\nG1 Z-1 F100\nG1 X9\n{}\nG0 X0\n(second)\nG1 Z-2\nG1 X9\n"
     assert titles(cut.format("(note on the lift)\nG1 Z5")) == ["first", "second"]
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Send random and mutated programs through the core. Run python3 tests/fuzz.py --count 10000 for more programs."""
+"""Send random and mutated programs through the core. For more programs, run python3 tests/fuzz.py --count 10000."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ import pytest
 from vkworkbench.core import linearize
 from vkworkbench.core.gcode.moves.linearize import MOST_TRAJECTORIES
 
-# Seeds that failed once, by what failed.
+# Seeds of programs that once failed, by cause.
 FAILED = {
     "chords finer than any number": [116, 147, 302, 441],
     "a list as a word": [201],
@@ -24,19 +24,19 @@ FAILED = {
 
 @pytest.mark.long
 @pytest.mark.parametrize("first", range(0, 200, 50))
-def test_random_programs(first):
+def test_random_programs_do_not_fail(first):
     failures = {seed: result.outcome for seed in range(first, first + 50) if (result := fuzz.feed(seed)).failed}
     assert failures == {}
 
 
 @pytest.mark.parametrize("seed", [seed for seeds in FAILED.values() for seed in seeds])
-def test_programs_that_failed_once(seed):
+def test_programs_that_once_failed_do_not_fail(seed):
     result = fuzz.feed_program(*fuzz.flat_program(seed))
     assert not result.failed, result.outcome
 
 
-def test_a_flat_end_that_hardly_moves_across_the_ray():
-    result = fuzz.feed(62133)  # the seed's view differs from the view of `flat_program`
+def test_flat_end_moving_almost_along_the_ray_does_not_fail():
+    result = fuzz.feed(62133)  # the view of this seed is not the view of `flat_program`
     assert not result.failed, result.outcome
 
 
@@ -49,7 +49,7 @@ RAMP = [
 
 @pytest.mark.parametrize("diameter", [0.5, 5.0, 40.0])
 @pytest.mark.parametrize("view", fuzz.VIEWS)
-def test_ramps_are_seen_from_every_side(view, diameter):
+def test_ramps_are_simulated_in_every_view(view, diameter):
     result = fuzz.feed_program(RAMP, diameter=diameter, view=view)
     assert result.outcome == "read", result.outcome
 
@@ -72,7 +72,7 @@ HOSTILE = {
 
 
 @pytest.mark.parametrize("name", HOSTILE)
-def test_hostile_programs(name):
+def test_hostile_programs_are_read(name):
     result = fuzz.feed_program(HOSTILE[name])
     assert result.outcome == "read", result.outcome
 
@@ -85,7 +85,7 @@ def test_program_beyond_memory_is_refused(command):
 
 
 @pytest.mark.parametrize("tolerance, chords", [(1e-6, 66644), (1e-2, 667), (10.0, 22), (1e3, 8), (1e300, 8)])
-def test_chords_of_a_circle_at_any_tolerance(tolerance, chords):
+def test_number_of_chords_of_a_circle_follows_tolerance(tolerance, chords):
     path = linearize([("G0", {"X": 900.0, "Y": 0.0, "Z": 5.0}), ("G2", CIRCLE)], tolerance=tolerance)
     assert len(path) == chords
     assert path.sweep.sum() == pytest.approx(-2 * 3.141592653589793)

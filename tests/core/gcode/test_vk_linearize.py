@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Commands to trajectories: modal words, arcs in every plane and form, canned cycles, bad input."""
+"""Commands are converted to trajectories: modal words, arcs in every plane and form, canned cycles, and bad input."""
 
 from types import SimpleNamespace
 
@@ -20,7 +20,7 @@ def ends(toolpath):
 START = ("G0", {"X": 0, "Y": 0, "Z": 0})
 
 
-def test_sparse_words_keep_the_other_axes():
+def test_missing_words_keep_the_other_axes():
     toolpath = path(START, ("G1", {"X": 10, "F": 5}), ("G1", {"Y": 5}), ("G0", {"Z": 3}))
     assert ends(toolpath) == [[10, 0, 0], [10, 5, 0], [10, 5, 3]]
     assert toolpath.rapid.tolist() == [False, False, True]
@@ -28,12 +28,12 @@ def test_sparse_words_keep_the_other_axes():
     assert toolpath.command.tolist() == [1, 2, 3]
 
 
-def test_no_phantom_move_from_the_origin():
+def test_first_move_does_not_start_at_the_origin():
     toolpath = path(("G0", {"Z": 27}), ("G0", {}), ("G0", {"X": 62, "Y": 42}), ("G1", {"Z": 8}))
     assert toolpath.points.tolist() == [[62, 42, 27], [62, 42, 8]]
 
 
-def test_leading_zeros_lower_case_objects_and_modal_lines():
+def test_command_names_with_zeros_small_letters_or_none_are_read():
     commands = [
         SimpleNamespace(Name=n, Parameters=p)
         for n, p in [("g00", {"X": 0.0, "Y": 0.0, "Z": 0.0}), ("G01", {"X": 1.0}), ("", {"X": 2.0}), ("G1", {"Y": 1.0})]
@@ -42,18 +42,18 @@ def test_leading_zeros_lower_case_objects_and_modal_lines():
     assert linearize(iter(commands)).points.shape == (4, 3)
 
 
-def test_small_letters_are_the_same_words():
+def test_lower_case_words_equal_upper_case_words():
     large = path(START, ("G1", {"X": 2, "F": 5}), ("G2", {"X": 4, "I": 1}))
     small = path(("g0", {"x": 0, "y": 0, "z": 0}), ("g1", {"x": 2, "f": 5}), ("g2", {"x": 4, "i": 1}))
     assert ends(small) == ends(large) and small.feed.tolist() == large.feed.tolist() and not small.problems
 
 
-def test_a_line_without_a_name_continues_a_rapid():
+def test_line_without_a_name_continues_a_rapid():
     toolpath = path(START, ("", {"X": 2}), ("", {"Y": 1}))
     assert ends(toolpath) == [[2, 0, 0], [2, 1, 0]] and toolpath.rapid.all() and not toolpath.problems
 
 
-def test_names_that_are_words():
+def test_command_names_that_are_words_are_read():
     toolpath = path(
         START,
         ("N10", {"G": 1.0, "X": 1.0}),
@@ -67,19 +67,19 @@ def test_names_that_are_words():
     assert ends(toolpath) == [[1, 0, 0], [2.5, 1, 0], [4, 1, 0]] and not toolpath.problems
 
 
-def test_zero_length_repeated_and_negative_zero_moves_vanish():
+def test_moves_of_zero_length_are_dropped():
     toolpath = path(START, ("G1", {"X": -0.0}), ("G1", {"X": 5}), ("G1", {"X": 5}), ("G1", {}), ("G1", {"Y": -0.0}))
     assert ends(toolpath) == [[5, 0, 0]]
     assert not np.signbit(toolpath.points).any()
 
 
-def test_relative_words():
+def test_relative_words_add_to_the_position():
     toolpath = path(START, ("G91", {}), ("G1", {"X": 2}), ("G1", {"X": 2, "Y": 1}), ("G90", {}), ("G1", {"X": 1}))
     assert ends(toolpath) == [[2, 0, 0], [4, 1, 0], [1, 1, 0]]
 
 
 @pytest.mark.parametrize("sense", [1, -1])
-def test_relative_moves_end_beyond_a_kilometre(sense):
+def test_relative_moves_stop_at_the_coordinate_limit(sense):
     far = 0.75 * COORDINATE_LIMIT * sense
     toolpath = path(
         START, ("G91", {}), ("G1", {"X": far, "Y": 3}), ("G1", {"X": far}), ("G1", {"Z": -2}), ("G1", {"X": -far})
@@ -90,7 +90,7 @@ def test_relative_moves_end_beyond_a_kilometre(sense):
 
 
 @pytest.mark.parametrize("tolerance", [1.0, 0.1, 0.01, 0.001])
-def test_chord_error_is_at_most_the_tolerance_and_not_much_less(tolerance):
+def test_chord_error_is_just_within_the_tolerance(tolerance):
     toolpath = path(START, ("G3", {"X": 0, "Y": 0, "I": 50, "J": 0}), tolerance=tolerance)
     middles = 0.5 * (toolpath.points[1:] + toolpath.points[:-1])
     sagitta = 50 - np.hypot(middles[:, 0] - 50, middles[:, 1])
@@ -110,14 +110,14 @@ def test_arc_keeps_its_exact_sweep_and_end(name, i, j, sweep):
 
 @pytest.mark.parametrize("radius, sweep", [(10.0, np.pi / 2), (-10.0, 1.5 * np.pi)])
 @pytest.mark.parametrize("name, sign", [("G2", -1), ("G3", 1)])
-def test_radius_word(radius, sweep, name, sign):
+def test_radius_word_gives_the_centre_of_an_arc(radius, sweep, name, sign):
     toolpath = path(START, (name, {"X": 10, "Y": 10, "R": radius}))
     assert toolpath.sweep.sum() == pytest.approx(sign * sweep)
     centre = np.array([0, 10]) if (name == "G3") == (radius > 0) else np.array([10, 0])
     assert np.allclose(np.hypot(*(toolpath.points[:, :2] - centre).T), 10)
 
 
-def test_absolute_and_relative_centres():
+def test_absolute_and_relative_arc_centres_are_read():
     relative = path(("G0", {"X": 20, "Y": 5, "Z": 0}), ("G2", {"X": 30, "Y": 5, "I": 5, "J": 0}))
     absolute = path(("G90.1", {}), ("G0", {"X": 20, "Y": 5, "Z": 0}), ("G2", {"X": 30, "Y": 5, "I": 25, "J": 5}))
     back = path(("G90.1", {}), ("G91.1", {}), ("G0", {"X": 20, "Y": 5, "Z": 0}), ("G2", {"X": 30, "Y": 5, "I": 5}))
@@ -129,13 +129,13 @@ def test_absolute_and_relative_centres():
     ("G18", {"K": 5}, {"Z": 5, "X": 5}, (2, 0)),
     ("G19", {"J": 5}, {"Y": 5, "Z": 5}, (1, 2)),
 ])  # fmt: skip
-def test_planes_turn_clockwise_seen_along_their_normal(plane, centre, end, axes):
+def test_arcs_turn_clockwise_seen_along_the_plane_normal(plane, centre, end, axes):
     toolpath = path((plane, {}), START, ("G2", {**end, **centre}))
     first, second = axes
     assert toolpath.sweep.sum() == pytest.approx(-np.pi / 2)
     assert set(toolpath.plane.tolist()) == {int(plane[1:])}
     middle = toolpath.points[len(toolpath) // 2]
-    assert middle[first] < middle[second]  # a clockwise quarter about (5, 0) starts along the second axis
+    assert middle[first] < middle[second]  # a clockwise quarter around (5, 0) begins along the second axis
     assert toolpath.points[:, 3 - first - second].tolist() == [0] * (len(toolpath) + 1)
 
 
@@ -145,8 +145,8 @@ def test_helix_descends_evenly():
     assert np.allclose(np.hypot(toolpath.points[:, 0], toolpath.points[:, 1]), 10)
 
 
-def test_an_arc_of_kilometres_is_a_line():
-    huge = 5e8  # rounding has put the centre on the wrong side, so that the arc would be the rest of the circle
+def test_arc_with_a_radius_of_kilometres_is_a_line():
+    huge = 5e8  # rounding has put the centre on the wrong side, so the arc would be the rest of the circle
     toolpath = path(
         START,
         ("G2", {"X": 100, "Y": 0, "I": 50, "J": 9e5}),
@@ -157,12 +157,12 @@ def test_an_arc_of_kilometres_is_a_line():
     assert len(toolpath) == 3 and not toolpath.sweep.any()
 
 
-def test_tiny_circles_keep_eight_directions():
+def test_tiny_circles_have_eight_chords():
     toolpath = path(START, ("G2", {"X": 0, "Y": 0, "I": 1e-3}))
     assert len(toolpath) == 8
 
 
-def test_full_circle_with_equal_end_points():
+def test_arc_with_equal_end_points_is_a_full_circle():
     toolpath = path(("G0", {"X": 1, "Y": 2, "Z": 3}), ("G2", {"I": 4, "J": 0}))
     assert toolpath.sweep.sum() == pytest.approx(-2 * np.pi)
     assert toolpath.points[-1].tolist() == [1, 2, 3]
@@ -170,7 +170,7 @@ def test_full_circle_with_equal_end_points():
 
 @pytest.mark.parametrize(("code", "sense"), [("G2", -1), ("G3", 1)])
 @pytest.mark.parametrize(("x", "y"), [(2.4e-6, 0), (-2.4e-6, 0), (0.01, 0), (0, 0)])
-def test_circle_with_rounded_end_is_full(code, sense, x, y):
+def test_circle_with_rounded_end_is_a_full_circle(code, sense, x, y):
     toolpath = path(("G0", {"X": 1, "Y": 2, "Z": 3}), (code, {"X": 1 + x, "Y": 2 + y, "I": -1.5, "J": 0}))
     assert toolpath.sweep.sum() == pytest.approx(sense * 2 * np.pi)
     # An arc has no sweep if its end is farther from the centre than its start. An arc is short if its end is slightly
@@ -181,7 +181,7 @@ def test_circle_with_rounded_end_is_full(code, sense, x, y):
         assert abs(on.sweep.sum()) == pytest.approx(1e-3 / 1.5, rel=1e-3)
 
 
-def test_drilling_cycle_with_both_returns():
+def test_drilling_cycle_returns_to_initial_height_or_r_plane():
     toolpath = path(
         ("G0", {"X": 0, "Y": 0, "Z": 10}),
         ("G98", {}),
@@ -213,7 +213,7 @@ def test_cycle_below_its_retract_plane_rises_first():
 
 
 @pytest.mark.parametrize("name, deepest", [("G83", [-2, -4, -5]), ("G73", [-2, -4, -5])])
-def test_pecks(name, deepest):
+def test_pecks_of_drilling_cycles_reach_their_depths(name, deepest):
     toolpath = path(("G0", {"X": 0, "Y": 0, "Z": 0}), (name, {"X": 0, "Y": 0, "Z": -5, "R": 0, "Q": 2}))
     feeds = toolpath.points[1:][~toolpath.rapid]
     assert feeds[:, 2].tolist() == deepest
@@ -222,34 +222,34 @@ def test_pecks(name, deepest):
 
 
 @pytest.mark.parametrize(("depth", "pecks"), [(4.0, 2), (4.1, 3), (2.0, 1), (0.5, 1), (0.9, 1)])
-def test_the_last_peck_is_the_rest(depth, pecks):
+def test_last_peck_is_the_remaining_depth(depth, pecks):
     toolpath = path(("G0", {"X": 0, "Y": 0, "Z": 3}), ("G83", {"X": 1, "Y": 2, "Z": -depth, "R": 0, "Q": 2}))
     feeds = toolpath.points[1:][~toolpath.rapid]
     assert feeds[:, 2].tolist() == [-2.0 * k for k in range(1, pecks)] + [-depth]
     assert (toolpath.points[1:, :2] == [1, 2]).all() and toolpath.points[-1, 2] == 3
 
 
-def test_a_depth_of_whole_pecks_has_no_peck_of_rounding():
-    """1.1 / 0.1 is more than 11 as computers reckon: the drill would come out once more for nothing."""
+def test_rounding_does_not_add_a_peck():
+    """The floating-point quotient 1.1 / 0.1 is more than 11, so rounding could add an empty peck."""
     toolpath = path(("G0", {"X": 0, "Y": 0, "Z": 3}), ("G83", {"X": 1, "Y": 2, "Z": -1.1, "R": 0, "Q": 0.1}))
     feeds = toolpath.points[1:][~toolpath.rapid]
     assert feeds[:, 2] == pytest.approx([-0.1 * k for k in range(1, 12)])
     at_retract = toolpath.points[1:][toolpath.rapid][:, 2] == 0
-    assert at_retract.sum() == 1 + 10  # on the way in, and between the pecks
+    assert at_retract.sum() == 1 + 10  # once on the way in, and 10 times between the pecks
 
 
-def test_a_shallow_hole_is_pecked_to_its_bottom_and_no_farther():
+def test_hole_with_whole_pecks_ends_at_its_bottom():
     toolpath = path(("G0", {"X": 0, "Y": 0, "Z": 3}), ("G83", {"X": 1, "Y": 2, "Z": -0.5, "R": 0, "Q": 0.25}))
     assert toolpath.points[1:][~toolpath.rapid][:, 2].tolist() == [-0.25, -0.5]
 
 
 @pytest.mark.parametrize("peck", [0.0, -1.0, 1e-5])
-def test_pecks_that_would_never_end_are_one(peck):
+def test_hole_with_unusable_peck_depth_has_one_peck(peck):
     toolpath = path(("G0", {"X": 0, "Y": 0, "Z": 3}), ("G83", {"X": 0, "Y": 0, "Z": -4, "R": 0, "Q": peck}))
     assert toolpath.points[1:][~toolpath.rapid][:, 2].tolist() == [-4]
 
 
-def test_a_cycle_returns_where_it_began_or_to_its_plane():
+def test_cycle_returns_to_its_start_height_or_r_plane():
     begin = ("G0", {"X": 0, "Y": 0, "Z": 5})
     for mode, height in (("G98", 5), ("G99", 1)):
         toolpath = path(begin, (mode, {}), ("G81", {"X": 1, "Z": -2, "R": 1}), ("G0", {"X": 9}))
@@ -257,13 +257,13 @@ def test_a_cycle_returns_where_it_began_or_to_its_plane():
     again = path(begin, ("G99", {}), ("G98", {}), ("G81", {"X": 1, "Z": -2, "R": 1}))
     assert again.points[-1, 2] == 5
     from_below = path(("G0", {"X": 0, "Y": 0, "Z": 0.5}), ("G98", {}), ("G81", {"X": 1, "Z": -2, "R": 1}))
-    assert from_below.points[-1, 2] == 1  # its plane is higher than where it began
+    assert from_below.points[-1, 2] == 1  # the R plane is higher than the start
     no_height = path(("G81", {"X": 1, "Y": 0, "Z": -2, "R": 1}))
     assert no_height.points[:, 2].max() == 1 and no_height.points[:, 2].min() == -2
 
 
 @pytest.mark.parametrize("name", ["G74", "G81", "G82", "G84", "G85", "G86", "G88", "G89"])
-def test_other_cycles_reach_their_depth_once(name):
+def test_other_canned_cycles_reach_their_depth_once(name):
     toolpath = path(("G0", {"X": 0, "Y": 0, "Z": 5}), (name, {"X": 1, "Y": 0, "Z": -5, "R": 1, "P": 0.5}))
     (deepest,) = np.flatnonzero(toolpath.points[:, 2] == -5)
     assert toolpath.rapid[deepest] == (name in ("G81", "G82", "G86"))
@@ -275,26 +275,26 @@ def test_other_cycles_reach_their_depth_once(name):
 @pytest.mark.parametrize(
     "words, feed",
     [
-        ({"F": 0.8, "S": 500}, 0.8 * 500 / 60),  # FreeCAD 1.1's own: the pitch
-        ({"F": 400, "S": 500}, 400),  # as FreeCAD imports mm/min
+        ({"F": 0.8, "S": 500}, 0.8 * 500 / 60),  # FreeCAD 1.1 writes the pitch
+        ({"F": 400, "S": 500}, 400),  # FreeCAD's import gives the feed in mm/min
         ({"F": 6.5}, 6.5),
         ({"F": 0.8, "S": 0}, 0.8),
     ],
 )
 def test_tap_feed_is_pitch_times_speed(code, words, feed):
     tapped = linearize([("G0", {"X": 10, "Y": 5, "Z": 10}), (code, {"X": 10, "Y": 5, "Z": 0, "R": 4, **words})])
-    assert tapped.feed[~tapped.rapid] == pytest.approx([feed, feed])  # in, and out
+    assert tapped.feed[~tapped.rapid] == pytest.approx([feed, feed])  # into the hole, and out of it
 
 
 @pytest.mark.parametrize("feed", [-3.0, 0.0, 1e-7, float("nan"), float("inf")])
-def test_a_feed_that_no_machine_has_is_not_taken(feed):
+def test_unusable_feed_is_ignored(feed):
     toolpath = path(START, ("G1", {"X": 1, "F": 5}), ("G1", {"X": 2, "F": feed}))
     assert toolpath.feed[-2:].tolist() == [5, 5]
     told = [(problem.command, problem.what.code) for problem in toolpath.problems]
     assert told == ([] if feed == 0.0 else [(2, "unusable-feed")])
 
 
-def test_modal_cycle_lines_and_relative_cycles():
+def test_modal_and_relative_cycle_lines_drill_holes():
     modal = path(("G0", {"X": 0, "Y": 0, "Z": 5}), ("G81", {"X": 1, "Z": -1, "R": 1}), ("", {"X": 2}), ("", {"X": 3}))
     assert (modal.points[:, 2] == -1).sum() == 3
     relative = path(
@@ -303,7 +303,7 @@ def test_modal_cycle_lines_and_relative_cycles():
     assert relative.points[relative.points[:, 2] == -2, 0].tolist() == [1, 2]
 
 
-def test_comments_and_tool_changes_are_placed():
+def test_comments_and_tool_changes_have_their_move():
     toolpath = path(("(first)", {}), START, ("G1", {"X": 1}), ("(second)", {}), ("M6", {"T": 2}), ("G1", {"X": 2}))
     assert toolpath.comments == ((0, "first"), (1, "second"))
     assert toolpath.tool_changes.tolist() == [1]
@@ -314,7 +314,7 @@ def messages(toolpath):
     return [str(problem) for problem in toolpath.problems]
 
 
-def test_words_without_numbers_are_named_and_skipped():
+def test_words_with_unusable_numbers_are_named_and_skipped():
     toolpath = path(
         START,
         ("G1", {"X": float("nan"), "Y": 3}),
@@ -328,13 +328,13 @@ def test_words_without_numbers_are_named_and_skipped():
 
 
 @pytest.mark.parametrize("before", [[], [("G81", {"X": 1, "Y": 0, "Z": -2, "R": 1, "F": 1}), ("G80", {})]])
-def test_words_that_continue_no_motion_move_nothing(before):
+def test_words_without_a_motion_move_nothing(before):
     toolpath = path(*before, ("", {"X": 50}))
     assert [problem.what.code for problem in toolpath.problems] == ["words-without-motion"]
     assert 50 not in toolpath.points[:, 0]
 
 
-def test_unknown_codes_are_named():
+def test_unknown_codes_have_a_remark():
     toolpath = path(START, ("G999", {}), ("Ж7", {}), ("G1", {"X": 1}), ("M3", {"S": 1000}), ("G54", {}))
     assert messages(toolpath) == [
         "Command 2: The unknown code 'G999' is ignored.",
@@ -347,19 +347,19 @@ def test_unknown_codes_are_named():
     ({"X": 10, "Y": 0, "R": 1}, "An arc without a usable center or radius is read as a line."),
     ({"X": 10, "Y": 0, "I": 2, "J": 0}, "An arc that does not end on its circle is read with a changing radius."),
 ])  # fmt: skip
-def test_impossible_arcs_end_where_they_should(arc, message):
+def test_impossible_arcs_end_at_their_target(arc, message):
     toolpath = path(START, ("G2", arc))
     assert toolpath.points[-1, :2].tolist() == [arc["X"], arc["Y"]]
     assert toolpath.problems[0].message == message
 
 
-def test_arc_before_its_start_is_known():
+def test_arc_with_unknown_start_is_ignored():
     toolpath = path(("G2", {"X": 1, "Y": 1, "I": 1}), ("G1", {"X": 5}))
     assert messages(toolpath) == ["Command 1: An arc with an unknown start is ignored."]
     assert toolpath.points.tolist() == [[1, 1, 0], [5, 1, 0]]
 
 
-def test_nothing_at_all():
+def test_commands_without_moves_have_no_trajectories():
     for commands in ([], [("(empty)", {})], [("G0", {})], [("M30", {})]):
         toolpath = linearize(commands)
         assert len(toolpath) == 0 and toolpath.feed.shape == (0,)
@@ -377,14 +377,14 @@ def test_too_many_chords_are_refused():
         linearize(circles, tolerance=1e-4)
 
 
-def test_an_arc_starts_where_both_axes_of_its_plane_are_known():
+def test_arc_needs_a_known_start_in_both_axes_of_its_plane():
     half = ("G2", {"X": 10.0, "Y": 0.0, "I": 5.0, "J": 0.0})
     told = [problem.what.code for problem in path(("G1", {"X": 0.0}), half).problems]
     assert told == ["arc-before-start"]
-    assert not path(("G1", {"X": 0.0, "Y": 0.0}), half).problems  # the height plays no part
+    assert not path(("G1", {"X": 0.0, "Y": 0.0}), half).problems  # the height is not needed
 
 
-def test_the_centre_counts_where_an_arc_has_a_radius_too():
+def test_arc_with_centre_and_radius_uses_the_centre():
     centre = {"X": 10.0, "Y": 0.0, "I": 5.0, "J": 0.0}
     assert np.array_equal(path(START, ("G2", {**centre, "R": 8.0})).points, path(START, ("G2", centre)).points)
 
@@ -396,13 +396,13 @@ def test_too_short_radius_makes_a_line():
     assert [problem.what.code for problem in short.problems] == ["arc-as-line"]
 
 
-def test_an_arc_around_where_it_begins_is_a_line():
+def test_arc_with_its_centre_at_its_start_is_a_line():
     around = path(START, ("G2", {"X": 4.0, "Y": 0.0, "I": 0.0, "J": 0.0}))
     assert len(around) == 1 and [problem.what.code for problem in around.problems] == ["arc-as-line"]
 
 
-def test_centres_in_commands_are_always_offsets():
-    """Only where a program is read they may be coordinates: FreeCAD has made offsets of all it read."""
+def test_arc_centres_in_commands_are_always_offsets():
+    """Only centres in program files may be coordinates. FreeCAD's import converts all centres to offsets."""
     arc = ("G2", {"X": 110.0, "Y": 100.0, "I": 105.0, "J": 100.0})
     assert [p.what.code for p in path(("G0", {"X": 100, "Y": 100, "Z": 1}), arc).problems] == ["arc-of-changing-radius"]
 
@@ -416,18 +416,18 @@ def test_arc_radius_may_change_slightly(radius, grows, told):
     assert [problem.what.code for problem in found] == ["arc-of-changing-radius"] * told
 
 
-def test_a_hole_without_any_height_before_it_begins_at_0():
+def test_hole_before_any_known_height_begins_at_0():
     assert path(("G81", {"X": 5, "Y": 5, "Z": -2.0})).points[:, 2].tolist() == [0, -2, 0]
 
 
-def test_a_long_chord_rounds_its_radius_more():
+def test_radius_error_of_long_chord_may_be_larger():
     toolpath = path(("G0", {"X": 0, "Y": 0, "Z": 0}), ("G2", {"X": 200, "R": 99.99}))
     assert toolpath.sweep.sum() == pytest.approx(-np.pi) and toolpath.problems == ()
 
 
 def test_arc_radius_changes_evenly_to_the_end():
     spiral = path(START, ("G3", {"X": 9.0, "Y": 0.0, "I": 5.0, "J": 0.0}), tolerance=1e-5).points
-    below = spiral[spiral[:, 1] < -1]  # half a turn, from radius 5 to 4
+    below = spiral[spiral[:, 1] < -1]  # half a turn, on which the radius changes from 5 to 4
     middle = below[np.argmin(np.abs(below[:, 0] - 5))]
     assert np.hypot(middle[0] - 5, middle[1]) == pytest.approx(4.5, abs=0.002)
 
@@ -466,26 +466,29 @@ def test_invalid_command_raises_a_clear_error(commands):
         [("G28", {}), ("G91", {"Z": 0}), ("G90", {})],
     ],
 )
-def test_machine_height_is_at_least_highest_move(commands):
-    """FreeCAD splits such a line into two commands. The second is not a move to Z-3 in the part's coordinates."""
+def test_machine_height_is_at_least_the_highest_move(commands):
+    """FreeCAD splits a G53 line into two commands.
+
+    The second command is not a move to Z-3 in the part's coordinates.
+    """
     begin = [("G0", {"X": 0, "Y": 0, "Z": 5}), ("G1", {"Z": -5, "F": 1}), ("G1", {"X": 50})]
     path = linearize([*begin, *commands, ("G0", {"X": 0, "Y": 40}), ("G1", {"Z": -5})])
     assert path.points[2:].tolist() == [[50, 0, -5], [50, 0, 5], [0, 40, 5], [0, 40, -5]]
     assert path.rapid.tolist() == [False, False, True, True, False] and not path.problems
 
 
-def test_machine_place_is_not_followed_with_a_remark():
+def test_machine_position_in_x_and_y_is_ignored_with_a_remark():
     begin = [("G0", {"X": 0, "Y": 0, "Z": 5}), ("G1", {"Z": -5, "F": 1})]
     for away in ([("G53", {}), ("G0", {"X": 7, "Y": 9})], [("G28", {"X": 0})], [("G53", {}), ("G53", {"Y": 3})]):
         path = linearize([*begin, *away])
         assert path.points.tolist() == [[0, 0, 5], [0, 0, -5]] and not path.problems
-        assert not linearize(away).problems  # nor where there is nothing else
+        assert not linearize(away).problems  # a program without other moves has no remark
         path = linearize([*begin, *away, ("G1", {"X": 4})])
         assert path.points[1:].tolist() == [[0, 0, -5], [4, 0, -5]]
         assert [problem.what.code for problem in path.problems] == ["machine-position"]
 
 
-def test_machine_height_follows_relative_heights():
+def test_machine_height_follows_relative_moves():
     path = linearize(
         [("G0", {"X": 0, "Y": 0, "Z": 5}), ("G91", {}), ("G1", {"Z": -6, "F": 1}), ("G28", {"Z": 0}), ("G1", {"X": 9})]
     )

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Modal state of programs: saved and restored (M70 to M73), and feed rates in all kinds of lines."""
+"""Modal state of programs: M70 to M73 save and restore modes, and feed rates are read in all lines."""
 
 import pytest
 
@@ -31,32 +31,32 @@ def feed(text):
         ("G20 G91 G18 G90.1 G99", "G1 X7", [7, 0, -1]),
     ],
 )
-def test_saved_modes_are_restored(inside, move, place):
+def test_modes_saved_by_m70_are_restored_by_m72(inside, move, place):
     if move.startswith("G81"):
         move = "G0 Z5\n" + move
     assert end(f"M70\n{inside}\nM72\n{move}") == place
     assert not path_of(f"M70\n{inside}\nM72\n{move}").problems
 
 
-def test_saved_feed_rates_are_restored():
+def test_feed_rates_saved_by_m70_are_restored():
     assert feed("M70\nF250\nM72\nG1 X2") == 100
     assert feed("M70\nG20\nG1 X1 F9\nM72\nG1 X2") == 100
     assert feed("M70\nG95\nS1000\nF.1\nM72\nG1 X2") == 100
     assert feed("M70\nG93\nG1 X9 F2\nM72\nG1 X2") == 100
 
 
-def test_forgotten_modes_are_not_restored():
+def test_modes_deleted_by_m71_are_not_restored():
     assert end("M70\nG91\nM71\nM72\nG1 X2\nX2") == [4, 0, -1]
     assert end("M72\nG1 X2\nX2") == [2, 0, -1]
 
 
-def test_modes_are_restored_at_the_return_of_a_subprogram():
+def test_m73_restores_modes_at_the_end_of_a_subprogram():
     called = "M98 P7\nG1 X2\nM30\nO7\n{}\nG20 G91\nG1 X1\nM99"
     assert end(called.format("M73")) == [2, 0, -1]
     assert end(called.format("M70")) == [76.2, 0, -1]
 
 
-def test_work_offset_is_restored():
+def test_work_offset_saved_by_m70_is_restored():
     assert end("G10 L20 P1 X0 Y0\nG10 L20 P2 X-100 Y0\nM70\nG55\nM72\nG1 X2") == [2, 0, -1]
 
 
@@ -64,26 +64,26 @@ def test_work_offset_is_restored():
     "line", ["G4 P1 F200", "G31 Z-2 F200", "G38.2 Z-2 F200", "G43.1 Z1 F200", "G52 X0 F200", "G53 G0 Z0 F200",
              "G92 X0 F200", "G10 L2 P2 X0 F200", "G28.1 F200"]
 )  # fmt: skip
-def test_feed_rate_counts_in_every_line(line):
+def test_feed_rate_is_read_in_lines_of_other_codes(line):
     assert feed(f"{line}\nG1 X9 Z-1") == 200
 
 
 @pytest.mark.parametrize("line, x", [("G1 X5 G4 P0.5", 5), ("G4 P0.5 X5", 5), ("G4 X5", 1), ("G4 U5", 1)])
-def test_line_with_a_dwell_moves_where_its_axis_is_no_time(line, x):
+def test_line_with_dwell_moves_if_its_axis_word_is_no_time(line, x):
     assert end(f"G1 X1\n{line}")[0] == x
 
 
-def test_the_time_of_a_dwell_is_not_a_feed_rate():
+def test_duration_of_a_dwell_is_not_a_feed_rate():
     assert feed("G4 F2\nG1 X9") == 100
     assert feed("G777 X5 F90\nG1 X9") == 100
 
 
-def test_probing_moves_the_tool():
+def test_probing_moves_the_tool_to_its_target():
     path = path_of("G38.2 X8 F50\nG91\nG0 Z9\nG90\nG1 X9")
     assert path.points[2:].tolist() == [[8, 0, -1], [8, 0, 8], [9, 0, 8]]
     assert path.rapid.tolist() == [False, True, True, False]
     assert [problem.what.code for problem in path.problems] == ["probing-as-rapid"]
-    assert end("G31 X8\nX3") == [3, 0, -1]  # one line only: the next line mills
+    assert end("G31 X8\nX3") == [3, 0, -1]  # G31 holds for one line only, so the next line cuts
 
 
 def test_feed_rate_next_to_a_unit_change_has_a_remark():
@@ -92,19 +92,19 @@ def test_feed_rate_next_to_a_unit_change_has_a_remark():
 
 
 @pytest.mark.parametrize("code", ["M19 R90", "M3 S100 R5", "M4 R5 P1"])
-def test_angle_of_a_spindle_is_not_a_retract_plane(code):
+def test_spindle_angle_is_not_a_retract_plane(code):
     holes = f"G0 Z5\nG81 X1 Y1 Z-4 R1\n{code}\nX9\nG80"
     assert path_of(holes).points.tolist() == path_of("G0 Z5\nG81 X1 Y1 Z-4 R1\nX9\nG80").points.tolist()
 
 
-def test_inches_of_a_siemens_do_not_scale_feed_rates():
+def test_g70_of_siemens_does_not_scale_feed_rates():
     begin = "{}\nG0 X0 Y0 Z1\nG{} G1 X2 F254\n"
     assert read_program(begin.format("G64 G601", 70)).toolpath().feed[-1] * 60 == pytest.approx(254)
     assert read_program(begin.format("G64 G601", 700)).toolpath().feed[-1] * 60 == pytest.approx(254 * 25.4)
     assert read_program(begin.format("G64", 70)).toolpath().feed[-1] * 60 == pytest.approx(254 * 25.4)
 
 
-def test_raw_paths_of_freecad_have_feeds_per_second():
+def test_raw_freecad_paths_have_feeds_per_second():
     raw = "G0 X0.000000 Y0.000000 Z5.000000\nG1 F10.000000 X0.000000 Y0.000000 Z-1.000000\nG1 F20.000000 X9.000000\n"
     path = read_program(raw).toolpath()
     assert path.feed.tolist() == [10, 20] and path.problems[0].what.code == "feeds-per-second"

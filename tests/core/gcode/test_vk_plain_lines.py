@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Reading runs of plain lines as columns gives the same commands as reading line by line."""
+"""Plain lines are read as columns. The commands are the same as from reading line by line."""
 
 import random
 
@@ -52,7 +52,7 @@ def random_program(seed):
 
 
 def everything(text):
-    """Return all that is read from a program, or the reason why it is refused."""
+    """Return everything that is read from a program, or the reason why the program is refused."""
     try:
         program = read_program(text)
     except Unusable as refused:
@@ -71,13 +71,13 @@ def line_by_line(text, monkeypatch):
 
 
 @pytest.mark.parametrize("first", range(0, 2000, 100))
-def test_random_programs_are_read_alike(first, monkeypatch):
+def test_random_programs_equal_reading_line_by_line(first, monkeypatch):
     for seed in range(first, first + 100):
         text = random_program(seed)
         assert everything(text) == line_by_line(text, monkeypatch), seed
 
 
-def test_programs_of_several_blocks_are_read_alike(monkeypatch):
+def test_programs_in_several_batches_equal_line_by_line(monkeypatch):
     monkeypatch.setattr(plain_lines, "_LINES", 7)
     monkeypatch.setattr(plain_lines, "_CHARACTERS", 90)
     for seed in range(150):
@@ -86,13 +86,13 @@ def test_programs_of_several_blocks_are_read_alike(monkeypatch):
 
 
 @pytest.mark.parametrize("line", OTHER_LINES)
-def test_line_within_a_run_is_read_alike(line, monkeypatch):
+def test_line_between_plain_lines_equals_line_by_line(line, monkeypatch):
     run = [f"G1 X{k} Y{k * k}\nX{k + 0.5} F{k}" for k in range(1, 9)]
     text = "\n".join(["G0 X0 Y0 Z5", *run, line, *run, line, "G1 Z-1", *run])
     assert everything(text) == line_by_line(text, monkeypatch)
 
 
-def test_numbers_are_rounded_as_python_rounds_them(monkeypatch):
+def test_numbers_in_plain_lines_equal_python_floats(monkeypatch):
     random_numbers = random.Random(5)
     texts = ["".join(random_numbers.choices("0123456789", k=random_numbers.randint(1, 17))) for _ in range(5000)]
     texts = [f"{text[:place]}.{text[place:]}" for text in texts for place in [random_numbers.randint(0, len(text))]]
@@ -101,8 +101,8 @@ def test_numbers_are_rounded_as_python_rounds_them(monkeypatch):
     assert read == [float(text) for text in texts]
 
 
-def test_run_is_read_without_the_interpreter(monkeypatch):
-    """Only the lines around the run reach the interpreter."""
+def test_plain_lines_do_not_reach_the_interpreter(monkeypatch):
+    """Only the lines around the plain lines reach the interpreter."""
     lines = []
     block = plain_lines.Interpreter.block
 

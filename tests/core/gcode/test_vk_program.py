@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""NC programs are read from text into the moves that a machine would make, in mm and mm/s."""
+"""NC programs are read from text and converted to the moves of a machine, in mm and mm/s."""
 
 from contextlib import suppress
 from time import process_time
@@ -22,7 +22,7 @@ def points(text):
 
 
 def ends(text):
-    """The last point of every line that moves."""
+    """Return the last point of each line that moves."""
     path = read_program(text).toolpath()
     last = np.append(np.flatnonzero(np.diff(path.command)), len(path) - 1)
     return {int(path.command[i]): tuple(np.round(path.points[i + 1], 4)) for i in last}
@@ -53,14 +53,14 @@ def said(text):
         "G0 X0 Y0 Z5\nG1 Z-1 F60\nM117 Pocket1 X99\nX10 Y2",
     ],
 )  # fmt: skip
-def test_the_same_program_in_other_words(text):
+def test_same_program_in_other_notations_has_the_same_moves(text):
     assert points(text) == [list(p) for p in POINTS]
     assert not any("words like" in one for one in said(text))
     path = read_program(text).toolpath()
     assert path.feed.tolist() == [0.0, 1.0, 1.0][-len(path) :]
 
 
-def test_inches_change_lengths_and_feeds_and_nothing_else():
+def test_inches_scale_lengths_and_feeds_only():
     path = read_program("G20\nG0 X0 Y0 Z.2\nG1 Z-.1 F10\nG2 X2 Y0 I1 J0\nG3 X0 R1\nG21\nG1 X25.4 F254").toolpath()
     assert path.points[-1] == pytest.approx((25.4, 0, -2.54))
     assert path.points[:, 1].max() == pytest.approx(25.4, abs=0.02)
@@ -80,7 +80,7 @@ def test_inches_change_lengths_and_feeds_and_nothing_else():
     ],
 )  # fmt: skip
 @pytest.mark.parametrize("inches", [False, True])
-def test_arcs(arc, expected, inches):
+def test_arcs_pass_the_expected_point(arc, expected, inches):
     unit = 25.4 if inches else 1.0
     path = read_program(f"{'G20' if inches else 'G21'}\nG0 X0 Y0 Z0\nF100\n{arc}").toolpath(tolerance=1e-3 * unit)
     expected = np.array(expected) * unit
@@ -95,17 +95,17 @@ def test_arc_tolerance_is_a_hundredth_mm_by_default():
     assert len(coarse) < len(usual)
 
 
-def test_drilling_cycles():
+def test_drilling_cycles_drill_all_holes():
     text = "G21\nG0 Z20\nG99 G83 X0 Y0 Z-10 R2 Q4 F100\nX10\nF200\nX20 Z-5\nG80\nZ30\nX0"
     path = read_program(text).toolpath()
     assert path.cycle.any()
     holes = path.points[1:][~path.rapid & (path.points[1:, 2] < -4.9)]
     assert sorted({(x, z) for x, _, z in np.round(holes, 6)}) == [(0, -10), (0, -6), (10, -10), (10, -6), (20, -5)]
-    assert path.rapid[path.command >= 8].all()  # behind G80
+    assert path.rapid[path.command >= 8].all()  # moves after G80 are rapids
     assert path.feed[(path.command == 6) & ~path.rapid].tolist() == pytest.approx([200 / 60] * 2)
 
 
-def test_a_cycle_repeated_and_a_cycle_kept_for_later():
+def test_cycle_is_repeated_or_stored_without_drilling():
     repeated = read_program("G0 X0 Y0 Z5\nG91 G81 X10 Y0 Z-4 R-3 L4 F100\nG80").toolpath()
     assert sorted(set(np.round(repeated.points[repeated.points[:, 2] < 0, 0], 6))) == [10, 20, 30, 40]
     later = read_program("G0 X0 Y0 Z5\nG98 G81 Z-4 R2 F100 L0\nX10\nX20\nG80").toolpath()
@@ -123,7 +123,7 @@ def test_a_cycle_repeated_and_a_cycle_kept_for_later():
         ("G0 Z5\nG90 G99 G81 X10 Y0 Z-4 R2 F100\nX20 R1\nX30 Z-5", {(10, -4), (20, -4), (30, -5)}),
     ],
 )  # fmt: skip
-def test_the_holes_of_a_series_are_equally_deep(text, holes):
+def test_series_of_holes_has_the_programmed_depths(text, holes):
     path = read_program(text).toolpath()
     assert {(x, z) for x, _, z in np.round(path.points[1:][~path.rapid], 6)} == holes
     assert path.problems == ()
@@ -137,14 +137,14 @@ def test_g99_returns_to_r_and_g98_to_the_initial_height():
 
 
 @pytest.mark.parametrize("inches", [False, True])
-def test_repeats_are_a_number_in_any_unit(inches):
+def test_number_of_repeats_does_not_depend_on_the_unit(inches):
     program = read_program(f"{'G20' if inches else 'G21'}\nG0 X0 Y0 Z1\nG91 G81 X1 Z-2 R-.5 F9 K3\nG80")
     drilled = program.toolpath()
     assert len(np.unique(drilled.points[1:][~drilled.rapid, 0])) == 3 and drilled.problems == ()
 
 
 @pytest.mark.parametrize("code", ["G73", "G83"])
-def test_pecks_of_haas_are_not_repeats(code):
+def test_peck_words_of_haas_are_not_repeats(code):
     text = f"G20\nG0 X0 Y0 Z1.\nG99 {code} X1. Z-1. R.1 {{}} F8.\nX2.\nG80"
     pecked = points(text.format("Q.3"))
     for words, unread in (
@@ -156,7 +156,7 @@ def test_pecks_of_haas_are_not_repeats(code):
     assert {x for x, *_ in points(repeated)} == {0, 25.4, 50.8, 76.2}
 
 
-def test_behind_g80_machines_go_on_with_rapids():
+def test_moves_after_g80_are_rapids():
     assert points("G0 X0 Y0 Z5\nG81 X1 Y0 Z-1 R1 F60\nG80\nX5\nX9")[-2:] == [[5, 0, 5], [9, 0, 5]]
     path = read_program("G1 X0 Y0 Z5 F60\nG1 X1\nG80\nX5\nX9").toolpath()
     assert path.rapid.tolist() == [False, True, True]
@@ -164,7 +164,7 @@ def test_behind_g80_machines_go_on_with_rapids():
     assert min(z for *_, z in kept) == -2
 
 
-def test_a_cycle_without_repeats_drills_once():
+def test_cycle_without_repeats_drills_once():
     once = points("G0 X0 Y0 Z5\nG91 G81 X10 Y0 Z-4 R-3 F100\nG80")
     assert {x for x, _, z in once if z < 0} == {10}
 
@@ -176,13 +176,13 @@ def test_absolute_cycle_repeats_in_place(letter):
     assert said(text) == []
 
 
-def test_fine_boring_reaches_its_depth_and_retracts():
+def test_fine_boring_cycle_reaches_its_depth_and_retracts():
     bored = points("G0 X0 Y0 Z5\nG76 X5 Y5 Z-3 R1 Q.1 F100\nX9")
     assert [point for point in bored if point[2] < 0] == [[5, 5, -3], [9, 5, -3]] and bored[-1] == [9, 5, 5]
 
 
 @pytest.mark.parametrize("code", ["G74", "G84", "G85", "G88", "G89"])
-def test_tapping_and_boring_feed_out_to_r_and_rise_at_rapid(code):
+def test_tapping_and_boring_feed_to_r_and_rise_at_rapid(code):
     text = f"G20\nT2 M6\nG0 G90 G54 X.5 Y.5 S500 M3\nG43 H2 Z2.\n{{}} {code} Z-.6 R.1 F25.\nX1.5\nG80\nM30"
     for level in ("G98", "G99"):
         path = read_program(text.format(level)).toolpath()
@@ -190,7 +190,7 @@ def test_tapping_and_boring_feed_out_to_r_and_rise_at_rapid(code):
         assert path.points[-1, 2] == pytest.approx((2.0 if level == "G98" else 0.1) * 25.4)
 
 
-def test_feeds_by_time_and_by_turn():
+def test_feeds_per_time_and_per_turn_are_converted():
     by_time = read_program("G0 X0 Y0 Z0\nG93\nG1 X10 F2\nG1 X40 F3\nG94\nG1 X0 F600").toolpath()
     assert by_time.feed.tolist() == pytest.approx([20 / 60, 90 / 60, 10])
     rapid = read_program("G0 X0 Y0 Z0\nG93\nG0 X10 F2\nG1 X40 F3").toolpath()
@@ -201,7 +201,7 @@ def test_feeds_by_time_and_by_turn():
     assert by_turn.feed.tolist() == pytest.approx([2])
 
 
-def test_a_feed_by_turn_follows_the_spindle():
+def test_feed_per_turn_follows_the_spindle_speed():
     feeds = read_program("G95 F.1\nG0 X0 Y0 Z0\nS1200 M3\nG1 X10\nS2400\nX20\nG94 F600\nX30\nS100\nX40").toolpath().feed
     assert feeds.tolist() == pytest.approx([2, 4, 10, 10])
     assert read_program("G95 F.1 S1200\nG0 X0 Y0 Z0\nG1 X10\nG94 S60\nX20").toolpath().feed.tolist() == pytest.approx(
@@ -209,18 +209,19 @@ def test_a_feed_by_turn_follows_the_spindle():
     )
 
 
-def test_feed_per_turn_is_unknown_without_spindle_speed():
+def test_feed_per_turn_without_spindle_speed_is_unknown():
     """The feed of an earlier G94 move is not used instead."""
     path = read_program("G0 X0 Y0 Z0\nG1 X10 F600\nG95 F.1\nX20\nS1200 M3\nX30\nG94 F300\nX40").toolpath()
     assert path.feed.tolist() == pytest.approx([10, 0, 2, 5])
     assert [problem.what.code for problem in path.problems] == ["feed-mode-not-read"]
     assert path.command.tolist() == [2, 4, 6, 8]
-    told = read_program("G0 X0 Y0 Z0\nG95 F.1\nX5\nS1200\nG1 X10").toolpath()  # before anything is cut
+    # the move before the first cut has no remark
+    told = read_program("G0 X0 Y0 Z0\nG95 F.1\nX5\nS1200\nG1 X10").toolpath()
     assert told.feed.tolist() == pytest.approx([0, 2]) and not told.problems
 
 
-def test_there_are_as_many_commands_as_numbers_of_lines():
-    """Command numbers of a program's toolpath are line numbers, so code that works by command works for programs."""
+def test_command_numbers_of_a_program_are_line_numbers():
+    """Code that looks up moves by command number also works for programs."""
     path = read_program("%\n\nG0 X0 Y0 Z0\n\nG1 X10 F600\n\n(end)\n").toolpath()
     assert path.command.tolist() == [5] and path.commands == 6
 
@@ -230,19 +231,19 @@ def test_there_are_as_many_commands_as_numbers_of_lines():
     [
         ("T1 M6", [1]), ("M6 T1", [1]), ("T1\nM6", [1]), ("M06T01", [1]), ("T5 D1\nG43 H5", [5]),
         ("T1 M6\nT2\nG1 X20\nM6", [1, 2]), ("T1\nG1 X20\nT1\nG1 X30\nT2", [1, 2]),
-        ("T01T02M06\nG1 X20\nM6", [1, 2]), ("M6 T3 T4", [3]),  # the second T gets the next tool ready
+        ("T01T02M06\nG1 X20\nM6", [1, 2]), ("M6 T3 T4", [3]),  # the second T word only prepares the next tool
     ],
 )  # fmt: skip
-def test_tool_changes(text, numbers):
+def test_tool_changes_have_their_numbers(text, numbers):
     program = read_program(f"{text}\n{PLAIN}")
     assert [words["T"] for name, words in program.commands if name == "M6"] == numbers
 
 
-def test_a_comment_ends_at_its_parenthesis():
+def test_words_after_a_comment_in_parentheses_are_read():
     assert points("G0 X0 Y0 Z5\nG1 (down)Z-1 F60(now)X3 Y4") == [[0, 0, 5], [3, 4, -1]]
 
 
-def test_commands_keep_their_lines():
+def test_moves_keep_their_line_numbers():
     assert ends("(head)\n\nG21\n%\n" + PLAIN) == {7: (0, 0, -1), 8: (10, 2, -1)}
     assert ends("G1 X0 Y0 Z0 F100\n\n(x)\nX10\n/X20\nX30") == {4: (10, 0, 0), 5: (20, 0, 0), 6: (30, 0, 0)}
 
@@ -311,7 +312,7 @@ def test_work_offset_change_after_a_move_has_a_remark():
 
 
 @pytest.mark.parametrize("code", ["G54", "G55", "G56", "G57", "G58", "G59", "G59.1", "G59.2", "G59.3"])
-def test_work_offset_is_silent_before_moves_only(code):
+def test_work_offset_has_no_remark_before_the_first_move(code):
     other = "G55" if code == "G54" else "G54"
     assert said(code + "\n" + PLAIN + code) == []
     assert said(other + "\n" + PLAIN + code) == [
@@ -319,28 +320,31 @@ def test_work_offset_is_silent_before_moves_only(code):
     ]
 
 
-def test_a_percent_sign_behind_a_move_ends_the_program():
+def test_percent_sign_after_a_move_ends_the_program():
     for end in ("%", "N30%", "N30 %"):
         assert points(f"%\nG0 X0 Y0 Z5\n{end}\nG1 X9 F60") == [[0, 0, 5]]
         assert read_program(f"{PLAIN}M30\n{end}\n").problems == read_program(f"{PLAIN}M30\n%\n").problems
-    assert points("G0 X0 Y0 Z5\n%1\nG1 X9 F60") == [[0, 0, 5], [9, 0, 5]]  # a name
+    assert points("G0 X0 Y0 Z5\n%1\nG1 X9 F60") == [[0, 0, 5], [9, 0, 5]]  # %1 is a program name
 
 
 @pytest.mark.parametrize("line", ["G28 G91 Z0\nG90", "G91 G28 Z0.\nG90", "G53 G0 Z0", "G0 G53 Z-3.", "G30 Z0"])
 def test_tool_rises_to_machine_height_over_the_part(line):
-    """The machine's height is unknown, so the program's highest Z is used. Without a rise, the next rapid would cut."""
+    """The machine's height is unknown, so the program's highest Z is used.
+
+    Without the retract, the next rapid would cut.
+    """
     path = read_program(f"{PLAIN}{line}\nG0 X40 Y0\nG1 Z-1\nX50\n").toolpath()
     at = np.flatnonzero(path.points[:, 0] == 10)[0]
     assert path.points[at : at + 3].tolist() == [[10, 2, -1], [10, 2, 5], [40, 0, 5]] and path.rapid[at : at + 2].all()
     assert [problem.what.code for problem in path.problems] == ["machine-height"]
 
 
-def test_machine_positions_at_ends_do_not_matter():
+def test_machine_positions_at_start_or_end_have_no_remark():
     assert said("G91 G28 Z0\nG90\n" + PLAIN + "G28 Z0\nM5\nG53 G0 Z0\nG28\nM30") == []
 
 
 @pytest.mark.parametrize("code", ["G28", "G30"])
-def test_home_along_all_axes_has_the_remark_of_one_axis(code):
+def test_home_of_all_axes_has_the_same_remark_as_one_axis(code):
     text = f"{PLAIN}{code}\nG0 X40 Y0\nG1 Z-1\nX50\n"
     assert said(text) == [
         f"Line 5: Moves to machine positions ({code}) are ignored, because the program does not contain these positions."
@@ -348,13 +352,13 @@ def test_home_along_all_axes_has_the_remark_of_one_axis(code):
     assert [10, 2, 5] in points(text)
 
 
-def test_lines_with_a_block_delete_behind_their_number():
+def test_block_delete_after_a_line_number_is_read():
     text = "N1 G21 G90\nN2 G0 X0 Y0 Z5\nN3 /G1 Z-1 F60\n/N4 G1 X10\nN5 /2 Y2\n/3 N6 X4"
     assert points(text)[1:] == [[0, 0, -1], [10, 0, -1], [10, 2, -1], [4, 2, -1]]
     assert said(text) == ["Line 3 (first of 4): Lines with a block delete (/) are read like all others."]
 
 
-def test_siemens_words_equal_common_words():
+def test_siemens_words_equal_standard_words():
     contour = "G0 X0 Y0 Z0\nG1 X30 F100\nG2 X30 Y20 {}10\nG3 X30 Y0 {}-15\nG1 {} {}"
     siemens, other = (
         read_program(contour.format("CR=", "CR = ", "X=-7.5", "Y=.5")),
@@ -364,11 +368,11 @@ def test_siemens_words_equal_common_words():
     assert siemens.problems == other.problems == ()
 
 
-def test_corners_of_fanuc_leave_the_move():
+def test_corner_words_of_fanuc_leave_the_move():
     assert points(PLAIN + "X10. ,R5.\nY9. ,C2.") == [list(p) for p in POINTS] + [[10, 9, -1]]
 
 
-def test_the_length_of_a_tool_in_axis_words_moves_nothing():
+def test_tool_length_in_g43_axis_words_moves_nothing():
     assert points(PLAIN + "G43.1 Z-2.5\nX5") == [list(p) for p in POINTS] + [[5, 2, -1]]
     assert points(PLAIN + "G43.1 H1 Z7")[-1] == [10, 2, 7]
 
@@ -380,7 +384,7 @@ def test_hole_patterns_do_not_set_the_unit(line):
 
 
 @pytest.mark.parametrize("call", ["M198 P1000", "G66 P1000 A1", "N5 g66p1000"])
-def test_subprogram_before_its_caller_is_read(call):
+def test_uncalled_subprogram_before_the_main_program_is_skipped(call):
     subprogram = "O1000 (HOLE)\nG91 G20 G55 G1 X99 F9\n/M99\nX99\n(P1000)\n{}\n"
     for end in ("M99", "M99 P7", ""):
         text = "%\n" + subprogram.format(end) + "%\nO0001\n" + PLAIN + call + "\nX5\nM30\n%\n"
@@ -388,13 +392,13 @@ def test_subprogram_before_its_caller_is_read(call):
         assert said(text) == ["Line 2 (first of 2): A subprogram or macro call is ignored."]
 
 
-def test_a_program_that_is_not_called_ends_at_m99():
+def test_program_that_is_not_called_ends_at_m99():
     text = "O1000 (M98 P1000)\n" + PLAIN + "M99\nO2\nG1 X99\nM30"
     assert points(text) == [list(p) for p in POINTS]
     assert said(text) == ["Line 8: Lines after the end of the program are ignored."]
 
 
-def test_a_block_that_is_called_is_not_cut_behind_the_end():
+def test_called_block_after_the_end_is_read():
     text = PLAIN + "M97 P1000 L3\nX5\nM97 P2000\nM30\n(HOLE)\nN1000 G91\nG1 X9 F9\nG90 M99\nN2000 X99\nM99"
     assert points(text) == [list(p) for p in POINTS] + [[x, 2, -1] for x in (19, 28, 37, 5, 99)]
     assert said(text) == []
@@ -407,10 +411,11 @@ HEIDENHAIN = (
 )
 
 
-def test_heidenhain_iso():
+def test_heidenhain_iso_program_is_read():
     text = HEIDENHAIN.format("N70 X+50 M99 *")
     assert points(text) == [[0, 50, 5], [0, 50, -1], [50, 50, -1], [50, 50, 5]] and said(text) == []
-    assert points(text.replace(" *", "*")) == points(text)  # the end of a block is not a digit
+    # the asterisk at the end of a block is not part of the number
+    assert points(text.replace(" *", "*")) == points(text)
     program = read_program(text)
     assert program.unit_told and not program.inches
     inches = read_program(text.replace("G71", "G70"))
@@ -426,7 +431,7 @@ def test_heidenhain_iso():
         "G02 X+100 R+50 *",
     ],
 )
-def test_centres_of_heidenhain_are_coordinates_and_stay(arc):
+def test_heidenhain_arc_centres_are_modal_coordinates(arc):
     path = read_program(HEIDENHAIN.format(arc + "\nG02 X+0 R+80 *")).toolpath()
     assert path.sweep.sum() == pytest.approx(-np.pi - 2 * np.arcsin(50 / 80)) and path.problems == ()
     assert path.points[:, 1].max() == pytest.approx(100, abs=0.1)
@@ -444,22 +449,22 @@ def test_ignored_heidenhain_words_have_a_remark():
     assert [problem.what.code for problem in path.problems] == ["word-not-read", "arc-as-line"]
 
 
-def test_a_move_in_the_line_of_the_end_does_not_follow_it():
+def test_move_in_the_line_of_m30_is_not_after_the_end():
     assert said(PLAIN + "G0 Z5 M30") == []
 
 
-def test_a_return_that_may_be_skipped_ends_nothing():
+def test_m99_with_block_delete_does_not_end_the_program():
     text = PLAIN + "/M99\nX5\nM99 P10\nX6"
     assert points(text)[-2:] == [[5, 2, -1], [6, 2, -1]]
     assert said(text)[1:] == ["Line 5 (first of 2): Jumps, loops and calls are ignored."]
 
 
-def test_a_subprogram_is_not_cut_where_it_is_defined():
+def test_subprogram_definition_is_not_executed():
     text = "O<hole> sub\nG1 X99 Y#1\nO<hole> endsub\n" + PLAIN
     assert points(text) == [list(p) for p in POINTS] and said(text) == []
 
 
-def test_problems_count():
+def test_equal_problems_are_counted():
     assert said(PLAIN + "#1=[[1]\n#2=FOO[1]\n") == [
         "Line 5 (first of 2): Lines with variables or expressions are ignored."
     ]
@@ -488,13 +493,13 @@ def test_problems_count():
         ("O1 sub\nG1 X5 F200\nO1 endsub\n", "None of the moves can be read. Line 1"),
     ],
 )  # fmt: skip
-def test_no_milling_program(text, sentence):
+def test_text_that_is_not_a_milling_program_is_refused(text, sentence):
     with pytest.raises(Unusable, match=r"^[A-Z].*\.$") as error:
         read_program(text)
     assert sentence in str(error.value)
 
 
-def test_a_text_is_a_program_while_half_of_its_lines_are_words():
+def test_text_is_a_program_if_half_of_its_lines_are_words():
     assert len(read_program("what\nG0 X0 Y0 Z0\nG1 X5 F60").toolpath()) == 1
     with pytest.raises(Unusable, match="do not consist of words"):
         read_program("what\nis\nthis\nG0 X0 Y0 Z0\nG1 X5 F60")
@@ -535,7 +540,7 @@ def test_program_for_another_machine_is_named(text, sentence):
 
 
 @pytest.mark.parametrize("line", ["G18 G2 X5 Z0 R10", "G96 S100", "G8 P1", "G76 X5 Y5 Z-3 R1 Q.1", "E5 (a slip)"])
-def test_milling_program_is_not_another_machine(line):
+def test_milling_program_is_not_another_machines_program(line):
     assert read_program(PLAIN + line).other is None
 
 
@@ -561,17 +566,17 @@ def test_milling_program_is_not_another_machine(line):
         "G3 I5 Z-3",
     ],
 )
-def test_nor_is_one_that_does_not_move_in_y(line):
+def test_program_without_y_moves_is_not_a_lathe_program(line):
     assert read_program("G0 X0 Z5\nG1 Z-1 F60\nX10\n" + line).other is None
 
 
-def test_a_rotary_axis_that_cuts():
+def test_rotary_axis_that_moves_while_cutting_is_found():
     assert read_program("G0 X0 Y0 Z5 A0\nG1 Z-1 F100\nX10 A0\nX20 A5\nX30 A10").rotary == (4, 5)
     assert read_program("G0 X0 Y0 Z5 A0\nG1 X10 Z-1 F100\nG0 Z5\nG0 A90\nG1 Z-1\nX20").rotary == ()
 
 
 @given(st.text(alphabet="GXYZIJKRFMTSNOPQLDHABCUVE0123456789.+-()[]#=/;%<> \n\r\t", max_size=200))
-def test_any_text_is_read_or_refused_with_words(text):
+def test_random_text_is_read_or_refused_with_a_message(text):
     try:
         path = read_program(PLAIN + text).toolpath()
     except ValueError as error:
@@ -581,7 +586,7 @@ def test_any_text_is_read_or_refused_with_words(text):
 
 
 @given(st.binary(max_size=200))
-def test_any_bytes_as_well(data):
+def test_random_bytes_are_read_or_refused_with_a_message(data):
     try:
         read_program(data.decode("latin-1"))
     except ValueError as error:
@@ -591,7 +596,7 @@ def test_any_bytes_as_well(data):
 @pytest.mark.parametrize(
     "word", ["G-1E999", "G1E999", "T-1E999", "T1E999 M6", "G91 G81 X1 Z-1 R1 L1E999", "L-1E999", "X1E999", "S-1E999"]
 )
-def test_numbers_beyond_all_bounds(word):
+def test_numbers_out_of_range_give_finite_paths(word):
     assert np.isfinite(read_program(f"{PLAIN}{word}\nX5\n").toolpath().points).all()
 
 
@@ -610,19 +615,19 @@ def test_reading_time_is_linear_in_line_length(line):
     assert seconds(40_000) < 3 * 8 * seconds(5_000)
 
 
-# Two round corners of a square around (200, 200): start, end and centre of each.
+# Two rounded corners of a square around (200, 200): start, end and centre of each corner.
 CORNERS = [((220, 210), (210, 220), (210, 210)), ((190, 220), (180, 210), (190, 210))]
 
 
 def rounded(absolute, said=""):
-    """Return the toolpath of round corners, whose centre words are coordinates or offsets; `said` may declare which."""
+    """Return the toolpath of rounded corners. Their centres are coordinates or offsets; `said` may declare which."""
     lines = [f"G90 {said}", "G0 X220 Y200 Z0", "F600"]
     for (x, y), (to_x, to_y), (i, j) in CORNERS:
         lines += [f"G1 X{x} Y{y}", f"G3 X{to_x} Y{to_y} " + (f"I{i} J{j}" if absolute else f"I{i - x} J{j - y}")]
     return read_program("\n".join(lines)).toolpath()
 
 
-def test_absolute_centres_are_read_with_a_remark():
+def test_absolute_arc_centres_are_read_with_a_remark():
     offsets, coordinates = rounded(absolute=False), rounded(absolute=True)
     assert np.allclose(offsets.points, coordinates.points) and not offsets.problems
     (problem,) = coordinates.problems
@@ -630,7 +635,7 @@ def test_absolute_centres_are_read_with_a_remark():
 
 
 @pytest.mark.parametrize(("absolute", "said"), [(True, "G91.1"), (False, "G90.1")])
-def test_program_statement_on_centres_decides(absolute, said):
+def test_program_statement_decides_about_arc_centres(absolute, said):
     assert [problem.what.code for problem in rounded(absolute, said).problems] == ["arc-of-changing-radius"]
     assert not rounded(not absolute, said).problems
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Words with a different meaning on each control, and words that resemble another control's or machine's words."""
+"""Words whose meaning depends on the control, and words that resemble those of another control or machine."""
 
 import pytest
 
@@ -19,7 +19,7 @@ def said(text):
 
 
 @pytest.mark.parametrize("code", ["G154 P7", "G110", "G129", "G500", "G505", "G599"])
-def test_work_offsets_of_haas_and_siemens(code):
+def test_work_offsets_of_haas_and_siemens_are_known(code):
     assert said(f"G0 {code} X1 Y2\nZ5\n{code}\nG1 Z-1 F60\nG0 Z5") == []
     assert last(f"G0 {code} X7 Y8") == (7, 8, -1)
     name = code.split(maxsplit=1)[0]
@@ -28,13 +28,13 @@ def test_work_offsets_of_haas_and_siemens(code):
     ]
 
 
-def test_the_offsets_of_haas_have_numbers():
+def test_g154_of_haas_has_a_remark_for_another_number():
     assert said("G154 P1\n" + PLAIN + "G154 P1\nX5\nG154 P2\nX6") == [
         "Line 8: G154 is ignored. The coordinates after it are read as if it were not there."
     ]
 
 
-def test_the_offsets_of_an_okuma():
+def test_work_and_tool_offsets_of_okuma_are_known():
     begin = "G15 H1\nG21 G90\nG0 X0 Y0\nG56 HA Z5\nG1 Z-1 F60\nG41 DA X10 Y2\nG40\nG55 H2 Z7\nG15 H1\n"
     assert said(begin) == ["Line 6: Cutter compensation (G41) is ignored. The programmed path is used."]
     assert read_program(begin).toolpath().points[:, 2].tolist() == [5, -1, -1, 7]
@@ -47,12 +47,12 @@ def test_the_offsets_of_an_okuma():
 @pytest.mark.parametrize(
     "code", ["G450", "G451", "G601", "G602", "G603", "G641", "G642", "G643", "G644", "G645", "G43.4 H11", "G43.5 H11"]
 )
-def test_codes_that_leave_the_words_of_their_line(code):
+def test_moves_in_lines_of_harmless_codes_are_read(code):
     assert last(f"{code} X5 Y6 Z-2") == (5, 6, -2)
     assert said(f"{PLAIN}{code} X5 Y6 Z-2") == []
 
 
-def test_units_of_siemens():
+def test_g700_and_g710_of_siemens_set_the_unit():
     inches, millimetres = read_program("G700 G0 X1 Y0 Z0\nG1 X2 F60"), read_program("G710 G0 X1 Y0 Z0\nG1 X2 F60")
     assert (inches.unit_told, inches.inches, millimetres.unit_told, millimetres.inches) == (True, True, True, False)
     assert inches.toolpath().points[-1, 0] == 50.8 and millimetres.toolpath().points[-1, 0] == 2
@@ -71,20 +71,20 @@ def test_words_of_an_unknown_code_have_a_remark():
 @pytest.mark.parametrize(
     "cycle", ["G13 Z-5 I10 K20 Q2 D1 F500", "G12 I10 D1 F500", "G150 P2 X0 Y0 Z-3 I2 J1 Q1 D1 F500"]
 )
-def test_cuts_of_a_pocket_cycle_are_named(cycle):
+def test_ignored_pocket_cycles_have_a_remark(cycle):
     text = PLAIN + cycle + "\nX20"
     name = cycle.split()[0]
     assert said(text) == [f"Line 5: The cuts of a pocket or circle ({name}) are ignored."]
     assert read_program(text).toolpath().feed[-1] == read_program(PLAIN + "X20").toolpath().feed[-1]
 
 
-def test_axes_of_a_mirror_code_are_not_targets():
+def test_axis_words_of_a_mirror_code_are_not_targets():
     assert last("G50.1 X0. Y0.") == last("G51.1 X0.") == (10, 2, -1)
     assert said("G50.1 X0. Y0.\n" + PLAIN + "G50.1 X0.\nX5") == []
     assert said(PLAIN + "G51.1 X0.\nX5\nG50.1 X0.\nX6") == []
 
 
-def test_a_program_is_not_its_own_subprogram():
+def test_program_does_not_call_itself_as_a_subprogram():
     called = "Line 6: A subprogram or macro call is ignored."
     for call in ("M98 P10500", "M98 P500"):
         text = "O00500\n" + PLAIN + call + "\nX5\nM30"
@@ -100,7 +100,7 @@ def test_p10500_calls_500_once_if_10500_is_missing(other, calls_500):
     assert read_program(text).toolpath().points[-1, 0] == (77 if calls_500 else 10)
 
 
-def test_a_call_of_a_program_on_the_data_server():
+def test_call_of_a_program_on_the_data_server_is_ignored():
     assert said(PLAIN + "M198 P1234\nX5\nM198") == ["Line 5: A subprogram or macro call is ignored."]
     kept = read_program("O1234\nG1 X99\nM99\nO1\n" + PLAIN + "M198 P1234").toolpath()
     assert kept.points[0].tolist() == [0, 0, 5]
@@ -114,7 +114,7 @@ def test_a_call_of_a_program_on_the_data_server():
         "X[10] (SLOT1 (LEFT))",
     ],
 )  # fmt: skip
-def test_siemens_names_and_comments_are_not_words(line):
+def test_names_and_comments_are_not_siemens_words(line):
     assert last(line) == (10, 2, -1)
 
 
@@ -125,33 +125,33 @@ def test_siemens_names_and_comments_are_not_words(line):
         "N10 G0 SUPA Z500", "STOPRE", "N10 TRANS X50", 'T="MILL"', "N10 G1 X=AC(5)", 'WORKPIECE(,,,"BOX")',
     ],
 )  # fmt: skip
-def test_words_of_siemens(line):
+def test_siemens_language_is_refused(line):
     with pytest.raises(Unusable, match="Siemens"):
         read_program(PLAIN + line)
 
 
 @pytest.mark.parametrize("line", ["M109 P501", "M140", "T1 M6\nM104 S1", "G43 H1 Z9\nM190 R1", "M109 S1\nM6 T2"])
-def test_mills_heat_no_bed(line):
+def test_codes_of_milling_machines_are_not_of_a_printer(line):
     assert read_program(PLAIN + line).other is None
 
 
 @pytest.mark.parametrize("code", ["M104 S200", "M109 R200", "M140 S60", "M190 S60 (bed)", "M140\nM190 S60"])
-def test_printers_heat(code):
+def test_heating_codes_are_of_a_3d_printer(code):
     assert read_program(code + "\n" + PLAIN).other.code == "printing"
 
 
-def test_the_drilling_cycles_of_a_fagor():
+def test_drilling_cycles_of_fagor_are_read():
     drilled = read_program("G21 G90\nG0 X0 Y0 Z50\nG99 G81 X5 Y7 Z2 I-18 K20 F100\nY9\nG80\nG0 Z50").toolpath()
     holes = drilled.points[1:][~drilled.rapid]
     assert holes.tolist() == [[5, 7, -18], [5, 9, -18]]
-    assert (drilled.points[:, 2] == 2).any()  # the level before the hole
+    assert (drilled.points[:, 2] == 2).any()  # the height above the hole is reached first
     relative = read_program("G21\nG0 X0 Y0 Z20\nG91 G99 G82 X5 Y7 Z-18 I-6 F100\nG80").toolpath()
     assert relative.points[1:][~relative.rapid].tolist() == [[5, 7, -4]]
     assert said("G21 G90\nG0 X0 Y0 Z50\nG99 G81 X5 Y7 Z2 I-18 F100\nG80") == []
     assert said("G21 G90\nG0 X0 Y0 Z50\nG99 G81 X5 Y7 Z-18 R2 I-3 F100\nG80") == ["Line 3: I words are ignored."]
 
 
-def test_empty_line_numbers_are_read():
+def test_line_numbers_without_digits_are_read():
     text = "%00000\nN T2.2\nN M6\nN G0 X0 Y0 Z5\nN G1 Z-1 F60\nN X10\n"
     assert said(text) == []
     assert read_program(text).toolpath().points[-1].tolist() == [10, 0, -1]
@@ -162,14 +162,14 @@ def test_full_width_digits_are_not_numbers():
     assert said(PLAIN + "X\uff17") == ["Line 5: Lines that do not consist of words like G1 X10 are ignored."]
 
 
-def test_look_ahead_is_not_a_lathe():
+def test_look_ahead_code_g8_is_not_a_lathe_code():
     slot = "G21 G90\n{}\nG0 X0 Y0 Z5\nG1 Z-1 F60\nG1 X10\n"
     assert read_program(slot.format("G08 P1")).other is None
     assert read_program(slot.format("G8\nG43 H1")).other is None
     assert read_program(slot.format("G8")).other.code == "lathe"
 
 
-def test_checksums_are_left_out():
+def test_checksums_in_lines_are_ignored():
     path = read_program("N1 G21 G90*35\nN2 G0 X0 Y0 Z5*99\nN3 G1 Z-1 F60 *4\nN4 G1 X10*7").toolpath()
     assert path.points[-1].tolist() == [10, 0, -1] and not path.problems
 
@@ -180,12 +180,12 @@ def test_decimal_commas_are_read_with_a_remark():
     assert said(PLAIN + "G1 X10.,R2.\nX5") == ["Line 5: ,R words are ignored."]
 
 
-def test_a_foreign_word_does_not_cost_its_line():
+def test_other_words_in_a_line_with_foreign_text_are_read():
     assert last("G1 X5 Y6 RAPIDO") == (5, 6, -1) and last("G1 X5 Y6 !") == (5, 6, -1)
     assert said(PLAIN + "G1 X5 !") == [
         "Line 5: Text that does not consist of words like G1 X10 is ignored. The words beside it are read."
     ]
-    assert last("G1 X1.2.3 Y6") == (10, 2, -1)  # the number is not known
+    assert last("G1 X1.2.3 Y6") == (10, 2, -1)  # the number X1.2.3 is not valid
 
 
 @pytest.mark.parametrize(
@@ -208,7 +208,7 @@ def test_a_foreign_word_does_not_cost_its_line():
         ("G15 H2\nG1 X3", 3, ["coordinates-not-changed"]), ("CALL O9\nG1 X1", 1, ["words-not-read"]), ("VC1=5\nG1 X1", 1, ["line-with-variables"]),
     ],
 )  # fmt: skip
-def test_table_of_dialects_in_the_guide_is_true(line, end, remarks):
+def test_table_of_dialects_in_the_guide_is_correct(line, end, remarks):
     path = read_program(f"G21 G90\nG0 X0 Y0 Z5\nG1 Z-1 F100\n{line}\n").toolpath()
     assert path.points[-1][0] == pytest.approx(end, abs=1e-9)
     assert sorted(problem.what.code for problem in path.problems) == remarks
@@ -217,6 +217,6 @@ def test_table_of_dialects_in_the_guide_is_true(line, end, remarks):
 @pytest.mark.parametrize(
     "line", ["L X+10 Y+5 R0 FMAX", "G1 X=AC(10)", "TRANS X5", "CYCLE81(5,0,1,-5)", "MCALL CYCLE81(5)", "R1=5", "G2 X5 I5 TURN=2", "G1 X9 RND=2"]
 )  # fmt: skip
-def test_other_languages_in_the_guide_are_refused(line):
+def test_other_languages_named_in_the_guide_are_refused(line):
     with pytest.raises(Unusable, match=r"The program is written for (Heidenhain|Siemens) controls"):
         read_program(f"G21 G90\nG0 X0 Y0 Z5\n{line}\n")

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The operations of an NC program: titles, tool changes, and descriptions of tools in comments."""
+"""An NC program is divided into operations by titles, tool changes, and descriptions of tools in comments."""
 
 import math
 
@@ -122,13 +122,13 @@ def sections(text):
         ("1/2 90 SPOT DRILL", None, "vbit", 12.7),
     ],
 )  # fmt: skip
-def test_tools_as_cam_systems_write_them(comment, number, shape, diameter):
+def test_tool_comments_of_cam_systems_are_read(comment, number, shape, diameter):
     told = tool_told(comment, inches=False)
     assert (told.number, told.tool.shape) == (number, shape)
     assert told.tool.diameter == pytest.approx(diameter)
 
 
-def test_corner_radius_of_a_tool_is_read():
+def test_corner_radius_and_tip_angle_of_a_tool_are_read():
     assert tool_told("T3 D=.5 CR=.06 - bullnose end mill", inches=True).tool.corner_radius == pytest.approx(1.524)
     mill = tool_told("TOOL/MILL,.5,.06,2.0,0", inches=True).tool
     assert (mill.shape, mill.diameter, mill.corner_radius) == ("bullnose", pytest.approx(12.7), pytest.approx(1.524))
@@ -144,7 +144,7 @@ def test_corner_radius_of_a_tool_is_read():
     assert tool_told("TOOL 2mm END MILL of 3 mm drill", inches=False).tool.diameter == 2
 
 
-def test_tool_unit_belongs_to_its_size():
+def test_unit_of_a_tool_belongs_to_its_size():
     for comment in (
         "6mm end mill",
         "6mm x 20mm end mill",
@@ -167,7 +167,7 @@ def test_tool_size_repeated_as_fraction_is_in_inches(fractions, diameter):
     assert tool_told(f"T2 D=6.35 {fractions} - flat end mill", inches=False).tool.diameter == pytest.approx(diameter)
 
 
-def test_too_large_size_or_too_long_text_is_not_a_tool():
+def test_too_large_size_or_too_long_comment_is_not_a_tool():
     assert tool_told("face mill 500 mm", inches=False).tool.diameter == 500
     assert tool_told("face mill 501 mm", inches=False) is None
     name = "end mill of the green box " + 29 * "x" + " 6 mm"
@@ -187,7 +187,7 @@ def test_too_large_size_or_too_long_text_is_not_a_tool():
      "DRILL FOR M8 TAP", "LETTER F DRILL FOR 5/16-18 TAP", "T3 1/2-13 THREADMILL", "JOB 2 DRILL PIN HOLES", "T1 #4 CARBIDE SPOT DRILL - 20MM L",
      "Feed 500 mm/min", "a story of more than sixty characters about an end mill and a 20 mm plate"],
 )  # fmt: skip
-def test_comments_that_tell_no_tool(comment):
+def test_comments_without_a_tool_are_not_tools(comment):
     assert tool_told(comment, inches=False) is None
 
 
@@ -230,7 +230,7 @@ def test_comments_that_tell_no_tool(comment):
         ("Operation 9 of 13 : 2D Contour4", "2D Contour4"), ("(Pocket 1)", "Pocket 1"), ("(safe z)", ""), ("(A) and (B)", "(A) and (B)"),
     ],
 )  # fmt: skip
-def test_titles_and_remarks(comment, title):
+def test_comments_are_titles_or_remarks(comment, title):
     assert title_of(comment) == title
 
 
@@ -262,19 +262,19 @@ def test_comments_inside_freecad_operation_do_not_divide(begin, end):
     assert [title for title, _, _ in sections(holes)] == ["Drilling", "Drilling001"]
 
 
-def test_freecad_tool_controller_begins_untitled_section():
+def test_freecad_tool_controller_begins_untitled_operation():
     change = "(TC: End mill {0} mm)\nG77 ; Move to release position\nM01 Insert tool {0}\n"
     text = f"{change.format(6)}(Face)\n{CUT}{change.format(3)}{CUT}"
     assert sections(text) == [("Face", None, 6), ("TC: End mill 3 mm", None, 3)]
 
 
-def test_the_names_that_freecad_and_flatcam_give_stay():
+def test_names_from_freecad_and_flatcam_are_titles():
     drilled = "(begin operation: Bolts)\n(Path: Bolts)\n(Bolts)\n(Begin Drilling)\nG81 X5 Y5 Z-3 R2 F9\nG80\n(finish operation: Bolts)\n"
     assert sections(f"{CUT}{drilled}") == [("", None, None), ("Bolts", None, None)]
     assert sections(f"(Name: board_cutout)\n(Type: G-code from Geometry)\n{CUT}") == [("board_cutout", None, None)]
 
 
-def test_titles_and_tool_changes_part_a_program():
+def test_titles_and_tool_changes_divide_a_program():
     text = (
         "%\nO1000 (BRACKET)\n(T1 D=6 CR=0. - ZMIN=-3. - flat end mill)\n(T2 D=3 CR=0. - ZMIN=-3. - ball end mill)\nG21\n"
         f"(Face1)\nT1 M6\n{CUT}(Pocket2)\n{CUT}T2 M6\n{CUT}(Pocket3)\n{CUT}M30\n%"
@@ -291,7 +291,7 @@ def test_title_before_and_after_tool_change_is_one_operation():
     assert sections(f"(Slot)\nT1 M6\n{CUT}T2 M6\n(Hole)\n{CUT}") == [("Slot", 1, None), ("Hole", 2, None)]
 
 
-def test_tools_without_a_number_are_read():
+def test_tool_comments_without_a_number_are_read():
     assert sections(f"T1 M6 (End mill 6mm)\n{CUT}T1 M6 (End mill 3mm)\n{CUT}") == [
         ("End mill 6mm", 1, 6), ("End mill 3mm", 1, 3)
     ]  # fmt: skip
@@ -299,7 +299,7 @@ def test_tools_without_a_number_are_read():
     assert sections(f"(T6 D=4 - end mill)\n(Face)\n{CUT}") == [("Face", None, 4)]
 
 
-def test_tool_in_the_line_of_its_change_is_kept():
+def test_tool_comment_in_the_line_of_its_change_is_used():
     next_one = "T2 (NEXT TOOL: 5MM DRILL)\n"
     assert sections(f"T1 M6 (10MM ENDMILL)\n{next_one}{CUT}") == [("10MM ENDMILL", 1, 10)]
     assert sections(f"(20MM FACE MILL)\nT1 M6 (10MM ENDMILL)\n{next_one}{CUT}") == [("10MM ENDMILL", 1, 10)]
@@ -310,7 +310,7 @@ def test_tool_in_the_line_of_its_change_is_kept():
     assert sections(f"(10MM ENDMILL)\n(5MM DRILL)\nT1 M6\n{CUT}") == [("10MM ENDMILL", 1, 10)]
 
 
-def test_at_its_change_a_diameter_alone_is_the_tools():
+def test_diameter_in_the_line_of_a_tool_change_is_the_tools():
     assert sections(f"T1 M6 (D26)\n{CUT}") == [("D26", 1, 26)]
     assert sections(f"N1 T2 M6 (ID=002 - DIA 0.5)\n{CUT}") == [("ID=002 - DIA 0.5", 2, 0.5)]
     assert sections(f"T1 M6 (DRILL 8.5)\n{CUT}") == [("DRILL 8.5", 1, 8.5)]
@@ -326,7 +326,7 @@ def test_at_its_change_a_diameter_alone_is_the_tools():
     assert sections(f"T1 M6\n(D26)\n{CUT}")[0][2] is None
 
 
-def test_the_tool_that_is_got_ready_is_not_in_the_spindle():
+def test_prepared_tool_is_not_the_current_tool():
     assert sections(f"T1 M6\n(10MM ENDMILL)\nT2 (5MM DRILL)\n{CUT}") == [("10MM ENDMILL", 1, 10)]
     assert sections(f"T1 M6\nT2 (5MM DRILL)\n{CUT}M6\n{CUT}") == [("", 1, None), ("", 2, 5)]
     assert sections(f"T1 M6\nT1 (10MM ENDMILL)\n{CUT}") == [("10MM ENDMILL", 1, 10)]
@@ -335,15 +335,15 @@ def test_the_tool_that_is_got_ready_is_not_in_the_spindle():
     ]  # fmt: skip
 
 
-def test_the_tool_is_named_behind_its_change():
+def test_tool_comment_after_its_change_is_read():
     two = f"M6\nT1.1 (10MM ENDMILL)\nM0\n{CUT}M6\nT9.9 (5MM DRILL)\n{CUT}"
     assert sections(two) == [("10MM ENDMILL", 1, 10), ("5MM DRILL", 9, 5)]
     assert sections(f"T1\nM6\n{CUT}M6\nT2 (5MM DRILL)\n{CUT}")[-1] == ("5MM DRILL", 2, 5)
-    assert sections(f"T1\nM6\nT2 (5MM DRILL)\n{CUT}") == [("", 1, None)]  # the tool is only prepared
-    assert sections(f"M6\n{CUT}T2 (5MM DRILL)\n{CUT}")[-1][1] is None  # after a cut the tool is only prepared
+    assert sections(f"T1\nM6\nT2 (5MM DRILL)\n{CUT}") == [("", 1, None)]  # T2 only prepares a tool
+    assert sections(f"M6\n{CUT}T2 (5MM DRILL)\n{CUT}")[-1][1] is None  # after a cut, T2 only prepares a tool
 
 
-def test_tools_and_remarks_in_chinese():
+def test_tools_and_remarks_in_chinese_are_read():
     changes = (
         f"(换1号刀: 中心钻φ3mm)\nT1 M6\n{CUT}T2 M6 (钻头φ8mm)\n(主轴正转，800转/分钟)\n{CUT}T3 M6 (6mm球刀)\n{CUT}"
     )
@@ -353,8 +353,8 @@ def test_tools_and_remarks_in_chinese():
     assert [s.tool.shape for s in split_sections(read_program(changes))] == ["vbit", "drill", "ballend"]
 
 
-def test_a_tool_for_cutviewer_is_the_tool_from_there_on():
-    """MeshCAM writes a tool of its own before the program's tool. The first tool in a tool list is used first."""
+def test_cutviewer_tool_comment_holds_from_its_line_on():
+    """MeshCAM writes its own tool before the program's tool. The first tool in a tool list is used first."""
     assert sections(f"(TOOL/MILL,0.1,0.05,0,0)\n(TOOL/MILL,6,0,20,0)\nT1 M6\n{CUT}") == [("", 1, 6)]
     assert sections(f"(TOOL/MILL,0.1,0.05,0,0)\nT1 M6\n(TOOL/MILL,6,0,20,0)\n{CUT}(TOOL/MILL,3,0,9,0)\nT1 M6\n{CUT}") == [
         ("", 1, 6), ("", 1, 3)
@@ -362,8 +362,8 @@ def test_a_tool_for_cutviewer_is_the_tool_from_there_on():
     assert sections(f"(End mill 6mm)\n(End mill 3mm)\nT1 M6\n{CUT}") == [("End mill 6mm", 1, 6)]
 
 
-def test_unnumbered_tool_list_fills_missing_tools():
-    """hyperMILL lists all tools at the beginning and repeats a tool's name at its tool change."""
+def test_unnumbered_tool_list_describes_later_tools():
+    """hyperMILL lists all tools at the beginning, and repeats the name of a tool at its tool change."""
     tools = ["KOMET-1.0", ".375 STUB END MILL", ".248 REAMER", ".5_1/2 X 90 DEG. SPOT DRILL .06 TO.125 DIA."]
     listed = "".join(f"({tool})\n" for tool in tools)
     changes = "".join(f"(OPERATION {k})\n({tool})\nT{k} M6\n{CUT}" for k, tool in enumerate(tools, 1))
@@ -374,8 +374,11 @@ def test_unnumbered_tool_list_fills_missing_tools():
     assert [diameter for _, _, diameter in sections(same)] == [6, 6, 6]
 
 
-def test_a_tool_size_and_its_number_in_two_comments():
-    """pcb-gcode heads the number; such a description is the tool, but no name of an operation."""
+def test_tool_size_in_the_comment_after_its_heading_is_read():
+    """pcb-gcode writes "Tool Size" before the number.
+
+    This description is the tool, but not the title of an operation.
+    """
     assert sections(f"(  Tool Size)\n(0.1778 )\n(spindle speed = 12000)\n{CUT}") == [("", None, 0.1778)]
     assert sections(f"(0.1778)\n{CUT}") == [("", None, None)]
     assert sections(f"(tool_radius = 1.5)\n{CUT}") == [("", None, 3)]
@@ -390,7 +393,7 @@ def test_a_tool_size_and_its_number_in_two_comments():
         ("Tool = EM_01", "D = 10.0 , R = 1.0", "endmill"),
     ],
 )
-def test_a_tool_and_its_diameter_in_two_comments(name, size, shape):
+def test_tool_name_and_diameter_in_two_comments_are_one_tool(name, size, shape):
     for text in (f"({name})\nN10 ({size})\nT1 M6\n{CUT}", f"T1 M6\n({name})\n({size})\n{CUT}"):
         (section,) = split_sections(read_program(text))
         assert (section.number, section.tool.shape, section.tool.diameter) == (1, shape, 10)
@@ -402,8 +405,8 @@ def test_a_tool_and_its_diameter_in_two_comments(name, size, shape):
         assert all(diameter is None for _, _, diameter in sections("T1 M6\n" + apart))
 
 
-def test_comments_inside_operation_do_not_divide():
-    """As py2gcode writes them."""
+def test_comments_inside_a_py2gcode_operation_are_no_titles():
+    """py2gcode writes several comments inside each operation."""
     begun = "; Begin {0}\n; layers: ['b']\n; closed: True\n; toolDiam: 6.0\n; {0}: rapid move to start x,y\n"
     passes = "".join(f"; {{0}}: pass {k} lead-in\n{CUT}; {{0}}: pass {k} filled rectangle\n{CUT}" for k in (1, 2))
     operation = begun + passes + "; End {0}\n; -----\n"
@@ -417,16 +420,16 @@ def test_comments_inside_operation_do_not_divide():
     assert sections(last) == [("One", None, None), ("Chamfer", None, None)]
 
 
-def test_a_title_behind_a_tool_leaves_it_the_tool():
+def test_operation_keeps_the_tool_described_before_its_title():
     assert sections(f"(END MILL 6MM)\n(POCKET)\n{CUT}") == [("POCKET", None, 6)]
 
 
-def test_a_tool_that_nothing_describes_is_not_the_one_before():
+def test_changed_tool_without_description_is_unknown():
     assert sections(f"T1 M6 (End mill 6mm)\n{CUT}T2 M6\n{CUT}") == [("End mill 6mm", 1, 6), ("", 2, None)]
 
 
 def test_title_between_plunge_and_cut_does_not_divide():
-    """As in programs that are written by hand; the plunge alone would be drilling."""
+    """Hand-written programs have titles between plunge and cut. The plunge alone would be drilling."""
     assert [title for title, _, _ in sections(f"(Sides)\nG0 X0 Y0\nG1 Z1 F9\nZ-2\n(Rough)\nX10\nY5\n(Wall)\n{CUT}")] == [
         "Rough", "Wall"
     ]  # fmt: skip
@@ -435,31 +438,31 @@ def test_title_between_plunge_and_cut_does_not_divide():
         assert len(sections(f"(First)\nG0 X0 Y0\n{hole}X5\nG1 Z-2\n")) == 2
 
 
-def test_remarks_and_passes_part_nothing():
+def test_numbered_passes_do_not_divide_a_program():
     passes = "".join(f"(Pass {k})\n{CUT}(level {k} of 60)\n{CUT}" for k in range(60))
     assert len(sections(f"(Pocket)\n{passes}")) == 1
     numbered = "".join(f"(Strich {k})\n{CUT}" for k in range(60))
     assert len(sections(numbered)) == 1
 
 
-def test_numbered_repeat_of_name_is_another_operation():
+def test_repeated_title_with_a_number_is_another_operation():
     text = "".join(f";Operation: {k}\n;Type: Pocket\n{CUT}" for k in range(3))
     assert [title for title, _, _ in sections(text)] == ["Pocket"] * 3
     assert len(sections(f"(Pocket)\n{CUT}(Pocket)\n{CUT}")) == 1
 
 
 def test_line_without_g_code_continues_the_feed_move():
-    """Titles after the first cut divide a program, so cuts must be found even if G1 is several lines above."""
+    """Titles divide a program only after the first cut, so cuts must be found even if G1 is several lines above."""
     cut = "X10\nY5\nX0\n"
     assert [title for title, _, _ in sections(f"(One)\nG1 F100\n{cut}(Two)\n{cut}")] == ["One", "Two"]
-    # Rapids and feeds without a way cut nothing: the second title is another name of the same operation.
+    # Rapids, and feed words without a move, do not cut. So the second title names the same operation.
     assert [title for title, _, _ in sections(f"(One)\nG0 X5 Y5\nX6\nF100\n(Two)\nG1 {cut}")] == ["Two"]
 
 
 @pytest.mark.parametrize(
     ("tool", "both"), [("T1 DIA-0.5000  1/2 ENDMILL", True), ("T1 DIA-0.5 - OP 3/4", False), ("T1 1/2 ENDMILL", False)]
 )
-def test_a_number_and_the_same_fraction_tell_inches(tool, both):
+def test_diameter_repeated_as_a_fraction_shows_inches(tool, both):
     assert tells_inches(tool) is both
 
 
@@ -483,7 +486,7 @@ def test_comment_beside_speed_or_start_is_not_a_title():
     assert [title for title, *_ in sections(f"N5 (Groove)\n{CUT}")] == ["Groove"]
 
 
-def test_sheetcam_names_an_operation_before_its_tool():
+def test_sheetcam_title_before_the_tool_change_is_read():
     text = "".join(
         f"(Part: lid)\n(Operation: {name}, T2: Mill, 3 mm in diameter)\nM6 T2 (Mill, 3 mm in diameter)\n{CUT}"
         for name in ("Drill, Holes", "Inside Offset, slot")
@@ -491,25 +494,25 @@ def test_sheetcam_names_an_operation_before_its_tool():
     assert sections(text) == [("Drill, Holes", 2, 3), ("Inside Offset, slot", 2, 3)]
 
 
-def test_comment_on_the_line_of_a_move_is_not_a_title():
-    """A comment on the line of a move describes the move. Only a tool description in it is used."""
+def test_comment_in_the_line_of_a_move_is_not_a_title():
+    """A comment in the line of a move describes the move. Only a tool description in the comment is used."""
     text = "(FACE TOP)\nT2 M6 (6 mm end mill)\nG0 X0 Y0 S1200 M3 (H1)\nG1 Z-1 F100\nX50\nG0 Z5 M5 (back off and stop)\nG1 X0\n"
     assert sections(text) == [("FACE TOP", 2, 6)]
 
 
-def test_titles_at_tool_changes_are_not_passes():
-    """Sixty numbered titles are passes of one operation, but not where the tool is changed at each."""
+def test_numbered_titles_at_tool_changes_are_operations():
+    """Sixty numbered titles are passes of one operation, except if each title has a tool change."""
     changed = "".join(f"(Hole {k})\nT{k} M6\n{CUT}" for k in range(1, 61))
     assert [title for title, _, _ in sections(changed)] == [f"Hole {k}" for k in range(1, 61)]
 
 
-def test_a_title_that_names_a_tool_of_before_has_that_tool():
+def test_title_that_names_a_listed_tool_has_this_tool():
     listed = "(T1 D=6 CR=0 - flat end mill)\n(T2 D=3 CR=0 - flat end mill)\n"
     assert sections(f"{listed}(T2 : rest)\n{CUT}")[0][2] == 3
 
 
-def test_fusion_for_marlin_names_an_operation_before_its_tool():
-    """The table of ranges before it and the instructions to the operator are not names of operations."""
+def test_fusion_title_for_marlin_before_the_tool_is_read():
+    """The table of ranges and the instructions to the operator are not titles of operations."""
     header = ";Ranges table:\n; X: Min=0 Max=5 Size=5\n;Tools table:\n"
     listed = "; T1 D=6 CR=0 - ZMIN=-3 - flat end mill\n; T3 D=3 CR=0 - ZMIN=-3 - flat end mill\n"
     second = "M6 ;wait for user interaction\n;2D Contour1 - Milling - Tool: 3 - flat end mill\n"
@@ -526,40 +529,40 @@ def test_comment_on_a_toolpath_is_not_a_tool():
         assert number_named(title) is None
 
 
-def test_long_comments_take_no_long_time():
+def test_long_comments_are_read_quickly():
     for text in ("1" * 50_000, "T1 D=" + "1 " * 20_000, "a: " * 20_000, "-" * 50_000, "end mill " * 5000):
         assert len(sections(f"({text})\n{CUT}")) == 1
 
 
-def test_untitled_operation_is_named_by_own_tool():
+def test_operation_without_a_title_is_named_by_its_tool():
     (told,) = split_sections(read_program(f"T2 M6\n(T2 D=3 - ball end mill)\n(T3 D=8 - flat end mill)\n{CUT}"))
     assert (told.title, told.tool.diameter) == ("T2 D=3 - ball end mill", 3)
     assert sections(f"T2\n(MSG, Change to drill size 2 mm)\nM6\n{CUT}")[0][0] == "Change to drill size 2 mm"
 
 
-def test_a_section_begins_with_its_first_line():
+def test_operation_begins_with_its_first_line():
     (whole,) = split_sections(read_program(CUT))
     assert (whole.first, whole.last) == (1, 4)
 
 
-def test_a_program_without_comments_is_one_operation():
+def test_program_without_comments_is_one_operation():
     assert sections(CUT) == [("", None, None)]
 
 
-def test_the_only_required_tool_is_the_tool():
+def test_only_tool_in_a_required_list_is_used():
     program = "G90\n(Required tools:)\n({})\n\nG00 Z5\n(No. 1: Pocket: One)\nG00 X4 Y8\nG01 Z-1 F500\nG01 Y1\n"
     for entries, diameter in (("China 6mm", 6), ("China 6mm)\n(China 3mm", None), ("Whatever", None)):
         (section,) = split_sections(read_program(program.format(entries)))
         assert (section.tool and section.tool.diameter) == diameter
 
 
-def test_sizes_of_drills_are_not_a_title():
+def test_list_of_drill_sizes_is_not_a_title():
     program = "( Bit sizes: [0.8mm] [1mm] )\nG21 G90\nT1\n(MSG, Change tool bit to drill size 0.8mm)\nM6\nG0 X0 Y0 Z5\nG1 Z-1 F60"
     (section,) = split_sections(read_program(program))
     assert section.title == "Change tool bit to drill size 0.8mm" and section.tool.diameter == 0.8
 
 
-def test_comment_of_a_tool_is_not_a_title():
+def test_tool_comment_after_a_title_is_not_a_title():
     listed = "(T1 D=1.5 CR=0. - ZMIN=-1. - flat end mill)\n"
     text = "G90 G21\n(Trace1)\nT1 M6\n(wood cutter, blue)\nS5000 M3\nG0 X0 Y0 Z5\nG1 Z-1 F100\nG1 X9\n"
     assert [section.title for section in split_sections(read_program(listed + text))] == ["Trace1"]
@@ -574,13 +577,13 @@ def test_comment_of_a_tool_is_not_a_title():
         ("Фреза Ф6", None, "endmill", 6), ("сверло ф8", None, "drill", 8), ("T1 6平刀", 1, "endmill", 6),
     ],
 )  # fmt: skip
-def test_tools_in_korean_japanese_and_russian(comment, number, shape, diameter):
+def test_tools_in_korean_japanese_and_russian_are_read(comment, number, shape, diameter):
     told = tool_told(comment, inches=False)
     assert (told.number, told.tool.shape, told.tool.diameter) == (number, shape, diameter)
 
 
 @pytest.mark.parametrize("line", ["#<TOOL_DIAMETER> = 6", "#<_tool_dia>=6.0", "N5 #<tool_diameter> = 6 (mm)"])
-def test_variable_with_the_diameter_is_the_tool(line):
+def test_variable_with_the_diameter_gives_the_tool(line):
     program = read_program(f"G21 G90\n{line}\nG0 X0 Y0 Z5\nG1 Z-1 F100\nX40\nM30\n")
     (section,) = split_sections(program)
     assert section.tool.diameter == 6

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Inches read as millimetres are noticed, and recognised all the same."""
+"""Inches that are read as millimetres are noticed, and their strategies are recognised."""
 
 from dataclasses import replace
 
@@ -42,32 +42,37 @@ def test_only_too_small_toolpaths_look_like_inches(path):
 
 def test_fast_or_large_toolpath_does_not_look_like_inches():
     small = shrunk(zigzag())
-    assert not looks_like_inches(replace(small, feed=np.full(len(small), 20.0)))  # 1200 inches a minute
-    assert looks_like_inches(replace(small, feed=np.full(len(small), 20.0)), imported=True)  # 20 inches a minute
-    assert not looks_like_inches(replace(small, feed=np.full(len(small), 800.0)), imported=True)  # 800 mm/min
-    assert not looks_like_inches(small, tool_diameter=0.3)  # an engraver's work
+    assert not looks_like_inches(replace(small, feed=np.full(len(small), 20.0)))  # the feed is 1200 inches a minute
+    # the feed is 20 inches a minute
+    assert looks_like_inches(replace(small, feed=np.full(len(small), 20.0)), imported=True)
+    # the feed is 800 mm/min
+    assert not looks_like_inches(replace(small, feed=np.full(len(small), 800.0)), imported=True)
+    assert not looks_like_inches(small, tool_diameter=0.3)  # a tool for engraving
     assert not looks_like_inches(shrunk(zigzag(lift=200.0)))
     assert not looks_like_inches(linearize([]))
-    assert not looks_like_inches(linearize([("G0", {"X": 1.0, "Y": 0.0, "Z": 1.0}), ("G1", {"Z": -0.1})]))  # one hole
+    # a single hole
+    assert not looks_like_inches(linearize([("G0", {"X": 1.0, "Y": 0.0, "Z": 1.0}), ("G1", {"Z": -0.1})]))
 
 
 @pytest.mark.parametrize(
     "changed, imported, said",
     [
         ({}, False, True),
-        ({"width": 14.5}, False, True), ({"width": 16.0}, False, False),  # 15 inches are a large part
-        ({"lift": 3.0}, False, True), ({"lift": 4.0}, False, False),  # 0.5 mm deep: lifted by 4 inches in all
-        ({"feed": 4.5}, False, True), ({"feed": 5.5}, False, False),  # 300 inches a minute are fast
-        ({"feed": 290.0}, True, True), ({"feed": 310.0}, True, False),  # FreeCAD takes those for mm/s
+        ({"width": 14.5}, False, True), ({"width": 16.0}, False, False),  # 15 inches would be a large part
+        ({"lift": 3.0}, False, True), ({"lift": 4.0}, False, False),  # with 0.5 mm of depth, 4 inches of lift
+        ({"feed": 4.5}, False, True), ({"feed": 5.5}, False, False),  # 300 inches a minute would be fast
+        ({"feed": 290.0}, True, True), ({"feed": 310.0}, True, False),  # FreeCAD's import keeps mm/min as mm/s
     ],
 )  # fmt: skip
-def test_limits_of_size_and_feed_for_inches(changed, imported, said):
+def test_size_and_feed_limits_decide_about_inches(changed, imported, said):
     toolpath = zigzag(**{"width": 10.0, "rows": 4, "step": 0.5, "depth": -0.5, "lift": 2.0, "feed": 1.0, **changed})
     assert looks_like_inches(toolpath, imported=imported) == said
 
 
 def test_laser_and_wide_part_are_not_too_small():
-    assert not looks_like_inches(zigzag(width=10.0, rows=4, step=0.5, depth=0.0, lift=0.0, feed=1.0))  # is never lifted
+    assert not looks_like_inches(
+        zigzag(width=10.0, rows=4, step=0.5, depth=0.0, lift=0.0, feed=1.0)
+    )  # a laser is not lifted
     small = zigzag(width=10.0, rows=4, step=0.5, depth=-0.5, lift=2.0, feed=1.0)
     assert looks_like_inches(small, tool_diameter=2.6) and not looks_like_inches(small, tool_diameter=2.4)
 
@@ -84,7 +89,7 @@ def test_laser_and_wide_part_are_not_too_small():
         ("G0 X0 Y0 Z5000\nX5000", False),
     ],
 )
-def test_lengths_without_a_decimal_point(unit, scale, text, said):
+def test_lengths_of_whole_thousands_look_like_increments(unit, scale, text, said):
     path = read_program(f"{unit}\n{text}").toolpath()
     assert looks_like_increments(path, inches=scale == INCH) == said
     assert np.ptp(path.points[:, 0]) / scale == pytest.approx(
@@ -92,18 +97,18 @@ def test_lengths_without_a_decimal_point(unit, scale, text, said):
     )
 
 
-def test_whole_numbers_are_of_the_programs_unit():
+def test_increments_are_whole_numbers_in_the_programs_unit():
     path = read_program("G20\nG0 X0 Y0 Z1\nG1 X5001 Y7 F9").toolpath()
     assert looks_like_increments(path, inches=True) and not looks_like_increments(path, inches=False)
 
 
-def test_limit_of_length_for_increments():
+def test_increments_are_lengths_of_at_least_5000():
     for length, said in ((5000, True), (4999, False)):
         path = read_program(f"G21\nG0 X0 Y0 Z5\nG1 Z-1 F9\nX{length}").toolpath()
         assert looks_like_increments(path, inches=False) == said
 
 
-def test_fastest_feed_decides_on_mm_per_minute():
+def test_fastest_feed_decides_if_feeds_are_mm_per_minute():
     slow, fast = zigzag(feed=240.0), zigzag(feed=600.0)
     assert in_seconds(slow) == (slow, None) and in_seconds(zigzag(feed=260.0))[1]  # 250 mm/min, or 15 m/min
     entering = replace(fast, feed=np.where(np.arange(len(fast)) < 3, 100.0, 600.0))
@@ -114,7 +119,7 @@ def test_fastest_feed_decides_on_mm_per_minute():
 
 
 @pytest.mark.parametrize("path", [zigzag(), offsets()])
-def test_verdict_in_inches_equals_verdict_at_true_size(path):
+def test_verdict_in_inches_equals_verdict_in_mm(path):
     true, found = recognize(path, tool_diameter=6.0), recognize_inches(shrunk(path), tool_diameter=6.0)
     assert found.strategy is true.strategy and found.strategy in (Strategy.ZIGZAG, Strategy.CONTOUR_PARALLEL)
     assert found.confidence == pytest.approx(true.confidence)
@@ -123,7 +128,7 @@ def test_verdict_in_inches_equals_verdict_at_true_size(path):
     assert found.paper.v == pytest.approx([x / INCH for x in true.paper.v])
 
 
-def test_lengths_in_the_reason_have_the_path_unit():
+def test_lengths_in_the_reason_have_the_unit_of_the_path():
     def steps(message):
         own = [value for name, value in message.arguments.items() if name == "step"]
         return own + [step for value in message.arguments.values() if hasattr(value, "code") for step in steps(value)]
@@ -133,7 +138,7 @@ def test_lengths_in_the_reason_have_the_path_unit():
     assert render(found.why).split(",")[0] == render(true.why).split(",")[0]
 
 
-def test_unit_told_if_program_has_g20_or_g21():
+def test_program_with_g20_or_g21_states_its_unit():
     for text, told, inches in (
         ("G20", True, True),
         ("G21", True, False),

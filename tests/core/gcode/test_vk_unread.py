@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Words that a machine understands but the reader ignores are reported, for commands and for programs."""
+"""Words that a machine understands but the reader ignores have a remark, in commands and in programs."""
 
 from __future__ import annotations
 
@@ -45,7 +45,7 @@ def told(commands):
     ([("M30", {})], []),
     ([("G1", {"X": 1.0}), ("M02", {}), ("M5", {}), ("G1", {"X": 2.0}), ("M30", {}), ("G0", {"X": 3.0})], [("goes-on", 5, 2)]),
 ])  # fmt: skip
-def test_commands(commands, problems):
+def test_ignored_words_of_commands_have_a_remark(commands, problems):
     assert told(commands) == problems
 
 
@@ -55,7 +55,7 @@ def test_inverse_time_feeds_are_not_speeds():
     assert [note.code for note in machining(path).left_out] == ["cutting-untimed"]
 
 
-def test_time_without_a_dwell_is_the_least():
+def test_time_without_a_known_dwell_has_a_note():
     assert [note.codes for note in machining(linearize([*START, ("G4", {"S": 1.0})])).left_out] == [
         ("in-commands", "dwell-untimed")
     ]
@@ -72,7 +72,7 @@ def test_time_without_a_dwell_is_the_least():
     ("G76 P1 Z-2 Q1", ("unknown-code-with-words", "Z", "'G76'")),
     ("$H", ("words-not-read",)), ("G81 R2 Z-2 I-20\nG80", ("word-not-read", "I")), ("G15 H1", ("coordinates-not-changed", "G15")),
 ])  # fmt: skip
-def test_programs(line, problem):
+def test_ignored_words_of_programs_have_a_remark(line, problem):
     program = read_program(f"G21 G90\nG0 X0 Y0 Z5\nG1 Z-1 F100\n{line}\nX10 Y3")
     assert [(p.what.code, *p.what.arguments.values()) for p in program.problems] == [problem]
     assert program.problems[0].command == 4 + (line.startswith("G43"))
@@ -105,14 +105,14 @@ def test_programs(line, problem):
         "G8",
     ],
 )
-def test_words_that_say_nothing_of_the_way(line):
+def test_words_without_effect_on_the_path_have_no_remark(line):
     program = read_program(f"G21 G90\nG0 X0 Y0 Z5\nG1 Z-1 F100\n{line}\nX10 Y3")
     assert program.problems == () and program.other is None
     assert program.toolpath().points.max() <= 10 and not program.comments
 
 
 @pytest.mark.parametrize("line", ["G1 X50 Y20 M203", "X50 Y20 M1000", "M206 G1 X50 Y20"])
-def test_machines_own_m_codes_take_no_target(line):
+def test_custom_m_codes_keep_the_move_of_their_line(line):
     path = read_program(f"G21 G90\nG0 X0 Y0 Z5\nG1 Z-1 F100\n{line}\nX10 Y3").toolpath()
     assert [50, 20, -1] in path.points.tolist()
 
@@ -133,6 +133,6 @@ def test_program_with_rotary_moves_only_is_refused():
     ("G82 X1 Z-2 R1 P0.5\nX2\nX3\nG80", [0.5, 0.5, 0.5]), ("G82 X1 Z-2 R1 P0.5\nG81 X2 Z-2 R1\nG80", [0.5]),
     ("G91\nG82 X1 Z-2 R1 L3 P0.5\nG80", [0.5, 0.5, 0.5]),
 ])  # fmt: skip
-def test_dwells_of_programs(lines, seconds):
+def test_dwells_of_programs_are_read_in_seconds(lines, seconds):
     path = read_program(f"G21 G90\nG0 X0 Y0 Z5\nG1 Z0 F100\n{lines}\nG0 Z5\n").toolpath()
     assert path.dwells[:, 1].tolist() == seconds and path.dwells[:, 0].min() == 4 + lines.startswith("G91")

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Commands are converted to columns in chunks, so that the conversion needs little more memory than the columns."""
+"""Commands are converted to columns in batches, which need little more memory than the columns."""
 
 from __future__ import annotations
 
@@ -28,19 +28,19 @@ class Command:
 
 @pytest.fixture
 def many(monkeypatch):
-    """Return the number of commands, and reduce the chunk size to an eighth of it.
+    """Return the number of commands, and reduce the batch size to an eighth of it.
 
-    With small chunks, few commands suffice to see that the memory depends on the chunk and not on the whole.
+    With small batches, few commands show that the memory depends on the batch and not on the whole.
     """
     monkeypatch.setattr(words, "_PIECE", 1_500)
     return 12_000
 
 
-def test_very_many_commands_take_little_memory(many):
+def test_many_commands_need_little_memory(many):
     commands = [Command()] * many
     read, _, peak = memory(lambda: Words(commands))
     assert len(read) == len(commands) and (read.column("Y")[0] == 2).all()
-    # A dictionary of three numbers takes 256 bytes, and a name 50.
+    # A dictionary of three numbers needs 256 bytes, and a name 50 bytes.
     assert peak < 150 * len(commands), f"{peak / len(commands):.0f} bytes a command"
 
 
@@ -63,7 +63,7 @@ def test_used_commands_free_their_memory(many):
 
 
 @pytest.mark.parametrize("piece", [1, 3, 7])
-def test_reading_in_pieces_equals_reading_the_whole(piece, monkeypatch):
+def test_reading_in_batches_equals_reading_at_once(piece, monkeypatch):
     commands = [c for make in programs.SOUND.values() for c in make()[:40]]
     commands += [
         ("X10", {"Y": 1.0}),
@@ -99,12 +99,12 @@ def test_commands_with_two_codes_are_read_with_both(commands, length):
     assert [problem.what.code for problem in path.problems] == ["two-codes"]
 
 
-def test_words_beside_a_state_continue_the_motion():
+def test_words_beside_a_modal_code_continue_the_motion():
     path = linearize([*BEFORE_CODES, ("G90", {"X": 45})])
     assert path.points[-1].tolist() == [45, 20, 18] and not path.rapid[-1] and not path.problems
 
 
-def test_state_beside_home_stays_in_force():
+def test_modal_code_beside_home_stays_in_force():
     path = linearize([*BEFORE_CODES, ("G28", {"G": 91, "Z": 0}), ("G1", {"X": 1})])
     assert path.points[-1].tolist() == [16, 20, 25]
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Bites of adaptive clearing are open strokes that bend in the usual sense and overlap the previous or next bite."""
+"""Bites of adaptive clearing are open strokes with the usual sense of bend that overlap the previous or next bite."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ from vkworkbench.core.recognition.patterns.strokes import relate_strokes
 
 
 def wavy(x):
-    """Return an arc that bends by as large an angle as a bite, but turns back by more than half a turn on the way."""
+    """Return an arc that bends by the angle of a bite, but turns back by more than half a turn on its way."""
     points, heading = [(50.0 + x, 0.0, 0.0)], 0.0
     for bend in [0.5, 0.5, 0.5, -0.5, -0.5, -0.5, -0.5, 0.5, 0.5, 0.5, 0.5] + [0.2] * 12:
         heading += bend
@@ -36,14 +36,14 @@ def bites(*strokes):
     return "".join("b" if bite else "a" if against else "-" for bite, against in zip(found.bite, found.against))
 
 
-def test_arcs_that_overlap_the_next_are_bites():
+def test_arcs_that_overlap_the_next_arc_are_bites():
     assert bites(arc(0), arc(2), arc(4), arc(6)) == "bbbb"
     assert bites(arc(0, 0), arc(0, 2), arc(0, 4)) == "bbb"
 
 
 def test_arc_far_from_its_neighbours_is_not_a_bite():
     assert bites(arc(0), arc(2), arc(100), arc(200), arc(202)) == "bb-bb"
-    # Beside in one direction only is not over one another.
+    # Arcs that are close in one direction only do not overlap.
     assert bites(arc(0, 0), arc(0, 100), arc(100, 100)) == "---"
     assert bites(arc(0, 0), arc(0, 2), arc(0, -100), arc(-100, -100)) == "bb--"
 
@@ -59,12 +59,12 @@ def test_stroke_that_bends_less_than_a_quarter_is_not_a_bite():
     assert bites([(0, 0, 0), (20, 0, 0)], [(0, 1, 0), (20, 1, 0)]) == "--"
 
 
-def test_arc_of_other_sense_counts_against_everywhere():
+def test_arc_of_the_other_sense_is_counted_against_bites():
     assert bites(arc(0), arc(2), arc(4), arc(100, clockwise=True)) == "bbba"
     assert bites(arc(0, clockwise=True), arc(2, clockwise=True), arc(4, clockwise=True), arc(6)) == "bbba"
 
 
-def test_longer_strokes_decide_the_sense():
+def test_longer_strokes_decide_the_sense_of_bites():
     assert (
         bites(arc(0, radius=40), arc(2, radius=40), *(arc(30 + i, radius=4, clockwise=True) for i in range(5)))
         == "bbaaaaa"
@@ -72,7 +72,7 @@ def test_longer_strokes_decide_the_sense():
 
 
 def led_out(x):
-    """An arc that leaves the wall on a bend of 40 degrees the other way."""
+    """Return an arc that leaves the wall on a bend of 40 degrees in the other direction."""
     points = arc(x)
     heading = math.atan2(points[-1][1] - points[-2][1], points[-1][0] - points[-2][0])
     for _ in range(4):
@@ -81,15 +81,15 @@ def led_out(x):
     return points
 
 
-def test_stroke_turning_back_is_not_a_bite():
+def test_stroke_that_turns_back_is_not_a_bite():
     assert bites(led_out(0.0), led_out(1.0)) == "bb"
     assert bites(wavy(0.0), wavy(1.0)) == "--"
 
 
-def test_slopes_depths_and_footprints():
+def test_slopes_depths_and_footprints_of_strokes_are_counted():
     found = strokes_of([arc(0), arc(0, z=-2.0), arc(50, z=-2.0), arc(100, drop=1.0)])
     assert found.sloped.tolist() == [False, False, False, True]
-    assert (found.distinct, found.depths) == (3, 2)  # what is sloped has no depth of its own
+    assert (found.distinct, found.depths) == (3, 2)  # a sloped stroke does not count as a depth
     assert found.typical == pytest.approx(0.4 * 2 * math.pi * 10, rel=0.01)
 
 
@@ -98,7 +98,7 @@ def test_typical_length_weights_strokes_by_length():
     assert found.typical == pytest.approx(0.4 * 2 * math.pi * 10, rel=0.01)
 
 
-def test_no_strokes():
+def test_section_without_strokes_has_no_bites():
     found = relate_strokes(cut_pieces(monotonous_areas(linearize(programs.program([arc(0)])))), np.zeros(0, np.int64))
     assert (len(found), found.distinct, found.depths, found.typical) == (0, 0, 0, 0.0)
     assert len(found.bite) == len(found.against) == len(found.sloped) == 0

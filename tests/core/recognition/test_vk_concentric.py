@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Concentric arcs with known lengths and distances, and the quantities behind the confidence of a strategy."""
+"""Concentric arcs with known lengths and distances: measures of arcs, and toolpaths without concentric arcs."""
 
 from __future__ import annotations
 
@@ -37,26 +37,27 @@ def found(
     return find_arcs(moves, pieces, np.arange(len(pieces)))
 
 
-def test_lengths_and_steps_of_arcs_one_way():
+def test_lengths_and_steps_of_arcs_in_one_direction():
     arcs = found([10, 12, 14, 16])
     assert (arcs.count, arcs.spiral, arcs.opposite) == (4, 0, 0)
     assert arcs.length == pytest.approx(QUARTER * 52, rel=1e-3)
     assert arcs.step == pytest.approx(2, rel=1e-3) and arcs.even == pytest.approx(1)
-    assert arcs.same == pytest.approx(QUARTER * 36, rel=1e-3)  # the shorter of each two
+    assert arcs.same == pytest.approx(QUARTER * 36, rel=1e-3)  # the shorter arc of each pair counts
 
 
-def test_arcs_to_and_fro_run_against_their_neighbours():
+def test_arcs_cut_back_and_forth_are_opposite_to_neighbours():
     arcs = found([10, 12, 14, 16], way=lambda k: 1 - 2 * (k % 2))
     assert arcs.opposite == pytest.approx(QUARTER * 36, rel=1e-3) and arcs.same == 0
     arcs = found([10, 12, 14, 16], way=lambda k: -1 if k == 3 else 1)
     assert (arcs.opposite, arcs.same) == pytest.approx((QUARTER * 14, QUARTER * 22), rel=1e-3)
 
 
-def test_a_short_step_is_uneven_and_a_long_one_no_neighbour():
+def test_short_step_is_uneven_and_long_step_is_no_neighbour():
     uneven = found([10, 12, 14, 16, 16.2, 18.2])
-    assert uneven.step == pytest.approx(2, rel=1e-3) and uneven.count == 5  # 16 and 16.2 are as good as one
+    assert uneven.step == pytest.approx(2, rel=1e-3) and uneven.count == 5  # 16 and 16.2 mm count as one radius
     assert uneven.even == pytest.approx((10 + 12 + 14 + 16.2) / (10 + 12 + 14 + 16 + 16.2), rel=1e-3)
-    assert found([20, 24, 28, 32, 32.4, 36.4]).even == pytest.approx(uneven.even)  # whatever the size
+    # the result does not depend on the size
+    assert found([20, 24, 28, 32, 32.4, 36.4]).even == pytest.approx(uneven.even)
     apart = found([10, 12, 14, 40, 42])
     assert apart.same == pytest.approx(QUARTER * (10 + 12 + 40), rel=1e-3)
     assert apart.even == pytest.approx((10 + 12 + 40) / (10 + 12 + 14 + 40), rel=1e-3)
@@ -74,24 +75,25 @@ def test_arc_repeated_at_another_depth_is_not_a_step():
 
 
 @pytest.mark.parametrize(("climb", "spirals"), [(0.1, False), (0.2, True), (-0.2, True)])
-def test_widening_arc_is_part_of_a_spiral(climb, spirals):
-    """By 0.1 and 0.2 mm in a quarter turn: 0.4 and 0.8 mm in a turn, where steps are 2 mm."""
-    arcs = found([10, 12, 14, 16], climb=climb, turned=QUARTER)  # all around, or another centre would fit
+def test_arc_with_growing_radius_is_part_of_a_spiral(climb, spirals):
+    """The radius grows by 0.1 or 0.2 mm per quarter turn, which is 0.4 or 0.8 mm per turn. The steps are 2 mm."""
+    # the arcs go all around, because another centre would fit fewer arcs
+    arcs = found([10, 12, 14, 16], climb=climb, turned=QUARTER)
     assert arcs.spiral == pytest.approx(arcs.length if spirals else 0)
 
 
 @pytest.mark.parametrize(("climb", "spirals"), [(0.1, False), (0.3, True)])
-def test_widening_arcs_of_few_chords_are_spiral(climb, spirals):
+def test_arcs_of_few_chords_with_growing_radius_are_a_spiral(climb, spirals):
     """From the middle of the first chord to the middle of the last chord, three quarters of `climb` are measured.
 
-    A full turn is four quarter circles: the radius grows by 0.4 or 1.2 mm.
+    In a full turn of four quarter circles, the radius grows by 0.4 or 1.2 mm.
     """
     arcs = found([10, 12, 14, 16], climb=climb, turned=QUARTER, chords=4)
     assert arcs.spiral == pytest.approx(arcs.length if spirals else 0)
 
 
 def test_detours_do_not_change_the_centre_of_arcs():
-    """Each arc of 16 to 25 mm ends with a detour of 0.6 mm away from the centre and back, in small steps."""
+    """Each arc, 16 to 25 mm long, ends with a detour of 0.6 mm away from the centre and back, in small steps."""
     out = np.linspace(0, 0.6, 13)
     arcs = found([10, 12, 14, 16], aside=[*out[1:], *out[-2::-1]])
     assert (arcs.count, arcs.spiral, arcs.opposite) == (4, 0, 0)
@@ -100,8 +102,8 @@ def test_detours_do_not_change_the_centre_of_arcs():
 
 @pytest.mark.parametrize("degrees", [0, 45, 90])
 @pytest.mark.parametrize("lean", [0.0, 2.0])
-def test_rows_have_no_centre(degrees, lean):
-    """Whichever way they lie, and though they lean by 2 mm on 50 mm to either side in turn."""
+def test_rows_have_no_common_centre(degrees, lean):
+    """The rows have different directions. In every row, 2 mm on 50 mm lean to alternating sides."""
     rows = np.array(
         [(x, 6.0 * k + lean * (x > 0) * (-1) ** k) for k in range(8) for x in ((0, 50) if k % 2 == 0 else (50, 0))]
     )
@@ -114,7 +116,7 @@ def test_rows_have_no_centre(degrees, lean):
 
 
 @pytest.mark.parametrize(("degrees", "bent"), [(17, False), (24, True)])
-def test_arc_below_twenty_degrees_is_straight(degrees, bent):
+def test_arc_of_less_than_twenty_degrees_is_straight(degrees, bent):
     """Directions that spread evenly over 0.35 rad (20 degrees) have a hundredth of the largest possible scatter."""
     arcs = found([60, 62, 64, 66], sector=np.radians(degrees))
     assert (arcs is not None) == bent

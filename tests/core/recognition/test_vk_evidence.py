@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The numbers of a verdict and the sentence that reports them, for drawn toolpaths with known numbers."""
+"""The numbers of a verdict, and the sentence with these numbers, for drawn toolpaths with known numbers."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ def found_in(commands):
     ("outward", "clockwise", "milling"),
     [(True, False, "climb"), (True, True, "conventional"), (False, False, "conventional"), (False, True, "climb")],
 )
-def test_climb_milling_has_material_on_the_right(outward, clockwise, milling):
+def test_climb_milling_has_uncut_material_on_the_right(outward, clockwise, milling):
     sides = [20 + 6 * k for k in range(8)][:: 1 if outward else -1]
     found = found_in(programs.program([polygon(side, clockwise=clockwise) for side in sides]))
     assert found.strategy is Strategy.CONTOUR_PARALLEL and found.stepover == pytest.approx(3.0)
@@ -43,7 +43,7 @@ def test_loops_of_both_senses_have_no_milling_direction():
 
 
 def test_growing_and_shrinking_loops_have_no_milling_direction():
-    """An outward nest and, as long, an inward one, all counter-clockwise."""
+    """The loops of an outward and an inward nest have equal lengths, and all run counter-clockwise."""
     sides = [20 + 6 * k for k in range(8)]
     strokes = [polygon(side) for side in sides] + [polygon(side, x=200.0) for side in sides[::-1]]
     found = found_in(programs.program(strokes))
@@ -51,7 +51,7 @@ def test_growing_and_shrinking_loops_have_no_milling_direction():
 
 
 def test_profile_of_two_nested_contours_has_no_stepover():
-    """The contours are those in a narrow slot whose walls move inward only at the lowest depth."""
+    """In a narrow slot, the walls move inward only at the lowest depth."""
     strokes = [polygon(60, z=-float(k)) for k in range(5)] + [polygon(58, z=-4.0)]
     found = found_in(programs.program(strokes))
     assert found.strategy is Strategy.PROFILE and found.stepover is None and "apart" not in found.reason
@@ -67,8 +67,11 @@ def test_rows_have_a_direction_and_depths():
 
 
 @pytest.mark.parametrize(("width", "depths"), [(5.0, 3), (10.4, 3), (10.6, 0), (14.6, 0), (15.4, 6)])
-def test_contour_with_tags_has_depth_of_three_quarters(width, depths):
-    """Squares with sides of 25 mm: two tags, which are two mm wider than their tops; three tenths up there are a depth, too."""
+def test_tagged_contour_has_depths_if_most_of_it_is_level(width, depths):
+    """Squares with sides of 25 mm have two tags with slopes 2 mm wide.
+
+    The tops of the tags, if long, count as depths.
+    """
     strokes = []
     for z in (-1.0, -2.0, -3.0):
         tag = [(5.0, z), (6.0, z + 0.5), (6.0 + width, z + 0.5), (7.0 + width, z)]
@@ -78,7 +81,7 @@ def test_contour_with_tags_has_depth_of_three_quarters(width, depths):
     assert found.strategy is Strategy.PROFILE and found.depths == depths
 
 
-def test_a_contour_that_is_ramped_into_lies_at_its_depth():
+def test_contour_with_a_ramp_has_the_depth_of_its_end():
     corners = [(25, 0), (25, 25), (0, 25), (0, 0), (25, 0)]
     ramped = [(0, 0, 0.0), (10, 0, -1.0), *((x, y, -1.0) for x, y in corners)]
     assert found_in(programs.program([ramped])).depths == 1
@@ -90,7 +93,7 @@ def test_repeated_contour_has_depths_and_no_stepover():
     assert "3 depths" in found.reason and "apart" not in found.reason
 
 
-def test_grids_have_the_rows_of_both_directions():
+def test_grid_has_the_rows_of_both_directions():
     across = [[(0.0, 3.0 * row, 0.0), (60.0, 3.0 * row, 0.0)] for row in range(20)]
     down = [[(4.0 * row, 0.0, 0.0), (4.0 * row, 57.0, 0.0)] for row in range(16)]
     found = found_in(programs.program(across + down))
@@ -98,7 +101,7 @@ def test_grids_have_the_rows_of_both_directions():
     assert found.stepover == pytest.approx(3.0) and found.direction == pytest.approx(0.0)
 
 
-def test_letters_are_strokes():
+def test_letters_are_reported_as_strokes():
     found = found_in(programs.engraving())
     assert found.strategy is Strategy.ENGRAVING and found.direction is None and found.milling is None
     assert "strokes" in found.reason
@@ -113,16 +116,17 @@ def said(strategy, count=1, **more):
 
 
 def rows(count=10, length=48.0, step=3.0, x=46.0, y=-54.0, z=0.0):
-    """Rows there and back in one stroke."""
+    """Return rows in both directions, in one stroke."""
     ends = ((x, x + length), (x + length, x))
     return [(end, y + row * step, z) for row in range(count) for end in ends[row % 2]]
 
 
-def test_rows_in_contour_report_their_own_numbers():
+def test_rows_inside_a_contour_report_their_own_numbers():
     both = section(rows(), polygon(54))
     e = gather_evidence(both, said(Strategy.ZIGZAG))
     assert (e.passes, e.stepover, e.direction, e.sense) == (10, 3, 0, None)
-    e = gather_evidence(both, said(Strategy.ENGRAVING))  # what is neither rows nor around has the direction of its rows
+    # strategies other than rows and loops report the direction of their rows
+    e = gather_evidence(both, said(Strategy.ENGRAVING))
     assert (e.passes, e.stepover, e.direction, e.sense) == (10, 3, 0, None)
     e = gather_evidence(both, said(Strategy.PROFILE))
     assert (e.passes, e.stepover, e.direction, e.sense) == (1, None, None, "ccw")
@@ -130,8 +134,8 @@ def test_rows_in_contour_report_their_own_numbers():
     assert (e.passes, e.stepover, e.direction, e.sense) == (1, None, None, "ccw")
 
 
-def test_step_is_row_distance_or_grid_period():
-    """Every other row first: 6 mm from one to the next, 3 mm from line to line."""
+def test_stepover_is_row_distance_or_grid_period():
+    """Every other row is cut first: the tool moves 6 mm from row to row, and neighbouring lines are 3 mm apart."""
     order = [*range(0, 20, 2), *range(1, 20, 2)]
     across = [[(0, 3.0 * k, 0), (60, 3.0 * k, 0)] for k in order]
     down = [[(3.0 * k, 0, 0), (3.0 * k, 57, 0)] for k in order]
@@ -141,8 +145,8 @@ def test_step_is_row_distance_or_grid_period():
 
 
 @pytest.mark.parametrize(("downward", "stepover"), [(70.0, 3.0), (50.0, 0.6)])
-def test_grid_step_with_one_family_like_rows(downward, stepover):
-    """Two lines in every 3 mm, as a ball on a billiard table runs, and across them no line is followed by its neighbour."""
+def test_grid_stepover_if_only_one_family_is_in_rows(downward, stepover):
+    """Two lines lie in every 3 mm. In the family across them, no line is followed by its neighbour."""
     across = [(0.0, 60.0)[:: -1 if k % 2 else 1] for k in range(40)]
     across = [
         [(x, 3.0 * (k // 2) + 0.6 * (k % 2), 0), (u, 3.0 * (k // 2) + 0.6 * (k % 2), 0)]
@@ -154,7 +158,7 @@ def test_grid_step_with_one_family_like_rows(downward, stepover):
     assert gather_evidence(found, said(Strategy.ZIGZAG)).stepover == pytest.approx(stepover)
 
 
-def test_step_of_verdict_is_the_fallback():
+def test_step_of_the_verdict_is_used_if_no_step_is_measured():
     strokes = section(*([(60.0 * k, 0, 0), (60.0 * k + 30, 9.0 * k, 0)] for k in range(4)))
     e = gather_evidence(strokes, said(Strategy.CONTOUR_PARALLEL, 7, step=2.5))
     assert (e.passes, e.stepover) == (7, 2.5)
@@ -163,8 +167,8 @@ def test_step_of_verdict_is_the_fallback():
 
 
 @pytest.mark.parametrize("length, depths", [(4.0, 1), (6.0, 2)])
-def test_tiny_piece_has_no_own_depth(length, depths):
-    """Beside a contour of 240 mm."""
+def test_tiny_piece_does_not_count_as_a_depth(length, depths):
+    """The piece lies beside a contour of 240 mm."""
     found = section(polygon(60), [(200, 0, -1), (200 + length, 0, -1)])
     assert gather_evidence(found, said(Strategy.PROFILE)).depths == depths
 
@@ -188,7 +192,7 @@ BENT = [[(60.0 * k, 0, 0), (60.0 * k + 9, 0, 0), (60.0 * k + 9, 9.0 + k, 0)] for
     ],
     ids=lambda value: str(value) if isinstance(value, (str, Strategy)) else "",
 )
-def test_reason_contains_the_counts(strokes, strategy, code, count):
+def test_reason_contains_the_number_of_rows_loops_or_strokes(strokes, strategy, code, count):
     found = section(*strokes)
     verdict = said(strategy)
     message = reason_of(found, verdict, gather_evidence(found, verdict))
@@ -197,8 +201,8 @@ def test_reason_contains_the_counts(strokes, strategy, code, count):
 
 
 @pytest.mark.parametrize(("heights", "depths"), [((-1.0,), 1), ((-1.0, -3.0), 2), ((-1.0, -3.0, -5.0), 3)])
-def test_rows_ramped_at_several_depths_in_one_stroke(heights, depths):
-    """From the last row of a depth the tool ramps along that row, and cuts the rows again on its way back."""
+def test_rows_with_ramps_between_depths_have_all_depths(heights, depths):
+    """From the last row of a depth, the tool ramps down along that row, and cuts the rows again in reverse order."""
     stroke, up = [], True
     for z in heights:
         around = [(x, 3.0 * row, z) for row in range(10) for x in ((0, 50) if row % 2 == 0 else (50, 0))]
@@ -208,7 +212,7 @@ def test_rows_ramped_at_several_depths_in_one_stroke(heights, depths):
 
 
 def thread(first, pitch, lead=True):
-    """Commands of a thread of five turns between two level leads."""
+    """Return the commands of a thread of five turns between two level leads."""
     commands = [("G0", {"X": 0.0, "Y": 0.0, "Z": 5.0}), ("G0", {"Z": first})]
     commands += [("G1", {"X": 4.0, "F": 5.0})]
     commands += [("G3", {"X": 4.0, "Y": 0.0, "Z": first + pitch * (k + 1), "I": -4.0, "J": 0.0}) for k in range(5)]
@@ -216,14 +220,14 @@ def thread(first, pitch, lead=True):
 
 
 @pytest.mark.parametrize("first, pitch, seen", [(0.0, -1.25, "descending"), (-10.0, 1.25, "climbing")])
-def test_thread_has_a_sense_and_leads_are_not_depths(first, pitch, seen):
+def test_thread_has_a_direction_and_leads_are_not_depths(first, pitch, seen):
     found = recognize(linearize(thread(first, pitch)), tool_diameter=6.0)
     assert (found.strategy, found.depths) == ("helix", 0)
     assert f"over 5 loops, {seen} at a constant radius" in found.reason
 
 
 def loops(*boxes):
-    """Commands of rectangles (x, y, width, height), each after a plunge."""
+    """Return the commands of rectangles (x, y, width, height), each after a plunge."""
     commands = [("G0", {"X": 0.0, "Y": 0.0, "Z": 5.0})]
     for x, y, w, h in boxes:
         commands += [("G0", {"Z": 5.0}), ("G0", {"X": x, "Y": y}), ("G1", {"Z": -1.0, "F": 5.0})]
@@ -231,8 +235,8 @@ def loops(*boxes):
     return commands
 
 
-def test_reason_has_share_of_nested_loops():
-    """Two loops are nested; three others lie apart and are longer."""
+def test_reason_contains_the_share_of_nested_loops():
+    """Two loops are nested. Three other loops are longer and far apart."""
     found = recognize(
         linearize(loops((0, 0, 40, 40), (3, 3, 34, 34), *((100 * k, 0, 60, 50) for k in (1, 2, 3)))), tool_diameter=6.0
     )
@@ -249,7 +253,10 @@ def test_toolpath_without_descent_has_no_entry():
 
 
 def test_contour_after_adaptive_clearing_is_its_finishing_pass():
-    """The contour goes around the cleared area, at its depth; a small loop in its middle finishes nothing."""
+    """The contour goes around the cleared area, at its depth.
+
+    A small loop in the middle of the area finishes nothing.
+    """
     commands = synthetic.adaptive(np.random.default_rng(2))
     low, high = (side(linearize(commands).points, axis=0) for side in (np.min, np.max))
 

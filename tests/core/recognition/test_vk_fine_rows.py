@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Rows that are much closer than the tool is wide are rows. A pass that is cut again in its place is not."""
+"""Rows much closer than the tool's diameter are rows. A pass that is repeated in the same place is not a row."""
 
 from __future__ import annotations
 
@@ -26,8 +26,8 @@ def test_fine_rows_keep_strategy_and_stepover(seed):
     assert found.confidence > 0.8
 
 
-def test_zigzag_of_the_paper_is_a_sure_zigzag():
-    """17,000 trajectories, rows 0.0094 mm apart, a tool of 6 mm."""
+def test_zigzag_of_the_paper_has_a_high_confidence():
+    """The paper's zigzag has 17,000 trajectories in rows 0.0094 mm apart, for a tool of 6 mm."""
     found = recognize(linearize(programs.zigzag(8500, 80.0, 0.0094)), tool_diameter=6.0)
     assert (found.strategy, found.passes) == ("zigzag", 8500)
     assert found.stepover == pytest.approx(0.0094)
@@ -35,7 +35,7 @@ def test_zigzag_of_the_paper_is_a_sure_zigzag():
 
 
 def repeated(contour, count, shift, deeper):
-    """Commands that cut a contour again and again, each time shifted across and deeper, mm."""
+    """Return the commands of a repeated contour, each time shifted sideways and deeper, mm."""
     commands = []
     for k in range(count):
         points = np.array(contour, float) + shift(k)
@@ -46,8 +46,8 @@ def repeated(contour, count, shift, deeper):
 
 @pytest.mark.parametrize("contour", CONTOURS)
 @pytest.mark.parametrize("deeper", [0.0, 0.5])
-def test_contour_cut_again_is_not_rows(contour, deeper):
-    """Rounding moves the passes by up to 0.002 mm, in any direction."""
+def test_repeated_contour_is_not_rows(contour, deeper):
+    """Rounding moves the passes by up to 0.002 mm in any direction."""
     noise = np.random.default_rng(3).uniform(-0.002, 0.002, 40)
     found = recognize(linearize(repeated(CONTOURS[contour], 40, noise.__getitem__, deeper)), tool_diameter=6.0)
     assert found.strategy == "profile"
@@ -55,6 +55,6 @@ def test_contour_cut_again_is_not_rows(contour, deeper):
 
 @pytest.mark.parametrize("shift", [0.01, 0.05])
 def test_passes_down_a_slanted_wall_are_not_rows(shift):
-    """Each pass lies deeper than the last by more than it moves across."""
+    """Each pass moves farther down than sideways."""
     commands = repeated(CONTOURS["line"], 40, lambda k: np.array([0.0, shift * k]), 0.5)
     assert recognize(linearize(commands), tool_diameter=6.0).strategy in ("profile", "waterline")

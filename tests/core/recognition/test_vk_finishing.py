@@ -11,13 +11,13 @@ import pytest
 from vkworkbench.core import Strategy
 from vkworkbench.core.recognition.programs.finishing import CutSection, within_operations
 
-CLEARED = (0.0, 0.0, 30.0, 40.0)  # its diagonal is 50 mm
+CLEARED = (0.0, 0.0, 30.0, 40.0)  # the diagonal is 50 mm
 AROUND = (-2.0, -2.0, 32.0, 42.0)
 ZIGZAG, ADAPTIVE, PROFILE, OFFSETS = Strategy.ZIGZAG, Strategy.ADAPTIVE, Strategy.PROFILE, Strategy.CONTOUR_PARALLEL
 
 
 def found_in(*sections, where=0.0, doubtful=None, rapids=True):
-    """Return the indices of the sections that continue the operation before them.
+    """Return the indices of the sections that belong to the operation before them.
 
     A section is (strategy, box[, depth[, passes[, stepover]]]). The links between sections are rapids or feed moves.
     """
@@ -39,13 +39,13 @@ def found_in(*sections, where=0.0, doubtful=None, rapids=True):
 
 @pytest.mark.parametrize("where", [0.0, 1000.0])
 @pytest.mark.parametrize("clearing", [ZIGZAG, Strategy.ONE_WAY, ADAPTIVE])
-def test_finishing_contour_may_come_first(clearing, where):
+def test_finishing_contour_may_come_before_the_clearing(clearing, where):
     assert found_in((clearing, CLEARED), (PROFILE, AROUND), where=where) == [1]
     assert found_in((PROFILE, AROUND), (clearing, CLEARED), where=where) == [1]
 
 
 @pytest.mark.parametrize("rapids", [True, False])
-def test_link_to_next_section_is_not_part_of_contour(rapids):
+def test_link_to_the_next_section_is_not_part_of_a_contour(rapids):
     far = ADAPTIVE, (100.0, 100.0, 130.0, 140.0)
     assert found_in((ADAPTIVE, CLEARED), (PROFILE, AROUND), far, rapids=rapids) == [1]
 
@@ -53,7 +53,8 @@ def test_link_to_next_section_is_not_part_of_contour(rapids):
 @pytest.mark.parametrize(
     "sections",
     [
-        [(ADAPTIVE, CLEARED), (PROFILE, (-3.0, -2.0, 32.0, 42.0))],  # over a twentieth of the diagonal outside
+        # the contour extends beyond the area by more than a twentieth of the diagonal
+        [(ADAPTIVE, CLEARED), (PROFILE, (-3.0, -2.0, 32.0, 42.0))],
         [(ADAPTIVE, CLEARED), (PROFILE, (0.0, 0.0, 30.0, 36.0))],
         [(ADAPTIVE, CLEARED), (PROFILE, AROUND, -2.0)],
         [(OFFSETS, CLEARED, -1.0, 6), (PROFILE, AROUND)],
@@ -64,29 +65,29 @@ def test_link_to_next_section_is_not_part_of_contour(rapids):
         [(ADAPTIVE, CLEARED), (OFFSETS, AROUND, -1.0, 3)],
     ],
 )
-def test_other_contours_are_operations_of_their_own(sections):
+def test_contours_that_do_not_finish_are_own_operations(sections):
     assert found_in(*sections) == []
 
 
-def test_small_sections_have_no_stepover():
+def test_finishing_contour_of_a_small_area_needs_the_stepover():
     small, out = (0.0, 0.0, 3.0, 4.0), (-0.5, -0.5, 3.5, 4.5)  # a twentieth of the diagonal is 0.25 mm
     assert found_in((ADAPTIVE, small), (PROFILE, out)) == []
     assert found_in((ADAPTIVE, small, -1.0, 9, 0.6), (PROFILE, out)) == [1]
 
 
-def test_two_walls_may_lie_in_one_another_as_offsets_do():
+def test_two_nested_finishing_walls_belong_to_the_clearing():
     assert found_in((ADAPTIVE, CLEARED), (OFFSETS, AROUND, -1.0, 2)) == [1]
 
 
-def test_contour_within_a_stepover_finishes_rows():
-    out = (-3.5, -3.5, 33.5, 43.5)  # over a twentieth of the diagonal
+def test_contour_within_a_stepover_of_rows_finishes_them():
+    out = (-3.5, -3.5, 33.5, 43.5)  # farther outside than a twentieth of the diagonal
     lower, upper = (0.0, 0.0, 30.0, 15.0), (0.0, 20.0, 30.0, 40.0)
     assert found_in((ZIGZAG, CLEARED, -1.0, 9, 4.0), (PROFILE, out)) == [1]
     assert found_in((ZIGZAG, CLEARED, -1.0, 9, 3.0), (PROFILE, out)) == []
     assert found_in((ZIGZAG, lower, -1.0, 9, 4.0), (ADAPTIVE, upper, -1.0, 9), (PROFILE, out)) == [1, 2]
 
 
-def test_finishing_may_have_several_contours_and_places():
+def test_several_contours_and_areas_may_be_one_finishing():
     island, wall = (10.0, 10.0, 20.0, 20.0), (-1.0, -1.0, 31.0, 41.0)
     assert found_in((ADAPTIVE, CLEARED), (PROFILE, island), (PROFILE, wall)) == [1, 2]
     assert found_in((PROFILE, wall), (PROFILE, island), (ADAPTIVE, CLEARED)) == [1, 2]
@@ -95,7 +96,7 @@ def test_finishing_may_have_several_contours_and_places():
     assert found_in((ADAPTIVE, lower), (ADAPTIVE, upper), (PROFILE, lower)) == []
 
 
-def test_distant_or_deeper_contours_begin_an_operation():
+def test_distant_or_deeper_contour_is_an_own_operation():
     out = (-20.0, -20.0, 50.0, 60.0)
     assert found_in((ADAPTIVE, CLEARED), (PROFILE, AROUND), (PROFILE, out)) == [1]
     assert found_in((PROFILE, out), (PROFILE, AROUND), (ADAPTIVE, CLEARED)) == [2]
@@ -106,13 +107,13 @@ def test_distant_or_deeper_contours_begin_an_operation():
     ]
 
 
-def test_certain_borders_stay():
+def test_certain_borders_between_operations_are_kept():
     sections = (ADAPTIVE, CLEARED), (PROFILE, AROUND), (PROFILE, AROUND)
     assert found_in(*sections, doubtful=[2]) == []
     assert found_in(*sections, doubtful=[1]) == [1]
 
 
-def test_air_cut_between_two_sections_separates_them():
+def test_air_cut_between_clearing_and_contour_separates_them():
     points = np.array([(0.0, 0.0, 5.0), (0.0, 0.0, -1.0), (30.0, 40.0, -1.0), (0.0, 0.0, -1.0)])
     path = SimpleNamespace(points=points, rapid=np.array([True, False, False]))
     one, two = (

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Which pieces cover the same ground, at which depths."""
+"""Find the pieces that have the same footprint, and the depths of these pieces."""
 
 from __future__ import annotations
 
@@ -38,7 +38,7 @@ def test_moved_or_larger_piece_has_another_footprint(other):
 
 
 def test_same_box_with_longer_path_is_another_footprint():
-    """Along the border and, once, twice across: the box is the same, the length is not."""
+    """One path follows the border, and one path also crosses the box. The boxes are equal, and the lengths differ."""
     x, y, _ = np.min(polygon(**SQUARE), axis=0)
     wave = [(x, y, 0), (x + 20, y, 0), (x + 20, y + 10, 0), (x, y + 10, 0), (x, y + 20, 0), (x + 20, y + 20, 0)]
     pieces = pieces_of(wave, [*wave[:1], (x + 20, y, 0), (x + 20, y + 20, 0)])
@@ -50,12 +50,12 @@ def test_rounding_does_not_change_a_footprint():
     assert footprints(pieces, every(pieces))[1] == 1
 
 
-def test_shifted_by_over_a_tenth_is_elsewhere():
+def test_shift_of_more_than_a_tenth_is_another_footprint():
     pieces = pieces_of(*(polygon(**SQUARE, x=0.11 * k) for k in range(10)))
     assert footprints(pieces, every(pieces))[1] == 10
 
 
-def test_pieces_at_one_depth_are_not_repeated():
+def test_equal_pieces_at_one_depth_are_not_repeated():
     pieces = pieces_of(polygon(**SQUARE), polygon(**SQUARE, z=0.01), polygon(**SQUARE, x=100.0))
     again, count = come_again(pieces, every(pieces))
     assert not again.any() and count == 2
@@ -63,7 +63,7 @@ def test_pieces_at_one_depth_are_not_repeated():
     assert again.dtype == bool and len(again) == count == 0
 
 
-def test_different_heights_are_counted():
+def test_different_heights_are_counted_as_depths():
     heights = [np.array(z) for z in ([], [3.0], [3.0, 3.01], [-1.0, 0.0, -1.01, -2.0])]
     assert [count_depths(z) for z in heights] == [0, 1, 1, 3]
     assert [number_depths(z).tolist() for z in heights] == [[], [0], [0, 0], [1, 2, 1, 0]]

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Toolpaths in inches that were read as mm: the verdict fits the true size, and the lengths stay as they were read."""
+"""Toolpaths in inches that were read as mm have the strategy of their true size, and keep their lengths as read."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ PROGRAMS = {
 
 
 def steps_of(message):
-    """Yield all steps in a message and in the messages that it contains."""
+    """Yield all steps in a message and in the messages inside it."""
     for name, value in message.arguments.items():
         if name == "step":
             yield value
@@ -48,7 +48,7 @@ def test_toolpath_in_inches_has_the_same_strategy(name):
     assert recognize_inches(small, tool_diameter=TOOL, program=True).spans == found.spans
 
 
-def test_reasons_within_a_reason_are_of_the_size_that_was_read():
+def test_reason_of_several_operations_is_the_same_in_inches():
     """The reason for a program of two operations contains strategies instead of messages."""
     own = linearize([*PROGRAMS["zigzag"], *PROGRAMS["profile"]])
     own = replace(own, comments=(), tool_changes=np.array([len(linearize(PROGRAMS["zigzag"]))]))
@@ -57,7 +57,7 @@ def test_reasons_within_a_reason_are_of_the_size_that_was_read():
     assert true.strategy is Strategy.MIXED and found.why == true.why
 
 
-def test_one_operation_is_not_divided_where_it_retracts():
+def test_operation_in_inches_is_not_divided_at_its_retracts():
     own = replace(linearize([*PROGRAMS["zigzag"], *PROGRAMS["profile"]]), comments=())
     small = replace(own, points=own.points / INCH)
     true, found = recognize(own, tool_diameter=TOOL), recognize_inches(small, tool_diameter=TOOL)

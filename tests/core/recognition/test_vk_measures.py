@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The measures that the learned trees use, compared with values computed by hand, for drawn toolpaths."""
+"""The measures for the learned trees, compared with values computed by hand, for drawn toolpaths."""
 
 from __future__ import annotations
 
@@ -36,8 +36,8 @@ def holds(found, expected):
     assert {name: (found[name], value) for name, value in expected.items() if abs(found[name] - value) > 1e-6} == {}
 
 
-def test_a_zigzag():
-    """Ten rows of 50 mm, 3 mm apart; the last one runs back, half a turn from the first."""
+def test_measures_of_a_zigzag_match_hand_calculation():
+    """Ten rows of 50 mm are 3 mm apart. The last row runs in the direction opposite to the first row."""
     found = told(programs.zigzag(10, 50.0, 3.0))
     length, extent, links, turns = 527, hypot(50, 27), 27, 4.5
     holds(found, {
@@ -50,7 +50,7 @@ def test_a_zigzag():
         "climbs": 0, "level": 1, "corners": 1, "smooth": 0, "one_way": links / length, "one_axis": (500 - links) / length,
         "two_axes": 1,
     })  # fmt: skip
-    # Of 18 turns by a quarter two and two have one sense: arcs of half a turn.
+    # Of 18 quarter turns, each pair has one sense, and is an arc of half a turn.
     holds(found, {
         "half_arcs": 1, "short_arcs": 0, "long_arcs": 0, "sense_keeps": 9 / 17, "surprise": 0,
         "spread": sqrt(90) / 19 * log(50 / 3),
@@ -62,8 +62,8 @@ def test_a_zigzag():
     })  # fmt: skip
 
 
-def test_rings_at_two_depths():
-    """Two squares within one another, and the same a millimetre deeper; each has three quarter turns."""
+def test_measures_of_rings_at_two_depths_match_hand_calculation():
+    """Two nested squares are cut at two depths, 1 mm apart. Each square has three quarter turns."""
     found = told(programs.program([polygon(side, z=z) for z in (0.0, -1.0) for side in (40, 34)]))
     length, extent = 2 * 4 * (40 + 34), hypot(40, 40)
     holds(found, {
@@ -82,21 +82,21 @@ def test_rings_at_two_depths():
 
 
 def test_rings_of_even_depth_steps_are_even():
-    """Steps of 2, 3 and 4 mm: from 2.2 to 3.8 without the least and the largest tenth."""
+    """Without the smallest and the largest tenth, the steps of 2, 3 and 4 mm spread from 2.2 to 3.8 mm."""
     found = told(programs.program([polygon(side, z=-1.0 * k) for k, side in enumerate((40, 36, 30, 22))]))
     holds(
         found, {"evenness": log1p(1 + 1.6 / 3 / WATERLINES.ROUNDING), "ring_depths": log1p(4), "deeper": 1, "nested": 0}
     )
 
 
-def test_one_ring():
+def test_measures_of_one_ring_match_hand_calculation():
     found = told(programs.program([polygon(40)]))
     holds(found, {"rings": log1p(1), "distinct": 1, "ring_length": 160 / hypot(40, 40), "drift": 0, "sense_keeps": 1})
     holds(found, {**NO_ROWS, **NO_STROKES})
 
 
-def test_round_rings_that_move_on():
-    """Circles of 10 mm in a row, 2 mm apart: the way from the first to the last is straight."""
+def test_drift_of_round_rings_in_a_line_is_one():
+    """Circles of 10 mm are cut 2 mm apart on a straight line."""
     found = told(programs.program([polygon(20, x=2.0 * k, corners=48) for k in range(12)]))
     holds(found, {"drift": 1, "rings": log1p(12), "loops": 1, "smooth": 1, "corners": 0, "distinct": 1, "long_arcs": 1})
     assert found["roundness"] == pytest.approx(1, abs=0.01)
@@ -105,15 +105,15 @@ def test_round_rings_that_move_on():
     assert back["drift"] == pytest.approx(0, abs=1e-9)
 
 
-def test_open_strokes():
-    """Bent strokes of 20 mm; one in four climbs by one in ten."""
+def test_measures_of_open_strokes_match_hand_calculation():
+    """Four bent strokes have 20 mm each. The last stroke rises by 1 in 10."""
     strokes = [
         [(30.0 * k, 0.0, 0.0), (30.0 * k + 10.0, 0.0, (k == 3) * 1.0), (30.0 * k + 10.0, 10.0, (k == 3) * 2.0)]
         for k in range(4)
     ]
     found = told(programs.program(strokes))
     slanting = hypot(10, 0)
-    assert slanting == 10  # lengths are those in the plane
+    assert slanting == 10  # lengths are measured in the plane
     holds(found, {
         "strokes": 1, "stroke_count": log1p(4), "climbs": 2 / 80, "level": 0.75, "areas": log1p(4), "alike_areas": 0,
         "closed_areas": 0, "area_v": hypot(10, 10) / 20, "one_way": hypot(40, 40) / 80, "one_axis": 0, "two_axes": 1,
@@ -124,27 +124,27 @@ def test_open_strokes():
     holds(found, {"stroke_length": 20 / extent, "stroke_slopes": 0.25})
 
 
-def test_turns_to_either_side_cancel_in_one_sense_only():
-    """Two strokes, one bent to the left and one to the right."""
+def test_turns_to_both_sides_cancel_in_one_sense_only():
+    """One stroke bends to the left, and one stroke to the right."""
     found = told(programs.program([[(0, 0, 0), (10, 0, 0), (10, 10, 0)], [(50, 0, 0), (60, 0, 0), (60, -10, 0)]]))
     holds(found, {"net_turn": 1, "one_sense": 0, "sense_keeps": 0, "short_arcs": 1, "turned": log1p(0.5)})
 
 
 @pytest.mark.parametrize("aside, keeps", [(20, 1), (-20, 0)])
-def test_two_turns_are_of_one_sense_or_not(aside, keeps):
+def test_share_of_equal_senses_for_two_turns(aside, keeps):
     found = told(programs.program([[(0, 0, 0), (20, 0, 0), (20, 20, 0), (20 - aside, 20, 0)]]))
     holds(found, {"sense_keeps": keeps})
 
 
 @pytest.mark.parametrize("gap, closed", [(1.5, 1), (1.7, 0)])
-def test_area_is_closed_within_two_percent_gap(gap, closed):
-    """Two percent of the contour's length of 80 mm are 1.6 mm."""
+def test_area_with_a_gap_below_two_percent_is_closed(gap, closed):
+    """The contour's length is about 80 mm, and two percent of it are 1.6 mm."""
     around = [(0, 0, 0), (20, 0, 0), (20, 20, 0), (0, 20, 0), (0, gap, 0)]
     assert told(programs.program([around]))["closed_areas"] == closed
 
 
 def test_star_in_one_stroke_turns_more_than_once():
-    """A star in one stroke turns at four of its five corners, by 144 degrees each: 1.6 turns."""
+    """The star turns at four of its five corners by 144 degrees each, in all 1.6 turns."""
     star = [(20 * np.cos(angle), 20 * np.sin(angle), 0.0) for angle in 0.8 * np.pi * np.arange(6)]
     holds(told(programs.program([star])), {"closed_areas": 1, "one_turn": 0, "area_turns": log1p(1.6), "long_arcs": 1})
 
@@ -153,8 +153,8 @@ def test_star_in_one_stroke_turns_more_than_once():
     "degrees, kinds",
     [(100, "short"), (112, ""), (140, ""), (148, "half"), (212, "half"), (220, ""), (265, ""), (275, "long")],
 )
-def test_arcs_of_the_image_are_bends_half_turns_or_go_around(degrees, kinds):
-    """A stroke bends in one sense. Limits in turns: short up to 0.3, half from 0.4 to 0.6, long from 0.75."""
+def test_arcs_of_the_gauss_image_are_short_half_or_long(degrees, kinds):
+    """A stroke bends in one sense. Limits, in turns: short up to 0.3, half from 0.4 to 0.6, long from 0.75."""
     heading = np.radians(degrees) / 4 * np.arange(5)
     points = np.cumsum(np.column_stack((np.cos(heading), np.sin(heading), 0 * heading)) * 10, axis=0)
     found = told(programs.program([[(0.0, 0.0, 0.0), *points.tolist()]]))
@@ -169,7 +169,7 @@ def test_turn_below_a_ten_thousandth_is_straight(turn, keeps):
 
 
 @pytest.mark.parametrize("other, surprise", [(14.5, 0), (15.5, log(2))])
-def test_turns_are_dividing_retracts_by_fifteen_degrees(other, surprise):
+def test_turns_within_fifteen_degrees_are_equal(other, surprise):
     heading = np.radians(np.cumsum([0, 14, other, 14, other]))
     points = np.cumsum(np.column_stack((np.cos(heading), np.sin(heading), 0 * heading)) * 10, axis=0)
     holds(told(programs.program([[(0.0, 0.0, 0.0), *points.tolist()]])), {"surprise": surprise})
@@ -187,8 +187,11 @@ def test_surprise_is_the_entropy_of_the_turns():
     assert found["sense_keeps"] == pytest.approx(8 / 15)
 
 
-def test_middle_turns_are_sampled():
-    """Bent strokes of three moves, to the left and to the right in turns; the first and the last 450 moves are longer."""
+def test_turns_are_sampled_in_the_middle():
+    """Bent strokes of three moves turn left and right alternately.
+
+    The moves of the first and the last 150 strokes are longer.
+    """
     strokes = []
     for k in range(150 + 667 + 150):
         long, side = 10.0 if 150 <= k < 150 + 667 else 20.0, 1 - 2 * (k % 2)
@@ -202,7 +205,7 @@ def test_turns_by_less_than_fifteen_degrees_are_smooth(corners, smooth):
     holds(told(programs.program([polygon(20, corners=corners)])), {"smooth": smooth, "corners": 0})
 
 
-def test_nothing_turns():
+def test_measures_of_straight_strokes_have_no_turns():
     found = told(programs.program([[(0, 0, 0), (10, 0, 0)], [(0, 20, 0), (20, 20, 0)]]))
     holds(found, {
         "half_arcs": 0, "short_arcs": 0, "long_arcs": 0, "sense_keeps": 0, "surprise": 0, "spread": log(2) / 2, "turned": log1p(0.02 / (2 * pi)),
@@ -211,8 +214,8 @@ def test_nothing_turns():
 
 
 @pytest.mark.parametrize("rows", [(3.0, 3.0), (3.0, 5.0)])
-def test_two_families_of_rows(rows):
-    """A grid: the sums are of both, the proportions of the longer one."""
+def test_measures_of_a_grid_combine_both_families_of_rows(rows):
+    """Sums contain both families of the grid. Proportions are those of the family with longer rows."""
     step, other = rows
     across = [[(0.0, step * k, 0.0), (60.0, step * k, 0.0)] for k in range(12)]
     down = [[(other * k, 0.0, 0.0), (other * k, 33.0, 0.0)] for k in range(12)]

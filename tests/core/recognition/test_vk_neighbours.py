@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Find open strokes that lie side by side, among drawn strokes with and without neighbours."""
+"""Find open strokes side by side, among drawn strokes with and without neighbours."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ def neighbours(strokes, tool=TOOL):
 
 
 def corner(offset, z=0.0):
-    """Along two walls, an offset from them."""
+    """Return a stroke along two walls, at an offset from the walls."""
     return [(offset, 60.0, z), (offset, offset, z), (80.0, offset, z)]
 
 
@@ -30,20 +30,23 @@ def line(y, x=0.0, length=50.0, z=0.0, slant=0.0):
     return [(x, y, z), (x + length, y + slant, z)]
 
 
-def test_offsets_of_a_corner_lie_a_step_apart():
+def test_offsets_of_a_corner_have_their_step():
     found = neighbours([corner(2.0 * k) for k in range(6)])
     assert (found.count, found.share, found.even, found.onward) == pytest.approx((6, 1, 1, 1))
     assert found.step == pytest.approx(2.0, abs=0.05)
 
 
-def test_every_other_one_back():
+def test_offsets_cut_back_and_forth_do_not_go_onward():
     found = neighbours([corner(2.0 * k)[:: 1 - 2 * (k % 2)] for k in range(6)])
     assert (found.count, found.even, found.onward) == pytest.approx((6, 1, 0))
 
 
 @pytest.mark.parametrize("lag", [1, 2, 3, 4])
-def test_a_neighbour_is_one_of_the_last_three(lag):
-    """The offsets of `lag` walls are cut in turns. The first wall's first stroke counts without a stroke before it."""
+def test_neighbour_of_a_stroke_is_one_of_the_last_three(lag):
+    """The offsets of `lag` walls are cut in turns.
+
+    The first stroke of the first wall counts without a stroke before it.
+    """
     found = neighbours([line(100.0 * wall + 2.0 * k) for k in range(5) for wall in range(lag)])
     if lag > 3:
         assert found is None
@@ -54,8 +57,8 @@ def test_a_neighbour_is_one_of_the_last_three(lag):
 @pytest.mark.parametrize(
     ("apart", "tool", "beside"), [(4.7, TOOL, True), (4.9, TOOL, False), (4.9, 0.0, True), (0.01, 0.0, False)]
 )
-def test_neighbours_are_not_farther_apart_than_the_tool_reaches(apart, tool, beside):
-    """Nor on one line."""
+def test_neighbours_are_within_the_reach_of_the_tool(apart, tool, beside):
+    """Strokes on one line are not neighbours."""
     found = neighbours([line(apart * k, length=200.0) for k in range(5)], tool)
     assert (found is not None) == beside
 
@@ -65,56 +68,56 @@ def test_distant_short_line_is_not_a_neighbour():
     assert neighbours([line(6.0 * k, length=90.0) for k in range(5)], 0.0).count == 5
 
 
-def test_at_another_height_is_not_beside():
+def test_stroke_at_another_height_is_not_a_neighbour():
     assert neighbours([line(2.0 * k, z=-1.0 * k) for k in range(5)]) is None
     falling = [[(0.0, 2.0 * k, 5.0 - k), (50.0, 2.0 * k, -k)] for k in range(5)]
-    assert neighbours(falling).count == 5  # the height of a climbing stroke is not compared
+    assert neighbours(falling).count == 5  # the heights of a sloped stroke are not compared
 
 
-def test_strokes_face_one_another_along_most_of_them():
-    """First, half of each stroke lies beside the next stroke; then, three quarters."""
+def test_neighbours_lie_side_by_side_for_most_of_their_length():
+    """At first, half of each stroke lies beside the next stroke; then, three quarters."""
     for onward in (1, -1):
         assert neighbours([line(2.0 * k, x=onward * 25.0 * k) for k in range(5)]) is None
         assert neighbours([line(2.0 * k, x=onward * 12.0 * k) for k in range(5)]).count == 5
 
 
-def test_a_stroke_runs_from_its_first_point_to_its_last():
-    """A hook at the begin of each leads back first; every other one is cut from its other end."""
+def test_direction_of_a_stroke_is_from_first_to_last_point():
+    """Each stroke begins with a hook in the other direction. In the second case, every other stroke is reversed."""
     hooks = [[(20.0, 2.0 * k, 0.0), (12.0, 2.0 * k, 0.0), (70.0, 2.0 * k + 0.1, 0.0)] for k in range(6)]
     assert neighbours(hooks).onward == 1
     assert neighbours([hook[:: 1 - 2 * (k % 2)] for k, hook in enumerate(hooks)]).onward == 0
 
 
-def test_passes_that_open_like_a_fan_are_not_even():
-    """0.4 mm apart at one end and 3.6 at the other, where an offset keeps its distance."""
+def test_passes_that_spread_like_a_fan_are_not_even():
+    """The passes are 0.4 mm apart at one end and 3.6 mm at the other. An offset would keep its distance."""
     found = neighbours([line(0.4 * k, slant=3.2 * k) for k in range(5)])
     assert found.even == 0 and found.onward == 1 and found.step == pytest.approx(2.0, rel=0.1)
 
 
 @pytest.mark.parametrize("opens, even", [(0.6, 1), (0.9, 0)])
 def test_offset_keeps_distance_within_thirty_percent(opens, even):
-    """About 2 mm; four fifths of how far they open lie between the tenth and the ninetieth percentile."""
+    """The mean distance is 2 mm. Its 10th and 90th percentiles differ by four fifths of `opens`."""
     found = neighbours([line((2.0 - opens / 2) * k, slant=opens * k) for k in range(5)])
     assert found.even == even and found.step == pytest.approx(2.0, rel=0.1)
 
 
-def test_one_far_from_the_usual_step_counts_as_none():
+def test_stroke_far_from_the_usual_step_is_not_a_neighbour():
     """Five rows are 2 mm apart, and a sixth row is 7 mm away from the last of the five rows."""
     strokes = [*(line(2.0 * k, length=200.0) for k in range(5)), line(15.0, length=200.0)]
     found = neighbours(strokes, 0.0)
     assert found.count == 5 and found.share == pytest.approx(5 / 6) and found.step == 2.0
 
 
-def test_short_stroke_is_not_neighbour_of_far_long_one():
+def test_short_stroke_is_not_neighbour_of_far_long_stroke():
     """Every second stroke is 9 mm long, and 6 mm away from the strokes of 90 mm on both sides."""
     strokes = [line(6.0 * k, x=40.0 * (k % 2), length=9.0 if k % 2 else 90.0) for k in range(4)]
     assert neighbours(strokes, 0.0) is None
 
 
-def test_three_strokes_are_enough():
+def test_three_strokes_side_by_side_are_enough():
     """Two of the three strokes have a stroke before them."""
     assert neighbours([line(2.0 * k) for k in range(3)]).count == 3
 
 
-def test_too_few():
+def test_fewer_than_three_strokes_have_no_neighbours():
     assert neighbours([line(0.0)]) is None and neighbours([line(0.0), line(2.0)]) is None

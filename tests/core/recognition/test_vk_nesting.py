@@ -43,18 +43,18 @@ def test_nested_squares_are_half_the_side_difference_apart():
     low, high, mean, step = inward(20.0, 16.0, 10.0)[1]
     assert low.tolist() == high.tolist() == mean.tolist() == step.tolist() == [2, 3]
     assert distance(20.0, 16.0, 10.0, lag=2) == [5]
-    low, high, mean, step = inward(10.0, 16.0)[1]  # the later one is the outer one
+    low, high, mean, step = inward(10.0, 16.0)[1]  # the later square is the outer square
     assert (low[0], high[0], mean[0], step[0]) == (-3, -3, -3, 3)
 
 
 def test_ring_that_is_not_inside_is_not_an_offset():
     assert distance(20.0, 20.0, aside=1.0) == [0]
     assert distance(20.0, 16.0, aside=3.0) == [0]
-    assert distance(20.0, 16.0, aside=0.5) == [1.5]  # by the side that it came nearest to
+    assert distance(20.0, 16.0, aside=0.5) == [1.5]  # the nearest side gives the distance
 
 
 def open_pocket(*steps, low=(), wide=60.0, tall=40.0, slack=1.0):
-    """Rectangles that each lie so far inside the first one, but for their lower sides, and the sides `low` of 0 to 3."""
+    """Return rectangles `steps` inside the first, except for their lower sides and the sides `low` (0 to 3)."""
     steps = np.array(steps)
     sides = np.array([steps, 0 * steps, steps - wide, steps - tall])
     sides[list(low)] = sides[list(low), :1]
@@ -62,30 +62,31 @@ def open_pocket(*steps, low=(), wide=60.0, tall=40.0, slack=1.0):
     return Inward(shapes(sides, width * height, 2 * (width + height), slack))
 
 
-def test_offsets_in_a_pocket_that_is_open_at_a_side_share_it():
+def test_offsets_may_share_the_open_side_of_a_pocket():
     assert open_pocket(0.0, 3.0, 6.0)[1][3] == pytest.approx([3, 3])
     assert open_pocket(0.0, 3.0, 6.0)[2][3] == pytest.approx([6])
     assert open_pocket(6.0, 3.0, 0.0)[1][3] == pytest.approx([3, 3])
-    assert open_pocket(0.0, 3.0, 6.0, low=[0])[1][3] == pytest.approx([3, 3])  # in a corner of the part
-    assert open_pocket(0.0, 3.0, 6.0, low=[0, 2])[1][3].tolist() == [0, 0]  # one ring continues at the end of another
+    assert open_pocket(0.0, 3.0, 6.0, low=[0])[1][3] == pytest.approx([3, 3])  # a pocket in a corner of the part
+    # one ring continues at the end of another ring
+    assert open_pocket(0.0, 3.0, 6.0, low=[0, 2])[1][3].tolist() == [0, 0]
 
 
-def test_ring_sharing_a_side_is_offset_if_others_move():
+def test_ring_sharing_a_side_is_offset_if_the_others_move():
     assert distance(20.0, 16.0, aside=2.0) == [0]
-    assert open_pocket(0.0, 3.0, slack=2.0)[1][3].tolist() == [0]  # turns of windings end anywhere
+    assert open_pocket(0.0, 3.0, slack=2.0)[1][3].tolist() == [0]  # turns of a winding may end anywhere
 
 
 def square_inside(step, **drawn):
     """Return the distance of a square 2 mm inside a square of 20 mm.
 
-    Islands or openings reduce the inner ring's area to the area of a square `step` mm inside.
+    Islands or openings reduce the area of the inner ring to the area of a square `step` mm inside.
     """
     return distance(20.0, 16.0, enclosed=[400.0, 400 - step * (80 + 64) / 2], **drawn)
 
 
 @pytest.mark.parametrize("step, found", [(4.2, 0), (4.02, 2), (1.34, 1.34), (1.327, 1.327), (1.3, 0)])
 def test_box_moves_by_half_to_one_and_a_half_distances(step, found):
-    """2 mm are half of 4 mm and one and a half times 1.33 mm; two hundredths are rounding."""
+    """2 mm are half of 4 mm, and one and a half times 1.33 mm. Differences of 0.02 mm are rounding."""
     assert square_inside(step) == pytest.approx([found])
 
 
@@ -101,61 +102,65 @@ def reached(*sides, tool=0.0, z=None, areas=None):
     return reach(rings, tool, area), *next_steps(rings)
 
 
-def test_rings_lie_no_farther_apart_than_the_tool_reaches():
+def test_rings_with_a_tool_are_within_its_reach():
     limit, steps, drops = reached(40.0, 36.0, 32.0, tool=3.0)
     assert limit == pytest.approx(3.6) and steps.tolist() == [2, 2] and drops.tolist() == [0, 0]
-    assert reached(40.0, 39.99, tool=3.0)[0] == pytest.approx(3.6)  # one ring
+    assert reached(40.0, 39.99, tool=3.0)[0] == pytest.approx(3.6)  # both rings count as one ring
 
 
-def test_nested_rings_without_tool_are_two_steps_apart():
+def test_rings_without_a_tool_are_within_two_steps():
     assert reached(40.0, 36.0, 32.0)[0] == pytest.approx(4)
-    assert reached(40.0, 38.0)[0] == pytest.approx(2)  # two: two steps, or a twentieth of the larger one
+    assert reached(40.0, 38.0)[0] == pytest.approx(2)  # with two rings, two steps, or a twentieth of the larger ring
     assert reached(40.0, 36.0)[0] == pytest.approx(2)
     assert reached(40.0, 40.0, 38.0, 36.0)[0] == pytest.approx(2)  # the repeat of a ring does not count as a step
 
 
-def test_without_a_tool_the_steps_have_to_be_alike():
-    """Less than half of the steps of 2, 2, 5, 6 and 7 mm are alike, so the limit is a twentieth of 70 mm."""
+def test_reach_without_a_tool_needs_similar_steps():
+    """Less than half of the steps (2, 2, 5, 6 and 7 mm) are similar, so the reach is a twentieth of 70 mm."""
     limit, steps, _ = reached(70.0, 66.0, 62.0, 52.0, 40.0, 26.0)
     assert steps.tolist() == [2, 2, 5, 6, 7] and limit == pytest.approx(3.5)
 
 
-def test_steps_that_differ_by_less_than_three_tenths_are_alike():
-    """Two steps are 2 mm and four 2.5 mm. The limit is twice the usual step: more than a twentieth of 60 mm."""
+def test_steps_within_thirty_percent_are_similar():
+    """Two steps are 2 mm and four are 2.5 mm.
+
+    The reach is twice the usual step, which is more than a twentieth of 60 mm.
+    """
     sides = 60.0 - 2 * np.cumsum([0, 2, 2, 2.5, 2.5, 2.5, 2.5])
     assert reached(*sides)[0] == pytest.approx(4)
 
 
-def test_the_usual_step_is_that_at_a_quarter_of_their_number():
-    """Two of 2 mm and six of 2.5 mm: the third of eight."""
+def test_usual_step_is_the_lower_quartile():
+    """Two steps are 2 mm and six are 2.5 mm, so the third of the eight sorted steps is 2.5 mm."""
     sides = 60.0 - 2 * np.cumsum([0, 2, 2, *[2.5] * 6])
     assert reached(*sides)[0] == pytest.approx(5)
 
 
-def test_rings_beyond_tool_reach_are_engraved():
-    """The circles of a target."""
+def test_rings_beyond_the_reach_of_a_thin_tool_are_engraved():
+    """The rings are like the circles of a target, 2 mm apart."""
     assert reached(*(40.0 - 4 * np.arange(6)), tool=1.0)[0] == pytest.approx(1.2)
 
 
 def test_two_contours_at_every_depth_are_not_a_pocket():
-    """A washer: 10 mm apart would be the step."""
+    """The two contours of a washer are 10 mm apart, which is not a stepover."""
     limit, steps, drops = reached(40.0, 20.0, 40.0, 20.0, z=[0, 0, -1, -1])
     assert limit == pytest.approx(2) and steps.tolist() == [10, 10, 10] and drops.tolist() == [0, 1, 0]
 
 
-def test_two_rings_that_are_linked_at_their_depth_are_a_pocket():
-    """The way from one contour of a washer to the other would cut into the part."""
+def test_two_rings_linked_at_their_depth_are_a_pocket():
+    """A link between the two contours of a washer would cut into the part."""
     assert reached(40.0, 20.0, 40.0, 20.0, z=[0, 0, -1, -1], areas=[0, 0, 1, 1])[0] == pytest.approx(20)
     assert reached(40.0, 20.0, 40.0, 20.0, z=[0, 0, -1, -1], areas=[0, 1, 1, 2])[0] == pytest.approx(
         2
     )  # linked on a ramp
-    few = reached(40.0, 20.0, 40.0, 20.0, 40.0, z=[0, 0, -1, -1, -2], areas=[0, 0, 1, 2, 3])  # two of five
+    # two of five rings are linked
+    few = reached(40.0, 20.0, 40.0, 20.0, 40.0, z=[0, 0, -1, -1, -2], areas=[0, 0, 1, 2, 3])
     assert few[0] == pytest.approx(2)
     assert reached(40.0, 20.0, tool=3.0, areas=[0, 0])[0] == pytest.approx(3.6)
 
 
-def test_evenness_is_the_spread_in_the_plane_over_that_in_depth():
-    """0 to 10: the middle four fifths spread by 8 about 5. A hundredth is rounding."""
+def test_evenness_is_the_spread_in_the_plane_by_that_in_depth():
+    """Of the values 0 to 10, the middle four fifths spread by 8 around 5. A hundredth is rounding."""
     even, spread = np.full(11, 2.0), np.arange(11.0)
     assert evenness(even, spread) == pytest.approx(0.01 / 1.61)
     assert evenness(spread, even) == pytest.approx(1.61 / 0.01)
@@ -163,6 +168,6 @@ def test_evenness_is_the_spread_in_the_plane_over_that_in_depth():
     assert evenness(spread, 0 * even) == evenness(even[:2], spread[:2]) == 0
 
 
-def test_the_value_in_the_middle_or_at_a_quarter():
+def test_middle_returns_the_median_or_the_lower_quartile():
     assert middle(np.array([5.0, 1.0, 3.0])) == 3
     assert middle(np.array([7.0, 1.0, 5.0, 3.0, 2.0, 8.0, 6.0, 4.0]), 4) == 3

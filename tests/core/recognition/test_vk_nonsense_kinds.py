@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Curves that fill the plane with rows, and machine nothing."""
+"""Curves that fill the plane with rows are not machining."""
 
 import numpy as np
 import pytest
@@ -21,13 +21,13 @@ def test_wunderlich_curve_visits_neighbouring_cells(seed):
 
 
 @pytest.mark.parametrize("seed", range(5))
-def test_an_odometer_never_shows_a_number_twice(seed):
+def test_odometer_curve_visits_each_cell_once(seed):
     cells = nonsense.odometer(np.random.default_rng(seed))
     assert len(np.unique(cells, axis=0)) == len(cells) >= 60
 
 
 @pytest.mark.parametrize("kind", [nonsense.wunderlich, nonsense.odometer, nonsense.morton])
-def test_rows_that_lead_nowhere_are_unknown(kind):
+def test_plane_filling_curves_are_unknown(kind):
     paths = [linearize(nonsense.commands(kind, np.random.default_rng([seed, 7]))) for seed in range(10)]
     unknown = sum(recognize(path).strategy is Strategy.UNKNOWN for path in paths)
     assert unknown >= 9

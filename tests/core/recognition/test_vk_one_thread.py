@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Recognising runs in one thread: on a busy computer the threads of BLAS wait for each other."""
+"""Recognition uses one thread. On a busy computer, the threads of BLAS would wait for each other."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ pytestmark = pytest.mark.sources
 CORE = Path(__file__).parents[3] / "vkworkbench" / "core"
 SOURCES = [*(p for room in ("gcode", "paper", "recognition") for p in (CORE / room).rglob("*.py")), *CORE.glob("*.py")]
 BLAS = {"dot", "vdot", "inner", "matmul", "tensordot", "linalg", "polyfit", "corrcoef", "cov", "convolve", "correlate"}
-# The recognition does not use solids and views, whose matrix products are too small (3 numbers) for threads.
+# Recognition does not use solids and views. Their matrix products (3 numbers) are too small for threads.
 OTHER = {"solids.py", "stocks.py", "view.py"}
 
 
@@ -27,7 +27,7 @@ def products(tree):
                 yield node.lineno
 
 
-def test_recognition_multiplies_no_matrices(parse):
+def test_recognition_has_no_matrix_products(parse):
     lines = {str(path.relative_to(CORE)): list(products(parse(path))) for path in SOURCES if path.name not in OTHER}
     assert {name: found for name, found in lines.items() if found} == {}
 

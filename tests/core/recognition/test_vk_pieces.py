@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The pieces into which areas are cut, and the measures of each piece, for drawn toolpaths with known pieces."""
+"""Areas are cut into pieces, and each piece is measured, for drawn toolpaths with known pieces."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ def zigzag(rows, length=40.0, step=3.0, z=0.0):
     return [(x, step * row, z) for row in range(rows) for x in ends[row % 2]]
 
 
-def test_a_loop_a_zigzag_and_a_stroke():
+def test_loop_zigzag_and_stroke_are_three_kinds_of_pieces():
     pieces = pieces_of(polygon(20), zigzag(7), [(0, 0, 0), (30, 0, 0), (30, 10, 0)])
     assert pieces.kind.tolist() == [LOOP, ZIGZAG, STROKE] and pieces.area.tolist() == [0, 1, 2]
     assert pieces.length == pytest.approx([80, 7 * 40 + 6 * 3, 40])
@@ -38,7 +38,7 @@ def test_a_loop_a_zigzag_and_a_stroke():
 
 
 def to_and_fro(xy, times=5, down=1.0):
-    """A pass along the points that comes again and again without a lift, and goes down all the while."""
+    """Return a pass along the points, repeated back and forth without a lift, while the tool goes down."""
     points = [point for k in range(times) for point in list(xy)[:: (-1) ** k][k > 0 :]]
     return [(x, y, -down * times * k / (len(points) - 1)) for k, (x, y) in enumerate(points)]
 
@@ -48,8 +48,8 @@ def wave(turns=1.0, count=60):
 
 
 @pytest.mark.parametrize("xy", [[(0, 0), (60, 0), (60, 40)], wave(), wave(3.0)], ids=["corner", "s", "waves"])
-def test_bent_pass_on_a_ramp_is_a_piece_each_time(xy):
-    """A bent pass that is cut back and forth bends like a zigzag, but is not a zigzag."""
+def test_each_repetition_of_a_bent_ramp_pass_is_a_piece(xy):
+    """A bent pass that is cut back and forth turns like a zigzag, but is not a zigzag."""
     pieces = pieces_of(to_and_fro(xy))
     assert pieces.kind.tolist() == [STROKE] * 5 and pieces.area.tolist() == [0] * 5
     assert pieces.length == pytest.approx([pieces.length[0]] * 5) and not pieces.wavy.any()
@@ -57,8 +57,8 @@ def test_bent_pass_on_a_ramp_is_a_piece_each_time(xy):
 
 
 @pytest.mark.parametrize("aside", [0.0, 0.01])
-def test_a_straight_pass_that_comes_back_on_a_ramp_is_one_piece(aside):
-    """A straight pass back and forth may be an entry ramp, whose points rounding may move off the line."""
+def test_straight_ramp_back_and_forth_is_one_piece(aside):
+    """A straight pass back and forth may be an entry ramp, and rounding may move its points off the line."""
     assert len(pieces_of([(0, 0, 0), (60, 0, -1), (0, aside, -2), (60, 0, -3), (0, 0, -4)])) == 1
 
 
@@ -67,15 +67,15 @@ def test_bent_pass_returning_elsewhere_is_not_a_piece():
     assert len(pieces_of([*there, (60, -10, 0), (0, -10, 0)])) == 1
 
 
-def test_a_loop_with_a_tail_is_two_pieces_of_one_area():
+def test_loop_with_a_tail_is_two_pieces_of_one_area():
     square = [(0, 0, 0), (20, 0, 0), (20, 20, 0), (0, 20, 0), (0, 0, 0)]
     pieces = pieces_of([*square, (-15, -5, 0), (-30, 0, 0)])
     assert pieces.kind.tolist() == [LOOP, STROKE] and pieces.area.tolist() == [0, 0]
     assert pieces.start.tolist() == [0, 4] and pieces.end.tolist() == [4, 6]
 
 
-def test_winding_turns_are_pieces_of_its_kind():
-    """A spiral of three turns is followed by a zigzag, which remains a piece of its own kind."""
+def test_each_turn_of_a_winding_is_a_piece():
+    """After a spiral of three turns, a zigzag remains a piece of its own kind."""
     angles = np.linspace(0, 3 * TURN, 145)
     radius = 30 - 6 * angles / TURN
     spiral = np.column_stack((radius * np.cos(angles), radius * np.sin(angles), np.zeros(145))).tolist()
@@ -88,7 +88,7 @@ def test_winding_turns_are_pieces_of_its_kind():
 
 @pytest.mark.parametrize("corners", [4, 48])
 @pytest.mark.parametrize("turned", [0.25, 12.25])
-def test_a_box_holds_all_of_a_piece(corners, turned):
+def test_box_of_a_piece_contains_the_whole_piece(corners, turned):
     """Boxes of few and of many points are computed differently. The piece begins at its right side or at its top."""
     drawn = polygon(20, x=100, y=50, corners=corners, turned=turned)
     low, high = np.min(drawn, axis=0)[:2], np.max(drawn, axis=0)[:2]
@@ -96,8 +96,8 @@ def test_a_box_holds_all_of_a_piece(corners, turned):
     assert box == pytest.approx([*low, *high])
 
 
-def test_heights_of_a_piece_that_climbs():
-    """Level for 10 mm, 6 mm up on 20 mm, level for 10 mm."""
+def test_heights_of_a_climbing_piece_are_measured():
+    """The path is level for 10 mm, rises by 6 mm over 20 mm, and is level for 10 mm."""
     pieces = pieces_of([(0, 0, 0), (10, 0, 0), (10, 20, 6), (20, 20, 6)], polygon(10, z=-1.0))
     assert pieces.z == pytest.approx([(0 + 3 * 20 + 6 * 10) / 40, -1])
     assert (pieces.last_z[0], pieces.rise[0], pieces.drop[0]) == pytest.approx((6, 6, 6))
@@ -105,11 +105,11 @@ def test_heights_of_a_piece_that_climbs():
     assert pieces.flat.tolist() == [False, True]
     falling = pieces_of([(0, 0, 3), (10, 0, 3), (10, 20, -3), (20, 20, -3)])
     assert (falling.rise[0], falling.drop[0]) == pytest.approx((6, -6))
-    at_once = pieces_of([(0, 0, 5), (10, 0, 2), (10, 20, 2), (20, 20, 3)])  # from its first point on
+    at_once = pieces_of([(0, 0, 5), (10, 0, 2), (10, 20, 2), (20, 20, 3)])  # the drop is measured from the first point
     assert (at_once.rise[0], at_once.drop[0], at_once.last_z[0]) == pytest.approx((3, -2, 3))
 
 
-def test_a_zigzag_that_ends_where_it_began_is_a_wavy_loop():
+def test_zigzag_that_ends_at_its_start_is_a_wavy_loop():
     closed = [*zigzag(6), (-5, 15, 0), (-5, 0, 0), (0, 0, 0)]
     pieces = pieces_of(closed)
     assert pieces.kind.tolist() == [LOOP] and pieces.wavy.tolist() == [True]
@@ -117,14 +117,14 @@ def test_a_zigzag_that_ends_where_it_began_is_a_wavy_loop():
 
 @pytest.mark.parametrize(("rows", "kind"), [(2, STROKE), (3, ZIGZAG), (6, ZIGZAG)])
 def test_two_rows_are_not_a_zigzag(rows, kind):
-    """One of three rows lies between two rows, which is a third of the length and enough for a zigzag."""
+    """Of three rows, one lies between two rows. This is a third of the length, and enough for a zigzag."""
     pieces = pieces_of(zigzag(rows))
     assert pieces.kind.tolist() == [kind] and pieces.passes.tolist() == [rows]
     assert not pieces.wavy.any()
 
 
 def test_short_zigzags_between_large_loops_are_links():
-    """Zigzags that are only a thousandth of the length are not searched."""
+    """Zigzags below a thousandth of the total length are not searched."""
     large = [polygon(400 - 10 * k) for k in range(8)]
     small = zigzag(6, length=1.0, step=0.2)
     assert pieces_of(*large, small).kind.tolist() == [LOOP] * 8 + [STROKE]
@@ -132,7 +132,7 @@ def test_short_zigzags_between_large_loops_are_links():
 
 
 def slanted(stroke, degrees):
-    """The stroke, turned about Z."""
+    """Return the stroke, rotated about Z."""
     u, v = math.cos(math.radians(degrees)), math.sin(math.radians(degrees))
     return [(x * u - y * v, x * v + y * u, z) for x, y, z in stroke]
 
@@ -144,7 +144,7 @@ def test_zigzag_has_one_pass_per_row_in_any_direction(degrees):
 
 
 def test_links_that_bulge_into_rows_are_not_passes():
-    """Each leads 1 mm back and forth again while it goes 3 mm aside."""
+    """Each link leads 1 mm into the rows and back, while it moves 3 mm to the next row."""
     ends, stroke = (0.0, 40.0), []
     for row in range(7):
         x = ends[(row + 1) % 2]
@@ -154,23 +154,26 @@ def test_links_that_bulge_into_rows_are_not_passes():
     assert pieces.kind.tolist() == [ZIGZAG] and pieces.passes.tolist() == [7]
 
 
-def test_there_and_back_by_two_moves_is_one_pass():
-    """Only three moves and more are looked at, in whatever place of the program."""
+def test_two_moves_there_and_back_are_one_pass():
+    """Only pieces of three or more moves are searched for passes, at any place in the program."""
     hairpin = [(0, 0, 0), (30, 0, 0), (0, 1, 0)]
     pieces = pieces_of(hairpin, zigzag(2), hairpin)
     assert pieces.kind.tolist() == [STROKE] * 3 and pieces.passes.tolist() == [1, 2, 1]
 
 
 @pytest.mark.parametrize("middle, kind", [(20.0, ZIGZAG), (10.0, STROKE)])
-def test_alternating_half_turns_are_a_zigzag(middle, kind):
-    """Rows of 20 mm with a shorter one between them, and links of 1 mm: 20 of 62 mm, or 10 of 52 mm."""
+def test_alternating_half_turns_are_a_zigzag_if_long_enough(middle, kind):
+    """A row between two rows of 20 mm has 20 of 62 mm, or 10 of 52 mm. The links are 1 mm long."""
     stroke = [(0, 0, 0), (20, 0, 0), (20, 1, 0), (20 - middle, 1, 0), (20 - middle, 2, 0), (40 - middle, 2, 0)]
     assert pieces_of(stroke).kind.tolist() == [kind]
 
 
 @pytest.mark.parametrize("rows, kind", [(4, STROKE), (6, ZIGZAG)])
 def test_mostly_back_and_forth_is_a_zigzag(rows, kind):
-    """Behind rows it goes around them: two passes lie between half turns of one sense, three or five between others."""
+    """A path around the rows follows the rows.
+
+    Three or five passes lie between opposite half-turns, and two between equal ones.
+    """
     top = 3.0 * (rows - 1)
     around = [(0, top + 3), (40, top + 3), (40, -10), (0, -10), (0, top + 6), (40, top + 6)]
     assert pieces_of(zigzag(rows) + [(x, y, 0) for x, y in around]).kind.tolist() == [kind]
@@ -188,8 +191,11 @@ def test_slanted_letters_are_not_rows(letter):
     assert pieces_of([(x, y, 0) for x, y in letter]).kind.tolist() == [STROKE]
 
 
-def test_few_rows_must_be_parallel_and_many_may_lean():
-    """Three with links of 3 mm; and five that lean as the four of a W."""
+def test_few_rows_must_be_parallel_but_many_rows_may_lean():
+    """Three rows have links of 3 mm.
+
+    Four rows lean like the strokes of a W, and are not a zigzag; five such rows are.
+    """
     assert pieces_of([(0, 0, 0), (0, 30, 0), (3, 30, 0), (3, 0, 0), (6, 0, 0), (6, 30, 0)]).kind.tolist() == [ZIGZAG]
     for passes, kind in ((4, STROKE), (5, ZIGZAG)):
         assert pieces_of([(1.5 * k, 10 * (k % 2), 0) for k in range(passes + 1)]).kind.tolist() == [kind]
@@ -197,7 +203,7 @@ def test_few_rows_must_be_parallel_and_many_may_lean():
 
 @pytest.mark.parametrize("turns, kind", [(1.1, STROKE), (1.3, WINDING)])
 def test_winding_turns_by_more_than_a_turn_and_a_fifth(turns, kind):
-    """An arc that grows on its way, so that it does not meet itself."""
+    """The radius of the arc grows along the arc, so the arc does not meet itself."""
     angles = np.linspace(0, turns * TURN, 49)
     pieces = pieces_of([(70 + (20 + a) * math.cos(a), (20 + a) * math.sin(a), 0) for a in angles])
     assert set(pieces.kind.tolist()) == {kind}

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Every strategy is recognised in the manner of several CAM programs, with its evidence."""
+"""Every strategy is recognised in toolpaths like those of several CAM programs, with its evidence."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ from vkworkbench.language import Message
 
 
 def cut(points, rapid=()):
-    """A toolpath through points (n+1, 2) or (n+1, 3); `rapid` lists trajectories that are rapid."""
+    """Return a toolpath through points (n+1, 2) or (n+1, 3). `rapid` lists the trajectories that are rapids."""
     points = np.asarray(points, float)
     if points.shape[1] == 2:
         points = np.column_stack([points, np.zeros(len(points))])
@@ -41,15 +41,15 @@ def rings(count=6, step=3.0, linked=True):
     return np.vstack([corners * (5 + k * step) for k in range(count)])
 
 
-# One family of a spiral's arcs fits circles around a shifted centre (docs/recognition.md, what the toolpath leaves open), so
-# both are called by the name that is more frequent among the learned toolpaths.
+# One family of arcs of a clipped spiral fits circles around a shifted centre (docs/recognition.md, "What the toolpath
+# leaves open"). So both samples get the name that is more frequent in the training toolpaths.
 OPEN = {"spiral clipped", "circles clipped"}
 SEEDS = 6
 
 
 @pytest.mark.long
-def test_synthetic_strategies():
-    """At most one of a sample's toolpaths is wrong, few of all are unknown, and each reason names its strategy."""
+def test_synthetic_samples_have_their_strategies():
+    """At most one toolpath per sample may be wrong, and 5 % of all may be unknown. Each reason names its strategy."""
     wrong, unknown = {}, []
     for label, accepted, make in synthetic.SAMPLES:
         wrong[label] = []
@@ -66,12 +66,12 @@ def test_synthetic_strategies():
     assert np.mean(unknown) < 0.05
 
 
-def test_every_strategy_has_a_sample():
+def test_every_strategy_has_a_synthetic_sample():
     sampled = {strategy for _, accepted, _ in synthetic.SAMPLES for strategy in accepted}
     assert sampled == {strategy.value for strategy in Strategy if strategy.is_answer}
 
 
-def test_evidence_of_a_zigzag():
+def test_evidence_of_a_zigzag_is_exact():
     found = recognize(cut(raster(rows=20, step=2.0)))
     assert found.strategy is Strategy.ZIGZAG
     assert (found.level, found.passes, found.depths, found.reversals) == (0, 20, 1, 0)
@@ -82,7 +82,7 @@ def test_evidence_of_a_zigzag():
     assert "20 rows" in found.reason and "2 mm apart" in found.reason
 
 
-def test_evidence_of_nested_offsets():
+def test_evidence_of_nested_offsets_is_exact():
     found = recognize(cut(rings(6, step=3.0)), tool_diameter=6.0)
     assert found.strategy is Strategy.CONTOUR_PARALLEL
     assert found.level >= 5 and found.closed_loops == 6 and found.passes == 6
@@ -95,7 +95,7 @@ def test_evidence_of_nested_offsets():
     assert back.level <= -5 and back.sense == "cw" and back.milling == "climb"
 
 
-def test_a_single_closed_loop_reaches_one_level():
+def test_single_closed_loop_is_a_profile_of_level_1():
     square = np.array([(0, 0), (30, 0), (30, 20), (0, 20), (0, 0)])
     found = recognize(cut(square))
     assert found.strategy is Strategy.PROFILE
@@ -103,7 +103,7 @@ def test_a_single_closed_loop_reaches_one_level():
     assert found.phi_range == pytest.approx((0.0, 2 * np.pi))
 
 
-def test_repetition_at_depths_is_one_strategy():
+def test_same_rows_at_several_depths_are_one_zigzag():
     program = []
     for z in (-2.0, -4.0, -6.0):
         program += [("G0", {"Z": 5.0}), ("G0", {"X": 0.0, "Y": 0.0}), ("G1", {"Z": z})]
@@ -119,13 +119,13 @@ def test_strategy_is_found_without_a_tool(tool):
     assert recognize(cut(rings()), tool_diameter=tool).strategy is Strategy.CONTOUR_PARALLEL
 
 
-def test_contours_farther_apart_than_the_tool_are_not_a_pocket():
+def test_contours_farther_apart_than_the_tool_are_profiles():
     washer = np.vstack([rings(1) * 4, rings(1) * 2])
     path = cut(washer, rapid=[4])
     assert recognize(path, tool_diameter=3.0).strategy is Strategy.PROFILE
 
 
-def test_mixed_has_spans_that_cover_the_cutting():
+def test_spans_of_a_mixed_toolpath_cover_all_cuts():
     raster_beside = [("G1", {"X": (0.0, 40.0)[(k + 1) // 2 % 2], "Y": 2.0 * (k // 2)}) for k in range(24)]
     aside = [(100.0, 0.0), (160.0, 0.0), (160.0, 60.0), (100.0, 60.0), (100.0, 0.0)]
     contour = [("G0", {"X": 100.0, "Y": 0.0}), *(("G1", {"X": x, "Y": y}) for x, y in aside)]
@@ -140,13 +140,13 @@ def test_mixed_has_spans_that_cover_the_cutting():
         assert path.command[span.first] == span.first_command and path.command[span.last] == span.last_command
 
 
-def test_tool_changes_divide_a_program():
+def test_tool_changes_divide_a_program_into_spans():
     found = recognize(linearize(synthetic.program(np.random.default_rng(1))))
     assert found.strategy is Strategy.MIXED
     assert [s.strategy for s in found.spans] == [Strategy.ZIGZAG, Strategy.DRILLING, Strategy.PROFILE]
 
 
-def test_a_comment_alone_divides_nothing():
+def test_comment_alone_does_not_divide_a_toolpath():
     rows = [("G1", {"X": float(x), "Y": float(y)}) for x, y in raster()]
     plain = [("G0", {"X": 0.0, "Y": 0.0, "Z": 0.0}), *rows]
     titled = [("(Pocket)", {}), *plain[:15], ("(finish)", {}), *plain[15:], ("(Profile)", {})]
@@ -154,7 +154,7 @@ def test_a_comment_alone_divides_nothing():
     assert found.strategy is Strategy.ZIGZAG and len(found.spans) == 1
 
 
-def test_nothing_to_cut():
+def test_toolpath_without_cuts_is_empty():
     nothing = linearize([])
     assert recognize(nothing).strategy is Strategy.EMPTY and recognize(nothing).reason
     rapids = linearize([("G0", {"X": 0.0, "Y": 0.0, "Z": 5.0}), ("G0", {"X": 9.0})])
@@ -169,7 +169,7 @@ def test_strategy_prints_its_value():
 
 @pytest.mark.parametrize("make", [raster, rings], ids=["zigzag", "offsets"])
 @pytest.mark.parametrize("angle", [0.0, 0.3, 1.57, 2.5, 4.0])
-def test_turning_and_moving_the_part_changes_nothing(make, angle):
+def test_strategy_does_not_depend_on_direction_or_position(make, angle):
     points = make()
     c, s = np.cos(angle), np.sin(angle)
     turned = points @ np.array([[c, s], [-s, c]]) + (1000.0, -777.7)
@@ -182,7 +182,7 @@ def test_turning_and_moving_the_part_changes_nothing(make, angle):
     st.lists(st.booleans(), min_size=60, max_size=60),
     st.sampled_from([None, 0.0, 2.0]),
 )
-def test_no_toolpath_raises(points, fast, tool):
+def test_random_toolpaths_raise_no_exception(points, fast, tool):
     points = np.array(points, float)
     keep = np.concatenate([[True], (points[1:] != points[:-1]).any(axis=1)])
     path = cut(points[keep], rapid=[i for i in range(keep.sum() - 1) if fast[i]])
@@ -193,8 +193,8 @@ def test_no_toolpath_raises(points, fast, tool):
         assert found.spans[0].first >= 0 and found.spans[-1].last < len(path)
 
 
-def test_one_pass_over_many_areas_stays_linear():
-    # 20,000 strokes, each its own area: nothing may loop over areas in Python.
+def test_many_areas_are_recognised_without_python_loops():
+    # Each of 20,000 strokes is an area. A Python loop over areas would be slow.
     strokes = np.zeros((40_000, 3))
     strokes[:, 0] = np.tile([0.0, 10.0, 10.0, 0.0], 10_000)
     strokes[:, 1] = np.repeat(np.arange(20_000), 2) * 0.5
@@ -214,7 +214,7 @@ def test_unknown_toolpath_has_no_numbers():
     }  # fmt: skip
 
 
-def test_operation_span_is_first_to_last_cut():
+def test_span_of_an_operation_is_first_to_last_cut():
     way = [("G0", {"Z": 5.0}), *(("G0", {"X": x}) for x in (9.0, 19.0, 29.0))]
     path = linearize([*way, *programs.profile(depths=(-1.0,)), ("G0", {"X": 0.0, "Y": 0.0})])
     cuts = np.flatnonzero(~path.rapid)
@@ -227,27 +227,30 @@ def test_operation_span_is_first_to_last_cut():
 @pytest.mark.parametrize(
     "tool, known", [(0.5, True), (0, False), (-0.5, False), (None, False), (math.nan, False), (math.inf, False)]
 )
-def test_tiny_tool_is_known_and_zero_diameter_is_not(tool, known):
-    """Two contours 0.7 mm apart: such a tool leaves ground between them, and without one they are a pocket's."""
+def test_tiny_tool_diameter_is_used_and_zero_is_not(tool, known):
+    """Two contours are 0.7 mm apart.
+
+    A tool of 0.5 mm leaves material between them. Without a tool, they are a pocket.
+    """
     path = linearize(programs.program([polygon(60.0), polygon(58.6)]))
     assert recognize(path, tool_diameter=tool).stepover == (None if known else pytest.approx(0.7))
 
 
 @pytest.mark.parametrize("commands", [[], [("G0", {"X": 5.0})]])
-def test_that_nothing_cuts_is_certain(commands):
+def test_toolpath_without_cuts_is_empty_with_certainty(commands):
     found = recognize(linearize(commands))
     assert (found.strategy, found.confidence) == (Strategy.EMPTY, 1.0)
 
 
 def rectangle(x, y, width, height):
-    """Commands of a closed loop with a plunge, around a corner at (x, y)."""
+    """Return the commands of a closed loop with a plunge, from a corner at (x, y)."""
     ways = [(x, y), (x + width, y), (x + width, y + height), (x, y + height), (x, y)]
     commands = [("G0", {"Z": 5.0}), ("G0", {"X": x, "Y": y}), ("G1", {"Z": -1.0, "F": 5.0})]
     return commands + [("G1", {"X": a, "Y": b, "F": 10.0}) for a, b in ways[1:]]
 
 
 def test_large_loops_decide_the_stepover():
-    """Small loops with smaller steps clear the corners of a pocket."""
+    """Small loops with smaller steps clear the corners of the pocket."""
     corners = [(x, y) for x in (-20, 120) for y in (-20, 100)]
     loops = [(4.2 * k, 4.2 * k, 100 - 8.4 * k, 80 - 8.4 * k) for k in range(4)]
     loops += [(x + 1.5 * k, y + 1.5 * k, 9 - 3 * k, 8 - 3 * k) for x, y in corners for k in (0, 1)]
@@ -257,8 +260,8 @@ def test_large_loops_decide_the_stepover():
     assert found.stepover == pytest.approx(4.2)
 
 
-def test_loop_that_runs_around_islands_is_one_step_inside():
-    """The second loop has run into the offset of an island: it is longer and encloses less, but all its sides moved alike."""
+def test_loop_around_islands_is_one_step_inside():
+    """The second loop follows an island. It is longer and encloses less, but all its sides moved by the same step."""
     bay = [(4.2, 4.2), (95.8, 4.2), (95.8, 75.8), (4.2, 75.8), (4.2, 50), (40, 50), (40, 30), (4.2, 30), (4.2, 4.2)]
     inner = [("G0", {"Z": 5.0}), ("G0", {"X": 4.2, "Y": 4.2}), ("G1", {"Z": -1.0})]
     inner += [("G1", {"X": x, "Y": y}) for x, y in bay[1:]]

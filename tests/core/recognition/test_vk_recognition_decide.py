@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Joint decisions of the rules and the votes: measures that do not depend on the position, nonsense, and reasons."""
+"""Joint decisions by rules and votes: measures independent of position, nonsense toolpaths, and reasons."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ from vkworkbench.core.recognition.verdict.model import FILE, Trees, shipped_mode
 from vkworkbench.core.recognition.verdict.operation import unknown
 from vkworkbench.language import Message
 
-# Seeds of nonsense toolpaths, which have 182 to 801 points in most kinds; some retract. Longer paths show no more.
+# Seeds of nonsense toolpaths. Most have 182 to 801 points, and some retract. Longer toolpaths show nothing more.
 SEEDS = (1, 4, 6, 8)
 SOME = synthetic.SAMPLES[::3]
 
@@ -36,7 +36,7 @@ def measured(path):
 
 
 @pytest.mark.parametrize("label, accepted, make", SOME, ids=[label for label, *_ in SOME])
-def test_measures_are_finite_and_invariant(label, accepted, make):
+def test_measures_are_finite_and_do_not_depend_on_position(label, accepted, make):
     path = path_of(make)
     c, s = np.cos(0.7), np.sin(0.7)
     turned = replace(path, points=path.points @ np.array([(c, s, 0), (-s, c, 0), (0, 0, 1)]) + (31.0, -7.0, 2.0))
@@ -45,7 +45,7 @@ def test_measures_are_finite_and_invariant(label, accepted, make):
         assert set(features(one, Strategy.ZIGZAG, None, tool=True)) == set(shipped_model().names)
         assert np.isfinite(list(one.values())).all()
         changed = {name: (one[name], other[name]) for name in one if abs(one[name] - other[name]) > 0.05}
-        assert len(changed) <= 0.2 * len(one), changed  # what boxes and corners of cells tell changes a little
+        assert len(changed) <= 0.2 * len(one), changed  # measures from boxes and cell corners change slightly
 
 
 @pytest.mark.long
@@ -62,14 +62,14 @@ def test_nonsense_toolpaths_are_unknown_with_a_reason():
         assert one.strategy is not Strategy.UNKNOWN or "of the votes" in one.reason, one.reason
 
 
-def test_unknown_spans_first_to_last_command():
+def test_span_of_unknown_toolpath_is_first_to_last_command():
     path = linearize(programs.zigzag())
     (span,) = unknown(path, Message("rest")).spans
     assert (span.first, span.last, span.share) == (0, len(path) - 1, 1.0)
     assert (span.first_command, span.last_command) == (path.command[0], path.command[-1])
 
 
-def test_few_holes_do_not_name_a_nonsense_path():
+def test_few_holes_do_not_make_a_nonsense_path_drilling():
     rng = np.random.default_rng(4)
     places = np.cumsum(rng.normal(size=(600, 2)), axis=0)
     lifted = rng.random(len(places)) < 0.4
@@ -80,7 +80,7 @@ def test_few_holes_do_not_name_a_nonsense_path():
         else:
             commands.append(("G1", {"X": x, "Y": y, "F": 10.0}))
     path = linearize([*commands, ("G0", {"Z": 5.0})])
-    assert len(monotonous_areas(path).holes) >= 30  # enough holes that runs of holes become sections
+    assert len(monotonous_areas(path).holes) >= 30  # enough holes, so that runs of holes become sections
     assert recognize(path).strategy is Strategy.UNKNOWN
 
 
@@ -97,7 +97,7 @@ def on_circle(radii, strides=1):
 
 
 def snowflake(times):
-    """Koch's, as complex numbers."""
+    """Return the corners of Koch's snowflake, computed with complex numbers."""
     corners = 60 * np.exp(2j * np.pi * np.array([0, 1 / 3, 2 / 3]))
     for _ in range(times):
         third = (np.roll(corners, -1) - corners) / 3
@@ -140,7 +140,7 @@ def test_closed_plane_filling_curve_is_not_a_contour(make):
 
 
 def votes_for(**shares):
-    """Return votes for strategies by name, with _ for -."""
+    """Return votes for strategies by name; _ stands for -."""
     votes = np.zeros(len(STRATEGIES))
     for name, share in shares.items():
         votes[STRATEGIES.index(Strategy(name.replace("_", "-")))] = share
@@ -152,39 +152,42 @@ def elected(votes, rules, nonsense=0.0):
     return STRATEGIES[said], share
 
 
-def test_only_the_rules_say_mixed_and_drilling():
+def test_votes_cannot_elect_mixed_or_drilling():
     for said in np.flatnonzero(OF_THE_RULES):
         votes = votes_for(zigzag=0.2) + 0.8 * np.eye(len(STRATEGIES))[said]
         assert elected(votes, Strategy.ZIGZAG) == (Strategy.ZIGZAG, 1.0)
         assert elected(votes, STRATEGIES[said]) == (STRATEGIES[said], pytest.approx(0.8))
 
 
-def test_without_votes_the_verdict_is_sure_of_nothing():
+def test_verdict_without_votes_has_confidence_zero():
     assert elected(votes_for(mixed=1.0), Strategy.ZIGZAG)[1] == 0
 
 
 @pytest.mark.parametrize("other", ["adaptive", "zigzag", "engraving"])
-def test_votes_that_are_split_within_one_class_are_not_lost(other):
+def test_votes_divided_within_one_family_are_added(other):
     votes = votes_for(contour_parallel=0.3, spiral=0.2, profile=0.17, **{other: 0.33})
     assert elected(votes, Strategy.UNKNOWN) == (Strategy.CONTOUR_PARALLEL, pytest.approx(0.3))
 
 
 @pytest.mark.parametrize(("nonsense", "said"), [(0.59, Strategy.SPIRAL), (0.61, Strategy.UNKNOWN)])
-def test_most_votes_for_nonsense_make_it_unknown(nonsense, said):
+def test_most_votes_for_nonsense_make_a_path_unknown(nonsense, said):
     assert elected(votes_for(spiral=0.9, helix=0.1), Strategy.SPIRAL, nonsense)[0] is said
 
 
-def test_votes_for_nonsense_make_a_strategy_less_probable():
+def test_votes_for_nonsense_lower_the_probability():
     assert elected(votes_for(spiral=0.9, helix=0.1), Strategy.SPIRAL, 0.2)[1] == pytest.approx(0.72)
 
 
-def test_more_votes_make_a_verdict_surer():
+def test_more_votes_make_the_confidence_higher():
     sure = [shipped_model().sureness(share) for share in (0.2, 0.6, 1.0)]
     assert sure == sorted(sure) and 0 < sure[0] < sure[-1] < 1
 
 
-def test_a_tree_asks_until_it_comes_to_a_leaf():
-    """x[1] <= 2: class 0. Otherwise x[0] <= 0.5: half and half, or class 1. Another tree always votes for class 1."""
+def test_tree_follows_its_questions_to_a_leaf():
+    """If x[1] <= 2, class 0.
+
+    Else, if x[0] <= 0.5, half of the votes for each class, else class 1. The second tree votes for class 1.
+    """
     trees = Trees(
         feature=np.array([1, -1, 0, -1, -1, -1]),
         most=np.array([2.0, np.inf, 0.5, np.inf, np.inf, np.inf]),
@@ -197,13 +200,13 @@ def test_a_tree_asks_until_it_comes_to_a_leaf():
 
 
 @pytest.mark.parametrize(("paper", "letter"), [(Strategy.ZIGZAG, -1), (Strategy.CONTOUR_PARALLEL, 1), (None, 0)])
-def test_features_contain_proposal_verdict_and_tool(paper, letter):
+def test_features_contain_rules_paper_verdict_and_tool(paper, letter):
     told = features({"climbs": 0.25}, Strategy.SPIRAL, paper, tool=paper is None)
     assert (told["climbs"], told["letter"], told["tool"]) == (0.25, letter, paper is None)
     assert [name for name, value in told.items() if name.startswith("rules: ") and value] == ["rules: spiral"]
 
 
-def test_the_model_is_read_when_something_is_recognised():
+def test_model_file_is_read_only_for_recognition():
     script = "import sys, vkworkbench.core; from vkworkbench.core.recognition.verdict import model; print(model.shipped_model.cache_info().currsize)"
     done = subprocess.run([sys.executable, "-c", script], capture_output=True, text=True, check=True)
     assert done.stdout.strip() == "0"

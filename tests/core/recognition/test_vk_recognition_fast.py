@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Fast computations give the results of the straightforward computations."""
+"""Fast computations return the results of the straightforward computations."""
 
 import numpy as np
 import pytest
@@ -25,7 +25,7 @@ def test_percentiles_by_row_equal_numpy():
     rng = np.random.default_rng(0)
     values, percent = rng.normal(size=(2000, 16)), (10, 50, 90)
     of = rng.random(values.shape) < rng.random((2000, 1))
-    of[:, 0] = True  # at least one
+    of[:, 0] = True  # at least one value per row
     of[:20] = True
     expected = np.nanpercentile(np.where(of, values, np.nan), percent, axis=1)
     assert np.array_equal(_percentiles(values, of, percent), expected)
@@ -38,22 +38,22 @@ def test_percentiles_by_row_equal_numpy():
         ([-1.0], 1),
         ([-1.0, -1.0 - ROUNDING.HEIGHT / 2], 1),
         ([0.0, 2 * ROUNDING.HEIGHT, 0.0], 2),
-        ([0.0, 0.6 * ROUNDING.HEIGHT, 1.2 * ROUNDING.HEIGHT], 1),  # each near the next
+        ([0.0, 0.6 * ROUNDING.HEIGHT, 1.2 * ROUNDING.HEIGHT], 1),  # each height is near the next height
         ([-3.0, -1.0, -3.0, -2.0], 3),
     ],
 )
-def test_depths_are_heights_with_a_gap_between_them(z, depths):
+def test_depths_are_groups_of_heights_with_gaps(z, depths):
     assert count_depths(np.array(z)) == depths
 
 
-def test_trees_of_different_depths_vote_together():
+def test_votes_of_trees_of_different_depths_are_averaged():
     forest = Forest(["1:100", "0<1 0<0.5 0:100 1<3 2:100 0:50,2:50 2:100"], 3)
     for case, votes in (
         ((0.4, 9), (0.5, 0.5, 0)),
         ((0.5, 2), (0, 0.5, 0.5)),
         ((0.5, 3), (0.25, 0.5, 0.25)),
         ((1, 0), (0, 0.5, 0.5)),
-        ((np.nan, 0), (0, 0.5, 0.5)),  # is below nothing
+        ((np.nan, 0), (0, 0.5, 0.5)),  # NaN is not below any threshold
     ):
         assert forest.vote(case) == pytest.approx(votes)
 

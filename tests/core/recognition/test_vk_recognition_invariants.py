@@ -64,7 +64,7 @@ def backwards(path):
 
 
 def split(path, parts):
-    """Return the toolpath with each trajectory divided into `parts` pieces, (n,) int."""
+    """Return the toolpath with each trajectory divided into `parts` equal parts, (n,) int."""
     of = np.repeat(np.arange(len(path)), parts)
     share = (np.arange(len(of)) - np.repeat(np.cumsum(parts) - parts, parts) + 1) / parts[of]
     points = path.points[of] + share[:, None] * (path.points[of + 1] - path.points[of])
@@ -75,13 +75,13 @@ def split(path, parts):
 
 
 def same_level(one, other, sign=1):
-    # Where phi ends at a whole turn exactly, rounding may reach it or not.
+    # If phi ends exactly at a whole turn, rounding decides whether phi reaches the next level.
     whole = min(abs(abs(phi) % (2 * np.pi) - np.pi) for phi in one.phi_range) > 3.14
     assert other.level == sign * one.level or whole
 
 
 @given(anything, angles, st.tuples(st.floats(-1e3, 1e3), st.floats(-1e3, 1e3), st.floats(-50, 50)))
-def test_turning_and_moving(made, angle, shift):
+def test_rotated_and_moved_toolpath_keeps_its_strategy(made, angle, shift):
     path, found = path_of(made)
     again = recognize(moved(path, turned(path, angle).points + shift), tool_diameter=TOOL)
     assert again.strategy == found.strategy
@@ -95,9 +95,9 @@ def test_turning_and_moving(made, angle, shift):
 
 
 @given(anything, sizes)
-def test_scaling_with_the_tool(made, scale):
+def test_toolpath_scaled_with_its_tool_keeps_its_strategy(made, scale):
     path, found = path_of(made)
-    # Tolerances and rounding are absolute: a part shrunk to their size is another part.
+    # Tolerances and rounding are absolute, so a part that is as small as they are may be recognised differently.
     assume(scale >= 1 or (scale * path.lengths[~path.rapid]).min() > 0.2)
     again = recognize(moved(path, scale * path.points), tool_diameter=scale * TOOL)
     assert again.strategy == found.strategy
@@ -107,7 +107,7 @@ def test_scaling_with_the_tool(made, scale):
 
 
 @given(anything)
-def test_reversing_negates_phi_and_keeps_strategy(made):
+def test_reversed_toolpath_keeps_strategy_and_negates_phi(made):
     path, found = path_of(made)
     again = recognize(backwards(path), tool_diameter=TOOL)
     assert again.strategy == found.strategy
@@ -117,7 +117,7 @@ def test_reversing_negates_phi_and_keeps_strategy(made):
 
 
 @given(anything, angles)
-def test_mirroring_negates_phi_and_keeps_strategy(made, angle):
+def test_mirrored_toolpath_keeps_strategy_and_negates_phi(made, angle):
     path, found = path_of(made)
     path = turned(path, angle)
     again = recognize(replace(path, points=path.points * (1, -1, 1), sweep=-path.sweep), tool_diameter=TOOL)
@@ -128,7 +128,7 @@ def test_mirroring_negates_phi_and_keeps_strategy(made, angle):
 
 
 @given(anything, st.data())
-def test_splitting_adds_collinear_points_and_changes_nothing(made, data):
+def test_toolpath_of_divided_moves_keeps_its_strategy(made, data):
     path, found = path_of(made)
     few = data.draw(st.lists(st.integers(1, 5), min_size=1, max_size=20))
     again = recognize(split(path, np.resize(few, len(path))), tool_diameter=TOOL)
@@ -139,7 +139,7 @@ def test_splitting_adds_collinear_points_and_changes_nothing(made, data):
 
 
 @given(anything)
-def test_six_decimals_are_enough(made):
+def test_toolpath_rounded_to_six_decimals_keeps_its_strategy(made):
     _, found = path_of(made)
     rounded = [
         (code, {letter: round(value, 6) for letter, value in words.items()}) for code, words in commands_of(made)
@@ -149,7 +149,7 @@ def test_six_decimals_are_enough(made):
 
 
 def programs_of_arcs(turns, radius, pitch):
-    """A pocket of circles and a bore, both of arcs."""
+    """Return a pocket of circles and a bore, both made of arcs."""
     circles = []
     for i in range(turns):
         r = radius + 3.0 * i
@@ -164,7 +164,7 @@ def programs_of_arcs(turns, radius, pitch):
 
 @pytest.mark.long
 @given(st.integers(4, 9), st.floats(4, 30), st.floats(0.3, 3), st.floats(1e-3, 0.2))
-def test_the_tolerance_of_arcs(turns, radius, pitch, tolerance):
+def test_strategy_does_not_depend_on_arc_tolerance(turns, radius, pitch, tolerance):
     for name, commands in programs_of_arcs(turns, radius, pitch).items():
         found = [recognize(linearize(commands, tolerance=t), tool_diameter=TOOL) for t in (0.01, tolerance)]
         assert [f.strategy.value for f in found] == [name, name]
@@ -173,7 +173,7 @@ def test_the_tolerance_of_arcs(turns, radius, pitch, tolerance):
 
 
 @given(st.integers(3, 60), st.integers(0, 59), st.floats(15, 100), st.floats(0, 0.3), depths)
-def test_the_start_of_a_closed_contour(sides, start, radius, waves, depths):
+def test_strategy_does_not_depend_on_start_of_a_contour(sides, start, radius, waves, depths):
     found = []
     for s in (0, start % sides):
         strokes = [programs.outline(sides, radius, z=z, waves=waves, start=s) for z in depths]
@@ -185,7 +185,7 @@ def test_the_start_of_a_closed_contour(sides, start, radius, waves, depths):
 
 
 @given(st.integers(4, 9), st.integers(3, 40), st.integers(0, 39), steps)
-def test_the_start_of_nested_contours(loops, sides, start, step):
+def test_strategy_does_not_depend_on_start_of_nested_contours(loops, sides, start, step):
     found = []
     for s in (0, start % sides):
         rings = [programs.outline(sides, 8 + i * step, start=s) for i in range(loops)]
@@ -197,7 +197,7 @@ def test_the_start_of_nested_contours(loops, sides, start, step):
 @pytest.mark.parametrize("short", [0.013, 0.0157, 0.0176, 0.0195, 0.024])
 @given(st.integers(3, 9), st.integers(3, 12), angles)
 @settings(max_examples=25)
-def test_loops_that_close_with_a_move_as_short_as_rounding(short, loops, sides, angle):
+def test_loops_that_close_with_a_tiny_move_are_offsets(short, loops, sides, angle):
     path = turned(linearize(programs.offsets(loops, sides, inner=8.0, longer=short)), angle)
     for way, sign in ((path, 1), (backwards(path), -1)):
         found = recognize(way, tool_diameter=TOOL)
@@ -207,15 +207,15 @@ def test_loops_that_close_with_a_move_as_short_as_rounding(short, loops, sides, 
 
 @given(anything)
 @settings(max_examples=25)
-def test_an_unknown_tool(made):
+def test_strategy_does_not_depend_on_a_known_tool(made):
     path, found = path_of(made)
-    # Three loops may also be three separate contours if the tool's diameter is unknown.
+    # If the tool is unknown, three loops may also be three separate contours.
     if found.strategy != "contour-parallel" or found.passes > 3:
         assert recognize(path).strategy == found.strategy
 
 
 @pytest.mark.parametrize("name", programs.SOUND)
-def test_an_impossible_tool_is_an_unknown_one(name):
+def test_impossible_tool_diameter_counts_as_unknown(name):
     path = linearize(programs.SOUND[name]())
     without = recognize(path)
     for impossible in (0.0, -1.0, float("nan"), float("inf")):
@@ -224,7 +224,7 @@ def test_an_impossible_tool_is_an_unknown_one(name):
 
 @given(anything)
 @settings(max_examples=25)
-def test_commands_around_the_cut_change_nothing(made):
+def test_commands_around_the_cuts_change_nothing(made):
     commands = commands_of(made)
     found = recognize(linearize(commands), tool_diameter=TOOL)
     around = [("(Created by hand)", {}), ("G21", {}), ("G90", {}), ("M3", {"S": 5000.0}), ("G0", {"X": -77.0, "Y": 55.0, "Z": CLEAR}),

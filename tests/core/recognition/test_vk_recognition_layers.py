@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The lead-in and the lead-out are reported beside the pattern, and only the pattern decides the strategy."""
+"""Lead-in and lead-out are reported, but only the pattern between them decides the strategy."""
 
 from __future__ import annotations
 
@@ -21,13 +21,13 @@ DEEP = -5.0
 
 
 def helix(turns=10, radius=2.0):
-    """Commands of a helix down from the part's top, which ends at (radius, 0)."""
+    """Return the commands of a helix down from the part's top, which ends at (radius, 0)."""
     down = [("G3", {"X": radius, "Y": 0.0, "Z": DEEP * (k + 1) / turns, "I": -radius, "J": 0.0}) for k in range(turns)]
     return [*ABOVE, ("G1", {"X": radius, "Y": 0.0, "Z": 0.0, "F": 5.0}), *down]
 
 
 def offsets(count=3, first=6.0, step=3.0):
-    """Commands of linked square loops that grow."""
+    """Return the commands of linked square loops that grow."""
     loops = []
     for k in range(count):
         h = first + k * step
@@ -37,7 +37,7 @@ def offsets(count=3, first=6.0, step=3.0):
 
 
 def rows(count=12, length=40.0, step=2.0):
-    """Commands of a zigzag that begins at the origin."""
+    """Return the commands of a zigzag that begins at the origin."""
     ends = [(0.0, length)[(k + 1) // 2 % 2] for k in range(2 * count)]
     return [("G1", {"X": x, "Y": step * (k // 2)}) for k, x in enumerate(ends)]
 
@@ -65,21 +65,21 @@ def test_pattern_decides_and_entry_is_reported(commands, strategy, entry):
 
 
 @pytest.mark.parametrize("commands, strategy, entry", CASES, ids=NAMES)
-def test_lead_out_counts_as_little_as_lead_in(commands, strategy, entry):
+def test_lead_out_does_not_change_the_strategy(commands, strategy, entry):
     path = linearize(commands)
-    cutting = slice(1, None)  # the rapid to the start stays the first
+    cutting = slice(1, None)  # the rapid to the start remains the first move
     points = np.vstack([path.points[:1], path.points[cutting][::-1]])
     back = replace(path, points=points)
     assert recognize(back, tool_diameter=4.0).strategy is strategy
 
 
-def test_a_helix_that_is_the_operation_is_a_helix():
+def test_helix_without_another_pattern_is_a_helix():
     level = [("G3", {"X": 2.0, "Y": 0.0, "I": -2.0, "J": 0.0})]
     found = recognize(linearize(helix() + level), tool_diameter=4.0)
     assert found.strategy is Strategy.HELIX and found.entry is None
 
 
-def test_the_ramp_along_a_contour_is_a_part_of_it():
+def test_ramp_along_a_contour_is_part_of_the_contour():
     corners = [(40.0, 0.0), (40.0, 30.0), (0.0, 30.0), (0.0, 0.0)]
     down = [("G1", {"X": x, "Y": y, "Z": -0.5 * (k + 1)}) for k, (x, y) in enumerate(corners)]
     path = linearize([*ABOVE, ("G1", {"Z": 0.0, "F": 5.0}), *down, *(("G1", {"X": x, "Y": y}) for x, y in corners)])
@@ -88,7 +88,7 @@ def test_the_ramp_along_a_contour_is_a_part_of_it():
     assert recognize(path).strategy is Strategy.PROFILE
 
 
-def test_turning_restarts_in_areas_without_entries():
+def test_phi_restarts_in_areas_without_entries():
     moves = monotonous_areas(linearize(helix() + rows() + [("G0", {"Z": 2.0})] + ramp() + rows()))
     pattern, wound = without_entries(moves)
     assert 0 < wound < 1 and len(pattern) < len(moves) and len(pattern.start) == len(moves.start)
@@ -100,7 +100,7 @@ def test_turning_restarts_in_areas_without_entries():
 
 
 @pytest.mark.parametrize("last", [False, True])
-def test_a_contour_around_the_rows_is_their_finishing_pass(last):
+def test_contour_around_the_rows_is_their_finishing_pass(last):
     corners = ((-1.0, -1.0), (41.0, -1.0), (41.0, 23.0), (-1.0, 23.0), (-1.0, -1.0))
     contour = [("G0", {"Z": 2.0}), ("G0", {"X": -1.0, "Y": -1.0}), ("G1", {"Z": DEEP})]
     contour += [("G1", {"X": x, "Y": y}) for x, y in corners]
@@ -113,7 +113,7 @@ def test_a_contour_around_the_rows_is_their_finishing_pass(last):
 
 
 def box(left, bottom, right, top):
-    """A closed stroke along a rectangle, 4 mm deep."""
+    """Return a closed stroke along a rectangle, 4 mm deep."""
     corners = ((left, bottom), (right, bottom), (right, top), (left, top), (left, bottom))
     return [(x, y, -4.0) for x, y in corners]
 
@@ -143,7 +143,7 @@ PARTS = [
     ],
     ids=["wall first", "islands first", "islands alone"],
 )
-def test_contours_around_islands_finish_the_rows_around_them(strokes):
+def test_contours_around_islands_finish_the_rows(strokes):
     found = recognize(linearize(programs.program(strokes)), tool_diameter=3.0)
     assert found.strategy is Strategy.ZIGZAG and found.finishing, found.reason
 
@@ -153,7 +153,7 @@ def areas(*strokes):
 
 
 def way_down(*points, x=0.0):
-    """A stroke down over some points and then around a rectangle of 60 by 40 mm at the last height."""
+    """Return a stroke down along some points, and then around a rectangle of 60 x 40 mm at the last height."""
     b, z = points[-1][1:]
     corners = ((60, 0), (60, 40), (0, 40), (0, 0), (60, 0))
     return [*((x + a, b, z) for a, b, z in points), *((x + a, b + c, z) for a, c in corners)]
@@ -175,20 +175,21 @@ DOWN_ALL_ALONG = [(200 + x, y, 2 * z) for x, y, z in HELIX]
         ([way_down(*CORNER)], "ramp"),
         ([way_down(*TO_AND_FRO)], "zigzag ramp"),
         ([way_down(*HELIX)], "helix"),
-        ([way_down(*RAMP), way_down(*TO_AND_FRO, x=100)], "ramp"),  # 4 mm and 3 mm
+        ([way_down(*RAMP), way_down(*TO_AND_FRO, x=100)], "ramp"),  # the ramp is 4 mm deep, and the zigzag ramp 3 mm
         ([way_down(*TO_AND_FRO, x=100), way_down(*RAMP)], "ramp"),
-        ([way_down(*SINGLE), way_down(*SINGLE, x=100), way_down(*HELIX, x=200)], "ramp"),  # 6 mm and 5 mm
+        # the ramps are 6 mm deep together, and the helix 5 mm
+        ([way_down(*SINGLE), way_down(*SINGLE, x=100), way_down(*HELIX, x=200)], "ramp"),
         ([way_down(*SINGLE), way_down(*TO_AND_FRO, x=100), way_down(*HELIX, x=200)], "helix"),
         ([way_down((0, 0, 0), (20, 0, -0.01)), way_down(*SINGLE, x=100)], "ramp"),
-        ([way_down(*RAMP), DOWN_ALL_ALONG], "ramp"),  # nothing level follows the helix
+        ([way_down(*RAMP), DOWN_ALL_ALONG], "ramp"),  # no level move follows the helix
         ([DOWN_ALL_ALONG], None),
         ([[*way_down((0, 0, -1)), (50, 0, -1.5)]], "plunge"),  # a level move comes first
         ([way_down((0, 0, 0), (20, 0, -0.01))], "plunge"),  # 0.01 mm is not a depth
-        ([[(0, 0, 0), (20, 0, -1), (60, 0, -1), (60, 20, -2), (0, 20, -3)]], None),  # 40 of 120 mm are level
+        ([[(0, 0, 0), (20, 0, -1), (60, 0, -1), (60, 20, -2), (0, 20, -3)]], None),  # only 40 of 120 mm are level
         ([[(0, 0, 0), (20, 0, -1), (20, 90, -1), (60, 90, -2), (60, 70, -3)]], "ramp"),  # 90 of 150 mm are level
     ],
 )
-def test_entry_of_most_of_the_depth_is_reported(strokes, entry):
+def test_entry_with_most_of_the_depth_is_reported(strokes, entry):
     assert find_entry(areas(*strokes)) == entry
 
 
@@ -215,8 +216,8 @@ def test_sharp_turns_after_straight_entry_are_not_winding():
 
 
 @pytest.mark.parametrize("wider, leads", [(2.0, False), (4.0, True)])
-def test_helix_is_entry_if_path_leads_farther(wider, leads):
-    """On a radius of 4 mm, in a box whose diagonal is 11.3 mm; a spiral at its ground."""
+def test_helix_is_entry_if_the_path_leads_farther_out(wider, leads):
+    """The helix has a radius of 4 mm, in a box with a diagonal of 11.3 mm. A spiral follows at its lower end."""
     moves = areas(winding(4, 4, 2, drop=2) + winding(4, 4 + wider, 3, z=-2)[1:])
     pattern, wound = without_entries(moves)
     assert len(moves) - len(pattern) == (72 if leads else 0) and bool(wound) is leads
@@ -248,7 +249,7 @@ def test_moves_before_first_and_after_last_are_counted(other, before, after):
 
 
 def out_and(*points, at=0.0):
-    """Return a path that runs level around a bend, then along the points, and 40 mm on at the last point's height."""
+    """Return a path that is level around a bend, then follows the points, and continues 40 mm at the last height."""
     x, y, z = points[-1]
     stroke = [(0, 0, 0), (6, 0, 0), (6, 8, 0), *points, (x, y - 40, z), (x + 5, y - 40, z)]
     return areas([(at + x, y - at, z) for x, y, z in stroke])
@@ -258,8 +259,8 @@ def out_and(*points, at=0.0):
 @pytest.mark.parametrize(
     ("points", "entry", "left"),
     [
-        ([(6, 0, -1), (0, 0, -2)], "ramp", 2),  # the ramp ends at the path's start
-        ([(6, 0, -1), (1, 0, -2)], "plunge", 6),  # the ramp ends short of the path's start
+        ([(6, 0, -1), (0, 0, -2)], "ramp", 2),  # the ramp ends at the start of the path
+        ([(6, 0, -1), (1, 0, -2)], "plunge", 6),  # the ramp does not reach the start of the path
         ([(0, 0, -2)], "plunge", 5),  # the tool returns on another line
         ([(6, 0, 0), (0, 0, 0)], "plunge", 6),  # the way back is level
     ],
@@ -270,7 +271,7 @@ def test_ramp_may_begin_with_a_level_move_out(points, entry, left, at):
     assert len(without_entries(moves)[0]) == left
 
 
-def test_ramp_removal_leaves_other_areas():
+def test_removing_a_ramp_keeps_the_other_areas():
     first = [(100, 0, -1), (140, 0, -1), (140, 5, -1)]
     out = [(0, 0, 0), (20, 0, 0), (0, 0, -1), (0, 40, -1), (5, 40, -1)]
     pattern, _ = without_entries(areas(first, out, first))

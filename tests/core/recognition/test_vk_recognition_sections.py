@@ -30,7 +30,7 @@ from vkworkbench.core.recognition.verdict.recognition import Recognition, Span
 from vkworkbench.language import Message
 
 TOOL = 5.0
-DEEPER = 0.7  # mm; no step of depths that a program here has
+DEEPER = 0.7  # mm; different from all depth steps of the programs in this file
 
 MADE = {
     "zigzag": lambda size: programs.SOUND["zigzag"](int(6 * size), 60.0, 3.0, [-1.0]),
@@ -48,12 +48,12 @@ every = pytest.mark.parametrize("name", MADE)
 
 
 def lifted(path, height):
-    """The toolpath `height` higher."""
+    """Return the toolpath, moved up by `height`."""
     return replace(path, points=path.points + (0, 0, height))
 
 
 def after(first, second):
-    """One toolpath after the other: up, over and down at rapid."""
+    """Return both toolpaths one after the other, with rapids up, across and down between them."""
     top = max(first.points[:, 2].max(), second.points[:, 2].max()) + 1.0
     a, b = first.points[-1], second.points[0]
     link = np.array([(*a[:2], top), (*b[:2], top), b])
@@ -78,7 +78,7 @@ def after(first, second):
 @every
 @settings(max_examples=5, deadline=None)
 @given(times=st.integers(1, 3))
-def test_the_same_operation_deeper_is_the_same_operation(name, times):
+def test_operation_repeated_at_depths_is_one_operation(name, times):
     path = linearize(MADE[name](2))
     whole = path
     for k in range(1, times + 1):
@@ -90,7 +90,7 @@ def test_the_same_operation_deeper_is_the_same_operation(name, times):
 
 
 @every
-def test_level_moves_at_feed_instead_of_rapid(name):
+def test_links_at_feed_do_not_change_the_strategy(name):
     path = linearize(MADE[name](2))
     path = after(path, replace(path, points=path.points + (150.0, 90.0, 0.0)))
     level = path.rapid & (np.diff(path.points[:, 2]) == 0)
@@ -115,8 +115,8 @@ def test_tool_change_divides_regardless_of_lengths(pair, sizes, turned):
 
 @pytest.mark.long
 @every
-def test_the_whole_says_nothing_that_all_its_sections_deny(name):
-    # Somewhere else and at another depth, cut with another tool.
+def test_sections_of_one_strategy_have_it_together(name):
+    # The second section is in another place, at another depth, or cut with another tool.
     sections = [linearize(MADE[name](size)) for size in (1, 2)]
     assert all(recognize(s, tool_diameter=TOOL).strategy == name for s in sections)
     one, two = sections
@@ -128,7 +128,7 @@ def test_the_whole_says_nothing_that_all_its_sections_deny(name):
             assert found.strategy == name, (depth, border, found.reason)
 
 
-def test_borders_surround_runs_of_holes():
+def test_runs_of_holes_have_borders():
     rest = [("G0", {"Z": 5.0})]
     rectangle = [
         ("G1", {"Z": -1.0}),
@@ -139,14 +139,15 @@ def test_borders_surround_runs_of_holes():
     start = ("G0", {"X": 0.0, "Y": 0.0, "Z": 5.0})
     away = ("G0", {"X": 50.0})
     milled_first = linearize([start, *rectangle, away, *hole, away, ("G0", {"X": 70.0}), *hole])
-    # Trajectories: plunge 0, rectangle 1 to 3, up 4, over 5, hole 6, up 7, over 8, hole 9, up 10.
+    # Trajectories: plunge 0, rectangle 1 to 3, up 4, across 5, hole 6, up 7, across 8, hole 9, up 10.
     assert find_borders(milled_first, monotonous_areas(milled_first)) == {4: True, 10: True}
     drilled_first = linearize([start, *hole, away, *hole, start, *rectangle])
-    # Hole 0, up 1, over 2, hole 3, up 4.
+    # Trajectories: hole 0, up 1, across 2, hole 3, up 4.
     assert find_borders(drilled_first, monotonous_areas(drilled_first)) == {4: True}
     to = [("G0", {"X": x}) for x in (70.0, 90.0, 110.0)]
     around = linearize([start, *hole, away, *hole, to[0], *rectangle, to[1], *hole, to[2], *hole])
-    # Hole 0, up 1, over 2, hole 3, up 4, over 5, down 6, rectangle 7 to 9, up 10, over 11, hole 12, up 13, over 14, hole 15.
+    # Trajectories: hole 0, up 1, across 2, hole 3, up 4, across 5, down 6, rectangle 7 to 9, up 10, across 11, hole 12,
+    # up 13, across 14, hole 15.
     assert find_borders(around, monotonous_areas(around)) == {4: True, 10: True, 16: True}
 
 
@@ -172,7 +173,7 @@ def test_retract_at_feed_belongs_to_the_operation_before():
     assert [str(span.strategy) for span in found.spans] == ["profile", "drilling", "profile"]
 
 
-def test_canned_cycles_are_borders_however_few_they_are():
+def test_single_canned_cycle_is_a_certain_border():
     milling = programs.one_way(40)
     drilled = [("G0", {"X": 300.0, "Y": 0.0, "Z": 5.0}), ("G81", {"X": 300.0, "Y": 0.0, "Z": -9.0, "R": 2.0, "F": 5.0})]
     plunged = [("G0", {"X": 300.0, "Y": 0.0, "Z": 5.0}), ("G1", {"X": 300.0, "Y": 0.0, "Z": -9.0})]
@@ -184,8 +185,8 @@ def test_canned_cycles_are_borders_however_few_they_are():
         assert found == ({int(last) + 1: True, down + 1: True} if certain else {})
 
 
-def test_plunges_are_borders_where_there_is_one_for_four_passes():
-    """One for five is a pass clipped to a point."""
+def test_plunges_are_borders_if_one_plunge_has_four_passes():
+    """One plunge beside five passes is a pass that the boundary clips to a point."""
     plunge = [("G0", {"X": 300.0, "Y": 0.0, "Z": 5.0}), ("G1", {"X": 300.0, "Y": 0.0, "Z": -9.0}), ("G0", {"Z": 5.0})]
     for rows, borders in ((4, True), (5, False)):
         path = replace(linearize([*programs.one_way(rows), *plunge]), comments=())
@@ -198,13 +199,13 @@ def test_plunges_are_borders_where_there_is_one_for_four_passes():
 @pytest.mark.parametrize(
     "places, borders",
     [
-        ([(0, -2.0), (10, -2.0), (20, -1.0)], False),  # what is left of a waterline's contours on a gentle slope
-        ([(0, -2.0), (10, -2.0), (20, -2.0)], True),  # holes as deep as the pocket
+        ([(0, -2.0), (10, -2.0), (20, -1.0)], False),  # the rest of a waterline's contours on a gentle slope
+        ([(0, -2.0), (10, -2.0), (20, -2.0)], True),  # the holes are as deep as the pocket
         ([(0, -2.0), (10, -2.5), (20, -1.0)], True),
-        ([(0, -1.0), (0, -2.0), (0, -1.0)], True),  # pecks
+        ([(0, -1.0), (0, -2.0), (0, -1.0)], True),  # pecks in one hole
     ],
 )
-def test_plunges_to_milling_layers_are_clipped_contours(places, borders):
+def test_plunges_to_the_depths_of_contours_are_not_holes(places, borders):
     plunges = [
         command
         for x, z in places
@@ -225,7 +226,7 @@ def test_plunges_of_a_surface_are_clipped_passes(heights, borders):
     assert bool(find_borders(path, moves)) is borders
 
 
-def test_noncutting_moves_are_unknown_throughout():
+def test_span_of_unknown_rapids_covers_all_moves():
     path = linearize(
         [("G0", {"X": 0.0, "Y": 0.0, "Z": 5.0}), ("G0", {"X": 5.0}), ("(turn)", {}), ("G0", {"Y": 5.0, "Z": 9.0})]
     )
@@ -235,7 +236,7 @@ def test_noncutting_moves_are_unknown_throughout():
 
 
 def contour(depths, closed=True):
-    """Commands of one contour at some depths."""
+    """Return the commands of one contour at some depths."""
     program = []
     for z in depths:
         program += [("G0", {"Z": 5.0}), ("G0", {"X": 0.0, "Y": 0.0}), ("G1", {"Z": z})]
@@ -263,24 +264,24 @@ def test_two_loops_or_three_passes_show_a_strategy(loops, passes, short):
 
 
 def beside(drilled, change=()):
-    """Twelve loops of a pocket, 2.5 m in all, and `drilled` by 2 holes of 15 mm beside it."""
+    """Return twelve loops of a pocket, 2.5 m in all, and `drilled` by 2 holes of 15 mm beside the pocket."""
     pocket = programs.SOUND["contour-parallel"](12, 36, 3.0, 10.0, [-1.0], 0.0)
     return [*pocket, *change, ("G0", {"X": 300.0}), *programs.SOUND["drilling"](drilled, 2, 20.0, "G81")]
 
 
 @pytest.mark.parametrize("program", [False, True])
-def test_pattern_with_few_holes_keeps_its_name(program):
+def test_pattern_with_few_holes_keeps_its_strategy(program):
     found = recognize(linearize(beside(3)), tool_diameter=TOOL, program=program)
     assert found.strategy is Strategy.CONTOUR_PARALLEL
     assert [s.strategy for s in found.spans] == [Strategy.CONTOUR_PARALLEL, Strategy.DRILLING]
     assert found.spans[1].share < 0.05
     assert found.reason.endswith(" A small part is drilling."), found.reason
-    assert found.passes == 12  # the numbers describe only the pattern
+    assert found.passes == 12  # only the pattern is counted
 
 
 @pytest.mark.parametrize("program", [False, True])
 @pytest.mark.parametrize(("drilled", "change"), [(3, [("M6", {"T": 2.0})]), (9, [])])
-def test_many_holes_or_other_tool_are_own_operation(drilled, change, program):
+def test_many_holes_or_another_tool_make_an_operation(drilled, change, program):
     found = recognize(linearize(beside(drilled, change)), tool_diameter=TOOL, program=program)
     assert found.strategy is Strategy.MIXED
     assert [s.strategy for s in found.spans] == [Strategy.CONTOUR_PARALLEL, Strategy.DRILLING]
@@ -288,7 +289,7 @@ def test_many_holes_or_other_tool_are_own_operation(drilled, change, program):
 
 
 def with_a_contour(pattern, share, *before):
-    """A pattern and a square contour with a share of the length, of which 10 mm are its way down."""
+    """Return a pattern and a square contour with this share of the length, of which 10 mm are its way down."""
     path = linearize(pattern)
     length = cutting_length(path, 0, len(path) - 1) * share / (1 - share)
     square = programs.program([polygon((length - 10) / 4, x=500)])
@@ -310,7 +311,10 @@ def test_short_section_of_another_tool_is_an_operation(share, others):
 
 
 def in_holes(depths, remark=True):
-    """Three holes, each wound down into and then widened, as FreeCAD clears them adaptively, with its remarks."""
+    """Return three holes of FreeCAD's adaptive clearing with its remarks.
+
+    Each hole is entered on a helix and widened.
+    """
     commands = []
     for depth, hole in itertools.product(depths, range(3)):
         down, out = np.arange(0, 6 * 2 * np.pi, 0.3), np.arange(0, 3 * 2 * np.pi, 0.3)
@@ -335,8 +339,8 @@ def test_freecad_remark_within_operation_does_not_divide(depths):
 
 
 @pytest.mark.parametrize(("loops", "other"), [(12, "zigzag"), (70, "drilling")])
-def test_other_tool_is_other_operation_in_programs(loops, other):
-    """Four short rows, or of holes less than a thousandth of the length."""
+def test_another_tool_is_another_operation_in_a_program(loops, other):
+    """The second tool cuts four short rows, or drills holes with less than a thousandth of the length."""
     pocket = programs.SOUND["contour-parallel"](loops, 36, 3.0, 10.0, [-1.0], 0.0)
     little = {
         "zigzag": programs.SOUND["zigzag"](4, 15.0, 3.0, [-1.0]),
@@ -364,7 +368,7 @@ def told(strategy, *spans, **numbers):
     return Recognition(strategy, numbers.pop("confidence", 0.9), Message("moves-nothing"), spans, **numbers)
 
 
-def test_stretches_of_loops_and_of_rows_lie_one_behind_the_other():
+def test_loops_and_rows_in_one_section_are_separate_runs():
     """The six pieces are a ring, a link, two rows, a link and a ring, with one to three moves each."""
     rings, rows = Strategy.PROFILE, Strategy.ZIGZAG
     section = SimpleNamespace(
@@ -374,13 +378,13 @@ def test_stretches_of_loops_and_of_rows_lie_one_behind_the_other():
     )  # fmt: skip
     verdict = SimpleNamespace(parts=(told(rings), told(rows)))
     assert _runs(section, verdict, 2, 25) == [(2, 7, rings), (10, 15, rows), (20, 25, rings)]
-    section.ring_pieces[0] = False  # a way in, which belongs to the rows behind it
+    section.ring_pieces[0] = False  # a lead-in, which belongs to the rows after it
     assert _runs(section, verdict, 2, 25) == [(2, 15, rows), (20, 25, rings)]
-    section.ring_pieces[1] = True  # and to a ring
+    section.ring_pieces[1] = True  # the link belongs to the ring
     assert _runs(section, verdict, 2, 25) == [(2, 7, rings), (10, 15, rows), (20, 25, rings)]
 
 
-def test_two_verdicts_are_as_likely_different_as_both_are_right():
+def test_odds_of_difference_follow_from_both_confidences():
     zigzag, helix = told(Strategy.ZIGZAG, confidence=0.8), told(Strategy.HELIX, confidence=0.5)
     assert _odds_of_difference(zigzag, helix) == pytest.approx(0.4 / 0.6) == _odds_of_difference(helix, zigzag)
     assert _odds_of_difference(zigzag, told(Strategy.ZIGZAG)) == 0
@@ -410,7 +414,7 @@ def test_operation_of_program_is_one_span_named_by_rows():
     assert _one_span(one) is one
 
 
-def test_equal_neighbours_are_one_span_but_for_another_operation():
+def test_equal_neighbouring_spans_of_one_operation_are_joined():
     rows, contour = Strategy.ZIGZAG, Strategy.PROFILE
     found = [
         told(rows, (0, 4, rows, 1.0)),
@@ -430,11 +434,11 @@ ROWS, AROUND, STROKES = Strategy.ZIGZAG, Strategy.PROFILE, Strategy.ENGRAVING
     "one, loops, passes, main, sure, program, differs",
     [
         (ROWS, 0, 3, AROUND, False, False, True),
-        (ROWS, 0, 2, AROUND, False, False, False),  # too little to show it
+        (ROWS, 0, 2, AROUND, False, False, False),  # too short to show its strategy
         (ROWS, 0, None, AROUND, True, False, False),
         (AROUND, 1, None, ROWS, False, False, True),
         (AROUND, 1, 1, ROWS, True, False, True),
-        (ROWS, 0, 3, Strategy.ONE_WAY, False, False, False),  # of one family
+        (ROWS, 0, 3, Strategy.ONE_WAY, False, False, False),  # both strategies belong to one family
         (ROWS, 0, 3, Strategy.ONE_WAY, True, False, True),
         (ROWS, 0, 3, ROWS, True, False, False),
         (ROWS, 0, 0, Strategy.ONE_WAY, True, True, True),
@@ -447,7 +451,7 @@ ROWS, AROUND, STROKES = Strategy.ZIGZAG, Strategy.PROFILE, Strategy.ENGRAVING
         (ROWS, 0, 9, Strategy.UNKNOWN, True, True, False),
     ],
 )
-def test_kind_of_border_decides_required_difference(one, loops, passes, main, sure, program, differs):
+def test_longest_section_decides_if_all_deny_the_whole(one, loops, passes, main, sure, program, differs):
     assert _differs(told(one, closed_loops=loops, passes=passes), told(main), sure, program) is differs
 
 

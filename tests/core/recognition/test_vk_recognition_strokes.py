@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Open strokes, and contours with additions of CAM programs, in several sizes, directions and post formats."""
+"""Open strokes, and contours with additions of CAM programs, in several sizes, directions and post-processor formats."""
 
 from __future__ import annotations
 
@@ -37,7 +37,7 @@ def test_synthetic_strokes_have_their_strategy(label, accepted, make, seed):
 @pytest.mark.parametrize(
     "make, strategy", [(open_offsets, Strategy.CONTOUR_PARALLEL), (open_adaptive, Strategy.ADAPTIVE)]
 )
-def test_open_strokes_side_by_side_of_any_size_and_mirrored(make, strategy, scale):
+def test_open_strokes_keep_strategy_if_scaled_or_mirrored(make, strategy, scale):
     path = linearize(make(np.random.default_rng(3)))
     for points in (scale * path.points, path.points * (1, -1, 1)):
         found = recognize(replace(path, points=points))
@@ -45,16 +45,16 @@ def test_open_strokes_side_by_side_of_any_size_and_mirrored(make, strategy, scal
 
 
 @pytest.mark.parametrize("seed", range(SEEDS))
-def test_the_step_of_open_offsets(seed):
+def test_stepover_of_open_offsets_is_their_step(seed):
     draws = np.random.default_rng(seed)
-    draws.uniform()  # the angle
+    draws.uniform()  # the first value is the angle
     step = draws.uniform(0.8, 1.8)
     found = recognize(linearize(open_offsets(np.random.default_rng(seed))))
     assert found.stepover == pytest.approx(step, rel=0.05) and found.passes >= 5
 
 
 @pytest.mark.parametrize("seed", range(SEEDS))
-def test_without_its_spurs_a_contour_turns_once(seed):
+def test_contour_without_its_spurs_turns_once(seed):
     moves = monotonous_areas(linearize(dogbones(np.random.default_rng(seed), levels=1)))
     kept = without_spurs(moves)
     assert len(moves) - len(kept) == 2 * len(moves.reversals) > 0 and not len(kept.reversals)
@@ -63,13 +63,13 @@ def test_without_its_spurs_a_contour_turns_once(seed):
     assert recognize(linearize(dogbones(np.random.default_rng(seed), levels=1))).reversals == len(moves.reversals)
 
 
-def test_passes_over_themselves_are_not_spurs():
+def test_passes_back_over_themselves_are_not_spurs():
     moves = monotonous_areas(linearize(ramps(np.random.default_rng(0), count=6, level=False)))
     assert len(moves.reversals) and without_spurs(moves) is moves
 
 
 def ramped(to_and_fro):
-    """Return a contour entered by a ramp along its first side, in one descent or back and forth."""
+    """Return a contour that is entered by a ramp along its first side, in one descent or back and forth."""
     down = [(40.0, -1.0), (0.0, -2.0), (40.0, -3.0)] if to_and_fro else [(40.0, -3.0)]
     commands = [("G0", {"Z": 5.0}), ("G0", {"X": 0.0, "Y": 0.0}), ("G1", {"Z": 0.0})]
     commands += [("G1", {"X": x, "Y": 0.0, "Z": z}) for x, z in down]
@@ -87,14 +87,14 @@ def test_entry_is_reported_with_the_strategy():
     assert told(ramped(True))[1] == "zigzag ramp"
     assert told(programs.helix()) == ("helix", None)
     assert told(programs.drilling())[1] is None
-    for seed in range(SEEDS):  # ten turns of ramp before three offsets make no profile
+    for seed in range(SEEDS):  # ten turns of ramp before three offsets are not a profile
         assert told(entered(np.random.default_rng(seed))) == ("contour-parallel", "helix")
 
 
 @pytest.mark.parametrize("tool", [3.0, None])
 @pytest.mark.parametrize("share", [0.25, 0.5, 0.7])
-def test_an_open_contour_to_and_fro_on_a_ramp_is_a_profile(share, tool):
-    """An arc of 40 mm radius, cut five times without a lift."""
+def test_open_contour_ramped_back_and_forth_is_a_profile(share, tool):
+    """An arc with a radius of 40 mm is cut five times without a lift."""
     there = [(40 * math.cos(a), 40 * math.sin(a)) for a in np.linspace(0, share * TURN, 60)]
     points = [point for k in range(5) for point in there[:: (-1) ** k][k > 0 :]]
     stroke = [(x, y, -5 * k / (len(points) - 1)) for k, (x, y) in enumerate(points)]
@@ -104,7 +104,7 @@ def test_an_open_contour_to_and_fro_on_a_ramp_is_a_profile(share, tool):
 
 @pytest.mark.parametrize("seed", range(4))
 def test_curls_of_a_drawing_are_not_bites(seed):
-    """Curls of one sense overlap by chance; the bites of adaptive clearing lie beside one another."""
+    """The curls have one sense and overlap by chance. The bites of adaptive clearing lie side by side."""
     rng, commands = np.random.default_rng(seed), [("G0", {"X": 0.0, "Y": 0.0, "Z": 5.0})]
     for k in range(60):
         angles = rng.uniform(0, TURN) - np.linspace(0, rng.uniform(3, 6), 20)

@@ -17,7 +17,7 @@ START = [("G0", {"X": 0.0, "Y": 0.0, "Z": 5.0}), ("G1", {"Z": -1.0, "F": 5.0})]
 
 
 def rows(count=24, length=60.0, step=2.0, scale=1.0):
-    """Commands of a zigzag."""
+    """Return the commands of a zigzag."""
     program = list(START)
     for k in range(count):
         x = length if k % 2 == 0 else 0.0
@@ -27,7 +27,7 @@ def rows(count=24, length=60.0, step=2.0, scale=1.0):
 
 
 def bore(turns=6, radius=8.0):
-    """Commands of a helical bore that ends by a level turn."""
+    """Return the commands of a helical bore that ends with a level turn."""
     program = [("G0", {"X": radius, "Y": 0.0, "Z": 5.0}), ("G1", {"Z": 0.0})]
     program += [("G3", {"X": radius, "Y": 0.0, "Z": -1.0 * (k + 1), "I": -radius, "J": 0.0}) for k in range(turns)]
     return [*program, ("G3", {"X": radius, "Y": 0.0, "I": -radius, "J": 0.0})]
@@ -37,9 +37,8 @@ def strategy(commands, **options):
     return recognize(linearize(commands), **options).strategy
 
 
-def test_six_thousand_exact_reversals_are_a_zigzag():
-    # A public zigzag program reverses exactly 6,212 times; the literal rule makes it a contour of level
-    # 3,103.
+def test_zigzag_with_thousands_of_exact_reversals_is_a_zigzag():
+    # In a public zigzag program with 6,212 exact reversals, the paper's literal rule finds a contour of level 3,103.
     program = list(START)
     for k in range(3106):
         y = 0.05 * k
@@ -57,8 +56,8 @@ def test_six_thousand_exact_reversals_are_a_zigzag():
     assert found.strategy is Strategy.ZIGZAG
 
 
-def test_reversals_broken_by_rounding_do_not_add_up():
-    # A turn of pi less 0.001 mm of rounding turns now one way, now the other.
+def test_reversals_with_rounding_do_not_add_levels():
+    # Rounding of 0.001 mm gives turns of almost pi a random sign.
     rng = np.random.default_rng(5)
     program = list(START)
     for k in range(200):
@@ -73,7 +72,7 @@ def test_zigzag_at_inch_scale_is_a_zigzag(scale):
     assert strategy(rows(scale=scale)) is Strategy.ZIGZAG
 
 
-def test_absolute_centres():
+def test_bore_with_absolute_arc_centres_is_a_helix():
     absolute = [("G90.1", {}), ("G0", {"X": 28.0, "Y": 10.0, "Z": 5.0}), ("G1", {"Z": 0.0})]
     absolute += [("G3", {"X": 28.0, "Y": 10.0, "Z": -1.0 * (k + 1), "I": 20.0, "J": 10.0}) for k in range(6)]
     found = recognize(linearize(absolute))
@@ -81,7 +80,7 @@ def test_absolute_centres():
 
 
 @pytest.mark.parametrize("plane, along, depth", [("G18", "X", "I"), ("G19", "Y", "J")])
-def test_rows_of_arcs_in_a_vertical_plane(plane, along, depth):
+def test_rows_of_arcs_in_a_vertical_plane_are_a_zigzag(plane, along, depth):
     across = "Y" if along == "X" else "X"
     program = [("G0", {"X": 0.0, "Y": 0.0, "Z": 0.0}), (plane, {})]
     for k in range(16):
@@ -93,7 +92,7 @@ def test_rows_of_arcs_in_a_vertical_plane(plane, along, depth):
     assert strategy(program) is Strategy.ZIGZAG
 
 
-def test_contouring_in_a_vertical_plane():
+def test_rows_in_a_vertical_plane_are_a_zigzag():
     program = [("G0", {"X": 0.0, "Y": 7.0, "Z": 0.0})]
     for k in range(12):
         program.append(("G1", {"X": 40.0 - k if k % 2 == 0 else float(k), "Z": -1.5 * k}))
@@ -101,7 +100,7 @@ def test_contouring_in_a_vertical_plane():
     assert strategy(program) is Strategy.ZIGZAG
 
 
-def test_rows_that_are_arcs_of_a_kilometre():
+def test_rows_of_arcs_with_huge_radius_are_a_zigzag():
     program, radius = list(START), 1e6
     for k in range(24):
         x = 60.0 if k % 2 == 0 else 0.0
@@ -115,7 +114,7 @@ def test_rows_that_are_arcs_of_a_kilometre():
     assert strategy(program) is Strategy.ZIGZAG
 
 
-def test_full_circles_with_equal_ends():
+def test_full_circles_with_equal_ends_are_a_profile():
     program = [("G0", {"X": 10.0, "Y": 0.0, "Z": 5.0})]
     for z in (-1.0, -2.0, -3.0):
         program += [("G1", {"Z": z}), ("G2", {"X": 10.0, "Y": 0.0, "I": -10.0, "J": 0.0}), ("G0", {"Z": 5.0})]
@@ -124,27 +123,27 @@ def test_full_circles_with_equal_ends():
     assert (found.level, found.sense, found.depths, found.closed_loops) == (-1, "cw", 3, 3)
 
 
-def test_modal_canned_cycles():
+def test_modal_canned_cycles_are_drilling():
     program = [("G0", {"Z": 5.0}), ("G83", {"X": 0.0, "Y": 0.0, "Z": -8.0, "R": 1.0, "Q": 2.0, "F": 3.0})]
     program += [("G83", {"X": 9.0 * k, "Y": 4.0}) for k in range(1, 7)] + [("G80", {})]
     found = recognize(linearize(program), tool_diameter=5.0)
     assert found.strategy is Strategy.DRILLING and found.passes == 7
 
 
-def test_line_numbers_percent_signs_and_comments():
+def test_line_numbers_and_comments_do_not_change_strategy():
     noisy = [("(%)", {}), ("(program 17, операция «Карман»)", {})]
     for k, (name, words) in enumerate(rows()):
         noisy += [(name, {**words, "N": 10.0 * k}), ("(step)", {})]
     assert strategy(noisy) is Strategy.ZIGZAG
 
 
-def test_disabled_lines():
+def test_disabled_lines_do_not_change_the_strategy():
     program = rows()
     program[10:10] = [("(/G1 X0 Y0)", {}), ("(;G3 X1 Y1 I5)", {})]
     assert strategy(program) is Strategy.ZIGZAG
 
 
-def test_zero_length_moves_and_negative_zero():
+def test_moves_of_zero_length_do_not_change_the_strategy():
     stuttering = []
     for name, words in rows():
         stuttering += [(name, words), (name, {a: -0.0 if v == 0 else v for a, v in words.items()})]
@@ -153,7 +152,7 @@ def test_zero_length_moves_and_negative_zero():
     assert doubled.phi_range == pytest.approx(plain.phi_range) and doubled.passes == plain.passes
 
 
-def test_radius_format_arcs():
+def test_bore_of_radius_format_arcs_is_a_helix():
     program = [("G0", {"X": 0.0, "Y": -10.0, "Z": 5.0}), ("G1", {"Z": 0.0})]
     for k in range(7):
         program += [
@@ -164,7 +163,7 @@ def test_radius_format_arcs():
     assert found.strategy is Strategy.HELIX and found.level == 7
 
 
-def test_incremental_words():
+def test_rows_with_incremental_words_are_a_zigzag():
     program = [*START, ("G91", {})]
     for k in range(24):
         program += [("G1", {"X": 60.0 if k % 2 == 0 else -60.0}), ("G1", {"Y": 2.0})]
@@ -180,11 +179,11 @@ def test_incremental_words():
         ("(Adaptive)", rows(), Strategy.ZIGZAG),
     ],
 )
-def test_names_that_lie(name, commands, truth):
+def test_misleading_titles_do_not_change_the_strategy(name, commands, truth):
     assert strategy([(name, {}), *commands]) is truth
 
 
-def test_noise_of_a_micrometre_does_not_turn():
+def test_noise_of_a_micrometre_does_not_change_the_level():
     rng = np.random.default_rng(2)
     program = list(START)
     for name, words in rows()[2:]:
@@ -194,15 +193,15 @@ def test_noise_of_a_micrometre_does_not_turn():
     assert found.strategy is Strategy.ZIGZAG and found.level == 0
 
 
-def test_a_clockwise_zigzag_stays_on_level_zero():
+def test_clockwise_zigzag_stays_on_level_0():
     mirrored = [(n, {a: -v if a == "Y" else v for a, v in w.items()}) for n, w in rows()]
     found = recognize(linearize(mirrored))
     assert found.strategy is Strategy.ZIGZAG and found.level == 0
     assert found.phi_range == pytest.approx((-math.pi, 0.0))
 
 
-def test_a_start_on_the_boundary_shifts_phi_and_changes_nothing():
-    # FreeCAD begins a zigzag by a piece of the boundary: phi then lies between a and a + pi.
+def test_zigzag_that_starts_on_the_boundary_is_a_zigzag():
+    # FreeCAD begins a zigzag with a piece of the boundary, so phi lies between a and a + pi.
     program = [
         ("G0", {"X": -8.0, "Y": -5.0, "Z": -1.0}),
         ("G1", {"X": -4.0, "Y": -7.0}),
@@ -212,7 +211,7 @@ def test_a_start_on_the_boundary_shifts_phi_and_changes_nothing():
     assert strategy(program) is Strategy.ZIGZAG
 
 
-def test_a_spiral_descending_around_a_rectangle_is_a_profile():
+def test_descending_path_around_a_rectangle_is_a_profile():
     corners = [(0.0, 0.0), (50.0, 0.0), (50.0, 20.0), (0.0, 20.0)]
     program = [("G0", {"X": 0.0, "Y": 0.0, "Z": 5.0}), ("G1", {"Z": 0.0})]
     for k in range(1, 25):
@@ -222,7 +221,7 @@ def test_a_spiral_descending_around_a_rectangle_is_a_profile():
 
 
 def squares(halves, *, about=(0.0, 0.0), ccw=True, depths=(-1.0,)):
-    """Commands of squares around a point, each its own cut, at every depth."""
+    """Return the commands of squares around a point. Each square is a separate cut, at every depth."""
     (x, y), program = about, []
     corners = [(1, 1), (-1, 1), (-1, -1), (1, -1), (1, 1)]
     for z in depths:
@@ -236,10 +235,10 @@ def squares(halves, *, about=(0.0, 0.0), ccw=True, depths=(-1.0,)):
 @pytest.mark.parametrize("ccw", [True, False])
 @pytest.mark.parametrize("tool", [None, 10.0])
 def test_two_contours_at_every_depth_are_not_a_pocket(ccw, tool):
-    # A washer cut at three depths has as many equal steps from ring to ring as a pocket.
+    # A washer that is cut at three depths has as many equal steps between rings as a pocket.
     washer = squares([30, 12], ccw=ccw, depths=(-1, -2, -3))
     assert strategy(washer, tool_diameter=tool) is Strategy.PROFILE
-    # Nor a zigzag where the tool is as wide as the washer.
+    # If the tool is as wide as the washer, the strategy is not a zigzag either.
     washer = squares([30, 12], ccw=False, depths=(-1, -2, -3))
     assert strategy(washer, tool_diameter=25.0) is not Strategy.ZIGZAG
     # A cut from one contour to the other without a lift clears the area between them.
@@ -252,8 +251,8 @@ def test_two_contours_at_every_depth_are_not_a_pocket(ccw, tool):
 
 
 @pytest.mark.parametrize("angle", [0.0, 0.2, 0.5, 0.785])
-def test_offset_step_is_rotation_invariant(angle):
-    # The sides of the boxes of turned squares move by up to sqrt(2) steps.
+def test_stepover_of_offsets_is_rotation_invariant(angle):
+    # The sides of the bounding boxes of rotated squares move by up to sqrt(2) steps.
     path = linearize(squares([3, 7, 11, 15, 19, 23]))
     c, s = math.cos(angle), math.sin(angle)
     points = path.points @ np.array([[c, s, 0], [-s, c, 0], [0, 0, 1]])
@@ -263,8 +262,8 @@ def test_offset_step_is_rotation_invariant(angle):
 
 
 @pytest.mark.parametrize("degrees", [10, 20, 35, 60, 90])
-def test_two_fields_of_rows_at_any_angle_to_one_another(degrees):
-    # The axis of the sum of two fields lies between them, where no row is.
+def test_two_fields_of_rows_at_any_angle_are_a_zigzag(degrees):
+    # The main axis of both fields together lies between the axes of the fields, where no row lies.
     c, s = math.cos(math.radians(degrees)), math.sin(math.radians(degrees))
     program = []
     for turned in (False, True):
@@ -281,7 +280,7 @@ def test_two_fields_of_rows_at_any_angle_to_one_another(degrees):
 
 
 def test_spiral_repeated_at_depths_is_not_a_helix():
-    # Every turn comes again at the next depth, and each climbs and falls with the surface.
+    # Every turn is repeated at the next depth, and rises and falls with the surface.
     program = [START[0]]
     for deep in (0.0, -1.0, -2.0):
         for k in range(36 * 8 + 1):
@@ -294,13 +293,13 @@ def test_spiral_repeated_at_depths_is_not_a_helix():
 
 @pytest.mark.parametrize("turns", [4, 20, 100])
 @pytest.mark.parametrize(("even", "found", "step"), [(True, Strategy.SPIRAL, 1.0), (False, Strategy.ADAPTIVE, 0.97)])
-def test_a_pocket_entered_by_a_helix_of_any_length(turns, even, found, step):
+def test_pocket_after_an_entry_helix_of_any_length(turns, even, found, step):
     program = [START[0]]
     for k in range(36 * turns + 1):
         a = k * math.pi / 18
         program.append(("G1", {"X": 2 * math.cos(a), "Y": 2 * math.sin(a), "Z": -0.5 * k / 36}))
     for k in range(36 * 12 + 1):
-        # At one engagement the tool steps more the wider it winds: the first turns are nearer to one another.
+        # With a constant engagement, the step grows with the radius, so the first turns are closer together.
         a, r = k * math.pi / 18, 2 + k / 36 - (0 if even else 0.8 * (1 - math.exp(-k / 90)))
         program.append(("G1", {"X": r * math.cos(a), "Y": r * math.sin(a)}))
     told = recognize(linearize(program), tool_diameter=4.0)
@@ -308,8 +307,8 @@ def test_a_pocket_entered_by_a_helix_of_any_length(turns, even, found, step):
     assert told.stepover == pytest.approx(step, abs=0.02)
 
 
-def test_the_stepover_of_a_lattice_that_bounces():
-    # On the way out the passes lie on other lines than on the way back, 0.6 mm beside them.
+def test_stepover_of_a_lattice_is_its_period():
+    # On the way back, the passes lie 0.6 mm beside the passes of the way out.
     program = [START[0]]
     for along, across in (("X", "Y"), ("Y", "X")):
         back = [k * 2.0 + 0.6 for k in range(20)][::-1]
@@ -322,7 +321,7 @@ def test_the_stepover_of_a_lattice_that_bounces():
     assert found.stepover == pytest.approx(2.0)
 
 
-def test_reasons_are_written_as_people_write():
+def test_reasons_use_singular_and_signs_like_people():
     one = recognize(linearize(squares([20])))
     assert "over one loop" in one.reason and "+1.00 turns" in one.reason
     straight = recognize(linearize([*START, ("G1", {"X": 50.0})]))
@@ -331,7 +330,7 @@ def test_reasons_are_written_as_people_write():
 
 @pytest.mark.parametrize("turn", [1, -1])
 @pytest.mark.parametrize("count", [5, 8, 15, 33])
-def test_a_contour_that_leads_by_the_start_of_its_zigzag(count, turn):
+def test_contour_through_the_start_of_its_zigzag_finishes_it(count, turn):
     # The zigzag and the first half of the contour return to the start after one net turn, but are not a loop.
     width, step = 30.0, 7.0
     end = (count - 1) * step
@@ -348,7 +347,7 @@ def test_a_contour_that_leads_by_the_start_of_its_zigzag(count, turn):
 
 
 def inward(wobble=0.0, digits=6, waves=100):
-    """Commands of a spiral inward in moves of 0.12 to 0.18 mm, whose radius wobbles by `wobble` mm, `waves` a turn."""
+    """Return a spiral inward in moves of 0.12 to 0.18 mm. Its radius varies by `wobble` mm, `waves` times per turn."""
     angle = np.arange(0, 9 * math.tau, 0.004)
     radius = 44 - 1.5 * angle / math.tau + wobble * np.sin(waves * angle)
     points = np.round(np.column_stack([radius * np.cos(angle), radius * np.sin(angle)]), digits)
@@ -363,7 +362,7 @@ def test_winding_with_many_corrections_is_adaptive():
 
 
 @pytest.mark.parametrize("digits", [2, 3])
-def test_rounding_of_fine_spiral_is_not_a_step_aside(digits):
+def test_rounding_of_a_fine_spiral_is_not_a_step_aside(digits):
     assert strategy(inward(digits=digits), tool_diameter=6.0) is Strategy.SPIRAL
 
 
@@ -383,7 +382,8 @@ def test_slopes_of_carved_strokes_are_not_depths(pieces):
 
 @pytest.mark.parametrize("degrees", [0, 30])
 def test_loops_around_ribs_in_a_row_are_not_trochoids(degrees):
-    # Loops of one size lie side by side, each at four depths. In a trochoid, not only the boxes but the loops overlap.
+    # Loops of one size lie side by side, each at four depths. In a trochoid, the loops overlap, and not only their
+    # boxes.
     program = []
     u, v = math.cos(math.radians(degrees)), math.sin(math.radians(degrees))
     for z in (-1.0, -2.0, -3.0, -4.0):
@@ -397,8 +397,8 @@ def test_loops_around_ribs_in_a_row_are_not_trochoids(degrees):
 
 @pytest.mark.parametrize("straight", [False, True])
 def test_winding_with_many_strokes_is_not_a_spiral(straight):
-    # Adaptive clearing from outside the stock: turns as long as there is stock all around, then arcs at both ends,
-    # or rows along both sides, in one sense of milling.
+    # Adaptive clearing from outside the stock has full turns while stock remains all around, and then arcs at both
+    # ends, or rows along both sides, all climb or all conventional.
     program, gap = [("G0", {"X": 90.0, "Y": 0.0, "Z": 5.0}), ("G1", {"Z": -1.0})], 1.2
     angle = np.arange(0, 12 * math.tau, 0.05)
     shrink = gap * angle / math.tau
@@ -433,7 +433,7 @@ def test_walls_of_a_comb_are_not_rows(teeth, width, gap, diameter):
     "name, words, code", [("G1", {"Y": 3.0, "A": 90.0}, "rotary-cuts"), ("M98", {"P": 100.0}, "subprogram-not-read")]
 )
 def test_path_with_hidden_cuts_is_unknown_with_the_reason(name, words, code):
-    """A turning rotary axis and a subprogram cut something else than the moves in the plane show."""
+    """A rotary axis that turns, and a subprogram, cut something that the moves in the plane do not show."""
     commands = rows()
     found = recognize(linearize([*commands, (name, words)]))
     assert (found.strategy, found.confidence) == ("unknown", 0.0)
@@ -441,14 +441,14 @@ def test_path_with_hidden_cuts_is_unknown_with_the_reason(name, words, code):
     assert recognize(linearize(commands)).strategy == "zigzag"
 
 
-def test_rotary_axis_that_turns_above_the_part_hides_no_cut():
+def test_rotary_axis_that_turns_above_the_part_hides_nothing():
     commands = [*rows(), ("G0", {"Z": 5.0}), ("G0", {"A": 90.0})]
     assert recognize(linearize(commands)).strategy == "zigzag"
 
 
 @pytest.mark.parametrize("plunge", ["first", "last"])
-def test_lone_plunge_is_not_an_operation(plunge):
-    """The tool is parked after the work, or touches the stock before it."""
+def test_single_plunge_is_not_an_operation(plunge):
+    """The plunge parks the tool after the work, or touches the stock before the work."""
     down = [("G0", {"X": -30.0, "Y": -30.0}), ("G1", {"Z": 0.0, "F": 5.0})]
     commands = (
         [*START, *down, ("G0", {"Z": 5.0}), *rows()] if plunge == "first" else [*rows(), ("G0", {"Z": 5.0}), *down]
@@ -468,7 +468,7 @@ def test_lone_plunge_is_not_an_operation(plunge):
 
 
 def test_program_with_one_title_is_one_operation():
-    """Without the title, a retract between a zigzag and nested loops divides the program."""
+    """Without the title, the retract between the zigzag and the nested loops divides the program."""
     loops = [
         ("G1", {"X": 100 + s * a, "Y": 100 + s * b})
         for s in range(20, 2, -2)

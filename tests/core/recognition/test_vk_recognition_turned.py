@@ -12,7 +12,7 @@ SAFE = 5.0
 
 
 def turning(passes, length=40.0, depth=1.0, quick=True):
-    """Roughing along Z, each pass nearer to the axis, and out of the part in X."""
+    """Return roughing passes along Z, each nearer to the axis, with a lead-out in X."""
     program = [("G0", {"X": 30.0, "Y": 0.0, "Z": 2.0})]
     for k in range(1, passes + 1):
         x = 30.0 - depth * k
@@ -22,7 +22,7 @@ def turning(passes, length=40.0, depth=1.0, quick=True):
 
 
 def slots(count, length=14.0, depth=6.0):
-    """Slots in a row along X."""
+    """Return slots in a row along X."""
     program = [("G0", {"X": 0.0, "Y": 0.0, "Z": SAFE})]
     for k in range(count):
         x = 20.0 * k
@@ -31,7 +31,7 @@ def slots(count, length=14.0, depth=6.0):
 
 
 def holes(count, up="G0", across="G0"):
-    """Holes in a row along X, from hole to hole at feed where a program has no rapids."""
+    """Return holes in a row along X. The moves between them may be at feed, because some programs have no rapids."""
     program = [("G0", {"X": 0.0, "Y": 0.0, "Z": SAFE})]
     for k in range(count):
         program += [(across, {"X": 10.0 * k, "Z": SAFE}), ("G1", {"Z": -20.0}), (up, {"Z": SAFE})]
@@ -40,7 +40,7 @@ def holes(count, up="G0", across="G0"):
 
 @pytest.mark.parametrize("quick", [True, False])
 @pytest.mark.parametrize("passes", [3, 12])
-def test_a_lathes_roughing_is_unknown_and_the_reason_says_why(passes, quick):
+def test_roughing_of_a_lathe_is_unknown_with_a_reason(passes, quick):
     found = recognize(linearize(turning(passes, quick=quick)))
     assert found.strategy is Strategy.UNKNOWN
     assert "as on a lathe" in found.reason
@@ -55,7 +55,7 @@ def test_mill_program_without_y_is_not_a_lathe(program):
     assert "lathe" not in recognize(linearize(program)).reason
 
 
-def test_the_least_move_in_y_is_a_mills():
+def test_single_move_in_y_shows_a_mill():
     program = [*turning(12), ("G1", {"Y": 0.5})]
     assert "lathe" not in recognize(linearize(program)).reason and not is_turned(linearize(program))
 
@@ -74,12 +74,12 @@ def test_rapids_and_flat_ramps_are_not_lathe_passes():
 
 @pytest.mark.parametrize("length, lathe", [(2.0, True), (0.8, False)])
 def test_lathe_passes_are_mostly_along_z(length, lathe):
-    """Each pass begins 2 mm above Z0 and ends with 2 mm along X: 4 mm along Z are enough, 2.8 mm are not."""
+    """Each pass begins 2 mm above Z0 and ends with 2 mm along X. A length of 4 mm along Z is enough, 2.8 mm is not."""
     assert is_turned(linearize(turning(5, length, depth=2.0))) is lathe
 
 
-def test_passes_at_many_x_may_all_leave_the_part_at_one():
-    """Only the X of the cuts counts. The lead-outs may all end at one X, as at a collar."""
+def test_lathe_passes_may_all_end_at_one_x():
+    """Only the X of the cuts counts. The lead-outs may all end at one X, for example at a collar."""
     program = [("G0", {"X": 30.0, "Y": 0.0, "Z": 2.0})]
     for x in (29.0, 28.0, 27.0):
         program += [("G0", {"X": x}), ("G1", {"Z": -40.0}), ("G1", {"X": 30.0}), ("G0", {"Z": 2.0})]
@@ -91,7 +91,7 @@ def test_passes_at_many_x_may_all_leave_the_part_at_one():
 
 
 def test_lathe_pass_must_end_with_a_move_along_x():
-    """The third ends the program, or goes up again on its own way."""
+    """The third pass ends the program, or retracts along its own line."""
     last = [("G0", {"X": 27.0}), ("G1", {"Z": -40.0})]
     assert not is_turned(linearize([*turning(2), *last]))
     assert not is_turned(linearize([*turning(2), *last, ("G1", {"Z": 2.0})]))
@@ -100,7 +100,7 @@ def test_lathe_pass_must_end_with_a_move_along_x():
 
 
 def test_climbing_steps_are_not_lathe_passes():
-    """Steps of 0.5 mm up, each followed by a cut along X: they climb a slope, and nothing is cut downward."""
+    """Steps of 0.5 mm up, each followed by a cut along X, climb a slope without a cut downward."""
     program = [("G0", {"X": 0.0, "Y": 0.0, "Z": -20.0})]
     for k in range(1, 9):
         program += [("G1", {"Z": -20.0 + 0.5 * k}), ("G1", {"X": 0.3 * k})]

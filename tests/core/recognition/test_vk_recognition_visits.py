@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Programs are divided by how they move: with no title, no tool change and nothing but a rapid between operations."""
+"""Programs without titles and tool changes are divided into operations by their motion."""
 
 from __future__ import annotations
 
@@ -33,14 +33,14 @@ DIFFERENT = {
 
 
 def after(first, second):
-    """One toolpath after the other, up to the clearance height between them."""
+    """Return both toolpaths one after the other, with a retract to the clearance height between them."""
     commands = [*first, ("G0", {"Z": programs.CLEAR}), *second]
     path = linearize(commands)
     return replace(path, comments=(), tool_changes=np.empty(0, np.int64))
 
 
 @pytest.mark.long
-def test_most_pairs_of_operations_are_dividing_retracts():
+def test_most_pairs_of_operations_are_divided():
     right = wrong = 0
     for one, first in DIFFERENT.items():
         for two, second in DIFFERENT.items():
@@ -56,8 +56,8 @@ def test_most_pairs_of_operations_are_dividing_retracts():
 
 
 @pytest.mark.parametrize("name", DIFFERENT)
-def test_an_operation_that_retracts_within_itself_is_one(name):
-    # At four places of the part, as pockets of one operation are.
+def test_operation_that_retracts_within_itself_is_one_span(name):
+    # The operation is repeated at four places of the part, like the pockets of one operation.
     path = linearize(DIFFERENT[name])
     program = DIFFERENT[name]
     for x in (150.0, 300.0, 450.0):
@@ -74,7 +74,7 @@ def test_an_operation_that_retracts_within_itself_is_one(name):
     assert found.strategy == name and len(found.spans) == 1, found.reason
 
 
-def test_visits_lie_between_retracts_to_the_top():
+def test_visits_lie_between_retracts_to_the_top_height():
     path = after(DIFFERENT["profile"], DIFFERENT["helix"])
     visits = find_visits(path, monotonous_areas(path))
     top = path.points[:, 2].max()
@@ -84,14 +84,14 @@ def test_visits_lie_between_retracts_to_the_top():
     assert np.isfinite(compare_visits(visits)).all()
 
 
-def test_border_is_before_the_descent():
+def test_border_is_at_the_top_before_the_descent():
     path = after(DIFFERENT["zigzag"], DIFFERENT["drilling"])
     for at in find_retracts(path, monotonous_areas(path)):
         assert path.points[at, 2] == path.points[:, 2].max() and path.rapid[at]
 
 
 @pytest.mark.parametrize("commands", [[], [("G0", {"X": 5.0})], [("G1", {"X": 5.0, "Y": 1.0})]])
-def test_next_to_nothing_has_no_borders(commands):
+def test_paths_with_almost_no_moves_have_no_borders(commands):
     path = linearize(commands)
     assert find_retracts(path, monotonous_areas(path)) == {}
 
@@ -107,7 +107,7 @@ def test_descending_retracts_do_not_recurse_deeply():
     assert len(recognize(linearize(commands), program=True).spans) >= 1
 
 
-def test_of_too_many_borders_the_likeliest_are_kept(monkeypatch):
+def test_most_probable_borders_are_kept_if_too_many(monkeypatch):
     path = after(DIFFERENT["zigzag"], [*DIFFERENT["helix"], ("G0", {"Z": programs.CLEAR}), *DIFFERENT["profile"]])
     moves = monotonous_areas(path)
     every = find_retracts(path, moves)
@@ -117,7 +117,7 @@ def test_of_too_many_borders_the_likeliest_are_kept(monkeypatch):
 
 
 def test_program_with_many_certain_borders_gets_no_others(monkeypatch):
-    """Each stretch between them would be recognised, and the answer be that on the whole."""
+    """Otherwise each stretch between two borders would be recognised, and the result would still be that of the whole."""
     commands = [("G0", {"X": 0.0, "Y": 0.0, "Z": 5.0})]
     for k in range(120):
         x, y = 30.0 * (k % 12), 25.0 * (k // 12)
@@ -132,12 +132,12 @@ def test_program_with_many_certain_borders_gets_no_others(monkeypatch):
     assert len(recognize(linearize(commands), tool_diameter=3.0, program=True).spans) == 1 and not looked_at
 
 
-def test_nothing_is_mixed_that_has_one_name():
+def test_program_of_two_zigzags_is_a_zigzag_and_not_mixed():
     path = after(DIFFERENT["zigzag"], DIFFERENT["zigzag"])
     assert recognize(path, tool_diameter=TOOL, program=True).strategy is Strategy.ZIGZAG
 
 
-def test_a_forest_is_the_mean_of_its_trees():
+def test_shares_of_a_forest_are_the_mean_of_its_trees():
     forest = Forest(["0<0.5 0:100 1<2 1:100 2:50,1:50", "2:100"], 3)
     cases = np.array([[0.0, 9.0], [1.0, 1.0], [1.0, 3.0]])
     shares = forest.shares(cases)
@@ -145,7 +145,7 @@ def test_a_forest_is_the_mean_of_its_trees():
     assert [forest.vote(case).tolist() for case in cases] == shares.tolist()
 
 
-def test_only_programs_are_divided():
+def test_operations_are_divided_only_in_programs():
     path = after(DIFFERENT["profile"], DIFFERENT["helix"])
     assert len(recognize(path, tool_diameter=TOOL, program=True).spans) == 2
     assert len(recognize(path, tool_diameter=TOOL).spans) == 1
@@ -163,7 +163,7 @@ def test_operations_between_tool_changes_divide_at_own_top(depths):
 
 @pytest.mark.parametrize("name", ["zigzag", "helix", "contour-parallel"])
 @pytest.mark.parametrize("last", [False, True])
-def test_a_single_hole_is_an_operation_of_a_program(name, last):
+def test_single_hole_is_an_operation_of_a_program(name, last):
     hole = programs.SOUND["drilling"](1, 1, 20.0, "G81")
     pair = (DIFFERENT[name], hole) if last else (hole, DIFFERENT[name])
     found = recognize(after(*pair), tool_diameter=TOOL, program=True)
@@ -182,7 +182,7 @@ def test_border_between_equal_strategies_stays_in_mixed():
     assert [str(s.strategy) for s in as_operation.spans] == ["contour-parallel", "zigzag"]
 
 
-def test_a_visit_reaches_as_far_as_its_last_move():
+def test_box_of_a_visit_includes_its_last_move():
     path = linearize([
         ("G0", {"X": 5.0, "Y": 5.0, "Z": 5.0}), ("G1", {"Z": -1.0}), ("G1", {"X": 9.0}), ("G1", {"X": 20.0, "Y": -3.0}),
         ("G0", {"Z": 5.0}), ("G0", {"X": 50.0, "Y": 50.0}), ("G1", {"Z": -1.0}), ("G1", {"X": 40.0, "Y": 70.0}),
@@ -193,7 +193,7 @@ def test_a_visit_reaches_as_far_as_its_last_move():
 
 
 @pytest.mark.parametrize(("corner", "same"), [((20.0, 20.0), 1.0), ((29.0, 20.0), 0.0), ((20.0, 29.0), 0.0)])
-def test_the_same_ground_has_the_same_corners(corner, same):
+def test_visits_with_equal_corners_have_the_same_ground(corner, same):
     def rectangle(x, y):
         corners = ((x, 0.0), (x, y), (0.0, y), (0.0, 0.0))
         return [("G0", {"X": 0.0, "Y": 0.0}), ("G1", {"Z": -1.0}), *[("G1", dict(zip("XY", at))) for at in corners]]
@@ -211,7 +211,7 @@ def test_block_is_closed_within_three_percent_gap(gap, closed):
 
 
 def two_visits(**changed):
-    """Two visits that differ in everything."""
+    """Return two visits that differ in every measure."""
     told = {
         "first": [0, 10], "last": [8, 20], "blocks": [2, 6], "low": [[0, 0], [10, 0]], "high": [[30, 40], [50, 40]],
         "bottom": [-2, -5], "top": [0, -1], "begin": [0, -3], "length": [100, 50], "feed": [10, 5], "fastest": [20, 20],
@@ -225,7 +225,7 @@ def backwards(visits):
     return Visits(*(values[::-1] for values in vars(visits).values()))
 
 
-def test_visits_are_compared_without_a_unit():
+def test_measures_of_two_visits_match_hand_calculation():
     (row,) = compare_visits(two_visits())
     told = dict(zip(MEASURES, row))
     series = {name: told.pop(name) for name in MEASURES if name.startswith("series_")}
@@ -241,7 +241,7 @@ def test_visits_are_compared_without_a_unit():
         "visits": np.log(2), "again": 0, "again_above": 0,
     }  # fmt: skip
     assert told == pytest.approx(expected)
-    # With the visits swapped, only the measures of the higher visit change.
+    # If the visits are swapped, only the measures of the higher visit change.
     expected.update({"higher_bottom": 1, "higher_begin": 1, "deeper": 3 / 5})
     expected.update({"again": shared / one, "again_above": shared / one})  # share of the second visit's ground
     (row,) = compare_visits(backwards(two_visits()))
@@ -258,7 +258,7 @@ def test_visits_are_compared_without_a_unit():
 def test_rounding_does_not_separate_visits(name, values, measure):
     at = MEASURES.index(measure)
     assert compare_visits(two_visits(**{name: values}))[0, at] == 1
-    apart = [values[0], values[0] + 3 * (values[1] - values[0])]  # 0.03 mm, one and a half hundredths of the feed
+    apart = [values[0], values[0] + 3 * (values[1] - values[0])]  # differences of 0.03 mm, or 1.5 % of the feed
     assert compare_visits(two_visits(**{name: apart}))[0, at] == 0
 
 
@@ -268,22 +268,26 @@ def test_rounding_does_not_separate_visits(name, values, measure):
         ([[10, 10], [10, 10]], [[30, 40], [30, 40]], 1),
         ([[10, 10], [12, 10]], [[30, 40], [30, 40]], 0),
         ([[10, 10], [10, 10]], [[30, 40], [30, 42]], 0),
-        ([[10, 10], [10.4, 10]], [[30, 40], [30, 40]], 1),  # a hundredth of the diagonal and 0.1 mm are 0.46 mm
+        # the tolerance is a hundredth of the diagonal and 0.1 mm, in all 0.46 mm
+        ([[10, 10], [10.4, 10]], [[30, 40], [30, 40]], 1),
         ([[10, 10], [10.5, 10]], [[30, 40], [30, 40]], 0),
     ],
 )
-def test_the_same_ground_lies_between_the_same_sides(low, high, same):
+def test_visits_within_a_hundredth_have_the_same_ground(low, high, same):
     told = dict(zip(MEASURES, compare_visits(two_visits(low=low, high=high))[0]))
     assert told["same_ground"] == same
 
 
-def test_axes_differ_by_the_angle_between_them():
-    """Axes are directions at twice the angle. Tested are an equal axis, half its length, and a right angle."""
+def test_axes_of_visits_differ_by_their_angle():
+    """An axis is stored as a direction at twice its angle.
+
+    Tested are an equal axis, half its length, and a right angle.
+    """
     for other, differ in ((1, 0), (0.5, 0.5), (-1, 2)):
         assert compare_visits(two_visits(axis=[1, other]))[0, MEASURES.index("axis")] == pytest.approx(differ)
 
 
-def test_grounds_that_do_not_touch_share_nothing():
+def test_visits_in_separate_places_share_no_ground():
     told = dict(zip(MEASURES, compare_visits(two_visits(low=[[0, 0], [40, 50]], high=[[30, 40], [50, 60]]))[0]))
     assert told["overlap"] == told["inside"] == told["same_ground"] == 0
     told = dict(zip(MEASURES, compare_visits(two_visits(low=[[0, 0], [0, 0]], high=[[0, 0], [0, 0]]))[0]))
@@ -291,7 +295,7 @@ def test_grounds_that_do_not_touch_share_nothing():
 
 
 def test_ground_of_recent_visit_is_cut_again():
-    """Ten squares of 10 mm side by side, then half of the first again: at its depth, above it, below it."""
+    """After ten squares of 10 mm side by side, half of a square is cut again, at its depth, above it or below it."""
     low = np.array([[20.0 * k, 0.0] for k in range(10)])
     for back, place in ((1, 9), (8, 2), (9, 1)):
         for z, again, above in ((-1.0, 1, 0), (-0.5, 1, 1), (-2.0, 0, 0)):
@@ -304,7 +308,7 @@ def test_ground_of_recent_visit_is_cut_again():
                 bottom=np.append(np.full(10, -1.0), z),
             )
             rows = compare_visits(visits)[:, [MEASURES.index("again"), MEASURES.index("again_above")]]
-            half = (5.05 * 10.05) / 10.05**2 * (back <= 8)  # what lies nine visits back is not looked at
+            half = (5.05 * 10.05) / 10.05**2 * (back <= 8)  # a visit nine visits back is not compared
             assert rows[-1] == pytest.approx([again * half, above * half]), (back, z)
             assert (rows[:-1] == 0).all()
 
@@ -330,15 +334,15 @@ def test_contour_around_rows_finishes_their_walls():
 
     at = [len(linearize(rows))]
     assert borders(contour(-1.0), 0.4) == []
-    assert borders(contour(-1.0), 0.6) == at  # the motion itself is sure
-    assert borders(contour(-2.0), 0.4) == at  # deeper
-    assert borders(contour(-1.0, out=9.0), 0.4) == at  # around something else
+    assert borders(contour(-1.0), 0.6) == at  # the retract divides by its own probability
+    assert borders(contour(-2.0), 0.4) == at  # the contour is deeper
+    assert borders(contour(-1.0, out=9.0), 0.4) == at  # the contour is around another area
 
 
 def in_turns(count, *drawn):
     """Return the toolpath of `count` strokes, and the trajectories at which all strokes but the first begin.
 
-    The strokes alternate between the shapes in `drawn`; each stroke lies 200 mm farther in X.
+    The strokes alternate between the shapes in `drawn`. Each stroke lies 200 mm farther in X.
     """
     strokes = [[(x + 200.0 * k, y, z) for x, y, z in drawn[k % len(drawn)]] for k in range(count)]
     path = linearize(programs.program(strokes))
@@ -375,16 +379,16 @@ def test_descent_from_the_top_is_not_a_retract():
     assert find_visits(path, monotonous_areas(path)).blocks.tolist() == [2, 1]
 
 
-def test_series_counts_equal_pairs_before_and_after():
-    tops = [0, 0, 5, 9, 9]  # the same, not, not, the same
+def test_series_is_the_share_of_equal_neighbouring_pairs():
+    tops = [0, 0, 5, 9, 9]  # neighbouring pairs: equal, different, different, equal
     visits = Visits(*(np.repeat(values[:1], 5, axis=0) for values in vars(two_visits()).values()))
     rows = compare_visits(replace(visits, top=np.array(tops, float)))
     assert rows[:, MEASURES.index("same_top")].tolist() == [1, 0, 0, 1]
     assert rows[:, MEASURES.index("series_same_top")].tolist() == [0, 0.5, 0.5, 0]
 
 
-def test_measures_of_a_visit():
-    """A square and, deeper and faster, a line; then, beyond two lifts, a line back and a hole."""
+def test_measures_of_one_visit_match_hand_calculation():
+    """The first visit is a square and a deeper, faster line. The second visit is a line back and a hole."""
 
     def lines(*points, z, feed):
         yield "G1", {"Z": z, "F": feed}
@@ -407,7 +411,7 @@ def test_measures_of_a_visit():
     assert path.command[visits.first].tolist() == [2, 14] and path.command[visits.last].tolist() == [9, 17]
 
 
-def test_a_mixed_program_is_as_sure_as_its_parts():
+def test_confidence_of_a_mixed_program_is_that_of_its_parts():
     path = after(DIFFERENT["zigzag"], DIFFERENT["helix"])
     found = recognize(path, tool_diameter=TOOL, program=True)
     parts = [recognize(linearize(DIFFERENT[name]), tool_diameter=TOOL).confidence for name in ("zigzag", "helix")]

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Relations between rings (nested, repeated, deeper), for drawn loops. The rules and the reasons depend on them."""
+"""Relations between rings (nested, repeated, deeper) of drawn loops. The rules and the reasons depend on them."""
 
 from __future__ import annotations
 
@@ -21,13 +21,13 @@ RELATIONS = ("nested", "deeper", "repeated", "moved", "crossing")
 
 
 def rings_of(strokes, tool=TOOL):
-    """The rings among strokes, which are lists of points (x, y, z)."""
+    """Return the rings among strokes, which are lists of points (x, y, z)."""
     pieces = cut_pieces(monotonous_areas(linearize(programs.program(strokes))))
     return relate_rings(pieces, np.flatnonzero(np.isin(pieces.kind, (LOOP, WINDING))), tool)
 
 
 def related(rings):
-    """The relations of each ring, as sets of names."""
+    """Return the relations of each ring as sets of names."""
     return [{name for name in RELATIONS if getattr(rings, name)[i]} for i in range(len(rings))]
 
 
@@ -42,19 +42,19 @@ def test_offsets_are_nested_a_stepover_apart(sides, growing):
 
 @pytest.mark.parametrize(("inward", "relation"), [(0.2, "repeated"), (0.3, "deeper")])
 def test_large_ring_repeats_at_depth_within_a_quarter_mm(inward, relation):
-    """0.05 mm, and two thousandths of its 100 mm."""
+    """The tolerance is 0.05 mm and two thousandths of the ring's 100 mm."""
     assert related(rings_of([polygon(100), polygon(100 - 2 * inward, z=-1.0)])) == [{relation}] * 2
 
 
 @pytest.mark.parametrize(("inward", "relation"), [(0.85, "repeated"), (0.95, "deeper")])
-def test_large_ring_a_quarter_reach_inside_is_another(inward, relation):
-    """A tool of 3 mm reaches 3.6 mm; two thousandths of the ring's metre would be 2 mm."""
+def test_large_ring_a_quarter_reach_inside_is_another_ring(inward, relation):
+    """A tool of 3 mm reaches 3.6 mm. Two thousandths of the ring's 1000 mm would be 2 mm, which is too much."""
     assert related(rings_of([polygon(1000), polygon(1000 - 2 * inward, z=-1.0)], 3.0)) == [{relation}] * 2
 
 
 @pytest.mark.parametrize("side", [60, 600])
 def test_offset_distance_does_not_depend_on_part_size(side):
-    """A fifth of the tool, which is a thousandth of the larger part's size."""
+    """The step is a fifth of the tool, and for the larger part only 0.2 % of its size."""
     rings = rings_of([polygon(side - 2.4 * i) for i in range(5)])
     assert related(rings) == [{"nested"}] * 5 and rings.step == pytest.approx(1.2)
 
@@ -67,7 +67,7 @@ def test_island_rings_may_interrupt_boundary_rings(nests):
     assert rings.step == pytest.approx(2.0) and rings.growing == 0.0
 
 
-def test_of_four_nests_in_turn_no_ring_is_compared_with_its_own():
+def test_rings_of_four_nests_in_turn_are_not_compared():
     rings = rings_of([polygon(side, x=100 * nest) for side in (40, 36, 32) for nest in range(4)])
     assert rings.alone.all() and math.isnan(rings.step) and math.isnan(rings.growing)
 
@@ -79,7 +79,7 @@ def test_loops_beyond_tool_width_are_two_contours(apart, nested):
 
 
 def comb(wide, deep):
-    """The contour of a comb of 150 by 40 mm with gaps so wide and deep, and teeth as wide."""
+    """Return the contour of a comb of 150 x 40 mm. Gaps are `wide` and `deep`, and teeth are as wide as gaps."""
     points = [(150, 40), (0, 40), (0, 0)]
     for gap in np.arange(wide, 150 - wide, 2 * wide):
         points += [(gap, 0), (gap, deep), (gap + wide, deep), (gap + wide, 0)]
@@ -88,7 +88,7 @@ def comb(wide, deep):
 
 @pytest.mark.parametrize(("wide", "deep", "nested"), [(2, 0.2, True), (4, 5, True), (2, 12, False)])
 def test_frame_around_comb_is_offset_if_equally_long(wide, deep, nested):
-    """An offset closes gaps of up to twice its distance, but a contour of three times the length is not an offset."""
+    """An offset closes gaps of up to twice its distance, but a contour three times as long is not an offset."""
     frame = [(-2, -2, 0.0), (152, -2, 0.0), (152, 42, 0.0), (-2, 42, 0.0), (-2, -2, 0.0)]
     assert rings_of([frame, comb(wide, deep)]).nested.tolist() == [nested] * 2
 
@@ -103,14 +103,14 @@ def box(left, bottom, right, top):
     return [(x, y, 0), (u, y, 0), (u, v, 0), (x, v, 0), (x, y, 0)]
 
 
-def test_ring_with_one_outer_side_does_not_move_along():
+def test_ring_with_only_one_side_outside_is_not_nested():
     for pair in ([box(3, 0, 0, 0), polygon(40)], [polygon(40), box(3, 0, 0, 0)]):
         assert related(rings_of(pair)) == [set()] * 2
 
 
 @pytest.mark.parametrize("left, nested", [(0.9, False), (1.1, True)])
-def test_no_side_of_an_offset_moves_by_less_than_half_the_step(left, nested):
-    """The others move by 2.4 mm, and the rings lie 2.03 or 2.08 mm apart."""
+def test_each_side_of_an_offset_moves_by_half_the_step(left, nested):
+    """The other sides move by 2.4 mm, and the mean distance of the rings is 2.03 or 2.08 mm."""
     assert rings_of([polygon(40), box(left, 2.4, 2.4, 2.4)]).nested.tolist() == [nested] * 2
 
 
@@ -139,33 +139,33 @@ def test_pocket_at_two_depths_is_not_a_stack():
     assert (rings.depths, rings.distinct, rings.depth_range, rings.evenness) == (2, 5, 2.0, 0.0)
 
 
-def test_one_ring_of_a_depth_may_repeat_alone():
+def test_ring_may_be_without_a_repeat_at_another_depth():
     rings = rings_of(
         [polygon(20, x=x, z=z) for z in (0, -2) for x in (0, 100, 200, 300, 400, 500)] + [polygon(20, x=900)]
     )
     assert related(rings)[:12] == [{"repeated"}] * 12 and related(rings)[12] == set()
 
 
-def test_contours_that_grow_with_the_depth_lie_under_one_another():
+def test_contours_that_grow_with_depth_are_deeper():
     rings = rings_of([polygon(20 + 4 * i, z=-float(i)) for i in range(6)])
     assert related(rings) == [{"deeper"}] * 6
     assert (rings.depths, rings.distinct, rings.depth_range) == (6, 6, 5.0)
     assert math.isnan(rings.step)
 
 
-def test_three_depths_are_enough_to_compare_their_steps():
+def test_evenness_of_three_depths_is_measured():
     rings = rings_of([polygon(20 + 4 * i, z=-float(min(i, 2))) for i in range(4)])
     assert rings.depths == 3 and 0 < rings.evenness < 0.1
 
 
 @pytest.mark.parametrize("side, relation", [(200, "repeated"), (20, "deeper")])
-def test_a_large_ring_may_be_farther_off_and_still_be_the_same(side, relation):
+def test_tolerance_of_repeated_rings_grows_with_their_size(side, relation):
     assert related(rings_of([polygon(side), polygon(side - 0.6, z=-2)])) == [{relation}] * 2
 
 
-def test_a_contour_deeper_and_elsewhere_lies_under_none():
+def test_deeper_contour_in_another_place_is_alone():
     assert rings_of([polygon(20), polygon(24, x=300, z=-2)]).alone.all()
-    # The deeper contour overlaps the upper contour by a corner and is not a wall of the same part.
+    # The deeper contour overlaps the upper contour only at a corner, and is not a wall of the same part.
     assert rings_of([polygon(20), polygon(20, x=15, z=-2)]).deeper.all()
     assert rings_of([polygon(20), polygon(20, x=25, z=-2)]).alone.all()
 
@@ -173,18 +173,18 @@ def test_a_contour_deeper_and_elsewhere_lies_under_none():
 @pytest.mark.parametrize(
     "step, size, moves", [(0.25, 1.0, True), (9.0, 1.0, True), (6.0, 1.1, True), (11.0, 1.0, False), (1.0, 0.5, False)]
 )
-def test_circles_of_one_size_that_overlap_move_along(step, size, moves):
+def test_overlapping_circles_of_one_size_are_moved(step, size, moves):
     rings = rings_of([polygon(16 * size**i, x=step * i, corners=24) for i in range(6)])
     assert rings.moved.tolist() == [moves] * 6
     assert moves or not rings.repeated.any()
 
 
-def test_circles_that_move_along_at_other_depths_are_none():
+def test_overlapping_circles_at_other_depths_are_not_moved():
     assert not rings_of([polygon(16, x=2.0 * i, z=-2.0 * i, corners=24) for i in range(6)]).moved.any()
 
 
-def test_loops_around_ribs_in_a_row_stay_apart():
-    # As long as they are side by side, narrower than their step, and not biting into one another.
+def test_loops_around_ribs_are_not_moved_if_apart():
+    # Loops side by side that are narrower than their step do not cut into one another.
     for apart, moves in ((4.5, False), (3.5, True)):
         rings = rings_of([polygon(4, x=apart * i, ratio=10) for i in range(6)])
         assert rings.moved.tolist() == [moves] * 6
@@ -192,20 +192,20 @@ def test_loops_around_ribs_in_a_row_stay_apart():
 
 @pytest.mark.parametrize("width, moves", [(4, False), (8, True)])
 def test_slot_beside_circle_is_not_a_trochoid(width, moves):
-    """The circle is 16 mm wide, and the middle of the slot 7 mm aside."""
+    """The circle is 16 mm wide, and the middle of the slot lies 7 mm beside the circle's middle."""
     rings = rings_of([polygon(16, corners=24), polygon(width, x=7, ratio=16 / width)])
     assert rings.moved.tolist() == [moves] * 2
 
 
 @pytest.mark.parametrize("z, relation", [(0.0, {"crossing"}), (-2.0, set())])
-def test_ring_of_other_shape_at_same_walls_crosses(z, relation):
+def test_ring_of_another_shape_at_same_walls_crosses(z, relation):
     diamond = [(90.0, -40.0, z), (70.0, -20.0, z), (50.0, -40.0, z), (70.0, -60.0, z), (90.0, -40.0, z)]
     assert related(rings_of([polygon(40), diamond])) == [relation] * 2
 
 
 @pytest.mark.parametrize("cut, relation", [(11.0, set()), (13.0, {"crossing"})])
 def test_slightly_smaller_ring_at_same_walls_crosses(cut, relation):
-    """The corner that is cut off has 3.8 or 5.3 hundredths of 40 mm by 40 mm."""
+    """The cut-off corner has 3.8 % or 5.3 % of the area of 40 x 40 mm."""
     without = [(50, -60, 0), (90 - cut, -60, 0), (90, -60 + cut, 0), (90, -20, 0), (50, -20, 0), (50, -60, 0)]
     assert related(rings_of([polygon(40), without])) == [relation] * 2
 
@@ -220,13 +220,13 @@ def test_offsets_with_alternating_sense_are_passes(senses, opposite):
     assert rings.nested.all()
 
 
-def test_passes_there_and_back_may_go_out_and_then_in():
+def test_opposite_passes_may_grow_and_then_shrink():
     rings = rings_of([polygon(side, clockwise=i % 2 == 0) for i, side in enumerate((30, 34, 38, 35, 31))])
     assert rings.opposite.all()
 
 
 @pytest.mark.parametrize("side, moves", [(11, True), (10, False)])
-def test_loops_that_move_along_are_of_about_one_size(side, moves):
+def test_moved_loops_have_similar_sizes(side, moves):
     assert rings_of([polygon(16, corners=24), polygon(side, x=5, corners=24)]).moved.tolist() == [moves] * 2
 
 
@@ -236,7 +236,7 @@ def test_rings_on_a_surface_are_nested_at_any_height():
 
 
 @pytest.mark.parametrize("corners, is_round", [(4, False), (6, False), (8, True), (48, True)])
-def test_which_rings_are_circles(corners, is_round):
+def test_rings_with_eight_or_more_corners_are_round(corners, is_round):
     assert rings_of([polygon(30, corners=corners)]).round.tolist() == [is_round]
 
 
@@ -257,7 +257,7 @@ def test_stepover_does_not_depend_on_ring_order(order):
 
 
 def test_stepover_with_interleaved_island_offsets():
-    """Rings of a nest are 2.4 mm apart, but FreeCAD 1.0's order puts 3.6 mm between most successive rings."""
+    """Rings of a nest are 2.4 mm apart, but in FreeCAD 1.0's order most successive rings are 3.6 mm apart."""
 
     def rectangle(x, y, u, v):
         return [(x, y, 0.0), (u, y, 0.0), (u, v, 0.0), (x, v, 0.0), (x, y, 0.0)]
@@ -271,16 +271,16 @@ def test_stepover_with_interleaved_island_offsets():
     assert rings_of([rectangle(*box) for box in boxes]).step == pytest.approx(2.4, abs=0.02)
 
 
-def test_the_turns_of_a_helix_are_a_stack_of_windings():
+def test_turns_of_a_helix_are_stacked_windings():
     rings = rings_of([[(12 * math.cos(a), 12 * math.sin(a), -0.2 * a) for a in np.arange(0, 40, 0.2)]])
-    inner = slice(0, -1)  # the last one may be a part of a turn
+    inner = slice(0, -1)  # the last turn may be incomplete
     assert rings.winding.all() and rings.sloped[inner].all() and rings.stacked[inner].all() and len(rings) >= 6
     assert rings.depth_range == pytest.approx(0.2 * 2 * math.pi * (len(rings) - 1), rel=0.1)
 
 
-def test_the_turns_of_a_spiral_are_nested_windings():
+def test_turns_of_a_spiral_are_nested_windings():
     rings = rings_of([[(0.5 * a * math.cos(a), 0.5 * a * math.sin(a), 0.0) for a in np.arange(3, 50, 0.2)]])
-    assert rings.winding.all() and rings.nested[:-1].all() and not rings.sloped.any()  # the last is a part of a turn
+    assert rings.winding.all() and rings.nested[:-1].all() and not rings.sloped.any()  # the last turn is incomplete
     assert rings.step == pytest.approx(math.pi, rel=0.15) and rings.growing == 1.0
 
 
@@ -292,13 +292,13 @@ def test_the_turns_of_a_spiral_are_nested_windings():
         ([2.0, 2.0], True),
         ([1.92, 2.0], True),
         ([1.88, 2.0], False),
-        ([1.6, 2.0, 2.0, 2.0], False),  # at one engagement the first is shorter
-        ([2.0, 2.0, 2.0, 0.4], True),  # the last may be to the wall
-        ([2.0, 2.0, 1.6, 2.4], False),  # no more than half
+        ([1.6, 2.0, 2.0, 2.0], False),  # with a constant engagement, the first step is shorter
+        ([2.0, 2.0, 2.0, 0.4], True),  # the last step may end at the wall
+        ([2.0, 2.0, 1.6, 2.4], False),  # only half of the steps are equal
         ([2.2, 2.0, 2.0], False),
     ],
 )
-def test_turns_at_one_distance_begin_with_it(steps, equal):
+def test_turns_with_equal_steps_begin_with_this_step(steps, equal):
     assert _equal(np.array(steps)) is equal
 
 
@@ -308,14 +308,14 @@ def shapes_of(*strokes):
 
 
 @pytest.mark.parametrize(("turns", "rests"), [(3.0, 0), (3.5, 1), (3.7, 1), (3.8, 0)])
-def test_rest_of_a_winding_is_not_a_turn(turns, rests):
+def test_incomplete_last_turn_of_a_winding_is_not_a_turn(turns, rests):
     found = shapes_of(winding(5, 25, turns))
     assert np.count_nonzero(found.rest) == rests and not (found.rest & found.turn).any()
     assert np.count_nonzero(found.turn) >= 3
-    assert not shapes_of(winding(9, 9, turns, drop=6)).turn.any()  # no level ones
+    assert not shapes_of(winding(9, 9, turns, drop=6)).turn.any()  # sloped turns do not count
 
 
-def test_a_rest_of_a_winding_does_not_move_along():
+def test_incomplete_turn_of_a_winding_is_not_moved():
     rings = rings_of([winding(2, 9, 3.5)])
     assert not rings.moved.any() and rings.equidistant
 
@@ -340,30 +340,30 @@ def toothed(inside, left=0.0):
 
 
 @pytest.mark.parametrize(("left", "nested"), [(0.0, True), (0.21, True), (0.3, False)])
-def test_all_sides_of_a_wavy_offset_move_by_the_same_to_a_tenth(left, nested):
+def test_sides_of_a_wavy_offset_move_equally_within_ten_percent(left, nested):
     assert shapes_of(toothed(0.0), toothed(2.0, left)).wavy.all()
     assert rings_of([toothed(0.0), toothed(2.0, left)]).nested.tolist() == [nested] * 2
 
 
-def test_no_rings():
+def test_section_without_loops_has_no_rings():
     rings = rings_of([[(0, 0, 0), (50, 0, 0)]])
     assert len(rings) == 0 and (rings.depths, rings.distinct, rings.depth_range, rings.evenness) == (0, 0, 0.0, 0.0)
 
 
 @pytest.mark.parametrize("even_in_plane", [True, False])
-def test_a_dome_is_divided_in_the_plane_or_in_depth(even_in_plane):
+def test_evenness_shows_if_a_dome_is_cut_by_plane_or_depth(even_in_plane):
     at = np.linspace(0.1, 0.9, 12)
     radii = 40 * at if even_in_plane else 40 * np.sqrt(1 - (1 - at) ** 2)
     rings = rings_of([polygon(2 * r, z=math.sqrt(1600 - r * r) - 40, corners=48) for r in radii])
     assert (rings.evenness < 0.5) == even_in_plane and rings.evenness > 0
 
 
-def test_evenness_compares_two_spreads():
+def test_evenness_is_the_ratio_of_two_relative_spreads():
     even, uneven = np.full(9, 2.0), np.linspace(1.0, 5.0, 9)
     assert evenness(even, uneven) < 0.1 and evenness(uneven, even) > 10
     assert evenness(even, 3 * even) == pytest.approx(1.0)
     assert evenness(even, np.zeros(9)) == evenness(even[:2], uneven[:2]) == 0.0
-    # As relative spreads: of 3.2 mm around 3, between the tenth and the ninetieth percentile.
+    # Between the 10th and the 90th percentile, the spread is 3.2 mm around 3 mm.
     assert evenness(uneven, even) == pytest.approx((3.2 / 3 + 0.01) / 0.01)
 
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Rows as they are measured, of rows that were drawn so."""
+"""Rows are measured in toolpaths drawn with known rows."""
 
 from __future__ import annotations
 
@@ -19,13 +19,13 @@ ZIGZAG = [(x, 3.0 * row) for row in range(6) for x in ((0.0, 50.0), (50.0, 0.0))
 
 
 def rows_of(commands):
-    """The families of rows among all moves."""
+    """Return the families of rows among all moves."""
     moves = monotonous_areas(linearize(commands))
     return find_rows(moves, np.arange(len(moves)))
 
 
 def turned(commands, quarter):
-    """Return the commands, turned by a quarter turn about Z if `quarter`."""
+    """Return the commands, rotated by 90 degrees about Z if `quarter`."""
     return [
         (name, {**p, "X": -p.get("Y", 0.0), "Y": p.get("X", 0.0)} if quarter and "X" in p else p)
         for name, p in commands
@@ -33,7 +33,7 @@ def turned(commands, quarter):
 
 
 @pytest.mark.parametrize("quarter", [False, True])
-def test_a_zigzag_is_one_family(quarter):
+def test_lines_of_a_zigzag_are_one_family_of_rows(quarter):
     (rows,) = rows_of(turned(programs.zigzag(10, 50.0, 3.0), quarter))
     assert rows.axis == pytest.approx(np.pi / 2 if quarter else 0.0)
     assert (rows.count, rows.lines, rows.step, rows.pitch, rows.period) == pytest.approx((10, 10, 3, 3, 3))
@@ -55,34 +55,34 @@ def test_one_way_rows_have_neighbours_of_same_sense():
 
 
 def test_rows_repeated_deeper_share_their_lines():
-    """The first of the second depth lies far from the last of the first: it has no neighbour."""
+    """The first row of the second depth is far from the last row of the first depth, so they are not neighbours."""
     (rows,) = rows_of(programs.one_way(10, 50.0, 3.0, depths=(0.0, -1.0)))
     assert (rows.count, rows.lines, rows.length, rows.once) == pytest.approx((20, 10, 1000, 1000))
     assert (rows.same, rows.step, rows.pitch) == pytest.approx((900, 3, 3))
 
 
-def test_a_row_cut_at_two_depths_before_the_next_counts_once():
-    ends = ((0.0, 50.0, 0.0), (50.0, 0.0, -1.0))  # back at the second depth
+def test_row_cut_back_at_a_second_depth_counts_once():
+    ends = ((0.0, 50.0, 0.0), (50.0, 0.0, -1.0))  # the tool returns at the second depth
     strokes = [[(a, 3.0 * row, z), (b, 3.0 * row, z)] for row in range(6) for a, b, z in ends]
     (rows,) = rows_of(programs.program(strokes))
     assert (rows.count, rows.lines, rows.length, rows.once) == pytest.approx((6, 6, 600, 300))
 
 
 def slanted(strokes, degrees):
-    """The strokes, turned about Z."""
+    """Return the strokes, rotated about Z."""
     u, v = math.cos(math.radians(degrees)), math.sin(math.radians(degrees))
     return [[(x * u - y * v, x * v + y * u, z) for x, y, z in stroke] for stroke in strokes]
 
 
 @pytest.mark.parametrize("degrees", [0.0, 30.0, 60.0, 120.0])
-def test_a_row_that_an_island_interrupts_is_one_row(degrees):
+def test_row_interrupted_by_an_island_is_one_row(degrees):
     strokes = [[(x, 3.0 * row, 0.0), (x + 20.0, 3.0 * row, 0.0)] for row in range(6) for x in (0.0, 30.0)]
     (rows,) = rows_of(programs.program(slanted(strokes, degrees)))
     assert (rows.count, rows.typical, rows.length) == pytest.approx((6, 40, 240))
     assert (rows.axis, rows.step) == pytest.approx((math.radians(degrees), 3))
 
 
-def test_a_row_whose_moves_waver_is_one_row():
+def test_row_of_slightly_wavering_moves_is_one_row():
     """Moves that deviate by 0.1 mm over 10 mm count as parallel. Each row is a separate stroke."""
     strokes = [[(10.0 * k, 3.0 * row + 0.1 * (k % 2), 0.0) for k in range(6)] for row in range(8)]
     (rows,) = rows_of(programs.program(strokes))
@@ -90,7 +90,7 @@ def test_a_row_whose_moves_waver_is_one_row():
     assert (rows.typical, rows.step, rows.same) == pytest.approx((50, 3, 350), rel=1e-3)
 
 
-def test_rows_of_short_moves_are_the_same_rows():
+def test_rows_of_short_moves_equal_rows_of_long_moves():
     ends = [(0.0, 50.0), (50.0, 0.0)]
     points = [(x, 3.0 * row, 0.0) for row in range(10) for x in np.linspace(*ends[row % 2], 101).tolist()]
     (rows,) = rows_of(programs.program([points]))
@@ -98,21 +98,21 @@ def test_rows_of_short_moves_are_the_same_rows():
 
 
 @pytest.mark.parametrize("degrees, aligned", [(2.0, True), (4.0, False)])
-def test_a_row_lies_within_three_degrees_of_the_axis(degrees, aligned):
-    """0.05 rad are 2.9 degrees: ten rows of 50 mm, and one of 60 mm that is askew."""
+def test_row_within_three_degrees_of_the_axis_belongs_to_it(degrees, aligned):
+    """0.05 rad are 2.9 degrees. Ten rows of 50 mm have one direction, and a row of 60 mm has another."""
     (askew,) = slanted([[(0.0, -30.0, 0.0), (60.0, -30.0, 0.0)]], degrees)
     families = rows_of([*programs.one_way(10, 50.0, 3.0), *programs.program([askew])])
     assert families[0].length == pytest.approx(560 if aligned else 500, rel=1e-3)
 
 
-def test_rows_by_twos_have_a_period():
-    """Two sets of lines 10 mm apart, 1 mm aside of one another."""
+def test_period_of_rows_in_pairs_is_that_of_the_pairs():
+    """Two sets of lines 10 mm apart are shifted by 1 mm."""
     strokes = [[(0.0, y, 0.0), (50.0, y, 0.0)] for k in range(8) for y in (10.0 * k, 10.0 * k + 1.0)]
     (rows,) = rows_of(programs.program(strokes))
     assert rows.period == pytest.approx(10.0) and rows.pitch in (1.0, 9.0)
 
 
-def test_a_grid_has_two_families():
+def test_grid_has_two_families_of_rows():
     across = [[(0.0, 3.0 * row, 0.0), (50.0, 3.0 * row, 0.0)] for row in range(12)]
     down = [[(4.0 * row, 0.0, 0.0), (4.0 * row, 33.0, 0.0)] for row in range(13)]
     first, second = rows_of(programs.program(across + down))
@@ -129,8 +129,8 @@ def test_slanted_grid_has_two_families_of_rows(degrees):
     assert (first.count, second.count) == (12, 10)
 
 
-def test_rows_of_a_grid_may_lean_to_both_sides_of_their_axis():
-    """By two and a half degrees, a third of each row to either side: all of it lies within three of their mean."""
+def test_rows_of_a_grid_may_lean_to_both_sides_of_the_axis():
+    """A third of each row leans by 2.5 degrees to each side, so all parts are within three degrees of the mean."""
     up = 20 * math.tan(math.radians(2.5))
     across = [[(0, y, 0), (20, y + up, 0), (40, y + up, 0), (60, y, 0)] for y in 3.0 * np.arange(30)]
     first, second = rows_of(programs.program(across + [[(x, 0, 0), (x, 57, 0)] for x in 3.0 * np.arange(20)]))
@@ -157,33 +157,33 @@ def test_scattered_directions_are_not_a_second_family():
     "lines, period",
     [
         ((0, 1, 10, 11), 10.0),
-        ((0, 1, 10), 5.0),  # three lines show no period: half of the gaps are 5 mm
-        ((0, 3.0, 6.2, 9.6, 13.2, 17.0), 3.4),  # gaps that grow slowly are one set
-        # a ball that went around for some time: 3.9 apart, and by chance 31.2
+        ((0, 1, 10), 5.0),  # three lines have no period: half of the gaps are 5 mm
+        ((0, 3.0, 6.2, 9.6, 13.2, 17.0), 3.4),  # gaps that grow slowly are one set of lines
+        # lines of a path reflected at the walls: 3.9 mm apart, and by chance with a period of 31.2 mm
         (np.cumsum([0, 1, 2, 1, 3, 3, 3, 5, 3, 4, 2, 1, 2, 1, 3, 2, 4, 5, 4, 3, 2, 1, 2, 1, 3]) * 1.3, 3.9),
-        ((0, 0.7, 4, 4.7, 6.1, 8, 8.7, 10.1, 12, 12.7, 14.1, 18.1), 4.0),  # three sets
+        ((0, 0.7, 4, 4.7, 6.1, 8, 8.7, 10.1, 12, 12.7, 14.1, 18.1), 4.0),  # three sets of lines with one period
     ],
 )
-def test_lines_by_twos_have_a_period_from_four_on(lines, period):
+def test_lines_in_pairs_have_a_period_if_at_least_four(lines, period):
     (rows,) = rows_of(programs.program([[(0.0, float(y), 0.0), (50.0, float(y), 0.0)] for y in lines]))
     assert rows.period == pytest.approx(period)
 
 
-def test_two_parallel_passes_in_one_stroke_are_not_rows():
-    """A staircase: what a contour sampled on a grid looks like."""
+def test_steps_of_a_staircase_are_not_neighbouring_rows():
+    """A contour that is sampled on a grid looks like a staircase."""
     stairs = [(10.0 * (k // 2 + k % 2), 3.0 * (k // 2), 0.0) for k in range(20)]
     families = rows_of(programs.program([stairs]))
     assert families[0].same == 0 == families[0].opposite and families[0].count == 10
 
 
-def test_a_single_row_has_no_step():
+def test_single_row_has_no_step():
     (rows,) = rows_of(programs.program([[(0.0, 5.0, 0.0), (50.0, 5.0, 0.0)]]))
     assert (rows.count, rows.lines, rows.length, rows.once, rows.typical) == (1, 1, 50, 50, 50)
     assert (rows.step, rows.pitch, rows.period, rows.opposite, rows.same, rows.even) == (0,) * 6
 
 
 @pytest.mark.parametrize("apart, lines", [(0.015, 1), (0.03, 5)])
-def test_rows_closer_than_two_hundredths_lie_on_one_line(apart, lines):
+def test_rows_closer_than_two_hundredths_mm_are_one_line(apart, lines):
     strokes = [[(0.0, apart * k, 0.0), (50.0, apart * k, 0.0)] for k in range(5)]
     (rows,) = rows_of(programs.program(strokes))
     assert rows.lines == lines
@@ -196,7 +196,7 @@ def test_pass_shorter_than_a_tenth_is_not_a_row(length, count):
 
 
 def test_uneven_steps_lower_the_even_share():
-    """Steps of 4 mm, but for every third, of 1 mm: two thirds are about as long as the usual one."""
+    """Every third step is 1 mm, the other steps are 4 mm. Two thirds of the steps equal the usual step."""
     y = np.cumsum([0, 4, 4, 1] * 4)
     (rows,) = rows_of(programs.program([[(0.0, float(v), 0.0), (50.0, float(v), 0.0)] for v in y]))
     steps = np.diff(y)
@@ -204,24 +204,24 @@ def test_uneven_steps_lower_the_even_share():
     assert rows.even == pytest.approx((steps == 4).sum() / (steps > 0).sum())
 
 
-def test_a_median_by_weight():
+def test_weighted_median_is_the_value_at_half_of_the_weight():
     values, weights = np.array([3.0, 1.0, 2.0, 9.0]), np.array([1.0, 1.0, 1.0, 5.0])
     assert weighted_median(values, weights) == 9.0
     assert weighted_median(values, np.ones(4)) == 2.0
     assert weighted_median(values[:1], weights[:1]) == 3.0
 
 
-def test_stairs_in_one_stroke_are_not_rows():
+def test_staircase_after_another_stroke_is_not_rows():
     before = [[(0.0, -80.0, 0.0), (10.0, -80.0, 0.0)]]
     stairs = [(10.0 * (k // 2 + k % 2), 3.0 * (k // 2), 0.0) for k in range(20)]
     families = rows_of(programs.program(before + [stairs]))
     assert families[0].same == 0
 
 
-# Which families of rows fill an area
+# Tests of `filling`: which families of rows fill an area.
 
 TOOL = 6.0
-# Ten rows of 50 mm, 3 mm apart, there and back.
+# Ten rows of 50 mm, 3 mm apart, cut back and forth.
 GOOD = Rows(
     axis=0.0, length=500.0, once=500.0, typical=50.0, count=10, lines=10, opposite=450.0, same=0.0, step=3.0, pitch=3.0,
     period=3.0, even=1.0, steep=False, lies=np.array([(3.0 * k, 0.0, 50.0) for k in range(10)]), moves=np.arange(10),
@@ -239,12 +239,12 @@ def fills(tool=TOOL, contour=False, **changed):
 
 
 @pytest.mark.parametrize("opposite, same, good", [(130, 0, True), (0, 130, True), (70, 60, True), (60, 60, False)])
-def test_rows_with_more_than_a_quarter_beside_one_another_fill(opposite, same, good):
+def test_rows_fill_if_a_quarter_lies_beside_other_rows(opposite, same, good):
     assert fills(opposite=opposite, same=same) is good
 
 
-def test_repeated_line_needs_no_neighbour():
-    """120 mm of 400 mm that are cut once are more than a quarter."""
+def test_repeated_lines_do_not_need_neighbours():
+    """120 mm are more than a quarter of the 400 mm without repeats, and less than a quarter of 500 mm."""
     assert fills(opposite=120, once=400.0) and not fills(opposite=120)
 
 
@@ -253,7 +253,7 @@ def test_repeated_line_needs_no_neighbour():
     [(7.6, 9, 0.9, True), (7.4, 9, 0.9, False), (7.4, 10, 0.9, True), (7.4, 10, 0.7, False), (4.4, 10, 0.9, False)],
 )
 def test_rows_have_a_minimum_length_in_steps(typical, lines, even, good):
-    """7.5 and 4.5 mm."""
+    """With steps of 3 mm, the limits are 7.5 and 4.5 mm."""
     assert fills(typical=typical, lines=lines, even=even) is good
 
 
@@ -262,11 +262,14 @@ def test_rows_have_a_minimum_length_in_steps(typical, lines, even, good):
     [(0.17, 6, False), (0.19, 6, True), (0.17, 0, True), (3, 2.4, False), (3, 2.6, True), (3, 0, True)],
 )
 def test_row_steps_must_fit_the_tool(step, tool, good):
-    """Fewer than ten rows closer than 0.03 diameters are a pass cut again; more than 1.2 diameters leave something between."""
+    """Below 0.03 diameters, fewer than ten rows are one repeated pass.
+
+    Above 1.2 diameters, stock remains between rows.
+    """
     assert fills(tool, step=step, lines=9) is good
 
 
-def test_many_close_rows_fill_unless_they_lead_down_a_wall():
+def test_many_close_rows_fill_unless_they_go_down_a_wall():
     assert fills(step=0.01)
     assert not fills(step=0.01, steep=True)
 
@@ -287,12 +290,12 @@ def test_rows_may_skip_one_row(period, good):
         (1, 0.4, 6, False),
     ],
 )
-def test_three_rows_are_even_and_two_overlap(count, even, tool, good):
+def test_three_rows_fill_if_even_and_two_if_they_overlap(count, even, tool, good):
     assert fills(tool, count=count, even=even, lines=count) is good
 
 
 @pytest.mark.parametrize("period, walls", [(3.1, False), (3.2, True), (30.0, True)])
-def test_contour_walls_are_not_rows(period, walls):
+def test_walls_of_a_contour_are_not_rows(period, walls):
     assert fills(contour=True, period=period) is not walls
     assert fills(contour=False, period=period)
 
@@ -300,7 +303,7 @@ def test_contour_walls_are_not_rows(period, walls):
 @pytest.mark.parametrize(
     "length, changed, grid",
     [
-        (1150.0, {}, True),  # 1000 mm in rows are more than 85 %
+        (1150.0, {}, True),  # 1000 mm in rows are more than 85 % of 1150 mm
         (1200.0, {}, False),
         (1150.0, {"count": 5}, True),
         (1150.0, {"count": 4}, False),
@@ -308,7 +311,7 @@ def test_contour_walls_are_not_rows(period, walls):
         (1150.0, {"typical": 7.4}, False),
     ],
 )
-def test_two_lone_families_are_a_grid_if_dominant(length, changed, grid):
+def test_two_families_without_neighbours_are_a_grid(length, changed, grid):
     alone = {"opposite": 0.0}
     families = [replace(GOOD, **alone), replace(ACROSS, **alone, **changed)]
     assert filling(families, TOOL, length=length, contour=False) == (families if grid else [])
@@ -317,13 +320,13 @@ def test_two_lone_families_are_a_grid_if_dominant(length, changed, grid):
 
 @pytest.mark.parametrize("tool, grid", [(0.0, True), (2.6, True), (2.4, False)])
 def test_rows_wider_than_the_tool_are_not_a_grid(tool, grid):
-    """Outlines of small parts all over a sheet have their sides along two axes; 1.2 diameters are 3.1 and 2.9 mm."""
+    """Outlines of small parts on a sheet have sides along two axes. 1.2 diameters are 3.1 and 2.9 mm."""
     alone = {"opposite": 0.0}
     families = [replace(GOOD, **alone), replace(ACROSS, **alone)]
     assert filling(families, tool, length=1000.0, contour=False) == (families if grid else [])
 
 
-def test_only_the_filling_family_is_left():
+def test_only_the_family_that_fills_is_returned():
     across = replace(ACROSS, opposite=0.0)
     assert filling([GOOD, across], TOOL, length=1000.0, contour=False) == [GOOD]
 
@@ -338,7 +341,7 @@ def test_grid_rows_cross_and_nested_contours_do_not(turned, lean):
         found = rows_of(programs.program(cut))
         return found, filling(found, TOOL, length=sum(f.length for f in found), contour=False)
 
-    # No line is followed by its neighbour, as a ball runs on a billiard table.
+    # The lines are ordered so that no line is followed by its neighbour.
     order = [3.0 * (7 * k % 20) for k in range(20)]
     grid = [[(0.0, at), (60.0, at)] for at in order] + [[(at, 0.0), (at, 60.0)] for at in order]
     found, rows = families(grid)
@@ -349,8 +352,11 @@ def test_grid_rows_cross_and_nested_contours_do_not(turned, lean):
 
 
 @pytest.mark.parametrize("beyond, cross", [(0.035, False), (0.07, True)])
-def test_passes_cross_if_they_continue_beyond(beyond, cross):
-    """The sides of nested rectangles, each longer at both ends by a share of it; all those along X come first."""
+def test_passes_cross_if_they_continue_beyond_each_other(beyond, cross):
+    """The sides of nested rectangles are longer by a share of their length at both ends.
+
+    All sides along X are cut first.
+    """
     sides = [(1.5 * k, 80 - 3 * k, 70 - 3 * k) for k in range(20)]
     along = [[(k - beyond * w, y), (k + w + beyond * w, y)] for k, w, h in sides for y in (k, k + h)]
     up = [[(x, k - beyond * h), (x, k + h + beyond * h)] for k, w, h in sides for x in (k, k + w)]
@@ -358,7 +364,7 @@ def test_passes_cross_if_they_continue_beyond(beyond, cross):
     assert filling(found, TOOL, length=sum(f.length for f in found), contour=False) == (found if cross else [])
 
 
-def test_distant_rows_share_stepover_without_memory():
+def test_period_of_distant_rows_needs_little_memory():
     places = [*np.arange(20) * 3.0, *(1e6 + np.arange(20) * 3.0)]
     commands = []
     for y in places:

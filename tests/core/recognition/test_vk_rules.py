@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Proposals of the rules alone, and their reasons, for toolpaths that were drawn for one rule each.
+"""The proposals of the rules without votes, and their reasons, for toolpaths drawn for one rule each.
 
-The votes mostly agree with the rules, so a wrong rule would not show in the verdicts.
+The votes mostly agree with the rules, so a wrong rule would not be visible in the verdicts.
 """
 
 from __future__ import annotations
@@ -23,13 +23,13 @@ TOOL = 6.0
 
 
 def rows(count=10, length=50.0, step=3.0, x=0.0, y=0.0, z=0.0):
-    """Rows there and back in one stroke."""
+    """Return rows cut back and forth in one stroke."""
     ends = [((x, x + length) if row % 2 == 0 else (x + length, x)) for row in range(count)]
     return [(end, y + row * step, z) for row in range(count) for end in ends[row]]
 
 
 def waves(count, step, *, grows=0.0, alternate=False):
-    """Open wavy strokes side by side; each is farther from the next at its end by `grows`."""
+    """Return open wavy strokes side by side. At its end, each stroke is farther from the next stroke by `grows`."""
     x = np.linspace(0, 160, 41)
     strokes = []
     for i in range(count):
@@ -40,19 +40,19 @@ def waves(count, step, *, grows=0.0, alternate=False):
 
 
 def letters(count, z=0.0):
-    """Short open strokes, each of another form."""
+    """Return short open strokes, each with another shape."""
     return [
         [(12.0 * i + a, b, z) for a, b in ((0, 0), (3 + 0.3 * i, 6), (5, 1 + 0.4 * i), (1, 4))] for i in range(count)
     ]
 
 
 def carved(y, rises=8.0):
-    """A stroke of 160 mm as a V-bit carves a groove: level, and up where the groove ends in a corner."""
+    """Return a stroke of 160 mm for a V-bit: a level groove that rises where it ends in a corner."""
     return [(500, y, -4.0), (600, y + 3, -4.0), (660 - rises, y, -4.0), (660, y + rises, -4.0 + rises / 2)]
 
 
 def rectangle(inside):
-    """80 by 40 mm, or so far inside of that."""
+    """Return a rectangle of 80 x 40 mm, or its offset `inside` mm inside."""
     low, right, top = inside, 80 - inside, 40 - inside
     return [(low, low, 0.0), (right, low, 0.0), (right, top, 0.0), (low, top, 0.0), (low, low, 0.0)]
 
@@ -154,7 +154,7 @@ def test_rule_proposes_the_strategy_of_its_drawing(strokes, strategy, seen, coun
     assert (found.strategy, found.seen.code, found.count) == (strategy, seen, count)
 
 
-def test_only_a_final_climb_counts_as_rising():
+def test_only_a_rise_at_the_end_counts_as_rising():
     over_tags = [(500, 0, -4.0), (540, 0, -4.0), (546, 0, -2.0), (552, 0, -4.0), (560, 0, -4.0)]
     upward = [(500, 0, -4.0), (530, 40, 0.0), (560, 0, 4.0)]
     for strokes, share in (
@@ -172,7 +172,7 @@ def test_mixed_has_shares_and_verdicts_of_parts():
     assert (rings.strategy, of_rows.strategy) == ("contour-parallel", "zigzag")
 
 
-def test_rows_within_a_contour_are_finished_by_it():
+def test_rows_inside_a_contour_are_finished_by_the_contour():
     assert proposed(CASES["rows within a contour"][0]).finished and not proposed(CASES["rows"][0]).finished
 
 
@@ -182,13 +182,13 @@ def test_step_of_passes_that_are_not_rings(name, step):
 
 
 def beside(strokes, others, share):
-    """Return the strokes, and other strokes with a share of the whole length; `others` draws a length of strokes."""
+    """Return the strokes, and other strokes with a share of the whole length. `others` draws strokes with a given length."""
     length = sum(math.dist(a[:2], b[:2]) for stroke in strokes for a, b in zip(stroke, stroke[1:]))
     return [*strokes, *others(length * share / (1 - share))]
 
 
 def contours(length, count=4):
-    """Return unrelated squares."""
+    """Return separate squares."""
     return [polygon(length / count / 4, x=500.0 * k, y=-600) for k in range(count)]
 
 
@@ -197,7 +197,7 @@ def few_rows(length, count=6):
 
 
 def scribbles(length, count=20):
-    """Open strokes of three sides, each of another form."""
+    """Return open strokes of three sides, each with another shape."""
     side, strokes = length / count / 3, []
     for k in range(count):
         points = [(15.0 * k, 200.0, 0.0)]
@@ -240,7 +240,7 @@ BORDERS = {
     "bites beside a spiral": (0.03, lambda share: beside([winding(2, 26, 8)], bites, share), "spiral", "adaptive"),
     "scribbles beside a spiral": (0.3, lambda share: beside([winding(2, 26, 8)], scribbles, share), "spiral", "adaptive"),
     "a helix before windings": (0.005, entered, "spiral", "adaptive"),
-    "a pass inside a contour, among others": (  # it is 0.42 of both
+    "a pass inside a contour, among others": (  # the pass is 0.42 of the pass and the contour
         0.1, lambda share: beside([polygon(60, ratio=0.2), there_and_back], contours, 1 - share / 0.42), "profile", "mixed"),
     "walls that widen, among contours": (
         0.3, lambda share: beside([polygon(20 + 2 * i, z=-1.0 * i) for i in range(8)], contours, 1 - share),
@@ -252,13 +252,13 @@ BORDERS = {
 
 
 @pytest.mark.parametrize("at, draw, under, over", BORDERS.values(), ids=BORDERS)
-def test_a_rule_ends_where_it_says(at, draw, under, over):
+def test_rule_ends_at_its_threshold(at, draw, under, over):
     assert [proposed(draw(value * at)).strategy for value in (0.94, 1.06)] == [under, over]
 
 
 @pytest.mark.parametrize("sloped, strategy", [(3, "waterline"), (5, "engraving")])
 def test_descending_open_contours_are_not_a_waterline(sloped, strategy):
-    """Twenty at five depths."""
+    """Twenty contours are cut at five depths."""
     strokes = [
         [
             (x + k * k / 4 + 60 * (k % 2), y * (1 + k / 15), z - 2.0 * (k // 4))

@@ -24,7 +24,7 @@ def section(*strokes, tool=TOOL):
 
 
 def rows(count=6, length=30.0, step=3.0, x=0.0, y=0.0, z=0.0):
-    """Rows there and back in one stroke."""
+    """Return rows cut back and forth in one stroke."""
     ends = ((x, x + length), (x + length, x))
     return [(end, y + row * step, z) for row in range(count) for end in ends[row % 2]]
 
@@ -40,7 +40,7 @@ def walk(*steps, start=(70.0, -40.0)):
 
 
 def square_spiral(turns, side_steps, grows=2.0):
-    """Return a square spiral; `side_steps` returns the steps of `walk` along one side of a given length."""
+    """Return a square spiral. `side_steps` returns the steps of `walk` along one side of a given length."""
     lengths = [20.0 + grows * k for k in range(4 * turns)]
     return walk(*(step for length in lengths for step in side_steps(length)))
 
@@ -59,10 +59,7 @@ def jogs(count, degrees, length=None):
     return steps
 
 
-# Rings and rows
-
-
-def test_a_piece_is_of_the_rings_or_of_the_rows():
+def test_piece_belongs_to_the_rings_or_to_the_rows():
     found = section(polygon(60), rows(x=50, y=-50), polygon(60, z=-1.0))
     assert found.ring_pieces.tolist() == [True, False, True]
     assert found.row_pieces.tolist() == [False, True, False]
@@ -70,22 +67,22 @@ def test_a_piece_is_of_the_rings_or_of_the_rows():
 
 @pytest.mark.parametrize("side, rings", [(1.0, [0]), (1.5, [0, 1])])
 def test_rings_shorter_than_a_fiftieth_of_the_longest_are_leads(side, rings):
-    """Beside one of 240 mm, of which 4.8 mm are a fiftieth: 4 mm, or 6 mm."""
+    """A fiftieth of the longest ring, 240 mm, is 4.8 mm. The short rings have 4 and 6 mm."""
     found = section(polygon(60), polygon(side, x=100))
     assert found.rings.index.tolist() == rings == np.flatnonzero(found.ring_pieces).tolist()
     assert not found.row_pieces.any()
 
 
-def test_a_zigzag_that_ends_where_it_began_is_rows_and_no_ring():
-    """Beside a contour at another depth, which stays a ring."""
+def test_zigzag_that_returns_to_its_start_is_rows():
+    """A contour at another depth stays a ring."""
     closed = [*rows(6, length=40.0), (-5.0, 15.0, 0.0), (-5.0, 0.0, 0.0), (0.0, 0.0, 0.0)]
     found = section(closed, polygon(60, z=-1.0))
     assert found.lattice.tolist() == [True, False] and len(found.rows) == 1
     assert found.ring_pieces.tolist() == [False, True] and found.row_pieces.tolist() == [True, False]
 
 
-def test_two_rows_that_their_links_close_are_rows_and_no_ring():
-    """As between a row of bosses and the next one; a contour around an island is wider than 1.6 times how far rows are apart."""
+def test_two_rows_closed_by_their_links_are_not_a_ring():
+    """Two rows may run between bosses. A contour around an island is wider than 1.6 row distances."""
     two = [(0.0, 21.0, 0.0), (30.0, 21.0, 0.0), (30.0, 25.5, 0.0), (0.0, 25.5, 0.0), (0.0, 21.0, 0.0)]
     island = [(0.0, 21.0, 0.0), (30.0, 21.0, 0.0), (30.0, 26.1, 0.0), (0.0, 26.1, 0.0), (0.0, 21.0, 0.0)]
     found = section(rows(), two)
@@ -95,7 +92,7 @@ def test_two_rows_that_their_links_close_are_rows_and_no_ring():
     assert found.ring_pieces.sum() == 1
 
 
-def test_rings_of_two_shapes_are_rows_only_if_rows_are_found():
+def test_rings_of_two_shapes_are_rings_if_no_rows_are_found():
     square = polygon(40)
     diamond = polygon(20 * math.sqrt(2), turned=0.0)
     found = section(square, diamond)
@@ -105,13 +102,13 @@ def test_rings_of_two_shapes_are_rows_only_if_rows_are_found():
 
 @pytest.mark.parametrize("degrees, lattice", [(60, False), (75, True)])
 def test_winding_turn_with_reversals_may_be_rows(degrees, lattice):
-    """Two bends aside and back again: four times 60 degrees are two thirds of a turn, and of 75 five sixths."""
+    """Each turn bends twice sideways and back: four bends of 60 degrees are two thirds of a turn, of 75 degrees five sixths."""
     found = section(square_spiral(3, jogs(2, degrees), grows=12.0))
     assert found.rings.winding[0] and found.lattice[0] == lattice
 
 
 def test_star_shaped_contour_is_a_contour():
-    """A star of six points."""
+    """The star has six points."""
     at = np.arange(13) * TURN / 12
     radius = np.where(np.arange(13) % 2, 12.0, 30.0)
     found = section(list(zip(70 + radius * np.cos(at), radius * np.sin(at), 0 * at)))
@@ -119,48 +116,45 @@ def test_star_shaped_contour_is_a_contour():
 
 
 @pytest.mark.parametrize("length, families", [(15.0, 0), (30.0, 1)])
-def test_rows_that_are_a_tenth_beside_rings_are_links(length, families):
-    """Four squares of 1136 mm, and six rows with links of 15 mm: 105 of 1241 mm, or 195 of 1331 mm."""
+def test_rows_with_a_tenth_of_the_length_are_links(length, families):
+    """Beside squares of 1136 mm, six rows with links of 15 mm have 105 of 1241 mm, or 195 of 1331 mm."""
     squares = [polygon(side, x=200) for side in (80, 74, 68, 62)]
     assert len(section(rows(length=length), *squares).rows) == families
 
 
 def test_ramp_back_and_forth_on_one_line_is_not_a_zigzag():
-    """A ramp runs four times along a line of 50 mm. Away from the ramp lie four rows with links, 60 + 9 mm long."""
+    """A ramp runs four times along a line of 50 mm. Away from the ramp are four rows with links, 60 + 9 mm long."""
     ramp = [(0, 0, 0), (30, 40, -1), (0, 0, -2), (30, 40, -3), (0, 0, -4)]
     found = section(ramp, rows(4, length=15.0, y=-60))
     assert found.retraced == pytest.approx(200 / 269) and found.zigzag == pytest.approx(69 / 269)
 
 
 @pytest.mark.parametrize("aside, retraced", [(0.01, 1.0), (0.05, 0.0)])
-def test_a_ramp_that_leaves_its_line_is_not_retraced(aside, retraced):
+def test_ramp_that_leaves_its_line_is_not_retraced(aside, retraced):
     """The second pass begins at a distance of `aside` mm from the line of the first pass."""
     ramp = [(0, 0, 0), (30, 40, -1), (0.8 * aside, -0.6 * aside, -2), (30, 40, -3), (0, 0, -4)]
     assert section([(x + 70, y - 45, z) for x, y, z in ramp]).retraced == retraced
 
 
-# Small loops within a zigzag
-
-
 def kinds(stroke):
-    """The kinds of the pieces of a stroke, wherever it lies, and those with small loops made a part of the zigzag."""
+    """Return the kinds of a shifted stroke's pieces, before and after small loops become a part of the zigzag."""
     pieces = cut_pieces(monotonous_areas(linearize(programs.program([[(x + 90, y + 50, z) for x, y, z in stroke]]))))
     return pieces.kind.tolist(), _absorbed(pieces).tolist()
 
 
 def box(x, y, width, height):
-    """A closed rectangle from its upper left corner."""
+    """Return a closed rectangle that starts at its upper left corner."""
     return [(x, y, 0.0), (x, y - height, 0.0), (x + width, y - height, 0.0), (x + width, y, 0.0), (x, y, 0.0)]
 
 
-def test_a_small_loop_between_rows_is_a_part_of_the_zigzag():
+def test_small_loop_between_rows_is_part_of_the_zigzag():
     cut, absorbed = kinds(rows(7, length=40.0) + box(42.0, 20.0, 5.0, 5.0))
     assert cut == [ZIGZAG, LOOP] and absorbed == [ZIGZAG, ZIGZAG]
 
 
 @pytest.mark.parametrize("inside", [-2.0, 2.0])
 def test_loop_slightly_inside_rows_is_a_contour(inside):
-    """The loop lies 2 mm inside or outside rows of 40 by 18 mm, whose tolerance of 15 % is 6 and 2.7 mm."""
+    """The loop lies 2 mm inside or outside rows of 40 x 18 mm. The tolerance of 15 % is 6 and 2.7 mm."""
     stroke = rows(7, length=40.0) + box(inside, 18.0 - inside, 40.0 - 2 * inside, 18.0 - 2 * inside)
     assert kinds(stroke) == ([ZIGZAG, LOOP], [ZIGZAG, LOOP])
 
@@ -183,17 +177,14 @@ def test_loop_beside_rows_is_not_a_contour(loop):
     assert cut == [ZIGZAG, LOOP] and absorbed == [ZIGZAG, ZIGZAG]
 
 
-def test_a_loop_in_another_stroke_is_a_contour():
+def test_loop_in_another_stroke_than_the_rows_is_a_contour():
     strokes = [rows(7, length=40.0), box(42.0, 20.0, 5.0, 5.0)]
     pieces = cut_pieces(monotonous_areas(linearize(programs.program(strokes))))
     assert _absorbed(pieces).tolist() == [ZIGZAG, LOOP]
 
 
-# Windings
-
-
 def polygon_spiral(corners):
-    """A spiral of straight sides, six times around."""
+    """Return a spiral of straight sides with six turns."""
     return [walk(*((360 / corners, (20.0 + k / corners) * 4 / corners) for k in range(6 * corners)))]
 
 
@@ -202,14 +193,14 @@ def test_corners_of_a_winding_turn_by_more_than_30_degrees(corners, share):
     assert section(*polygon_spiral(corners)).cornered() == share
 
 
-def test_half_of_the_turning_in_corners():
-    """By turns a corner of 90 degrees and nine bends of 10 degrees."""
+def test_half_of_the_turning_of_rounded_squares_is_in_corners():
+    """A corner of 90 degrees alternates with nine bends of 10 degrees."""
     rounded = [(10, 1.0)] * 9
     found = section(walk(*(step for k in range(12) for step in [(90, 20.0 + 2 * k), *rounded])))
     assert found.cornered() == pytest.approx(0.5, abs=0.05)
 
 
-def test_no_corners_without_a_winding():
+def test_section_without_windings_has_no_corners():
     assert section(polygon(40), polygon(36)).cornered() == 0.0
 
 
@@ -217,14 +208,14 @@ def test_no_corners_without_a_winding():
     "degrees, length, aside", [(20, None, False), (35, None, True), (35, 0.05, False), (35, 0.2, True)]
 )
 def test_winding_steps_aside_at_turns_of_27_degrees(degrees, length, aside):
-    """Once a turn; 35 degrees are 0.61 rad, times 0.05 mm less than 0.05 rad mm."""
+    """Each turn has one bend. A bend of 35 degrees (0.61 rad) over 0.05 mm is less than the limit of 0.05 rad mm."""
     found = section(square_spiral(5, jogs(1, degrees, length)))
     assert found.rings.winding.all() and len(found.aside) == 5
     assert found.aside[:4].tolist() == [aside] * 4 and not found.hunting.any()
 
 
-def test_a_bend_in_small_steps_is_one_bend():
-    """Five of 7 degrees, each on 0.3 mm, which rounding might have made alone, and back at once."""
+def test_bend_in_small_steps_counts_as_one_bend():
+    """Each of five bends has 7 degrees on 0.3 mm, which rounding could cause. One bend of 35 degrees turns back."""
 
     def side(whole):
         return [(90, whole / 2), *[(-7, 0.3)] * 5, (35, whole / 2)]
@@ -242,11 +233,8 @@ def test_eight_small_corrections_per_turn_are_hunting(count, degrees, hunting):
     assert found.hunting[:4].tolist() == [hunting] * 4
 
 
-# Letters
-
-
 def letter(i, x, z=0.0, size=3.0):
-    """A closed contour, wider by half a millimetre for each i."""
+    """Return a closed contour. It is wider by 0.5 mm for each i."""
     return polygon(size + 0.5 * i, x=x, z=z, corners=3 + i % 5, ratio=1 + 0.1 * i)
 
 
@@ -261,21 +249,21 @@ def written(shapes, copies=0, depths=1, size=3.0):
     [
         ({"shapes": 8}, True),
         ({"shapes": 7}, False),
-        ({"shapes": 8, "copies": 3}, True),  # 8 of 11 are more than 67 %
-        ({"shapes": 8, "copies": 4}, False),  # 8 of 12 are not
+        ({"shapes": 8, "copies": 3}, True),  # 8 of 11 contours are more than 67 %
+        ({"shapes": 8, "copies": 4}, False),  # 8 of 12 contours are less than 67 %
         ({"shapes": 8, "depths": 3}, True),
         ({"shapes": 8, "depths": 4}, False),
-        ({"shapes": 8, "size": 14.0}, False),  # of 16 mm on some 100 mm
+        ({"shapes": 8, "size": 14.0}, False),  # contours of 16 mm on about 100 mm are too large
         ({"shapes": 8, "size": 7.0}, True),
     ],
     ids=str,
 )
-def test_letters_are_many_small_contours_of_as_many_shapes(text, letters):
+def test_letters_are_small_contours_of_many_shapes(text, letters):
     assert written(**text).letters() is letters
 
 
-def test_letters_in_boxes_of_one_size_differ_by_their_lengths():
-    """Squares of 10 mm with a notch, each deeper by 0.45 mm: their mean sides differ by 0.225 mm."""
+def test_letters_with_equal_boxes_differ_by_their_lengths():
+    """The notches in squares of 10 mm differ by 0.45 mm in depth, so the mean sides differ by 0.225 mm."""
 
     def notched(k):
         x, depth = 100.0 * k, 0.45 * k
@@ -283,9 +271,6 @@ def test_letters_in_boxes_of_one_size_differ_by_their_lengths():
         return [(x + a, b, 0.0) for a, b in ways]
 
     assert section(*map(notched, range(1, 9))).letters()
-
-
-# Contours inside a ring
 
 
 FAR = polygon(40, x=300)
@@ -322,7 +307,7 @@ def deeper(stroke, by=1.0):
     ids=["after", "before", "between, inside the first", "between, inside the second", "as deep", "deeper", "not last", "the eighth", "the ninth", "the largest of nine",
          "five at other depths", "along it and to it", "right", "left", "above", "below", "some", "no ring", "no rows"],
 )  # fmt: skip
-def test_rows_are_surrounded_by_a_largest_ring(strokes, share):
+def test_rows_are_bordered_by_one_of_the_largest_rings(strokes, share):
     assert section(*strokes).bordered()[0] == pytest.approx(share)
 
 
@@ -343,7 +328,7 @@ ISLAND = polygon(10, x=-5, y=-2)
     ],
     ids=["amid", "some", "deeper", "as deep", "across their edge", "offsets", "no rows", "no ring"],
 )
-def test_the_single_rings_amid_rows_go_around_islands(strokes, share):
+def test_single_rings_amid_rows_go_around_islands(strokes, share):
     assert section(*strokes).bordered()[1] == pytest.approx(share)
 
 
@@ -370,7 +355,7 @@ RING = polygon(60, ratio=0.2)
     ids=["after", "before", "between, inside the first", "between, inside the second", "as deep", "deeper", "not last", "not next", "one way",
          "over the edge", "no stroke"],
 )  # fmt: skip
-def test_stroke_back_and_forth_clears_adjacent_ring(strokes, clears):
+def test_stroke_back_and_forth_clears_the_adjacent_ring(strokes, clears):
     found = section(*strokes)
     length = sum(math.dist(a, b) for a, b in zip(there_and_back, there_and_back[1:]))
     assert found.filled() == pytest.approx(length / found.length if clears else 0.0)
@@ -378,18 +363,18 @@ def test_stroke_back_and_forth_clears_adjacent_ring(strokes, clears):
 
 @pytest.mark.parametrize("tool, clears", [(6.0, True), (3.0, False), (0.0, True)])
 def test_stroke_clears_only_rings_within_tool_reach(tool, clears):
-    """By 4 mm at the ends, where a tool of 3 mm reaches 3.6 mm."""
+    """The ends of the ring are 4 mm away. A tool of 3 mm reaches 3.6 mm."""
     assert bool(section(RING, there_and_back, tool=tool).filled()) is clears
 
 
-def test_stroke_enclosing_a_ring_repeats_it():
-    """Another contour that does not quite close."""
+def test_stroke_around_a_ring_is_its_repeat():
+    """The stroke is another contour that does not quite close."""
     again = [*polygon(58, ratio=0.19)[:-1], (99.0, -36.0, 0.0)]
     assert section(RING, again).filled() == 0.0
 
 
-def test_shares_are_of_the_whole_length():
-    """Rings of 160 and 80 mm, a stroke of 60 mm."""
+def test_shares_are_those_of_the_whole_length():
+    """The rings have 160 and 80 mm, and the stroke has 60 mm."""
     found = section(polygon(40), polygon(20, x=200), [(0, 0, 0), (30, 0, 0), (30, 30, 0)])
     assert found.share(np.array([True, False])) == pytest.approx(160 / 300)
     assert found.part(np.array([True])) == pytest.approx(60 / 300)

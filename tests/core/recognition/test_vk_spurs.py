@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Ways out and back on one line, which reliefs in corners add to a contour."""
+"""Detours out and back on one line, which reliefs in corners add to a contour."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ def areas(*strokes):
 
 
 def square(out=None, side=40.0, z=0.0, closed=True, turned=0.0):
-    """Begun in the middle of a side; `out` is how far a spur leads from one corner."""
+    """Return a square that begins in the middle of a side. `out` is the length of a spur from one corner."""
     half = side / 2
     points = [(0.0, 0.0, z), (half, 0.0, z)]
     if out:
@@ -36,7 +36,7 @@ def test_removing_a_spur_keeps_the_corner_turn():
     assert kept.phi[-1] == pytest.approx(TURN)
 
 
-def test_every_area_counts_from_its_own_first_move():
+def test_phi_of_each_area_starts_at_its_own_first_move():
     moves = areas(square(2.0), square(2.0, side=60.0, z=-1.0), square())
     kept = without_spurs(moves)
     assert np.diff(kept.start, append=len(kept)).tolist() == [5, 5, 5]
@@ -48,7 +48,7 @@ def test_every_area_counts_from_its_own_first_move():
     [square(2.0, closed=False)[:-1], square(17.0), square(2.0, turned=1.0), square()],
     ids=["open", "long", "down", "none"],
 )
-def test_detours_that_are_not_reliefs_remain(stroke):
+def test_detours_that_are_not_corner_reliefs_are_kept(stroke):
     """A detour in an open stroke, of at least a fifth of the length, or to a greater depth is not a relief."""
     moves = areas(stroke)
     assert without_spurs(moves) is moves
@@ -66,7 +66,7 @@ def test_long_detour_is_not_a_corner_relief(near):
 
 
 @pytest.mark.parametrize("ahead", [True, False], ids=["along the side before", "along the side behind"])
-def test_a_spur_along_a_side_leaves_no_reversal_behind(ahead):
+def test_removing_a_spur_along_a_side_leaves_no_reversal(ahead):
     """The spur continues a side, the move back reverses the spur, and the path leaves the corner by a quarter turn."""
     tip = (23, 0, 0) if ahead else (20, 3, 0)
     moves = areas([(0, 0, 0), (20, 0, 0), tip, (20, 0, 0), (20, 40, 0), (-20, 40, 0), (-20, 0, 0), (0, 0, 0)])
@@ -91,29 +91,29 @@ def test_move_back_that_misses_the_start_is_not_a_spur(off, there):
 
 
 @pytest.mark.parametrize("deep, there", [(0.005, False), (0.015, True)])
-def test_a_spur_keeps_its_height_there_and_back(deep, there):
-    """Down and up again is twice the depth, and 0.02 mm are one depth."""
+def test_spur_that_goes_down_is_not_a_relief(deep, there):
+    """Down and up again is twice the depth, and 0.02 mm are within the tolerance of one depth."""
     moves = areas(square(2.0, turned=-deep))
     assert len(without_spurs(moves)) == len(moves) - (0 if there else 2)
 
 
 @pytest.mark.parametrize("out, there", [(13.9, False), (14.5, True)])
-def test_reliefs_are_less_than_a_fifth_of_a_contour(out, there):
-    """There and back 39.3 of 199.3 mm, and 41 of 201 mm; the sides are longer than that way out."""
+def test_reliefs_have_less_than_a_fifth_of_a_contour(out, there):
+    """The detours have 39.3 of 199.3 mm, and 41 of 201 mm. The sides are longer than the way out."""
     corners = [(20, 0), (20 + out, -out), (20, 0), (20, 40), (-20, 40), (-20, 0)]
     moves = areas([(-20, 0, 0), *((x, y, 0) for x, y in corners)])
     assert len(without_spurs(moves)) == len(moves) - (0 if there else 2)
 
 
 def test_consecutive_spurs_are_not_reliefs():
-    """Repeated moves on one line are a stroke of their own. Only the first move out and back could be a relief."""
+    """Repeated moves on one line are a separate stroke. Only the first move out and back could be a relief."""
     there, half = (21.0, -1.0, 0.0), (20.0, 0.0, 0.0)
     stroke = square()
     moves = areas([*stroke[:2], there, half, there, half, *stroke[2:]])
     assert len(without_spurs(moves)) >= len(moves) - 2
 
 
-def test_turning_restarts_after_removed_first_moves():
+def test_phi_restarts_after_removed_first_moves():
     moves = areas(square(), square(side=60.0))
     kept = np.ones(len(moves), bool)
     kept[[0, 1]] = False

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Contours that are lifted over holding tags."""
+"""Contours that are lifted over holding tags are joined to closed contours."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ TAG = 6.0
 
 
 def parts_of_sides(z=-3.0, tags=2, begin=0.0):
-    """The strokes around a rectangle, lifted over tags; `begin` mm behind a corner."""
+    """Return the strokes around a rectangle, lifted over tags. The first stroke starts `begin` mm after a corner."""
     strokes, stroke = [], [(begin, 0.0, z)]
     for (x, y), (u, v) in zip(CORNERS, CORNERS[1:] + CORNERS[:1]):
         length = math.dist((x, y), (u, v))
@@ -42,18 +42,18 @@ def joined(strokes):
 
 @pytest.mark.parametrize("tags", [1, 2, 3])
 @pytest.mark.parametrize("begin", [0.0, 20.0])
-def test_the_strokes_around_a_part_are_one_closed_contour(tags, begin):
+def test_strokes_between_tags_are_one_closed_contour(tags, begin):
     parts = parts_of_sides(tags=tags, begin=begin)
     assert len(areas(parts).start) == 4 * tags + 1
     around = joined(parts)
     assert len(around.start) == 1 and around.closed.all() and len(around) == len(areas(parts))
     assert around.area_length == pytest.approx([400.0])
-    # Where it begins at a corner, the closing turn is not in phi.
+    # If the contour begins at a corner, phi does not include the closing turn.
     assert around.phi[-1] == pytest.approx(TURN if begin else TURN * 3 / 4)
     assert around.phi.max() - around.phi.min() == pytest.approx(around.phi[-1])
 
 
-def test_a_contour_may_begin_and_end_at_a_tag():
+def test_tagged_contour_may_begin_and_end_at_a_tag():
     parts = parts_of_sides()
     parts = [*parts[1:-1], [*parts[-1], *parts[0][1:]]]
     around = joined(parts)
@@ -67,8 +67,8 @@ def test_two_strokes_between_two_tags_are_a_contour():
 
 
 @pytest.mark.parametrize("chords", [12, 90])
-def test_a_circle_over_tags_is_one_contour(chords):
-    """Three tags of 17 degrees."""
+def test_circle_over_tags_is_one_contour(chords):
+    """Each of three tags has 17 degrees."""
     ends = [(k * 120.0 + 17, (k + 1) * 120.0) for k in range(3)]
     arcs = [
         [(30 * math.cos(a), 30 * math.sin(a), -2.0) for a in np.radians(np.linspace(*end, chords // 3 + 1))]
@@ -80,7 +80,7 @@ def test_a_circle_over_tags_is_one_contour(chords):
 
 
 def test_strokes_over_tags_belong_to_the_contour():
-    """Estlcam cuts across each tag in a separate stroke and plunges after the tag."""
+    """Estlcam cuts across each tag in a separate stroke, and plunges after the tag."""
     parts = parts_of_sides(tags=1)
     strokes = []
     for stroke, following in zip(parts, [*parts[1:], None]):
@@ -91,7 +91,7 @@ def test_strokes_over_tags_belong_to_the_contour():
     assert len(around.start) == 1 and around.closed.all() and around.area_length == pytest.approx([400.0])
 
 
-def test_contour_over_tags_is_repeated_at_each_depth():
+def test_tagged_contour_is_repeated_at_each_depth():
     strokes = [stroke for z in (-1.0, -2.0, -3.0) for stroke in parts_of_sides(z)]
     for tool in (None, 6.0):
         found = recognize(linearize(programs.program(strokes)), tool_diameter=tool)
@@ -101,7 +101,7 @@ def test_contour_over_tags_is_repeated_at_each_depth():
 @pytest.mark.parametrize("to_and_fro", [False, True])
 @pytest.mark.parametrize("tool", [None, 6.0])
 def test_tagged_strokes_form_contour_at_each_depth(to_and_fro, tool):
-    """So board programs cut out: each stroke between two bridges at all depths, then the next one."""
+    """Programs for boards cut each stroke between two bridges at all depths, before they cut the next stroke."""
     depths = (-1.0, -2.0, -3.0)
     turns = [parts_of_sides(z, tags=1) for z in depths]
     strokes = [part[::-1] if to_and_fro and k % 2 else part for stroke in zip(*turns) for k, part in enumerate(stroke)]
@@ -116,7 +116,7 @@ def test_tagged_strokes_form_contour_at_each_depth(to_and_fro, tool):
     assert "over 3 loops at 3 depths, cut in strokes, as between holding tags" in found.reason
 
 
-def test_unlike_strokes_and_deep_rows_are_not_a_contour():
+def test_unequal_strokes_and_deep_rows_are_not_a_contour():
     sides = parts_of_sides(tags=1)
     deeper = [[(x, y, z - 1.0) for x, y, z in part] for part in sides]
     assert unchanged([part for k, two in enumerate(zip(sides, deeper)) for part in two[: 1 + k % 2]])
@@ -128,7 +128,7 @@ def test_unlike_strokes_and_deep_rows_are_not_a_contour():
 
 @pytest.mark.parametrize("tags", [1, 2, 3])
 @pytest.mark.parametrize("tool", [None, 6.0])
-def test_a_contour_over_tags_is_a_profile(tags, tool):
+def test_tagged_contour_is_a_profile(tags, tool):
     found = recognize(linearize(programs.program(parts_of_sides(tags=tags))), tool_diameter=tool)
     assert found.strategy is Strategy.PROFILE and found.confidence > 0.9, found.reason
     assert "over one loop, cut in strokes, as between holding tags: profile" in found.reason
@@ -141,21 +141,21 @@ def unchanged(strokes):
     return found is moves
 
 
-def test_rows_over_an_island_and_dashes_are_none():
+def test_rows_interrupted_by_an_island_are_not_a_contour():
     rows = [[(a, 3.0 * y, 0.0), (b, 3.0 * y, 0.0)] for y in range(8) for a, b in ((0.0, 40.0), (60.0, 100.0))]
     assert unchanged(rows)
     assert unchanged([stroke[::-1] if k // 2 % 2 else stroke for k, stroke in enumerate(rows)])
 
 
-def test_strokes_to_and_fro_on_one_line_are_none():
-    """Their ends meet, but at half turns, whose sign rounding decides."""
+def test_strokes_back_and_forth_on_a_line_are_not_a_contour():
+    """The ends of the strokes meet, but at half-turns, and rounding decides about their sign."""
     for angle in np.linspace(0, 3, 7):
         end = 40 * math.cos(angle), 40 * math.sin(angle)
         there = [(0.0, 0.0, -1.0), (*end, -1.0)]
         assert unchanged([there, there[::-1]]) and unchanged([there, there[::-1], there, there[::-1]])
 
 
-def test_a_gap_of_rounding_does_not_take_a_short_move_away():
+def test_short_move_as_long_as_a_gap_of_rounding_is_kept():
     """The short move is as long as the gap between its end and the start of the next stroke."""
     sides = [[(0.0, 0.0, -1.0), (40.0, 0.0, -1.0)], [(40.0, 30.0, -1.0), (0.0, 30.0, -1.0), (0.0, 0.0, -1.0)]]
     short, up = [(40.0, 0.0, -1.0), (40.0, 0.015, -1.0)], [(40.0, 0.0, -1.0), (40.0, 30.0, -1.0)]
@@ -163,7 +163,7 @@ def test_a_gap_of_rounding_does_not_take_a_short_move_away():
     assert len(around.start) == 1 and around.length.min() == pytest.approx(0.015)
 
 
-def test_strokes_not_going_ahead_are_not_a_contour():
+def test_strokes_that_do_not_continue_are_not_a_contour():
     assert not unchanged(parts_of_sides())
     assert unchanged(parts_of_sides()[::-1])
     assert unchanged(parts_of_sides()[:-1])
@@ -173,13 +173,13 @@ def test_strokes_not_going_ahead_are_not_a_contour():
     assert unchanged(corners)
 
 
-def test_closed_contours_are_joined_with_nothing():
-    """Two contours that share a corner: each is one already."""
+def test_closed_contours_are_not_joined():
+    """Two contours share a corner, and each contour is already closed."""
     one = [(0.0, 0.0, 0.0), (30.0, 0.0, 0.0), (30.0, 30.0, 0.0), (0.0, 30.0, 0.0), (0.0, 0.0, 0.0)]
     assert unchanged([one, [(-x, -y, z) for x, y, z in one]]) and unchanged([one])
 
 
-def test_reason_depends_on_share_of_strokes():
+def test_reason_depends_on_the_length_of_tagged_strokes():
     hole = [(300.0, 0.0, -3.0), (330.0, 0.0, -3.0), (330.0, 30.0, -3.0), (300.0, 30.0, -3.0), (300.0, 0.0, -3.0)]
     parts = parts_of_sides()
     length = 400.0 - 8 * TAG
@@ -194,26 +194,26 @@ def test_reason_depends_on_share_of_strokes():
     ("one", "two", "onward"),
     [
         ([(0, 0), (40, 0)], [(46, 0), (90, 0)], True),
-        ([(0, 0), (40, 0)], [(40, 0), (40, 50)], True),  # where it was: a corner
-        ([(0, 0), (40, 0)], [(46, 2.5), (90, 2.5)], True),  # a tag on a bend
+        ([(0, 0), (40, 0)], [(40, 0), (40, 50)], True),  # the second stroke turns a corner at the end of the first
+        ([(0, 0), (40, 0)], [(46, 2.5), (90, 2.5)], True),  # the tag is on a bend
         ([(0, 0), (40, 0)], [(46, 3.5), (90, 3.5)], False),
-        ([(0, -40), (40, 0)], [(46, 0), (90, 0)], False),  # only the one behind the gap lies in its direction
-        ([(0, 0), (40, 0)], [(46, 0), (90, 40)], False),  # only the one before it
-        ([(0, 0), (40, 0)], [(34, 0), (90, 0)], False),  # back, and over it again
+        ([(0, -40), (40, 0)], [(46, 0), (90, 0)], False),  # only the second stroke has the direction of the gap
+        ([(0, 0), (40, 0)], [(46, 0), (90, 40)], False),  # only the first stroke has the direction of the gap
+        ([(0, 0), (40, 0)], [(34, 0), (90, 0)], False),  # the second stroke starts before the end of the first
         ([(0, 0), (40, 0)], [(40, 0), (0, 0)], False),
-        ([(0, 0), (40, 0)], [(40.01, 0), (0, 0.001)], False),  # half a turn but for rounding
-        ([(0, 0), (40, 0)], [(79, 0), (89, 0)], True),  # no farther than the longer one
+        ([(0, 0), (40, 0)], [(40.01, 0), (0, 0.001)], False),  # half a turn with a rounding error
+        ([(0, 0), (40, 0)], [(79, 0), (89, 0)], True),  # the gap is shorter than the longer stroke
         ([(0, 0), (10, 0)], [(49, 0), (89, 0)], True),
         ([(0, 0), (40, 0)], [(81, 0), (91, 0)], False),
     ],
 )
-def test_stroke_continues_another(one, two, onward):
+def test_stroke_continues_another_in_its_direction(one, two, onward):
     moves = areas([[(x + 5.0, y + 5.0, 0.0) for x, y in stroke] for stroke in (one, two)])
     assert len(moves.start) == 2
     assert _goes_on(moves, np.array([0]), np.array([1])).tolist() == [onward]
 
 
-def test_contours_beside_strokes_are_unchanged():
+def test_contours_beside_tagged_strokes_are_unchanged():
     hole = [(300.0, 0.0, -3.0), (330.0, 0.0, -3.0), (330.0, 30.0, -3.0), (300.0, 30.0, -3.0), (300.0, 0.0, -3.0)]
     row = [(0.0, 200.0, -3.0), (50.0, 200.0, -3.0)]
     for strokes, starts in (

@@ -49,7 +49,7 @@ UNITS = [
 ]
 # Numbers of geometry or bookkeeping: halves, sides of a square, thirds of a cell, columns of a box, ends of a stretch.
 FACTS = {0, 0.5, 1, 2, 3, 4}
-# A learned table.
+# This file contains a table that was learned.
 NUMBERS = {"borders.py"}
 FILES = sorted(set((CORE / "recognition").rglob("*.py")) - set(HOMES))
 
@@ -72,7 +72,7 @@ def used():
     return {name for file in rooms for name in re.findall(r"\b[A-Z]\w*\.\w+", file.read_text(encoding="utf-8"))}
 
 
-def test_a_threshold_has_a_unit_a_reason_and_a_use(parse):
+def test_each_threshold_has_a_unit_a_reason_and_a_use(parse):
     thresholds = dict(one for home in HOMES for one in declared(home, parse))
     assert len(thresholds) > 100
     undescribed, names = [], used()

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Properties of a simulation that need no ray: a bound of its memory, whether it cuts, the crossings of its path."""
+"""Quantities computed without rays: upper bound of the memory, whether the tool cuts, crossings of the path."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ TOOLS = [Tool("endmill", 5), Tool("ballend", 6), Tool("vbit", 8, tip_angle=np.pi
 @pytest.mark.long
 @pytest.mark.parametrize("tool", TOOLS, ids=lambda tool: tool.shape)
 @pytest.mark.parametrize("direction", [(0, 0, -1), (1, 1, -1), (0, 1, 0)])
-def test_no_simulation_holds_more_than_the_bound(tool, direction):
+def test_memory_of_a_simulation_is_at_most_the_upper_bound(tool, direction):
     rng = np.random.default_rng(7)
     bounds = 0
     for _, _, maker in SAMPLES[::6]:
@@ -34,13 +34,13 @@ def test_no_simulation_holds_more_than_the_bound(tool, direction):
         most = most_bytes(path, tool=tool, stock=stock, view=view)
         assert held.peak.bytes() <= most and held.traces <= bound._most_removed(path, tool, stock, held.frame)
         bounds += np.isfinite(most)
-        if cuts_surely(path, stock) and direction == (0, 0, -1):  # from the side a pixel may be higher than the cut
+        if cuts_surely(path, stock) and direction == (0, 0, -1):  # in a side view, a pixel may be larger than the cut
             assert held.traces
     assert bounds > 5
 
 
 @pytest.mark.parametrize("direction", [(0, 0, -1), (1, 1, -1), (0, 1, 0)])
-def test_a_round_stock_is_bounded_as_well(direction):
+def test_memory_of_round_stock_is_at_most_the_upper_bound(direction):
     path = linearize([("G1", {"X": x, "Y": y, "Z": -2.0}) for x, y in ((-12.0, 0.0), (12.0, 3.0), (0.0, -9.0))])
     stock = Cylinder((0, 0, -5), 10, 5)
     solids = {"tool": TOOLS[0], "stock": stock, "view": View(direction, 60, 45)}
@@ -50,7 +50,7 @@ def test_a_round_stock_is_bounded_as_well(direction):
     assert not cuts_surely(path, stock)
 
 
-def test_a_mesh_has_no_bound_and_nothing_is_sure_of_it():
+def test_mesh_stock_has_no_memory_bound_and_no_sure_cut():
     path = linearize([("G0", {"X": 0.0, "Y": 0.0, "Z": 5.0}), ("G1", {"Z": -2.0})])
     corners = np.array([(-9, -9, -5), (9, -9, -5), (0, 9, -5), (0, 0, 0)], float)
     mesh = Mesh(corners[np.array([(0, 1, 2), (0, 1, 3), (1, 2, 3), (2, 0, 3)])])
@@ -65,30 +65,33 @@ FLAT = Tool("endmill", 6)
 
 
 def records_of(moves, *, tool=FLAT, view=PIXEL, stock=STOCK):
-    """The elements of traces of the bound."""
+    """Return the upper bound of the number of traces."""
     path = linearize([("G1", dict(zip("XYZ", map(float, point)))) for point in moves])
     return bound._most_removed(path, tool, stock, view.frame(stock))
 
 
-ROUND = np.pi * 6 * 7 + 1  # the foot of 6 pixels' radius: area, half of the perimeter, and 1
+ROUND = np.pi * 6 * 7 + 1  # footprint of the tool, with a radius of 6 pixels: area, half of the perimeter, and 1
 
 
-def test_move_passes_only_pixels_of_its_outline():
+def test_trace_bound_counts_pixels_in_the_outline_of_the_move():
     assert records_of([(5, 5, 5), (5, 5, 12)]) == pytest.approx(ROUND)
     assert records_of([(5, 5, 5), (8, 9, 5)]) == pytest.approx(ROUND + 13 * 10)  # 5 mm, 13 pixels wide
-    assert records_of([(5, 5, 10), (8, 9, 10)]) == 0 == records_of([(5, 5, 5)])  # on the stock, and no move
+    # a move on the top face of the stock, and a path without moves
+    assert records_of([(5, 5, 10), (8, 9, 10)]) == 0 == records_of([(5, 5, 5)])
     assert records_of([(5, 5, 12), (8, 9, 8)]) == pytest.approx(ROUND + 13 * 10)
-    assert records_of([(5, 5, 12), (5, 5, 8), (5, 5, 12)]) == pytest.approx(2 * ROUND)  # in, and out again
-    assert records_of([(0, 0, 5), (200, 0, 5)]) == 80 * 60  # no more than there are
+    # down into the stock and up again
+    assert records_of([(5, 5, 12), (5, 5, 8), (5, 5, 12)]) == pytest.approx(2 * ROUND)
+    assert records_of([(0, 0, 5), (200, 0, 5)]) == 80 * 60  # limited to the number of pixels
 
 
-def test_flat_end_cuts_each_height_once():
+def test_trace_bound_counts_flat_tool_once_at_each_height():
     there_and_back = [(0, 0, 5), (200, 0, 5), (0, 0, 5)]
     assert records_of(there_and_back) == 4800
     assert records_of([*there_and_back, (0, 0, 3), (200, 0, 3)]) == 2 * 4800
-    # A plunge counts for the level at its lower end, where its footprint is new.
+    # A plunge counts for the height of its lower end, where its footprint is new.
     assert records_of([*there_and_back, (0, 0, 3)]) == pytest.approx(4800 + ROUND)
-    assert records_of([(0, 0, 3), (200, 0, 3), (200, 0, 5), (0, 0, 5)]) == 2 * 4800  # going up from it, too
+    # a lift counts for the height of its lower end, too
+    assert records_of([(0, 0, 3), (200, 0, 3), (200, 0, 5), (0, 0, 5)]) == 2 * 4800
     sloped = [(0, 0, 5), (200, 0, 4), (0, 0, 5)]
     assert records_of(sloped) == 2 * 4800
     for tool in (Tool("ballend", 6), Tool("vbit", 6)):
@@ -99,8 +102,11 @@ def test_flat_end_cuts_each_height_once():
     ("direction", "right", "up"), [((0, 1, 0), 3, 0), ((1, 0, 0), 4, 0), ((0, 0.6, -0.8), 3, 4 * 0.8)]
 )
 @pytest.mark.parametrize("rise", [0, 2])
-def test_obliquely_a_move_passes_its_box_twice(direction, right, up, rise):
-    """A move of 3 x 4 mm, 5 mm below the top. The box includes the tool, and the tool's shank up to the top."""
+def test_oblique_trace_bound_is_twice_the_box_of_the_move(direction, right, up, rise):
+    """A move of 3 x 4 mm, 5 mm below the top of the stock.
+
+    Its box includes the tool and the shank up to the stock's top.
+    """
     view = View(direction, 300, 300, pixel=0.5)
     up += rise * np.hypot(*direction[:2])
     width, height = right / 0.5 + 12, up / 0.5 + 12 + 5 / 0.5
@@ -112,14 +118,14 @@ def test_obliquely_a_move_passes_its_box_twice(direction, right, up, rise):
         assert records_of(move, view=View(direction, 5, 4, pixel=0.5)) == 2 * 20
 
 
-def test_tip_cuts_inside_the_stock():
+def test_cut_is_sure_if_the_tip_moves_inside_the_stock():
     for point, surely in (((20, 15, 9.9), True), ((20, 15, 9.9995), False), ((-1, 15, 5), False), ((20, 31, 5), False),
                           ((41, 15, 5), False), ((20, -1, 5), False), ((20, 15, -5), True)):  # fmt: skip
         path = linearize([("G1", {"X": -50.0, "Y": -50.0, "Z": 50.0}), ("G1", dict(zip("XYZ", map(float, point))))])
         assert cuts_surely(path, STOCK) is surely, point
 
 
-def test_moves_that_may_cut_the_stock():
+def test_move_may_cut_if_the_tool_reaches_the_stock():
     path = linearize([("G0", {"X": 0.0, "Y": 0.0, "Z": 5.0}), ("G1", {"X": 20.0}), ("G1", {"Z": 1.0})])
     tool = Tool("endmill", 10)
     for lower, upper, may in (
@@ -141,30 +147,30 @@ def path_of(points):
 @pytest.mark.parametrize(
     ("theta", "projected"), [(0.0, 30), (pi / 2, 40), (np.arctan2(4, 3), 50), (np.arctan2(-3, 4), 0)]
 )
-def test_cauchy_crofton_in_one_direction(theta, projected):
+def test_crossings_in_one_direction_are_the_projected_length(theta, projected):
     there_and_back = path_of([(10, 10, 5), (40, 50, 5), (10, 10, 5)])
     found = cauchy_crofton(there_and_back, stock=BLOCK, view=View(pixel=0.5), direction=theta)
     assert found == pytest.approx(2 * projected / 0.5)
 
 
-def test_cauchy_crofton_is_the_mean_of_all_directions():
+def test_crossings_are_the_mean_over_all_directions():
     thetas = np.linspace(0, pi, 2000, endpoint=False)
     bent = path_of([(10, 10, 5), (40, 50, 5), (60, 20, 5)])
     one_each = [cauchy_crofton(bent, stock=BLOCK, view=View(pixel=0.5), direction=theta) for theta in thetas]
     assert np.mean(one_each) == pytest.approx(cauchy_crofton(bent, stock=BLOCK, view=View(pixel=0.5)), rel=1e-5)
 
 
-def test_cauchy_crofton_counts_below_the_top_of_the_stock():
+def test_moves_above_the_stock_have_no_crossings():
     view = View(pixel=0.5)
     below = [(10, 10, 5), (40, 50, 5)]
     assert cauchy_crofton(path_of(below), stock=BLOCK, view=view) == pytest.approx(50 * 2 / pi / 0.5)
-    on_top = [(70, 10, 20), (10, 10, 20), *below, (40, 50, 20), (70, 50, 20)]  # from above a plunge has no length
+    on_top = [(70, 10, 20), (10, 10, 20), *below, (40, 50, 20), (70, 50, 20)]  # seen from above, a plunge has no length
     assert cauchy_crofton(path_of(on_top), stock=BLOCK, view=view) == pytest.approx(50 * 2 / pi / 0.5)
     for entered in ([(70, 10, 22), *below], [*below[::-1], (70, 10, 22)], [(70, 10, 22), *below, (40, 110, 22)]):
         length = np.hypot(*np.diff(np.array(entered)[:, :2], axis=0).T).sum()
         assert cauchy_crofton(path_of(entered), stock=BLOCK, view=view) == pytest.approx(length * 2 / pi / 0.5)
 
 
-def test_cauchy_crofton_from_the_front_sees_heights():
+def test_crossings_in_a_front_view_include_heights():
     there = path_of([(10, 10, 2), (22, 50, 18)])
     assert cauchy_crofton(there, stock=BLOCK, view=View((0, 1, 0), pixel=1.0)) == pytest.approx(20 * 2 / pi)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Collisions of shanks and holders, cuts deeper than the flutes, tools that are too short, and collisions with clamps."""
+"""Collisions of shanks, holders and clamps, cuts deeper than the flutes, and tools that are too short."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ MILL = Tool("endmill", 3, cutting_edge_height=8, length=20, shank_diameter=6)
 
 
 def through(*points):
-    """Return the moves through points, without moves of no length."""
+    """Return the moves through points, without moves of zero length."""
     new = [points[0], *(point for before, point in zip(points, points[1:]) if point != before)]
     return Toolpath.through(new)
 
@@ -44,7 +44,7 @@ def collisions(*cuts, stock=BLOCK, clamps=None):
 
 
 def told(*cuts, **where):
-    """Return what collides: {(part, cut): (first command, last command, depth)}."""
+    """Return the collisions as {(body, cut): (first command, last command, depth)}."""
     found = collisions(*cuts, **where).found
     return {
         (one.body, one.source.cut): (one.source.command, one.last.command, pytest.approx(one.depth, abs=0.05))
@@ -53,7 +53,7 @@ def told(*cuts, **where):
 
 
 def test_short_tool_in_deep_pocket_is_found():
-    """A pocket of 30 mm in layers of 2 mm: below 8 mm the shank is in the wall, and below 20 mm so is the holder."""
+    """Cut a pocket 30 mm deep: below 8 mm the shank hits the wall, and below 20 mm the holder hits the stock."""
     moves = pocket(range(38, 8, -2))
     assert told((moves, MILL)) == {("shank", 0): (104, 387, 22.0), ("length", 0): (260, 387, 10.0)}
     shank, short = collisions((moves, MILL)).found
@@ -72,13 +72,13 @@ def test_tool_with_long_flutes_has_no_collision():
 
 @pytest.mark.parametrize("thicker, command", [(0.0, None), (0.05, 104), (1.0, 104)])
 def test_shank_thicker_than_flutes_rubs_at_the_wall(thicker, command):
-    """The flutes have cut the wall before, layer by layer. The first plunge below 8 mm is the first that rubs."""
+    """The flutes have cut the wall before, layer by layer. The first plunge deeper than 8 mm is the first collision."""
     found = told((pocket(range(38, 8, -2)), replace(MILL, shank_diameter=3 + thicker, length=60)))
     assert found == ({("shank", 0): (command, 387, 22.0)} if command else {})
 
 
 @pytest.mark.parametrize("thicker, collides", [(0.0, False), (0.05, True)])
-def test_shank_rubs_at_the_walls_of_a_slot(thicker, collides):
+def test_shank_thicker_than_flutes_rubs_in_a_slot(thicker, collides):
     """A slot of 60 mm along a row of pixels, in layers of 7 mm with flutes of 8 mm."""
     tool = Tool("endmill", 6, cutting_edge_height=8, shank_diameter=6 + thicker)
     found = told((slot(7), tool), (slot(14), tool))
@@ -102,7 +102,7 @@ def test_plunge_with_flutes_below_is_not_too_deep():
     assert told((through((20, 20, 45), (20, 20, 30), (20, 20, 5), (20, 20, 45)), tool)) == {}
 
 
-def test_shank_that_is_wider_collides_in_a_plunge():
+def test_shank_wider_than_flutes_collides_in_a_plunge():
     moves = through((20, 20, 45), (20, 20, 33), (20, 20, 30), (20, 20, 45))
     assert told((moves, MILL)) == {("shank", 0): (1, 1, 2.0)}
 
@@ -125,15 +125,15 @@ def test_holder_of_given_size_is_checked():
 
 
 def test_material_above_the_holder_is_not_hit():
-    """A wall that begins above the upper end of the holder: the moves are below a roof that only its holder would miss."""
+    """The wall begins above the upper end of the holder, like a roof under which the tool moves."""
     tool = Tool("endmill", 6, cutting_edge_height=10, length=15, holder_diameter=20, holder_length=4)
     free = through((-20, 20, 0), (-9, 20, 0))
     assert told((free, tool)) == {("holder", 0): (0, 0, 25.0)}
     assert told((free, tool), stock=Stock((0, 0, 20), (60, 40, 40))) == {}
 
 
-def test_touching_is_not_a_collision():
-    """A shank that runs exactly along a wall, and a shank exactly on the upper face."""
+def test_shank_that_only_touches_material_does_not_collide():
+    """A shank moves exactly along a wall, and a shank moves exactly on the upper face of the stock."""
     wide = Tool("endmill", 6, cutting_edge_height=50, shank_diameter=6)
     tool = Tool("endmill", 3, cutting_edge_height=8, length=60, shank_diameter=6)
     assert told((slot(20), wide), (slot(20), tool)) == {}
@@ -146,7 +146,7 @@ def test_v_bit_cuts_with_its_whole_cone():
     assert told((slot(7), tool)) == {("flutes", 0): (1, 1, 2.0)}
 
 
-def test_unknown_sizes_are_not_checked_and_said():
+def test_tools_with_unknown_sizes_are_reported_as_unchecked():
     found = collisions((slot(30), Tool("endmill", 6)))
     assert found.found == () and (found.shanks, found.holders, found.clamps) == ((False,), (False,), 0)
     assert "no tool has a cutting edge height" in render(found.attachments(["A"]))
@@ -158,7 +158,7 @@ def test_unknown_sizes_are_not_checked_and_said():
     )
 
 
-def test_clamps_are_not_touched():
+def test_tool_or_holder_in_a_clamp_is_a_collision():
     clamps = {"left": Stock((-30, 0, 0), (0, 40, 42)), "screw": Cylinder((30, 60, 0), 10, 80)}
     tool = Tool("endmill", 6, cutting_edge_height=8, length=30, shank_diameter=6)
     assert told((slot(5), tool), clamps=clamps) == {("tool", 0): (0, 1, 7.0)}
@@ -179,7 +179,7 @@ def test_clamp_is_hit_by_every_operation():
 
 
 def reference(moves, tool, body_radius, bottom, before):
-    """Return the depth at which each move collides, on a height map, by small steps."""
+    """Return the depth of the collision of each move, computed on a height map in small steps."""
     x, y = np.meshgrid(np.arange(0.1, 30, 0.2), np.arange(0.1, 20, 0.2))
     height, depths = np.full(x.shape, 12.0), np.zeros(len(moves))
     for k, (start, end) in enumerate(zip(moves.points, moves.points[1:])):
@@ -188,7 +188,7 @@ def reference(moves, tool, body_radius, bottom, before):
             px, py, pz = start + share * (end - start)
             away = np.hypot(x - px, y - py)
             hit = (away <= body_radius) & (height > pz + bottom)
-            if not before:  # the tool has been here
+            if not before:  # the flutes have already removed this material
                 hit &= away > tool.radius
             depths[k] = max(depths[k], (height[hit] - pz - bottom).max(initial=0.0))
             height[hit] = pz + bottom

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Estimates from a few hundred rays: the share of rays whose intervals are not connected."""
+"""Estimates from a few hundred rays: the share of rays whose cut intervals are not connected."""
 
 from __future__ import annotations
 
@@ -20,20 +20,20 @@ from vkworkbench.core.zbuffer.sweeps.cuts import Cuts
     ("owners", "unconnected"),
     [
         ([7], False),
-        ([GAP, 2, 5, UNCUT], False),  # from the near end on
-        ([UNCUT, 4, 1, 3, UNCUT], False),  # a gap that grew to both sides
-        ([2, UNCUT, 1], True),  # what is left between two gaps
-        ([UNCUT, 1, 4, 2, UNCUT], True),  # two gaps that a third joined
+        ([GAP, 2, 5, UNCUT], False),  # cut from the near end of the ray
+        ([UNCUT, 4, 1, 3, UNCUT], False),  # a gap that grew in both directions
+        ([2, UNCUT, 1], True),  # material is left between two gaps
+        ([UNCUT, 1, 4, 2, UNCUT], True),  # two gaps that a third cut joined
     ],
 )
-def test_removals_that_do_not_connect_leave_a_peak_of_owners(owners, unconnected):
-    others = [UNCUT, 1, UNCUT]  # of rays before and behind: no peak is where a ray ends
+def test_unconnected_cuts_leave_a_maximum_of_trajectory_numbers(owners, unconnected):
+    others = [UNCUT, 1, UNCUT]  # Pieces of the rays before and after: a maximum at the end of a ray does not count.
     rays = np.repeat(np.arange(3), [3, len(owners), 3])
     pieces = Pieces(rays, np.array(others + owners + others), *np.zeros((2, len(rays))))
     assert counts._unconnected(pieces, 4).tolist() == [False, unconnected, False, False]
 
 
-def test_so_many_rays_are_sorted_as_are_counted(monkeypatch):
+def test_number_of_sorted_rays_is_the_unconnected_number(monkeypatch):
     rng = np.random.default_rng(3)
     ray = np.sort(rng.integers(0, 200, 800))
     enter = rng.integers(-2, 20, 800).astype(float)
@@ -47,8 +47,11 @@ def test_so_many_rays_are_sorted_as_are_counted(monkeypatch):
 
 
 @pytest.mark.parametrize(("depths", "share"), [([4], 0), ([4, 4], 1), ([8, 4], 1 / 2)])
-def test_unconnected_is_the_share_of_sorted_passes(depths, share):
-    """In a view from the side, the wall between two slots separates their intervals. Below the shallower slot, rays meet only the deeper slot."""
+def test_unconnected_share_is_the_share_of_sorted_passes(depths, share):
+    """In a side view, the wall between two slots separates their intervals.
+
+    Below the shallower slot, rays meet only the deeper slot.
+    """
     points = [(10 + 20 * slot, y, z) for slot, z in enumerate(depths) for y in (-20, 50)]
     cuts = Cuts(
         [Cut(toolpath(np.array(points[k : k + 2], float)), Tool("endmill", 6)) for k in range(0, len(points), 2)]
@@ -58,8 +61,11 @@ def test_unconnected_is_the_share_of_sorted_passes(depths, share):
 
 
 @pytest.mark.parametrize(("rows", "share"), [(96, 1.0), (128, 0.5), (192, 1.0)])
-def test_fullest_band_is_one_of_64_rows(rows, share):
-    """Each pixel of a slot has a dexel and a trace. The slot along the middle lies in the first band, in both, or in the second."""
+def test_fullest_of_the_bands_of_64_rows_is_found(rows, share):
+    """Each pixel of a slot has a dexel and a trace.
+
+    The slot lies in the first band, in both bands, or in the second band.
+    """
     slot = Cut(toolpath(np.array([(-20.0, 15.0, 8.0), (60.0, 15.0, 8.0)])), Tool("endmill", 6))
     removal = Removal(Cuts([slot]), BOX, View((0, 0, -1), 4 * rows // 3, rows).frame(BOX))
     counted = counts.count(removal)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Rapids and fast plunges are checked on rays fine enough for their tools, whatever the size of the stock."""
+"""Crash checks of rapids and fast plunges use rays fine enough for each tool, for a stock of any size."""
 
 from __future__ import annotations
 
@@ -60,8 +60,11 @@ def test_fast_plunges_of_thin_tools_are_found():
 
 
 @pytest.mark.parametrize("aside, crashed", [(0.0, False), (0.015, False), (0.1, True), (0.3, True)])
-def test_rapid_beside_a_slot_is_a_crash_beyond_touching(aside, crashed):
-    """A rapid back through a slot, moved to the side; rays a sixteenth of the tool apart pass beside the shaved wall."""
+def test_rapid_in_slot_wall_is_a_crash_if_it_more_than_touches(aside, crashed):
+    """A rapid returns through a slot with a sideways shift.
+
+    Rays a sixteenth of the tool apart miss the thin shaving of the wall.
+    """
     slot = [(-5, 20, 25), (-5, 20, 10), (105, 20, 10), (105, 20 + aside, 10), (-5, 20 + aside, 10), (-5, 20, 25)]
     found = check_crashes([Cut(path(slot, [0, 3, 4]), FLAT)], BLOCK)
     assert [crash.source.command for crash in found.crashes] == [3] * crashed
@@ -72,7 +75,7 @@ def test_rapid_beside_a_slot_is_a_crash_beyond_touching(aside, crashed):
 
 
 def test_rapids_in_a_cleared_pocket_are_not_crashes():
-    """Sixty rapids on the floor of a pocket that rows have cleared; then the end of one rapid is 0.1 mm too deep."""
+    """Sixty rapids on the cleared floor of a pocket are not crashes. Then the end of one rapid is lowered by 0.1 mm."""
     rng = np.random.default_rng(4)
     rows = [(x, y, 15) for k, y in enumerate(np.arange(10, 70, 4.0)) for x in ((10, 90) if k % 2 == 0 else (90, 10))]
     links = [(*point, 15.0) for point in rng.uniform((14, 14), (86, 62), (60, 2))]
@@ -86,29 +89,29 @@ def test_rapids_in_a_cleared_pocket_are_not_crashes():
     assert [crash.source.command for crash in found.crashes] == [first + 30, first + 31]
 
 
-def test_retract_along_the_tools_axis_is_not_checked():
-    """After an unknown move the tool may retract from anywhere, so that the first move of an operation is checked."""
+def test_only_retract_after_known_move_is_unchecked():
+    """The tool may start an operation anywhere, so the first move is checked even if it is a retract."""
     drilled = path([(50, 40, 25), (50, 40, 5), (50, 40, 25)], [1])
     assert check_crashes([Cut(drilled, FLAT)], BLOCK).pixel == 0
     assert len(check_crashes([Cut(path([(50, 40, 5), (50, 40, 25)], [0]), FLAT)], BLOCK).crashes) == 1
 
 
-def test_stock_with_a_hollow_is_checked_in_its_material_only():
+def test_rapid_beside_round_stock_is_not_a_crash():
     stock = Cylinder((50, 40, 0), 30, 20)
     beside, inside = plunges([(85, 40)]), plunges([(78, 40)])
     assert check_crashes([Cut(beside, FLAT)], stock).crashes == ()
     assert len(check_crashes([Cut(inside, FLAT)], stock).crashes) == 1
 
 
-def test_moves_without_time_are_named():
+def test_moves_that_exceed_the_time_limit_are_unchecked():
     cut = Cut(plunges(TWELVE), Tool("endmill", 0.5))
     found = check_crashes([cut], PLATE, seconds=0)
     assert found.crashes == () and [source.command for source in found.unchecked] == list(range(0, 36, 3))
 
 
 @pytest.mark.parametrize("memory, pixel", [(-1.0, None), (30e6, None), (1e9, 0.05)])
-def test_axis_view_is_useful_and_within_its_budget(memory, pixel):
-    """A block of 100 x 80 mm and a tool of 6 mm. Half the tolerance is fine enough."""
+def test_axis_view_is_fine_enough_and_within_its_budget(memory, pixel):
+    """A block of 100 x 80 mm and a tool of 6 mm: pixels of half the tolerance are fine enough."""
     view = axis_view([Cut(plunges([(50, 40)]), FLAT)], BLOCK, memory_bytes=memory, seconds=60)
     assert view.direction == (0, 0, -1)
     if pixel is not None:
@@ -117,7 +120,7 @@ def test_axis_view_is_useful_and_within_its_budget(memory, pixel):
         assert view.frame(BLOCK).pixel > 0.1 and (memory > 0 or view.width == 1)
 
 
-def test_check_can_be_ended():
+def test_crash_check_can_be_cancelled():
     def stop():
         raise KeyboardInterrupt
 
@@ -125,7 +128,7 @@ def test_check_can_be_ended():
         check_crashes([Cut(plunges(TWELVE), FLAT)], PLATE, going_on=stop)
 
 
-def test_moves_beside_or_above_the_stock_meet_nothing():
+def test_moves_beside_or_above_the_stock_meet_no_material():
     above = path([(0, 0, 21), (100, 80, 21), (-20, 80, 5)], [0])
     assert not check_crashes([Cut(above, FLAT)], Stock((0, 0, 0), (60, 40, 4))).met
     assert check_crashes([Cut(plunges(TWELVE), FLAT)], PLATE).met

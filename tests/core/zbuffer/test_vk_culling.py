@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Tiles of an image, the trajectories that may cut them, and the trajectories that reach deeper than earlier trajectories."""
+"""Tiles of an image, the trajectories that may cut a tile, and the trajectories that reach deeper than earlier ones."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ SOME = Tiles(8, np.array([0, 8, 16]), np.array([24, 32, 40]), np.array([0, 2, 2,
 
 
 def told(tiles):
-    """Each tile's first pixel and its trajectories."""
+    """Return the first pixel of each tile, and its trajectories."""
     assert len(tiles.first) == len(tiles.column) + 1 and tiles.first[0] == 0 and tiles.first[-1] == len(tiles.item)
     lists = [tiles.item[a:b].tolist() for a, b in zip(tiles.first, tiles.first[1:])]
     return list(zip(tiles.column.tolist(), tiles.row.tolist(), lists))
@@ -36,7 +36,7 @@ def told(tiles):
 FIRST, EMPTY, LAST = (0, 24, [3, 5]), (8, 32, []), (16, 40, [1, 3, 4])
 
 
-def test_tiles_are_taken_apart_with_their_lists():
+def test_selected_tiles_keep_their_trajectories():
     assert told(SOME) == [FIRST, EMPTY, LAST]
     assert told(SOME.selected(np.array([True, False, True]))) == [FIRST, LAST]
     assert told(SOME.selected(np.array([False, True, False]))) == [EMPTY]
@@ -59,7 +59,7 @@ def test_blocks_have_whole_tiles_within_pair_limit(pairs, blocks):
     assert [told(block) for block in SOME.blocks(pairs)] == blocks
 
 
-def test_the_pixels_of_tiles():
+def test_tiles_return_their_pixel_columns_and_rows():
     column, row = SOME.pixels()
     assert column.shape == row.shape == (8, 3)
     assert column[:, 1].tolist() == list(range(8, 16)) and row[:, 2].tolist() == list(range(40, 48))
@@ -67,7 +67,10 @@ def test_the_pixels_of_tiles():
 
 @pytest.mark.parametrize("side, fine", [(8, [False, False, False]), (2, [True, True, True]), (4, [False, False, True])])
 def test_tiles_of_four_pixels_are_small_for_sloped_moves(side, fine):
-    """In the first tile one of two moves is sloped, which is not more than half. In the last tile two of three are."""
+    """In the first tile, one of two moves is sloped, which is not more than half.
+
+    In the last tile, two of three are sloped.
+    """
     sloped = np.isin(np.arange(6), [3, 4])
     tiles = Tiles(side, SOME.column, SOME.row, SOME.first, SOME.item)
     assert are_small(tiles, sloped).tolist() == fine
@@ -75,7 +78,7 @@ def test_tiles_of_four_pixels_are_small_for_sloped_moves(side, fine):
 
 
 def reached(*tiles, near=-5.0, far=5.0):
-    """Which pairs stay of tiles that are lists of (reach, opens)."""
+    """Return the pairs that stay in tiles, each given as a list of (reached depth, opened depth)."""
     tile = np.repeat(np.arange(len(tiles)), [len(own) for own in tiles])
     start = np.searchsorted(tile, np.arange(len(tiles)))
     reach, opens = (np.array([pair[k] for own in tiles for pair in own], float) for k in (0, 1))
@@ -92,19 +95,20 @@ NO = -np.inf
         ([(1, 1), (1, 1)], [0]),
         ([(1, 0), (0.5, NO)], [0, 1]),
         ([(1, 0), (-0.5, NO), (0, NO), (0.1, NO)], [0, 3]),
-        ([(3, 2), (4, 1), (1.5, NO), (2.5, NO)], [0, 1, 3]),  # opened to 2, whatever opened less since
-        ([(-5, NO), (-4, NO)], [1]),  # above the rays nothing is reached
-        ([(9, 9), (20, 9)], [0]),  # and below them nothing is left
-        ([(1, 0), (1e-9, NO), (1e-7, NO)], [0, 2]),  # rounding reaches no deeper
+        ([(3, 2), (4, 1), (1.5, NO), (2.5, NO)], [0, 1, 3]),  # the pair that opens to depth 2 limits the later pairs
+        ([(-5, NO), (-4, NO)], [1]),  # depths above the rays count as not reached
+        ([(9, 9), (20, 9)], [0]),  # below the rays, no material is left
+        ([(1, 0), (1e-9, NO), (1e-7, NO)], [0, 2]),  # a difference within rounding is not deeper
     ],
 )
 def test_pair_stays_if_deeper_than_earlier_pairs(pairs, stay):
     assert reached(pairs) == stay
 
 
-def test_open_depth_belongs_to_one_tile():
+def test_opened_depth_is_kept_separately_for_each_tile():
     assert reached([(4, 4), (3, NO)], [(-4, -4), (-4.5, NO)], [(-4, NO)]) == [0, 2, 4]
-    assert reached([(5, 5)], [(-4.9, NO), (-4.5, NO)]) == [0, 1, 2]  # opened to the ground, and not at all
+    # the first tile is open to the ground, the second is not open
+    assert reached([(5, 5)], [(-4.9, NO), (-4.5, NO)]) == [0, 1, 2]
 
 
 FLAT = Tool("endmill", 6)
@@ -117,8 +121,8 @@ def of_slots(*heights, width=400, height=300):
     return Trajectories(cuts, BOX, View((0, 0, -1), width, height).frame(BOX))
 
 
-def test_first_tiles_contain_the_trajectories_over_them():
-    """The slot is 6 mm wide, from row 120 to row 180: it passes the tiles of rows 64 to 127 and 128 to 191."""
+def test_first_tiles_list_the_trajectories_that_pass_them():
+    """The slot is 6 mm wide, from row 120 to row 180, so it passes the tiles with rows 64 to 127 and 128 to 191."""
     trajectories = of_slots(6.0)
     left, bottom = np.meshgrid(np.arange(0, 400, TILE), np.arange(0, 300, TILE))
     tiles = first_tiles(trajectories, left.ravel(), bottom.ravel())
@@ -128,8 +132,8 @@ def test_first_tiles_contain_the_trajectories_over_them():
 
 
 @pytest.mark.parametrize("along_x", [True, False])
-def test_a_tile_ends_with_its_last_pixel(along_x):
-    """A slot from 6.4 mm to 12.4 mm: pixel 63 lies at 6.35 mm, pixel 128 at 12.85 mm."""
+def test_slot_between_pixel_centres_is_in_no_other_tile(along_x):
+    """The slot is cut from 6.4 mm to 12.4 mm. Pixel 63 has its centre at 6.35 mm, and pixel 128 at 12.85 mm."""
     ends = [(-10, 9.4, 6), (50, 9.4, 6)] if along_x else [(9.4, -10, 6), (9.4, 50, 6)]
     trajectories = Trajectories(Cuts([Cut(toolpath(np.array(ends, float)), FLAT)]), BOX, of_slots(6.0).frame)
     first, other = np.array([0, 64, 128]), np.full(3, 128)
@@ -139,7 +143,7 @@ def test_a_tile_ends_with_its_last_pixel(along_x):
 
 @pytest.mark.parametrize("along_x", [True, False])
 def test_tile_spans_first_to_last_pixel(along_x):
-    """A slot from 6.3 mm to 12.81 mm passes pixel 63 at 6.35 mm, and comes near pixel 128 at 12.85 mm."""
+    """A slot from 6.3 mm to 12.81 mm passes pixel 63 (centre 6.35 mm) and nearly reaches pixel 128 (centre 12.85 mm)."""
     tool, y = Tool("endmill", 6.51), 9.555
     ends = [(-10, y, 6), (50, y, 6)] if along_x else [(y, -10, 6), (y, 50, 6)]
     trajectories = Trajectories(Cuts([Cut(toolpath(np.array(ends, float)), tool)]), BOX, of_slots(6.0).frame)
@@ -148,8 +152,11 @@ def test_tile_spans_first_to_last_pixel(along_x):
     assert [items for *_, items in told(tiles)] == [[0], [0], []]
 
 
-def test_sloped_and_level_tiles_are_both_reached():
-    """A level slot 3 mm from the left and a sloped one 3 mm from the right: the tiles of one are fine before the other's."""
+def test_small_tiles_cover_a_sloped_and_a_level_slot():
+    """A level slot lies 3 mm from the left edge, and a sloped slot 3 mm from the right edge.
+
+    Their tiles become small at different steps.
+    """
     level, sloped = [(3, -10, 6), (3, 40, 6)], [(37, -10, 3), (37, 40, 9)]
     points = np.array([*level, (37, 40, 20), (37, -10, 20), *sloped], float)
     trajectories = Trajectories(Cuts([Cut(toolpath(points), FLAT)]), BOX, of_slots(6.0).frame)
@@ -161,10 +168,10 @@ def test_sloped_and_level_tiles_are_both_reached():
 
 
 @pytest.mark.parametrize("slots", [1, 20])
-def test_pairs_are_counted_at_every_level_and_once(slots):
-    """Slots, each deeper than the one before, that cover a tile of 64 pixels; of 20 the pairs are not worked on at once.
+def test_each_pair_is_counted_once_at_every_tile_size(slots):
+    """Each slot is deeper than the slot before, and covers a tile of 64 pixels. The pairs of 20 slots exceed one batch.
 
-    Four quarters each of 1, 4, 16, 64 and 256 tiles, and 64 by 64 pixels.
+    There are four quarters for each of 1, 4, 16, 64 and 256 tiles, and then 64 by 64 pixels.
     """
     heights = 9.5 - 0.4 * np.arange(slots)
     points = [(x, 15.0, z) for k, z in enumerate(heights) for x in ((-30.0, 70.0) if k % 2 == 0 else (70.0, -30.0))]
@@ -176,18 +183,21 @@ def test_pairs_are_counted_at_every_level_and_once(slots):
     assert sum(len(tiles.item) * tiles.side**2 for tiles, _ in found) == slots * 64 * 64
 
 
-def test_quarters_lie_in_the_image_and_may_be_cut():
-    """The last tile of a row begins at column 384, and of its 64 columns 16 are in the image."""
+def test_quarters_of_tiles_are_in_the_image_and_may_be_cut():
+    """The last tile of a row begins at column 384, and 16 of its 64 columns are in the image."""
     trajectories = of_slots(6.0)
     tiles = first_tiles(trajectories, np.array([320, 384]), np.array([64, 64]))
     found = quartered(trajectories, Upright(trajectories), tiles)
     assert found.side == 32
-    assert sorted(told(found)) == [(320, 96, [0]), (352, 96, [0]), (384, 96, [0])]  # up to row 96 nothing is cut
+    assert sorted(told(found)) == [(320, 96, [0]), (352, 96, [0]), (384, 96, [0])]  # no trajectory cuts below row 96
 
 
 @pytest.mark.parametrize("heights, cut", [((6.0, 8.0), [0]), ((8.0, 6.0), [0, 2])])
 def test_trajectory_above_an_open_slot_is_culled(heights, cut):
-    """Trajectories 0 and 2 are slots, and 1 is the link. The second slot removes material only if it is deeper."""
+    """Trajectories 0 and 2 are slots, and trajectory 1 is the link.
+
+    The second slot removes material only if it is deeper.
+    """
     trajectories = of_slots(*heights)
     found, tested = [], 0
     for tiles, own in small_tiles(trajectories, Upright(trajectories), Region(0, 400, 128, 192)):

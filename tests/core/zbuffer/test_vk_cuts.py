@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Toolpaths one after the other: where each of their trajectories comes from, and how long it takes."""
+"""The trajectories of several toolpaths: the source of each trajectory, and its duration."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ TOOL = Tool("endmill", 6)
 CUTS = Cuts(Cut(path, TOOL) for path in (ONE, NONE, OTHER))
 
 
-def test_trajectories_are_numbered_through():
+def test_trajectories_of_all_cuts_are_numbered_together():
     assert len(CUTS) == 5 and CUTS.first.tolist() == [0, 2, 2, 5]
     assert CUTS.cut.tolist() == [0, 0, 2, 2, 2] and CUTS.command.tolist() == [0, 1, 2, 5, 5]
     assert [CUTS.source(k) for k in range(5)] == [
@@ -35,7 +35,7 @@ def test_trajectories_are_numbered_through():
 
 
 def test_move_with_feed_has_a_time():
-    """5 and 12 mm at 10 mm/s; a rapid; 8 mm at 4 mm/s; and 2 mm of which no feed is known."""
+    """Moves of 5 and 12 mm at 10 mm/s, a rapid, 8 mm at 4 mm/s, and 2 mm without a known feed."""
     assert CUTS.lengths.tolist() == [5, 12, 6, 8, 2]
     assert CUTS.feed.tolist() == [10, 10, 0, 4, 0]
     assert CUTS.seconds == pytest.approx([0.5, 1.2, 0, 2, 0])
@@ -43,8 +43,8 @@ def test_move_with_feed_has_a_time():
     assert Cuts([Cut(slow, TOOL)]).seconds == pytest.approx([10, 48])
 
 
-def test_lengths_and_times_follow_arcs():
-    """Lengths of arcs instead of chords, as in the report: two turns with a radius of 1 mm, each 0.5 mm deep."""
+def test_lengths_and_times_of_arcs_are_not_those_of_chords():
+    """Arcs are as long as in the report: two turns with a radius of 1 mm, each 0.5 mm deep."""
     turn = ("G2", {"X": 1, "Y": 0, "Z": -0.5, "I": -1, "J": 0, "F": 5})
     bore = linearize([("G0", {"X": 1, "Y": 0, "Z": 0}), turn, ("G2", {**turn[1], "Z": -1.0})], tolerance=0.05)
     cuts = Cuts([Cut(bore, TOOL)])
@@ -60,7 +60,7 @@ def test_unknown_trajectory_raises_index_error(number):
 
 
 @pytest.mark.parametrize("number", [1.5, None, "1"])
-def test_a_trajectory_is_a_whole_number(number):
+def test_trajectory_number_must_be_a_whole_number(number):
     with pytest.raises(TypeError, match=f"trajectory must be a whole number, not {number!r}"):
         CUTS.source(number)
 

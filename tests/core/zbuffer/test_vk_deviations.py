@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Deviations of a part from its model: connected groups, the responsible trajectories, and the compared model in each pixel."""
+"""Deviations of a part from its model: connected groups, responsible trajectories, and the model in each pixel."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ from vkworkbench.core.zbuffer.findings.seen_model import _connected_to_edge, aro
 
 FLAT = Tool("endmill", 6)
 WIDTH, HEIGHT, PIXEL = 200, 150, 0.2
-VIEW = View((0, 0, -1), WIDTH, HEIGHT)  # of the block, 40 by 30 by 10 mm
+VIEW = View((0, 0, -1), WIDTH, HEIGHT)  # the image shows the block of 40 x 30 x 10 mm
 
 
 def path(*points):
@@ -39,7 +39,7 @@ UNCUT = simulated()
 
 
 def left(most=None, tolerance=0.5, **patches):
-    """The worst places where rectangles of pixels are left: (first column, first row, columns, rows, mm)."""
+    """Return the worst places; patches with material left are (first column, first row, columns, rows, mm)."""
     image = np.zeros((HEIGHT, WIDTH), np.float32)
     for column, row, columns, rows, amount in patches.values():
         image[row : row + rows, column : column + columns] = amount
@@ -52,11 +52,11 @@ def left(most=None, tolerance=0.5, **patches):
 
 
 def middle(column, row):
-    """The middle of a pixel, mm."""
+    """Return the middle of a pixel, mm."""
     return pytest.approx((PIXEL * (column + 0.5), PIXEL * (row + 0.5)))
 
 
-def test_extreme_includes_the_eight_neighbours():
+def test_extreme_of_a_pixel_includes_its_eight_neighbours():
     values = np.arange(20.0).reshape(4, 5)
     assert around(values, np.maximum).tolist() == [
         [6, 7, 8, 9, 9], [11, 12, 13, 14, 14], [16, 17, 18, 19, 19], [16, 17, 18, 19, 19]]  # fmt: skip
@@ -65,7 +65,7 @@ def test_extreme_includes_the_eight_neighbours():
 
 
 def test_place_is_the_deepest_connected_pixel():
-    """Two rectangles, of which the second is deeper, with a deepest pixel in it."""
+    """Two rectangles of leftover material; the second rectangle is deeper, and contains the deepest pixel."""
     two, one = left(one=(20, 30, 10, 4, 1.0), two=(150, 90, 6, 6, 2.0), deepest=(153, 94, 1, 1, 2.5))
     assert (one.depth, two.depth) == (1.0, 2.5)
     assert two.place[:2] == middle(153, 94) and one.place[:2] == middle(20, 30) and one.place[2] == pytest.approx(10)
@@ -87,16 +87,16 @@ def test_place_is_the_deepest_connected_pixel():
         ((30, 24, 3, 3), 2),
     ],
 )
-def test_touching_tiles_are_one_place(other, places):
-    """A fiftieth of 150 pixels is the side of a tile; the first lies at 30, 30."""
-    for depth in (0.9, 1.1):  # the deeper one is taken first
+def test_touching_tiles_of_leftover_are_one_place(other, places):
+    """A tile has a side of 3 pixels, a fiftieth of 150. The first tile lies at column 30, row 30."""
+    for depth in (0.9, 1.1):  # the deeper rectangle is processed first
         found = left(one=(30, 30, 3, 3, 1.0), other=(*other, depth))
         assert len(found) == places
         assert sum(place.area for place in found) == pytest.approx(18 * PIXEL**2)
 
 
 @pytest.mark.parametrize(("tolerance", "depths"), [(0.5, []), (0.1, [PIXEL])])
-def test_a_wall_is_as_far_from_its_place_as_it_lies_beside_it(tolerance, depths):
+def test_displaced_wall_deviates_by_its_displacement(tolerance, depths):
     """A wall 3 mm high is displaced by one pixel. Along the view, this pixel lies 3 mm above the model."""
     part, model = (
         UNCUT.picture.depth.reshape(HEIGHT, WIDTH) + np.float32(3) * (np.arange(WIDTH) >= edge) for edge in (101, 100)
@@ -107,30 +107,33 @@ def test_a_wall_is_as_far_from_its_place_as_it_lies_beside_it(tolerance, depths)
     assert [[one.depth for one in places] for places in told] == [pytest.approx(depths)] * 2
 
 
-def test_a_long_winding_line_is_one_place():
+def test_long_winding_line_of_leftover_is_one_place():
     line = {f"step {k}": (12 + 3 * k, 12 + 3 * (k % 2), 3, 3, 1.0 + k / 100) for k in range(40)}
     (one,) = left(**line)
     assert one.depth == pytest.approx(1.39) and one.area == pytest.approx(360 * PIXEL**2)
 
 
-def test_places_at_the_edges_of_the_image():
+def test_leftover_at_image_edges_is_found():
     corners = {name: (x, y, 1, 1, depth) for name, x, y, depth in
                (("a", 0, 0, 4.0), ("b", 199, 0, 3.0), ("c", 0, 149, 2.0), ("d", 199, 149, 1.0))}  # fmt: skip
     found = left(**corners)
     assert [place.depth for place in found] == [4, 3, 2, 1]
     assert [place.place[:2] for place in found] == [middle(0, 0), middle(199, 0), middle(0, 149), middle(199, 149)]
     assert len(left(most=3, **corners)) == 3
-    assert len(left(tolerance=2.0, **corners)) == 2  # what is no more than the tolerance is none
+    assert len(left(tolerance=2.0, **corners)) == 2  # leftover of at most the tolerance is ignored
 
 
-def test_edge_tiles_connect_with_neighbours():
+def test_leftover_in_edge_tiles_joins_its_neighbours():
     for other in ((3, 0, 3, 3), (0, 3, 3, 3), (3, 3, 3, 3)):
         for depth in (0.9, 1.1):
             assert len(left(one=(0, 0, 3, 3, 1.0), other=(*other, depth))) == 1
 
 
 def test_slightly_shifted_wall_does_not_hide_deeper_gouge():
-    """Along the view the shifted wall is deepest, with 9 mm. In space, four other places are deeper, so it is not among the first three."""
+    """Along the view, the shifted wall deviates most, by 9 mm.
+
+    In space, four places deviate more, so the wall is not in the first three.
+    """
     depth = UNCUT.picture.depth.reshape(HEIGHT, WIDTH)
     part, model = (depth + np.float32(9) * (np.arange(WIDTH) >= edge) for edge in (101, 100))
     for column, deep in ((10, 5.0), (30, 4.5), (50, 4.0), (70, 3.5)):
@@ -141,13 +144,13 @@ def test_slightly_shifted_wall_does_not_hide_deeper_gouge():
     assert told == [pytest.approx([5, 4.5, 4, 3.5, PIXEL][:most]) for most in (2, 3, 4, 5)]
 
 
-def test_ten_places_are_reported():
+def test_ten_deepest_leftover_places_are_reported():
     patches = {str(k): (15 * k, 60, 3, 3, 1.0 + k) for k in range(12)}
     assert [place.depth for place in left(**patches)] == [12.0 - k for k in range(10)]
 
 
 def test_leftover_above_model_is_measured_by_pixel():
-    """A model of 8 mm under all of the block of 10 mm; depths count from the middle of the block."""
+    """A model 8 mm high lies under the whole block of 10 mm. Depths are measured from the middle of the block."""
     seen = SeenModel(Stock((0, 0, 0), (40, 30, 8)), UNCUT.frame)
     assert seen.near.shape == seen.far.shape == (HEIGHT, WIDTH)
     assert seen.near == pytest.approx(np.full((HEIGHT, WIDTH), -3.0)) and seen.far == pytest.approx(5.0 + 0 * seen.far)
@@ -155,8 +158,11 @@ def test_leftover_above_model_is_measured_by_pixel():
     assert found.left == pytest.approx(np.full(WIDTH * HEIGHT, 2.0)) and not found.gouged.any()
 
 
-def test_beside_a_model_there_is_nothing_to_compare():
-    """The model covers the left half. The neighbours of its last column miss the model, so this column is not a gouge."""
+def test_pixels_beside_the_model_are_not_compared():
+    """The model covers the left half of the image.
+
+    The neighbours of its last column miss the model, so this column is not a gouge.
+    """
     deep = simulated(path((-10, 15, 6), (50, 15, 6)))
     found = deviations(deep, Stock((0, 0, 0), (20, 30, 8)))
     gouged, left = (values.reshape(HEIGHT, WIDTH) for values in (found.gouged, found.left))
@@ -164,14 +170,17 @@ def test_beside_a_model_there_is_nothing_to_compare():
     assert left[20, :100] == pytest.approx(np.full(100, 2.0)) and not left[:, 100:].any() and not gouged[20].any()
 
 
-def test_every_strip_of_64_rows_of_a_model_may_end_the_work():
+def test_model_calls_back_after_every_64_rows():
     strips = []
     SeenModel(BOX, UNCUT.frame, lambda: strips.append(1))
     assert len(strips) == 3
 
 
 def test_every_gouge_has_its_first_and_last_command():
-    """The first cut makes slots 3 and 4 mm deep, and the second cut a slot 5 mm deep, all 30 mm long and 6 mm wide."""
+    """The first cut makes slots 3 and 4 mm deep, and the second cut a slot 5 mm deep.
+
+    All slots are 30 mm long and 6 mm wide.
+    """
     one = path((5, 5, 7), (20, 5, 7), (35, 5, 7), (35, 5, 20), (5, 25, 20), (5, 25, 6), (35, 25, 6))
     two = path((5, 15, 5), (35, 15, 5))
     z = simulated(one, two)
@@ -193,7 +202,10 @@ def test_forty_holes_are_forty_gouges():
 
 
 def test_allowed_depth_of_a_cut_is_not_a_gouge():
-    """An engraving 0.3 mm deep; the second line is 0.8 mm deep. A tool that stands for another shape has no gouges."""
+    """The first engraved line is 0.3 mm deep, the second 0.8 mm.
+
+    A tool that replaces another shape (allowed depth inf) has no gouges.
+    """
     lines = path((5, 5, 12), (5, 5, 9.7), (35, 5, 9.7), (35, 5, 12), (5, 25, 12), (5, 25, 9.2), (35, 25, 9.2))
 
     def depths(allowed):
@@ -203,8 +215,8 @@ def test_allowed_depth_of_a_cut_is_not_a_gouge():
     assert depths(0.0) == [0.8, 0.3] and depths(0.3) == [0.8] and depths(0.8) == depths(np.inf) == []
 
 
-def test_the_stocks_own_surface_was_made_by_no_cut():
-    """A slot 1 mm deep in a block that ought to be 2 mm lower: the cut leaves 1 mm, and 2 mm are left where no trajectory cut."""
+def test_leftover_on_uncut_stock_has_no_trajectory():
+    """The model is 2 mm below the stock's top. A slot 1 mm deep leaves 1 mm, and 2 mm are left around the slot."""
     z = simulated(path((5, 15, 9), (35, 15, 9)))
     whole, own = material_left(z, deviations(z, Stock((0, 0, 0), (40, 30, 8))), 0.1)
     assert (whole.depth, own.depth) == pytest.approx((2, 1))
@@ -214,7 +226,7 @@ def test_the_stocks_own_surface_was_made_by_no_cut():
 
 @pytest.mark.parametrize("x, y", [(20, 15), (40, 30), (0, 0)], ids=["inside", "last pixel", "first pixel"])
 def test_gouge_through_part_is_attributed_to_first_remover(x, y):
-    """A pocket of 6 mm, then through all of it, and once more without anything to remove."""
+    """The first cut is 6 mm deep. The second cut goes through the part, and its second plunge removes nothing."""
     z = simulated(path((x, y, 12), (x, y, 4)), path((x, y, 12), (x, y, -1), (x, y, 12), (x, y, -2)))
     (gouge,) = gouges(z, deviations(z, BOX), 0.1)
     assert gouge.depth == pytest.approx(10) and gouge.trajectory == 0 and gouge.source.cut == 0
@@ -224,7 +236,10 @@ def test_gouge_through_part_is_attributed_to_first_remover(x, y):
 
 
 class Milled(Convex):
-    """A block minus boxes and cylinders, with exact rays. Simulate it in one process: workers do not know it."""
+    """A block minus boxes and cylinders, with exact rays.
+
+    Simulate it in one process, because worker processes lack this class.
+    """
 
     def __init__(self, block, *removed):
         self.block, self.removed = block, removed
@@ -232,14 +247,14 @@ class Milled(Convex):
 
     def spans(self, frame, x, y):
         near, far, gaps = self.block.spans(frame, x, y)
-        for _ in self.removed:  # whichever comes first on a ray
+        for _ in self.removed:  # repeat, because the order of the solids differs from ray to ray
             for solid in self.removed:
                 begin, end, _ = solid.spans(frame, x, y)
                 near = np.where((begin <= near + 1e-9) & (end > near), end, near)
         return Spans(near, far, gaps)
 
 
-# Faced, with a pocket of 12 by 20 by 5 mm, a blind hole and one through all of it.
+# The faced block has a pocket of 12 x 20 x 5 mm, a blind hole, and a through hole.
 PART = Milled(
     Stock((0, 0, 0), (40, 30, 8)),
     Stock((5, 5, 3), (17, 25, 20)),
@@ -251,20 +266,20 @@ POCKET = path(
     (8, 8, 12), *((x, y, 3) for k, x in enumerate((8, 10, 12, 14)) for y in ((8, 22) if k % 2 == 0 else (22, 8)))
 )
 DRILLING = path((30, 21, 12), (30, 21, 2), (30, 21, 12), (24, 8, 12), (24, 8, -5))
-# Over the pocket and both holes, 3 mm deep.
+# A rapid over the pocket and both holes, 3 mm deep.
 CRASH = path((-5, 15, 12), (-5, 15, 5), (12, 15, 5), (24.5, 9, 5), (29.3, 20, 5), (45, 22, 5))
 VIEWS = [(0, 0, -1), (1, 1, -1), (0, 1, -1), (-1, 0.5, -1), (0.3, -1, -0.4)]
 
 
 ROUGH = Stock((-1, -1, 0), (41, 31, 10))
-# Centre of the image and side of a pixel, mm: all of the part, the rim of the pocket, and the rims of both holes.
+# Image centre and pixel size, mm: the whole part, the rim of the pocket, and the rims of both holes.
 IMAGES = [((0, 0), 0.4), ((-3, 0), 0.04), ((4, -5), 0.08), ((10, 4), 0.08)]
 
 
 @pytest.mark.long
 @pytest.mark.parametrize("direction", VIEWS)
 @pytest.mark.parametrize("offset, pixel", IMAGES)
-def test_the_sound_part_is_not_gouged(direction, offset, pixel):
+def test_correct_part_has_no_gouges(direction, offset, pixel):
     cuts = [Cut(one, FLAT) for one in (FACING, POCKET, DRILLING)]
     z = simulate_job(cuts, stock=ROUGH, view=View(direction, 150, 120, pixel, offset))
     assert gouges(z, deviations(z, PART), 0.1) == []
@@ -274,8 +289,8 @@ def test_the_sound_part_is_not_gouged(direction, offset, pixel):
 @pytest.mark.parametrize("direction", VIEWS)
 @pytest.mark.parametrize("offset, pixel", IMAGES)
 def test_only_cuts_into_the_model_are_gouges(direction, offset, pixel):
-    """Walls that other operations cut correctly are visible where the rapid removed material, and are not gouges."""
-    # In every other image: the rapid comes first and last in half of the images of each view, and of each image's views.
+    """The rapid exposes walls that other operations cut correctly. Such walls are not gouges."""
+    # The rapid is the first or the last operation, alternating over the images and the views.
     guilty = 3 * ((VIEWS.index(direction) + IMAGES.index((offset, pixel))) % 2)
     jobs = [FACING, POCKET, DRILLING]
     jobs.insert(guilty, CRASH)
@@ -288,14 +303,17 @@ def test_only_cuts_into_the_model_are_gouges(direction, offset, pixel):
 
 
 def test_cut_within_tolerance_is_not_a_gouge():
-    """A pocket 0.05 mm too deep, in which another cuts 2 mm too deep."""
+    """A pocket is 0.05 mm too deep, which is within the tolerance. Inside the pocket, another cut is 2 mm too deep."""
     z = simulated(path((5, 15, 7.95), (35, 15, 7.95)), path((10, 15, 6), (30, 15, 6)))
     (gouge,) = gouges(z, deviations(z, Stock((0, 0, 0), (40, 30, 8))), 0.1)
     assert gouge.source.cut == 1 and gouge.depth == pytest.approx(2)
 
 
-def test_gouge_below_a_gap_of_the_stock_has_its_source():
-    """A model of 8 mm lies in a stock hollow from 4 to 9 mm. A slot to 2 mm is a gouge, a slot in the lid is not."""
+def test_gouge_below_a_cavity_of_the_stock_has_its_source():
+    """The stock has a cavity from 4 to 9 mm.
+
+    A slot down to 2 mm gouges the 8 mm high model; a slot in the lid does not.
+    """
     solid = Stock((0, 0, 0), (40, 30, 10))
     hollow = Milled(solid)
     hollow.spans = lambda frame, x, y: Spans(
@@ -310,7 +328,7 @@ def test_gouge_below_a_gap_of_the_stock_has_its_source():
     by_none, by_deep = sorted(gouges(z, deviations(z, model), 0.1), key=lambda one: one.depth)
     assert by_none.depth == pytest.approx(4) and by_none.trajectory is None
     assert by_deep.depth == pytest.approx(6) and by_deep.source.cut == 1
-    # Before it was cut, no trajectory is responsible.
+    # Before the deep cut, no trajectory is responsible.
     (early,) = gouges(z.at(1), deviations(z.at(1), model), 0.1)
     assert early.depth == pytest.approx(4) and early.trajectory is None
 
@@ -318,7 +336,7 @@ def test_gouge_below_a_gap_of_the_stock_has_its_source():
 @pytest.mark.long
 @pytest.mark.parametrize("direction, seen", list(zip(VIEWS, (1, 1, 1, 0.7, 1))))
 def test_wall_gouge_is_its_distance_not_its_height(direction, seen):
-    """The wall of a step of 8 mm is cut 1 mm too far. From behind, only the width of the missing edge is visible."""
+    """The wall of a step of 8 mm is cut 1 mm too far. From the rear, only the width of the missing edge is visible."""
     step = Milled(Stock((0, 0, 0), (40, 30, 10)), Stock((-1, -1, 2), (20, 31, 20)))
     z = simulate_job([Cut(path((18, -5, 2), (18, 35, 2)), FLAT)], stock=BOX, view=View(direction, 400, 300))
     (gouge,) = gouges(z, deviations(z, step), 0.1)
@@ -326,8 +344,8 @@ def test_wall_gouge_is_its_distance_not_its_height(direction, seen):
 
 
 @pytest.mark.long
-def test_material_is_left_in_a_corner():
-    """In the square corner of a pocket 8 mm deep a tool of 6 mm leaves (sqrt(2) - 1) times its radius."""
+def test_leftover_in_a_square_corner_is_measured():
+    """In a square corner 8 mm deep, a tool of 6 mm leaves (sqrt(2) - 1) times its radius."""
     square = Milled(Stock((0, 0, 0), (40, 30, 10)), Stock((16, 11, 2), (24, 19, 20)))
     around = [(19, 14), (21, 14), (21, 16), (19, 16), (19, 14)]
     cut = Cut(path((19, 14, 12), *((x, y, 2) for x, y in around)), FLAT)
@@ -340,7 +358,7 @@ def test_material_is_left_in_a_corner():
 
 
 def test_missing_rib_and_hole_have_full_depth():
-    """A rib 2 mm wide and 5 mm high that was cut away; a hole of 4 mm that was not drilled, 6 mm deep."""
+    """A rib 2 mm wide and 5 mm high was cut away. A hole of 4 mm, 6 mm deep, was not drilled."""
     ribbed = Milled(Stock((0, 0, 0), (40, 30, 10)), Stock((-1, -1, 5), (19, 31, 20)), Stock((21, -1, 5), (41, 31, 20)))
     rows = [(x, y, 5) for k, x in enumerate(range(0, 41, 5)) for y in ((-5, 35) if k % 2 == 0 else (35, -5))]
     z = simulated(path(*rows))
@@ -356,7 +374,7 @@ DRILL = Tool("endmill", 8)
 @pytest.mark.long
 @pytest.mark.parametrize("direction", VIEWS)
 @pytest.mark.parametrize("forgotten", [True, False])
-def test_a_hole_through_the_model_that_was_not_drilled_is_left(direction, forgotten):
+def test_through_hole_that_was_not_drilled_is_leftover(direction, forgotten):
     drilled = [] if forgotten else [Cut(path((20, 15, 12), (20, 15, -1)), DRILL)]
     z = simulate_job(drilled, stock=BOX, view=View(direction, 300, 240))
     found = deviations(z, THROUGH)
@@ -365,31 +383,35 @@ def test_a_hole_through_the_model_that_was_not_drilled_is_left(direction, forgot
         assert worst_places(z, found, 0.1)[1][0].depth == pytest.approx(10)
 
 
-def test_leftover_in_through_holes():
+def test_leftover_in_through_holes_and_windows_is_measured():
     def left(*cuts, stock=BOX, model=THROUGH):
         z = simulate_job(cuts, stock=stock, view=View((0, 0, -1), 300, 225))
         found = deviations(z, model)
         assert gouges(z, found, 0.1) == []
         return [one.depth for one in worst_places(z, found, 0.1)[1]]
 
-    # 2 mm too short; with a drill of 7 mm.
+    # One drilling is 2 mm too short, and one has a drill of 7 mm instead of 8 mm.
     assert left(Cut(path((20, 15, 12), (20, 15, 2)), DRILL)) == pytest.approx([2])
     assert left(Cut(path((20, 15, 12), (20, 15, -1)), Tool("endmill", 7))) == pytest.approx([0.5], abs=0.15)
     # The drill goes through the model and into the stock below the model.
     spare = Stock((0, 0, -3), (40, 30, 10))
     assert left(Cut(path((20, 15, 12), (20, 15, -1)), DRILL), stock=spare) == []
-    # A window is cut out along its wall, and the inner piece falls out. An opening to the side is not a window.
+    # A tool cuts along the wall of a window, and the inner piece falls out. An opening in the part's side is not a
+    # window.
     window = Milled(BOX, Stock((10, 8, -1), (30, 22, 20)))
     around = Cut(
         path((11, 9, 12), *((x, y, -1) for x, y in ((11, 9), (29, 9), (29, 21), (11, 21), (11, 9)))), Tool("endmill", 2)
     )
-    assert max(left(around, model=window), default=0) < 0.45  # in its corners
+    assert max(left(around, model=window), default=0) < 0.45  # leftover in the corners of the window
     assert left(model=window) == pytest.approx([10])
     assert left(model=Milled(BOX, Stock((10, 8, -1), (30, 40, 20)))) == []
 
 
-def test_material_left_begins_two_pixels_from_a_hole():
-    """A window of 20 by 14 mm, from pixel 50 to 149 and 40 to 109, whose left half is cut out, up to pixel 99."""
+def test_leftover_begins_two_pixels_from_a_hole():
+    """A window of 20 x 14 mm covers columns 50 to 149 and rows 40 to 109.
+
+    Its left half, up to column 99, is cut out.
+    """
     half = Milled(BOX, Stock((10, 8, -1), (20, 22, 20)))
     z = simulate_job([], stock=half, view=VIEW, processes=1)
     found = deviations(z, Milled(BOX, Stock((10, 8, -1), (30, 22, 20)))).left.reshape(HEIGHT, WIDTH)
@@ -400,8 +422,8 @@ def test_material_left_begins_two_pixels_from_a_hole():
 @pytest.mark.long
 @pytest.mark.parametrize("pixels", [225, 300, 450])
 @pytest.mark.parametrize("diameter", [1.5, 3.175])
-def test_piece_that_falls_out_of_a_sheet_is_not_left(diameter, pixels):
-    """The slot around the piece is about as wide as a pixel of 1.33, 1 or 0.67 mm, or wider."""
+def test_piece_that_falls_out_of_a_sheet_is_not_leftover(diameter, pixels):
+    """The slot around the piece is as wide as a pixel or wider. The pixels are 1.33, 1 or 0.67 mm."""
     sheet, low, high = Stock((0, 0, 0), (300, 200, 6)), (50.13, 40.27), (250.13, 160.27)
     (left, front), (right, back) = np.array(low) + diameter / 2, np.array(high) - diameter / 2
     corners = (left, front), (right, front), (right, back), (left, back), (left, front)
@@ -410,8 +432,8 @@ def test_piece_that_falls_out_of_a_sheet_is_not_left(diameter, pixels):
     assert material_left(z, deviations(z, Milled(sheet, Stock((*low, -1), (*high, 20)))), 0.1) == []
 
 
-def test_oblique_view_does_not_compare_fallen_piece():
-    """In this view the piece that falls out is visible through the slot, in front of the lower end of the far wall."""
+def test_piece_that_falls_out_is_ignored_in_oblique_view():
+    """In this view, the piece that falls out is visible through the slot, in front of the lower end of the far wall."""
     sheet = Stock((0, 0, 0), (120, 80, 6))
     corners = (23, 23), (97, 23), (97, 57), (23, 57), (23, 23)
     slot = Cut(path((23, 23, 12), *((x, y, -1) for x, y in corners)), Tool("endmill", 6))
@@ -420,8 +442,8 @@ def test_oblique_view_does_not_compare_fallen_piece():
     assert max(one.depth for one in material_left(z, deviations(z, window), 0.1)) < 2
 
 
-def test_pixels_connected_to_the_image_edge():
-    """Against pixels that are reached one after the other."""
+def test_pixels_connected_to_the_image_edge_are_found():
+    """A flood fill, pixel by pixel, gives the reference."""
     for seed in range(20):
         rng = np.random.default_rng(seed)
         free = rng.random(rng.integers(3, 30, 2)) < 0.6
@@ -439,7 +461,7 @@ def test_pixels_connected_to_the_image_edge():
         assert set(map(tuple, np.argwhere(_connected_to_edge(free)).tolist())) == reached, seed
 
 
-def test_a_single_pixel_at_the_edge_opens_all_that_it_leads_to():
+def test_one_edge_pixel_connects_its_whole_region():
     free = np.zeros((7, 9), bool)
     free[3, :5] = free[1:6, 4] = True
     assert (_connected_to_edge(free) == free).all()

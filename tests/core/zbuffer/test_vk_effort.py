@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The work of a simulation for an image and for finer images, and the speed of this computer, in small cases computed by hand."""
+"""The work of a simulation, also for finer images, and the speed of this computer, in small cases computed by hand."""
 
 from __future__ import annotations
 
@@ -23,11 +23,12 @@ FLAT = Tool("endmill", 6)
 
 
 def of_kind(**amounts):
-    """Amounts by kind of pair: kind_2=5 are five of kind 2."""
+    """Return amounts by kind of pair: kind_2=5 means five pairs of kind 2."""
     return tuple(float(amounts.get(f"kind_{kind}", 0)) for kind in range(KINDS))
 
 
-# Two levels of tiles of 64 and 32 pixels, four times as many pairs on the second; pixels of tiles of 16, twice as many pairs.
+# Tiles of 64 pixels, and then of 32 pixels with four times as many pairs; then pixels of tiles of 16, with twice as
+# many.
 WORK = Work(
     trajectories=10, pixels=1000, first=50, pairs=(of_kind(kind_0=1e5), of_kind(kind_3=4e5)),
     cells=of_kind(kind_2=2 * 16**2 * 4e5), unconnected=0.25, records=(3, 2), bands=2, kinds=1.5,
@@ -40,12 +41,15 @@ def test_amounts_of_work_match_hand_count():
     assert tests == pytest.approx(4 * (1e5 * TESTS[0] + 4e5 * TESTS[3]))
     assert cells == pytest.approx(2 * 16**2 * 4e5 * (CELLS[2] + 0.25 * SORTED))
     assert records == pytest.approx(3 * RECORDS[0] + 2 * RECORDS[1])
-    # No level has fewer blocks than bands, or than the level before it.
+    # No level has fewer blocks than the image has bands, or than the level before.
     assert blocks == pytest.approx(1.5 * (2 + 4e5 / PAIRS_AT_ONCE + 2 * 16**2 * 4e5 / PAIRS_AT_ONCE))
 
 
-def test_finer_image_moves_amounts_to_the_next_level():
-    """An image with four times as many pixels. The cells grow by the geometric mean of 2 (the last tiles) and 4 (the pixels)."""
+def test_work_of_finer_image_moves_to_the_next_level():
+    """An image has four times as many pixels.
+
+    The cells grow by the geometric mean of 2 (the last tiles) and 4 (the pixels).
+    """
     trajectories, pixels, first, blocks, tests, cells, records = WORK.amounts(4.0)
     assert (trajectories, pixels, first) == (10, 4000, 200)
     assert cells == pytest.approx(sqrt(2 * 4) * WORK.amounts()[5]) and records == pytest.approx(4 * WORK.amounts()[6])
@@ -66,16 +70,16 @@ def test_blocks_are_at_least_the_bands_of_the_image():
     "levels, growth, finer",
     [
         ([1, 2, 16], 1, [1, 2, 16]),
-        ([1, 2, 16], 2, [sqrt(2), 4, 16]),  # half a level on; no step is by more than four
+        ([1, 2, 16], 2, [sqrt(2), 4, 16]),  # half a level further; each growth is limited to 4
         ([1, 4], 4, [4, 16]),
         ([1, 4], 0.25, [0.25, 1]),
-        ([4, 2], 4, [4, 4]),  # nor does any become less
+        ([4, 2], 4, [4, 4]),  # the pairs of a finer level are not fewer
         ([5], 4, [20]),
         ([], 4, []),
         ([0, 4], 3, [0, 12]),
     ],
 )
-def test_levels_of_finer_image_are_interpolated(levels, growth, finer):
+def test_pair_counts_of_finer_image_are_interpolated(levels, growth, finer):
     assert effort._shift_levels(np.array(levels, float), growth) == pytest.approx(finer)
 
 
@@ -83,18 +87,18 @@ def test_levels_of_finer_image_are_interpolated(levels, growth, finer):
     "step, growth, factor", [(2, 4, sqrt(8)), (2, 16, 8), (8, 4, 4), (0.5, 4, 2), (3, 2, 12**0.25)]
 )
 def test_cell_growth_is_mean_of_last_level_and_pixels(step, growth, factor):
-    """For every factor of 4 in pixels, the geometric mean of 4 and of the growth in the last level, at least 1."""
+    """If the pixels grow by 4, the cells grow by the geometric mean of 4 and the last level's growth (at least 1)."""
     work = Work(1, 1, 1, (of_kind(kind_3=100),), of_kind(kind_3=step * 100 * 32**2), 0, (1, 0), 1, 1)
     assert work._cell_growth(growth) == pytest.approx(factor)
 
 
-def test_cells_without_levels_grow_as_the_pixels():
+def test_cells_without_levels_grow_like_the_pixels():
     assert Work(1, 1, 1, (), of_kind(kind_3=100), 0, (1, 0), 1, 1)._cell_growth(3.0) == 3
     assert Work(1, 1, 1, (of_kind(kind_3=9),), of_kind(), 0, (1, 0), 1, 1)._cell_growth(3.0) == 3
 
 
 def test_kinds_of_pairs_are_numbered_in_order():
-    """A kind is numbered by tool, by level or sloped move, and by view."""
+    """The number of a kind follows from the tool, from level or sloped move, and from the view."""
     tools = [FLAT, Tool("vbit", 6, tip_angle=pi / 2), Tool("ballend", 6), Tool("bullnose", 6, corner_radius=1)]
     found = [
         effort._kind_number(Kind(tool, level), upright)
@@ -125,13 +129,13 @@ def test_parent_of_smaller_tile_contains_it():
     assert effort._parents(large, small).tolist() == [0, 1, 2, 0, 1]
 
 
-def test_tiles_with_few_pairs_are_all_kept():
+def test_all_tiles_are_kept_if_pairs_are_few():
     some, weight = tiles([10] * 10), np.full(10, 3.0)
     assert effort._draw_tiles(some, weight, np.ones(100), 100, np.random.default_rng(1)) == (some, weight)
 
 
 def test_equal_tiles_are_drawn_evenly():
-    """200 pairs: 20 of 100 tiles with 10 pairs each, one from every five consecutive tiles."""
+    """200 pairs are 20 of 100 tiles with 10 pairs each, one from every five consecutive tiles."""
     drawn, weight = effort._draw_tiles(
         tiles([10] * 100), np.full(100, 3.0), np.ones(1000), 200, np.random.default_rng(1)
     )
@@ -159,21 +163,24 @@ def test_drawn_tiles_keep_the_total_cost():
         assert np.diff(drawn.first).tolist() == sizes[tile].tolist()
 
 
-def test_chance_above_one_is_limited_to_one():
-    """3 draws. The first chance would be 3 * 8 / 12 = 2. The other 2 draws give 2 * 2 / 4 = 1 and 2 * 1 / 4."""
+def test_chance_of_drawing_a_tile_is_at_most_one():
+    """With 3 draws, the first chance would be 3 * 8 / 12 = 2, so it is 1.
+
+    The other 2 draws give 2 * 2 / 4 = 1 and 2 * 1 / 4.
+    """
     assert effort._chances(np.array([8.0, 2, 1, 1]), 3) == pytest.approx([1, 1, 0.5, 0.5])
 
 
-def test_tiles_with_few_costly_pairs_are_all_kept():
-    """Costly tiles have one pair each, so 50 pairs are 50 tiles, and only 3 tiles exist."""
+def test_all_tiles_are_kept_if_costly_pairs_are_few():
+    """Each costly tile has one pair, so 50 pairs would be 50 tiles, but only 3 tiles exist."""
     some, weight = tiles([100, 1, 1]), np.ones(3)
     cost = np.append(np.full(100, 1e-9), [1.0, 1.0])
     assert effort._draw_tiles(some, weight, cost, 50, np.random.default_rng(1)) == (some, weight)
 
 
 @pytest.mark.long
-def test_crowded_tiles_are_estimated_from_enough_tiles(monkeypatch):
-    """Loops of adaptive clearing in an oblique view: thousands of trajectories pass each of a few tiles."""
+def test_cost_of_crowded_tiles_is_estimated(monkeypatch):
+    """Loops of adaptive clearing in an oblique view: thousands of trajectories pass each of the few tiles."""
     turn = np.linspace(0, 2 * pi, 24, endpoint=False)
     x, y = 10 + np.tile(np.arange(100) * 0.4, 4), 8 + 5 * np.repeat(np.arange(4), 100)
     loops = np.stack((x[:, None] + 2 * np.cos(turn), y[:, None] + 2 * np.sin(turn), np.full((400, 24), 3.0)), axis=2)
@@ -194,20 +201,20 @@ def test_crowded_tiles_are_estimated_from_enough_tiles(monkeypatch):
 
 
 @pytest.mark.parametrize("looked_at, count", [(2_000_000, 63), (120, 40), (0, 24)])
-def test_sampled_first_tiles_represent_all(looked_at, count, monkeypatch):
-    """9 by 7 tiles and two trajectories: all tiles, or 120 / (2 + 1) tiles, but at least 24."""
+def test_sampled_first_tiles_represent_all_tiles(looked_at, count, monkeypatch):
+    """The image has 9 x 7 tiles and two trajectories.
+
+    The sample is all tiles, or 120 / (2 + 1) tiles, but at least 24.
+    """
     monkeypatch.setattr(effort, "_LOOKED_AT", looked_at)
     view = View((0, 0, -1), 9 * TILE - 20, 7 * TILE - 20)
     path = toolpath(np.array([(5, 5, 5), (35, 5, 5), (35, 25, 5)], float))
     removal = Removal(Cuts([Cut(path, FLAT)]), BOX, view.frame(BOX))
     found, weight, every = effort._draw_first_tiles(removal, np.random.default_rng(3))
     assert every == 63 and weight == pytest.approx(np.full(count, 63 / count))
-    number = found.row // TILE * 9 + found.column // TILE  # one tile from each run of equal length
+    number = found.row // TILE * 9 + found.column // TILE  # the sample has one tile from each run of equal length
     assert ((np.arange(count) * 63 // count <= number) & (number <= (np.arange(count) + 1) * 63 / count)).all()
     assert not (found.column % TILE).any() and not (found.row % TILE).any() and found.side == TILE
-
-
-# The speed of this computer
 
 
 @pytest.mark.parametrize(
@@ -223,7 +230,10 @@ def test_sampled_first_tiles_represent_all(looked_at, count, monkeypatch):
     ],
 )
 def test_default_constants_match_times_in_other_units(name, count, seconds):
-    """The constants are written a second time in other units, to find typing errors. A new measurement stays within 30 %."""
+    """The constants are repeated here in other units, to find typing errors.
+
+    New measurements may differ by up to 30 %.
+    """
     assert getattr(Speed(), name) * count == pytest.approx(seconds, rel=0.3)
 
 
@@ -233,16 +243,17 @@ def test_measured_speed_has_a_smaller_uncertainty():
     assert measured.processes == Speed().processes == 1
 
 
-def test_single_time_scales_all_constants():
+def test_one_measured_time_scales_all_constants():
     amounts = np.array([[5, 2e4, 300, 7, 1e4, 1e5, 2e3]])
     seconds = 3 * amounts @ Speed().constants
     assert fit_speed(amounts, seconds).constants == pytest.approx(3 * Speed().constants)
 
 
-def test_contradictory_times_are_fitted_with_a_ridge():
-    """Two kinds of work that take 1 s each by default took 1 s and 4 s. The median is 2.5 s.
+def test_contradictory_times_are_fitted_by_ridge_regression():
+    """Two kinds of work with default times of 1 s took 1 s and 4 s. The median is 2.5 s.
 
-    The shares s of 2.5 times the usual constant make (2.5 s - 1)^2 + (s - 1)^2 / 4 least, and (2.5 s / 4 - 1)^2 + (s - 1)^2 / 4.
+    The fitted shares s of 2.5 times the default minimise (2.5 s - 1)^2 + (s - 1)^2 / 4, and (2.5 s / 4 - 1)^2 + (s -
+    1)^2 / 4.
     """
     usual = Speed().constants
     amounts = np.eye(7)[[2, 5]] / usual
@@ -253,15 +264,18 @@ def test_contradictory_times_are_fitted_with_a_ridge():
     assert found == pytest.approx(expected)
 
 
-def test_constants_are_at_least_a_tenth_of_the_default():
-    """Times of 1 s and 1000 s, with a median of 500.5 s."""
+def test_fitted_constants_are_at_least_a_tenth_of_the_median():
+    """The times are 1 s and 1000 s, with a median of 500.5 s."""
     usual = Speed().constants
     found = fit_speed(np.eye(7)[[2, 5]] / usual, np.array([1.0, 1000.0])).constants / usual
     assert found[2] == pytest.approx(50.05) and found[0] == pytest.approx(500.5)
 
 
-def test_timed_toolpaths_cover_the_block():
-    """A block of 60 x 60 x 20 mm: rows 8 mm from the sides, circles around the middle, and rows over waves."""
+def test_calibration_toolpaths_cover_the_block():
+    """The block has 60 x 60 x 20 mm.
+
+    The toolpaths are rows 8 mm from the sides, circles around the middle, and rows over waves.
+    """
     rows = _rows(12).points
     assert np.diff(rows[:, :2], axis=0)[:4].tolist() == [[44, 0], [0, 4], [-44, 0], [0, 4]]
     assert rows[:, :2].min(axis=0).tolist() == [8, 8] and rows[:, :2].max(axis=0).tolist() == [52, 52]
@@ -276,7 +290,8 @@ def test_timed_toolpaths_cover_the_block():
     assert np.unique(surface[:, 1]).tolist() == [0, 20, 40, 60]
     rows_of_waves = np.diff(surface[:, 0].reshape(4, 31), axis=1)
     assert rows_of_waves == pytest.approx(np.outer((-1.0) ** np.arange(4), np.full(30, 2.0)))
-    # Waves of 3 mm, 57 mm long: the first row rises from 13 mm to its crest after a quarter of that.
+    # The waves are 3 mm high and 57 mm long. The first row rises from 13 mm to its crest after a quarter of the
+    # wavelength.
     assert (
         surface[0, 2] == 13 and surface[:31, 2].argmax() == 7 and surface[:31, 2].max() == pytest.approx(16, abs=0.01)
     )
@@ -287,7 +302,10 @@ def test_timed_toolpaths_cover_the_block():
 
 @pytest.mark.parametrize("rise", [0.0, 1.0])
 def test_bull_nose_cells_are_divided_by_length_of_move(rise):
-    """Rays pass a long sweep mostly between its ends, and a short sweep mostly at an end. Only oblique bull-nose cells differ."""
+    """Rays pass a long sweep mostly between its ends, and a short sweep mostly at an end.
+
+    Only oblique bull-nose cells differ.
+    """
     stock, bull_nose = Stock((0, 0, 0), (60, 60, 10)), Tool("bullnose", 6, corner_radius=1)
 
     def cells(run, tool=bull_nose, direction=(1, 1, -1)):

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Times, rates and sizes of cuts whose volumes are known: slots of 6 mm, 3 mm deep in a block."""
+"""Times, rates and sizes of cuts with known volumes: slots 6 mm wide and 3 mm deep in a block."""
 
 from __future__ import annotations
 
@@ -15,11 +15,11 @@ from vkworkbench.core.zbuffer import removed_volumes, simulate_job
 
 BLOCK, MODEL = Stock((0, 0, 0), (40, 30, 10)), Stock((0, 0, 0), (40, 30, 8))
 FLAT, VIEW = Tool("endmill", 6), View((0, 0, -1), 400, 300)  # pixels of 0.1 mm
-SLOT, ROUND = 6 * 3, 9 * pi * 3  # mm^3 per mm, and of the tool's foot
+SLOT, ROUND = 6 * 3, 9 * pi * 3  # mm^3 per mm of a slot, and mm^3 under the tool's end
 
 
 def path(points, feeds):
-    """Moves with their feeds, mm/s; 0 is a rapid."""
+    """Return moves with their feeds, mm/s; a feed of 0 is a rapid."""
     moves = toolpath(np.array(points, float))
     feed = np.array(feeds, float)
     return replace(moves, rapid=feed == 0, feed=feed)
@@ -29,13 +29,13 @@ def simulated(*paths):
     return simulate_job([Cut(one, FLAT) for one in paths], stock=BLOCK, view=VIEW)
 
 
-# Through the block at two feeds (3 and 1.5 s), up (1 s), back by rapid, and through the slot again (6 s).
+# Through the block at two feeds (3 and 1.5 s), up (1 s), back by rapid, and through the same slot again (6 s).
 THERE_AGAIN = path(
     [(-10, 15, 7), (20, 15, 7), (50, 15, 7), (50, 15, 12), (-10, 15, 12), (-10, 15, 7), (50, 15, 7)],
     [10, 20, 5, 0, 0, 10],
 )
 SECOND = 20 * SLOT - ROUND / 2
-# Half a second of a slot, a rapid through all of the block, and 2 s of another slot.
+# Half a second in a slot, a rapid through the whole block, and 2 s in another slot.
 CRASH = path(
     [(10, 15, 7), (15, 15, 7), (15, 15, 12), (-5, 5, 12), (-5, 5, 7), (45, 5, 7), (45, 5, 12), (10, 25, 12), (10, 25, 7),
      (30, 25, 7)],
@@ -43,8 +43,8 @@ CRASH = path(
 )  # fmt: skip
 
 
-def test_peak_rate_is_the_maximum_over_all_seconds():
-    """The feeds include moves shorter than a second and moves of many seconds."""
+def test_peak_removal_rate_is_the_maximum_over_all_seconds():
+    """Some moves take less than a second, and some take many seconds."""
     rng = np.random.default_rng(3)
     points = np.column_stack((rng.uniform(0, 40, 60), rng.uniform(0, 30, 60), rng.uniform(4, 11, 60)))
     z = simulated(path(points, rng.choice([0, 0.4, 7, 90, 400], 59)))
@@ -56,26 +56,29 @@ def test_peak_rate_is_the_maximum_over_all_seconds():
     assert facts(z).job.peak_rate == pytest.approx(rates.max(), rel=1e-9)
 
 
-def test_years_of_machining_take_no_memory():
-    """A millimetre in eleven days: each second of 35 years would have a number."""
+def test_removal_rates_of_years_of_machining_need_no_memory():
+    """A move of 1 mm takes eleven days, and the job takes 35 years.
+
+    An array with one value per second would be too large.
+    """
     found = facts(simulated(path([(-10, 15, 7), (50, 15, 7)], [1e-6]), path([(-10, 5, 7), (990, 5, 7)], [1e-6]))).job
     assert found.cutting_seconds == pytest.approx(1.06e9)
-    assert found.peak_rate == pytest.approx(60e-6 * SLOT * 40 / 60, rel=0.01)  # 40 of 60 mm are in the block
+    assert found.peak_rate == pytest.approx(60e-6 * SLOT * 40 / 60, rel=0.01)  # 40 of the 60 mm are in the block
 
 
-def test_less_than_a_second_counts_as_one():
+def test_removal_rate_counts_less_than_a_second_as_one():
     found = facts(simulated(path([(10, 15, 7), (15, 15, 7)], [10]))).job
     assert found.peak_rate == pytest.approx(60 * (5 * SLOT + ROUND), rel=5e-3)
 
 
-def test_a_second_in_which_no_move_ends_counts():
-    """Half a second in the air, and 1.6 s across the block."""
+def test_peak_removal_rate_may_lie_inside_one_move():
+    """The tool moves half a second in the air, and 1.6 s across the block."""
     found = facts(simulated(path([(-10, 15, 7), (-5, 15, 7), (45, 15, 7)], [10, 50 / 1.6]))).job
     assert found.peak_rate == pytest.approx(60 * 40 * SLOT / 1.6, rel=5e-3)
 
 
 def test_rapid_has_no_time_and_no_removal_rate():
-    """The feet of the second slot and of the rapid went with the rapids."""
+    """The rapids removed the material under the ends of the second slot and of the rapid."""
     short, slot = 5 * SLOT + ROUND, 20 * SLOT
     found = facts(simulated(CRASH)).job
     assert found.removed_volume == pytest.approx(short + 40 * SLOT + ROUND + slot, rel=5e-3)
@@ -83,10 +86,10 @@ def test_rapid_has_no_time_and_no_removal_rate():
         (60 * (short + slot) / 2.5, 60 * (short + slot / 4)), rel=5e-3
     )
     assert (found.cutting_length, found.cutting_seconds, found.air_length) == pytest.approx((25, 2.5, 0))
-    assert found.width_of_cut == pytest.approx(6, rel=5e-3)  # the mean of feed moves, without the rapid
+    assert found.width_of_cut == pytest.approx(6, rel=5e-3)  # the mean over the feed moves, without the rapid
 
 
-def test_lengths_and_times_of_cuts_and_of_air():
+def test_lengths_and_times_are_divided_into_cuts_and_air():
     found = facts(simulated(THERE_AGAIN)).job
     assert (found.cutting_length, found.cutting_seconds) == pytest.approx((30 + 30 + 5 + 60, 3 + 1.5 + 1 + 6))
     assert (found.air_length, found.air_seconds) == pytest.approx((65, 7))
@@ -96,13 +99,13 @@ def test_lengths_and_times_of_cuts_and_of_air():
 
 
 def test_width_of_cut_ignores_plunges():
-    """A plunge of 5 mm and a slot of 20 mm: 6 mm wide, and not 6 * 20 / 25."""
+    """After a plunge of 5 mm, a slot of 20 mm is 6 mm wide, and not 6 * 20 / 25 mm."""
     found = facts(simulated(path([(10, 15, 12), (10, 15, 7), (30, 15, 7)], [10, 10]))).job
     assert (found.depth_of_cut, found.width_of_cut) == pytest.approx((3, 6), rel=5e-3)
 
 
-def test_a_narrow_width_is_one():
-    """The second cut widens a slot by half a millimetre."""
+def test_width_of_a_narrow_cut_is_measured():
+    """The second cut widens a slot by 0.5 mm."""
     found = facts(simulated(path([(-10, 15, 7), (50, 15, 7)], [10]), path([(-10, 15.5, 7), (50, 15.5, 7)], [10])))
     assert found.cuts[1].width_of_cut == pytest.approx(0.5 * 40 / 60)
 
@@ -122,7 +125,10 @@ def rows(heights, z):
 
 
 def test_worst_place_is_reported_per_cut_and_stock_per_job():
-    """Down to the model, but for 9 mm; in these a row 0.5 mm too high; two holes 1 and 3 mm too deep."""
+    """Rows reach the model except in a strip 9 mm wide.
+
+    A row in the strip is 0.5 mm too high. Two holes are 1 and 3 mm too deep.
+    """
     ways = [
         rows([0, 5, 20, 25, 30], 8),
         rows([10], 8.5),
@@ -153,6 +159,6 @@ def test_deviation_below_a_tenth_of_a_mm_is_ignored(height, told):
 
 
 @pytest.mark.parametrize("tolerance", [-0.1, float("nan")])
-def test_a_tolerance_is_a_length(tolerance):
+def test_negative_tolerance_is_refused(tolerance):
     with pytest.raises(ValueError, match=f"tolerance must be a length of at least 0 mm, not {tolerance}"):
         facts(simulated(THERE_AGAIN), model=MODEL, tolerance=tolerance)

@@ -9,8 +9,8 @@ import pytest
 from vkworkbench.core.zbuffer.rays import records as module
 from vkworkbench.core.zbuffer.rays.records import GAP, Records, Writer, side_by_side
 
-TRAJECTORIES = 3  # of the number 3 is what stays
-# Pixels 0 to 5: cut, stays, cut; nothing; stays, a gap, stays, stays; one piece, cut; one of each; one that stays.
+TRAJECTORIES = 3  # the number 3 marks material that stays
+# Pieces of pixels 0 to 5: cut, stays, cut; none; stays, gap, stays, stays; cut; cut, cut, stays; stays.
 INDEX = [0, 3, 3, 7, 8, 11, 12]
 ENTRY = [-5.0, 0.0, -4.0, 1.0, 2.0, 6.0]
 FAR = [-3.0, 1.0, 5.0, -2.0, 0.0, 1.5, 4.0, 3.0, 3.0, 5.0, 9.0, 8.0]
@@ -32,13 +32,13 @@ def same(one, other):
 
 
 def part(rays, begin, end):
-    """Some pixels of records."""
+    """Return the records of some pixels."""
     own = slice(rays.index[begin], rays.index[end])
     index = rays.index[begin : end + 1] - rays.index[begin]
     return Records(TRAJECTORIES, index, rays.entry[begin:end], rays.far[own], rays.owner[own])
 
 
-def test_where_pieces_begin():
+def test_near_ends_and_pixels_of_pieces_are_computed():
     rays = records()
     assert rays.near().tolist() == NEAR and rays.pixel().tolist() == PIXEL
     assert rays.cut.tolist() == [True, False, True, *[False] * 4, True, True, True, False, False]
@@ -46,7 +46,7 @@ def test_where_pieces_begin():
 
 
 @pytest.mark.parametrize("block", [1, 2, 4, 1 << 17])
-def test_removal_by_trajectory_in_blocks(block, monkeypatch):
+def test_removed_lengths_do_not_depend_on_block_size(block, monkeypatch):
     monkeypatch.setattr(module, "_BLOCK", block)
     rays = records()
     assert rays.lengths.tolist() == [2 + 2, 1, 4 + 2]
@@ -61,11 +61,11 @@ def test_removal_by_trajectory_in_blocks(block, monkeypatch):
         same(of, part(rays, at, at + len(of.entry)))
         at += len(of.entry)
     assert at == 6
-    assert len(blocks) == {1: 5, 2: 3, 4: 3, 1 << 17: 1}[block]  # a ray is never divided
+    assert len(blocks) == {1: 5, 2: 3, 4: 3, 1 << 17: 1}[block]  # pieces of one ray stay in one block
 
 
 def test_many_trajectories_make_larger_blocks(monkeypatch):
-    """Sums over all trajectories are made once per block, so a block has at least a quarter as many pieces as trajectories."""
+    """Each block needs sums over all trajectories, so a block has at least a quarter as many pieces as trajectories."""
     monkeypatch.setattr(module, "_BLOCK", 1)
     many = Records(24, *(getattr(records(), name) for name in ("index", "entry", "far", "owner")))
     assert [pixel for pixel, _, _ in many.blocks()] == [0, 2]
@@ -80,18 +80,18 @@ def test_many_trajectories_make_larger_blocks(monkeypatch):
         (3, [(-3, 1, 0), (-4, -2, 2), (0, 4, 2), (5, 9, 4), (6, 8, 5)]),
     ],
 )
-def test_dexels_after_some_trajectories(step, expected):
+def test_dexels_are_those_left_after_some_trajectories(step, expected):
     assert records().dexels(step).tolist() == expected
 
 
-def test_traces_of_all_trajectories():
+def test_each_trace_is_the_removal_of_one_trajectory():
     rays = records()
     assert rays.traces().tolist() == [(-5, -3, 0), (1, 5, 2), (1, 3, 0), (2, 3, 1), (3, 5, 2)]
     assert rays.trace_index().tolist() == [0, 2, 2, 2, 3, 5, 5]
 
 
-def test_adjacent_parts_form_one_image():
-    """Three columns and two rows, of which the first part has one column and the second two."""
+def test_adjacent_parts_are_joined_to_one_image():
+    """The image has three columns and two rows. The first part has one column, and the second part has two."""
     whole = records()
     rows = [[part(whole, 3 * row + a, 3 * row + b) for row in range(2)] for a, b in ((0, 1), (1, 3))]
     parts = []
@@ -105,15 +105,15 @@ def test_adjacent_parts_form_one_image():
 
 
 @pytest.mark.parametrize("bands", [(0, 6), (0, 1, 2, 3, 4, 5, 6), (0, 2, 6), (0, 5, 6)])
-def test_bands_from_below_are_one_image(bands):
+def test_bands_of_rows_are_joined_to_one_image(bands):
     whole, written = records(), Writer(TRAJECTORIES, 6)
     for begin, end in zip(bands, bands[1:]):
         written.append(part(whole, begin, end))
     same(written.records(), whole)
 
 
-def test_arrays_of_pieces_grow_seldom():
-    """Arrays grow by an eighth, so that 4,096 bands of one piece each are copied only a few times."""
+def test_growing_arrays_are_copied_only_a_few_times():
+    """The arrays grow by an eighth, so 4,096 bands of one piece each cause only a few copies."""
     written, band = Writer(TRAJECTORIES, 4096), part(records(), 5, 6)
     sizes = set()
     for _ in range(4096):

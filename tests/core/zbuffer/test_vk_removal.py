@@ -28,14 +28,14 @@ def told(pieces, ray):
 
 
 def alike(told):
-    """But for the last bits, which depend on how many rays are worked on at once."""
+    """Return an approximate copy: the last bits depend on the number of rays in a batch."""
     owner, *ends = told
     return [owner, *map(pytest.approx, ends)]
 
 
 @pytest.mark.parametrize("direction", [(0, 0, -1), (0, 0, 1), (1, 1, -1), (1, 0.5, -0.3)])
 @pytest.mark.parametrize("count", [1, GROUP, 5 * GROUP + 3])
-def test_a_ray_is_cut_as_if_it_were_alone(count, direction, monkeypatch):
+def test_ray_in_a_batch_is_cut_like_a_single_ray(count, direction, monkeypatch):
     """A third of the rays miss the stock. The result does not depend on the number of pairs in one step."""
     removal, rng = random_removal(count, direction)
     x, y = rng.uniform(-30, 30, (2, count))
@@ -53,7 +53,7 @@ def test_a_ray_is_cut_as_if_it_were_alone(count, direction, monkeypatch):
 
 @pytest.fixture
 def slots():
-    """Slots of 6 mm along X at y = 5 and 25, cut at two heights each; image coordinates count from the block's middle."""
+    """Return slots along X at y = 5 (two heights) and y = 25. Image coordinates begin in the block's middle."""
     points = [(5, 5, 8), (35, 5, 8), (35, 5, 20), (5, 5, 20), (5, 5, 4), (35, 5, 4)]
     points += [(35, 5, 20), (5, 25, 20), (5, 25, 6), (35, 25, 6)]
     path = toolpath(np.array(points, float))
@@ -63,7 +63,7 @@ def slots():
 def test_ray_is_tested_with_passing_trajectories_only(slots):
     x, y = np.array([0.0, 0.0, 0.0, 30.0]), np.array([-10.0, 0.0, 10.0, 0.0])
     pieces, passes = slots.cut(x, y)
-    # By the move at each height; the plunges at the ends are beside it.
+    # Each ray in a slot is passed by one move at each height. The plunges at the ends are too far away.
     assert passes.tolist() == [2, 0, 1, 0]
     assert told(pieces, 0) == [[0, 4, UNCUT], pytest.approx([-5, -3, 1]), pytest.approx([-3, 1, 5])]
     assert told(pieces, 1) == [[UNCUT], [-5], [5]]
@@ -71,7 +71,7 @@ def test_ray_is_tested_with_passing_trajectories_only(slots):
     assert told(pieces, 3) == [[], [], []]
 
 
-def test_a_ray_is_cut_though_no_neighbour_is(slots):
+def test_single_ray_of_a_group_is_cut(slots):
     for at in range(GROUP):
         passes = slots.cut(np.zeros(GROUP), np.where(np.arange(GROUP) == at, -10.0, 0.0))[1]
         assert np.flatnonzero(passes).tolist() == [at]
@@ -81,19 +81,20 @@ def test_a_ray_is_cut_though_no_neighbour_is(slots):
     ("allowed", "parts"),
     [
         (3, [(0, 16, [0, 0]), (16, 64, [0, 0, 1]), (64, 67, [0, 0])]),
-        (1, [(0, 16, [0, 0]), (16, 32, [0, 0]), (32, 64, [0]), (64, 67, [0, 0])]),  # a group more than that by itself
+        # one group alone may exceed the limit
+        (1, [(0, 16, [0, 0]), (16, 32, [0, 0]), (32, 64, [0]), (64, 67, [0, 0])]),
         (100, [(0, 67, [0, 0, 1, 1, 2, 4, 4])]),
     ],
 )
-def test_as_many_groups_of_rays_are_held_as_their_pairs_allow(slots, allowed, parts, monkeypatch):
-    """Groups that meet two trajectories, two, one, none, and, of three rays, two."""
+def test_groups_of_rays_are_limited_by_their_pairs(slots, allowed, parts, monkeypatch):
+    """The groups of rays meet two, two, one and no trajectories. The last group, of three rays, meets two."""
     y = np.repeat([-10.0, -10, 10, 0, -10], GROUP)[: 4 * GROUP + 3]
     monkeypatch.setattr(module, "_PAIRS_HELD", allowed * GROUP)
     found = [(first, last, group.tolist()) for first, last, group, _ in slots._meetings(np.zeros(len(y)), y)]
     assert found == parts
 
 
-def test_so_many_pairs_are_worked_on_at_once(slots, monkeypatch):
+def test_pairs_are_processed_in_batches_of_limited_size(slots, monkeypatch):
     sizes, passing = [], slots.passing
     monkeypatch.setattr(slots, "passing", lambda x, y, item: sizes.append(x.size) or passing(x, y, item))
     monkeypatch.setattr(module, "_PAIRS_AT_ONCE", 2 * GROUP)

@@ -30,7 +30,10 @@ def drawn(*arguments, seed=1, **options):
 
 
 def test_total_sums_areas_with_error_from_neighbours():
-    """Shares 2, 4 and 8 have the differences 2 and 4. The variance is half the sum of their squares, times 3 / 2."""
+    """The differences of the shares 2, 4 and 8 are 2 and 4.
+
+    The variance is half the sum of their squares, times 3 / 2.
+    """
     rays = Sample(np.zeros(3), np.zeros(3), np.full(3, 2.0))
     assert rays.total(np.array([1, 2, 4])) == (14, pytest.approx(np.sqrt((4 + 16) / 2 * 3 / 2)))
     assert Sample(*np.ones((3, 1))).total(np.array([-3])) == (-3, 3)
@@ -54,7 +57,7 @@ def test_total_sums_areas_with_error_from_neighbours():
 def test_samples_represent_passed_box_plus_half_pixel(points, width, height):
     found, rays = drawn(points)
     total, _ = rays.total(np.ones(len(rays.x)))
-    # Boxes of long moves are cut up, and overlap.
+    # The boxes of long moves are divided, and the parts overlap.
     assert total == pytest.approx(width * height, rel=0.01 if max(width, height) > 10 else 1e-9)
     assert len(rays.x) == 450
     low, high = found.box[[0, 2], 0], found.box[[1, 3], 0]
@@ -62,7 +65,7 @@ def test_samples_represent_passed_box_plus_half_pixel(points, width, height):
     assert (rays.y >= low[1] - 0.5).all() and (rays.y <= high[1] + 0.5).all()
 
 
-def test_partial_view_samples_represent_the_image():
+def test_samples_of_a_partial_view_represent_the_image():
     _, rays = drawn([(20, 15, 5), (20, 15, 8)], view=View(TOP, 8, 6, pixel=0.5))
     assert rays.total(np.ones(len(rays.x)))[0] == pytest.approx(4 * 3)
 
@@ -70,12 +73,13 @@ def test_partial_view_samples_represent_the_image():
 @pytest.mark.parametrize(
     "holes",
     [
-        [(5, 15, 5), (5, 15, 20), (35, 15, 20), (35, 15, 5)],  # one to the left, one to the right
+        # one hole is left of the image, the other right of the image
+        [(5, 15, 5), (5, 15, 20), (35, 15, 20), (35, 15, 5)],
         [(5, 15, 5), (5, 15, 8)],
         [(20, 5, 5), (20, 5, 8)],
     ],
 )
-def test_none_stand_for_an_image_beside_the_holes(holes):
+def test_image_beside_the_holes_has_no_samples(holes):
     found, rays = drawn(holes, view=View(TOP, 8, 6, pixel=0.5))
     assert len(rays.x) == len(rays.y) == len(rays.area) == 0 and count(found).traces == 0
 
@@ -90,8 +94,8 @@ def test_none_stand_for_an_image_beside_the_holes(holes):
         ((30, 20), 10.25, 10.25),
     ],
 )
-def test_they_stand_for_the_stock_where_the_image_has_it(offset, width, height):
-    """All of the stock is passed, by a tool that is far wider; the image is 40 by 30 mm, or larger than the stock."""
+def test_samples_represent_the_stock_inside_the_image(offset, width, height):
+    """A tool far wider than the stock passes all of the stock. The image is 40 x 30 mm, or larger than the stock."""
     moves = [(0, 15, 5), (40, 15, 5)]
     found = View(TOP, 80, 60, pixel=0.5, offset=offset) if any(offset) else View(TOP, 120, 100, pixel=0.5)
     _, rays = drawn(moves, WIDE, found)
@@ -100,7 +104,7 @@ def test_they_stand_for_the_stock_where_the_image_has_it(offset, width, height):
 
 @pytest.mark.parametrize("direction", [TOP, (1, 1, -1), (0, 1, 0)])
 @pytest.mark.parametrize("offset", [(0, 0), (25, 18), (-30, 0), (0, -12)])
-def test_panned_view_counts_its_visible_part(direction, offset):
+def test_traces_of_a_panned_view_are_its_visible_traces(direction, offset):
     moves = [(x, y, 5) for k, y in enumerate(range(0, 31, 5)) for x in ((-5, 45) if k % 2 == 0 else (45, -5))]
     path, view = toolpath(np.array(moves, float)), View(direction, 240, 180, pixel=0.2, offset=offset)
     told, true = count(removal(moves, view=view)), simulate(path, tool=FLAT, stock=STOCK, view=view)
@@ -108,25 +112,26 @@ def test_panned_view_counts_its_visible_part(direction, offset):
     assert told.dexels == pytest.approx(true.dexels, rel=0.02) and true.traces > 1000
 
 
-def test_rays_go_through_pixel_centres():
+def test_sampled_rays_go_through_pixel_centres():
     _, rays = drawn([(10, 15, 5), (30, 15, 5)])
     column, row = rays.x / 0.5 + 40 - 0.5, rays.y / 0.5 + 30 - 0.5
     assert np.allclose(column, np.rint(column)) and np.allclose(row, np.rint(row))
-    # 26.5 mm of 20 strips: some rays in each.
+    # Each part of the 26.5 mm contains some rays.
     for place, extent in ((rays.x, 26.5), (rays.y, 6.5)):
         assert np.histogram(place - place.mean(), 6, (-extent / 2, extent / 2))[0].min() > 450 / 6 / 2
 
 
-def test_no_ray_is_drawn_where_nothing_is_passed():
+def test_no_ray_is_drawn_where_no_trajectory_passes():
     for points in ([(0, 0, 20), (10, 0, 20)], [(100, 100, 5), (120, 100, 5)]):
         assert len(drawn(points)[1].x) == 0
     _, rays = drawn([(2, 2, 5), (4, 2, 5), (4, 2, 20), (36, 28, 20), (36, 28, 5), (38, 28, 5)])
     assert (np.abs(rays.x) > 12).all() and (np.abs(rays.y) > 7).all()
-    assert rays.total(np.ones(len(rays.x)))[0] == pytest.approx(2 * 7.25 * 5.25, rel=0.3)  # in whole cells
+    # rel=0.3, because whole cells are sampled
+    assert rays.total(np.ones(len(rays.x)))[0] == pytest.approx(2 * 7.25 * 5.25, rel=0.3)
 
 
-def test_where_more_pass_there_are_more_rays_for_less_area_each():
-    """Left one slot, right sixteen on one another: four times as many rays."""
+def test_crowded_area_has_more_rays_with_smaller_areas():
+    """One slot is on the left, and sixteen overlapping slots are on the right, with four times as many rays."""
     often = np.array([(25, 15, 5), (35, 15, 5)] * 9)[:17].astype(float)
     cuts = Cuts([Cut(toolpath(points), FLAT) for points in (often[:2] - (20, 0, 0), often)])
     rays = sample(Removal(cuts, STOCK, View(TOP, 80, 60).frame(STOCK)), np.random.default_rng(1))
@@ -136,14 +141,14 @@ def test_where_more_pass_there_are_more_rays_for_less_area_each():
     assert rays.total(left)[0] == pytest.approx(rays.total(right)[0], rel=0.05)
 
 
-def test_fewer_rays_where_each_meets_many_but_a_hundred():
-    """All moves pass every cell, and the rays together meet 150,000 moves."""
+def test_rays_with_many_passes_are_fewer_but_a_hundred():
+    """All moves pass every cell. The number of tests of a ray and a move is limited to 150,000."""
     for many, rays in ((100, 450), (1000, 150), (3000, 100)):
         assert len(drawn([(20, 15, 5), (20.1, 15, 5)] * (many // 2), WIDE)[1].x) == pytest.approx(rays, abs=1)
 
 
-def test_all_of_an_image_cut_once():
-    """By a tool that is wider than the stock: a dexel and an element of a trace for each pixel, 64 rows in a band."""
+def test_counts_of_an_image_cut_once():
+    """A tool wider than the stock leaves a dexel and a trace in each pixel. A band has 64 rows."""
     counts = count(removal([(0, 15, 5), (40, 15, 5)], WIDE, View(TOP, 320, 240)))
     assert (counts.stock, counts.pixels) == (pytest.approx(320 * 240), 320 * 240)
     assert (counts.dexels, counts.traces, counts.touched, counts.passes) == pytest.approx((320 * 240,) * 4, rel=0.02)
@@ -151,7 +156,7 @@ def test_all_of_an_image_cut_once():
     assert counts.traces_error < 0.1 * counts.traces
 
 
-def test_all_of_an_image_cut_through():
+def test_counts_of_an_image_cut_through():
     counts = count(removal([(0, 15, -1), (40, 15, -1)], WIDE))
     assert counts.dexels == pytest.approx(0, abs=1e-6 * 4800) and counts.traces == pytest.approx(4800, rel=0.05)
 
@@ -163,7 +168,7 @@ def test_passed_pixels_without_cuts_are_not_touched():
 
 
 def test_walls_around_a_slot_are_two_dexels():
-    """A slot along x, seen from the front: rays in 34 x 5 mm have a dexel before the slot and a dexel behind it."""
+    """In a front view of a slot along x, rays in 34 x 5 mm have a dexel before the slot and a dexel behind it."""
     counts = count(removal([(6, 15, 5), (34, 15, 5)], view=View((0, 1, 0), 200, 150)))
     per_area = 1 / 0.2**2
     assert counts.stock == pytest.approx(40 * 10 * per_area)
@@ -172,7 +177,7 @@ def test_walls_around_a_slot_are_two_dexels():
 
 
 def test_only_cut_pixels_count_as_touched():
-    """The corners of a slot's bounding box are not cut: 26 x 6 mm without the four corners outside the round ends."""
+    """The slot covers 26 x 6 mm of its bounding box, without the four corners outside the round ends."""
     counts = count(removal([(10, 15, 5), (30, 15, 5)]))
     assert counts.touched == counts.traces == pytest.approx((6 * 20 + 9 * np.pi) * 4, rel=0.03)
     assert abs(counts.traces - (6 * 20 + 9 * np.pi) * 4) < 3 * counts.traces_error < 0.15 * counts.traces
@@ -189,7 +194,7 @@ def test_rays_beside_a_round_stock_have_no_dexel():
 
 @pytest.mark.parametrize("side", [2, 4, 8, 16])
 def test_morton_curve_fills_one_square_after_another(side):
-    """Therefore the cells of a stratum are neighbours."""
+    """Because of this order, the cells of a stratum are neighbours."""
     row, column = (of.reshape(-1, side**2) for of in np.divmod(_ORDER, _CELLS))
     assert (np.ptp(row, axis=1) == side - 1).all() and (np.ptp(column, axis=1) == side - 1).all()
     assert sorted(_ORDER.tolist()) == list(range(_CELLS**2))

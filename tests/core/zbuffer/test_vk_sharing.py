@@ -31,7 +31,7 @@ WIDE = View((1, 1, -1), 180, 200)
 
 @pytest.fixture
 def workers(monkeypatch):
-    """Let worker processes help from the beginning, and record the workers and the regions of each."""
+    """Let worker processes help from the beginning, and record the regions of each worker."""
     made = []
 
     class Watched(Worker):
@@ -52,7 +52,7 @@ def workers(monkeypatch):
 
 
 def until(done):
-    """Return a callback that makes this process wait, for at most a minute, until `done` returns True."""
+    """Return a callback that waits at most a minute until `done` returns True."""
 
     def going_on(_):
         end = time.monotonic() + 60
@@ -75,7 +75,7 @@ def same(one, other):
 
 
 def hollow():
-    """A block with a cavity: on its rays are several dexels from the start."""
+    """Return a block with a cavity, in which many rays have two dexels before any cut."""
     corner = np.array([[(0, 40)[i & 1], (0, 30)[i >> 1 & 1], (0, 10)[i >> 2]] for i in range(8)], float)
     quads = [(0, 2, 3, 1), (4, 5, 7, 6), (0, 1, 5, 4), (2, 6, 7, 3), (0, 4, 6, 2), (1, 3, 7, 5)]
     outer = np.array([corner[[a, b, c]] for q in quads for a, b, c in ((q[0], q[1], q[2]), (q[0], q[2], q[3]))])
@@ -104,17 +104,17 @@ def test_shared_records_equal_those_of_one_process(view, stock, workers):
     assert any(each.regions for each in workers)
 
 
-def test_a_quick_simulation_is_not_shared(monkeypatch):
+def test_short_simulation_is_not_shared(monkeypatch):
     path, solids = case(View((0, 0, -1), 60, 130), moves=5)
     monkeypatch.setattr(sharing, "Worker", None)
     monkeypatch.setattr(sharing, "_ALONE", 60.0)
     assert simulate(path, **solids, processes=4).traces > 0
     monkeypatch.setattr(sharing, "_ALONE", -1.0)
-    with pytest.raises(TypeError):  # there is none
+    with pytest.raises(TypeError):  # Worker is None, so starting a worker fails
         simulate(path, **solids, processes=4)
 
 
-def test_as_many_help_as_there_are_other_cores(workers, monkeypatch):
+def test_number_of_workers_is_the_number_of_other_cores(workers, monkeypatch):
     monkeypatch.setattr(worker, "processes", lambda: 2)
     path, solids = case(moves=20)
     simulate(path, **solids)
@@ -126,7 +126,7 @@ def test_as_many_help_as_there_are_other_cores(workers, monkeypatch):
 
 @pytest.mark.long
 def test_work_beyond_memory_stays_in_this_process(monkeypatch):
-    """Memory ends once while a worker's records are received, and once in the worker's thread itself."""
+    """Memory runs out while records are received, and then in the thread of the worker."""
 
     def no_memory(*_):
         raise MemoryError
@@ -144,7 +144,7 @@ def test_work_beyond_memory_stays_in_this_process(monkeypatch):
 @pytest.mark.long
 @pytest.mark.parametrize("regions", [0, 2])
 def test_work_of_a_dead_process_is_done_by_others(regions, workers, monkeypatch):
-    """Once as soon as it is ready, once in the middle of its work."""
+    """The worker dies before its first region, and then after two regions."""
     done = []
 
     def dying(self, region):
@@ -162,14 +162,14 @@ def test_work_of_a_dead_process_is_done_by_others(regions, workers, monkeypatch)
     assert len(done) == regions + 1 and len(workers[0].regions) == regions
 
 
-def test_without_another_python_one_process_does_it_all(workers, monkeypatch):
+def test_without_an_interpreter_one_process_does_all_work(workers, monkeypatch):
     monkeypatch.setattr(worker, "interpreter", lambda: None)
     path, solids = case()
     assert same(simulate(path, **solids, processes=1), simulate(path, **solids, processes=3))
     assert not workers
 
 
-def test_another_numpy_does_not_help(workers, monkeypatch):
+def test_worker_with_another_numpy_version_is_not_used(workers, monkeypatch):
     monkeypatch.setattr(worker.np, "__version__", "1.2.3")
     path, solids = case()
     ended = until(lambda: not workers or not workers[0].lives)
@@ -183,7 +183,7 @@ class Stopped(Exception):
 
 @pytest.mark.parametrize("moment", ["before", "while they start", "while they cut"])
 def test_stopping_ends_all_processes(moment, workers):
-    """The fixture searches for remaining processes."""
+    """The fixture `workers` asserts that no process remains."""
     cutting = until(lambda: any(each.regions for each in workers))
 
     def going_on(share):
@@ -200,7 +200,7 @@ def test_stopping_ends_all_processes(moment, workers):
 
 
 @pytest.mark.long
-def test_the_share_that_is_done_grows_from_nothing(workers):
+def test_progress_share_grows_from_zero(workers):
     told, helped = [], until(lambda: not workers or len(workers[0].regions) > 1)
 
     def going_on(share):
@@ -210,11 +210,11 @@ def test_the_share_that_is_done_grows_from_nothing(workers):
     path, solids = case()
     simulate(path, **solids, processes=2, going_on=going_on)
     assert told[0] == 0 and told == sorted(told) and told[-1] < 1
-    # Finished regions of all processes count before the first band is finished.
+    # Finished regions of all processes count even before the first band is finished.
     assert 0 < min(filter(None, told)) < 64 / 200 and len(set(told)) > 2
 
 
-def test_the_rest_is_divided_for_the_processes():
+def test_remaining_bands_are_divided_among_the_processes():
     image = CutImage(Cuts([Cut(case()[0], TOOLS[0])]), BOX, View((0, 0, -1), 700, 200).frame(BOX))
     assert [(band.left, band.right, band.bottom, band.top) for band in image.bands] == [
         (0, 700, 0, 64), (0, 700, 64, 128), (0, 700, 128, 192), (0, 700, 192, 200),
@@ -224,7 +224,7 @@ def test_the_rest_is_divided_for_the_processes():
     shared.divide(1)
     regions = [shared.take() for _ in range(shared.left)]
     assert shared.take() is None
-    # 33 tiles for twelve regions: two tiles each; the last of a band has what is left.
+    # 33 tiles are divided into twelve regions of two tiles each. The last region of a band has the remaining tiles.
     assert [(region.left, region.right) for region in regions[:6]] == [
         (k, min(k + 128, 700)) for k in range(0, 700, 128)
     ]
@@ -236,7 +236,7 @@ def test_the_rest_is_divided_for_the_processes():
     assert shared.share == 0.5 and shared.has(image.bands[1])
     fewest = sharing._Shared(image.bands[:1])
     fewest.divide(50)
-    assert fewest.left == 11 and fewest.take().right == 64  # no region is less than a tile
+    assert fewest.left == 11 and fewest.take().right == 64  # a region has at least one tile
 
 
 def test_wait_ends_with_band_or_pending_region(monkeypatch):
@@ -244,7 +244,7 @@ def test_wait_ends_with_band_or_pending_region(monkeypatch):
     monkeypatch.setattr(threading.Condition, "wait_for", lambda _, done, seconds: over.append(bool(done())))
     first, second = bands = CutImage(Cuts([Cut(case()[0], TOOLS[0])]), BOX, View((0, 0, -1), 64, 128).frame(BOX)).bands
     shared = sharing._Shared(bands)
-    shared.wait(second, 1.0)  # no process works on either yet
+    shared.wait(second, 1.0)  # no process works on a region yet
     assert (shared.take(), shared.take()) == (first, second)
     shared.wait(second, 1.0)
     shared.give(first, (None, 0))
@@ -277,16 +277,16 @@ def test_shared_time_converts_to_one_process_and_back():
             assert unshared_seconds(shared_seconds(seconds, processes), processes) == pytest.approx(seconds)
 
 
-def test_estimate_uses_as_many_processes_as_there_are_bands():
+def test_estimate_uses_at_most_one_process_per_band():
     path, solids = case(View((1, 1, -1), 300, 200), moves=300)
     alone = estimate(path, None, **solids, speed=replace(Speed(), cell=1e-3)).seconds
     assert alone > 5
-    for processes, used in ((2, 2), (3, 3), (64, 4)):  # of 200 rows, all of which are reached
+    for processes, used in ((2, 2), (3, 3), (64, 4)):  # the 200 rows are four bands, and the path reaches all of them
         told = estimate(path, None, **solids, speed=replace(Speed(), cell=1e-3, processes=processes))
         assert told.seconds == pytest.approx(shared_seconds(alone, used))
 
 
-def test_no_more_help_than_memory_allows():
+def test_number_of_workers_is_limited_by_memory():
     path, solids = case()
     cuts = [Cut(path, solids["tool"])]
     removal = Removal(Cuts(cuts), BOX, WIDE.frame(BOX))
@@ -296,7 +296,7 @@ def test_no_more_help_than_memory_allows():
     assert helpers_within(needed + 2 * 90e6, removal, len(path)) == 2
 
 
-def test_where_memory_is_scarce_one_process_cuts(workers):
+def test_scarce_memory_allows_only_one_process(workers):
     path, solids = case()
     needed = memory_needed([Cut(path, solids["tool"])], stock=BOX, view=WIDE)
     assert simulate(path, **solids, memory_budget=1.01 * needed, processes=2).traces > 0

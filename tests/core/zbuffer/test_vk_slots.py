@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Slots in closed form against the tool standing at thousands of places along its move, one after the other."""
+"""The closed form of a slot, compared with the tool at many positions along its move."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from zbuffer_inputs import close
 from vkworkbench.core.zbuffer.sweeps.slots import ball_slot, level_slot, sloped_slot
 
 RADIUS, PLACES, RAYS = 3.0, 1001, 60
-# Across the ray, along it, down and up, short, long, and straight down.
+# Moves across the ray, along the ray, down, up, short, long, and vertically down.
 LEVEL = [(9.0, 0.0, 0.0), (0.0, -9.0, 0.0), (5.0, 7.0, 0.0), (-6.0, 2.0, 0.0), (0.4, 0.3, 0.0)]
 SLOPED = [(9.0, 0.0, 2.0), (0.0, 9.0, -4.0), (0.0, -9.0, -4.0), (5.0, 7.0, -6.0), (-6.0, 2.0, 3.0), (2.0, -1.0, 12.0)]
 UPRIGHT = [(0.0, 0.0, -8.0), (0.0, 0.0, 8.0)]
@@ -19,14 +19,14 @@ FROM_BELOW, FROM_THE_SIDE = [2.2], [np.pi / 2]
 
 
 def rays(move, seed):
-    """Points of rays around a move, of the tool's first place."""
+    """Return points of rays around a move, relative to the start of the move."""
     lower, upper = np.minimum(move, 0) - 1.3 * RADIUS, np.maximum(move, 0) + 1.3 * RADIUS
     return np.random.default_rng(seed).uniform(lower[:, None], upper[:, None], (3, RAYS))
 
 
 def standing(x, y, z, t, move, sine, cosine):
-    """Where rays pass the cylinder of the tool at its places, above its foot."""
-    half = np.sqrt(RADIUS**2 - (x - t * move[0]) ** 2)  # not a number beside it
+    """Return where rays enter and leave the tool's cylinder above its end face, for each position of the tool."""
+    half = np.sqrt(RADIUS**2 - (x - t * move[0]) ** 2)  # NaN for rays beside the tool
     near, far = (-half - (y - t * move[1])) / sine, (half - (y - t * move[1])) / sine
     foot = z - t * move[2] + 1e-7
     if abs(cosine) < 1e-9:
@@ -39,7 +39,7 @@ def standing(x, y, z, t, move, sine, cosine):
 
 
 def in_ball(x, y, z, t, move, sine, cosine):
-    """Where rays pass the ball of the tool at its places."""
+    """Return where rays enter and leave the tool's ball, for each position of the tool."""
     at = [place - t * step for place, step in zip((x, y, z), move)]
     middle = -(at[1] * sine - at[2] * cosine)
     half = np.sqrt(RADIUS**2 - sum(one**2 for one in at) + middle**2)
@@ -47,7 +47,7 @@ def in_ball(x, y, z, t, move, sine, cosine):
 
 
 def check(slot, parts, move, tilt):
-    """Compare the first entry and last exit with the extremes over many positions, up to the distance between two positions."""
+    """Compare first entry and last exit with the extremes over many positions, within the distance of two positions."""
     move, sine, cosine = np.array(move), np.sin(tilt), np.cos(tilt)
     x, y, z = rays(move, seed=int(100 * tilt))
     with np.errstate(invalid="ignore"):
@@ -59,25 +59,25 @@ def check(slot, parts, move, tilt):
     met = entry < leave
     hit = far - near > 0
     assert hit[met & (leave - entry > 1e-3)].all()
-    assert met[hit & (far - near > 0.3)].all()  # a thinner edge may lie between two places
+    assert met[hit & (far - near > 0.3)].all()  # a thinner edge may lie between two positions
     both = met & hit
     assert both.sum() > 10
     shares = [share for share in (sine, abs(cosine)) if share > 1e-9]
     between = np.linalg.norm(move) / (PLACES - 1) / min(shares)
     for short in (entry[both] - near[both], far[both] - leave[both]):
         assert short.min() > -1e-6
-        assert short.max() < 0.3  # where a place touches the ray with its rim alone
+        assert short.max() < 0.3  # at some positions, only the rim of the tool touches the ray
         assert np.mean(short < between) > 0.9
 
 
 @pytest.mark.parametrize("tilt", TILTS + FROM_BELOW + FROM_THE_SIDE)
 @pytest.mark.parametrize("move", LEVEL, ids=str)
-def test_a_flat_end_on_a_level_move(move, tilt):
+def test_flat_end_slot_of_level_move_equals_many_positions(move, tilt):
     check(level_slot, [standing], move, tilt)
 
 
 @pytest.mark.parametrize("tilt", FROM_THE_SIDE)
-def test_ray_on_floor_of_slot_passes_it(tilt):
+def test_ray_on_the_floor_of_a_slot_passes_the_slot(tilt):
     z = np.array([0.0, 1e-12, -1e-12])
     move = np.repeat([[10.0], [4.0], [0.0]], 3, axis=1)
     near, far = level_slot(RADIUS, (np.full(3, 5.0), np.zeros(3), z), move, np.sin(tilt), np.cos(tilt))
@@ -86,20 +86,20 @@ def test_ray_on_floor_of_slot_passes_it(tilt):
 
 @pytest.mark.parametrize("tilt", TILTS + FROM_BELOW)
 @pytest.mark.parametrize("move", LEVEL + SLOPED + UPRIGHT, ids=str)
-def test_a_flat_end_on_any_move(move, tilt):
+def test_flat_end_slot_of_any_move_equals_many_positions(move, tilt):
     check(sloped_slot, [standing], move, tilt)
 
 
 @pytest.mark.parametrize("tilt", TILTS + FROM_BELOW + FROM_THE_SIDE)
 @pytest.mark.parametrize("move", LEVEL + SLOPED + UPRIGHT, ids=str)
-def test_a_ball_end(move, tilt):
+def test_ball_end_slot_equals_many_positions(move, tilt):
     check(ball_slot, [standing, in_ball], move, tilt)
 
 
 @pytest.mark.parametrize("slot, fall", [(ball_slot, 0.0), (ball_slot, -30.0), (sloped_slot, -30.0)])
 @pytest.mark.parametrize("tilt", TILTS)
-def test_move_nearly_along_the_ray_is_cut_as_along_it(slot, fall, tilt):
-    """In an isometric view many moves at 45 degrees are nearly parallel to the rays. The large tool is a bound for a tile."""
+def test_move_nearly_along_a_ray_is_cut_like_along_it(slot, fall, tilt):
+    """In an isometric view, many moves at 45 degrees are nearly parallel to the rays. The large tool bounds a tile."""
     rng, radius, run = np.random.default_rng(7), 40.0, 187.2
     rays = rng.uniform([[-36], [-30], [0]], [[36], [run + 30], [40]], (3, 4000))
     every = np.ones(rays.shape[1])
@@ -116,13 +116,13 @@ def test_move_nearly_along_the_ray_is_cut_as_along_it(slot, fall, tilt):
 
 
 @pytest.mark.parametrize("radius, aside", [(3.0, 3.625), (1.0, 1.25), (2.0, 2.25), (3.0, 3.3)])
-def test_ray_at_side_of_rim_is_continuous(radius, aside):
+def test_slot_is_continuous_where_ray_touches_the_rim(radius, aside):
     """At one position of the tool, the ray only touches the tool. Rounding may move the ray past the tool."""
     there, back = np.array([1.0, 0.0, 2.0])[:, None], np.array([-1.0, 0.0, -2.0])[:, None]
-    share = (aside - radius) + np.array([0.0, 1e-6, -1e-6])  # of the move, where the rim is passed
+    share = (aside - radius) + np.array([0.0, 1e-6, -1e-6])  # share of the move at which the ray touches the rim
     x, y = np.full(3, aside), np.zeros(3)
     for sine, cosine in ((0.6, 0.8), (0.6, -0.8)):
-        # The ray passes the place on the tool's side at the height of its floor.
+        # At this share, the ray touches the side of the tool at the height of its end face.
         z = 2 * share - 1e-9
         one = sloped_slot(radius, (x, y, z), np.repeat(there, 3, axis=1), sine, cosine)
         other = sloped_slot(radius, (x - 1, y, z - 2), np.repeat(back, 3, axis=1), sine, cosine)
@@ -136,7 +136,7 @@ def test_ray_at_side_of_rim_is_continuous(radius, aside):
 def test_move_along_the_ray_is_cut_from_end_to_end(slot, length, tilt):
     """Rounding must not shorten the cut.
 
-    It begins where the ray enters the tool at one end of the move, and ends where the ray leaves the tool at the other.
+    The cut begins where the ray enters the tool at one end of the move, and ends where the ray leaves it at the other.
     """
     sine, cosine = np.sin(tilt), np.cos(tilt)
     x, y, z = np.random.default_rng(5).uniform([[-2.9], [-20], [-5]], [[2.9], [20], [25]], (3, 500))

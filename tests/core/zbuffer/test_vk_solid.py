@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The part as triangles: closed, with the volume of the records; as an STL file, and as the stock of the next job."""
+"""The part as triangles: closed, with the volume of the records, as an STL file, and as stock of the next job."""
 
 from __future__ import annotations
 
@@ -37,7 +37,7 @@ CASES = [
     (moves(1, level=True), Tool("endmill", 6), BLOCK, DOWN),
     (moves(2), Tool("ballend", 6), BLOCK, DOWN),
     (moves(3), Tool("endmill", 6), BLOCK, UP),
-    (moves(4), Tool("ballend", 6), BLOCK, (1, 1, -1)),  # several dexels on a ray
+    (moves(4), Tool("ballend", 6), BLOCK, (1, 1, -1)),  # a ray may have several dexels
     (moves(5), Tool("endmill", 6), Cylinder((20, 15, 0), 12, 10), (0, 1, 0)),
 ]
 
@@ -77,7 +77,7 @@ def test_stl_file_has_the_same_corners(tmp_path):
 
 
 def test_next_job_begins_with_the_remaining_part():
-    """A second job on the part as its stock, in one view: together they leave what one job of both leaves."""
+    """The second job has the remaining part as stock. Both jobs leave the same part as one job with both cuts."""
     view, first, second = (
         View(DOWN, 80, 60, pixel=0.5),
         Cut(moves(1), Tool("endmill", 6)),
@@ -91,7 +91,7 @@ def test_next_job_begins_with_the_remaining_part():
 
 
 def test_equal_heights_make_no_slivers():
-    """Rounding errors of single-precision numbers do not make steps: a bore in a turned part has the same floor as the stock."""
+    """Rounding to single precision does not make steps. A bore in the turned part has the same floor as the stock."""
     left = simulate(moves(1), tool=Tool("endmill", 6), stock=BLOCK, view=View(DOWN, 80, 60))
     stock = Mesh(part_triangles(left) * [1, -1, -1] + [0, 30.01, 10.003])
     triangles = part_triangles(simulate(moves(2), tool=Tool("endmill", 6), stock=stock, view=View(DOWN, 80, 60)))
@@ -102,6 +102,6 @@ def test_equal_heights_make_no_slivers():
 def test_part_that_is_turned_over_keeps_its_volume():
     left = simulate(moves(1), tool=Tool("endmill", 6), stock=BLOCK, view=View(DOWN, 80, 60))
     turned = Mesh(part_triangles(left) * [1, -1, -1] + [0, 30, 10])
-    for size in ((80, 60), (77, 51)):  # the second with rays that pass close to walls
+    for size in ((80, 60), (77, 51)):  # the second view has rays close to walls
         uncut = simulate(moves(1), tool=Tool("endmill", 6), stock=turned, view=View(DOWN, *size)).at(0)
         assert uncut.part_volume == pytest.approx(left.part_volume, rel=0.01)

@@ -11,7 +11,7 @@ from vkworkbench.core.zbuffer.findings.surface_distance import _circles, farthes
 
 
 def every_pair(front, behind, pixel):
-    """The distance at every pixel, by its definition."""
+    """Return the distance at every pixel by its definition."""
     row, column = np.indices(front.shape).reshape(2, -1)
     across = pixel * np.hypot(row[:, None] - row, column[:, None] - column)
     front, behind = front.ravel(), behind.ravel()
@@ -45,7 +45,7 @@ def plane(rng, height, width):
 @pytest.mark.long
 @pytest.mark.parametrize("surface", [smooth, terraces, spikes, plane])
 @pytest.mark.parametrize("seed", range(8))
-def test_the_farthest_of_random_surfaces(surface, seed):
+def test_farthest_pixel_of_random_surfaces_is_found(surface, seed):
     rng = np.random.default_rng(seed)
     size, pixel = rng.integers(12, 34, 2), float(rng.choice([0.05, 0.2, 0.5]))
     front, behind = (surface(rng, *size).astype(np.float32) for _ in range(2))
@@ -55,7 +55,7 @@ def test_the_farthest_of_random_surfaces(surface, seed):
     at, distance = farthest(front, behind, pixels, pixel, 0.0)
     assert distance == pytest.approx(wanted[at], rel=1e-5)
     assert distance == pytest.approx(wanted[pixels].max(), rel=0.02, abs=pixel)
-    # With a selection of pixels, the result is the farthest pixel of the selection.
+    # For a selection of pixels, the result is the farthest selected pixel.
     some = pixels[wanted[pixels] < 0.7 * distance]
     if len(some):
         assert farthest(front, behind, some, pixel, 0.0)[1] == pytest.approx(wanted[some].max(), rel=0.02, abs=pixel)
@@ -64,8 +64,8 @@ def test_the_farthest_of_random_surfaces(surface, seed):
 
 @pytest.mark.long
 @pytest.mark.parametrize("size", [40, 200])
-def test_distant_surface_is_found_quickly(size, monkeypatch):
-    """Between a disc and a larger one, both high: the nearest is at one of their edges, hundreds of pixels away."""
+def test_distant_surface_is_found_with_few_distances(size, monkeypatch):
+    """A high disc lies inside a larger one. The nearest surface is at an edge of a disc, hundreds of pixels away."""
     row, column = np.indices((size, size)) / size - 0.5
     away = np.hypot(row, column)
     front, behind = (np.where(away < radius, 0, 90).astype(np.float32) for radius in (0.45, 0.15))
@@ -77,8 +77,8 @@ def test_distant_surface_is_found_quickly(size, monkeypatch):
     assert sum(looked) < 0.2 * len(pixels)
 
 
-def test_distance_belongs_to_its_reported_place():
-    """Among very high steps, distances are multiples of the pixel. Rounding must not make equal distances differ."""
+def test_found_distance_is_that_of_the_found_place():
+    """Next to very high steps, distances are multiples of the pixel. Rounding must not make equal distances differ."""
     for seed in range(40):
         rng = np.random.default_rng(seed)
         size, pixel = rng.integers(8, 16, 2), 0.05
@@ -93,19 +93,19 @@ def test_missing_front_surface_counts_as_space_before_it():
     front, behind = np.zeros((30, 40), np.float32), np.full((30, 40), 20, np.float32)
     front[:, 25:] = np.inf
     pixel = 12 * 40 + 22
-    assert farthest(front, behind, np.array([pixel]), 0.5, 0.1) == (pixel, 20)  # of the other nothing is near
+    assert farthest(front, behind, np.array([pixel]), 0.5, 0.1) == (pixel, 20)  # no part of the lower surface is nearer
     behind[:, 26:] = 0
     assert farthest(front, behind, np.array([pixel]), 0.5, 0.1) == (pixel, 2)
 
 
-def test_the_farthest_corner_of_an_image_is_looked_at():
+def test_distance_to_farthest_image_corner_is_found():
     front, behind = np.zeros((30, 40), np.float32), np.full((30, 40), 90, np.float32)
     front[-1, -1] = 90
     behind[-1, -1] = 0
     assert farthest(front, behind, np.array([0]), 1.0, 0.1) == (0, pytest.approx(np.hypot(29, 39)))
 
 
-def test_of_small_distances_the_farthest_is_found_as_well():
+def test_farthest_of_small_distances_is_found():
     """A wall 9 mm high is displaced by one pixel (0.05 mm), and a hole is 0.3 mm deep."""
     front, behind = (np.where(np.arange(40) < edge, 0, 9) * np.ones((30, 1)) for edge in (31, 30))
     behind[10, 5] = 0.3
@@ -114,14 +114,14 @@ def test_of_small_distances_the_farthest_is_found_as_well():
     assert farthest(front, behind, pixels, 0.05, 0.01) == (10 * 40 + 5, pytest.approx(0.3))
 
 
-def test_nothing_to_look_at():
+def test_no_pixels_or_small_distances_have_no_farthest():
     flat = np.zeros((3, 4), np.float32)
     assert farthest(flat, flat + 1, np.array([], int), 0.1, 0.1) is None
     assert farthest(flat, flat + 1, np.arange(12), 0.1, 1.0) is None
 
 
 def test_search_begins_on_doubling_circles():
-    """The circles only save work. Their positions do not change a distance, so they are tested here."""
+    """The circles only save work and do not change a distance, so their positions are tested here."""
     steps = np.concatenate(_circles(100, 8, 2.0))
     assert np.abs(np.hypot(*steps.T) - np.repeat([1, 2, 4, 8, 16, 32, 64], 8)).max() < 0.75
     far = steps[-8:]

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Intersections of rays with swept tools, including views in which the square term of a quadratic equation is 0."""
+"""Intersections of rays with swept tools, also if the square term of the quadratic equation is 0."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ RAYS, FAR = 1000, 30.0
 
 
 def lengths(tool, moves, tilt):
-    """How long rays are within the sweeps, (RAYS,) mm; those steeper than a cone are so without end."""
+    """Return the lengths of rays inside the sweeps, (RAYS,) mm. A ray steeper than the cone is limited to 2 * FAR."""
     near, far = intervals(tool, *moves, sin(tilt), cos(tilt))
     inside = np.clip(far, -FAR, FAR) - np.clip(near, -FAR, FAR)
     return np.where(inside > 0, inside, 0)
@@ -26,8 +26,8 @@ def lengths(tool, moves, tilt):
 
 @pytest.mark.parametrize("steepness", [0.5, 1, 2])
 @pytest.mark.parametrize("side", [1, -1])
-def test_ray_parallel_to_a_cone_is_continuous(steepness, side):
-    """A V-bit of 90 degrees seen at 45 degrees, from above and from below."""
+def test_sweep_is_continuous_for_rays_parallel_to_a_cone(steepness, side):
+    """The ray has the slope of the V-bit's cone, seen from above and from below."""
     tool = Tool("vbit", 6, tip_angle=2 * atan(1 / steepness))
     moves = np.random.default_rng(1).uniform(-4, 4, (3, 3, RAYS))
     tilt = atan2(1, side * steepness)
@@ -36,11 +36,11 @@ def test_ray_parallel_to_a_cone_is_continuous(steepness, side):
     assert (exact > np.minimum(steeper, flatter) - 1e-3).all() and (exact < np.maximum(steeper, flatter) + 1e-3).all()
 
 
-def test_ray_at_side_of_cone_rim_is_continuous():
-    """The ray only touches the tool there. Rounding may move the ray past the tool."""
+def test_sweep_is_continuous_where_ray_touches_cone_rim():
+    """The ray only touches the tool at the rim. Rounding may move the ray past the tool."""
     tool = Tool("drill", 8, tip_angle=2 * atan(2))
     start, move = (np.repeat([[x], [y], [z]], RAYS, axis=1) for x, y, z in ((2.0, 12.0, 10.0), (-12.0, -16.0, -12.0)))
-    along = np.linspace(-3, 3, RAYS)  # the same ray, from many points of it
+    along = np.linspace(-3, 3, RAYS)  # several points of the same ray
     point = np.array([np.full(RAYS, 1.5), 5.75191847 + 0.6 * along, 7.83077538 - 0.8 * along])
     exact, beside = (intervals(tool, start, move, (point[0] + by, *point[1:]), 0.6, 0.8) for by in (0, 1e-7))
     assert np.abs(np.subtract(exact, beside)).max() < 1e-2
@@ -56,15 +56,15 @@ def some_moves(seed):
 
 
 @pytest.mark.parametrize("tool", FORMS, ids=str)
-def test_sweep_above_a_point_begins_at_lowest_tool(tool):
-    """Held against 2,000 places of the tool on each move."""
+def test_lowest_height_of_a_sweep_equals_many_positions(tool):
+    """The reference tries 2,000 positions of the tool on each move."""
     start, move = some_moves(3)
     x, y = np.random.default_rng(4).uniform(-8, 8, (2, RAYS))
     found, inner = lowest(tool, start, headings(move), x, y)
     place = np.linspace(0, 1, 2000)[:, None]
     away = np.hypot(*(at - begin - place * by for at, begin, by in zip((x, y), start, move)))
     expected = (tool.height(away) + start[2] + place * move[2]).min(axis=0)
-    clear = np.abs(away.min(axis=0) - tool.radius) > 1e-3  # of the rim
+    clear = np.abs(away.min(axis=0) - tool.radius) > 1e-3  # far enough from the rim
     assert np.array_equal(np.isfinite(found)[clear], np.isfinite(expected)[clear]) and clear.sum() > 0.7 * RAYS
     hit = clear & np.isfinite(expected)
     # Between two sampled positions, the tool is lower by at most the change between the positions.
@@ -72,8 +72,8 @@ def test_sweep_above_a_point_begins_at_lowest_tool(tool):
     assert (inner[hit] > 0).all()
 
 
-def test_the_rim_of_a_sweep_belongs_to_the_sweep():
-    """Points beside a move of 10 mm, and before and behind it: on the rim of 3 mm, and a millionth of a millimetre outside."""
+def test_points_on_the_rim_belong_to_the_sweep():
+    """Points beside, before and behind a move of 10 mm lie on the rim (3 mm), or a millionth of a mm outside."""
     x, y = np.array([5.0, 5.0, -3.0, 13.0, 5.0, -3 - 1e-6]), np.array([3.0, -3.0, 0.0, 0.0, 3 + 1e-6, 0.0])
     start, heading = np.zeros((3, 6)), np.repeat([[1.0], [0.0], [10.0], [0.0]], 6, axis=1)
     for tool in (tool for tool in FORMS if tool.radius == 3):
@@ -85,7 +85,7 @@ def test_the_rim_of_a_sweep_belongs_to_the_sweep():
 @pytest.mark.parametrize("tilt", [0.3, 1.2, pi / 2, 2.0, 2.9])
 @pytest.mark.parametrize("tool", FORMS, ids=str)
 def test_ray_is_inside_sweep_above_its_lower_surface(tool, tilt):
-    """Compare intervals of oblique rays with the lower surface from vertical rays, at 60 depths of each ray."""
+    """At 60 depths of each oblique ray, its interval is compared with the lower surface of the sweep."""
     start, move = some_moves(5)
     at = np.random.default_rng(6).uniform(-4, 4, (3, RAYS))
     near, far = intervals(tool, start, move, at, sin(tilt), cos(tilt))
@@ -102,7 +102,7 @@ BULL_NOSE = Tool("bullnose", 6, corner_radius=1)
 
 @pytest.mark.parametrize("tilt", [0.7, pi / 2, 2.5])
 def test_short_bull_nose_moves_are_decided_by_their_ends(tilt, monkeypatch):
-    """Between the ends it takes several times as long to find out."""
+    """Searching between the ends takes several times longer."""
     searched = []
 
     def counted(tool, offset, *others):
@@ -114,7 +114,7 @@ def test_short_bull_nose_moves_are_decided_by_their_ends(tilt, monkeypatch):
     moves[1] *= 0.05
     found = lengths(BULL_NOSE, moves, tilt)
     assert (found > 0).sum() > 0.4 * RAYS and sum(searched) < 0.6 * RAYS
-    # As two moves, one after the other: no less, and nothing more.
+    # Two half moves cover the same intervals as the whole move.
     halves = [(moves[0] + part * moves[1], moves[1] / 2, moves[2]) for part in (0, 0.5)]
     near, far = zip(*(intervals(BULL_NOSE, *half, sin(tilt), cos(tilt)) for half in halves))
     missed = [~(one <= other) for one, other in zip(near, far)]
@@ -124,8 +124,8 @@ def test_short_bull_nose_moves_are_decided_by_their_ends(tilt, monkeypatch):
     assert np.abs(whole[:, both] - (near[both], far[both])).max() < 1e-4
 
 
-def test_ray_along_side_of_bull_nose_is_continuous():
-    """The ray touches the tool at every position of the move, but only in a point."""
+def test_sweep_is_continuous_where_ray_touches_bull_nose():
+    """At every position of the move, the ray touches the tool in one point."""
     start, move = np.zeros((3, 5)), np.repeat([[0.0], [20.0], [5.0]], 5, axis=1)
     height = np.linspace(1.5, 5.5, 5)
     exact, beside = (

@@ -44,8 +44,11 @@ def test_slot_too_deep_is_a_gouge_from_first_to_last_command():
     assert found(cut(*path, allowed=0.5)) == [(0, 12, 13, 2.0)] and found(cut(*path, allowed=np.inf)) == []
 
 
-def test_pocket_too_deep_is_one_gouge():
-    """Rows, a rapid around them, and a slot that touches the first row: one gouge. A slot 1 mm aside is another one."""
+def test_pocket_that_is_too_deep_is_one_gouge():
+    """Rows, a rapid around them, and a slot that touches the first row are one gouge.
+
+    A slot 1 mm away is a second gouge.
+    """
     rows = [(x, 50.1 + 0.15 * k, 17.5) for k in range(8) for x in ((100, 105) if k % 2 == 0 else (105, 100))]
     pocket = [(100, 50.1, 25), *rows, (100, 51.15, 25)]
     assert found(cut(*pocket, *slot(49.95, 17.4, 105))) == [(0, 0, 19, 0.6)]
@@ -53,7 +56,7 @@ def test_pocket_too_deep_is_one_gouge():
 
 
 def test_carving_of_changing_width_is_one_gouge():
-    """The rays of a V-bit are as close as the bit is wide at its depth."""
+    """The distance of the rays is the width of the V-bit at its depth."""
     carving = cut((100, 50, 25), (100, 50, 17.8), (101, 50, 17.8), (102, 50, 17), (103, 50, 17), (104, 50, 17.7),
                   tool=Tool("vbit", 1.5, tip_angle=np.pi / 2, tip_diameter=0.1))  # fmt: skip
     ((_, first, last, depth),) = found(carving)
@@ -61,28 +64,28 @@ def test_carving_of_changing_width_is_one_gouge():
 
 
 @pytest.mark.parametrize("aside, depth", [(0.0, None), (0.05, None), (0.3, 0.3)])
-def test_cut_into_a_wall_is_as_deep_as_it_lies_aside(aside, depth):
+def test_gouge_in_a_wall_is_as_deep_as_its_sideways_offset(aside, depth):
     """The tool moves along the wall of a model that ends at Y = 100, 5 mm below its top."""
     wall = Stock((0, 0, 0), (600, 100, 18))
     gouges = found(cut(*slot(100.1 - aside, 13.0)), model=wall)
     assert gouges == ([] if depth is None else [(0, 0, 1, pytest.approx(depth, abs=0.05))])
 
 
-def test_depth_below_a_slope_is_measured_across_it():
-    """A slope of 45 degrees: 1 mm down is 0.71 mm across."""
+def test_gouge_in_a_slope_is_measured_perpendicular_to_it():
+    """On a slope of 45 degrees, 1 mm downwards is 0.71 mm perpendicular to the slope."""
     slope = ConvexStock(np.vstack((np.eye(3), -np.eye(3), [1, 0, 1])), np.array([600, 400, 20, 0, 0, 0, 130.0]))
     ((_, first, last, depth),) = found(cut((115, 50, 25), (115, 50, 14)), model=slope)
     assert (first, last) == (0, 0) and depth == pytest.approx(1 / np.sqrt(2), rel=0.15)
 
 
-def test_wide_tools_and_moves_above_the_model_are_not_searched():
+def test_wide_tools_and_moves_above_model_are_not_searched():
     deep, level = slot(50.1, 17.0), slot(50.1, 18.0)
     assert thin_gouges([cut(*deep, tool=Tool("endmill", 6))], PLATE, seen()).cuts == ()
     assert thin_gouges([cut(*level)], PLATE, seen()).cuts == (0,)
     assert found(cut(*level)) == []
 
 
-def test_moves_without_time_are_named_and_image_gouges_stay():
+def test_moves_beyond_the_time_limit_are_reported_unchecked():
     cuts = [cut(*slot(50.1, 17.0))]
     thin = thin_gouges(cuts, PLATE, seen(), seconds=0)
     assert thin.found == () and [source.command for source in thin.unchecked] == [0, 1, 2]
@@ -90,7 +93,7 @@ def test_moves_without_time_are_named_and_image_gouges_stay():
     assert facts(zbuffer, check_crashes(cuts, PLATE), thin=thin, model=MODEL).verdict.unchecked == thin.unchecked
 
 
-def test_thin_tool_gouges_replace_image_gouges():
+def test_gouges_on_fine_rays_replace_those_of_the_image():
     wide = cut(*slot(200, 17.0), tool=Tool("endmill", 6))
     cuts = [cut(*slot(50.1, 17.5), *slot(80.1, 17.5)), wide]
     zbuffer = simulate_job(cuts, stock=PLATE, view=View(width=1200, height=800))
@@ -104,7 +107,7 @@ def test_thin_tool_gouges_replace_image_gouges():
 
 @pytest.mark.parametrize("aside, depth", [(0.0, None), (0.06, None), (0.3, 0.3), (0.7, 0.7)])
 def test_wall_shaved_by_a_wide_tool_is_a_gouge(aside, depth):
-    """Pixels of 0.5 mm; the wall of a model that ends at Y = 100 is cut, and then cut again aside."""
+    """A wide tool cuts the wall at Y = 100, and then a second time with a sideways offset. Pixels are 0.5 mm."""
     wall = Stock((0, 0, 0), (600, 100, 18))
     cuts = [cut(*slot(103, 13.0), *slot(103 - aside, 13.0), tool=Tool("endmill", 6))]
     zbuffer = simulate_job(cuts, stock=PLATE, view=View(width=1200, height=800))
@@ -114,7 +117,7 @@ def test_wall_shaved_by_a_wide_tool_is_a_gouge(aside, depth):
     assert told == ([] if depth is None else [(4, 5, pytest.approx(depth, abs=0.07))])
 
 
-def test_walls_without_time_are_in_the_verdict():
+def test_walls_beyond_the_time_limit_are_in_the_verdict():
     cuts, wall = [cut(*slot(103.1, 13.0), tool=Tool("endmill", 6))], Stock((0, 0, 0), (600, 100, 18))
     zbuffer = simulate_job(cuts, stock=PLATE, view=View(width=600, height=400))
     model, checked = SeenModel(wall, zbuffer.frame), check_crashes(cuts, PLATE)

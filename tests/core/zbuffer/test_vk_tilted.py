@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Depth bounds for oblique views: tools grown and shrunk by half a tile, depths of the stock, and earlier depths."""
+"""Depth bounds for oblique views: tools grown and shrunk by half a tile, depths of the stock, and opened depths."""
 
 from __future__ import annotations
 
@@ -17,26 +17,26 @@ from vkworkbench.core.zbuffer.sweeps.trajectories import Trajectories
 
 REACH = 0.4
 TOOLS = [*TOOLS, Tool("vbit", 6, tip_angle=pi / 2, tip_diameter=2), Tool("vbit", 6, tip_angle=2.6, tip_diameter=5.5)]
-# Angles of views from the vertical: from above, from below, and nearly from the side.
+# Angles of view directions from the vertical: from above, from below, and nearly from the side.
 VIEWS = [(angle, level) for angle in (0.5, 1.1, 2.2) for level in (True, False)] + [(1.5, False)]
 SHIFTS = [(a * REACH, b * REACH) for a in (-1, -0.5, 0, 1) for b in (-1, 0.3, 1)]
 
 
 def moved(shift, angle, level):
-    """Return the shift in space of a ray that is shifted in the image, on a level plane or a plane across the view."""
+    """Return the shift in space for a shift of a ray in the image, in a level plane or in the plane of the image."""
     x, y = shift
     return np.array((x, y / cos(angle), 0) if level else (x, y * cos(angle), y * sin(angle)))
 
 
 def surface(tool, raised):
-    """Points of a tool's lower surface and its rim."""
+    """Return points of a tool's lower surface and its rim."""
     r, turn = (of.ravel() for of in np.meshgrid(np.linspace(0, tool.radius, 25), np.linspace(0, 2 * pi, 37)))
     return np.column_stack((r * np.cos(turn), r * np.sin(turn), tool.height(r * (1 - 1e-12)) + raised))
 
 
 def holds(tool, raised, points):
     r = np.hypot(points[:, 0], points[:, 1])
-    inside = np.minimum(r, tool.radius)  # the rim itself is a matter of rounding
+    inside = np.minimum(r, tool.radius)  # rounding decides about points exactly on the rim
     return (r <= tool.radius + 1e-9).all() and (tool.height(inside) + raised <= points[:, 2] + 1e-5).all()
 
 
@@ -49,7 +49,7 @@ def test_grown_tool_contains_tool_and_shrunk_one_is_inside(tool, angle, level):
         by = moved(shift, angle, level)
         assert holds(*larger, surface(tool, 0.0) + by)
         assert smaller[0] is None or holds(tool, 0.0, surface(*smaller) + by)
-    # Neither is wider or narrower than that needs.
+    # The grown tool is not wider than necessary, and the shrunk tool not narrower.
     corner = moved((REACH, REACH), angle, level)
     ball = tool.rounding == tool.radius
     aside = hypot(*corner) if ball else hypot(*corner[:2])
@@ -68,7 +68,7 @@ def test_grown_tool_contains_tool_and_shrunk_one_is_inside(tool, angle, level):
     if not level or abs(direction[2]) > 0.3 * np.linalg.norm(direction)
 ])  # fmt: skip
 def test_tile_depths_contain_stock_of_all_rays(direction, level):
-    """With depths from a horizontal plane, the depth changes with the position of a ray up the image, by the shear."""
+    """Depths from a level plane grow with the position of a ray in the image, by the shear."""
     frame = View(direction, 40, 30).frame(BOX)
     sine, cosine = hypot(*frame.direction[:2]), -frame.direction[2]
     shear = sine / cosine if level else 0.0
@@ -83,15 +83,15 @@ def test_tile_depths_contain_stock_of_all_rays(direction, level):
             ends.append((one - shear * dy, other - shear * dy))
     least, greatest = np.min(ends, axis=0)[0], np.max(ends, axis=0)[1]
     assert (near <= least + 1e-9).all() and (far >= greatest - 1e-9).all()
-    # In the middle rays leave and enter through one face: there is nothing between the bounds and the rays.
+    # In the middle, all rays of a tile pass the same faces, so the bounds are exact.
     assert near[0] == pytest.approx(least[0]) or direction[2] == 0 or direction[:2] == (1, 1)
     assert far[0] == pytest.approx(greatest[0]) or direction[2] == 0
 
 
 @pytest.mark.parametrize("side", [4, 16])
 @pytest.mark.parametrize("direction", [(0, 1, -1), (0, 1, -0.2)])
-def test_quarters_near_a_ball_sweep_stay(direction, side):
-    """A ball of 12 mm that moves from x = -10 to 10, seen from below its middle, where the shank does not hide it."""
+def test_quarters_near_the_sweep_of_a_ball_stay(direction, side):
+    """A ball of 12 mm moves from x = -10 to 10. The compared rays pass below its middle, beside the shank."""
     stock = Stock((-100, -100, -100), (100, 100, 100))
     frame = View(direction, 200, 180, pixel=0.5).frame(stock)
     cuts = Cuts([Cut(toolpath(np.array([(-10.0, 0, 0), (10, 0, 0)])), Tool("ballend", 12))])
@@ -116,22 +116,24 @@ WHOLE, NEAR, FAR, MIDDLE = (-5.0, 5.0), (-5.0, 0.0), (2.0, 5.0), (-1.0, 1.0)
     "pairs, stay",
     [
         ([(NEAR, NEAR), ((-4, -1), NOWHERE)], [0]),
-        ([(NEAR, NOWHERE), ((-4, -1), NOWHERE)], [0, 1]),  # not all of the tile is open
+        ([(NEAR, NOWHERE), ((-4, -1), NOWHERE)], [0, 1]),  # only a part of the tile is open
         ([(NEAR, (-5, -2)), ((-4, -1), NOWHERE), ((-4, -2.5), NOWHERE)], [0, 1]),
         ([(FAR, FAR), ((3, 4), NOWHERE), ((1, 4), NOWHERE)], [0, 2]),
         ([(FAR, (9, 8)), ((3, 4), NOWHERE)], [0, 1]),
-        ([(MIDDLE, MIDDLE), ((-0.5, 0.5), NOWHERE)], [0, 1]),  # only what is open from an end is known
+        # only depths that are open from an end of the ray are kept
+        ([(MIDDLE, MIDDLE), ((-0.5, 0.5), NOWHERE)], [0, 1]),
         ([(NEAR, NEAR), ((-1, 2), (-1, 2)), ((-1, 1.5), NOWHERE), ((1, 3), NOWHERE)], [0, 1, 3]),
         ([(FAR, FAR), ((-1, 3), (-1, 3)), ((0, 4), NOWHERE), ((-2, 3), NOWHERE)], [0, 1, 3]),
         ([(NEAR, NEAR), (FAR, FAR), ((-3, 1), NOWHERE), ((-3, 0), NOWHERE)], [0, 1, 2]),
-        ([(NEAR, NEAR), ((-4, 0), NOWHERE), ((-4, 1e-9), NOWHERE)], [0]),  # rounding reaches no further
+        ([(NEAR, NEAR), ((-4, 0), NOWHERE), ((-4, 1e-9), NOWHERE)], [0]),  # a difference within rounding is not deeper
         ([(FAR, FAR), ((2, 4), NOWHERE), ((2 - 1e-9, 4), NOWHERE)], [0]),
         ([(WHOLE, WHOLE), (WHOLE, WHOLE)], [0]),
-        ([(MIDDLE, MIDDLE), (NEAR, NEAR), ((0, 0.9), NOWHERE)], [0, 1, 2]),  # what met nothing in its time
+        # an opening that touched no open end is not used later
+        ([(MIDDLE, MIDDLE), (NEAR, NEAR), ((0, 0.9), NOWHERE)], [0, 1, 2]),
         ([], []),
     ],
 )
-def test_pairs_reaching_beyond_open_ends_stay(pairs, stay):
+def test_pairs_that_reach_beyond_open_ends_stay(pairs, stay):
     def told(*tiles):
         tile = np.repeat(np.arange(len(tiles)), [len(own) for own in tiles])
         columns = np.array([(*passed, *opened) for own in tiles for passed, opened in own], float).reshape(-1, 4).T

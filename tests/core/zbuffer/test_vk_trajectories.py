@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The extent of moves in an image, compared with points of their sweeps; the moves that can meet the stock; and their rays."""
+"""The extent of moves in an image, the moves that can meet the stock, and their rays."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ from vkworkbench.core.zbuffer.sweeps import trajectories
 from vkworkbench.core.zbuffer.sweeps.cuts import Cuts
 from vkworkbench.core.zbuffer.sweeps.trajectories import Kind, Trajectories
 
-FLAT, BALL = Tool("endmill", 6), Tool("ballend", 4)  # the block is 40 x 30 x 10 mm
+FLAT, BALL = Tool("endmill", 6), Tool("ballend", 4)  # the block has 40 x 30 x 10 mm
 ABOVE, BELOW = (0, 0, -1), (0, 0, 1)
 
 
@@ -34,7 +34,7 @@ def ready(*cuts, direction=ABOVE):
         ([(20, -5, 5), (20, -2.9, 5)], True), ([(20, -3.1, 5), (20, -5, 5)], False),
         ([(20, 32.9, 5), (20, 40, 5)], True), ([(20, 33.1, 5), (20, 40, 5)], False),
         ([(20, 15, 20), (25, 15, 9.9)], True), ([(20, 15, 20), (25, 15, 10.1)], False),
-        ([(20, 15, -20), (25, 15, -10)], True),  # a tool has no upper end
+        ([(20, 15, -20), (25, 15, -10)], True),  # the tool has no upper end
     ],
 )  # fmt: skip
 def test_moves_beside_or_above_stock_are_left_out(move, meets):
@@ -42,8 +42,8 @@ def test_moves_beside_or_above_stock_are_left_out(move, meets):
     assert ready((FLAT, away), (FLAT, move)).index.tolist() == ([1] if meets else [])
 
 
-def test_moves_have_their_tools_and_whether_they_are_level():
-    """A vertical move stands at its lowest point, whichever end that is."""
+def test_moves_have_their_tools_and_kinds():
+    """A vertical move is held at its lowest point, whichever end that is."""
     some = ready(
         (BALL, [(5, 5, 5), (15, 5, 5), (15, 5, 3), (15, 5, 8), (5, 5, 6)]), (FLAT, [(5, 20, 7), (9, 23, 7)]),
         (BALL, [(30, 20, 2), (30, 20, 1)]),
@@ -81,7 +81,7 @@ LEVEL = 4
 
 
 def swept(move, frame):
-    """Image coordinates of the rim of a flat end on its way, and right above at the top of the block."""
+    """Return image coordinates of a flat end's rim along its move, and of points above it at the block's top."""
     angle = np.linspace(0, 2 * pi, 361)
     rim = 3 * np.column_stack((np.cos(angle), np.sin(angle), 0 * angle))
     start, end = np.array(move, float)
@@ -92,7 +92,7 @@ def swept(move, frame):
     return (points - frame.centre) @ np.array([frame.right, frame.up]).T
 
 
-def test_rounding_makes_no_slope():
+def test_rounding_difference_in_height_is_a_level_move():
     level, up = ready((FLAT, [(5, 5, 0.1 + 0.2), (15, 5, 0.3), (25, 5, 0.3 + 2e-9)])).kind.tolist()
     assert level != up and ready((FLAT, [(5, 5, 0.1 + 0.2), (15, 5, 0.3)])).kinds == (Kind(FLAT, True),)
 
@@ -112,13 +112,13 @@ def test_boxes_and_strips_contain_swept_volumes(number, direction):
         assert told == pytest.approx(there, abs=1e-3)
     else:
         assert told[[0, 3]] == pytest.approx(there[[0, 3]], abs=1e-3)
-        assert (told > there - 8).all()  # no more than the move is high
+        assert (told > there - 8).all()  # the error is less than the height of the move
 
 
-def test_boxes_of_partial_moves():
+def test_box_of_a_part_of_a_move_contains_only_this_part():
     some = ready((FLAT, MOVES[0]))
     parts = some.boxes(np.array([0, 0]), np.array([0.0, 0.2]), np.array([1.0, 0.6]))
-    assert parts.T.tolist() == [some.box[:, 0].tolist(), [-13, 3, -10, 2]]  # from (-10, -7) to (0, -1)
+    assert parts.T.tolist() == [some.box[:, 0].tolist(), [-13, 3, -10, 2]]  # the part from (-10, -7) to (0, -1)
 
 
 @pytest.mark.parametrize("direction", DIRECTIONS)
@@ -146,8 +146,8 @@ def test_pairs_meet_if_box_and_strip_meet(direction):
     assert some.passing(x, y, item).tolist() == inside.tolist() and 20 < inside.sum() < 880
 
 
-def test_rays_from_above_and_from_below():
-    """Through slots on z = 7 and z = 3; the middle of the block is z = 5. A third tool meets nothing, or stands higher."""
+def test_intervals_of_rays_from_above_and_below_are_exact():
+    """Slots are cut at z = 7 and z = 3; depth 0 is z = 5. Replaced tools miss the rays, or are 0.5 mm higher."""
     cuts = (FLAT, [(5, 10, 7), (35, 10, 7)]), (BALL, [(5, 20, 3), (35, 20, 3)])
     x, y, item = np.array([0.0, 0.0, 0.0, 0.0]), np.array([-5.0, 5.0, -5.0, -1.9]), np.array([0, 1, 1, 0])
     for direction, sign in ((ABOVE, 1), (BELOW, -1)):
@@ -167,7 +167,7 @@ def test_rays_from_above_and_from_below():
         assert told(other) == [-2.5, None, None, -2.5]
 
 
-def test_many_pairs_are_as_few_at_a_time(monkeypatch):
+def test_pairs_in_batches_have_the_same_intervals(monkeypatch):
     some = ready(*((tool, move) for tool in (FLAT, BALL) for move in MOVES), direction=(1, 1, -1))
     rng = np.random.default_rng(5)
     x, y, item = rng.uniform(-20, 20, (3, 500)), rng.uniform(-15, 15, 500), rng.integers(0, 14, 500)
@@ -179,7 +179,7 @@ def test_many_pairs_are_as_few_at_a_time(monkeypatch):
 
 
 @pytest.mark.parametrize("direction", [ABOVE, (1, 1, -1)])
-def test_many_trajectories_are_prepared_as_few_at_a_time(direction, monkeypatch):
+def test_trajectories_prepared_in_batches_are_the_same(direction, monkeypatch):
     """Some cuts have no trajectories, and all trajectories of some cuts miss the stock."""
     rng = np.random.default_rng(6)
     away, nothing = np.array([(100.0, 100, 5), (101, 100, 5)]), np.empty((0, 3))

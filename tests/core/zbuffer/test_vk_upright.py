@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Bounds of the depth of moves in squares seen from above, compared with the tool at many positions of each move.
+"""Depth bounds of moves in squares seen from above, compared with the tool at many positions.
 
 A bound that is too deep costs time, and a bound that is too shallow loses a cut. The tests find both faults.
 """
@@ -18,11 +18,11 @@ from vkworkbench.core.zbuffer.sweeps.trajectories import Trajectories
 
 SLOPES = [0.0, 0.3, -0.3, 1.2, -1.2]
 DEPTH = 2.0
-PLACES, STEP = 1001, 5  # of the tool on a move, and points on a side of a square
+PLACES, STEP = 1001, 5  # positions of the tool on a move, and points on a side of a square
 
 
 def bounded(tool, slope, along, aside, extent, half_run):
-    """Return the bounds for one move and one square: largest reach, and depth opened in all of the square.
+    """Return the bounds for one move and one square: largest reached depth, and depth opened in the whole square.
 
     -inf, or NaN for a ball, if the move does not meet or does not cover the square.
     """
@@ -45,7 +45,7 @@ def opened(tool, slope, along, aside, extent, half_run):
 @pytest.mark.parametrize("slope", SLOPES)
 @pytest.mark.parametrize("tool", FORMS, ids=str)
 def test_square_bounds_hold_for_all_points(tool, slope):
-    """Squares beside moves, across their ends and their rims, within them, and around short ones."""
+    """Squares lie beside moves, across their ends and rims, inside long moves, and around short moves."""
     rng = np.random.default_rng([FORMS.index(tool), SLOPES.index(slope)])
     inside = 0
     for _ in range(40):
@@ -54,13 +54,13 @@ def test_square_bounds_hold_for_all_points(tool, slope):
         reaches, opens = bounded(tool, slope, along, aside, extent, half_run)
         depths = opened(tool, slope, along, aside, extent, half_run)
         assert depths.max() <= reaches + 1e-9
-        # Between two places of the tool on a slope is one that opens a little deeper.
+        # Between two positions on a slope, the tool may open a little deeper.
         assert opens <= depths.min() + 0.02 * (1 + 3 * abs(slope))
         inside += np.isfinite(opens)
     assert inside > 3
 
 
-# On slopes the bounds only come near to tools of several parts, and to a point that is blunter than the slope.
+# On slopes, the bounds are exact only for simple tools: others have several parts, or a tip blunter than the slope.
 SIMPLE = [
     (tool, slope)
     for tool in FORMS
@@ -72,16 +72,19 @@ SIMPLE = [
 @pytest.mark.parametrize("slope", [0.3, -0.3, 1.2, -1.2])
 @pytest.mark.parametrize("half_run", [2.0, 8.0])
 @pytest.mark.parametrize("along", [0.0, 1.5, -2.5, 6.0])
-def test_flat_end_depth_bounds_hold_on_slopes(along, half_run, slope):
-    """Squares of 0.8 mm on the way of its axis, no longer than the move: within it, at its end and beyond it."""
+def test_flat_end_depth_bounds_are_exact_on_slopes(along, half_run, slope):
+    """Squares of 0.8 mm lie on the axis of the move: inside the move, at its end, and beyond its end."""
     square = FORMS[0], slope, along, 0.0, 0.4, half_run
     reaches, deepest = bounded(*square)[0], opened(*square).max()
     assert reaches == (pytest.approx(deepest, abs=0.05) if np.isfinite(deepest) else deepest)
 
 
 @pytest.mark.parametrize("tool, slope", SIMPLE, ids=str)
-def test_opened_depth_holds_along_a_move(tool, slope):
-    """In the middle of a long move: a point as wide as a thousandth of a millimetre, and places 0.04 mm apart."""
+def test_depth_bounds_of_a_point_are_the_opened_depth(tool, slope):
+    """The square is a thousandth of a mm wide, in the middle of a long move.
+
+    Positions of the tool are 0.04 mm apart.
+    """
     for aside in (0.0, 0.4, -1.4, 2.1):
         point = tool, slope, 0.7, aside, 1e-3, 20.0
         expected = pytest.approx([opened(*point).max()] * 2, abs=0.02 + 0.05 * abs(slope))
@@ -90,8 +93,8 @@ def test_opened_depth_holds_along_a_move(tool, slope):
 
 @pytest.mark.parametrize("slope", SLOPES)
 @pytest.mark.parametrize("tool", FORMS, ids=str)
-def test_point_beside_the_axis_of_a_move_is_opened_as_deep(tool, slope):
-    """Up and down the move."""
+def test_opened_depth_beside_the_axis_of_a_move_is_exact(tool, slope):
+    """The moves go up and down."""
     for aside in (0.0, 0.4, -1.4):
         point = tool, slope, 0.7, aside, 1e-3, 20.0
         expected = pytest.approx(opened(*point).max(), abs=0.03 + 0.06 * abs(slope))
@@ -104,20 +107,20 @@ def test_point_beside_the_axis_of_a_move_is_opened_as_deep(tool, slope):
     [
         (0.0, 0.0, 0.0, 0.5),  # around the move
         (2.0, 1.0, 0.5, 1.5),  # beside the move
-        (6.5, 0.0, 1.0, 4.25**0.5),  # beyond its end: 2 mm on, and 0.5 mm aside
-        (-6.5, 1.5, 2**0.5, 8**0.5),  # and beside it as well
+        (6.5, 0.0, 1.0, 4.25**0.5),  # 2 mm past the end of the move, on its line
+        (-6.5, 1.5, 2**0.5, 8**0.5),  # past the end of the move, and 1.5 mm beside its line
     ],
 )
-def test_level_move_bounds_square_by_nearest_and_farthest_point(tool, along, aside, near, far):
-    """Squares of 1 mm along a move of 10 mm, and the distances of their nearest and farthest points from the move."""
+def test_level_bounds_are_those_of_nearest_and_farthest_point(tool, along, aside, near, far):
+    """Squares of 1 mm near a move of 10 mm, with the distances of their nearest and farthest points from the move."""
     reaches, opens = bounded(tool, 0.0, along, aside, 0.5, 5.0)
-    # A ball's bounds leave 1e-9 mm2 to rounding.
+    # The bounds of a ball allow 1e-9 mm2 for rounding.
     assert reaches == pytest.approx(DEPTH - tool.height(near), abs=1e-9)
     assert opens == (pytest.approx(DEPTH - tool.height(far), abs=1e-9) if far < tool.radius else -np.inf)
 
 
 @pytest.mark.parametrize("slope", SLOPES)
-def test_square_beside_tool_is_not_reached_nor_opened_at_rim(slope):
+def test_square_outside_tool_is_not_reached_nor_opened(slope):
     flat = FORMS[0]
     assert bounded(flat, slope, 0.0, 3.6, 0.5, 5.0) == (-np.inf, -np.inf)
     assert bounded(flat, slope, 8.6, 0.0, 0.5, 5.0) == (-np.inf, -np.inf)
@@ -129,8 +132,8 @@ def test_square_beside_tool_is_not_reached_nor_opened_at_rim(slope):
 @pytest.mark.parametrize("direction", [(0, 0, -1), (0, 0, 1)])
 @pytest.mark.parametrize("ends", [((12, 17), (25, 17)), ((25, 17), (12, 17)), ((14, 9), (14, 21)), ((14, 21), (14, 9))])
 @pytest.mark.parametrize("side", [4, 8, 32])
-def test_quarters_stay_that_a_level_move_meets(side, ends, direction):
-    """A flat end of 6 mm in pixels of a quarter: the middle of some pixel, but for rounding, is within 3 mm of the move."""
+def test_quarters_that_a_level_move_meets_stay(side, ends, direction):
+    """A quarter stays if one of its pixel centres is closer than 3 mm to the move of a flat end of 6 mm."""
     frame = View(direction, 160, 120, pixel=0.25).frame(BOX)
     cuts = Cuts([Cut(toolpath(np.array([(*end, 4.0) for end in ends])), Tool("endmill", 6))])
     row, column = (of.ravel() for of in np.mgrid[0:120:side, 0:160:side])
@@ -151,7 +154,7 @@ def test_quarters_stay_that_a_level_move_meets(side, ends, direction):
 @pytest.mark.parametrize("direction", [(0, 0, -1), (0, 0, 1)])
 @pytest.mark.parametrize("height, deeper, stay", [(9.9, 9.9, [0]), (-0.1, -2.0, [0]), (0.1, -2.0, [0, 1])])
 def test_opened_quarter_is_not_met_again(height, deeper, stay, direction):
-    """To and fro over a block of 10 mm with a tool wider than it, at two heights; the way down between them misses it."""
+    """A tool wider than the block of 10 mm moves back and forth at two heights. The move down is beside the block."""
     frame = View(direction, 160, 120, pixel=0.25).frame(BOX)
     points = [(-60, 15, height), (100, 15, height), (100, 15, deeper), (-60, 15, deeper)]
     cuts = Cuts([Cut(toolpath(np.array(points)), Tool("endmill", 80))])
@@ -161,8 +164,8 @@ def test_opened_quarter_is_not_met_again(height, deeper, stay, direction):
 
 
 @pytest.mark.parametrize("direction", [(0, 0, -1), (0, 0, 1)])
-def test_a_ramp_meets_no_quarter_where_it_is_above_the_block(direction):
-    """Down by 1 mm in 4 from 14 mm: the tool's rim is at 12 mm where x is 5, and at 5 mm where x is 33."""
+def test_ramp_above_the_block_meets_no_quarter(direction):
+    """A ramp falls by 1 in 4 from 14 mm. The lowest tool height is about 12 mm at x = 5, and 5 mm at x = 33."""
     frame = View(direction, 160, 120, pixel=0.25).frame(BOX)
     cuts = Cuts([Cut(toolpath(np.array([(0.0, 15.0, 14.0), (40.0, 15.0, 4.0)])), Tool("endmill", 6))])
     upright, tile = Upright(Trajectories(cuts, BOX, frame)), np.arange(2)
@@ -170,8 +173,11 @@ def test_a_ramp_meets_no_quarter_where_it_is_above_the_block(direction):
         assert found.tolist() == [1]
 
 
-def test_only_rays_at_the_rim_of_a_sweep_are_asked_a_second_time(monkeypatch):
-    """The rim lies in the middles of a row of 160 pixels; all 24 rows of a slot would take as many times longer."""
+def test_only_rays_at_the_rim_of_a_sweep_are_tested_again(monkeypatch):
+    """The rim lies on the pixel centres of a row of 160 pixels.
+
+    Testing all 24 rows of the slot would take far longer.
+    """
     asked, passing = [], Trajectories.passing
 
     def counted(self, x, y, item):
@@ -187,7 +193,7 @@ def test_only_rays_at_the_rim_of_a_sweep_are_asked_a_second_time(monkeypatch):
 
 @pytest.mark.parametrize("direction", [(0, 0, -1), (0, 0, 1)])
 @pytest.mark.parametrize("tool", FORMS[:2], ids=str)
-def test_how_high_the_stock_lies_does_not_matter(tool, direction):
+def test_result_does_not_depend_on_the_height_of_the_stock(tool, direction):
     points, view = PATHS[0](np.random.default_rng(4), 40), View(direction, 80, 60)
     here = simulate(toolpath(points), tool=tool, stock=BOX, view=view)
     for by in (-37.0, 25.0):

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The verdict names the faults, the fineness of the check, and the gaps of the check."""
+"""The verdict names the faults, the resolution of the check, and what was not checked."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ def text(verdict):
     return render(verdict.message(LABELS))
 
 
-def test_nothing_wrong_nothing_checked_and_nothing_met_differ():
+def test_sound_unchecked_and_unmet_have_different_verdicts():
     texts = [text(one) for one in (SOUND, PENDING, replace(SOUND, met=False))]
     assert texts == [
         "No collision, gouge or fast plunge, checked to 0.12 mm. Shank, holder and clamps not checked.",
@@ -54,14 +54,14 @@ def test_nothing_wrong_nothing_checked_and_nothing_met_differ():
         ({"fast_plunges": 2}, "2 plunges are too fast."),
     ],
 )
-def test_faults_come_first(fault, sentence):
+def test_verdict_begins_with_the_faults(fault, sentence):
     verdict = replace(SOUND, **fault)
     assert text(verdict) == f"{sentence} Checked to 0.12 mm. Shank, holder and clamps not checked."
     assert not verdict.is_sound
 
 
 def test_collisions_of_shanks_are_faults():
-    """The deepest of each kind is named, and so is what was checked."""
+    """The verdict names the deepest collision of each kind, and what was checked."""
     first, second = (Collision("shank", k, Source(k, 0, 0), Source(k, 5, 5), (0, 0, 0), 2.0 + k) for k in range(2))
     checked = replace(SOUND, collisions=Collisions((first, second), 0.1, (True, True), (False, False), 0))
     assert text(checked) == (
@@ -70,7 +70,7 @@ def test_collisions_of_shanks_are_faults():
     assert not checked.is_sound and replace(checked, collisions=replace(checked.collisions, found=())).is_sound
 
 
-def test_unread_parts_make_a_verdict_unsure():
+def test_verdict_is_not_sound_if_parts_are_unread():
     first, second = Message("of", label="Pocket", sentence=Message("no-tool")), Message("stock-around-cuts")
     unsure = replace(SOUND, unread=(first,))
     assert not unsure.is_sound and text(unsure) == (
@@ -82,7 +82,7 @@ def test_unread_parts_make_a_verdict_unsure():
     assert "and its position. Not everything" in text(replace(unsure, met=False))
 
 
-def test_everything_without_a_check_is_named():
+def test_verdict_names_everything_that_was_not_checked():
     partly = replace(SOUND, compared=False, unjudged=(1,), unchecked=(Source(1, 7, 6),))
     assert text(partly) == (
         "No collision or fast plunge, checked to 0.12 mm. 1 move was not checked for lack of time: command 7 of Engrave. "
@@ -101,8 +101,8 @@ def verdict_of(points, rapid=(), model=None, allowed=0.0, **check):
     return facts(zbuffer, check_crashes([cut], STOCK, **check), model=model).verdict
 
 
-def test_verdict_on_a_job_counts_crashes_between_its_rays():
-    """The tool is a twentieth of a pixel wide."""
+def test_verdict_counts_crashes_between_the_rays_of_the_image():
+    """The tool's diameter is a twentieth of a pixel."""
     drilled = [(10.5, 10.5, 12), (10.5, 10.5, 8), (10.5, 10.5, 12)]
     assert verdict_of(drilled, [0]) == Verdict(pixel=2.0, compared=False, crashes=1)
     assert verdict_of(drilled, [0], seconds=0).unchecked == (Source(0, 0, 0),)
@@ -111,7 +111,7 @@ def test_verdict_on_a_job_counts_crashes_between_its_rays():
     assert verdict_of(drilled, model=STOCK, allowed=np.inf).unjudged == (0,)
 
 
-def test_crash_in_the_image_counts_without_a_check():
+def test_crash_in_the_image_counts_without_a_crash_check():
     cut = Cut(
         replace(toolpath(np.array([(10, 10, 12), (10, 10, 5)], float)), rapid=np.array([True])), Tool("endmill", 6)
     )

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Measured volumes lie within their stated error, whatever the size of the tool and of the sheet."""
+"""Measured volumes are within their stated error for tools and sheets of all sizes."""
 
 from __future__ import annotations
 
@@ -43,7 +43,7 @@ def test_volume_of_slots_in_a_sheet_is_within_its_error(diameter, slope):
 
 
 def test_slope_mostly_beside_the_stock_is_measured_finely():
-    """A slope of 352 mm, of which only the first 7 mm are in the stock. The volume is from a height map of 0.01 mm."""
+    """Of a slope 352 mm long, only the first 7 mm are in the stock. The exact volume is from an image of 0.01 mm."""
     stock = Stock((0, 0, 0), (55.5, 276.7, 3.13558877))
     slope = path((0.785063, 122.320424, 8), (0.785063, 122.320424, 1.512902), (-338.219062, 219.931914, 0.313559))
     cut = Cut(slope, Tool("endmill", 11.97761577755422))
@@ -54,8 +54,8 @@ def test_slope_mostly_beside_the_stock_is_measured_finely():
 
 
 @pytest.mark.parametrize("aside", [0.0, 4.0])
-def test_peak_rate_is_that_of_the_part_in_material(aside):
-    """A move of 400 mm in 40 s, of which the tool is in the plate for 50 mm: 6 mm wide and 1 mm deep, 10 mm/s."""
+def test_peak_rate_uses_only_the_part_of_a_move_in_material(aside):
+    """A move of 400 mm takes 40 s. For 50 mm, the tool cuts the plate 6 mm wide and 1 mm deep, at 10 mm/s."""
     plate = Stock((0, 0, 0), (50, 40, 2))
     one = path((-300, 20 - aside, 1), (100, 20 + aside, 1))
     cut = Cut(replace(one, feed=np.full(1, 10.0)), Tool("endmill", 6))
@@ -68,14 +68,14 @@ def test_peak_rate_is_that_of_the_part_in_material(aside):
 
 
 def test_error_is_at_least_one_ray():
-    """Four images that agree by chance do not make the error small."""
+    """Four images that agree by chance do not reduce the error to zero."""
     alone, parts = np.array([900.0]), np.array([0, 1])
     agreeing = Volumes(alone, np.array([1.0]), np.full((4, 1), 900.0), parts, alone, np.array([1.2]))
     assert agreeing.error(range(1)) == 1.2
 
 
-def test_errors_hold_in_95_of_100_jobs():
-    """Random slots of all directions, of flat tools, with exact volumes: the union of slots that lie apart."""
+def test_volume_errors_hold_in_95_of_100_jobs():
+    """Random slots in all directions, cut by flat tools, have exact volumes."""
     rng, inside = np.random.default_rng(2), 0
     for _ in range(100):
         diameter, depth = np.exp(rng.uniform(np.log(0.2), np.log(10))), rng.uniform(0.2, 2)
@@ -99,7 +99,7 @@ def test_volume_of_a_cylinder_and_of_two_cuts_together():
     assert abs(measured.each.sum() - exact.sum()) <= measured.error(range(2)) <= 0.01 * exact.sum()
 
 
-def test_measured_moves_of_thin_tools_cut_no_air():
+def test_measured_moves_of_thin_tools_are_not_air():
     cut, exact = slots(0.1, 1.5, 0.0)
     zbuffer = simulate_job([cut], stock=SHEET, view=View(width=60, height=40))
     measured = measure_volumes([cut], SHEET)
@@ -110,7 +110,7 @@ def test_measured_moves_of_thin_tools_cut_no_air():
     assert facts(zbuffer, CrashCheck()).job.removed_volume_error is None and job.pixel == 10
 
 
-def test_measurement_without_time_or_moves():
+def test_volumes_without_time_or_moves_are_none_or_zero():
     cut, _ = slots(3.0, 1.5, 0.0)
     assert measure_volumes([cut], SHEET, seconds=0) is None
     assert measure_volumes([Cut(path((0, 0, 9), (600, 400, 9)), Tool("endmill", 3))], SHEET).each.tolist() == [0]

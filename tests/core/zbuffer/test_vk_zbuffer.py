@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The extended z-buffer against areas and volumes known in closed form, and against its own past."""
+"""The extended z-buffer, compared with areas and volumes in closed form, and with simulations of fewer moves."""
 
 from __future__ import annotations
 
@@ -53,14 +53,14 @@ def test_no_trajectory_leaves_one_dexel_per_pixel():
 
 
 @pytest.mark.parametrize("tool", TOOLS, ids=lambda t: t.shape)
-def test_slot_is_a_stadium_from_above(tool):
-    # Deep enough for every tip to cut at its full width.
+def test_slot_seen_from_above_has_the_area_of_a_stadium(tool):
+    # At this depth, every tip cuts at its full width.
     z = cut([(10, 15, 4), (30, 15, 4)], tool)
     assert area(z) == pytest.approx(6 * 20 + pi * 9, rel=0.005)
     assert z.dexels == z.frame.width * z.frame.height
 
 
-def test_only_moves_over_the_stock_count():
+def test_only_moves_over_the_stock_have_traces():
     assert area(cut([(0, 15, 4), (40, 15, 4)])) == pytest.approx(6 * 40, rel=0.005)
     assert cut([(60, 60, 4), (80, 60, 4)]).traces == 0
     assert cut([(10, 15, 10), (30, 15, 10)]).traces == 0
@@ -81,14 +81,14 @@ def test_every_peck_cuts_the_hole_again():
 
 def test_a_through_hole_leaves_no_dexel_and_a_tunnel_two():
     assert cut([(20, 15, 20), (20, 15, -1)]).dexels == pytest.approx(400 * 300 - 9 * pi / 0.01, rel=1e-3)
-    # From the side the rays through the slot have a wall before it and a wall behind it.
+    # In a view from the side, rays through the hole have a dexel before it and a dexel behind it.
     z = cut([(20, 15, 20), (20, 15, 4)], direction=(0, 1, 0))
     assert z.dexels * z.frame.pixel**2 == pytest.approx(40 * 10 + 6 * 6, rel=0.01)
 
 
 @pytest.mark.parametrize("direction", [(0, 0, -1), (0, 0, 1)])
-def test_deeper_cut_through_stock_removes_no_more(direction):
-    """A tool as wide as the stock goes through it, and then deeper below it."""
+def test_second_cut_through_the_stock_removes_nothing(direction):
+    """A tool as wide as the stock first cuts through the stock, and then moves deeper below it."""
     z = cut([(20, 15, 20), (20, 15, -1), (20, 15, 20), (20, 15, -2)], Tool("endmill", 60), direction=direction)
     assert (z.dexels, z.traces) == (0, 400 * 300) and z.chip_volume == pytest.approx(40 * 30 * 10)
     assert set(z.trace_records["trajectory"]) == {0}
@@ -97,7 +97,10 @@ def test_deeper_cut_through_stock_removes_no_more(direction):
 @pytest.mark.parametrize("direction", [(0, 0, -1), (0, 0, 1)])
 @pytest.mark.parametrize(("deepest", "left"), [(-1, 0), (1, 5)])
 def test_thin_stock_is_cut_through_once(deepest, left, direction):
-    """A wedge 10 mm high at x = 0 and 2 mm at 40: to 4 mm, which is through it beyond 20, then deeper, through beyond `left`."""
+    """The wedge is 10 mm high at x = 0, and 2 mm at x = 40.
+
+    The first cut is through beyond 20, the second beyond `left`.
+    """
     wedge = ConvexStock([(1, 0, 0), (-1, 0, 0), (0, 1, 0), (0, -1, 0), (0, 0, 1), (0.2, 0, -1)], [40, 0, 30, 0, 10, 0])
     points = [(20, 15, 20), (20, 15, 4), (20, 15, 20), (20, 15, deepest)]
     z = cut(points, Tool("endmill", 60), wedge, direction)
@@ -110,7 +113,7 @@ def test_thin_stock_is_cut_through_once(deepest, left, direction):
 
 def test_zigzag_of_a_flat_mill_cuts_every_pixel_once():
     rows = [(x, 5 + 4 * k, 6) for k in range(6) for x in ((5, 35) if k % 2 == 0 else (35, 5))]
-    # Along both ends too, so that no scallops remain: a rectangle with rounded corners.
+    # The last rows go along both ends, so no scallops remain, and the area is a rectangle with rounded corners.
     rows += [(5, 5, 6), (35, 5, 6), (35, 25, 6)]
     assert area(cut(rows)) == pytest.approx(36 * 26 - (4 - pi) * 9, rel=0.005)
 
@@ -123,7 +126,7 @@ def test_a_plunge_seen_obliquely_is_a_cylinder(tilt):
 
 
 @pytest.mark.parametrize("heading", [0, 40, 90])
-def test_a_slot_seen_obliquely_is_its_foot_and_its_wall(heading):
+def test_oblique_area_of_a_slot_is_its_floor_and_its_wall(heading):
     tilt, length = radians(35), 12
     along = np.array([cos(radians(heading)), sin(radians(heading)), 0]) * length / 2
     middle = np.array([20, 15, 5])
@@ -133,11 +136,11 @@ def test_a_slot_seen_obliquely_is_its_foot_and_its_wall(heading):
 
 
 def hole_volume(tool, depth):
-    """Volume of a hole drilled to `depth`, mm^3: the cylinder less what the tip leaves at the bottom."""
+    """Return the volume of a hole drilled to `depth`, mm^3: the cylinder minus the material below the tip."""
     r, c, k = tool.radius, tool.rounding, tool.steepness
     flat = r - c
-    # Pappus: the corner's spandrel (1 - pi/4) c^2, its centroid c (1 - 10 - 3 pi) / (12 - 3 pi)) from the
-    # rim.
+    # Pappus: the corner's spandrel has the area (1 - pi/4) c^2. Its centroid is c (1 - (10 - 3 pi) / (12 - 3 pi)) from
+    # the flat's edge.
     spandrel = (1 - pi / 4) * c**2
     centroid = flat + c * (1 - (10 - 3 * pi) / (12 - 3 * pi))
     return pi * r**2 * depth - 2 * pi * centroid * spandrel - 2 / 3 * pi * k * r**3
@@ -163,7 +166,7 @@ def test_volume_of_a_move_does_not_depend_on_the_view(tool, move):
 
 
 @pytest.mark.parametrize("view", VIEWS)
-def test_chips_and_part_are_the_stock_at_every_moment(view):
+def test_chips_and_part_together_are_the_stock(view):
     z = cut(winding(40), Tool("ballend", 4), direction=VIEWS[view], width=120, height=90)
     whole = z.at(0).part_volume
     assert whole == pytest.approx(12000, rel=0.02)
@@ -184,12 +187,12 @@ def test_earlier_moment_equals_simulation_of_its_moves(view):
 
 
 def winding(n):
-    """A path of random moves about the stock, in and out of it."""
+    """Return a path of random moves in and around the stock."""
     rng = np.random.default_rng(7)
     return np.column_stack((rng.uniform(0, 40, n + 1), rng.uniform(0, 30, n + 1), rng.uniform(3, 12, n + 1)))
 
 
-def test_moments_outside_the_simulation_are_refused():
+def test_steps_outside_the_simulation_are_refused():
     z = cut([(10, 15, 4), (30, 15, 4)], width=40, height=30)
     for step in (-1, 2):
         with pytest.raises(ValueError, match=f"step must be a whole number, 0 to 1, not {step}"):
@@ -205,7 +208,7 @@ def test_rapids_cut_the_stock():
     assert z.traces > 0
 
 
-def test_records_are_sorted_and_their_index_finds_them():
+def test_records_are_sorted_and_fill_their_rays():
     z = cut(winding(30), direction=VIEWS["isometric"], width=60, height=45)
     assert (DEXEL.itemsize, TRACE.itemsize, INDEX.itemsize) == (12, 12, 4)
     assert (np.diff(z.dexel_records["pixel"].astype(int)) >= 0).all()
@@ -215,36 +218,36 @@ def test_records_are_sorted_and_their_index_finds_them():
         dexels = z.dexel_records[z.dexel_records["pixel"] == pixel]
         near = np.sort(np.concatenate((own["near"], dexels["near"])))
         far = np.sort(np.concatenate((own["far"], dexels["far"])))
-        # Dexels and trace elements fill the ray's chord without gap or overlap.
+        # Dexels and traces fill the intersection of the ray with the stock without gap or overlap.
         assert near[1:] == pytest.approx(far[:-1])
 
 
-def test_a_cylinder_of_stock():
+def test_volume_of_a_cylindrical_stock_is_exact():
     stock = ConvexStock.cylinder((0, 0, 0), radius=20, height=10)
     z = simulate(path([(0, 0, 12), (0, 0, 4)]), tool=TOOLS[0], stock=stock, view=View(width=400, height=300))
     assert z.at(0).part_volume == pytest.approx(pi * 400 * 10, rel=0.005)
     assert z.chip_volume == pytest.approx(pi * 9 * 6, rel=0.01)
 
 
-def test_a_steep_v_bit_reaches_as_wide_as_it_is_deep():
+def test_width_of_v_bit_slot_follows_from_depth_and_angle():
     tool = Tool("vbit", 6, tip_angle=radians(60))
     z = cut([(10, 10, 8), (30, 20, 8)], tool)
     half_width = 2 * tan(radians(30))
     assert area(z) == pytest.approx(2 * half_width * hypot(20, 10) + pi * half_width**2, rel=0.01)
 
 
-def test_a_shallow_ball_reaches_as_wide_as_its_chord():
+def test_width_of_shallow_ball_slot_is_the_chord():
     z = cut([(10, 10, 9), (30, 20, 9)], Tool("ballend", 6))
     half_width = sqrt(3**2 - 2**2)
     assert area(z) == pytest.approx(2 * half_width * hypot(20, 10) + pi * half_width**2, rel=0.01)
 
 
 @pytest.mark.parametrize("rise", [4, -4])
-def test_rays_just_above_sloped_bull_nose_path(rise):
-    """The rounded corner cuts the middle ray deepest, with the axis of the tool more than 2 mm away."""
+def test_depth_above_sloped_bull_nose_path_is_exact(rise):
+    """The rounded corner cuts the middle ray deepest while the tool's axis is more than 2 mm away."""
     z = cut([(-5, 15, 4 - rise), (45, 15, 4 + rise)], TOOLS[2], width=401, height=301)
     slope = abs(rise) / 25
-    expected = 4 - 2 * slope + 1 - hypot(1, slope)  # 2 mm are flat, a corner has 1 mm
+    expected = 4 - 2 * slope + 1 - hypot(1, slope)  # the flat has a radius of 2 mm, and the corner of 1 mm
     assert z.frame.origins(*z.frame.pixel_centres(np.array([200]), np.array([150])))[0].tolist() == [20, 15, 5]
     assert 5 - z.picture.depth.reshape(301, 401)[149:152, 200] == pytest.approx(expected, abs=1e-2)
 
@@ -269,12 +272,12 @@ def test_view_vertical_up_to_rounding_is_vertical(tilt, down):
         (("vbit", 6, 0, 0.0), "tip angle"),
     ],
 )
-def test_impossible_tools_are_refused_in_words(arguments, words):
+def test_impossible_tools_are_refused_with_a_reason(arguments, words):
     with pytest.raises(ValueError, match=words):
         Tool(*arguments)
 
 
-def test_impossible_stocks_and_views_are_refused_in_words():
+def test_impossible_stocks_and_views_are_refused_with_a_reason():
     with pytest.raises(ValueError, match="no volume"):
         Stock((0, 0, 0), (10, 10, 0))
     with pytest.raises(ValueError, match="numbers within a kilometer"):
@@ -289,8 +292,8 @@ def test_impossible_stocks_and_views_are_refused_in_words():
 
 @pytest.mark.parametrize("direction", VIEWS.values())
 @pytest.mark.parametrize("shape", ["vbit", "drill"])
-def test_a_tip_of_half_a_turn_is_a_flat_end(direction, shape):
-    """One that rounding leaves as a cone cuts too little where rays touch it."""
+def test_tip_of_180_degrees_equals_a_flat_end(direction, shape):
+    """If rounding kept a cone, it would cut too little where rays touch it."""
     points = [(5, 5, 12), (5, 5, 6), (30, 20, 6), (35, 10, 4), (10, 25, 4)]
     solids = {"stock": STOCK, "view": View(direction, 60, 45)}
     tip, flat = (

@@ -42,7 +42,7 @@ def cut(points, rapid=(), direction=(0, 0, -1), width=480, height=360):
 
 @pytest.mark.long
 @pytest.mark.parametrize("direction", DIRECTIONS)
-def test_each_trajectory_removes_its_own(direction):
+def test_each_trajectory_removes_its_own_volume(direction):
     z = cut([(10, 15, 12), (10, 15, 6), (30, 15, 6), (10, 15, 6), (10, 15, 4)], direction=direction)
     volumes = removed_volumes(z)
     assert volumes == pytest.approx([9 * pi * 4, 20 * 6 * 4, 0, 9 * pi * 2], rel=0.03, abs=0.1)
@@ -55,7 +55,7 @@ def test_removed_volumes_sum_to_the_chips():
     assert removed_volumes(z.at(5)) == pytest.approx(removed_volumes(z))
 
 
-def test_rates_follow_the_feed():
+def test_removal_rates_follow_the_feed():
     z = cut([(10, 15, 6), (30, 15, 6), (30, 25, 12)], rapid=[1])
     rates = removal_rates(z)
     assert rates[0] == pytest.approx(60 * removed_volumes(z)[0] / 2)
@@ -107,18 +107,18 @@ def test_facts_in_blocks_equal_facts_of_the_whole(monkeypatch):
 @pytest.mark.parametrize(
     "lengths, rapid, removed, air",
     [
-        # A move belongs to the stretch of 2 mm that contains its middle: 0.5, 1.25, 1.75 | 2.5, 3.5.
+        # A move belongs to the stretch of 2 mm that contains its middle. The middles are 0.5, 1.25, 1.75 | 2.5, 3.5.
         ([1, 0.5, 0.5, 1, 1], [], [0], [3, 4]),
         ([1, 0.5, 0.5, 1, 1], [], [2], [3, 4]),
         ([1, 0.5, 0.5, 1, 1], [], [4], [0, 1, 2]),
-        ([0.5, 2.8, 0.2], [], [0], [2]),  # 0.25, 1.9 | 3.4
+        ([0.5, 2.8, 0.2], [], [0], [2]),  # the middles are 0.25, 1.9 | 3.4
         ([1, 1, 1], [0], [1], []),  # a rapid has no length
         ([0.1, 0.1, 0.1, 0.1], [1], [0], [2, 3]),  # a rapid separates stretches
         ([0.1, 0.1, 0.1, 0.1], [1], [1], [0, 2, 3]),  # a rapid's volume does not count for its neighbours
     ],
 )
-def test_short_moves_are_air_with_their_neighbours(lengths, rapid, removed, air):
-    """Pixels of 1 mm."""
+def test_short_moves_are_air_together_with_their_neighbours(lengths, rapid, removed, air):
+    """The pixels have 1 mm."""
     points = np.zeros((len(lengths) + 1, 3))
     points[1:, 0] = np.cumsum(lengths)
     fast = np.isin(np.arange(len(lengths)), rapid)
@@ -126,7 +126,7 @@ def test_short_moves_are_air_with_their_neighbours(lengths, rapid, removed, air)
     traced = SimpleNamespace(lengths=np.isin(np.arange(len(lengths)), removed) * 0.25)
     z = SimpleNamespace(cuts=Cuts([Cut(path, FLAT)]), records=traced, frame=SimpleNamespace(pixel=1.0))
     assert np.flatnonzero(cuts_air(z)).tolist() == air
-    # Another cut begins a new stretch, too.
+    # Each cut begins a new stretch.
     two = SimpleNamespace(cuts=Cuts([Cut(path, FLAT)] * 2), frame=z.frame,
                           records=SimpleNamespace(lengths=np.append(traced.lengths, 0 * traced.lengths)))  # fmt: skip
     told = np.flatnonzero(cuts_air(two))
@@ -139,28 +139,28 @@ def test_removal_rate_of_a_cut_below_a_second():
     assert removal_rates(z) == pytest.approx(60 * removed_volumes(z) / 0.2)
 
 
-def test_depth_and_width_of_cut():
-    """A plunge has the width 0, a slot the diameter of its tool, and a half slot the width of the remaining half."""
+def test_depth_and_width_of_cut_from_above_are_measured():
+    """A plunge has the width 0, a slot the tool's diameter, and a half slot the width of the material that was left."""
     points = [(10, 15, 12), (10, 15, 7), (30, 15, 7), (30, 18, 7), (10, 18, 7), (10, 18, 20), (12, 18, 20)]
     depth, width = engagement(cut(points, direction=(0, 0, -1)))
     assert depth == pytest.approx([3, 3, 3, 3, 0, 0], abs=1e-5)
     assert width[[0, 4, 5]].tolist() == [0, 0, 0] and width[1] == pytest.approx(6, rel=0.02) and width[1] <= 6
-    # The half slot ends with half a disc, without the part that the slot beside it took. The move before took a quarter disc.
+    # The half slot ends with half a disc, without the part cut by the slot and the quarter disc of the move before.
     taken = 3 * pi - 0.75 * sqrt(27)
     assert width[3] == pytest.approx(3 + (9 * pi / 2 - taken - 9 * pi / 4) / 20, rel=0.002)
     aside = engagement(cut(points, direction=(1, 0.1, -0.2)))
-    assert [values.tolist() for values in aside] == [[0] * 6] * 2  # not known from the side
+    assert [values.tolist() for values in aside] == [[0] * 6] * 2  # views from the side give no depth or width
 
 
-def test_a_shallow_short_move_has_a_width():
-    """Half a millimetre long and as deep, in a stock of 2 x 2 mm."""
+def test_width_of_a_shallow_short_cut_is_limited_to_the_tool():
+    """The move is 0.5 mm long and 0.5 mm deep, in a stock of 2 x 2 mm."""
     path = toolpath(np.array([(1, 0.5, 1.5), (1, 1, 1.5)], float))
     z = simulate(path, tool=Tool("endmill", 1), stock=Stock((0, 0, 0), (2, 2, 2)), view=View(width=200, height=200))
     ((depth,), (width,)) = engagement(z)
-    assert depth == pytest.approx(0.5) and width == 1  # with the round ends it is more than that
+    assert depth == pytest.approx(0.5) and width == 1  # the volume with the round ends would give more than 1 mm
 
 
-def test_the_table_has_a_row_for_each_trajectory():
+def test_trajectory_table_has_a_row_for_each_trajectory():
     slow, other = Tool("endmill", 6), Tool("endmill", 4)
     first = replace(toolpath(np.array([(10, 10, 6), (30, 10, 6), (30, 10, 20)], float)), command=np.array([3, 7]))
     second = toolpath(np.array([(10, 20, 8), (30, 20, 8)], float))
@@ -177,8 +177,8 @@ def test_the_table_has_a_row_for_each_trajectory():
     assert table["width"].tolist() == [6, 0, 4]
 
 
-def test_a_crash_is_shown_where_it_is_deepest():
-    """Half of the block is 2 mm lower when a rapid goes 5 mm deep through all of it."""
+def test_place_of_a_crash_is_its_deepest_place():
+    """Half of the block is 2 mm lower. Then a rapid cuts 5 mm deep through the whole block."""
     rows = [(x, y, 8) for k, y in enumerate(range(0, 31, 5)) for x in ((-5, 17) if k % 2 == 0 else (17, -5))]
     points = [*rows, (rows[-1][0], 30, 20), (-5, 15, 20), (-5, 15, 5), (45, 15, 5)]
     (crash,) = crashes(cut(points, rapid=[len(points) - 2]))
@@ -187,7 +187,7 @@ def test_a_crash_is_shown_where_it_is_deepest():
 
 @pytest.mark.parametrize("tool", [FLAT, Tool("bullnose", 6, corner_radius=1)], ids=str)
 def test_rapid_into_round_slot_only_touches_its_chords(tool):
-    """The rapid plunges between two chord ends of the circle, where the tool's side cuts up to 0.01 mm of the wall."""
+    """Between two chord ends of the circle, the tool's side cuts up to 0.01 mm of the wall. This is not a crash."""
     circle = [
         ("G0", {"X": 10, "Y": 0, "Z": 5}),
         ("G1", {"Z": -2, "F": 10}),
@@ -214,7 +214,7 @@ GROOVING = {
 }
 
 
-# Each tool, and each view, meets both tolerances.
+# Each tool and each view is tested with both tolerances.
 @pytest.mark.long
 @pytest.mark.parametrize(
     "name, direction, tolerance",
@@ -224,8 +224,8 @@ GROOVING = {
         for oblique, direction in enumerate([(0, 0, -1), (1, 1, -1)])
     ],
 )
-def test_rapid_along_a_round_groove_only_touches_its_flanks(name, direction, tolerance):
-    """The rapid follows the circle from a point between two chord ends, and cuts only the chord error of the arcs."""
+def test_rapid_along_round_groove_is_not_a_crash(name, direction, tolerance):
+    """The rapid starts between two chord ends of the circle, and cuts only the chord error of the arcs."""
     tool = GROOVING[name]
 
     def arc(radius, height, start, chords):
@@ -235,7 +235,7 @@ def test_rapid_along_a_round_groove_only_touches_its_flanks(name, direction, tol
         return path.part(0, 2 + chords)
 
     groove, stock = arc(10, -2, 0.0, 4), Stock((-15, -15, -5), (15, 15, 0))
-    place = np.array([10 * cos(0.2), 10 * sin(0.2), 1.5])  # from the stock's middle
+    place = np.array([10 * cos(0.2), 10 * sin(0.2), 1.5])  # from the middle of the stock
     axes = View(direction).frame(stock)
     view = View(direction, 200, 150, pixel=0.05, offset=(place @ axes.right, place @ axes.up))
 
@@ -249,7 +249,7 @@ def test_rapid_along_a_round_groove_only_touches_its_flanks(name, direction, tol
     assert min(crashes_along(10 + aside, -2), crashes_along(10 - aside, -2), crashes_along(10, -2 - aside)) > 0
 
 
-# Each tool, and each view, meets both tolerances.
+# Each tool and each view is tested with both tolerances.
 @pytest.mark.long
 @pytest.mark.parametrize("plane, axis, centre", [("G18", "X", "I"), ("G19", "Y", "J")])
 @pytest.mark.parametrize(
@@ -263,7 +263,7 @@ def test_rapid_along_a_round_groove_only_touches_its_flanks(name, direction, tol
     ids=str,
 )
 def test_rapid_down_into_a_trough_only_touches_it(tool, plane, axis, centre, direction, tolerance):
-    """No chord of the arc, in a vertical plane, ends where the rapid goes down to it: at its lowest point, and on its flank."""
+    """The rapid goes down to an arc in a vertical plane, at its lowest point or flank, between two chord ends."""
     arc = ("G2" if plane == "G18" else "G3", {axis: 9, "Z": 0, centre: 9, "K": 0})
     trough = [("G0", {axis: -9, "Z": 5}), ("G1", {"Z": 0, "F": 10}), (plane, {}), arc, ("G0", {"Z": 5})]
     down, stock = len(linearize(trough, tolerance=tolerance)) + 1, Stock((-15, -15, -15), (15, 15, 0))
@@ -281,8 +281,8 @@ def test_rapid_down_into_a_trough_only_touches_it(tool, plane, axis, centre, dir
     assert crashed(0.0, 4 * tolerance) == [down]
 
 
-def test_rapid_along_wall_that_goes_deep_is_a_crash():
-    """On its way along the wall, 8 mm high, its side takes 0.018 mm; then it goes 1 mm below the floor."""
+def test_rapid_that_leaves_a_wall_downwards_is_a_crash():
+    """The rapid shaves an allowed 0.018 mm off a wall 8 mm high, and ends 1 mm below the floor, in a crash."""
     slot = [(-5, 15, 20), (-5, 15, 2), (35, 15, 2), (5, 15, 2), (5, 15.018, 2), (34, 15.018, 1)]
     path = replace(toolpath(np.array(slot, float)), rapid=np.arange(5) == 4)
     view = View((0, 0, -1), 100, 100, pixel=0.01, offset=(14, 3))
@@ -290,7 +290,7 @@ def test_rapid_along_wall_that_goes_deep_is_a_crash():
     assert crash.depth == pytest.approx(1, abs=0.05)
 
 
-def test_a_rapid_over_the_top_that_cuts_a_scratch_is_a_crash():
+def test_rapid_that_scratches_the_top_is_a_crash():
     (crash,) = crashes(cut([(-5, 15, 9.995), (45, 15, 9.995)], rapid=[0]))
     assert crash.depth == pytest.approx(0.005, abs=1e-5)
 
@@ -304,39 +304,39 @@ def plunges(points, feed=6.0, allowed=2.0, tool=FLAT, stock=STOCK, view=VIEW_OF_
     return [one.trajectory for one in fast_plunges(simulate_job([Cut(path, tool, allowed)], stock=stock, view=view))]
 
 
-def test_plunges_that_are_too_fast():
+def test_plunges_above_the_vertical_feed_are_found():
     down = [(20, 15, 12), (20, 15, 8)]
     assert plunges(down) == plunges(down, feed=2.03) == plunges(down, feed=0.6, allowed=0.5) == [0]
-    assert plunges(down, feed=2.01) == plunges(down, feed=1.0) == []  # FreeCAD rounds feeds
-    assert plunges(down, allowed=0) == []  # unknown vertical feed
-    assert plunges(down[::-1]) == []  # upwards
-    # 6 in 1 is a plunge, 4 in 1 a ramp.
+    assert plunges(down, feed=2.01) == plunges(down, feed=1.0) == []  # within the rounding of feeds in FreeCAD
+    assert plunges(down, allowed=0) == []  # a vertical feed of 0 is unknown
+    assert plunges(down[::-1]) == []  # moves up are not plunges
+    # A move of 6 in 1 is a plunge, and a move of 4 in 1 a ramp.
     assert plunges([(20, 15, 12), (20.9, 15, 6.6)]) == [0] and plunges([(20, 15, 12), (21.5, 15, 6)]) == []
-    # 61 and 39 of 100 parts of the tool over the block.
+    # The first plunge has 61 % of the tool over the block, the second 39 %.
     assert plunges([(0.5, 15, 12), (0.5, 15, 7)]) == [0] and plunges([(-0.5, 15, 12), (-0.5, 15, 7)]) == []
 
 
-def test_plunges_of_small_tools_count_as_well():
-    """A fifth of a square millimetre, 1 mm deep."""
+def test_fast_plunges_of_small_tools_are_found():
+    """The tool cuts 0.2 mm2, 1 mm deep."""
     small = {"tool": Tool("endmill", 0.5), "stock": Stock((0, 0, 0), (2, 2, 2)), "view": View(width=200, height=200)}
     assert plunges([(1, 1, 3), (1, 1, 1)], **small) == [0]
 
 
-# Their volumes up to 1, 2 and 5 mm above the tip, by hand.
+# Volumes up to 1, 2 and 5 mm above the tip, computed by hand.
 VOLUMES = [
     (FLAT, [9 * pi, 18 * pi, 45 * pi]),
     (Tool("ballend", 6), [pi * (3 - 1 / 3), pi * 4 * (3 - 2 / 3), 18 * pi + 18 * pi]),
     (Tool("vbit", 6, tip_angle=pi / 2), [pi / 3, pi * 8 / 3, 9 * pi + 18 * pi]),
     (Tool("vbit", 6, tip_angle=pi / 2, tip_diameter=2), [pi * 7 / 3, pi * 26 / 3, pi * (26 / 3 + 27)]),
     (Tool("drill", 6, tip_angle=2 * pi / 3), [pi, 9 * pi * (2 - 2 / sqrt(3)), 9 * pi * (5 - 2 / sqrt(3))]),
-    # The rounded corner is a quarter of a ring: Pappus.
+    # The rounded corner is a quarter of a ring (Pappus).
     (Tool("bullnose", 6, 1), [4 * pi + 2 * pi * (2 + 4 / (3 * pi)) * pi / 4 + more for more in (0, 9 * pi, 36 * pi)]),
 ]  # fmt: skip
 NAMES = ["flat", "ball", "v", "chamfer", "drill", "bull nose"]
 
 
 @pytest.mark.parametrize("tool, volumes", VOLUMES, ids=NAMES)
-def test_displaced_volume_of_tools(tool, volumes):
+def test_displaced_volume_of_each_tool_is_exact(tool, volumes):
     assert _displaced_volume(tool, np.array([0.0, 1.0, 2.0, 5.0])) == pytest.approx([0, *volumes], rel=2e-3)
 
 
@@ -344,8 +344,8 @@ def test_displaced_volume_of_tools(tool, volumes):
 @pytest.mark.parametrize("tool", [tool for tool, _ in VOLUMES], ids=NAMES)
 @pytest.mark.parametrize("direction", [(0, 0, -1), (0, 0, 1), (0, 1, -1), (0, 1, 0)])
 @pytest.mark.parametrize("depth", [1, 2, 5])
-def test_plunges_of_all_tools_however_shallow(tool, direction, depth):
-    """Into full material; a second time into the same hole; and with little more, or less, than half of the tool."""
+def test_fast_plunges_are_found_for_all_tools_and_depths(tool, direction, depth):
+    """The tool plunges into full material, into its own hole, and with just more or less than half of its area."""
     block = {"stock": Stock((0, 0, 0), (10, 8, 10)), "view": View(direction, 100, 140, pixel=0.1)}
     bottom = 10 - depth
     assert plunges([(5, 4, 12), (5, 4, bottom)] * 2, tool=tool, **block) == [0]
@@ -353,19 +353,22 @@ def test_plunges_of_all_tools_however_shallow(tool, direction, depth):
         assert plunges([(aside, 4, 12), (aside, 4, bottom)], tool=tool, **block) == told
 
 
-def test_a_steep_plunge_beside_a_deep_hole_is_one():
-    """6 in 1 down from the bottom of a hole: it also takes a sliver of the wall, which is far higher than it falls."""
+def test_steep_plunge_beside_a_deep_hole_is_found():
+    """From the bottom of a hole, a steep move also cuts a sliver of the wall that is far higher than the move."""
     hole = [(20, 15, 12), (20, 15, 2)]
     assert plunges([*hole, (20.15, 15, 1)]) == [0, 1]
 
 
 def test_cone_plunging_beside_an_edge_is_not_in_full_material():
-    """As it begins a chamfer: 3 mm below the top, 2 mm beside it."""
+    """The cone is 3 mm below the top and 2 mm beside the edge, like at the start of a chamfer."""
     assert plunges([(-2, 15, 12), (-2, 15, 7)], tool=Tool("vbit", 6, tip_angle=pi / 2)) == []
 
 
 def test_each_plunge_is_judged_by_its_own_tool():
-    """An end mill with less than half of itself over the stock, and a cone, which displaces less than that, with all."""
+    """An end mill has less than half of its area over the stock.
+
+    A cone displaces less, but all of it is over the stock.
+    """
     points = np.array([(-0.4, 15, 12), (-0.4, 15, 7)], float)
     path = replace(toolpath(points), feed=np.full(1, 6.0))
     beside = replace(toolpath(points + (20, 0, 0)), feed=np.full(1, 6.0))

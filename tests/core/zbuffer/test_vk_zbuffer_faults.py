@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Jobs with one deliberate fault each: the fault is found with its place and command, and a sound job has no faults."""
+"""Each job has one deliberate fault, which is found with its place and command. A sound job has no faults."""
 
 from __future__ import annotations
 
@@ -37,7 +37,7 @@ def path(points, rapid=(), feed=FEED):
 
 
 def facing(rows, height=8.0):
-    """Rows over all of the block, reached and left above it."""
+    """Return rows over the whole block. The first and the last move are vertical, above the block."""
     points = [(-5, rows[0], 12), (-5, rows[0], height)]
     points += [(x, y, height) for k, y in enumerate(rows) for x in ((-5, 45) if k % 2 == 0 else (45, -5))]
     points = [points[0], *(q for p, q in zip(points, points[1:]) if p != q)]
@@ -60,11 +60,11 @@ def faults(found):
 def test_the_sound_job_has_no_fault():
     found = told(SOUND)
     assert faults(found.job) == set() and found.cuts == (found.job,)
-    assert found.job.air_length_share < 0.25  # beside the block, where the rows turn
+    assert found.job.air_length_share < 0.25  # the rows turn in the air beside the block
     assert found.job.removed_volume == pytest.approx(42 * 32 * 2, rel=0.01)
 
 
-def test_a_crash_is_found():
+def test_crash_is_found_with_its_command_depth_and_place():
     crash = path([(-5, 15, 12), (-5, 15, 5), (45, 15, 5), (45, 15, 12)], rapid=[1])
     found = told(SOUND, crash)
     assert faults(found.cuts[0]) == set() and faults(found.cuts[1]) == {"crashes", "gouges"}
@@ -82,7 +82,7 @@ def test_a_crash_is_found_from_any_side(direction):
 
 
 def test_a_crash_of_a_single_pixel_is_found():
-    """A pixel of 4 mm, and a tool of 3 mm in the middle of the pixel."""
+    """The pixel has 4 mm, and the tool of 3 mm is in the middle of the pixel."""
     drilled = Cut(path([(18, 13, 12), (18, 13, 4)], rapid=[0]), Tool("endmill", 3))
     (one,) = facts(simulate_job([drilled], stock=STOCK, view=View((0, 0, -1), 10, 8, pixel=4.0))).job.crashes
     assert (one.depth, one.volume) == pytest.approx((6, 6 * 4**2))
@@ -95,7 +95,7 @@ def test_rapid_below_a_cut_floor_is_a_crash_beyond_rounding(under, crashed):
 
 
 def test_crash_of_descending_rapid_is_at_deepest_place():
-    """From 1 mm above the faced block to 4 mm below: at its edge the tool's rim has been at 4.1 mm."""
+    """The rapid starts 1 mm above the faced block and ends 4 mm below. At the block's edge, the tool is at 4.1 mm."""
     (one,) = told(SOUND, path([(-5, 15, 9), (45, 15, 4), (45, 15, 12)], rapid=[0])).job.crashes
     assert one.depth == pytest.approx(8 - 4.1, abs=0.02)
     assert one.place[:2] == pytest.approx((41, 15), abs=0.6) and one.place[2] == pytest.approx((8 + 4.1) / 2, abs=0.02)
@@ -118,7 +118,10 @@ def test_facts_convert_to_plain_data():
 
 
 def test_job_facts_combine_depth_width_and_tool_of_cuts():
-    """Two slots, 6 and 4 mm wide, 3 and 2 mm deep, with moves of 50 mm, of which 42 mm cross the block. A rapid above has no width."""
+    """Two slots are 6 and 4 mm wide, and 3 and 2 mm deep.
+
+    Each move of 50 mm crosses 42 mm of block. Rapids have no width.
+    """
     slots = [(Tool("endmill", 6), 10, 7.0), (Tool("endmill", 4), 20, 8.0)]
     cuts = [Cut(path([(-5, y, z), (45, y, z), (45, y, 20), (-5, y, 20)], rapid=[1, 2]), tool) for tool, y, z in slots]
     found = facts(simulate_job(cuts, stock=STOCK, view=View((0, 0, -1), 420, 320)))
@@ -126,11 +129,12 @@ def test_job_facts_combine_depth_width_and_tool_of_cuts():
     assert [one.width_of_cut for one in (*found.cuts, found.job)] == pytest.approx([5.04, 3.36, 4.2], rel=0.02)
     assert [one.tool_diameter for one in (*found.cuts, found.job)] == [6, 4, 6]
     assert [one.cutting_length for one in (*found.cuts, found.job)] == [50, 50, 100]
-    assert found.job.mean_rate == pytest.approx(60 * found.job.removed_volume / 10)  # 100 mm at 10 mm/s
+    # the feed moves are 100 mm at 10 mm/s
+    assert found.job.mean_rate == pytest.approx(60 * found.job.removed_volume / 10)
     assert (told().job.air_length_share, told().job.air_time_share) == (0, 0)
 
 
-def test_a_gouge_is_found():
+def test_gouge_is_found_with_its_depth_area_and_place():
     deep = path([(10, 15, 12), (10, 15, 6.5), (30, 15, 6.5), (30, 15, 12)], rapid=[2])
     found = told(SOUND, deep)
     assert faults(found.job) == {"gouges"}
@@ -142,7 +146,7 @@ def test_a_gouge_is_found():
 
 @pytest.mark.parametrize("direction", [(0, 0, -1), (0, 0, 1)])
 def test_gouge_through_part_is_at_the_model_surface(direction):
-    """The part has no surface there, and the middle of the stock is not a place of the part."""
+    """A part that is cut through has no surface at the gouge, so the place is at the model's surface."""
     through = path([(10, 15, 12), (10, 15, -1), (30, 15, -1), (30, 15, 12)], rapid=[2])
     (one,) = told(SOUND, through, view=View(direction, 210, 160)).job.gouges
     assert one.source.cut == 1 and abs(one.place[1] - 15) <= 3
@@ -152,7 +156,7 @@ def test_gouge_through_part_is_at_the_model_surface(direction):
 @pytest.mark.long
 @pytest.mark.parametrize("aside", [0, 1, -1])
 def test_missing_stock_is_not_a_gouge_of_cuts_behind_it(aside):
-    """The stock is 2 mm too low; obliquely one sees through the missing rim of the model into a slot beside it."""
+    """The stock is 2 mm too low. In the oblique view, a slot is visible through the missing rim of the model."""
     low = Stock((-12, -1, 0), (41, 31, 6))
     slot = path([(-4, -5, 12), (-4, -5, 1), (-4, 35, 1), (-4, 35, 12)], rapid=[2])
     view = View((-1, aside, -1), 210, 160)
@@ -164,7 +168,7 @@ def test_missing_stock_is_not_a_gouge_of_cuts_behind_it(aside):
     assert {one.source and one.source.cut for one in found.job.gouges} == {None, 1}
 
 
-def test_material_left_is_found():
+def test_leftover_is_found_with_its_depth_area_and_place():
     found = told(path(facing([y for y in ROWS if y not in (10, 15)])))
     assert faults(found.job) == {"left"}
     (one,) = found.job.left
@@ -174,14 +178,14 @@ def test_material_left_is_found():
     assert one.source.cut == 0 and one.depth == pytest.approx(0.3)
 
 
-def test_a_plunge_too_fast_is_found():
+def test_plunge_that_is_too_fast_is_found():
     points = [(20, 15, 12), (20, 15, 9), (20, 15, 12), (20, 15, 9), (21, 15, 9)]
     fast = replace(path(points, rapid=[1]), feed=np.array([6.0, 0.0, 6.0, FEED]))
-    (one,) = told(fast, model=None).job.fast_plunges  # the second is in the first one's hole
+    (one,) = told(fast, model=None).job.fast_plunges  # the second plunge is in the hole of the first
     assert (one.source.command, one.feed, one.allowed) == (0, 6.0, PLUNGE)
     assert one.place == (20, 15, 9)
     assert told(replace(fast, feed=np.array([PLUNGE, 0, 6.0, FEED])), model=None).job.fast_plunges == ()
-    # How fast this tool may plunge is not known.
+    # Without a vertical feed, no plunge is too fast.
     assert facts(simulate_job([Cut(fast, FLAT)], stock=STOCK, view=VIEW)).job.fast_plunges == ()
 
 
@@ -191,9 +195,10 @@ def test_a_plunge_too_fast_is_found():
      (Tool("ballend", 6), 4, False)],
 )  # fmt: skip
 def test_full_material_is_half_of_the_displaced_volume(tool, drilled, fast):
-    """Plunges into holes 3 mm deep. Holes of 4.2 and 4.28 mm leave 0.51 and 0.49 of the volume that a flat end of 6 mm displaces.
+    """A tool of 6 mm plunges into drilled holes, 3 mm deep.
 
-    Holes of 3.2 and 4 mm leave (1 - 0.28)^1.5 = 0.61 and (1 - 0.44)^1.5 = 0.41 of half a ball.
+    A hole of 4.2 or 4.28 mm leaves 0.51 or 0.49 of the volume that a flat end displaces.
+    A hole of 3.2 mm leaves (1 - 0.28)^1.5 = 0.61 of half a ball, and a hole of 4 mm leaves (1 - 0.44)^1.5 = 0.41.
     """
     hole, plunge = path([(20, 15, 12), (20, 15, 7)]), path([(20, 15, 12), (20, 15, 7)])
     cuts = [Cut(hole, Tool("endmill", drilled), PLUNGE), Cut(replace(plunge, feed=np.array([6.0])), tool, PLUNGE)]
@@ -201,7 +206,7 @@ def test_full_material_is_half_of_the_displaced_volume(tool, drilled, fast):
     assert [one.source.cut for one in found] == [1] * fast
 
 
-def test_air_is_found():
+def test_second_pass_over_the_same_rows_is_air():
     found = told(SOUND, SOUND)
     assert found.cuts[0].air_length_share < 0.25 and found.cuts[1].air_length_share == 1
     assert found.cuts[1].air_seconds == pytest.approx(found.cuts[1].cutting_seconds) == found.cuts[0].cutting_seconds
@@ -218,7 +223,7 @@ def test_short_moves_between_rays_are_not_air():
 
 
 @pytest.mark.parametrize("direction", [(0, 0, -1), (0, 0, 1), (1, 1, -1)])
-def test_depth_and_width_of_cut(direction):
+def test_depth_and_width_of_cut_do_not_depend_on_the_view(direction):
     slot, half = [(-5, 10, 7), (45, 10, 7)], [(45, 13, 7), (-5, 13, 7)]
     z = simulate_job([Cut(path(slot), FLAT), Cut(path(half), FLAT)], stock=STOCK, view=View(direction, 480, 360))
     depth, width = engagement(z)
@@ -226,10 +231,10 @@ def test_depth_and_width_of_cut(direction):
     assert width == pytest.approx([6 * 42 / 50, 3 * 42 / 50], rel=0.03)
 
 
-def test_rates():
+def test_peak_and_mean_rates_of_rows_are_known():
     z = simulate_job([Cut(SOUND, FLAT)], stock=STOCK, view=VIEW)
     found = facts(z).job
-    # 5 mm wide and 2 mm deep at 10 mm/s; of a row's 50 mm are 42 on the block.
+    # The rows are 5 mm wide and 2 mm deep at 10 mm/s. Each row has 50 mm, of which 42 mm are on the block.
     assert found.peak_rate == pytest.approx(60 * 10 * 5 * 2 * 42 / 50, rel=0.05)
     assert found.mean_rate == pytest.approx(60 * z.chip_volume / found.cutting_seconds)
 
@@ -243,8 +248,11 @@ def test_wall_through_a_pixel_is_not_a_deviation():
     assert beside == pytest.approx(1 - 40 * 30 / (z.frame.pixel**2 * 111 * 87), abs=0.03)
 
 
-def test_worst_places_are_apart_and_name_their_cause():
-    """The model of 8 mm has a blind hole and a through hole. Each hole is listed once, the deeper hole first."""
+def test_worst_places_are_separate_and_name_their_trajectory():
+    """The model of 8 mm has no holes.
+
+    A blind hole and a through hole are drilled, and the deeper hole is listed first.
+    """
     drilled = path([(10, 15, 12), (10, 15, 5), (10, 15, 12), (30, 15, 12), (30, 15, -1), (30, 15, 12)])
     z = simulate_job([Cut(SOUND, FLAT), Cut(drilled, FLAT)], stock=STOCK, view=View((0, 0, -1), 200, 150))
     found = deviations(z, MODEL)
@@ -258,14 +266,14 @@ def test_worst_places_are_apart_and_name_their_cause():
     assert worst_places(z, found, 9.0)[0] == []
 
 
-def test_a_seen_model_is_compared_with_any_moment():
+def test_seen_model_is_compared_with_any_moment():
     z = simulate_job([Cut(SOUND, FLAT)], stock=STOCK, view=VIEW)
     seen = SeenModel(MODEL, z.frame)
     assert np.nanmax(seen.against(z.at(0)).left) == pytest.approx(2) and seen.against(z).left.max() < 1e-5
     assert (seen.against(z).gouged == deviations(z, MODEL).gouged).all()
 
 
-def test_facts_of_no_cuts():
+def test_job_without_cuts_has_only_leftover():
     found = told()
     assert found.cuts == () and found.job.removed_volume == 0 and found.job.peak_rate == 0
     assert faults(found.job) == {"left"}

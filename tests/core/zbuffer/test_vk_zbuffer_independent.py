@@ -22,16 +22,16 @@ from vkworkbench.core.zbuffer.rays.removal import Removal
 from vkworkbench.core.zbuffer.simulator.simulate import simulate, simulate_job
 from vkworkbench.core.zbuffer.sweeps.cuts import Cut
 
-# Distance between a piece's end and the probe beside it, mm.
+# Distance between the end of a piece and the probe beside this end, mm.
 BESIDE = 5e-4
-# A probe is judged by a tool grown by this, and by one shrunk by it, mm: depths are held as float32, and pieces up to
-# THINNEST go to their neighbours.
+# The tool is grown or shrunk by this before a probe is compared, mm, because depths are float32 and pieces up to
+# THINNEST are joined to their neighbours.
 CLEARANCE = 2e-4
-# Places of the probes between the two ends of a piece, as shares of its length.
+# Positions of the probes between the two ends of a piece, as shares of its length.
 BETWEEN = (0.1, 0.3, 0.5, 0.7, 0.9)
-# Differences of depths that are rounding, mm.
+# Differences of depths up to this are rounding, mm.
 NOISE = 1e-7
-# Halvings of a move in the search for the lowest height: they leave a stretch of 1e-5 mm.
+# Number of halvings of a move in the search for the lowest height. They leave a stretch of 1e-5 mm.
 HALVINGS = 24
 
 
@@ -42,9 +42,9 @@ def reached(tool, start, move, at, grown):
     ----------
     tool : Tool
     start, move, at : (3, k) ndarray
-        Where the tip starts, how it moves, and the point, mm.
+        Start of the tip, its displacement, and the point, mm.
     grown : float
-        The tool is larger by this on all sides, mm; smaller where it is negative.
+        The tool is larger by this on all sides, mm. A negative value makes the tool smaller.
 
     Returns
     -------
@@ -64,7 +64,7 @@ def reached(tool, start, move, at, grown):
     x, y, z, first, last, move = x[these], y[these], z[these], first[these], last[these], move[:, these]
 
     def surface_above(t):
-        """Height of the tool's surface above the point, where the tool is at a share of its move."""
+        """Return the height of the tool's surface above the point, if the tool is at this share of its move."""
         r = np.hypot(x - t * move[0], y - t * move[1])
         return t * move[2] + tool.profile(np.maximum(r - grown, 0)) - grown - z
 
@@ -103,7 +103,7 @@ def wrong_probes(cuts, at, owner, uncut):
 
 
 def check(z, stock, pixels=None):
-    """Compare pixels of a moment, all by default, with the owners of points on their rays."""
+    """Compare pixels of a moment (by default all) with the owners of points on their rays."""
     frame, dexels, cut = z.frame, z.dexel_records, z.trace_records["trajectory"] < z.step
     traces = z.trace_records[cut]
     trace_pixel = np.repeat(np.arange(frame.width * frame.height), np.diff(z.trace_index.astype(int)))[cut]
@@ -125,7 +125,7 @@ def check(z, stock, pixels=None):
 
 
 def check_that_rays_are_filled(frame, stock, pixel, near, far, owner, pixels):
-    """Compare the pieces of rays with the rays' chords of the stock: nothing is missing, and nothing there twice."""
+    """Compare the pieces of rays with the stock: no part of a ray may be missing, or be there twice."""
     first = np.append(True, pixel[1:] != pixel[:-1]) if len(pixel) else np.zeros(0, bool)
     last = np.append(first[1:], True) if len(pixel) else first
     all_pixels = np.arange(frame.width * frame.height) if pixels is None else np.sort(pixels)
@@ -140,7 +140,7 @@ def check_that_rays_are_filled(frame, stock, pixel, near, far, owner, pixels):
 
 
 def check_that_culling_drops_nothing(z, stock):
-    """Compare a z-buffer with the same rays tried with every trajectory whose box they pass."""
+    """Compare a z-buffer with the same rays if every trajectory whose box they pass is tested."""
     frame, records = z.frame, z.records
     row, column = np.divmod(np.arange(frame.width * frame.height), frame.width)
     pieces, _ = Removal(z.cuts, stock, frame).cut(*frame.pixel_centres(column, row))
@@ -162,14 +162,15 @@ EVERY_TOOL = TOOLS + CHAMFERS
 @pytest.mark.parametrize("path", PATHS, ids=lambda path: path.__name__)
 @pytest.mark.parametrize("tool", EVERY_TOOL, ids=str)
 def test_every_piece_has_the_owner_that_its_points_have(tool, path):
-    """At the last moment and at one before it."""
+    """The last moment and a random earlier moment are compared."""
     which = PATHS.index(path), EVERY_TOOL.index(tool)
     rng = np.random.default_rng(which)
-    # Every fourth direction: each meets each path with a fourth of the tools, and each tool on a fourth of the paths.
+    # Every fourth direction is tested, so that each direction meets each path with a quarter of the tools.
     for direction in DIRECTIONS[sum(which) % 4 :: 4]:
         points = path(rng, int(rng.choice([4, 30, 60])))
         width, height = (int(v) for v in rng.integers(1, (60, 45)))
-        # With pixels of 0.31 mm no ray lies in a face of a stock, where rounding would decide whether it meets the stock.
+        # With pixels of 0.31 mm, no ray lies in a face of the stock, where rounding would decide whether it meets the
+        # stock.
         view = View(direction, width, height, pixel=(None, 0.31)[rng.integers(2)])
         stock = (BOX, ROUND)[rng.integers(2)]
         z = simulate(toolpath(points), tool=tool, stock=stock, view=view)
@@ -179,14 +180,14 @@ def test_every_piece_has_the_owner_that_its_points_have(tool, path):
 
 
 @pytest.mark.parametrize("direction", [(0, 0, -1), (1, 0.5, -0.3)])
-def test_wrong_borders_and_owners_are_noticed(direction):
-    """Borders a thousandth of a millimetre off, and owners of the move before or after."""
+def test_check_notices_wrong_borders_and_owners(direction):
+    """The borders are wrong by a thousandth of a mm, or the owner is the move before or after."""
     points = free(np.random.default_rng(2), 8)
     z = simulate(toolpath(points), tool=TOOLS[0], stock=BOX, view=View(direction, 30, 20))
     check(z, BOX)
     records = z.records
     pixel, cut = records.pixel(), records.cut
-    inner = np.append(pixel[1:] == pixel[:-1], False)  # pieces that end before another one
+    inner = np.append(pixel[1:] == pixel[:-1], False)  # pieces that are followed by another piece
     assert inner.sum() > 100
     for far, owner in (
         (records.far + np.float32(1e-3) * inner, records.owner),
@@ -204,8 +205,8 @@ BALLS = [Tool("ballend", 6), Tool("ballend", 2.5)]
 @pytest.mark.long
 @pytest.mark.parametrize("tools", [EVERY_TOOL, BALLS, CHAMFERS], ids=["any", "balls", "chamfers"])
 @pytest.mark.parametrize("direction", DIRECTIONS, ids=str)
-def test_jobs_of_several_tools_have_the_owners_of_their_points(direction, tools):
-    """Images up to several tiles wide."""
+def test_points_have_the_right_owners_with_several_tools(direction, tools):
+    """The images are up to several tiles wide."""
     rng = np.random.default_rng([DIRECTIONS.index(direction), len(tools)])
     paths = [PATHS[rng.integers(len(PATHS))] for _ in range(rng.integers(2, 5))]
     cuts = [Cut(toolpath(path(rng, int(rng.choice([4, 30])))), tools[rng.integers(len(tools))]) for path in paths]
@@ -218,7 +219,7 @@ def test_jobs_of_several_tools_have_the_owners_of_their_points(direction, tools)
 
 @pytest.mark.long
 def test_many_passes_over_a_pixel_have_the_right_owners():
-    """Thousands of passes over each tile, most of which have to be dropped."""
+    """Thousands of passes cross each tile, and most of them must be dropped."""
     rng = np.random.default_rng(0)
     for points, tool, direction in (
         (zigzag(rng, 3000), TOOLS[0], (0, 0, -1)),

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Operations one after the other in one z-buffer, each with its tool."""
+"""Operations with different tools are simulated one after the other in one z-buffer."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ from vkworkbench.core.zbuffer.sweeps.cuts import Cut, Cuts, Source
 
 
 def slot(*heights, y):
-    """To and fro from x = 8 to 32 mm, deeper and deeper."""
+    """Return passes between x = 8 and 32 mm, back and forth, one at each height."""
     x = np.tile([8.0, 32.0, 32.0, 8.0], len(heights))[: 2 * len(heights)]
     return toolpath(np.column_stack((x, np.full(len(x), y), np.repeat(heights, 2))))
 
@@ -35,7 +35,7 @@ def job():
     return simulate_job(cuts, stock=BOX, view=view)
 
 
-def test_the_moment_after_a_cut_is_the_part_that_it_leaves(job):
+def test_moment_after_a_cut_equals_a_job_of_this_cut_alone(job):
     first, _, _ = job.cuts.cuts
     alone = simulate(first.toolpath, tool=FLAT, stock=BOX, view=View((0, 0, -1), 160, 120))
     assert np.array_equal(job.at(job.cuts.first[1]).dexel_records, alone.dexel_records)
@@ -43,13 +43,13 @@ def test_the_moment_after_a_cut_is_the_part_that_it_leaves(job):
 
 
 def test_later_cut_removes_only_remaining_material(job):
-    # The slots at 9 and 6 mm are cut already; from 6 to 3 mm is left to the last cut's plunge and its last row.
+    # The slots at 9 and 6 mm are cut already. The last cut only removes the material from 6 to 3 mm.
     small, wide = 24 * 6 + 9 * pi, 24 * 14 + 49 * pi
     expected = [2 * small, 2 * 9 * pi, 2 * (small - 9 * pi), 3 * wide, 0, 0, 0, 3 * 9 * pi, 3 * (small - 9 * pi)]
     assert removed_volumes(job) == pytest.approx(expected, rel=0.02)
 
 
-def test_trajectories_are_numbered_through(job):
+def test_trajectories_of_a_job_are_numbered_together(job):
     assert [job.cuts.source(k) for k in (0, 2, 3, 4, 8)] == [
         Source(0, 0, 0), Source(0, 2, 2), Source(1, 0, 0), Source(2, 0, 0), Source(2, 4, 4)
     ]  # fmt: skip
@@ -95,7 +95,7 @@ def test_progress_rises_until_the_end(job):
 
 
 @pytest.mark.parametrize("direction", [(0, 0, -1), (1, 1, -1)])
-def test_job_cost_is_of_operations_in_one_zbuffer(direction):
+def test_cost_of_a_job_is_less_than_the_sum_of_its_operations(direction):
     cuts = [Cut(slot(7, 5, y=8), FLAT), Cut(slot(6, y=20), WIDE)]
     view = View(direction, 200, 150)
     expected = estimate_job(cuts, stock=BOX, view=view, speed=Speed())

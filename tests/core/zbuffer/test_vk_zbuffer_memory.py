@@ -77,7 +77,7 @@ def test_predicted_memory_equals_process_memory(which):
     assert taken < expected < 1.6 * taken
 
 
-def test_too_large_a_simulation_is_refused_before_it_starts():
+def test_too_large_simulation_is_refused_before_it_starts():
     path, solids = case(2000, (0, 0, -1), 400, 300)
     with pytest.raises(OverBudget) as refused:
         simulate(path, **solids, memory_budget=1e6)
@@ -89,12 +89,12 @@ def test_too_large_a_simulation_is_refused_before_it_starts():
     assert "1.0 MB" in str(error) and str(error).endswith("limit. Simulate fewer operations at a time.")
     assert error.size is None
     assert simulate(path, **solids, memory_budget=error.needed * 1.01).traces > 0
-    with pytest.raises(OverBudget):  # nothing is an amount, too
+    with pytest.raises(OverBudget):  # a budget of 0 is also a limit
         simulate(path, **solids, memory_budget=0)
 
 
 @pytest.mark.parametrize("pixel", [None, 0.05])
-def test_a_refusal_names_the_finest_image_that_fits(pixel):
+def test_refusal_names_the_finest_image_that_fits(pixel):
     path, solids = case(2000, (0, 0, -1), 400, 300)
     view = View((0, 0, -1), 400, 300, pixel)
     frame = view.frame(solids["stock"])
@@ -105,7 +105,7 @@ def test_a_refusal_names_the_finest_image_that_fits(pixel):
     assert height == width * 3 // 4 and f"Choose an image of {width} x {height} pixels of " in str(refused.value)
     fits = view.of_size(width, height)
     found = simulate(path, **{**solids, "view": fits}, memory_budget=allowed).frame
-    assert found.pixel == pytest.approx(frame.pixel * 400 / width, rel=0.01)  # the same field
+    assert found.pixel == pytest.approx(frame.pixel * 400 / width, rel=0.01)  # the same field of view
     assert refused.value.what.arguments["instead"].arguments["pixel"] == pytest.approx(found.pixel, rel=1e-3)
     assert found.width * found.pixel >= frame.width * frame.pixel * 0.999
     chosen = best_resolution([estimate(path, None, **{**solids, "view": view})], memory_bytes=allowed)
@@ -118,8 +118,8 @@ def removal(tool, direction, points=((10, 15, 5), (30, 15, 5)), *, others=(), of
     return Removal(cuts, BOX, view.frame(BOX))
 
 
-def test_the_peak_grows_with_records_pixels_and_trajectories():
-    """Arrays of records grow by an eighth when they are full, and two standard errors are added to the traces."""
+def test_peak_memory_grows_with_records_pixels_and_moves():
+    """Full arrays of records grow by an eighth. Two standard errors are added to the traces."""
     flat = removal(TOOLS[0], (0, 0, -1))
     nothing = Counts(*[0] * 9, 4800)
 
@@ -129,13 +129,14 @@ def test_the_peak_grows_with_records_pixels_and_trajectories():
     assert (
         more(dexels=1000.0) == more(traces=1000.0) == more(gaps=1000.0) == 9000 and more(traces_error=1000.0) == 18000
     )
-    assert more(band=1000.0) > 0 and more(trajectories=1000) >= 1000 * 8 * 3  # at least where each begins
+    # each trajectory has at least a start point
+    assert more(band=1000.0) > 0 and more(trajectories=1000) >= 1000 * 8 * 3
     large = Removal(Cuts([]), BOX, View((0, 0, -1), 160, 60).frame(BOX))
     assert peak_bytes(nothing, 0, large) - peak_bytes(nothing, 0, flat) == 8 * 80 * 60
 
 
 def test_peak_memory_counts_pictures_after_processes_end(monkeypatch):
-    """While pictures are made, each trace takes 14 bytes in addition to its record of 8 bytes."""
+    """For the pictures, each trace needs 14 bytes in addition to its record of 8 bytes."""
     flat = removal(TOOLS[0], (0, 0, -1))
     some, many = (Counts(*[0] * 3, 1e8 * share, *[0] * 5, 4800) for share in (0.5, 1.0))
     assert many.traces == 1e8
@@ -144,7 +145,7 @@ def test_peak_memory_counts_pictures_after_processes_end(monkeypatch):
     assert helpers_within(peak_bytes(many, 0, flat), flat, 0) > 0
 
 
-def test_each_process_adds_its_memory_and_its_copy(monkeypatch):
+def test_each_process_adds_its_memory_and_its_records(monkeypatch):
     flat, plenty = removal(TOOLS[0], (0, 0, -1)), 1e15
 
     def each(band, trajectories):
@@ -158,13 +159,13 @@ def test_each_process_adds_its_memory_and_its_copy(monkeypatch):
         return taken
 
     alone = each(0, 0)
-    assert 20e6 < alone < 500e6  # Python with numpy, and the temporary arrays for a band
+    assert 20e6 < alone < 500e6  # Python with numpy, and the temporary arrays of a band
     record, trajectory = each(1_000_000, 0) - alone, each(0, 1_000_000) - alone
-    assert record > 8e6 and trajectory > 24e6  # a record is 8 bytes, a trajectory begins somewhere
+    assert record > 8e6 and trajectory > 24e6  # a record has 8 bytes, and a trajectory a start point
     assert each(1_000_000, 1_000_000) == pytest.approx(alone + record + trajectory, rel=1e-5)
 
 
-def test_band_needs_least_memory_from_above():
+def test_band_needs_least_memory_seen_from_above():
     nothing = Counts(*[0] * 9, 4800)
     flat, ball, bullnose, vee = TOOLS[0], TOOLS[2], TOOLS[3], TOOLS[5]
     above, closed, other = (
@@ -184,12 +185,12 @@ def test_small_simulation_needs_no_sampled_rays(direction, monkeypatch):
     monkeypatch.setattr(memory, "count", None)
     path, solids = case(20, direction, 80, 60)
     simulate(path, **solids)
-    with pytest.raises(TypeError):  # which it asks where it may not fit
+    with pytest.raises(TypeError):  # rays are sampled only if the memory may not suffice
         simulate(path, **solids, memory_budget=1e6)
 
 
 @pytest.mark.parametrize("direction", [(0, 0, -1), (0, 0, 1), (1, 1, -1), (0, 1, 0)])
-def test_records_are_bounded_by_pixels_of_boxes(direction):
+def test_number_of_records_is_bounded_by_boxes_of_moves(direction):
     for points in (surface(None, 60), [(-20, -20, 3), (60, 50, 3)], [(10, 10, 5), (10, 10, 2)]):
         moves = toolpath(np.array(points, float))
         z = simulate(moves, tool=TOOLS[0], stock=BOX, view=View(direction, 80, 60))
@@ -197,8 +198,11 @@ def test_records_are_bounded_by_pixels_of_boxes(direction):
         assert z.dexels + z.traces <= bound <= 80 * 60 * (1 + 2 * len(moves))
 
 
-def test_the_box_of_a_move_from_above():
-    """20 mm and the tool: 26 by 6 mm of 0.5 mm, an edge more, clipped to the image; obliquely each pixel twice."""
+def test_box_of_a_move_bounds_its_records():
+    """A move of 20 mm covers 26 x 6 mm in pixels of 0.5 mm, plus an edge, clipped to the image.
+
+    Obliquely, pixels count twice.
+    """
     assert memory._most_records(removal(TOOLS[0], (0, 0, -1))) == 80 * 60 + 53 * 13
     assert (
         memory._most_records(removal(TOOLS[0], (0, 0, -1), [(10, 15, 5), (90, 15, 5)])) == 80 * 60 + (80 - 14 + 1) * 13
@@ -208,18 +212,19 @@ def test_the_box_of_a_move_from_above():
         60 - 50 + 1
     )
     assert memory._most_records(removal(TOOLS[0], (0, 0, -1), [(20, 2, 5), (30, 2, 5)])) == 80 * 60 + 33 * (10 + 1)
-    for aside in ((30, 0), (0, 30), (-60, 0), (0, -60)):  # the image shows only space beside the move
+    for aside in ((30, 0), (0, 30), (-60, 0), (0, -60)):  # the image does not show the move
         assert memory._most_records(removal(TOOLS[0], (0, 0, -1), [(5, 5, 5), (20, 5, 5)], offset=aside)) == 80 * 60
-    assert memory._most_records(removal(TOOLS[0], (0, 1, 0))) == 80 * 60 + 2 * 53 * 11  # 26 mm wide, 5 mm high
+    # the box is 26 mm wide and 5 mm high
+    assert memory._most_records(removal(TOOLS[0], (0, 1, 0))) == 80 * 60 + 2 * 53 * 11
 
 
-def test_a_huge_image_is_refused_by_default():
+def test_huge_image_is_refused_by_default():
     path, solids = case(2000, (0, 0, -1), 20_000, 16_000)
     with pytest.raises(OverBudget):
         simulate(path, **solids)
 
 
-def test_the_records_hold_eight_bytes_each():
+def test_each_record_has_eight_bytes():
     path, solids = case(2000, (0, 0, -1), 200, 150)
     z = simulate(path, **solids)
     pieces = z.traces + z.dexels
@@ -230,7 +235,7 @@ def test_the_records_hold_eight_bytes_each():
 
 @pytest.mark.parametrize("function", [simulate, simulate_job])
 def test_default_memory_budget_is_two_gigabytes(function):
-    """As docs/cost.md states."""
+    """docs/cost.md states this default."""
     assert inspect.signature(function).parameters["memory_budget"].default == 2e9
 
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Any moment of a simulation: part and chips together are the stock, and the visible surface is correct."""
+"""At any moment of a simulation, part and chips together are the stock, and the visible surface is correct."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ def simulated(seed):
 
 @pytest.mark.parametrize("seed", range(len(DIRECTIONS)))
 def test_part_and_chips_are_exactly_the_stock_at_every_moment(seed):
-    """No gap and no overlap on any ray, to the last bit, between the dexels of a moment and the chips cut until it."""
+    """No ray has a gap or overlap between the dexels of a moment and the chips, not even a rounding error."""
     z, _ = simulated(seed)
     stock = z.at(0).dexel_records
     pixel = np.repeat(np.arange(len(z.records.entry)), np.diff(z.trace_index.astype(int)))
@@ -53,7 +53,7 @@ def test_the_picture_is_the_first_dexel_of_every_ray(seed):
 
 
 def expected(z):
-    """Depth of the first dexel on every ray, and the owner of the trace element that ends there."""
+    """Return the depth of the first dexel on every ray, and the owner of the trace that ends there."""
     pixels = len(z.records.entry)
     depth, owner = np.full(pixels, np.nan, np.float32), np.full(pixels, STOCK)
     # If a pixel occurs several times, the last value stays. The dexels are assigned in reverse, so the first dexel stays.
@@ -79,7 +79,7 @@ def test_chips_show_first_removed_pieces(seed):
     assert np.isnan(z.chips(first, first).depth).all()
 
 
-def test_pixels_that_change_between_two_moments():
+def test_all_pixels_that_differ_between_two_moments_are_found():
     z, _ = simulated(3)
     for step in range(z.trajectories):
         one, two = z.at(step).picture, z.at(step + 1).picture
@@ -89,14 +89,14 @@ def test_pixels_that_change_between_two_moments():
     assert len(z.surface.changed(5, 5)) == 0
 
 
-def test_pictures_of_nothing():
+def test_picture_without_cuts_shows_stock_and_background():
     z = simulate(toolpath(np.zeros((1, 3))), tool=TOOLS[0], stock=BOX, view=View(pixel=1.0, width=80, height=10))
     assert np.isnan(z.picture.depth).sum() == 40 * 10
     assert (z.picture.owner == STOCK).all()
 
 
-def test_moments_of_more_trajectories_than_16_bits_number():
-    """One slot after 10,000 moves above the block, and another slot after 60,000 more. Each slot changes only its own pixels."""
+def test_moments_of_more_than_65536_trajectories_are_correct():
+    """Slots follow 10,000 and 60,000 moves above the block. Each slot changes only its own pixels."""
     above, more = ([(x, 5.0, 20.0) for x in np.linspace(35, 5, count)] for count in (10_000, 60_000))
     points = [*above, (5.0, 5.0, 6.0), (35.0, 5.0, 6.0), *more, (5.0, 25.0, 4.0), (35.0, 25.0, 4.0)]
     z = simulate(toolpath(np.array(points)), tool=TOOLS[0], stock=BOX, view=View((0, 0, -1), 80, 60))
@@ -111,7 +111,7 @@ def test_moments_of_more_trajectories_than_16_bits_number():
 
 
 def test_picture_updates_only_changed_pixels(monkeypatch):
-    """Less than a quarter of the pieces from one moment to the next; from the first to the last it is everything."""
+    """One step updates less than a quarter of the pieces. The step from the first to the last moment updates all."""
     looked_up, seen = [], Surface._seen
 
     def counted(self, step, pixels):
@@ -131,8 +131,8 @@ def test_picture_updates_only_changed_pixels(monkeypatch):
 
 
 @pytest.mark.parametrize("at_once", [1, 70, 1 << 17])
-def test_where_all_is_cut_through_every_pixel_changes(at_once, monkeypatch):
-    """The first and the last of an image within the block, by a plunge through all of it."""
+def test_cut_through_the_whole_image_changes_every_pixel(at_once, monkeypatch):
+    """A plunge cuts through the whole image, which lies inside the block."""
     monkeypatch.setattr(surface, "_BATCH", at_once)
     points, tool = np.array([(20, 15, 20), (20, 15, -1)], float), Tool("endmill", 100)
     z = simulate(toolpath(points), tool=tool, stock=BOX, view=View((0, 0, -1), 24, 20, pixel=1.0))
@@ -152,8 +152,8 @@ def test_changed_pixels_do_not_depend_on_batch_size(at_once, monkeypatch):
 
 
 @pytest.mark.parametrize("seed", [1, 6])
-def test_picture_does_not_depend_on_previous_moment(seed):
-    """From the moment before it, from one far away, and at once."""
+def test_picture_does_not_depend_on_previous_picture(seed):
+    """The picture before is none, the moment before, or a moment far away."""
     z, _ = simulated(seed)
     for step in range(0, z.trajectories + 1, 5):
         pictures = []

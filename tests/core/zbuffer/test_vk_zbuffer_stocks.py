@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Stocks that no planes bound: cylinders, and closed meshes with holes and undercuts."""
+"""Stocks that are not bounded by planes: cylinders, and closed meshes with holes and undercuts."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ NOISE = 1e-5  # mm
 
 @pytest.mark.long
 @pytest.mark.parametrize("direction", DIRECTIONS)
-def test_a_mesh_of_a_box_is_the_box(direction):
+def test_mesh_of_a_box_equals_the_box(direction):
     rng = np.random.default_rng(3)
     points = PATHS[0](rng, 30)
     for tool in TOOLS[::2]:
@@ -40,7 +40,7 @@ def test_a_mesh_of_a_box_is_the_box(direction):
 
 
 @pytest.mark.parametrize("direction", DIRECTIONS)
-def test_holes_are_holes_from_the_start(direction):
+def test_cavities_of_a_mesh_are_empty_before_any_cut(direction):
     z = simulate(toolpath(np.zeros((1, 3))), tool=TOOLS[0], stock=Mesh(HOLLOW), view=View(direction, 200, 150))
     assert z.part_volume == pytest.approx(25 * 30 * 10 - 15 * 10 * 4 + 10 * 30 * 10, rel=0.02)
     assert z.chip_volume == 0 and (z.picture.owner == STOCK).all()
@@ -53,7 +53,7 @@ def test_holes_are_holes_from_the_start(direction):
 
 @pytest.mark.long
 @pytest.mark.parametrize("seed", range(18))
-def test_a_mesh_is_cut_as_every_trajectory_on_every_ray_cuts_it(seed):
+def test_mesh_is_cut_like_every_pair_of_ray_and_trajectory(seed):
     """The reference intersects each ray with each triangle separately (Moeller and Trumbore 1997)."""
     rng = np.random.default_rng(seed)
     stock = Mesh(HOLLOW if seed % 2 else np.concatenate((ball((20, 15, 5), 14), ball((20, 15, 5), 9))))
@@ -78,7 +78,7 @@ def test_a_mesh_is_cut_as_every_trajectory_on_every_ray_cuts_it(seed):
 
 
 def inside(mesh, origins, direction):
-    """Rays, and where each enters and leaves the solid, by ray and depth."""
+    """Return rays and where each ray enters and leaves the solid, sorted by ray and depth."""
     a, b, c = (mesh.corners[mesh.triangles[:, k]] for k in range(3))
     across = np.cross(direction, c - a)
     volume = (across * (b - a)).sum(axis=1)
@@ -91,15 +91,15 @@ def inside(mesh, origins, direction):
         v = (turned @ direction) / volume
         depth = ((c - a) * turned).sum(axis=1) / volume
         crossed = np.sort(depth[(u >= 0) & (v >= 0) & (u + v <= 1)])
-        crossed = crossed[np.diff(crossed, prepend=-np.inf) > 1e-9]  # an edge is met twice
+        crossed = crossed[np.diff(crossed, prepend=-np.inf) > 1e-9]  # a ray through an edge meets two triangles
         assert len(crossed) % 2 == 0
         found += [(ray, *pair) for pair in crossed.reshape(-1, 2) if pair[1] - pair[0] > 1e-4]
     ray, near, far = np.array(found).T
     return ray.astype(int), near, far
 
 
-def test_no_ray_slips_through_between_triangles():
-    """Rays through corners and along edges: on the grid on which the corners lie."""
+def test_no_ray_passes_between_two_triangles():
+    """The rays pass through corners and along edges, because the corners lie on the grid of the pixels."""
     corners = np.stack(np.meshgrid(np.arange(9.0), np.arange(9.0), indexing="ij"), axis=-1).reshape(81, 2)
     height = np.random.default_rng(0).uniform(3, 6, 81)
     top, ground = (np.column_stack((corners, z)) for z in (height, np.zeros(81)))
@@ -122,7 +122,7 @@ def test_no_ray_slips_through_between_triangles():
 
 
 def test_mesh_triangles_are_sorted_once_per_image(monkeypatch):
-    """Sorting half a million triangles takes as long as the rest. Once for the silhouette, once for the part and once for the model."""
+    """Sorting is expensive, so it happens once for the silhouette, once for the part and once for the model."""
     seen = []
 
     class Counted(stocks._SeenMesh):
@@ -147,13 +147,13 @@ def prism_volume(corners, height, triangles):
 
 @pytest.fixture(scope="module")
 def prism():
-    """As good as a cylinder of 28 mm across and 9 mm high."""
+    """Return a prism that approximates a cylinder, 28 mm in diameter and 9 mm high."""
     return ConvexStock.cylinder((20, 15, 1), 14, 9, sides=90)
 
 
 @pytest.mark.long
 @pytest.mark.parametrize("direction", DIRECTIONS)
-def test_a_cylinder_is_round(direction, prism):
+def test_cylinder_equals_a_prism_with_many_sides(direction, prism):
     exact = Cylinder((20, 15, 1), 14, 9)
     points = PATHS[0](np.random.default_rng(1), 20)
     view = View(direction, 96, 72, pixel=0.5)
@@ -178,8 +178,11 @@ def areas(mesh, view):
     return seen_areas(mesh, view.frame(mesh), np.random.default_rng(1))
 
 
-def test_area_covered_by_a_mesh():
-    """A block of 2 x 3 x 4 mm covers a rectangle, or three sides from a corner. Two blocks behind each other count twice, with a gap."""
+def test_area_of_a_mesh_in_the_image_is_exact():
+    """A block covers a rectangle, or three sides from a corner.
+
+    Two blocks, one behind the other, count twice, with a gap.
+    """
     block = Mesh(box((0, 0, 0), (2, 3, 4)))
     for direction, area in (((0, 0, -1), 6), ((0, 1, 0), 8), ((1, 0, 0), 12), ((1, 1, -1), (6 + 8 + 12) / sqrt(3))):
         assert areas(block, View(direction)) == pytest.approx((area, 0), rel=0.005)
@@ -187,22 +190,25 @@ def test_area_covered_by_a_mesh():
     assert areas(two, View((0, 0, -1))) == pytest.approx((12, 6)) and areas(two, View((0, 1, 0))) == pytest.approx(
         (10, 0), rel=0.02
     )
-    # Images of a part of the block, with the block small in the image, and without the block.
+    # The image shows a part of the block, the block at a small size, or no block.
     assert areas(block, View((0, 0, -1), 10, 20, pixel=0.05)) == pytest.approx((0.5, 0))
     assert areas(block, View((0, 0, -1), 10, 10, pixel=0.1, offset=(1, 1.5))) == pytest.approx((0.25, 0))
     assert areas(block, View((0, 0, -1), 100, 100, pixel=10)) == pytest.approx((6, 0))
     assert areas(block, View((0, 0, -1), 10, 10, pixel=0.1, offset=(5, 0))) == (0, 0)
 
 
-# A hundred ribs, 0.5 mm thick and as far apart.
+# A hundred ribs, 0.5 mm thick, with gaps of 0.5 mm.
 COMB = Mesh(np.concatenate([box((0, y + 0.25, 0), (60, y + 0.75, 20)) for y in range(100)]))
 
 
 @pytest.mark.parametrize(
     "direction, pieces", [((0, 1, 0), 199), ((0, 0, -1), 0.5), ((1, 0, 0), 0.5)], ids=["along", "above", "aside"]
 )
-def test_the_memory_of_a_mesh_with_gaps(direction, pieces):
-    """Pieces of each ray through the comb: a hundred ribs, and the gaps between them; or, as often as not, one rib."""
+def test_memory_of_a_mesh_with_gaps_is_estimated(direction, pieces):
+    """A ray along Y passes a hundred ribs and the gaps between them.
+
+    A ray in another direction passes one rib or none.
+    """
     moves = toolpath(np.array([(10, 20, 12), (50, 20, 12)], float))
     solids = {"tool": TOOLS[0], "stock": COMB, "view": View(direction, 128, 128, pixel=0.78125)}
     told, true = estimate(moves, None, **solids), simulate(moves, **solids)
@@ -212,8 +218,8 @@ def test_the_memory_of_a_mesh_with_gaps(direction, pieces):
 
 
 @pytest.mark.long
-def test_gaps_are_refused_that_take_too_much():
-    """Gaps need more memory than their records hold, and less than twice that memory, on top of a block without gaps."""
+def test_mesh_whose_gaps_need_too_much_memory_is_refused():
+    """Compared with a block without gaps, gaps need more memory than their records, and less than twice that memory."""
     solids = {"tool": TOOLS[0], "view": View((0, 1, 0), 150, 100)}
     moves, block = toolpath(np.array([(10, 20, 12), (50, 20, 12)], float)), Stock(COMB.lower, COMB.upper)
     held, of_block = (
