@@ -10,8 +10,8 @@ import pytest
 from hypothesis import settings
 
 # No deadline: a test must not fail because the computer is busy.
-# derandomize: Hypothesis tries the same examples in every run, so a new failure is caused by the change under test.
-# 35 examples instead of Hypothesis' default of 100 keep the tests quick; more examples do not detect more mutants.
+# derandomize: Hypothesis tries the same examples in every run, so a new failure is caused by the tested change.
+# With 35 examples instead of Hypothesis' default of 100, the tests are quick. More examples do not detect more mutants.
 settings.register_profile("tests", deadline=None, derandomize=True, max_examples=35)
 settings.load_profile("tests")
 

@@ -20,7 +20,7 @@ pytestmark = pytest.mark.sources
 
 ROOT = Path(__file__).resolve().parents[2]
 PACKAGE = "vkworkbench"
-# The floors, the lowest first. Modules on one floor may import one another.
+# The floors, from the lowest to the highest. Modules on one floor may import one another.
 FLOORS = (
     ("language",),
     ("worker", "given"),
@@ -51,14 +51,14 @@ FLOORS = (
     ("document.marks",),
     ("document.simulation",),
     ("document",),
-    ("", "__main__"),  # the package itself, which offers names for macros; and the command line
+    ("", "__main__"),  # the package itself, with the names for macros, and the command line
     ("gui.qt",),
     ("gui.tree", "gui.gauss", "gui.strategies"),
     ("gui.results", "gui.simulation"),
     ("gui.simulators",),
     ("gui",),
 )
-# Third-party modules that a module may import. The longest listed prefix of the module's name counts.
+# Third-party modules that a module may import. The longest listed prefix of the module's name applies.
 OUTSIDE = {
     "": set(),
     "core": {"numpy"},
@@ -313,7 +313,7 @@ def without_assertion(code: str) -> list[str]:
     return found
 
 
-def test_every_test_of_the_window_asserts():
+def test_every_gui_test_has_an_assertion():
     found = {name: without_assertion(code) for name, code in read("tests/gui").items()}
     assert len(found) > 20 and not any(found.values()), found
     assert without_assertion("def test_a():\n    f()\ndef test_b():\n    window.wait(f)") == ["test_a"]

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Wrong arguments: the error names the argument, the accepted values, and the given one."""
+"""Errors for wrong arguments name the argument, the accepted values, and the given value."""
 
 import re
 from math import inf, nan
@@ -45,7 +45,7 @@ MEMORY = {"memory_bytes": 1e9}
 
 
 class Quantity:
-    """A number as FreeCAD's quantities are."""
+    """A number like FreeCAD's quantities."""
 
     def __init__(self, value):
         self.value = value
@@ -54,7 +54,7 @@ class Quantity:
         return self.value
 
 
-NUMBERS = {  # calls with a number that must be finite and not negative, by the argument's name
+NUMBERS = {  # functions with a number that must be finite and not negative, by the name of the argument
     "memory_budget": lambda given: simulate(PATH, **WITH, memory_budget=given),
     "tolerance": lambda given: facts(DONE, CrashCheck(), tolerance=given),
     " tolerance": lambda given: linearize([], tolerance=given),
@@ -69,7 +69,7 @@ NUMBERS = {  # calls with a number that must be finite and not negative, by the 
 
 @pytest.mark.parametrize("name", NUMBERS)
 @pytest.mark.parametrize("given", ["much", -1, float("nan"), [1], {}, 1j, 10**400])
-def test_bad_number_raises_with_its_name(name, given):
+def test_bad_number_raises_an_error_with_its_name(name, given):
     with pytest.raises((ValueError, TypeError), match=f"^{name.strip()} must be .*, not "):
         NUMBERS[name](given)
 
@@ -100,7 +100,7 @@ def test_bad_number_raises_with_its_name(name, given):
         ("width", 0.5, lambda given: View(width=given)),
         ("step", 0.5, DONE.at),
         ("step", "1", DONE.at),
-        ("first", -1, lambda given: DONE.chips(given, 2)),  # -1 is the source of the uncut stock
+        ("first", -1, lambda given: DONE.chips(given, 2)),  # -1 is the source of uncut stock
         ("end", 3, lambda given: DONE.chips(0, given)),
         ("trajectory", 1.5, DONE.cuts.source),
         ("processes", 0, lambda given: simulate(PATH, **WITH, processes=given)),
@@ -108,7 +108,7 @@ def test_bad_number_raises_with_its_name(name, given):
         ("most", 0, lambda given: steady_seconds([], most=given)),
     ],
 )
-def test_bad_argument_raises_with_its_name(name, given, use):
+def test_bad_argument_raises_an_error_with_its_name(name, given, use):
     with pytest.raises((ValueError, TypeError), match=f"^{name} must be .*, not {re.escape(repr(given))}$"):
         use(given)
 
@@ -148,7 +148,7 @@ def test_bad_argument_raises_with_its_name(name, given, use):
         ("facts", REPORT.with_facts),
     ],
 )
-def test_kinds(what, use):
+def test_argument_of_wrong_type_raises_a_type_error(what, use):
     with pytest.raises(TypeError, match=f"^{what} is .*, not int$"):
         use(6)
 
@@ -172,6 +172,6 @@ def test_positive_and_not_negative_numbers_are_finite(value, is_positive, is_not
     assert (positive(value), not_negative(value)) == (is_positive, is_not_negative)
 
 
-def test_a_long_argument_is_shortened():
+def test_long_argument_is_shortened_in_the_error():
     with pytest.raises(ValueError, match=r"not \[0, 1, 2, 3, 4, 5, \.\.\.\]$"):
         Stock(list(range(10**5)), (1, 1, 1))

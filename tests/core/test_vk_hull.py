@@ -15,7 +15,7 @@ def test_convex_hull_contains_only_corners():
 
 
 @pytest.mark.parametrize("seed", range(20))
-def test_all_points_lie_to_the_left_of_every_side(seed):
+def test_all_points_lie_left_of_every_side_of_the_hull(seed):
     points = np.random.default_rng(seed).integers(-5, 5, (12, 2)).tolist()
     hull = np.array(convex_hull(points))
     (x, y), (along, up) = hull.T, (np.roll(hull, -1, axis=0) - hull).T

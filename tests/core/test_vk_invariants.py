@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The signature of a polyline that is moved, turned, mirrored, reversed or refined."""
+"""The signature of a polyline that is moved, rotated, mirrored, reversed or refined."""
 
 import numpy as np
 import pytest
@@ -11,7 +11,7 @@ from vkworkbench.core import linearize, signature
 PI, TURN = np.pi, 2 * np.pi
 CLOSE = {"abs": 1e-6}
 
-# Directions are whole degrees, and lengths are far above rounding errors, so that exact reversals remain exact.
+# Directions are whole degrees, and lengths are far above rounding errors, so exact reversals remain exact.
 vectors = st.lists(st.tuples(st.floats(0.1, 100), st.integers(0, 359)), min_size=2, max_size=40)
 
 
@@ -21,7 +21,7 @@ def polyline(vectors):
 
 
 def without_reversals(points):
-    """The signature of a polyline whose turns all have a sign of their own."""
+    """Return the signature of a polyline without turns of half a turn, whose sign would be undecided."""
     result = signature(points)
     assume(np.abs(np.abs(result.turning) - PI).min() > 1e-3)
     return result
@@ -38,7 +38,7 @@ def same_angle(a, b):
 
 @pytest.mark.long
 @given(vectors, st.floats(-PI, PI), st.floats(0.01, 100), st.tuples(st.floats(-1e3, 1e3), st.floats(-1e3, 1e3)))
-def test_moving_turning_and_scaling_keep_phi(vectors, angle, scale, shift):
+def test_moving_rotating_and_scaling_keep_phi(vectors, angle, scale, shift):
     points = polyline(vectors)
     before, after = without_reversals(points), signature(scale * turned(points, angle) + shift)
     assert after.phi == pytest.approx(before.phi, **CLOSE)
@@ -49,7 +49,7 @@ def test_moving_turning_and_scaling_keep_phi(vectors, angle, scale, shift):
 
 
 @given(vectors)
-def test_mirroring_changes_the_sign_of_phi_and_n(vectors):
+def test_mirroring_negates_phi_and_level(vectors):
     points = polyline(vectors)
     before, after = without_reversals(points), signature(points * [1, -1])
     assert after.phi == pytest.approx(-before.phi, **CLOSE)
@@ -57,7 +57,7 @@ def test_mirroring_changes_the_sign_of_phi_and_n(vectors):
 
 
 @given(vectors)
-def test_reversing_negates_and_reverses_turns(vectors):
+def test_reversing_a_polyline_negates_and_reverses_its_turns(vectors):
     points = polyline(vectors)
     before, after = without_reversals(points), signature(points[::-1])
     assert after.turning == pytest.approx(-before.turning[::-1], **CLOSE)
@@ -87,7 +87,7 @@ def test_repeated_points_add_no_turn(vectors, data):
 
 
 @given(vectors)
-def test_phi_is_alpha_up_to_whole_turns(vectors):
+def test_phi_equals_alpha_up_to_whole_turns(vectors):
     result = signature(polyline(vectors))
     assert same_angle(result.phi, result.alpha - result.alpha[0])
     assert np.abs(result.turning).max() <= PI + 1e-9
@@ -104,7 +104,7 @@ def test_closed_contour_turns_once_from_any_start(sides, start, size):
 
 
 @given(vectors)
-def test_six_decimals_are_enough(vectors):
+def test_rounding_to_six_decimals_keeps_phi(vectors):
     points = polyline(vectors)
     before, after = without_reversals(points), signature(np.round(points, 6))
     assert after.phi == pytest.approx(before.phi, abs=1e-3)
@@ -113,7 +113,7 @@ def test_six_decimals_are_enough(vectors):
 @settings(max_examples=50)
 @given(st.floats(0.5, 200), st.floats(-PI, PI), st.floats(0.05, TURN - 0.05), st.sampled_from(["G2", "G3"]),
        st.floats(1e-4, 0.5))  # fmt: skip
-def test_an_arc_turns_by_its_sweep_at_any_tolerance(radius, start, sweep, name, tolerance):
+def test_arc_turns_by_its_sweep_at_any_tolerance(radius, start, sweep, name, tolerance):
     sign = -1 if name == "G2" else 1
     end = start + sign * sweep
     tangent = np.array([-np.sin(start), np.cos(start)]) * sign

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The names of vkworkbench.core are loaded when they are first used."""
+"""The names of vkworkbench.core are loaded at their first use."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from vkworkbench import core
 ROOT = Path(__file__).resolve().parents[2]
 
 
-def test_every_name_comes_from_its_module():
+def test_each_name_of_core_comes_from_its_module():
     assert sorted(core._HOMES) == sorted(core.__all__)
     for name, home in core._HOMES.items():
         assert getattr(core, name) is getattr(import_module(f"vkworkbench.core.{home}"), name)
@@ -25,7 +25,7 @@ def test_every_name_comes_from_its_module():
         _ = core.Typo
 
 
-def test_no_module_hides_a_name():
+def test_no_module_of_core_has_a_public_name():
     assert not {module.name for module in pkgutil.iter_modules(core.__path__)} & set(core.__all__)
 
 

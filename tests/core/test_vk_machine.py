@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Machining times with acceleration, against formulas and against a planner that goes move by move."""
+"""Machining times with acceleration, compared with formulas and with a planner that works move by move."""
 
 from __future__ import annotations
 
@@ -21,12 +21,12 @@ def test_long_move_accelerates_and_brakes():
     assert total([(0, 0, 0), (100, 0, 0)]) == pytest.approx(100 / 20 + 20 / 200)
 
 
-def test_short_move_never_reaches_its_feed():
-    # 0.5 mm of acceleration at 200 mm/s^2, and 0.5 mm of braking
+def test_short_move_does_not_reach_its_feed():
+    # The tool accelerates for 0.5 mm at 200 mm/s^2, and brakes for 0.5 mm.
     assert total([(0, 0, 0), (1, 0, 0)]) == pytest.approx(2 * sqrt(2 * 0.5 / 200))
 
 
-def test_straight_moves_take_as_long_as_one():
+def test_collinear_moves_take_as_long_as_one_move():
     assert total([(x, 0, 0) for x in range(101)]) == pytest.approx(100 / 20 + 20 / 200)
 
 
@@ -34,8 +34,8 @@ def test_reversal_stops_the_tool():
     assert total([(0, 0, 0), (100, 0, 0), (0, 0, 0)]) == pytest.approx(2 * total([(0, 0, 0), (100, 0, 0)]))
 
 
-def test_right_angle_has_the_speed_of_its_rounding():
-    # A circle that is tangent to both moves and 0.01 mm from the corner; the axes turn by 45 degrees to its centre.
+def test_corner_speed_is_the_speed_on_its_rounding():
+    # The rounding is a circle, tangent to both moves and 0.01 mm from the corner. Its centre lies at 45 degrees.
     radius = 0.01 * sqrt(0.5) / (1 - sqrt(0.5))
     corner = sqrt(200 * sqrt(2) * radius)
     one = 100 / 20 + 20 / 200 / 2 + (20 - corner) ** 2 / (2 * 200 * 20)
@@ -98,7 +98,7 @@ def test_factor_multiplies_the_time():
 
 
 def planned(path, machine):
-    """Plan lines move by move: corners, backwards, forwards, trapezoids."""
+    """Plan lines move by move: corners, a backward pass, a forward pass, and trapezoids."""
     moves = np.diff(path.points, axis=0)
     lengths = [float(np.linalg.norm(move)) for move in moves]
     units = [move / length for move, length in zip(moves, lengths)]
@@ -136,7 +136,7 @@ def planned(path, machine):
 
 @pytest.mark.parametrize("machine", MACHINES)
 @pytest.mark.parametrize("step", [0.01, 1.0, 50.0])
-def test_plan_agrees_with_a_plan_move_by_move(machine, step):
+def test_machine_time_agrees_with_a_plan_move_by_move(machine, step):
     random = np.random.default_rng(int(100 * step))
     points = np.cumsum(random.normal(size=(301, 3)) * step * [1, 1, 0.1], axis=0)
     path = Toolpath.through(points, feed=30.0)
@@ -145,7 +145,7 @@ def test_plan_agrees_with_a_plan_move_by_move(machine, step):
     assert machine.seconds(path).sum() == pytest.approx(planned(path, machine), rel=1e-6)
 
 
-def test_machining_uses_the_machine():
+def test_machining_uses_the_machines_acceleration():
     path = linearize([("G0", {"X": 0, "Y": 0, "Z": 0}), ("G0", {"X": 100}), ("G1", {"X": 200, "F": 20})])
     found = machining(path, machine=MACHINE)
     assert found.complete and found.seconds == pytest.approx(MACHINE.seconds(path).sum())

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Lengths and machining time against figures worked out by hand."""
+"""Lengths and machining times, compared with values computed by hand."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from vkworkbench.core import MACHINES, exact_lengths, machining, trajectory_seco
 from vkworkbench.core.gcode import linearize
 
 
-def test_feeds_rapids_and_depth_add_up():
+def test_times_of_feeds_and_rapids_are_added():
     path = linearize(
         [
             ("G0", {"X": 0.0, "Y": 0.0, "Z": 30.0}),
@@ -54,8 +54,8 @@ def test_shortest_and_median_length_are_per_command():
 @pytest.mark.parametrize(
     "end, sweep", [((-10.0, 0.0), math.pi), ((0.0, -10.0), 1.5 * math.pi), ((10.0, 0.0), 2 * math.pi)]
 )
-def test_arcs_have_their_true_length(end, sweep):
-    """FreeCAD's Path.Length gives 14.66, 10.17 and 0 mm for these."""
+def test_arcs_have_their_exact_length(end, sweep):
+    """FreeCAD's Path.Length returns 14.66, 10.17 and 0 mm for these arcs."""
     path = linearize(
         [
             ("G0", {"X": 10.0, "Y": 0.0, "Z": 0.0}),
@@ -74,7 +74,7 @@ def test_arcs_have_their_true_length(end, sweep):
         ("G18", {"X": -10.0, "Z": 0.0, "Y": 4.0, "I": -10.0, "K": 0.0}, 4.0),
     ],
 )
-def test_a_helix_has_its_true_length_in_every_plane(plane, arc, rise):
+def test_helix_has_its_exact_length_in_every_plane(plane, arc, rise):
     path = linearize([(plane, {}), ("G0", {"X": 10.0, "Y": 0.0, "Z": 0.0}), ("G3", arc)], tolerance=0.2)
     assert exact_lengths(path).sum() == pytest.approx(math.hypot(10 * math.pi, rise), rel=1e-9)
 
@@ -89,7 +89,7 @@ def test_length_of_any_arc_does_not_depend_on_its_chords(radius, sweep, rise):
     assert exact_lengths(path).sum() == pytest.approx(math.hypot(radius * sweep, rise), rel=1e-6)
 
 
-def test_unknown_rapid_speeds_are_named_and_left_out():
+def test_rapids_of_unknown_speed_have_a_note():
     commands = [
         ("G0", {"X": 0.0, "Y": 0.0, "Z": 5.0}),
         ("G0", {"X": 100.0}),
@@ -106,7 +106,8 @@ def test_unknown_rapid_speeds_are_named_and_left_out():
     assert one.notes == (
         "The machining time does not include 4 mm of rapids, because the tool controller's VertRapid is 0.",
     )
-    level = machining(linearize([*commands[:2], ("G1", {"Z": 0.0, "F": 1.0})]))  # no rapid needs VertRapid
+    # without vertical rapids, VertRapid is not needed
+    level = machining(linearize([*commands[:2], ("G1", {"Z": 0.0, "F": 1.0})]))
     assert level.notes == (
         "The machining time does not include 100 mm of rapids, because the tool controller's HorizRapid is 0.",
     )
@@ -117,12 +118,12 @@ def test_unknown_rapid_speeds_are_named_and_left_out():
     )
 
 
-def test_a_slow_rapid_has_its_time():
+def test_time_of_a_slow_rapid_is_counted():
     path = linearize([("G0", {"X": 0.0, "Y": 0.0, "Z": 5.0}), ("G0", {"X": 10.0})])
     assert machining(path, horizontal_rapid=0.5).rapid_seconds == pytest.approx(20)
 
 
-def test_move_time_is_nan_for_unknown_speed():
+def test_time_of_a_move_of_unknown_speed_is_nan():
     commands = [("G0", {"X": 0.0, "Y": 0.0, "Z": 5.0}), ("G0", {"X": 10.0}), ("G0", {"Z": 0.0}), ("G1", {"X": 20.0})]
     path = linearize([*commands, ("G1", {"X": 30.0, "F": 2.0})])
     assert trajectory_seconds(path) == pytest.approx([math.nan, math.nan, math.nan, 5.0], nan_ok=True)
@@ -135,7 +136,7 @@ def test_slow_feed_counts_and_missing_feed_has_no_time():
     assert machining(path).cutting_seconds == pytest.approx(100.0)
 
 
-def test_moves_without_a_feed_are_named_and_left_out():
+def test_moves_without_a_feed_have_a_note():
     commands = [("G0", {"X": 0.0, "Y": 0.0, "Z": 0.0}), ("G1", {"X": 30.0}), ("G1", {"X": 80.0, "F": 5.0})]
     some = machining(linearize(commands))
     assert some.cutting_seconds == pytest.approx(10)
@@ -144,7 +145,7 @@ def test_moves_without_a_feed_are_named_and_left_out():
     assert none.cutting_seconds is None and none.seconds is None and none.cutting_length == 30
 
 
-def test_nothing_to_cut():
+def test_toolpath_without_cuts_has_no_depth():
     for commands in ([], [("(empty)", {})], [("G0", {"X": 0.0, "Y": 0.0, "Z": 0.0}), ("G0", {"X": 5.0})]):
         work = machining(linearize(commands), top=3.0)
         assert work.cutting_length == 0 and work.lowest is None and work.depth is None
@@ -156,7 +157,7 @@ def test_bad_rapid_speeds_are_refused():
             machining(linearize([]), horizontal_rapid=speed)
 
 
-def test_lengths_of_lines_are_the_chords():
+def test_exact_lengths_of_lines_equal_their_chords():
     rng = np.random.default_rng(1)
     path = linearize([("G1", dict(zip("XYZ", row.tolist()))) for row in rng.normal(size=(50, 3))])
     assert np.allclose(exact_lengths(path), path.lengths)
@@ -169,10 +170,10 @@ def test_lowest_point_ignores_rapids_below_cuts():
     assert (work.lowest, work.depth) == (-2, 3)
     again = machining(linearize([*rising, ("G1", {"X": 0.0}), ("G1", {"Z": 4.0})]), top=1.0)
     assert (again.lowest, again.depth) == (-2, 3)
-    assert machining(linearize(rising), top=-2.5).depth == 0  # all of it above the stock
+    assert machining(linearize(rising), top=-2.5).depth == 0  # all cuts are above the top of the stock
 
 
-def test_dwells_of_commands_and_cycles_count():
+def test_dwells_of_commands_and_cycles_add_time():
     hole = ("G82", {"X": 9.0, "Z": -1.0, "R": 1.0, "F": 5.0, "P": 0.5})
     path = linearize([("G0", {"X": 0.0, "Y": 0.0, "Z": 5.0}), hole, hole, ("G4", {"P": 2.0}), ("G4", {"P": 750.0})])
     assert path.dwells.tolist() == [[1, 0.5], [2, 0.5], [3, 2], [4, 0.75]] and not path.problems

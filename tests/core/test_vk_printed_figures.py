@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The figures in the documents are in the places that their commands write, and the commands exist."""
+"""The printed figures in the documents are in the blocks that their commands write, and the commands exist."""
 
 from __future__ import annotations
 
@@ -20,14 +20,14 @@ PLACES = [
 ]
 
 
-def test_every_begin_of_a_place_has_its_end():
+def test_each_printed_block_of_a_document_has_an_end():
     for document in print_figures.documents():
         text = document.read_text(encoding="utf-8")
         opened = len(re.findall(r"^<!-- printed by:", text, re.MULTILINE))
         assert opened == text.count("<!-- end -->") == len(print_figures.PLACE.findall(text)), document.name
 
 
-def test_command_of_each_place_exists():
+def test_script_of_each_printed_block_exists():
     wrong = []
     for document, command, text in PLACES:
         scripts = re.findall(r"[\w./-]+\.(?:py|sh)\b", command.replace("$PWD/", ""))
@@ -49,7 +49,7 @@ def test_printed_figures_replace_old_figures(tmp_path, before):
 
 
 @pytest.mark.parametrize("command", ["echo 3; false", "true", "echo $NOT_SET_ANYWHERE", "false | echo 4"])
-def test_a_command_that_fails_leaves_the_document_as_it_was(tmp_path, command):
+def test_failing_command_leaves_the_document_unchanged(tmp_path, command):
     document = tmp_path / "page.md"
     document.write_text(f"<!-- printed by: {command} -->\n\n| 5 |\n\n<!-- end -->\n", encoding="utf-8")
     before = document.read_bytes()

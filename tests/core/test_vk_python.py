@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The oldest Python that the add-on supports is declared in package.xml, and the code uses no newer features.
 
-FreeCAD 0.20 and 0.21 for Windows come with 3.8, Ubuntu's builds with 3.10.
+FreeCAD 0.20 and 0.21 for Windows contain Python 3.8, and Ubuntu's packages use 3.10.
 """
 
 from __future__ import annotations
@@ -17,7 +17,7 @@ import pytest
 ROOT = Path(__file__).parents[2]
 OLDEST = (3, 8)
 FILES = sorted([ROOT / "Init.py", ROOT / "InitGui.py", *(ROOT / "vkworkbench").rglob("*.py")])
-# Names that came later: methods of text, functions of the standard library, arguments.
+# Names that came with later versions: methods of text, functions of the standard library, and arguments.
 LATER = {"pairwise", "batched", "bit_count", "hardlink_to", "TaskGroup", "StrEnum", "ExceptionGroup", "add_note", "kw_only", "slots",
          "root_dir", "EncodingWarning", "walk_up"}  # fmt: skip
 
@@ -29,7 +29,7 @@ GENERIC = {"dict", "frozenset", "list", "set", "tuple", "type"}
 def newer(source: str) -> list[str]:
     """Return the uses of newer Python features in a source text, by line.
 
-    A union of types `X | Y` outside annotations is not found; only running the code would show it.
+    A union of types `X | Y` outside annotations is not found. Only running the code would show it.
     """
     try:
         tree = ast.parse(source, feature_version=OLDEST)
@@ -91,8 +91,8 @@ def test_package_declares_oldest_python():
 
 
 @pytest.mark.long
-def test_the_document_layer_runs_without_freecad():
-    """So it can be run in the oldest Python, with which no FreeCAD is at hand: python3.8 tests/stubbed_freecad.py."""
+def test_document_layer_runs_without_freecad():
+    """Without FreeCAD, the layer can run in the oldest Python: python3.8 tests/stubbed_freecad.py."""
     done = subprocess.run(
         [sys.executable, ROOT / "tests" / "stubbed_freecad.py"], capture_output=True, text=True, timeout=300
     )

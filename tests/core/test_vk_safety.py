@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The package never evaluates text, uses the network or starts programs; CSV cells stay text."""
+"""The package does not evaluate text, use the network or start programs, and CSV cells stay text."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ CALLS = {"eval", "exec", "compile", "__import__", "system", "popen", "urlopen", 
 MODULES = {"socket", "ssl", "http", "urllib", "ftplib", "smtplib", "requests", "asyncio", "subprocess",
            "ctypes", "pickle", "marshal", "shelve", "xmlrpc", "telnetlib", "webbrowser", "QtNetwork",
            "QtWebEngineWidgets"}  # fmt: skip
-# The add-on starts worker processes, which end with it, and unpickles only their messages. garbage.py releases memory.
+# The add-on starts worker processes and unpickles only their messages. garbage.py calls the C library's malloc_trim.
 ALLOWED = {
     "vkworkbench/worker.py": {"ctypes", "pickle", "subprocess"},
     "vkworkbench/document/computer/garbage.py": {"ctypes"},
@@ -27,13 +27,14 @@ ALLOWED = {
 
 
 def named(tree):
-    """Functions called by a plain name or as a function of a module, and every module and name imported."""
+    """Yield the functions called by a plain name or as a function of a module, and every imported module and name."""
     for node in ast.walk(tree):
         if isinstance(node, ast.Call):
             if isinstance(node.func, ast.Name):
                 yield node.func.id
             elif isinstance(node.func, ast.Attribute) and isinstance(node.func.value, ast.Name):
-                if node.func.attr != "exec" and node.func.value.id != "re":  # Qt's exec, and re's functions
+                # Qt's exec, and functions of re, are allowed
+                if node.func.attr != "exec" and node.func.value.id != "re":
                     yield node.func.attr
         elif isinstance(node, ast.Import):
             for alias in node.names:
@@ -44,13 +45,13 @@ def named(tree):
 
 
 @pytest.mark.sources
-def test_no_evaluation_and_no_network(parse):
+def test_package_has_no_evaluation_and_no_network(parse):
     found = {str(path.relative_to(ROOT)): (CALLS | MODULES).intersection(named(parse(path))) for path in SOURCES}
     assert {name: what for name, what in found.items() if what} == ALLOWED
 
 
 @pytest.mark.sources
-def test_search_finds_forbidden_names():
+def test_search_finds_forbidden_functions_and_modules():
     code = "import os.path, urllib.request\nfrom PySide import QtNetwork\n"
     code += "eval('1')\nos.system('x')\nre.compile('x')\nbox.exec()"
     assert (CALLS | MODULES) & set(named(ast.parse(code))) == {"urllib", "QtNetwork", "eval", "system"}
@@ -97,16 +98,16 @@ def test_cells_that_begin_like_a_formula_become_text(text, tmp_path):
 
 
 @pytest.mark.sources
-def test_boxes_and_tooltips_of_the_window_are_made_in_one_place(parse):
-    """Elsewhere a text of a document could be taken for HTML."""
+def test_message_boxes_and_tooltips_are_made_in_plain_text(parse):
+    """Only plain_text.py makes them, because elsewhere a text of a document could be read as HTML."""
     for path in (ROOT / "vkworkbench" / "gui").rglob("*.py"):
         named_there = {node.id for node in ast.walk(parse(path)) if isinstance(node, ast.Name)}
         assert {"QMessageBox", "QToolTip"} & named_there == set() or path.name == "plain_text.py", path.name
 
 
 @pytest.mark.sources
-def test_no_widget_of_freecad_is_kept_beyond_its_end():
-    # PySide keeps a reference to widgets found by findChild or connected to `destroyed`; see gui/qt/widgets.py.
+def test_no_deleted_freecad_widget_is_referenced():
+    # PySide keeps a reference to widgets found by findChild or connected to `destroyed`. See gui/qt/widgets.py.
     keeping = re.compile(r"getMainWindow\(\)\.findChild|\bwindow\.findChildren|\.destroyed\b")
     gui = ROOT / "vkworkbench" / "gui"
     found = {

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Boxes of stock, by numbers worked out by hand."""
+"""Boxes of stock, compared with values computed by hand."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ def box():
     return Stock((1, 2, 3), (5, 10, 6))
 
 
-def test_a_box():
+def test_box_has_its_corners_and_limits():
     stock = box()
     assert stock.lower.tolist() == [1, 2, 3] and stock.upper.tolist() == [5, 10, 6]
     assert repr(stock) == "Stock([1.0, 2.0, 3.0], [5.0, 10.0, 6.0])"
@@ -57,7 +57,7 @@ def chord(solid, origin, direction):
         ((2, 2, 7), (1, 1, -1), sqrt(3), 3 * sqrt(3)),
     ],
 )
-def test_where_rays_enter_and_leave_a_box(origin, direction, near, far):
+def test_rays_enter_and_leave_a_box_at_known_depths(origin, direction, near, far):
     stock = box()
     assert chord(stock, origin, direction) == pytest.approx((near, far))
 
@@ -66,12 +66,12 @@ def test_where_rays_enter_and_leave_a_box(origin, direction, near, far):
     "origin, direction",
     [((0, 3, 0), (0, 0, 1)), ((2, 3, 7), (1, 0, 0)), ((2, 11, 4), (1, 1, 0)), ((5.1, 3, 4), (1, 1, 1))],
 )
-def test_where_rays_miss_a_box(origin, direction):
+def test_rays_beside_a_box_miss_the_box(origin, direction):
     near, far = chord(box(), origin, direction)
     assert near >= far or far <= 0
 
 
-def test_rays_of_a_view_through_a_box():
+def test_rays_of_a_view_through_a_box_have_known_depths():
     """Seen from above, the image's centre is (3, 6), and depths are measured from z = 4.5. A box has no gaps."""
     frame = View(pixel=1).frame(box())
     near, far, gaps = box().spans(frame, np.array([0.0, 1.9, 2.1]), np.array([0.0, -3.9, 0.0]))
@@ -79,8 +79,11 @@ def test_rays_of_a_view_through_a_box():
     assert len(gaps.ray) == len(gaps.enter) == len(gaps.leave) == 0
 
 
-def test_a_stock_around_cuts():
-    """Rapids do not count; half the tool's diameter around, and below the lowest; up to the highest."""
+def test_stock_around_cuts_adds_the_tools_radius():
+    """Rapids do not count.
+
+    The stock extends half the tool's diameter around and below the cuts, and up to the highest cut.
+    """
     path = linearize(programs.program([[(0.0, 0.0, -2.0), (30.0, 0.0, -9.0), (30.0, 20.0, -9.0)]]))
     cuts = np.flatnonzero(~path.rapid)
     top = path.points[cuts[0], 2]
@@ -88,7 +91,7 @@ def test_a_stock_around_cuts():
     assert box.lower == pytest.approx([-3, -3, -12]) and box.upper == pytest.approx([33, 23, max(top, -6)])
     level = replace(path, points=path.points * (1, 1, 0))
     flat = stock_around(level, Tool("endmill", 6))
-    assert flat.lower[2] == -3 and flat.upper[2] == 3  # as high as the tool is wide
+    assert flat.lower[2] == -3 and flat.upper[2] == 3  # the height of the stock is at least the tool's diameter
 
 
 def test_stock_around_cuts_is_limited_to_allowed_sizes():

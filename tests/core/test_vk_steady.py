@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Times of pieces of work, measured with clocks that return prescribed times."""
+"""Durations of pieces of work, measured with clocks that return prescribed times."""
 
 import os
 import time
@@ -12,7 +12,7 @@ from vkworkbench.core.steady import processor_clock
 
 
 class Workshop:
-    """Pieces of work that take the times they are given, and the clock that sees it."""
+    """Pieces of work with prescribed durations, and a clock that advances by these durations."""
 
     def __init__(self, *times):
         self.now, self.turns = 0.0, []
@@ -66,7 +66,7 @@ def test_callback_between_pieces_is_not_timed_and_may_stop():
     assert shop.turns == [0, 1, 0, 1]
 
 
-def test_a_busy_computer_gives_the_times_of_a_quiet_one():
+def test_times_on_a_busy_computer_are_those_of_a_quiet_one():
     rng = np.random.default_rng(7)
     for _ in range(50):
         busy = (0.1 * (1 + rng.choice([0.0, 0.02, rng.uniform(0.1, 3.0)])) for _ in range(99))
@@ -75,8 +75,8 @@ def test_a_busy_computer_gives_the_times_of_a_quiet_one():
 
 
 @pytest.mark.skipif(os.name == "nt", reason="its clock of the processor is too coarse")
-def test_waiting_takes_the_processor_no_time():
-    """The least of five waits counts, because other work of a busy computer may disturb some waits."""
+def test_waiting_takes_no_processor_time():
+    """The shortest of five waits counts, because other work of a busy computer may disturb some waits."""
     times = [processor_clock()]
     for _ in range(5):
         time.sleep(0.05)

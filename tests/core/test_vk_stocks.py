@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Cylinders and meshes on single rays, by hand."""
+"""Cylinders and meshes on single rays, compared with values computed by hand."""
 
 from __future__ import annotations
 
@@ -14,18 +14,18 @@ from vkworkbench.language import Unusable
 
 
 def cylinder():
-    """From z 3 to 11, x -4 to 6, y -3 to 7."""
+    """Return a cylinder with z from 3 to 11, x from -4 to 6, and y from -3 to 7."""
     return Cylinder((1, 2, 3), 5, 8)
 
 
 def box(lower, upper):
-    """The twelve triangles of a box."""
+    """Return the twelve triangles of a box."""
     corner = np.array([[(lower, upper)[bits >> axis & 1][axis] for axis in range(3)] for bits in range(8)], float)
     faces = [(0, 1, 3, 2), (4, 6, 7, 5), (0, 4, 5, 1), (2, 3, 7, 6), (0, 2, 6, 4), (1, 5, 7, 3)]
     return np.array([corner[[a, b, c]] for a, b, c, d in faces for a, b, c in ((a, b, c), (a, c, d))])
 
 
-def test_a_cylinder():
+def test_cylinder_has_its_size_corners_and_planes():
     solid = cylinder()
     assert solid.lower.tolist() == [-4, -3, 3] and solid.upper.tolist() == [6, 7, 11]
     assert repr(solid) == "Cylinder([1.0, 2.0, 3.0], 5, 8)"
@@ -41,19 +41,19 @@ def test_a_cylinder():
     "origin, direction, near, far",
     [
         ((1, 2, 20), (0, 0, -1), 9, 17),
-        ((5, 5, 0), (0, 0, 1), 3, 11),  # on the wall
+        ((5, 5, 0), (0, 0, 1), 3, 11),  # a ray on the wall
         ((-10, 2, 5), (1, 0, 0), 6, 16),
-        ((-10, 5, 5), (1, 0, 0), 7, 15),  # 3 mm aside: from 4 mm before to 4 mm behind the axis
-        ((1, 20, 3), (0, -1, 0), 13, 23),  # in the lower face
+        ((-10, 5, 5), (1, 0, 0), 7, 15),  # 3 mm beside the axis, from 4 mm before to 4 mm after the axis
+        ((1, 20, 3), (0, -1, 0), 13, 23),  # a ray in the lower face
         ((1, 20, 11), (0, -1, 0), 13, 23),
-        ((-5, 2, 9), (0.8, 0, -0.6), 1.25, 10),  # through the wall, and out below
-        ((-5, 2, 3), (0.8, 0, 0.6), 1.25, 40 / 3),  # and out above
-        ((-10, 6.95, 5), (1, 0, 0), 11 - sqrt(25 - 4.95**2), 11 + sqrt(25 - 4.95**2)),  # 0.05 mm within the wall
+        ((-5, 2, 9), (0.8, 0, -0.6), 1.25, 10),  # in through the wall, and out through the lower face
+        ((-5, 2, 3), (0.8, 0, 0.6), 1.25, 40 / 3),  # in through the wall, and out through the upper face
+        ((-10, 6.95, 5), (1, 0, 0), 11 - sqrt(25 - 4.95**2), 11 + sqrt(25 - 4.95**2)),  # 0.05 mm inside the wall
         ((1, 2, 7), (0.6, 0, 0.8), -5, 5),  # through both faces
         ((1 - 10, 2 - 10, 7), (sqrt(0.5), sqrt(0.5), 0), 10 * sqrt(2) - 5, 10 * sqrt(2) + 5),
     ],
 )
-def test_where_rays_enter_and_leave_a_cylinder(origin, direction, near, far):
+def test_rays_enter_and_leave_a_cylinder_at_known_depths(origin, direction, near, far):
     (one,), (other,) = cylinder().chords(np.array([origin], float), np.array(direction))
     assert (one, other) == pytest.approx((near, far))
 
@@ -65,12 +65,12 @@ def test_where_rays_enter_and_leave_a_cylinder(origin, direction, near, far):
         ((-10, 2, 11.1), (1, 0, 0)), ((-10, 8, 5), (0.8, 0, 0.6)), ((-10, 2, 5), (0.6, 0, 0.8)),
     ],
 )  # fmt: skip
-def test_where_rays_miss_a_cylinder(origin, direction):
+def test_rays_beside_a_cylinder_miss_the_cylinder(origin, direction):
     (near,), (far,) = cylinder().chords(np.array([origin], float), np.array(direction))
     assert near >= far
 
 
-def test_impossible_cylinders_raise():
+def test_impossible_cylinders_raise_an_error():
     for arguments, code in (
         (((0, 0, 0), 0, 1), "stock-without-volume"), (((0, 0, 0), 1, 0), "stock-without-volume"),
         (((0, 0, 0), -1, 1), "stock-without-volume"), (((0, 0, 0), 1, -1), "stock-without-volume"),
@@ -88,7 +88,7 @@ def test_impossible_cylinders_raise():
     assert refused.value.what.code == "stock-not-finite"
 
 
-# A block of 6 x 6 x 6 with a room of 2 x 2 x 2 in its middle, and a block on a gap above it.
+# A block of 6 x 6 x 6 mm with a cavity of 2 x 2 x 2 mm in its middle, and a second block above a gap.
 HOLLOW = np.concatenate((box((0, 0, 0), (6, 6, 6)), box((2, 2, 2), (4, 4, 4)), box((1, 1, 8), (5, 5, 9))))
 
 
@@ -98,27 +98,30 @@ def spans(mesh, direction, *rays, pixel=1.0):
     return frame, mesh.spans(frame, x, y)
 
 
-def test_rays_through_rooms_and_gaps():
-    """From above: the image's middle is (3, 3) and the middle of the depths z = 4.5."""
+def test_rays_from_above_through_cavities_have_gaps():
+    """Seen from above, the image's middle is (3, 3), and depths are measured from z = 4.5."""
     frame, found = spans(Mesh(HOLLOW), (0, 0, -1), (0.1, 0.2), (-2.5, 0), (-1.5, 1.2), (3.1, 0), (0.3, -3.2))
     assert found.near == pytest.approx([-4.5, -1.5, -4.5, 0, 0]) and found.far == pytest.approx([4.5, 4.5, 4.5, 0, 0])
     assert found.gaps.ray.tolist() == [0, 0, 2]
     assert found.gaps.enter == pytest.approx([-3.5, 0.5, -3.5]) and found.gaps.leave == pytest.approx([-1.5, 2.5, -1.5])
     assert frame.centre.tolist() == [3, 3, 4.5]
-    _, found = spans(Mesh(HOLLOW), (0, 0, -1), (4, 0), (0.1, 0.2), (4, 1), (-2.5, 0))  # the first ray misses
+    _, found = spans(Mesh(HOLLOW), (0, 0, -1), (4, 0), (0.1, 0.2), (4, 1), (-2.5, 0))  # the first ray misses the mesh
     assert found.near == pytest.approx([0, -4.5, 0, -1.5]) and found.gaps.ray.tolist() == [1, 1]
 
 
-def test_rays_from_the_side():
-    """Along y: x to the right, z upwards; through the room, the floor under it, the gap, and above."""
+def test_rays_from_the_side_through_cavities_have_gaps():
+    """The view is along y, with x to the right and z upwards.
+
+    Rays pass the cavity, the floor, the gap, and space above.
+    """
     _, found = spans(Mesh(HOLLOW), (0, 1, 0), (0.5, -1.5), (0.5, -3.5), (0.5, 2.5), (-1.5, 4), (-2.5, 4), (-2.5, 0))
     assert found.near == pytest.approx([-3, -3, 0, -2, 0, -3]) and found.far == pytest.approx([3, 3, 0, 2, 0, 3])
     assert found.gaps.ray.tolist() == [0]
     assert (found.gaps.enter.tolist(), found.gaps.leave.tolist()) == ([-1], [1])
 
 
-def test_rays_through_slopes():
-    """A pyramid of 4 x 4 x 2: from above as deep as it is far from the middle; from the side as wide as it is there."""
+def test_rays_through_slopes_have_known_depths():
+    """Depths in a pyramid of 4 x 4 x 2 mm follow from the distance of a ray to the pyramid's axis."""
     ground = np.array([(0, 0, 0), (4, 0, 0), (4, 4, 0), (0, 4, 0)], float)
     top = np.array([2, 2, 2], float)
     sides = [(ground[k], ground[(k + 1) % 4], top) for k in range(4)]
@@ -130,13 +133,13 @@ def test_rays_through_slopes():
     assert len(found.gaps.ray) == 0
 
 
-def test_no_rays_are_nowhere():
+def test_spans_of_no_rays_are_empty():
     mesh = Mesh(HOLLOW)
     found = mesh.spans(View().frame(mesh), np.empty(0), np.empty(0))
     assert len(found.near) == len(found.far) == len(found.gaps.ray) == len(found.gaps.enter) == 0
 
 
-def test_corners_that_are_nearly_the_same_are_one():
+def test_corners_of_a_mesh_within_rounding_are_joined():
     shaken = box((0, 0, 0), (2, 3, 4)) + np.random.default_rng(1).uniform(-2e-7, 2e-7, (12, 3, 3))
     mesh = Mesh(shaken)
     assert len(mesh.corners) == 8 and len(mesh.triangles) == 12
@@ -154,8 +157,8 @@ def test_corners_that_are_nearly_the_same_are_one():
 
 
 @pytest.mark.parametrize("same", [(0, 0, 5), (0, 5, 5), (0, 5, 0)])
-def test_triangles_without_area_do_not_count(same):
-    """Two of whose corners are one."""
+def test_triangles_without_area_are_dropped(same):
+    """In a triangle without area, two corners are equal."""
     block = box((0, 0, 0), (2, 3, 4)).reshape(-1, 3)
     flat = block[np.array([same])]
     assert len(Mesh(np.concatenate((block.reshape(-1, 3, 3), flat))).triangles) == 12
@@ -164,7 +167,7 @@ def test_triangles_without_area_do_not_count(same):
     assert refused.value.what.code == "stock-without-volume"
 
 
-def test_solids_are_the_same_to_the_last_bit():
+def test_equality_of_solids_is_exact():
     for make in (lambda d: Stock((0, 0, 0), (1, 2, 3 + d)), lambda d: Cylinder((0, 0, 0), 1, 3 + d),
                  lambda d: Mesh(box((0, 0, 0), (1, 2, 3 + d)))):  # fmt: skip
         one = make(0)
@@ -174,10 +177,10 @@ def test_solids_are_the_same_to_the_last_bit():
 
 
 @pytest.mark.parametrize("count", [0, 1, 500])
-def test_different_rows_are_found_as_numpy_finds_them(count):
+def test_distinct_rows_equal_those_of_numpy(count):
     rows = np.random.default_rng(3).integers(-2, 3, (count, 3))
     first, number = _distinct(rows)
-    if count == 0:  # numpy 1.17 cannot do this
+    if count == 0:  # numpy 1.17 fails for an empty array
         assert first.tolist() == number.tolist() == []
         return
     _, its_first, its_number = np.unique(rows, axis=0, return_index=True, return_inverse=True)

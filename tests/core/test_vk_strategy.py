@@ -47,7 +47,7 @@ def forgotten(entry):
 
 @pytest.mark.sources
 @pytest.mark.parametrize("strategy", Strategy)
-def test_every_strategy_is_complete(strategy):
+def test_every_strategy_has_all_fields_names_and_docs(strategy):
     assert list(forgotten(strategy)) == []
 
 
@@ -63,19 +63,19 @@ def test_every_strategy_is_complete(strategy):
         ("family", Family.HOLES, ["docs/recognition.md"]),
     ],
 )
-def test_incomplete_strategy_is_found(field, value, missing):
+def test_missing_field_of_a_strategy_is_found(field, value, missing):
     zigzag = {name: getattr(Strategy.ZIGZAG, name) for name in FIELDS}
     assert list(forgotten(SimpleNamespace(**zigzag))) == []
     assert list(forgotten(SimpleNamespace(**zigzag | {field: value}))) == missing
 
 
 @pytest.mark.sources
-def test_documents_know_no_other_strategy():
+def test_documents_contain_exactly_the_strategies():
     assert set(re.findall(r'<a id="([a-z-]+)"></a>', DOCUMENT)) == {strategy.value for strategy in Strategy}
 
 
-def test_values_are_stable():
-    # Documents store the values and macros read them: values may be added, but not changed.
+def test_values_of_strategies_are_stable():
+    # Documents store the values, and macros read them. Values may be added, but not changed.
     stored = {"zigzag", "one-way", "contour-parallel", "profile", "waterline", "spiral", "helix", "adaptive",
               "drilling", "engraving", "mixed", "unknown", "empty"}  # fmt: skip
     assert stored <= {strategy.value for strategy in Strategy}

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The colours of the strategies, as all people see them."""
+"""The colours of the strategies differ for all people."""
 
 from __future__ import annotations
 
@@ -11,11 +11,11 @@ import pytest
 from vkworkbench.core import Strategy
 
 COLORS = {strategy.value: strategy.color for strategy in Strategy if strategy is not Strategy.EMPTY}
-# Linear sRGB to CIE XYZ, with the white of sRGB.
+# Matrix from linear sRGB to CIE XYZ, with the white of sRGB.
 XYZ = np.array([[0.4124, 0.3576, 0.1805], [0.2126, 0.7152, 0.0722], [0.0193, 0.1192, 0.9505]])
 WHITE = XYZ.sum(axis=1)
-# Linear sRGB as a person without the cones for green sees it (Vienot, Brettel and Mollon 1999; Machado, Oliveira and
-# Fernandes 2009).
+# Matrices from linear sRGB to the colours seen by a person without green cones (Vienot, Brettel and Mollon 1999;
+# Machado, Oliveira and Fernandes 2009).
 SIGHTS = {
     "everybody": np.eye(3),
     "deuteranope, Vienot": np.array([[0.29275, 0.70725, 0.0], [0.29275, 0.70725, 0.0], [-0.02234, 0.02234, 1.0]]),
@@ -27,7 +27,7 @@ LEAST = {
     "everybody": 20.0,
     "deuteranope, Vienot": 10.0,
     "deuteranope, Machado": 10.0,
-}  # differences in CIELAB, CIE 1976
+}  # minimum differences in CIELAB (CIE 1976)
 
 
 def linear(color):
@@ -42,7 +42,7 @@ def lab(rgb):
 
 
 @pytest.mark.parametrize("sight", SIGHTS)
-def test_strategy_colors_differ(sight):
+def test_colors_of_strategies_differ_for_all_people(sight):
     seen = {name: lab(np.clip(SIGHTS[sight] @ linear(color), 0, 1)) for name, color in COLORS.items()}
     close = [(one, other) for one, other in combinations(seen, 2)
              if np.linalg.norm(seen[one] - seen[other]) < LEAST[sight]]  # fmt: skip

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Tools by numbers worked out by hand."""
+"""Tools, compared with values computed by hand."""
 
 from __future__ import annotations
 
@@ -16,11 +16,11 @@ from vkworkbench.language import Unusable
     "tool, heights",
     [
         (Tool("endmill", 10), {0: 0, 3: 0, 5: 0, 5.001: inf}),
-        (Tool("endmill", 10, corner_radius=2), {4.9: 0}),  # what only a bull-nose has
+        (Tool("endmill", 10, corner_radius=2), {4.9: 0}),  # only a bull-nose has a corner radius
         (Tool("ballend", 10), {0: 0, 3: 1, 4: 2, 5: 5, 5.1: inf}),
         (Tool("bullnose", 20, corner_radius=5), {0: 0, 5: 0, 8: 1, 9: 2, 10: 5, 10.1: inf}),
         (Tool("bullnose", 20), {9.9: 0}),
-        (Tool("vbit", 10), {0: 0, 1: sqrt(3), 5: 5 * sqrt(3)}),  # 60 degrees
+        (Tool("vbit", 10), {0: 0, 1: sqrt(3), 5: 5 * sqrt(3)}),  # the default tip angle is 60 degrees
         (Tool("vbit", 10, tip_angle=pi / 2), {3: 3, 5: 5, 5.1: inf}),
         (Tool("vbit", 10, tip_angle=pi / 2, tip_diameter=4), {1: 0, 2: 0, 3: 1, 5: 3}),
         (Tool("vbit", 10, tip_angle=pi), {4: 0}),
@@ -28,13 +28,13 @@ from vkworkbench.language import Unusable
         (Tool("drill", 10, tip_angle=pi / 2), {2: 2}),
     ],
 )
-def test_the_lower_surface_of_a_tool(tool, heights):
+def test_lower_surface_of_a_tool_has_known_heights(tool, heights):
     told = tool.height(np.array(list(heights)))
     assert told == pytest.approx(list(heights.values()), abs=1e-9)
     assert float(tool.height(3)) == pytest.approx(float(tool.height([3.0])[0]))
 
 
-def test_the_profile_of_a_tool_ends_at_its_rim():
+def test_profile_of_a_tool_is_constant_beyond_its_rim():
     for shape, rim in (
         ("endmill", 0),
         ("ballend", 5),
@@ -45,7 +45,7 @@ def test_the_profile_of_a_tool_ends_at_its_rim():
         tool = Tool(shape, 10, corner_radius=2)
         assert tool.profile(np.array([5, 5 + 1e-9, 7])) == pytest.approx([rim] * 3)
     rng = np.random.default_rng(1)
-    for diameter, share in rng.uniform((0.1, 0), (30, 0.5), (200, 2)):  # of any radii, whatever rounding does
+    for diameter, share in rng.uniform((0.1, 0), (30, 0.5), (200, 2)):  # random radii, with all kinds of rounding
         tool = Tool("bullnose", diameter, diameter * share)
         assert tool.profile(np.array([diameter])) == pytest.approx([tool.rounding])
 
@@ -73,13 +73,13 @@ def test_tool_has_rounding_and_steepness():
         (("vbit", 6, 0, 1.0, -0.001), "tip-diameter"),
     ],
 )
-def test_impossible_tools_raise(arguments, code):
+def test_impossible_tools_raise_an_error(arguments, code):
     with pytest.raises(Unusable) as refused:
         Tool(*arguments)
     assert refused.value.what.code == code
 
 
-def test_tools_at_the_bounds():
+def test_tools_at_the_allowed_limits_are_accepted():
     for arguments in (("endmill", COORDINATE_LIMIT), ("bullnose", 6, 3), ("bullnose", 6, 0), ("endmill", 6, 99), ("vbit", 6, 0, pi),
                       ("vbit", 6, 0, 1.0, 6), ("endmill", 1e-6)):  # fmt: skip
         assert Tool(*arguments).diameter == arguments[1]

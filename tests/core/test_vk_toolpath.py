@@ -28,13 +28,13 @@ COMMANDS = [
 ]  # fmt: skip
 
 
-def test_a_toolpath_has_its_lengths():
+def test_toolpath_has_the_lengths_of_its_moves():
     path = linearize(COMMANDS)
     assert len(path) == 4 and path.lengths == pytest.approx([5, 12, 5, 10])
     assert len(linearize([])) == 0 and linearize([]).lengths.shape == (0,)
 
 
-def test_a_toolpath_of_points_alone_comes_from_no_commands():
+def test_toolpath_made_of_points_has_no_commands():
     path = linearize(COMMANDS)
     alone = Toolpath(path.points, path.rapid, path.command, path.feed, path.sweep, path.plane, path.cycle)
     assert (alone.commands, len(alone.tool_changes), alone.comments, alone.problems) == (0, 0, (), ())
@@ -47,7 +47,7 @@ def test_part_keeps_inner_events_and_no_problems():
     assert len(part) == 3 and part.lengths == pytest.approx([12, 5, 10])
     for name in ("rapid", "command", "feed", "sweep", "plane", "cycle"):
         assert getattr(part, name).tolist() == getattr(path, name)[1:].tolist(), name
-    assert part.tool_changes.tolist() == [2]  # that at its beginning belongs to no move of it
+    assert part.tool_changes.tolist() == [2]  # a tool change at the beginning belongs to no move of the part
     assert [at for at, _ in part.comments] == [1, 2]
     assert part.commands == path.commands == len(COMMANDS) and path.problems and part.problems == ()
     middle = path.part(1, 3)
@@ -60,12 +60,13 @@ def test_problem_has_first_command_and_count():
     assert problem == Problem(10, problem.what, 2) and not problem.of_time
     assert problem.message == "The unknown code 'G999' is ignored."
     assert problem.remark == Message("in-commands", sentence=problem.what, count=2, command=11)
-    assert str(problem) == "Command 11 (first of 2): The unknown code 'G999' is ignored."  # counted from 1
+    # the number of the command counts from 1
+    assert str(problem) == "Command 11 (first of 2): The unknown code 'G999' is ignored."
     assert str(Problem(4, problem.what)) == "Command 5: The unknown code 'G999' is ignored."
     assert not problem.takes_time
 
 
-def test_problem_that_hides_cuts_is_divided_between_operations():
+def test_problem_that_hides_cuts_is_divided_by_operations():
     problem = Problem.at([3, 9], Message("jumps-not-followed"))
     assert problem.hides_cuts and not problem.takes_time
     assert problem.within(5, 20) == Problem(9, problem.what) and problem.within(4, 9) is None
@@ -90,7 +91,7 @@ def test_wrong_type_of_toolpath_raises_with_a_sentence():
         simulate_job([(path, tool)], stock=stock, view=view)
 
 
-def test_dwell_changes_time_only_and_rotary_axis_also_length():
+def test_dwell_changes_only_time_and_rotary_axis_length_too():
     dwell, turned = Problem(4, Message("dwell-untimed")), Problem(4, Message("rotary-not-read", letter="A"))
     assert dwell.of_time and dwell.takes_time
     assert turned.takes_time and not turned.of_time
@@ -107,8 +108,8 @@ def test_cuts_through_points_equal_linearized_commands():
     assert len(Toolpath.through([])) == len(Toolpath.through([(1, 2, 3)])) == 0
 
 
-def test_time_problem_lists_own_commands_only():
-    """In a range of commands, a problem of time keeps its commands in the range; other problems stay whole."""
+def test_time_problem_in_a_range_keeps_only_its_commands():
+    """In a range of commands, a problem of time keeps the commands in the range. Other problems stay whole."""
     dwells = Problem.at([4, 6, 9], Message("dwell-untimed"))
     assert dwells == Problem(4, dwells.what, 3) and hash(dwells) == hash(Problem(4, dwells.what, 3))
     assert "commands" not in repr(dwells)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Every text of the code and the form is in the translations' sources, and translated."""
+"""Every text of the code and the form is in the sources of the translations, and is translated."""
 
 import ast
 import re
@@ -19,7 +19,7 @@ MARKED = {"translate", "QT_TRANSLATE_NOOP"}
 
 @pytest.fixture(scope="module")
 def texts_of_code(parse):
-    """Contexts and texts of all calls that mark a text, which takes literals."""
+    """Return contexts and texts of all calls that mark a text for translation. The arguments must be literals."""
     texts = []
     for path in (ROOT / "vkworkbench").rglob("*.py"):
         for node in ast.walk(parse(path)):
@@ -40,7 +40,7 @@ def texts_of_forms():
 
 @lru_cache(maxsize=None)
 def messages(name):
-    """Translations by context and text; None for one that is not finished."""
+    """Return the translations by context and text. An unfinished translation is None."""
     found = {}
     for context in ElementTree.parse(FOLDER / name).getroot().iter("context"):
         for message in context.iter("message"):
@@ -52,12 +52,12 @@ def messages(name):
 
 @pytest.mark.parametrize("name", ["VkWorkbench.ts", *(f"VkWorkbench_{language}.ts" for language in LANGUAGES)])
 def test_translation_sources_equal_texts_in_code(name, texts_of_code):
-    # Else run resources/update_translations.sh.
+    # If this fails, run resources/update_translations.sh.
     assert set(messages(name)) == {*texts_of_code, *texts_of_forms()}
 
 
 @pytest.mark.parametrize("language", LANGUAGES)
-def test_everything_is_translated(language):
+def test_every_text_is_translated(language):
     for (_, text), translation in messages(f"VkWorkbench_{language}.ts").items():
         assert translation, text
         # A translation keeps the placeholders, the … of commands that open a dialog, the tags and the line breaks.
@@ -73,8 +73,8 @@ def test_translations_differ_from_the_source(language):
     assert len(same) < 0.05 * len(translated), same
 
 
-def test_no_text_reaches_the_user_unmarked(parse):
-    """Titles, tooltips and labels are not given as bare literals."""
+def test_every_text_of_the_window_is_translatable(parse):
+    """Titles, tooltips and labels must not be bare literals."""
     setters = {"setText", "setToolTip", "setWindowTitle", "setTitle", "QPushButton", "QLabel", "showMessage", "addItem"}
     for path in (ROOT / "vkworkbench" / "gui").rglob("*.py"):
         for node in ast.walk(parse(path)):

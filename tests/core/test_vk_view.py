@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Views of a box by numbers worked out by hand."""
+"""Views of a box, compared with values computed by hand."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ BOX = Stock((1, 2, 3), (5, 10, 6))
         ((3, 0, 4), (0, -1, 0), (-0.8, 0, 0.6)),
     ],
 )
-def test_the_axes_of_an_image(direction, right, up):
+def test_axes_of_an_image_follow_the_direction(direction, right, up):
     frame = View(direction, pixel=0.5).frame(BOX)
     assert frame.right == pytest.approx(right, abs=1e-9) and frame.up == pytest.approx(up, abs=1e-9)
     along = np.array(direction) / np.linalg.norm(direction)
@@ -34,8 +34,8 @@ def test_the_axes_of_an_image(direction, right, up):
     assert (frame.pixel, frame.width, frame.height) == (0.5, 800, 600)
 
 
-def test_smallest_pixel_that_fits_the_stock_in_the_image():
-    """A stock of 4 x 8 x 3 mm, seen from above, from the side, and 45 degrees from above."""
+def test_smallest_pixel_fits_the_stock_in_the_image():
+    """A stock of 4 x 8 x 3 mm is seen from above, from the front, and from 45 degrees above."""
     for direction, width, height, pixel in (
         ((0, 0, -1), 40, 40, 0.2), ((0, 0, -1), 10, 40, 0.4), ((0, 1, 0), 8, 100, 0.5), ((0, 1, 0), 100, 5, 0.6),
         ((0, 1, -1), 100, 10, 1.1 / sqrt(2)),
@@ -43,7 +43,7 @@ def test_smallest_pixel_that_fits_the_stock_in_the_image():
         assert View(direction, width, height).frame(BOX).pixel == pytest.approx(pixel)
 
 
-def test_rays_of_an_image():
+def test_rays_of_an_image_start_at_pixel_centres():
     frame = View((0, 1, 0), 4, 2, pixel=0.5, offset=(10, 20)).frame(BOX)
     assert frame.centre.tolist() == [13, 6, 24.5]
     x, y = frame.pixel_centres([0, 3], [0, 1])
@@ -51,7 +51,7 @@ def test_rays_of_an_image():
     assert frame.origins(x, y).tolist() == [[12.25, 6, 24.25], [13.75, 6, 24.75]]
 
 
-def test_impossible_views_raise():
+def test_impossible_views_raise_an_error():
     for direction in ((0, 0, 0), (0, 0, np.nan), (0, 1), (np.inf, 0, 0)):
         with pytest.raises(ValueError, match="direction must be three finite numbers"):
             View(direction)
@@ -64,7 +64,7 @@ def test_impossible_views_raise():
     assert View(width=1, height=1).direction == (0, 0, -1)
 
 
-def test_the_size_of_an_image_is_whole_pixels():
+def test_size_of_an_image_must_be_whole_pixels():
     assert View(width=np.int64(8)).width == 8
     for size in (160 / 0.5, "8", None):
         with pytest.raises(TypeError, match="height must be a whole number of pixels"):

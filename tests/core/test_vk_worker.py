@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Work in other processes: results, processes that died, and the choice of the Python."""
+"""Work in other processes: results, processes that died, and the choice of the Python interpreter."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ from vkworkbench.worker import Worker, WorkerDied
 ROOT = Path(__file__).parents[2]
 
 
-def test_a_worker_works_for_one_argument_after_the_other():
+def test_worker_returns_the_result_of_each_argument():
     one = Worker(len)
     one.get_ready()
     assert [one("abc"), one([1]), one(())] == [3, 1, 0] and one.lives
@@ -30,7 +30,7 @@ def test_a_worker_works_for_one_argument_after_the_other():
         one("abc")
 
 
-def test_a_worker_whose_work_fails_dies():
+def test_worker_dies_if_its_work_raises_an_error():
     one = Worker(len)
     with pytest.raises(WorkerDied):
         one(3)
@@ -39,7 +39,7 @@ def test_a_worker_whose_work_fails_dies():
 
 @pytest.mark.skipif(not hasattr(signal, "SIGPIPE"), reason="Windows has no such signal")
 def test_dead_worker_sends_no_signal_to_its_caller():
-    """FreeCAD 1.0 would end by it."""
+    """The signal would end FreeCAD 1.0."""
     got = []
     before = signal.signal(signal.SIGPIPE, lambda *_: got.append(1))
     try:
@@ -60,7 +60,7 @@ def test_printed_output_of_work_does_not_disturb_answers():
     one.end()
 
 
-def test_a_worker_finds_the_add_on_from_any_folder(monkeypatch, tmp_path):
+def test_worker_finds_the_add_on_from_any_folder(monkeypatch, tmp_path):
     monkeypatch.chdir(tmp_path)
     monkeypatch.delenv("PYTHONPATH", raising=False)
     one = Worker(len)
@@ -68,7 +68,7 @@ def test_a_worker_finds_the_add_on_from_any_folder(monkeypatch, tmp_path):
     one.end()
 
 
-def test_worker_runs_nothing_of_a_hostile_folder(monkeypatch, tmp_path):
+def test_worker_runs_no_files_of_a_hostile_folder(monkeypatch, tmp_path):
     ran = lay_traps(tmp_path / "traps")
     for name, value in environment_of_traps(tmp_path / "traps").items():
         monkeypatch.setenv(name, value)
@@ -90,7 +90,7 @@ def test_memory_of_a_worker_is_limited():
 
 
 def _ends(pid):
-    """Whether a process ends; one that its parent has not waited for has ended, too."""
+    """Return whether a process ends within 20 s. A zombie process has ended, too."""
     deadline = time.monotonic() + 20
     while time.monotonic() < deadline:
         try:
@@ -106,7 +106,7 @@ def _ends(pid):
 @pytest.mark.skipif(not sys.platform.startswith("linux"), reason="the state of a process is read from /proc")
 @pytest.mark.parametrize("work", ["time.sleep, 10000", "max, range(10**13)"])
 def test_worker_ends_when_its_parent_is_killed(work):
-    """Also in the middle of its work, and if the work keeps Python's lock."""
+    """The worker also ends in the middle of its work, and if the work holds the GIL."""
     code = (
         "import threading, time; from vkworkbench.worker import Worker\n"
         "def have_done(work, argument):\n"
@@ -126,8 +126,8 @@ def test_worker_ends_when_its_parent_is_killed(work):
 
 
 @pytest.mark.skipif(not sys.platform.startswith("linux"), reason="the state of a process is read from /proc")
-def test_worker_ends_in_its_work_when_its_input_ends():
-    """Systems without a signal for the parent's death need it."""
+def test_worker_ends_during_its_work_if_its_input_ends():
+    """Systems that send no signal when the parent process dies need this."""
     one = Worker(time.sleep)
     one.get_ready()
     one._say(10_000)
@@ -141,8 +141,8 @@ def test_worker_ends_in_its_work_when_its_input_ends():
 
 
 @pytest.mark.skipif(os.name != "posix", reason="a shell's script stands for the other Python")
-def test_a_worker_finds_the_numpy_that_is_used_here(monkeypatch, tmp_path):
-    """As in a FreeCAD that brings its own: to its Python alone it may be unknown."""
+def test_worker_uses_the_numpy_of_its_parent(monkeypatch, tmp_path):
+    """A FreeCAD with its own numpy may start a Python interpreter that does not find this numpy."""
     bare = tmp_path / "python"
     bare.write_text(f'#!/bin/sh\nexec "{sys.executable}" -S "$@"\n')
     bare.chmod(0o755)
@@ -159,11 +159,11 @@ def test_processes_equal_available_cores(monkeypatch):
         assert worker.processes() == 1
     finally:
         os.sched_setaffinity(0, mine)
-    monkeypatch.delattr(os, "sched_getaffinity")  # as on Windows and macOS
+    monkeypatch.delattr(os, "sched_getaffinity")  # like on Windows and macOS
     assert worker.processes() == os.cpu_count()
 
 
-def test_the_python_of_a_program_that_is_not_python(monkeypatch, tmp_path):
+def test_python_is_found_beside_freecad_or_in_its_prefix(monkeypatch, tmp_path):
     """In FreeCAD, sys.executable is FreeCAD itself. Its Python lies beside FreeCAD or in the folders of sys.prefix."""
     assert worker.interpreter() == sys.executable
     version = f"python{sys.version_info.major}.{sys.version_info.minor}"

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Codes, templates and arguments fit together, in every language and whatever the labels hold."""
+"""Codes, templates and arguments of messages fit together in every language, for any labels."""
 
 from __future__ import annotations
 
@@ -31,13 +31,13 @@ def templates(code):
 
 
 def places(code):
-    """Return the placeholders of a message, each with its quantity."""
+    """Return the placeholders of a message with their quantities."""
     return dict(place for template in templates(code) for place in PLACE.findall(template))
 
 
 @pytest.fixture(scope="module")
 def made(parse):
-    """Every message that the code makes: its file and line, and its call."""
+    """Return every message that the code makes: its file and line, and its call."""
     return [
         (f"{path.relative_to(PACKAGE)}:{node.lineno}", node)
         for path in sorted(PACKAGE.rglob("*.py"))
@@ -60,12 +60,12 @@ def test_messages_have_a_template_with_exactly_their_arguments(made):
 
 
 @pytest.mark.sources
-def test_every_template_is_used(made):
+def test_every_template_of_a_message_is_used(made):
     assert set(TABLE) == {call.args[0].value for _, call in made}
 
 
 @pytest.mark.sources
-def test_templates_fit_their_kind():
+def test_templates_have_known_quantities_and_ascii_words():
     wrong = []
     for code in TABLE:
         for template in templates(code):
@@ -80,7 +80,7 @@ def test_templates_fit_their_kind():
 
 
 @pytest.mark.parametrize("language", LANGUAGES)
-def test_every_message_in_every_language(language):
+def test_every_message_is_rendered_in_every_language(language):
     reader = Translated(language)
     for code in TABLE:
         for count in (1, 3):
@@ -99,7 +99,7 @@ def test_every_message_in_every_language(language):
 @pytest.mark.parametrize(
     "label", ["A; B", "{step:mm3}", "{label}", "{}", "%n %1 50%", "a: b", "⟦x⟧", "é\n\t", "", "; "]
 )
-def test_labels_stay_as_they_are(label):
+def test_labels_in_messages_are_not_changed(label):
     message = Message("heaviest", label=label, time=3.0)
     assert render(message) == f" The slowest is {label} with 3.0 s."
     assert render(message, German()) == f" Am längsten braucht {label} mit 3,0 s."
@@ -107,9 +107,9 @@ def test_labels_stay_as_they_are(label):
 
 
 def wrong_reasons():
-    """Yield the kind and the reason of each synthetic toolpath whose reason is not right for every reader.
+    """Yield the kind and the reason of each synthetic toolpath whose reason is not right in every language.
 
-    One toolpath of each kind is enough: others of the same kinds make no code that these do not make.
+    One toolpath per kind is enough: more toolpaths of the same kinds give no other codes.
     """
     for kind, _, build in synthetic.SAMPLES:
         found = recognize(linearize(build(np.random.default_rng(0))), tool_diameter=6.0)
@@ -128,11 +128,11 @@ def wrong_reasons():
                 yield kind, shown
 
 
-def test_real_reasons_in_every_language():
+def test_reasons_of_recognitions_are_right_in_every_language():
     assert list(wrong_reasons()) == []
 
 
-def test_a_reason_holds_its_numbers():
+def test_reason_contains_its_numbers():
     rows = [("G0", {"X": 0, "Y": 0, "Z": 0})]
     for i in range(12):
         rows += [("G1", {"X": 50 if i % 2 == 0 else 0}), ("G1", {"Y": 3.0 * (i + 1)})]
@@ -144,7 +144,7 @@ def test_a_reason_holds_its_numbers():
     assert arguments["seen"] == Message("half-turns-alternate")
 
 
-def test_numbers_as_each_reads_them():
+def test_numbers_are_written_in_the_readers_way():
     message = Message("passes-need", step=2.54, cell=0.635)
     assert render(message) == " Passes 2.54 mm apart need 0.64 mm."
     assert render(message, German()) == " Bahnen im Abstand von 2,54 mm brauchen 0,64 mm."
@@ -174,13 +174,13 @@ def test_numbers_have_two_or_three_digits_and_a_unit(kind, number, text):
 @pytest.mark.parametrize("memory, needed, allowed", [
     (3.1e9, "3.1 GB", "2.0 GB"), (2.04e9, "2.04 GB", "2.00 GB"), (2.0004e9, "2.0004 GB", "2.0000 GB"), (2e9, "2.0 GB", "2.0 GB"),
 ])  # fmt: skip
-def test_sentence_shows_that_one_value_exceeds_another(memory, needed, allowed):
-    """No sentence says "about 2.0 GB, which is over your 2.0 GB limit"."""
+def test_rounded_values_in_a_sentence_differ_if_values_differ(memory, needed, allowed):
+    """A sentence must not say "about 2.0 GB, which is over your 2.0 GB limit"."""
     told = render(Message("memory", simulator="legacy", memory=memory, allowed=2e9, instead=Message("smaller-image")))
     assert f"takes about {needed} for this operation, which is over your {allowed} limit." in told
 
 
-def test_times_that_differ_read_differently():
+def test_different_times_in_a_sentence_are_written_differently():
     close = Message("legacy-long-play", simulator="legacy", longer=602.0, time=598.0)
     assert "10.03 min in the legacy simulator. Use fast-forward, which takes about 9.97 min" in render(close)
     assert "10,03 min" in render(close, German()) and "9,97 min" in render(close, German())
@@ -188,7 +188,7 @@ def test_times_that_differ_read_differently():
     assert (ENGLISH.time(2.0, extra_digits=2), ENGLISH.time(36_000.0, extra_digits=1)) == ("2.000 s", "10.0 h")
 
 
-def test_a_volume_is_read_in_the_unit_of_its_side():
+def test_volume_has_the_unit_of_its_cubes_side():
     class Large(Reader):
         def length_unit(self, millimetres):
             return (1000.0, "m") if millimetres > 1000 else (1.0, "mm")
@@ -203,21 +203,21 @@ def test_a_volume_is_read_in_the_unit_of_its_side():
     (9.96, "10 s", "10 s"), (96.0, "1.6 min", "2 min"), (1e7, "2,800 h", "3,000 h"), (0.0, "0 ms", "0 ms"),
     (float("inf"), "inf h", "inf h"),
 ])  # fmt: skip
-def test_a_time_has_as_many_digits_as_its_error_allows(seconds, two, one):
+def test_digits_of_a_time_follow_from_its_error(seconds, two, one):
     assert ENGLISH.time(seconds, 1.3) == ENGLISH.estimated_time(seconds, 1.9) == two
     assert ENGLISH.time(seconds, 2.0) == one and ENGLISH.estimated_time(seconds, 4.0) == f"about {one}"
     assert ENGLISH.time(seconds, 1.01) == ENGLISH.time(seconds)
 
 
 @pytest.mark.parametrize("strategy", Strategy)
-def test_strategies_are_named_by_their_values(strategy):
-    """A message holds the value; the translations know the name."""
+def test_english_names_of_strategies_are_their_values(strategy):
+    """A message contains the value of the strategy, and the translations contain the name."""
     assert strategy.value == strategy.label
     assert all(("Strategy", strategy.value) in Translated(language).texts for language in LANGUAGES)
 
 
-def test_plain_words_leave_out_the_papers_terms():
-    """Where a reason speaks in the paper's terms, a machinist has other words of the same numbers."""
+def test_plain_words_do_not_contain_the_papers_terms():
+    """For a reason with the paper's terms, there is a template for machinists with the same numbers."""
     terms = re.compile(r"\b(Phi|half-turns|level)\b")
     spoken = {code for code in TABLE for template in templates(code) if terms.search(PLACE.sub("", template))}
     assert spoken - set(PLAIN) <= {"sections"}
@@ -234,12 +234,12 @@ def test_plain_words_leave_out_the_papers_terms():
     assert render(why).startswith("Phi stays")
 
 
-def test_one_and_more():
+def test_singular_and_plural_of_messages_differ():
     assert "1 ramp at" in render(Message("legacy-ramp", simulator="legacy", count=1, error=2, way="", command=3))
     assert "2 ramps at" in render(Message("legacy-ramp", simulator="legacy", count=2, error=2, way="", command=3))
 
 
-def test_messages_are_values():
+def test_equal_messages_are_equal_values():
     one = Message("x", b=np.float64(2), a=np.int64(1), strategy=Strategy.ZIGZAG, parts=[Message("y"), "z"], no=None)
     same = Message("x", a=1, b=2.0, strategy="zigzag", parts=(Message("y"), "z"), no=None)
     assert one == same and hash(one) == hash(same) and one != Message("x", a=1)
@@ -269,7 +269,7 @@ messages = st.recursive(
 
 
 @given(messages)
-def test_there_and_back(message):
+def test_message_is_unchanged_by_writing_and_reading(message):
     written = json.dumps(message.as_data(), allow_nan=False)
     assert Message.from_data(json.loads(written)) == message
 
@@ -292,13 +292,13 @@ def test_invalid_message_data_raise_value_error(data):
             render(message)
 
 
-def test_an_error_that_carries_its_message():
+def test_unusable_error_contains_its_message():
     error = Unusable(Message("tip-angle", angle=4.0))
     assert isinstance(error, ValueError) and error.what.code == "tip-angle"
     assert str(error) == "The tip angle must be between 0 and pi, not 4."
 
 
-def test_a_number_in_a_sentence_has_six_digits():
+def test_number_in_a_sentence_has_six_digits():
     assert str(Unusable(Message("tip-angle", angle=10 / 3))).endswith("not 3.33333.")
 
 
@@ -313,7 +313,7 @@ def test_list_argument_is_joined_for_the_reader():
     ("0:45", 45), (" 17:30 ", 1050), ("1:02:30", 3750), ("90:00", 5400), ("17", None), ("1:75", None), ("", None),
     ("-1:00", None), ("1:2:3:04", None),
 ])  # fmt: skip
-def test_clock_is_read(text, seconds):
+def test_time_of_a_clock_is_read(text, seconds):
     assert ENGLISH.seconds_of(text) == seconds
     assert seconds is None or ENGLISH.seconds_of(ENGLISH.clock(seconds)) == seconds
 

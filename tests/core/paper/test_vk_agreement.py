@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Phi, level and reversals agree in the recognition, the Gauss map, the mark, the panel and the report."""
+"""Phi, level and reversals agree in the recognition, the Gauss map, the mark in the tree, the panel and the report."""
 
 import csv
 import gzip
@@ -18,14 +18,14 @@ from vkworkbench.core.paper.literal import paper_verdict
 from vkworkbench.language import ENGLISH
 from vkworkbench.report import OperationReport, Report
 
-# Operations of FreeCAD that are not part of this repository, where they are at hand.
+# Operations of FreeCAD that are not part of this repository. The folder may be missing.
 CORPUS = Path(__file__).resolve().parents[4] / "shared" / "corpus"
 FILES = sorted(CORPUS.glob("freecad-*.jsonl.gz"))
 NUMBER = re.compile(r"[+-]\d+\.\d\d|(?<![\d.])0(?![\d.%])")
 
 
 def rows(count, *, step=2.0, length=40.0, sense=1):
-    """A zigzag at one depth."""
+    """Return the commands of a zigzag at one depth."""
     commands = [("G0", {"X": 0.0, "Y": 0.0, "Z": 5.0}), ("G1", {"Z": -1.0, "F": 5.0})]
     for row in range(count):
         commands += [("G1", {"X": length if row % 2 == 0 else 0.0}), ("G1", {"Y": sense * step * (row + 1)})]
@@ -33,7 +33,7 @@ def rows(count, *, step=2.0, length=40.0, sense=1):
 
 
 def squares(count, *, sense=1, lifted=True, reverse=False):
-    """Square loops one inside the other; `reverse` goes back over the first side of each."""
+    """Return nested square loops. With `reverse`, the tool moves back along a part of the first side of each loop."""
     commands = []
     for loop in range(count):
         a, b = 2.0 * loop, 60.0 - 2.0 * loop
@@ -52,7 +52,7 @@ def bore(turns):
 
 
 def slot(passes):
-    """To and fro on one line, deeper each time: every turn is an exact reversal."""
+    """Return passes back and forth on one line, each deeper than the last, so every turn is an exact reversal."""
     commands = [("G0", {"X": 0.0, "Y": 0.0, "Z": 5.0}), ("G1", {"Z": 0.0, "F": 5.0})]
     return commands + [("G1", {"X": 50.0 * (k % 2), "Z": -0.1 * k}) for k in range(1, passes + 1)]
 
@@ -75,7 +75,7 @@ def of_corpus():
 
 
 def report(path, found):
-    """The row of an operation as an analysis makes it, without costs."""
+    """Return a report with one operation, like an analysis makes it, without costs."""
     unknown = dict.fromkeys(OperationReport.__dataclass_fields__)
     known = {"document": "D", "name": "Operation", "label": "Operation", "counted": True, "recognition": found,
              "trajectories": len(path), "machining": machining(path)}  # fmt: skip
@@ -100,7 +100,7 @@ def check(commands, diameter, file):
     assert ((low, high), sum(len(s.reversals) for s in each)) == (found.phi_range, found.reversals)
     assert found.level in {s.top_level for s in each}
     assert found.paper == paper_verdict(areas)
-    # The mark, its tooltip and the panel show the reason.
+    # The mark in the tree, its tooltip and the panel show the reason.
     if found.reason.startswith("Phi "):
         shown = [ENGLISH.turns(phi) for phi in found.phi_range]
         numbers = NUMBER.findall(found.reason.partition(" turns")[0])
@@ -126,7 +126,7 @@ def test_signature_of_freecad_operations_agrees_in_all_places(tmp_path):
     assert sum(check(*one, tmp_path / "report.csv") for one in islice(of_corpus(), 0, None, 10)) >= 50
 
 
-def test_an_area_has_the_signature_of_its_polyline():
+def test_area_has_the_signature_of_its_polyline():
     for commands in OWN.values():
         areas = monotonous_areas(linearize(commands))
         for area in range(len(areas.start)):
@@ -140,19 +140,19 @@ def test_an_area_has_the_signature_of_its_polyline():
                 assert of_area.total_turning == pytest.approx(of_points.total_turning, abs=1e-9)
 
 
-def test_the_last_of_linked_loops_closes():
+def test_last_of_linked_loops_reaches_its_level():
     areas = monotonous_areas(linearize(OWN["linked loops"]))
     assert len(areas.start) == 1 and not areas.closed[0]
     assert areas.phi_range == pytest.approx((0.0, 8 * 2 * np.pi)) and areas.top_level == 8
 
 
-def test_areas_are_views_of_one_block():
+def test_signatures_of_areas_share_memory():
     areas = monotonous_areas(linearize(squares(4)))
     one = areas.signature(1)
     assert all(np.shares_memory(ours, whole) for ours, whole in ((one.alpha, areas.alpha), (one.phi, areas.phi)))
 
 
-def test_literal_verdict_of_the_paper():
+def test_verdict_by_the_papers_rule_is_exact():
     path = {name: linearize(commands) for name, commands in OWN.items()}
     verdicts = {name: recognize(p, tool_diameter=6.0).paper for name, p in path.items()}
     assert verdicts["zigzag"].strategy is Strategy.ZIGZAG and verdicts["zigzag"].sense is None
@@ -161,16 +161,16 @@ def test_literal_verdict_of_the_paper():
     linked = verdicts["linked loops"]
     assert linked.strategy is Strategy.CONTOUR_PARALLEL and linked.level >= 7
     assert verdicts["bore"].strategy is Strategy.CONTOUR_PARALLEL and verdicts["bore"].level == -6
-    # A single loop is neither: its phi ends before 2 pi, for its last corner is not turned.
+    # A single loop is unknown by the rule: its phi ends before 2 pi, because phi does not include the closing turn.
     assert verdicts["one loop"].strategy is Strategy.UNKNOWN
     assert verdicts["one loop"].phi_range == pytest.approx((0.0, 1.5 * np.pi))
-    # From a corner of it V_k sees a square under a quarter turn, and turns one way only.
+    # From a corner of the square, V_k points to all other corners within a quarter turn, and turns in one sense.
     assert verdicts["one loop"].sense == "ccw"
     assert verdicts["one loop"].theta_range == pytest.approx((0.0, np.pi / 2))
 
 
 @pytest.mark.sources
-def test_directions_and_turns_are_taken_in_one_file():
+def test_directions_and_turns_are_computed_in_one_file():
     core = Path(__file__).resolve().parents[3] / "vkworkbench" / "core"
     sources = {path: path.read_text() for path in core.rglob("*.py")}
     # Other files compute only angles around the centres of arcs and around the axis of a drawn tool.

@@ -10,9 +10,11 @@ import pytest
 from vkworkbench.core import Strategy, linearize, signature
 from vkworkbench.core.paper import monotonous_areas, paper_verdict
 
-SLOT = [(0.0, 0.0), (30.0, 0.0), (0.0, 0.0), (30.0, 0.0), (30.0, 5.0)]  # there and back on one line: no signs
-SQUARE = [(0.0, 0.0), (20.0, 0.0), (20.0, 20.0), (0.0, 20.0), (0.0, 0.4)]  # closed but for 0.4 mm, as a lead leaves it
-ROW = [(0.0, 0.0), (20.0, 0.0), (20.0, 0.4), (0.0, 0.4)]  # as near, but nothing lies between
+# back and forth on one line, so these turns are unsigned
+SLOT = [(0.0, 0.0), (30.0, 0.0), (0.0, 0.0), (30.0, 0.0), (30.0, 5.0)]
+# closed except for a gap of 0.4 mm, like after a lead-in
+SQUARE = [(0.0, 0.0), (20.0, 0.0), (20.0, 20.0), (0.0, 20.0), (0.0, 0.4)]
+ROW = [(0.0, 0.0), (20.0, 0.0), (20.0, 0.4), (0.0, 0.4)]  # the gap is the same, but the area between is tiny
 
 
 def areas_of(*strokes):
@@ -34,7 +36,10 @@ def test_area_does_not_depend_on_earlier_areas(strokes):
 
 @pytest.mark.parametrize("sense", [1, -1])
 def test_reversal_turns_back_the_turning_of_its_area(sense):
-    """The area turns by a quarter, runs straight and reverses. The contour before it turned more, in either sense."""
+    """The area turns by a quarter, continues straight, and reverses.
+
+    The contour before the area turned more, in either sense.
+    """
     late = [(0, 0), (30, 0), (30, 30 * sense), (30, 60 * sense), (30, 30 * sense), (30, 0)]
     for before in (SQUARE, SQUARE[::-1]):
         phi = areas_of(before, late).signature(1).phi / np.pi
@@ -62,14 +67,14 @@ AROUND = [(20, 0), (20, 20), (-20, 20), (-20, -20), (20, -20), (20, 0)]
     [
         (IN_AND_OUT, 0),
         (IN_AND_OUT[:3], 0),
-        ([(30, 0), *AROUND, (30, 0)], 1),  # a lead from outside, travelled in and out
-        ([(10, 0), *AROUND, (10, 0)], 1),  # one from inside
+        ([(30, 0), *AROUND, (30, 0)], 1),  # a lead-in and lead-out from outside on one line
+        ([(10, 0), *AROUND, (10, 0)], 1),  # a lead-in and lead-out from inside
         ([(10, 0), *AROUND, *AROUND[1:], (10, 0)], 2),
         ([(30, 0), *RELIEVED, (30, 0)], 1),
     ],
 )
-def test_closing_half_turn_adds_nothing_up(stroke, turns, degrees):
-    """Whichever way the path points, and whether it is alone, after others, or given by its points."""
+def test_closing_half_turn_is_not_added_to_the_total(stroke, turns, degrees):
+    """The result is the same for all directions of the path, alone or after other paths, and for its points."""
     angle = np.radians(degrees)
     turned = np.array(stroke, float) @ [[np.cos(angle), np.sin(angle)], [-np.sin(angle), np.cos(angle)]]
     for path, sense in ((turned, 1), (turned[::-1], -1)):
@@ -79,8 +84,8 @@ def test_closing_half_turn_adds_nothing_up(stroke, turns, degrees):
             assert areas.total_turning[[1, 3]] == pytest.approx(sense * turns * 2 * np.pi, abs=1e-9)
 
 
-def test_reliefs_in_the_corners_leave_a_contour_its_turn():
-    """A dogbone is an excursion out and back: the corner turns by a quarter, as without the dogbone."""
+def test_corner_reliefs_do_not_change_the_total_turning():
+    """A dogbone is a detour out and back, so the corner turns by a quarter, like without the dogbone."""
     for path, sense in ((RELIEVED, 1), (RELIEVED[::-1], -1)):
         assert signature(path).total_turning == pytest.approx(sense * 2 * np.pi)
         areas = areas_of(SLOT, path, RELIEVED)
@@ -92,7 +97,7 @@ def test_reliefs_in_the_corners_leave_a_contour_its_turn():
 @pytest.mark.parametrize("before", [-150, 0, 150])
 @pytest.mark.parametrize("behind", [-150, 0, 150])
 @pytest.mark.parametrize("sense", [1, -1])
-def test_detour_and_back_adds_no_turn(before, behind, sense):
+def test_detour_out_and_back_adds_no_turn(before, behind, sense):
     """The path turns by 120 degrees, returns on the same line, and turns by 60 degrees back to its old direction."""
     heading = sense * np.radians(np.cumsum([0, before, 120, 180, 60, behind]))
     path = np.cumsum(np.vstack(([0, 0], 10 * np.column_stack((np.cos(heading), np.sin(heading))))), axis=0)
@@ -101,7 +106,7 @@ def test_detour_and_back_adds_no_turn(before, behind, sense):
 
 
 @pytest.mark.parametrize("links", [1, -1])
-def test_rows_that_are_cut_there_and_back_stay_on_their_level(links):
+def test_rows_cut_back_and_forth_stay_on_level_0(links):
     rows = [(x, 3 * links * i) for i in range(12) for x in (0, 40, 0)]
     areas = areas_of(rows)
     assert len(areas.unsigned) == 12 and areas.top_level == 0
@@ -110,7 +115,7 @@ def test_rows_that_are_cut_there_and_back_stay_on_their_level(links):
 
 
 @pytest.mark.parametrize("x", [50, 900, -900])
-def test_gap_is_compared_with_enclosed_area_anywhere(x):
+def test_gap_is_compared_with_the_enclosed_area_anywhere(x):
     # A contour is closed if the gap is at most 3 % of the side of a square of equal area: 0.6 mm for 20 mm.
     for gap, closed in ((0.5, True), (0.65, False)):
         assert areas_of(at([*SQUARE[:-1], (0.0, gap)], x, -30), at(ROW, 0, 0)).closed.tolist() == [closed, False]
@@ -123,8 +128,8 @@ def test_small_gap_counts_around_tiny_area(gap, closed):
 
 
 @pytest.mark.parametrize("turned", [0.0, 0.008])
-def test_phi_is_the_direction_of_rows_that_fan_out(turned):
-    """Each row is slightly turned from the previous row. The deviations of the half turns from pi add up."""
+def test_phi_of_rows_that_fan_out_is_their_direction(turned):
+    """Each row is slightly rotated against the previous row. The deviations of the half-turns from pi add up."""
     angle = np.arange(400) * turned + np.pi * (np.arange(400) % 2)
     fan = [(50 * np.cos(a), 50 * np.sin(a)) for a in angle.tolist()]
     signature = areas_of(fan).signature(0)
@@ -140,12 +145,12 @@ def test_loop_after_zigzag_does_not_close_the_area():
     assert len(areas.loops[0]) and np.abs(areas.phi_ranges).max() < 2 * np.pi - 0.1
 
 
-def test_areas_climb_where_a_cut_changes_its_height():
+def test_areas_climb_if_a_cut_changes_its_height():
     level, ramp = ([(0.0, 0.0, -1.0), (20.0, 0.0, -1.0), (20.0, 9.0, z)] for z in (-1.0, -1.5))
     for strokes, climbs in (([level, level], False), ([level, ramp], True)):
         assert monotonous_areas(linearize(programs.program(strokes))).climbs is climbs
 
 
-def test_no_areas():
+def test_toolpath_without_cuts_has_no_areas():
     areas = areas_of()
     assert len(areas) == 0 and areas.phi_range == (0.0, 0.0) and areas.phi_ranges.shape == (0, 2)

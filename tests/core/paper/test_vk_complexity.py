@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The complexity of polylines, against turns counted by hand."""
+"""The complexity of polylines, compared with turns counted by hand."""
 
 from __future__ import annotations
 
@@ -18,21 +18,22 @@ STAR = [(np.cos(0.8 * PI * k), np.sin(0.8 * PI * k)) for k in range(6)]
     [
         (SQUARE, 2, 2),
         (SQUARE[::-1], 2, -2),
-        (SQUARE[:-1], 1, 1),  # open: two corners
-        (STAR, 4, 4),  # a pentagram goes around twice
-        ([(0, 0), (9, 0), (9, 1), (0, 1), (0, 2), (9, 2)], 2, 0),  # a zigzag turns on and back
-        ([(0, 0), (4, 0), (4, 4), (2, 4), (2, 2), (0, 2), (0, 0)], 3, 2),  # one dent: a quarter turn back and on again
+        (SQUARE[:-1], 1, 1),  # open, so only two corners count
+        (STAR, 4, 4),  # a pentagram turns twice around
+        ([(0, 0), (9, 0), (9, 1), (0, 1), (0, 2), (9, 2)], 2, 0),  # a zigzag turns left and right
+        # one dent turns back by a quarter and on again
+        ([(0, 0), (4, 0), (4, 4), (2, 4), (2, 2), (0, 2), (0, 0)], 3, 2),
         ([(0, 0), (5, 0)], 0, 0),
         (np.empty((0, 2)), 0, 0),
     ],
 )
-def test_turns_by_hand(points, total, net):
+def test_turns_of_polylines_match_hand_count(points, total, net):
     found = complexity(points)
     assert found.total_turning == pytest.approx(total * PI) and found.net_turning == pytest.approx(net * PI)
     assert found.windings == pytest.approx(net / 2)
 
 
-def test_size_place_and_direction_do_not_count():
+def test_complexity_does_not_depend_on_size_or_place():
     rng = np.random.default_rng(1)
     points = rng.normal(size=(50, 2))
     turned = points @ np.array([[0.6, 0.8], [-0.8, 0.6]]) * 70 + (5, -3)

@@ -10,7 +10,7 @@ from vkworkbench.core.paper.directions import axis_of, farthest, level_of
 
 
 def axis(*moves):
-    """Degrees of the axis of moves, each a direction in degrees and a length."""
+    """Return the axis of moves in degrees. Each move is a direction in degrees and a length."""
     angle, length = np.array(moves, float).T
     angle = np.radians(angle)
     along = length * np.cos(angle)
@@ -18,7 +18,7 @@ def axis(*moves):
 
 
 @pytest.mark.parametrize("angle", [-80, -30, 0, 20, 75])
-def test_the_axis_of_one_direction_is_that_direction_either_way(angle):
+def test_axis_of_one_direction_is_this_direction(angle):
     assert [axis((angle, 7)), axis((angle, 7), (angle + 180, 3))] == pytest.approx([angle, angle])
 
 
@@ -29,11 +29,11 @@ def test_axis_lies_between_directions_weighted_by_length():
 
 
 @pytest.mark.parametrize("sign", [1, -1])
-def test_a_level_is_reached_but_for_rounding(sign):
+def test_level_is_reached_within_rounding(sign):
     turn = 2 * np.pi
     assert [level_of(sign * phi) for phi in (turn - 1e-5, turn - 1e-7, turn, 2.9 * turn)] == [0, sign, sign, 2 * sign]
 
 
-def test_upper_end_wins_for_equally_far_ends():
+def test_upper_end_of_phi_wins_for_equally_far_ends():
     assert farthest((-3.0 - 1e-9, 3.0)) == 3.0
     assert farthest((-3.1, 3.0)) == -3.1 and farthest((-3.0, 3.1)) == 3.1

@@ -24,15 +24,15 @@ def verdict(points, sense=1):
     ("corners", "strategy"),
     [(4, Strategy.ZIGZAG), (5, Strategy.UNKNOWN), (6, Strategy.UNKNOWN), (7, Strategy.CONTOUR_PARALLEL)],
 )
-def test_literal_rule_bounds_are_pi_and_two_pi(corners, strategy, sense):
-    """Sides of a square one after the other, a quarter turn at each corner but the first and the last."""
+def test_bounds_of_the_papers_rule_are_pi_and_two_pi(corners, strategy, sense):
+    """The path follows the sides of a square, with a quarter turn at each corner except the first and the last."""
     points = [SQUARE[k % 4] for k in range(corners)]
     found = verdict(points, sense)
     assert found.strategy is strategy
     assert sorted(map(abs, found.phi_range)) == pytest.approx([0, (corners - 2) * np.pi / 2])
 
 
-def test_a_closed_contour_ends_where_it_began():
+def test_v_of_a_closed_contour_is_zero():
     found = verdict([*SQUARE, SQUARE[0]])
     assert found.v == pytest.approx((0, 0)) and found.image == (0, 0)
     assert verdict(SQUARE[:3]).v == (30, 30) and verdict(SQUARE[:3]).image == pytest.approx((0.5**0.5, 0.5**0.5))
@@ -54,7 +54,7 @@ def test_image_of_contour_turns_in_one_sense():
 
 
 def test_image_of_v_turns_only_for_outward_loops():
-    """Loops from the outermost one inward are a contour, and V_k moves back and forth as in a zigzag."""
+    """Loops that are cut inward are contour-parallel, but their V_k moves back and forth like in a zigzag."""
     loops = [[(s * x, s * y) for x, y in [(-1, -1), (1, -1), (1, 1), (-1, 1), (-1, -1)]] for s in (40, 36, 32)]
     for order, goes_around, sense in ((loops, False, None), (loops[::-1], True, "ccw")):
         points = [(x - order[0][0][0], y - order[0][0][1]) for loop in order for x, y in loop]
@@ -64,22 +64,22 @@ def test_image_of_v_turns_only_for_outward_loops():
         assert swept > 2 * np.pi if goes_around else swept == pytest.approx(np.pi / 2)
 
 
-def test_image_sense_counts_from_its_start():
-    """V_k points up at first, and then less and less so, to the left."""
+def test_theta_range_begins_with_the_first_direction():
+    """V_k first points up, and then turns to the left or right."""
     assert np.degrees(verdict([(0, 0), (0, 30), (-30, 30)]).theta_range) == pytest.approx((90, 135))
     assert verdict([(0, 0), (0, 30), (-30, 30)]).sense == "ccw"  # by an eighth of a turn
     assert verdict([(0, 0), (0, 30), (30, 30)]).sense == "cw"
 
 
-def test_short_move_back_and_forth_has_no_sense():
+def test_short_move_of_v_back_and_forth_has_no_sense():
     found = verdict([(0, 0), (30, 0), (60, 6), (100, 5)])
     assert found.sense is None and max(found.theta_range) == pytest.approx(np.arctan2(6, 60))
 
 
 @pytest.mark.parametrize("share, sense", [(0.008, "ccw"), (0.015, None)])
 def test_gauss_image_reversing_by_one_percent_alternates(share, sense):
-    """About its first point the path goes two radians on, and back by a share of all its way."""
-    back = 2 * share / (1 - 2 * share)  # of 2 + 2 back
+    """The direction turns by two radians in all, and back by a share of the whole way."""
+    back = 2 * share / (1 - 2 * share)  # the way is 2 + 2 * back
     angles = [0.5, 1.0, 1.5, 1.5 - back, 2.0, 2.5]
     found = verdict([(0, 0), *((20 * np.cos(angle), 20 * np.sin(angle)) for angle in angles)])
     assert found.sense == sense

@@ -18,7 +18,7 @@ def areas_of(*strokes):
 
 
 def loops_of(*strokes):
-    """The number of moves before each loop, and its own."""
+    """Return the number of moves before each loop, and the number of moves in the loop."""
     first, end = areas_of(*strokes).loops
     return list(zip(first.tolist(), (end - first).tolist()))
 
@@ -40,7 +40,7 @@ def test_lifted_loops_are_found_in_own_areas():
 
 
 @pytest.mark.parametrize("times", [2, 3, 4])
-def test_repeated_contour_is_several_loops(times):
+def test_contour_repeated_in_one_stroke_is_several_loops(times):
     assert loops_of(polygon(40) + (times - 1) * polygon(40)[1:]) == [(4 * k, 4) for k in range(times)]
 
 
@@ -51,7 +51,7 @@ def test_loops_around_repeated_contour_are_found_in_order():
 
 @pytest.mark.parametrize(("gap", "is_one"), [(0.01, True), (0.02, True), (0.028, True), (0.035, False), (0.05, False)])
 def test_nearly_closed_loop_is_found_anywhere(gap, is_one):
-    """Where no more than that one is looked for, and where other areas are."""
+    """The loop is found if it is the last possible loop of the path, and if other areas follow."""
     for right in np.arange(0, 0.13, 0.005):
         around = polygon(40, x=100 + right)
         left = (around[-1][0] - gap, *around[-1][1:])
@@ -85,7 +85,7 @@ def test_return_without_full_turn_is_not_a_loop():
     ]
     assert loops_of([(20 * (k % 2), 0.0, 0.0) for k in range(12)]) == []
     assert loops_of(eight) == [(0, 4), (4, 4)]
-    assert loops_of([*eight[:5], *reversed(eight[:4])]) == [(0, 4), (4, 4)]  # there and back again, one loop each
+    assert loops_of([*eight[:5], *reversed(eight[:4])]) == [(0, 4), (4, 4)]  # one loop in each direction
 
 
 def contoured(count, notches=0):
@@ -105,29 +105,29 @@ def contoured(count, notches=0):
 def test_contour_through_zigzag_start_is_the_loop(count):
     path, rows, around = contoured(count)
     assert loops_of(path) == [(rows, around)]
-    # After another loop as well.
+    # The result is the same after another loop.
     assert loops_of(polygon(40), path) == [(0, 4), (4 + rows, around)]
 
 
-def test_little_loops_within_the_zigzag_do_not_hide_the_contour():
+def test_small_loops_inside_a_zigzag_do_not_hide_the_contour():
     path, rows, around = contoured(10)
 
     def little(x, y, up):
         return [(x, y, 0.0), (x + 4, y, 0.0), (x + 4, y + up, 0.0), (x, y + up, 0.0), (x, y, 0.0)]
 
-    # Two rows to the right each get a loop on both sides, so that the total turning of the zigzag is unchanged.
+    # Two rows to the right each get a loop on both sides, so the total turning of the zigzag is unchanged.
     first, second = ([*little(20.0, y, 1.0), *little(30.0, y, -1.0)] for y in (6.0, 12.0))
     assert loops_of([*path[:5], *first, *path[5:9], *second, *path[9:]]) == [(rows + 20, around)]
 
 
-def test_two_rows_turn_no_more_than_a_loop():
+def test_two_rows_and_the_return_are_one_loop():
     path, rows, _ = contoured(2)
     assert loops_of(path) == [(0, rows + 2)]
 
 
 @pytest.mark.parametrize("notches, is_the_loop", [(1, True), (3, False)])
 def test_wavy_contour_does_not_replace_rows(notches, is_the_loop):
-    """Ten rows turn by four turns more than a loop, and each notch of the contour by one."""
+    """Ten rows turn by four turns more than a loop, and each notch of the contour adds one turn."""
     path, rows, around = contoured(10, notches)
     assert (loops_of(path)[0] == (rows, around)) is is_the_loop
 
@@ -138,7 +138,8 @@ def test_winding_turns_begin_at_full_turns_of_phi(first, last, sense):
     areas = areas_of([(x, sense * y, z) for x, y, z in points])
     turns = winding_turns(areas, np.array([0]), np.array([len(areas)]), np.array([float(sense)]))
     assert turns[:4].tolist() == pytest.approx([36, 72, 108, 144], abs=3)
-    round_again = 2 * np.pi * np.arange(1, len(turns) + 1)  # a spiral's last move may be the first of one turn more
+    # the last move of a spiral may be the first move of another turn
+    round_again = 2 * np.pi * np.arange(1, len(turns) + 1)
     assert (sense * areas.phi[turns] >= round_again - 1e-6).all() and (sense * areas.phi[turns - 1] < round_again).all()
 
 
@@ -154,7 +155,7 @@ def test_windings_are_counted_separately(first, second):
     )
 
 
-def test_turning_back_and_on_begins_no_new_turn():
+def test_turn_that_swings_back_and_forth_is_counted_once():
     """A wavy contour passes the same direction several times in each turn."""
     angles = np.arange(0, 4 * 2 * np.pi, 0.1)
     radius = 20 + 3 * np.cos(7 * angles) + angles
@@ -169,7 +170,7 @@ def test_triangle_is_a_loop_but_move_there_and_back_is_not():
 
 
 @pytest.mark.parametrize("length", [3.0, 100.0, 4000.0])
-def test_no_path_encloses_more_than_a_circle_of_its_length(length):
+def test_enclosed_area_is_at_most_that_of_a_circle(length):
     gap = np.geomspace(1e-3, length, 200)
     circle = np.full(200, length**2 / (4 * np.pi))
     assert may_be_closed(gap, np.full(200, length)).tolist() == is_closed(gap, circle, np.full(200, 99)).tolist()

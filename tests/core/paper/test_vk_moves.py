@@ -14,7 +14,7 @@ START = ("G0", {"X": 40.0, "Y": 30.0, "Z": 5.0})
 
 
 def feed(*points):
-    """Moves at feed through points (x, y, z)."""
+    """Return moves at feed through points (x, y, z)."""
     return [("G1", {"X": 40.0 + x, "Y": 30.0 + y, "Z": z, "F": FEED}) for x, y, z in points]
 
 
@@ -33,11 +33,11 @@ def sizes(areas):
 ROW = [(20, 0, -1), (20, 2, -1), (0, 2, -1)]
 
 
-def test_an_area_ends_at_a_rapid():
+def test_area_ends_at_a_rapid():
     one = areas_of(*feed((0, 0, -1), *ROW, (0, 2, 5)), rapid(0, 4, 5), *feed((0, 4, -1), (20, 4, -1)))
     assert sizes(one) == [3, 1]
     assert one.index.tolist() == [1, 2, 3, 7]
-    # A rapid at the height of the cut, too: nothing is cut on it.
+    # A rapid at the cutting height is also a border, because it cuts nothing.
     assert sizes(areas_of(*feed((0, 0, -1), *ROW), rapid(0, 4, -1), *feed((20, 4, -1)))) == [3, 1]
 
 
@@ -48,7 +48,7 @@ def test_area_ends_at_a_plunge_and_retract():
 def test_area_ends_at_other_depth_unless_straight():
     step, wall = feed((0, 0, -1), *ROW, (0, 2, -2), (0, 30, -2)), feed((0, 0, -1), *ROW, (0, 2, 3), (-20, 2, 3))
     assert sizes(areas_of(*step)) == [3, 1]
-    assert sizes(areas_of(*wall)) == [4]  # a raster climbs a wall
+    assert sizes(areas_of(*wall)) == [4]  # the rows continue up a wall
     assert sizes(areas_of(*feed((0, 0, -1), (20, 20, -1), (20, 20, 3), (40, 40, 3)))) == [2]
     assert sizes(areas_of(*feed((0, 0, -1), (20, 20, -1), (20, 20, 3), (40, 0, 3), (60, 0, 3)))) == [1, 2]
 
@@ -60,15 +60,16 @@ def test_first_plunge_is_not_an_area():
 
 @pytest.mark.parametrize("drop, cuts", [(0.0, 1), (-80.0, 1), (-120.0, 0)])
 def test_slope_is_a_move_and_plunge_is_not(drop, cuts):
-    assert len(areas_of(*feed((0, 0, 0), (12, 16, drop)))) == cuts  # 20 mm along the plane, five times as deep at most
+    # 20 mm along the plane, and at most five times as deep
+    assert len(areas_of(*feed((0, 0, 0), (12, 16, drop)))) == cuts
 
 
-def test_a_plunge_aside_between_level_cuts_is_left_out():
+def test_sloped_plunge_between_level_cuts_is_left_out():
     areas = areas_of(*feed((0, 0, 0), *[(20, 0, 0), (20, 1, -6), (0, 1, -6)]))
     assert areas.index.tolist() == [1, 3]
 
 
-def test_each_cut_begins_where_the_one_before_ends():
+def test_each_cut_begins_at_the_end_of_the_cut_before():
     # The first path has moves that are left out, and the second path consists of cuts only.
     for path in (areas_of(*feed((0, 0, -1), *ROW)), monotonous_areas(linearize(feed((0, 0, -1), *ROW)))):
         assert path.x.tolist() == [40, 60, 60] and path.y.tolist() == [30, 30, 32] and path.z.tolist() == [-1] * 3
@@ -76,7 +77,7 @@ def test_each_cut_begins_where_the_one_before_ends():
 
 
 @pytest.mark.parametrize("beside, kept", [(0.3, True), (20.0, False)])
-def test_a_move_of_rounding_beside_a_long_one_has_no_direction(beside, kept):
+def test_tiny_move_beside_a_long_move_has_no_direction(beside, kept):
     areas = areas_of(*feed((0, 0, -1), (beside, 0, -1), (beside, 0.015, -1), (2 * beside, 0.015, -1)))
     assert len(areas) == 2 + kept
     last = areas_of(*feed((0, 0, -1), (0.3, 0, -1), (0.3, 0.015, -1), (0.3 + beside, 0.015, -1)))
@@ -94,7 +95,7 @@ def test_neighbours_of_a_move_are_its_previous_and_next_move():
 
 
 @pytest.mark.parametrize("width, kept", [(0.015, False), (0.03, True)])
-def test_tiny_move_beside_long_one_has_a_direction(width, kept):
+def test_tiny_move_above_rounding_has_a_direction(width, kept):
     areas = areas_of(*feed((0, 0, -1), (20, 0, -1), (20, width, -1), (40, width, -1)))
     assert len(areas) == 2 + kept
 
@@ -105,14 +106,14 @@ def test_move_below_a_thousandth_is_ignored(step, moves):
 
 
 @pytest.mark.parametrize("aside, signed", [(0.1, False), (0.3, True)])
-def test_turn_near_half_a_turn_has_a_sign(aside, signed):
-    areas = areas_of(*feed((0, 0, -1), (20, 0, -1), (0, aside, -1)))  # 0.005 and 0.015 rad
+def test_turn_clearly_below_half_a_turn_has_a_sign(aside, signed):
+    areas = areas_of(*feed((0, 0, -1), (20, 0, -1), (0, aside, -1)))  # 0.005 and 0.015 rad from half a turn
     assert (len(areas.unsigned) == 0) is signed and areas.reversals.tolist() == []
     assert areas.phi[-1] == pytest.approx((np.pi if signed else 0.0) - np.arctan2(aside, 20))
 
 
 def link(x, y):
-    """Lift, straight there, and down, all of it at feed."""
+    """Return a link at feed: lift, straight move, and plunge."""
     return [(0, 2, 5), (x, y, 5), (x, y, -1)]
 
 
@@ -126,7 +127,7 @@ def test_links_in_the_air_at_feed_are_left_out():
 
 
 def test_last_link_may_end_at_program_end_height():
-    """Otherwise the last link would be the only cutting area of drilling at feed, and look like a profile."""
+    """Otherwise drilling at feed would have one cutting area, the last link, and would look like a profile."""
     holes = [(x, 0, z) for x in (0, 20, 40) for z in (1, -2, 1)]
     drilled = areas_of(*feed(*holes, (-30, -20, 1), (-30, -20, 20), (-30, -20, 30)))
     assert len(drilled) == 0 and len(drilled.holes) == 3
@@ -136,7 +137,7 @@ def test_last_link_may_end_at_program_end_height():
 
 
 def test_rows_between_parallel_moves_are_not_a_link():
-    """A terrace, reached by a lift at feed and left by a plunge; or any rows where Z counts downward."""
+    """The rows are a terrace, reached by a lift at feed and left by a plunge. Or Z counts downward."""
     rows = [(x, y, 1) for y in range(2, 12, 2) for x in ((0, 20) if y % 4 else (20, 0))]
     assert sizes(areas_of(*feed((0, 0, -1), (0, 2, -1), *rows, (20, 10, -1), (20, 30, -1)))) == [1, 9, 1]
     # Moves along one line count as one move.
@@ -145,8 +146,8 @@ def test_rows_between_parallel_moves_are_not_a_link():
 
 
 @pytest.mark.parametrize(("height", "air"), [(20, True), (19, False)])
-def test_a_fast_feed_at_the_top_beside_a_rapid_is_a_link(height, air):
-    """Fusion's posts write rapids as feeds in the free version. A feed below the top height may cut."""
+def test_fast_feed_at_the_top_beside_a_rapid_is_a_link(height, air):
+    """In Fusion's free version, posts write rapids as feeds. A feed below the top height may cut."""
     cut = feed((0, 0, -1), *ROW)
     above = [rapid(0, 2, 20), rapid(20, 2, 20), rapid(20, 2, height)][: 2 if air else 3]
     down = [rapid(40, 2, 5), *feed((40, 2, -1), (40, 20, -1))]
@@ -154,11 +155,11 @@ def test_a_fast_feed_at_the_top_beside_a_rapid_is_a_link(height, air):
     up = [rapid(0, 2, height), *feed((20, 2, height)), rapid(40, 2, height), rapid(40, 2, 20)]
     assert sizes(areas_of(*cut, *up)) == ([3] if air else [3, 1])
     lifted = [*cut, *feed((0, 2, 20)), rapid(20, 2, 20), *feed((40, 2, 20))]
-    if air:  # the move up may be a feed
+    if air:  # the lift may be at feed
         assert sizes(areas_of(*lifted, *down)) == [3, 1]
         first = [rapid(0, 0, 20), *feed((20, 0, 20)), rapid(20, 0, -1), *feed((40, 0, -1))]
         assert sizes(areas_of(*first)) == [1]
-    # With no way up or down beside it, it is a stroke of a plotter.
+    # A feed at the top without a lift or plunge beside it is a stroke of a plotter.
     flat = [rapid(0, 2, 20), rapid(20, 2, 20), *feed((40, 2, 20)), rapid(60, 2, 20), rapid(60, 2, 5)]
     assert sizes(areas_of(*cut, *flat)) == [3, 1]
 
@@ -177,11 +178,11 @@ def test_first_stroke_of_laser_without_lift_is_an_area():
     assert sizes(areas_of(*strokes)) == [1, 1]
 
 
-def test_a_plateau_between_walls_is_cut():
+def test_plateau_between_walls_is_cut_and_not_a_link():
     raster = [(0, 0, -1), (20, 0, -1), (20, 0, 4), (40, 0, 4), (40, 0, -1), (60, 0, -1)]
     assert sizes(areas_of(*feed(*raster))) == [3]
     turned = [(0, 0, -1), (20, 0, -1), (20, 0, 4), (20, 20, 4), (20, 20, -1), (40, 20, -1)]
-    assert sizes(areas_of(*feed(*turned))) == [1, 1]  # that one is a link: it lies in no pass
+    assert sizes(areas_of(*feed(*turned))) == [1, 1]  # this move is a link, because it does not continue a pass
     aslant = [(0, 0, -1), (20, 0, -1), (20, 0, 4), (40, 20, 4), (40, 20, -1), (60, 20, -1)]
     assert sizes(areas_of(*feed(*aslant))) == [1, 1]
     lifted = [*feed((0, 0, -1), (20, 0, -1)), rapid(20, 0, 4), *feed((40, 0, 4)), rapid(40, 0, -1), *feed((60, 0, -1))]
@@ -192,14 +193,14 @@ def test_a_plateau_between_walls_is_cut():
     assert sizes(areas_of(*out)) == [1, 1, 1]
     before = [rapid(0, 40, 5), *feed((0, 40, -1), (0, 60, -1), (20, 60, -1)), rapid(20, 60, 5), rapid(0, 0, 5)]
     assert sizes(areas_of(*before, *lifted)) == [2, 1, 1, 1]
-    # Between two rapids at the top it is a rapid that a post has written as a feed, in whatever direction it leads.
+    # Between two rapids at the top, a feed in any direction is a rapid that a post-processor wrote as a feed.
     linked = [*feed((0, 0, -1), (20, 0, -1)), rapid(20, 0, 9), *feed((40, 0, 9)), rapid(40, 0, -1), *feed((60, 0, -1))]
     assert sizes(areas_of(*linked)) == [1, 1]
 
 
-def test_a_hole_is_a_plunge_where_nothing_is_milled():
+def test_plunge_without_milling_at_its_place_is_a_hole():
     peck = [*feed((0, 0, -3)), rapid(0, 0, 1), rapid(0, 0, -3), *feed((0, 0, -6)), rapid(0, 0, 5)]
-    assert areas_of(*peck).holes.tolist() == [3]  # pecks into one hole count once
+    assert areas_of(*peck).holes.tolist() == [3]  # several pecks in one hole count once
     second = [
         rapid(10, 0, 5),
         *feed((10, 0, -6)),
@@ -216,9 +217,9 @@ def test_a_hole_is_a_plunge_where_nothing_is_milled():
 
 
 def test_plunge_without_drilling_is_not_a_hole():
-    down = [rapid(10, 0, 5), rapid(10, 0, 0), rapid(10, 0, 5)]  # a touch in rapid
-    up = [rapid(10, 0, -6), *feed((10, 0, 5))]  # back out of a hole at feed, as boring does
-    still = [rapid(10, 0, 5), *feed((10, 0, 4.9995)), rapid(20, 0, 5)]  # less than a thousandth
+    down = [rapid(10, 0, 5), rapid(10, 0, 0), rapid(10, 0, 5)]  # a touch at rapid
+    up = [rapid(10, 0, -6), *feed((10, 0, 5))]  # out of a hole at feed, like boring cycles do
+    still = [rapid(10, 0, 5), *feed((10, 0, 4.9995)), rapid(20, 0, 5)]  # less than a thousandth of a mm
     aside = [rapid(10, 0, 5), *feed((11, 0, -6)), rapid(11, 0, 5)]
     for moves in (down, up, still, aside):
         assert areas_of(*moves).holes.tolist() == []

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The lines of the picture of the method: arcs in chords, and distinct segments."""
+"""The lines in the picture of the method: arcs in chords, and distinct segments."""
 
 from __future__ import annotations
 
@@ -21,8 +21,8 @@ def test_strokes_and_links_join_at_their_ends():
     np.testing.assert_array_equal(links(areas), [first[-1], second[0], gap])
 
 
-def test_an_arc_is_drawn_in_chords_of_four_degrees_at_most():
-    """Ten degrees are three chords, from one radius to the other; then the way back, and half a turn, which is neither."""
+def test_arc_of_the_image_has_chords_of_at_most_four_degrees():
+    """An arc of ten degrees has three chords, between both radii. Half a turn has no sense, and is not drawn."""
     angle = np.radians([20, 30, 28, 208])
     left, right = image_arcs(angle, np.array([1.0, 0.7, 0.9, 0.9]))
     assert np.degrees(np.arctan2(left[:4, 1], left[:4, 0])) == pytest.approx([20, 20 + 10 / 3, 20 + 20 / 3, 30])
@@ -46,14 +46,14 @@ def test_longest_of_equal_loops_is_shown():
 
 
 def rows(count, apart, at):
-    """Rows of 10 mm, `apart` from each other, from (at, at); every other segment is one."""
+    """Return rows of 10 mm from (at, at), `apart` from each other. Every other segment is a row."""
     points = [(x, k * apart) for k in range(count) for x in ((0, 10) if k % 2 == 0 else (10, 0))]
     return np.array(points, float) + at, 2 * np.arange(count)
 
 
 @pytest.mark.parametrize("at", [0.0, 300.0, -300.0])
-def test_first_of_rows_in_one_row_of_cells_is_drawn(at):
-    """Ninety rows on ten cells of 1 mm; and on five where no more than six may be drawn."""
+def test_first_of_the_rows_in_a_row_of_cells_is_drawn(at):
+    """Ninety rows lie on ten cells of 1 mm, or on five cells if at most six rows may be drawn."""
     points, segments = rows(90, 0.11, at)
     for most, cell in ((20, 1), (6, 2)):
         cells = (np.arange(90) * 0.11 / cell).astype(int)
@@ -79,7 +79,7 @@ def test_rays_to_both_sides_of_a_common_start_are_distinct():
 
 
 def test_fan_is_drawn_with_one_ray_per_cell():
-    """Ninety rays of 10 mm and their ends up to 9.8 mm aside, on cells of 1 mm."""
+    """Ninety rays of 10 mm spread by up to 9.8 mm at their ends, on cells of 1 mm."""
     points, segments = np.zeros((180, 2)), 2 * np.arange(90)
     points[1::2] = np.column_stack((np.full(90, 10.0), np.arange(90) * 0.11))
     first = segments[np.unique((np.arange(90) * 0.11).astype(int), return_index=True)[1]]
@@ -87,7 +87,7 @@ def test_fan_is_drawn_with_one_ray_per_cell():
     assert len(distinct(points[::-1], segments, cells=10, most=20)) == len(first) == 10
 
 
-def test_different_pairs_of_cells_stay_different():
+def test_different_pairs_of_cells_are_distinct():
     places = [(x, y) for x in range(5) for y in range(5)]
     pairs = [pair for k, one in enumerate(places) for pair in ((one, other) for other in places[k + 1 :])]
     points = np.array([point for pair in pairs + pairs for point in pair], float)

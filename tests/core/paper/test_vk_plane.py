@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The plane in which a toolpath cuts."""
+"""The working plane of a toolpath."""
 
 from __future__ import annotations
 
@@ -25,13 +25,13 @@ def plane(points, rapid=()):
 
 @pytest.mark.parametrize("count", [1, 2, 49, 50, 51, 200])
 @pytest.mark.parametrize(("along", "found"), [(0, ZX), (1, YZ)])
-def test_slopes_in_a_vertical_plane_lie_in_it(along, found, count):
+def test_slopes_in_a_vertical_plane_have_this_plane(along, found, count):
     assert plane(waves(count, along)) == found
 
 
 def test_slot_with_plunges_lies_in_horizontal_plane():
     assert plane([(0, 7, 0), (0, 7, -1), (40, 7, -1), (40, 7, -2), (0, 7, -2)]) == XY
-    # Within rounding of level and of upright, too.
+    # Moves within rounding of level and of vertical do not matter.
     assert plane([(0, 7, 0), (0.001, 7, -1), (40, 7, -1.001), (40, 7, -2), (0, 7, -2)]) == XY
 
 
@@ -46,14 +46,14 @@ def test_rapids_do_not_affect_the_plane():
 
 
 @pytest.mark.parametrize("place", [0, 1, 99, 100, 200])
-def test_one_point_aside_is_enough_to_be_horizontal(place):
+def test_one_point_outside_a_vertical_plane_makes_it_xy(place):
     """The search first samples the moves of a long path, but the moves between the samples and both ends count, too."""
     points = waves(200)
     points[place, 1] += 1
     assert plane(points) == XY
 
 
-def test_the_plane_of_a_polyline_is_the_one_it_stays_in():
+def test_polyline_in_a_vertical_plane_has_this_plane():
     wave = waves(5)
     assert (plane_of_points(wave), plane_of_points(waves(5, 1))) == (ZX, YZ)
     assert plane_of_points(wave[:, :2]) == plane_of_points(wave[:0]) == XY
@@ -68,6 +68,6 @@ def test_slight_fall_stays_in_horizontal_plane():
 
 
 @pytest.mark.parametrize(("fall", "found"), [(4, XY), (7, ZX)])
-def test_fall_by_a_twentieth_is_a_slope(fall, found):
+def test_fall_by_more_than_a_twentieth_is_a_slope(fall, found):
     assert plane([(0, 7, 0), (100, 7, -fall)]) == found
     assert plane([(0, 7, 0), (fall, 7, -100)]) == found

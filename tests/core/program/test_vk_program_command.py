@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The command line as a user runs it: real processes, real files, real signals."""
+"""The command line as a user runs it, with real processes, files and signals."""
 
 import csv
 import io
@@ -29,7 +29,7 @@ from vkworkbench.program.analysis import analyze_file
 ROOT = Path(__file__).resolve().parents[3]
 ROWS = "".join(f"G1 X{40 * (k % 2)}\nY{k + 1}\n" for k in range(20))
 PROGRAM = f"(T1 D=6. CR=0. - flat end mill)\nG21\n(Face)\nT1 M6\nG0 X0 Y0 Z5\nG1 Z-1 F600\n{ROWS}G0 Z5\nM30\n"
-NAMES = "abcd"  # without suffix; b is not text
+NAMES = "abcd"  # names of files without suffix; b.nc is not text
 LONG = "G0 X0 Y0 Z5\nG1 Z-1 F600\n" + "X1\nX2\n" * 200_000
 
 
@@ -43,7 +43,7 @@ def folder(tmp_path):
     return folder
 
 
-# In the processes that analyse programs, one file never opens, as on a server that does not answer.
+# In the processes that analyse programs, one file is never opened, like on a server that does not answer.
 NEVER_OPENS = """
 import builtins, time
 opened = builtins.open
@@ -57,14 +57,14 @@ builtins.open = wait_or_open
 
 @pytest.fixture
 def endless(tmp_path, monkeypatch):
-    """A program that processes started from here never finish reading."""
+    """Return a program that processes started by this test never finish reading."""
     path = tmp_path / "hook" / "endless.nc"
     path.parent.mkdir()
     path.write_text(PROGRAM)
     patched = f"from vkworkbench import worker\nworker._START = {NEVER_OPENS!r} + worker._START\n"
     path.with_name("sitecustomize.py").write_text(
         patched
-    )  # Python runs it when the command or a computer of Dask starts
+    )  # Python runs this file when the command or a Dask worker starts
     monkeypatch.setenv("PYTHONPATH", os.pathsep.join([str(path.parent), str(ROOT)]))
     monkeypatch.setattr("vkworkbench.worker._START", NEVER_OPENS + worker._START)
     return path
@@ -99,7 +99,7 @@ def rows_of(path):
 
 
 @pytest.mark.long
-def test_a_table_for_each_program(folder, inside):
+def test_command_prints_a_table_for_each_program(folder, inside):
     done = run(folder, "--jobs", 2)
     assert done.returncode == 1
     assert done.stdout.count("Face") == 3 and done.stdout.count("zigzag") == 3
@@ -114,13 +114,13 @@ def test_processes_are_limited_to_one_per_file(folder, inside):
     assert done.returncode == 1 and done.stdout.count("Face") == 3
 
 
-def test_the_name_of_a_file_steers_no_terminal(tmp_path, inside):
+def test_file_name_cannot_control_the_terminal(tmp_path, inside):
     (tmp_path / "a\x1b[2J\nb.nc").write_text(PROGRAM)
     done = inside(tmp_path)
     assert done.stdout.splitlines()[0] == f"{tmp_path}/a [2J b.nc" and "\x1b" not in done.stdout
 
 
-def test_a_program_of_rapids_was_read(tmp_path, inside):
+def test_program_of_rapids_counts_as_read(tmp_path, inside):
     (tmp_path / "rapids.nc").write_text("G0 X0 Y0 Z5\nG0 X50\n")
     done = inside(tmp_path)
     assert done.returncode == 0 and done.stderr.splitlines()[-1] == "1 operation in 1 file."
@@ -128,7 +128,7 @@ def test_a_program_of_rapids_was_read(tmp_path, inside):
 
 
 @pytest.mark.long
-def test_results_as_csv_and_as_json_lines(folder, tmp_path, inside):
+def test_results_are_written_as_csv_and_json_lines(folder, tmp_path, inside):
     assert inside(folder, "--csv", tmp_path / "out.csv").returncode == 1
     rows = rows_of(tmp_path / "out.csv")
     assert sorted(Path(row["document"]).name for row in rows) == [f"{name}.nc" for name in NAMES]
@@ -156,7 +156,7 @@ def test_resume_continues_where_it_stopped(folder, tmp_path, kind, inside):
         assert sorted(out.read_bytes().splitlines()) == sorted(whole.splitlines()), cut
         again = int(done.stderr.splitlines()[-1].split(" in ")[1].split()[0])
         complete = whole[:cut].count(b"\n") - (kind == "--csv")
-        assert again == len(NAMES) - max(complete - 1, 0)  # the last one may have more rows
+        assert again == len(NAMES) - max(complete - 1, 0)  # the last complete program may have more rows
 
 
 @pytest.mark.parametrize("kind", ["--csv", "--json-lines"])
@@ -169,14 +169,14 @@ def test_existing_results_are_replaced_unless_resumed(folder, tmp_path, kind, in
 
 
 @pytest.mark.parametrize("kind", ["--csv", "--json-lines"])
-def test_names_are_written_as_they_are_read(folder, tmp_path, kind, inside):
+def test_file_names_with_umlauts_are_written_as_read(folder, tmp_path, kind, inside):
     named = tmp_path / "Größe 型腔.nc"
     named.write_bytes((folder / "a.nc").read_bytes())
     inside(named, kind, tmp_path / "out")
     assert "Größe 型腔.nc" in (tmp_path / "out").read_text(encoding="utf-8")
 
 
-def test_numbers_of_the_command_line_arrive():
+def test_options_jobs_and_timeout_are_parsed():
     chosen = command_line._parser().parse_args(["a.nc", "--jobs", "3", "--timeout", "2.5"])
     assert (chosen.jobs, chosen.timeout) == (3, 2.5)
     assert command_line._parser().parse_args(["a.nc"]).timeout == 600.0
@@ -220,7 +220,7 @@ def test_wrong_arguments_get_a_helpful_error(folder, tmp_path, inside):
 
 
 @pytest.mark.parametrize("kind", ["--csv", "--json-lines"])
-def test_no_program_becomes_its_results(tmp_path, kind, inside):
+def test_results_do_not_overwrite_a_program(tmp_path, kind, inside):
     program, link, other_name = tmp_path / "prog.txt", tmp_path / "link", tmp_path / "." / "sub" / ".." / "prog.txt"
     program.write_text(PROGRAM)
     link.symlink_to(program)
@@ -253,7 +253,7 @@ def test_unreadable_file_before_a_stop_still_counts(folder, tmp_path, kind, insi
 
 
 class AtOnce(Executor):
-    """Is ready with everything before it is asked."""
+    """An executor whose results are ready before it is asked."""
 
     def submit(self, function, /, *arguments):
         future = Future()
@@ -267,7 +267,7 @@ def test_finished_programs_are_reported_in_order():
 
 
 def apart_in_a_thread(*asked):
-    """The rows of programs that one thread analyses, as the command's threads do."""
+    """Return the rows of programs that one thread analyses, like the command's threads."""
     with ThreadPoolExecutor(1) as executor:
         try:
             return [
@@ -280,16 +280,16 @@ def apart_in_a_thread(*asked):
 
 
 @pytest.mark.long
-def test_after_a_program_that_is_given_up_the_next_is_read(folder, endless):
-    """The next one may take longer than threads can wait."""
+def test_program_after_a_timeout_is_read(folder, endless):
+    """The time limit of the next program is longer than threads can wait."""
     late, other = apart_in_a_thread((endless, 0.5), (folder / "a.nc", 1e10))
     assert late.error == "The analysis was stopped after 500 ms." and not late.counted
     assert str(other.strategy) == "zigzag"
 
 
 @pytest.mark.skipif(sys.platform != "linux", reason="other systems do not limit the memory of a process")
-def test_a_bomb_costs_only_its_row(folder, tmp_path, monkeypatch):
-    """It is small until it is decompressed and read. The programs before and after it are read."""
+def test_decompression_bomb_affects_only_its_own_row(folder, tmp_path, monkeypatch):
+    """The bomb is small until it is decompressed. The programs before and after it are read."""
     monkeypatch.setattr(apart, "_MOST_MEMORY", 1.5e8)
     bomb = tmp_path / "bomb.nc.xz"
     bomb.write_bytes(lzma.compress(b"G1 X1\nX2\n" * 400_000, preset=0))
@@ -301,7 +301,7 @@ def test_a_bomb_costs_only_its_row(folder, tmp_path, monkeypatch):
     assert before == after and str(after.strategy) == "zigzag"
 
 
-def test_an_analysis_that_fails_costs_only_its_program(folder, inside, monkeypatch):
+def test_failing_analysis_affects_only_its_program(folder, inside, monkeypatch):
     def fails(path, chosen, _patience):
         if path.name == "a.nc":
             raise MemoryError("none left")
@@ -315,7 +315,7 @@ def test_an_analysis_that_fails_costs_only_its_program(folder, inside, monkeypat
     assert done.stderr.splitlines()[-1] == "2 operations in 4 files, 2 could not be read."
 
 
-def test_a_table_is_seen_when_its_program_is_read(tmp_path, monkeypatch):
+def test_table_of_a_program_is_written_when_it_is_read(tmp_path, monkeypatch):
     for name in "ab":
         (tmp_path / f"{name}.nc").write_text(PROGRAM)
     written, seen = io.BytesIO(), []
@@ -342,7 +342,7 @@ def test_endless_program_does_not_affect_other_programs(folder, tmp_path, endles
     assert done.stderr.splitlines()[-1] == "3 operations in 5 files, 2 could not be read."
 
 
-def test_a_process_that_dies_costs_only_its_program(tmp_path):
+def test_process_that_dies_affects_only_its_program(tmp_path):
     path = tmp_path / "long.nc"
     path.write_text(LONG)
     found = []
@@ -367,9 +367,9 @@ def test_a_process_that_dies_costs_only_its_program(tmp_path):
 
 
 @pytest.mark.long
-def test_ctrl_c_ends_it_with_all_its_processes(folder, tmp_path, endless):
+def test_ctrl_c_ends_the_command_and_all_its_processes(folder, tmp_path, endless):
     out = tmp_path / "out.csv"
-    heard = ["env", "--default-signal=INT"]  # a shell's background jobs, and so these tests, may ignore it
+    heard = ["env", "--default-signal=INT"]  # background jobs of a shell, and so these tests, may ignore SIGINT
     started = [*heard, *command(folder, endless, "--csv", out, "--jobs", 2)]
     process = subprocess.Popen(started, cwd=ROOT, stderr=subprocess.PIPE, text=True)
     deadline = time.monotonic() + 60
@@ -408,7 +408,7 @@ def test_second_command_on_a_results_file_is_refused(folder, tmp_path, kind, res
             f"vkworkbench: cannot write {out}: another command is writing it\n",
         )
         assert out.read_bytes() == written
-        first.kill()  # a killed command leaves no lock behind
+        first.kill()  # a killed command leaves no lock
     assert inside(folder, kind, out, *resumed).returncode == 1
     assert len({line[:9] for line in out.read_bytes().splitlines()}) <= 2 and out.read_bytes().count(b"\n") >= len(
         NAMES
@@ -416,7 +416,7 @@ def test_second_command_on_a_results_file_is_refused(folder, tmp_path, kind, res
 
 
 @pytest.mark.parametrize("kind", ["--csv", "--json-lines"])
-def test_results_go_to_a_pipe_or_a_device(folder, tmp_path, kind, inside):
+def test_results_may_be_written_to_a_pipe_or_device(folder, tmp_path, kind, inside):
     assert inside(folder / "a.nc", kind, os.devnull).returncode == 0
     os.mkfifo(tmp_path / "pipe")
     with ThreadPoolExecutor(1) as executor:
@@ -450,7 +450,7 @@ def test_closed_output_pipe_is_not_an_error(folder):
 
 @pytest.mark.long
 @pytest.mark.parametrize("closed", [">&-", "2>&-", ">&- 2>&-"])
-def test_a_closed_output_costs_nothing_else(folder, tmp_path, closed):
+def test_closed_standard_output_does_not_stop_the_command(folder, tmp_path, closed):
     asked = shlex.join([*command(folder / "a.nc"), "--csv", str(tmp_path / "a.csv")])
     done = subprocess.run(["sh", "-c", f"{asked} {closed}"], capture_output=True, text=True, cwd=ROOT, timeout=120)
     assert done.returncode == 0 and "Traceback" not in done.stderr
@@ -469,7 +469,7 @@ def test_full_output_is_reported_in_one_line(folder, kind, inside, monkeypatch):
 
 
 @pytest.mark.long
-def test_a_full_output_ends_the_command_with_one_line(folder):
+def test_full_standard_output_ends_the_command(folder):
     with open("/dev/full", "wb") as full:
         done = subprocess.run(command(folder / "a.nc"), cwd=ROOT, stdout=full, stderr=subprocess.PIPE, text=True)
     assert (done.returncode, done.stderr) == (2, FULL)
@@ -477,7 +477,7 @@ def test_a_full_output_ends_the_command_with_one_line(folder):
 
 @contextmanager
 def room_for(size):
-    """Let this process, and the processes that it starts, write no file beyond a size in bytes."""
+    """Limit the size of files that this process, and the processes that it starts, may write, bytes."""
     before = resource.getrlimit(resource.RLIMIT_FSIZE)
     resource.setrlimit(resource.RLIMIT_FSIZE, (size, before[1]))
     try:
@@ -503,9 +503,9 @@ def test_full_disk_gives_one_line_and_can_be_resumed(folder, tmp_path, kind, ins
 
 
 @pytest.mark.long
-def test_a_full_disk_ends_the_command_with_one_line(folder, tmp_path):
+def test_full_disk_ends_the_command_with_one_line(folder, tmp_path):
     out = tmp_path / "out"
-    environment = {**os.environ, "PYTHONDONTWRITEBYTECODE": "1"}  # bytecode cut off at the limit would stay
+    environment = {**os.environ, "PYTHONDONTWRITEBYTECODE": "1"}  # cut-off bytecode would stay
     with room_for(10):
         done = run(folder, "--json-lines", out, "--jobs", 1, env=environment)
     told = f"vkworkbench: cannot write {out}: File too large; continue with --resume\n"
@@ -517,7 +517,7 @@ def test_file_names_outside_utf8_are_accepted(tmp_path, inside):
     (tmp_path / "a.nc").write_text(PROGRAM)
     os.rename(tmp_path / "a.nc", os.fsencode(tmp_path) + b"/fr\xe4sen.nc")
     assert run(tmp_path, "--jobs", 1).returncode == 0
-    for one in (inside, run):  # the second finds that the program is done, and needs no other process
+    for one in (inside, run):  # in the second run, the program is already done
         assert one(tmp_path, "--json-lines", tmp_path / "out.jsonl", "--resume").returncode == 0
         data = (tmp_path / "out.jsonl").read_bytes()
         assert data.count(b"\n") == 1 and b"/fr\xe4sen.nc" in data
@@ -525,12 +525,12 @@ def test_file_names_outside_utf8_are_accepted(tmp_path, inside):
 
 @pytest.fixture
 def scheduler(tmp_path):
-    """Start a Dask scheduler and two workers as real processes; yield the scheduler's address and a client."""
+    """Start a Dask scheduler and two workers as real processes. Yield the scheduler's address and a client."""
     pytest.importorskip("distributed", reason="python3-distributed is not installed: --scheduler is not tested")
     with socket.create_server(("127.0.0.1", 0)) as server:
         try:
             socket.create_connection(server.getsockname(), timeout=10).close()
-        except OSError as error:  # a root without a network
+        except OSError as error:  # a root folder without network
             pytest.skip(f"no connection to 127.0.0.1 ({error}): --scheduler is not tested")
     file = tmp_path / "scheduler.json"
     # As on a cluster, the workers import the installed add-on and do not find it by their working folder.
@@ -561,12 +561,12 @@ def scheduler(tmp_path):
 
 
 @pytest.mark.long
-def test_the_same_on_a_dask_cluster(folder, tmp_path, inside, endless, scheduler):
+def test_results_on_a_dask_cluster_are_the_same(folder, tmp_path, inside, endless, scheduler):
     address, client = scheduler
     here, there = tmp_path / "here.csv", tmp_path / "there.csv"
     inside(folder, "--csv", here)
     done = run(folder, endless, "--csv", there, "--timeout", "5", "--scheduler", address)
-    # Dask may tell of connections that it gives up behind the last line.
+    # After the last line, Dask may print messages about closed connections.
     assert done.returncode == 1 and "3 operations in 5 files, 2 could not be read." in done.stderr.splitlines()
     late, found = [], []
     for line in there.read_bytes().splitlines():
@@ -574,7 +574,7 @@ def test_the_same_on_a_dask_cluster(folder, tmp_path, inside, endless, scheduler
     assert sorted(found) == sorted(here.read_bytes().splitlines())
     assert len(late) == 1 and b"stopped after 5.0 s" in late[0]
     started = client.run(lambda: len(__import__("vkworkbench.program.apart", fromlist=["apart"])._workers))
-    assert len(started) == 2 and all(started.values())  # both had something to do
+    assert len(started) == 2 and all(started.values())  # both workers had programs to analyse
 
 
 @pytest.mark.parametrize(
@@ -584,11 +584,12 @@ def test_the_same_on_a_dask_cluster(folder, tmp_path, inside, endless, scheduler
         (["-m", "vkworkbench"], ("argparse", "csv", "distributed", "json", "numpy", "pickle", "subprocess")),
     ],
 )
-def test_command_runs_nothing_of_the_current_folder(tmp_path, start, names):
+def test_command_runs_no_files_of_the_current_folder(tmp_path, start, names):
     """With -m, Python itself imports the package and some of its own modules from the current folder."""
     ran = lay_traps(tmp_path / "traps", names)
     (tmp_path / "traps" / "a.nc").write_text(PROGRAM)
-    environment = {**os.environ, "PYTHONPATH": f"{ROOT}{os.pathsep}" if "-m" in start else ""}  # an empty entry, too
+    # the environment also has an empty entry
+    environment = {**os.environ, "PYTHONPATH": f"{ROOT}{os.pathsep}" if "-m" in start else ""}
     done = subprocess.run(
         [sys.executable, *start, "."], cwd=tmp_path / "traps", env=environment, capture_output=True, text=True
     )
@@ -608,7 +609,7 @@ def test_unreachable_scheduler_is_reported(folder):
 
 
 @pytest.mark.long
-def test_dask_is_loaded_for_a_cluster_only(folder):
+def test_dask_is_imported_only_for_a_cluster(folder):
     code = (
         "import sys; from vkworkbench.program import analysis, command_line, main; "
         "command_line.analyze_apart = lambda path, chosen, _: analysis.analyze_file(path, chosen); "

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Files and folders of NC programs, and the report on them, without FreeCAD."""
+"""NC programs in files and folders, and the report on them, without FreeCAD."""
 
 import csv
 import gzip
@@ -44,23 +44,24 @@ PROGRAM = (
         (b"\xef\xbb\xbfG1", "G1"),
         (b"\0\0\0\0%\r\nG1\r\n%\r\n\x1a", "%\r\nG1\r\n%\r\n"),
         (b"G1 X1\n" * 50 + b"\x07", "G1 X1\n" * 50 + "\x07"),  # a stray control character
-        (b"\x12%\r\n\0\0\0G1 X1\0\r\n\x13\x11G1\r\n%\r\n\x14", "%\r\nG1 X1\r\nG1\r\n%\r\n"),  # captured
+        # captured from a serial line
+        (b"\x12%\r\n\0\0\0G1 X1\0\r\n\x13\x11G1\r\n%\r\n\x14", "%\r\nG1 X1\r\nG1\r\n%\r\n"),
         (101 * b"\0" + 30 * b"\x7f" + b"G1", "G1"),
         ("G1 X1 (ü)\r\n".encode("utf-16-le"), "G1 X1 (ü)\r\n"),
         ("G1 X1 (ü)\r\n".encode("utf-16-be"), "G1 X1 (ü)\r\n"),
         ("G1 X1 (Контур)".encode("utf-16-le"), "G1 X1 (Контур)"),
-        ((300 * "G1 " + "(Ā)").encode("utf-16-le"), 300 * "G1 " + "(Ā)"),  # one zero more, in the other half
+        ((300 * "G1 " + "(Ā)").encode("utf-16-le"), 300 * "G1 " + "(Ā)"),  # the second half has one zero byte more
         ("G1 X1".encode("utf-16-le") + b"\x1a", "G1 X1"),
     ],
 )
-def test_encodings(data, text):
+def test_files_in_utf8_utf16_and_code_pages_are_read(data, text):
     assert text_of(data) == text
 
 
 @pytest.mark.parametrize(
     "data", [b"\x7fELF\x02\0\0\0G1 X1", bytes(range(256)) * 4, b"\x89PNG\r\n\x1a\n\0\0\0\rIHDR", b"\0\1" * 99]
 )
-def test_no_text(data):
+def test_binary_files_are_not_text(data):
     with pytest.raises(Unusable, match="it is not text"):
         text_of(data)
 
@@ -68,7 +69,7 @@ def test_no_text(data):
 @pytest.mark.parametrize("first, told", [
     ("Document.xml", "a FreeCAD document. Analyze it in FreeCAD"), ("bracket.nc", "a zip archive. Unpack it first"),
 ])  # fmt: skip
-def test_packed_file_says_what_to_do(tmp_path, first, told):
+def test_zip_archive_has_an_error_that_says_what_to_do(tmp_path, first, told):
     path = tmp_path / "part.FCStd"
     with zipfile.ZipFile(path, "w") as archive:
         archive.writestr(first, PROGRAM)
@@ -83,7 +84,7 @@ def test_drawing_is_not_a_program(tmp_path):
     assert row.error.startswith("This is not an NC program. 4 of its 4 lines do not consist of words")
 
 
-def test_packed_files(tmp_path):
+def test_packed_gz_and_xz_files_are_read(tmp_path):
     for name, module in (("a.nc.gz", gzip), ("a.nc.xz", lzma)):
         path = tmp_path / name
         path.write_bytes(module.compress(b"G1 X1"))
@@ -93,7 +94,7 @@ def test_packed_files(tmp_path):
             read_bytes(path)
 
 
-def test_a_packed_file_that_is_broken_inside(tmp_path):
+def test_packed_file_with_errors_is_refused(tmp_path):
     packed = bytearray(gzip.compress(bytes(range(256)) * 40))
     packed[40:60] = b"\xff" * 20
     (tmp_path / "a.nc.gz").write_bytes(packed)
@@ -101,7 +102,7 @@ def test_a_packed_file_that_is_broken_inside(tmp_path):
         read_bytes(tmp_path / "a.nc.gz")
 
 
-def test_a_file_larger_than_any_toolpath_is_refused(tmp_path, monkeypatch):
+def test_file_that_is_too_large_is_refused(tmp_path, monkeypatch):
     monkeypatch.setattr(files, "MOST_BYTES", 6)
     path = tmp_path / "a.nc"
     path.write_bytes(b"G1 X10")
@@ -135,7 +136,7 @@ def test_pipe_or_device_is_refused(tmp_path):
         tmp_path / "pipe.nc",
         tmp_path / "linked.nc",
         Path("/dev/zero"),
-    ):  # to wait for them would take for ever
+    ):  # reading from a pipe or /dev/zero would never end
         with pytest.raises(Unusable, match=r"^This is not a file, but a pipe or a device\.$"):
             read_bytes(path)
     for path, told in ((tmp_path, "Is a directory"), (tmp_path / "none.nc", "No such file or directory")):
@@ -143,7 +144,7 @@ def test_pipe_or_device_is_refused(tmp_path):
             read_bytes(path)
 
 
-def test_linked_folders_are_walked_once(tmp_path):
+def test_linked_folders_are_searched_once(tmp_path):
     for name in ("p/a.nc", "p/q/b.nc", "far/c.nc"):
         (tmp_path / name).parent.mkdir(exist_ok=True)
         (tmp_path / name).write_text("G1 X1")
@@ -172,7 +173,7 @@ def test_unreadable_folder_has_a_remark(tmp_path, monkeypatch):
     assert rows[-1].error.startswith("The file cannot be read: ") and not rows[-1].counted
 
 
-def test_folders_and_files(tmp_path):
+def test_programs_are_found_in_folders_by_suffix_and_content(tmp_path):
     for name in ("b.nc", "a.NGC", "c.txt", "d.tap.xz", "sub/e.gcode", ".git/f.nc", "g.nc.txt"):
         path = tmp_path / name
         path.parent.mkdir(exist_ok=True)
@@ -229,13 +230,13 @@ def test_argument_that_is_not_a_file_name_is_refused():
         with pytest.raises(ValueError, match="the text of a program is no file: give its path"):
             vkworkbench.analyze(text)
     with pytest.raises(ValueError, match=r"one with backslashes is written r'C:\\new\.nc'"):
-        vkworkbench.analyze("C:\new.nc")  # the second line of this text begins with "ew"
+        vkworkbench.analyze("C:\new.nc")  # in this text, \n is a line break
     assert is_path("a.nc") and is_path(Path("a")) and is_path(["a", Path("b")]) and is_path(("a.nc",))
     assert not is_path(None) and not is_path([]) and not is_path([object()]) and not is_path(object())
 
 
 class NoFreeCAD:
-    """Finds no FreeCAD, also where there is one."""
+    """An import hook that finds no FreeCAD, even if FreeCAD is installed."""
 
     @staticmethod
     def find_spec(name, *_):
@@ -250,7 +251,7 @@ def without_freecad(monkeypatch):
     monkeypatch.setattr(sys, "meta_path", [NoFreeCAD, *sys.meta_path])
 
 
-def test_no_files_are_an_empty_report(without_freecad):
+def test_report_on_no_files_is_empty(without_freecad):
     for nothing in ([], (), iter([])):
         assert vkworkbench.analyze(nothing).operations == ()
 
@@ -266,7 +267,7 @@ def test_help_needs_no_freecad(without_freecad):
     assert {"analyze", "Report", "Cancelled"} <= set(dir(vkworkbench))
 
 
-def test_one_row_for_each_operation(tmp_path):
+def test_report_has_one_row_for_each_operation(tmp_path):
     path = tmp_path / "bracket.nc"
     path.write_text(PROGRAM)
     asked = []
@@ -290,7 +291,7 @@ def test_one_row_for_each_operation(tmp_path):
     assert "z-buffer time" in str(report).splitlines()[0]
 
 
-def test_table_names_programs_below_their_folder(tmp_path):
+def test_table_has_names_of_programs_in_subfolders(tmp_path):
     (tmp_path / "old").mkdir()
     for name in ("bracket.nc", "old/bracket.nc"):
         (tmp_path / name).write_text(PROGRAM)
@@ -318,7 +319,7 @@ def test_dwells_are_in_the_time_of_their_operation(tmp_path):
 
 
 def test_each_operation_with_an_unknown_dwell_has_a_remark(tmp_path):
-    """Any other remark is reported once, for the operation in which the cause first occurs."""
+    """Each other remark is reported once, for the operation in which its cause first occurs."""
     path = tmp_path / "router.nc"
     cut = "G0 Z5\nG4 S1\nG1 Z-1 F600\nX40\nX0\n"
     path.write_text(
@@ -336,7 +337,7 @@ def test_each_operation_with_an_unknown_dwell_has_a_remark(tmp_path):
     assert [sorted(told(row.remarks)) for row in rows] == [[*dwells[0], ("unknown-code", 10, 2)], *dwells[1:]]
 
 
-def test_stock_of_program_contains_largest_tool_cuts(tmp_path):
+def test_stock_of_a_program_contains_cuts_of_largest_tool(tmp_path):
     path = tmp_path / "two.nc"
     cut = "G0 X0 Y0 Z5\nG1 Z-1 F600\nX40\nG0 Z5\n"
     path.write_text(f"G21\n(T1 D=6 - end mill)\n(T2 D=20 - end mill)\nT1 M6\n{cut}T2 M6\n{cut}")
@@ -346,7 +347,7 @@ def test_stock_of_program_contains_largest_tool_cuts(tmp_path):
         assert (stock.lower[0], stock.upper[0]) == (-10, 50) and (stock.lower[1], stock.upper[1]) == (-10, 10)
 
 
-def test_inches_and_millimetres_are_one_part(tmp_path):
+def test_program_in_inches_equals_the_same_part_in_mm(tmp_path):
     found = []
     for name, unit, scale in (("mm.nc", "G21", 25.4), ("inch.nc", "G20", 1.0)):
         rows = "".join(f"G1 X{scale * 2 * (k % 2)}\nY{scale * 0.1 * (k + 1)}\n" for k in range(12))
@@ -395,7 +396,7 @@ def test_untitled_operation_is_named_by_tool_or_file(tmp_path, change, label):
     assert row.label == label
 
 
-def test_program_of_rapids_cuts_nothing_in_unknown_time(tmp_path):
+def test_time_of_a_program_of_rapids_is_unknown(tmp_path):
     (tmp_path / "rapids.nc").write_text("G21\nG0 X0 Y0 Z5\nG0 X50\nM30\n")
     report = vkworkbench.analyze(tmp_path)
     (row,) = report.operations
@@ -419,11 +420,11 @@ def test_program_for_another_machine_has_no_strategy(tmp_path, text, error):
     (row,) = vkworkbench.analyze(path).operations
     assert str(row.strategy) == "unknown" and row.error.startswith(error) and row.reason.startswith(error)
     assert row.estimate is None and row.confidence == 0
-    line = str(vkworkbench.analyze(path)).splitlines()[2]  # nothing is known of its length and time: not 0
+    line = str(vkworkbench.analyze(path)).splitlines()[2]  # length and time are unknown, and not 0
     assert " 0 m" not in line and line.split("%")[1].split()[1:5] == ["?"] * 4
 
 
-def test_files_of_the_report(tmp_path):
+def test_report_is_written_as_csv_and_json(tmp_path):
     (tmp_path / "a.nc").write_text(PROGRAM)
     report = vkworkbench.analyze(tmp_path)
     report.to_csv(tmp_path / "out.csv")
@@ -445,13 +446,13 @@ def test_file_names_outside_utf8_are_accepted(tmp_path):
     assert [Path(row["document"]).name for row in data["operations"]] == [name, name]
 
 
-def test_cancelled(tmp_path):
+def test_cancelled_analysis_raises_cancelled(tmp_path):
     (tmp_path / "a.nc").write_text(PROGRAM)
     with pytest.raises(vkworkbench.Cancelled):
         vkworkbench.analyze(tmp_path, cancelled=lambda: True)
 
 
-def test_no_freecad_is_loaded(tmp_path):
+def test_analysis_of_a_program_does_not_import_freecad(tmp_path):
     (tmp_path / "a.nc").write_text(PROGRAM)
     code = f"import sys, vkworkbench; vkworkbench.analyze({str(tmp_path)!r}); print('FreeCAD' in sys.modules)"
     done = subprocess.run(
@@ -460,7 +461,7 @@ def test_no_freecad_is_loaded(tmp_path):
     assert (done.stdout, done.stderr) == ("False\n", "")
 
 
-def test_the_tool_of_inches_without_g20_is_in_inches(tmp_path, monkeypatch):
+def test_tool_of_inches_without_g20_is_in_inches(tmp_path, monkeypatch):
     told, recognize = [], analysis.recognize_inches
     monkeypatch.setattr(
         analysis, "recognize_inches", lambda *a, **k: told.append(k["tool_diameter"]) or recognize(*a, **k)
@@ -469,18 +470,18 @@ def test_the_tool_of_inches_without_g20_is_in_inches(tmp_path, monkeypatch):
     path = tmp_path / "inch.nc"
     path.write_text(f"(T1 D=0.5 - end mill)\nT1 M6\nG0 X1 Y1 Z.5\nG1 Z-.1 F20\n{rings}G0 Z.5\n")
     (row,) = analyze_file(path, Preferences())
-    assert str(row.strategy) == "contour-parallel"  # rings 0.3 inches apart, for a tool of half an inch
+    assert str(row.strategy) == "contour-parallel"  # the rings are 0.3 inches apart, and the tool has half an inch
     assert told == [pytest.approx(12.7)]
 
 
-def test_an_operation_whose_rotary_axis_turns_costs_only_itself(tmp_path):
+def test_turning_rotary_axis_affects_only_its_operation(tmp_path):
     path = tmp_path / "indexed.nc"
     path.write_text(f"G21\nG0 X0 Y0 A0 Z5\n(Face)\nG1 Z-1 F600\n{ROWS}G0 Z5\n(Cam)\nG1 Z-1\nX9 A9\nX0 A18\nG0 Z5\n")
     assert [str(row.strategy) for row in vkworkbench.analyze(path).operations] == ["zigzag", "unknown"]
 
 
-def test_operation_with_a_loop_is_unknown_and_costs_only_itself(tmp_path):
-    """A loop that is not followed hides cuts; the operation before it is recognized."""
+def test_unread_loop_affects_only_its_operation(tmp_path):
+    """A loop that is not followed hides cuts. The operation before the loop is recognised."""
     loop = "o101 while [#5420 LT 9]\nG1 X9\nG1 X0\no101 endwhile\n"
     path = tmp_path / "loop.nc"
     path.write_text(
@@ -491,7 +492,7 @@ def test_operation_with_a_loop_is_unknown_and_costs_only_itself(tmp_path):
     assert slots.reason.startswith("Line ") and slots.costs
 
 
-def test_only_undivided_program_has_several_operations(tmp_path):
+def test_only_program_without_titles_is_divided_by_motion(tmp_path):
     rings = "".join(
         f"G1 X{100 + s} Y{100 + s}\nX{140 - s}\nY{140 - s}\nX{100 + s}\nY{100 + s}\n" for s in range(0, 18, 2)
     )
@@ -507,7 +508,7 @@ def test_only_undivided_program_has_several_operations(tmp_path):
     assert "mixed" not in [str(row.strategy) for row in vkworkbench.analyze(path).operations]
 
 
-def test_image_follows_time_budget_and_finest_passes(tmp_path):
+def test_image_of_program_follows_time_and_finest_passes(tmp_path):
     fine, coarse = (f"({title})\nG0 X0 Y0\nG1 Z-1 F600\n{rows}G0 Z5\n" for title, rows in (
         ("Fine", ROWS), ("Coarse", "".join(f"G1 X{40 * (k % 2)}\nY{3 * k + 3}\n" for k in range(12)))
     ))  # fmt: skip
@@ -589,14 +590,14 @@ def test_unknown_machine_is_refused(tmp_path, machine):
 
 
 @pytest.mark.parametrize("times", [999_999_999, 1_000_001])
-def test_endless_call_ends_at_once(tmp_path, times):
+def test_call_with_a_million_repeats_ends_at_once(tmp_path, times):
     (tmp_path / "a.nc").write_text(f"G0 X0 Y0 Z0\nM98 P1 L{times}\nM30\nO1\nG1 X1 F100\nM99\n")
     (row,) = vkworkbench.analyze(tmp_path).operations
     assert any("would run more than 1,000,000 lines" in render(remark) for remark in row.remarks)
 
 
 @pytest.mark.parametrize("start, repeated", [("", "/"), ("", "("), ("", "X1"), ("G1 X", "1"), ("", "X[")])
-def test_memory_for_long_lines_is_bounded(tmp_path, start, repeated):
+def test_memory_for_programs_with_long_lines_is_limited(tmp_path, start, repeated):
     line = start + 100_000 * repeated
     (tmp_path / "a.nc.gz").write_bytes(gzip.compress(f"{line}\n".encode() * 2))
     report, _, peak = memory(lambda: vkworkbench.analyze(tmp_path))

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""How far it is, and how long the rest takes."""
+"""The progress of the command line, and its remaining time."""
 
 import io
 import re
@@ -16,7 +16,7 @@ class Terminal(io.StringIO):
 
 @pytest.fixture
 def clock(monkeypatch):
-    """A clock that a test sets."""
+    """Return a clock whose time the test sets."""
     now = [100.0]
     monkeypatch.setattr(progress.time, "monotonic", lambda: now[0])
     return now
@@ -29,11 +29,11 @@ def paths(tmp_path):
     return [tmp_path / name for name in "abc"]
 
 
-def test_a_terminal_has_one_line_that_changes(clock, paths):
+def test_progress_in_a_terminal_is_one_changing_line(clock, paths):
     stream = Terminal()
     told = progress.Progress(paths, stream)
     clock[0] += 10.0
-    told.add(paths[0])  # 10 kB of 50 kB, each file's own work included
+    told.add(paths[0])  # 10 kB of 50 kB are done, including a constant for each file
     clock[0] += 0.01
     told.add(paths[1])
     assert re.findall(r"\r\x1b\[K([^\r\n]*)", stream.getvalue()) == ["1 of 3 files, 40 s left"]
@@ -43,7 +43,7 @@ def test_a_terminal_has_one_line_that_changes(clock, paths):
     assert stream.getvalue().endswith("3 of 3 files, 0 ms left\r\x1b[K") and "\n" not in stream.getvalue()
 
 
-def test_a_file_has_a_line_now_and_then(clock, paths):
+def test_progress_in_a_file_is_a_line_at_intervals(clock, paths):
     stream = io.StringIO()
     told = progress.Progress(paths, stream)
     for path in paths:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""NC programs simulated with numpy only: facts, verdict, picture and solid, from a macro and from the command line."""
+"""NC programs are simulated with numpy only: facts, verdict, picture and solid, from a macro and the command line."""
 
 import subprocess
 import sys
@@ -34,7 +34,7 @@ X30 Y15
 G0 Z5
 M30
 """
-CRASH = 12  # line of the rapid through the floor
+CRASH = 12  # number of the program line with the rapid through the floor
 
 
 @pytest.fixture
@@ -44,7 +44,7 @@ def program(tmp_path):
     return path
 
 
-def test_crash_has_its_line(program):
+def test_crash_has_the_number_of_its_program_line(program):
     done = vkworkbench.simulate(program)
     found = done.facts()
     assert [label for label, _ in found.operations] == ["Pocket", "Engrave"]
@@ -54,8 +54,8 @@ def test_crash_has_its_line(program):
     assert not done.at(0).zbuffer.chip_volume and done.zbuffer.chip_volume > 0
 
 
-def test_stock_is_a_box_around_the_cuts_and_said(program):
-    """Z0 is the upper face: the cuts are below, and most rapids are not."""
+def test_stock_of_a_program_is_a_box_around_its_cuts(program):
+    """Z0 is the upper face: the cuts are below Z0, and most rapids are above."""
     done = vkworkbench.simulate(program)
     assert done.stock.lower[:2].tolist() == [-3, -3] and done.stock.upper.tolist() == [43, 23, 0]
     assert "a box around the cuts" in str(done.facts())
@@ -66,13 +66,13 @@ def test_stock_is_a_box_around_the_cuts_and_said(program):
 @pytest.mark.parametrize(
     "words, top", [("G0 X9\nG1 Z3 F9\nX20\nG0 Z9\nX0", 3), ("G0 Z-5 X9\nG1 Z-30 F9\nX20\nG0 Z-5\nX0", -30)]
 )
-def test_box_ends_at_the_highest_cut_without_a_zero_between(tmp_path, words, top):
+def test_box_ends_at_the_highest_cut_if_zero_is_elsewhere(tmp_path, words, top):
     path = tmp_path / "part.nc"
     path.write_text(f"G21 (zero elsewhere)\nG0 Z9 X0 Y0\n{words}\nM30\n" if top > 0 else f"G21\n{words}\nM30\n")
     assert vkworkbench.simulate(path, tool=Tool("endmill", 6)).stock.upper[2] == top
 
 
-def test_tools_are_given_by_number_or_for_all(program):
+def test_tools_are_given_by_number_or_for_all_operations(program):
     wide = Tool("endmill", 10, cutting_edge_height=1, shank_diameter=10)
     by_number = vkworkbench.simulate(program, tool={1: wide})
     assert [cut.tool.diameter for cut in by_number.program.cuts] == [10, 3]
@@ -92,7 +92,7 @@ def test_operation_without_tool_is_left_out_and_named(tmp_path):
     assert vkworkbench.simulate(path, tool=Tool("endmill", 6)).facts().job.removed_volume > 0
 
 
-def test_inches_are_simulated_in_true_size(tmp_path):
+def test_program_in_inches_is_simulated_in_its_true_size(tmp_path):
     path = tmp_path / "part.nc"
     path.write_text("(T1 1/4 ENDMILL DIA 0.25)\nT1 M6\nG0 X0 Y0 Z0.2\nG1 Z-0.05 F10\nX1.5\nY0.75\nX0\nY0\nG0 Z0.2\n")
     done = vkworkbench.simulate(path)
@@ -119,7 +119,7 @@ def run(*arguments):
     )  # fmt: skip
 
 
-def test_command_prints_facts_and_saves(program, tmp_path):
+def test_simulate_command_prints_facts_and_saves_files(program, tmp_path):
     done = run(
         program,
         "--simulate",
@@ -161,7 +161,7 @@ def test_impossible_options_are_refused(program, options, why, capsys):
         ("G1 X40 Z-2 F600\n", None, "Not everything could be checked: No stock is given."),
     ],
 )
-def test_command_says_what_cannot_be_checked(tmp_path, capsys, text, stock, told):
+def test_simulate_command_says_what_it_cannot_check(tmp_path, capsys, text, stock, told):
     path = tmp_path / "part.nc"
     path.write_text("(T1 D=6. CR=0. - flat end mill)\nG21\nT1 M6\nG0 X0 Y0 Z5\n" + text)
     main([str(path), "--simulate", *([f"--stock={stock}"] if stock else [])])
@@ -169,7 +169,7 @@ def test_command_says_what_cannot_be_checked(tmp_path, capsys, text, stock, told
     assert told in out and ("error, cm3" in out) is ("G1" in text)
 
 
-def test_missing_program_is_told(tmp_path, capsys):
+def test_missing_program_has_an_error_message(tmp_path, capsys):
     assert main([str(tmp_path / "none.nc"), "--simulate"]) == 1
     assert "The file cannot be read: No such file or directory." in capsys.readouterr().out
 

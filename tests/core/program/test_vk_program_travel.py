@@ -28,7 +28,7 @@ M30
 
 @pytest.fixture
 def told(tmp_path):
-    """Return a function of the travel that returns the remarks on it, by operation."""
+    """Return a function that returns the remarks on a given travel, by operation."""
     path = tmp_path / "part.nc"
     path.write_text(PROGRAM)
 
@@ -39,8 +39,8 @@ def told(tmp_path):
     return remarks
 
 
-def test_operations_together_need_more_than_the_travel(told):
-    """Each operation alone would fit."""
+def test_all_operations_together_may_exceed_the_travel(told):
+    """Each operation alone would be within the travel."""
     assert told(x=310) == [["The job moves 310.5 mm along X, but the travel of the machine is 310 mm."], []]
 
 

@@ -434,7 +434,7 @@ ROWS, AROUND, STROKES = Strategy.ZIGZAG, Strategy.PROFILE, Strategy.ENGRAVING
     "one, loops, passes, main, sure, program, differs",
     [
         (ROWS, 0, 3, AROUND, False, False, True),
-        (ROWS, 0, 2, AROUND, False, False, False),  # too short to show its strategy
+        (ROWS, 0, 2, AROUND, False, False, False),  # two passes do not show a strategy
         (ROWS, 0, None, AROUND, True, False, False),
         (AROUND, 1, None, ROWS, False, False, True),
         (AROUND, 1, 1, ROWS, True, False, True),
@@ -470,7 +470,7 @@ def test_longest_section_decides_if_all_deny_whole():
     assert agreed(rows, told(AROUND, (12, 30, AROUND, 1.0), passes=5)) is whole
     short, unknown_one = (told(s, (12, 30, s, 1.0), passes=1) for s in (STROKES, Strategy.UNKNOWN))
     for little in (short, unknown_one):
-        assert agreed(rows, little) is whole  # six tenths show nothing
+        assert agreed(rows, little) is whole  # the longest section has six tenths, but shows no strategy
         assert agreed(rows, little, share=(0.6, 0.4)).spans[0].strategy is ROWS
     mixed = told(Strategy.MIXED, (12, 20, AROUND, 0.5), (21, 30, ROWS, 0.5), closed_loops=2)
     spans = [(s.first, s.last, s.strategy) for s in agreed(rows, mixed).spans]

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Open strokes, and contours with additions of CAM programs, in several sizes, directions and post-processor formats."""
+"""Open strokes, and contours with additions of CAM programs, in several sizes, directions and formats."""
 
 from __future__ import annotations
 

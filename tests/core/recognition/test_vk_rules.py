@@ -182,7 +182,7 @@ def test_step_of_passes_that_are_not_rings(name, step):
 
 
 def beside(strokes, others, share):
-    """Return the strokes, and other strokes with a share of the whole length. `others` draws strokes with a given length."""
+    """Return strokes, and others with a share of the whole length. `others` draws strokes of a given length."""
     length = sum(math.dist(a[:2], b[:2]) for stroke in strokes for a, b in zip(stroke, stroke[1:]))
     return [*strokes, *others(length * share / (1 - share))]
 
@@ -271,5 +271,5 @@ def test_descending_open_contours_are_not_a_waterline(sloped, strategy):
 
 @pytest.mark.parametrize("wider, strategy", [(0.25, "engraving"), (0.1, "profile")])
 def test_contours_of_similar_size_have_one_shape(wider, strategy):
-    """Nine letters, or holes in a row."""
+    """The contours are nine letters, or nine holes in a row."""
     assert proposed([polygon(6 + wider * k, x=12.0 * k) for k in range(9)]).strategy == strategy

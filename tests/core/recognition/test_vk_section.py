@@ -102,7 +102,7 @@ def test_rings_of_two_shapes_are_rings_if_no_rows_are_found():
 
 @pytest.mark.parametrize("degrees, lattice", [(60, False), (75, True)])
 def test_winding_turn_with_reversals_may_be_rows(degrees, lattice):
-    """Each turn bends twice sideways and back: four bends of 60 degrees are two thirds of a turn, of 75 degrees five sixths."""
+    """Two bends aside and back turn by four times 60 degrees (2/3 of a turn), or 75 degrees (5/6)."""
     found = section(square_spiral(3, jogs(2, degrees), grows=12.0))
     assert found.rings.winding[0] and found.lattice[0] == lattice
 

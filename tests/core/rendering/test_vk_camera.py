@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The direction of the view, the positions of points in the image, the outlines of tools, and colours."""
+"""The direction of the view, positions of points in the image, and colours."""
 
 from __future__ import annotations
 
@@ -28,13 +28,13 @@ STOCK = Stock((0, 0, 0), (80, 60, 20))
 ISOMETRIC = (-1, 1, -1)
 
 
-def test_turning_there_and_back():
+def test_rotating_the_view_back_restores_it():
     there = turned(ISOMETRIC, 0.4, 0.2)
     assert turned(there, -0.4, -0.2) == pytest.approx(np.array(ISOMETRIC) / sqrt(3))
     assert turned(ISOMETRIC, pi, 0)[:2] == pytest.approx(np.array((1, -1)) / sqrt(3))
 
 
-def test_the_part_follows_the_hand():
+def test_part_follows_the_drag_of_the_mouse():
     """A point in front of the axis moves right when the view is dragged to the right, and up when dragged up."""
     front = np.array([[40.0, 0.0, 10.0]])
     before = project(front, View((0, 1, 0)).frame(STOCK))[0]
@@ -43,27 +43,27 @@ def test_the_part_follows_the_hand():
     assert right[0] > before[0] and up[1] < before[1]
 
 
-def test_turning_from_straight_above_keeps_the_image_upright():
+def test_image_stays_upright_near_the_vertical_view():
     a, b = View((0, 0, -1)).frame(STOCK), View(turned((0, 0, -1), 0, 0)).frame(STOCK)
     assert b.right == pytest.approx(a.right, abs=2e-3) and b.up == pytest.approx(a.up, abs=2e-3)
     assert turned(direction_of((3e-8, -4e-8, 0, 1)), 0, 0) == pytest.approx(
         turned((0, 0, -1), 0, 0)
-    )  # a camera's rounding
+    )  # the rounding of a camera
     steep = turned((0, 0, -1), 0, -9.0)
     assert steep[2] > -1 and np.isfinite(View(steep).frame(STOCK).right).all()
-    over = turned((0, 1, -1), 0, -9.0)  # it stops before the part would stand on its head
+    over = turned((0, 1, -1), 0, -9.0)  # the rotation stops before the part would be upside down
     assert over[1:] == pytest.approx((1e-3, -1), abs=1e-5)
 
 
-def test_cameras_of_freecad():
+def test_directions_of_freecad_cameras_are_computed():
     assert direction_of((0, 0, 0, 1)) == (0, 0, -1)
-    assert direction_of((sqrt(0.5), 0, 0, sqrt(0.5))) == pytest.approx((0, 1, 0), abs=1e-12)  # from the front
+    assert direction_of((sqrt(0.5), 0, 0, sqrt(0.5))) == pytest.approx((0, 1, 0), abs=1e-12)  # front view
     assert direction_of((0.424708, 0.17592, 0.339851, 0.820473)) == pytest.approx(
         np.array(ISOMETRIC) / sqrt(3), abs=1e-5
     )
 
 
-def test_points_lie_where_their_pixels_are():
+def test_points_are_projected_to_their_pixels():
     frame = View(ISOMETRIC, 200, 150).frame(STOCK)
     columns, rows = np.array([0, 17, 199]), np.array([0, 149, 60])
     places = frame.origins(*frame.pixel_centres(columns, rows)) + np.array([3, 4, 5])[:, None] * frame.direction
@@ -75,7 +75,7 @@ def polygon_area(corners):
     return abs((x * y1 - x1 * y).sum()) / 2
 
 
-def test_a_png_holds_the_image():
+def test_png_contains_the_image():
     image = np.random.default_rng(1).integers(0, 256, (5, 7, 3)).astype(np.uint8)
     data = png(image)
     assert data[:8] == b"\x89PNG\r\n\x1a\n" and struct.unpack(">II", data[16:24]) == (7, 5)
@@ -94,7 +94,7 @@ def test_operation_colours_have_equal_lightness_and_spread_hues():
     assert distinct_colors(0).shape == (0, 3)
 
 
-def test_colours():
+def test_distinct_scale_and_owner_colours_are_assigned():
     colors = distinct_colors(12).astype(int)
     assert min(np.abs(a - b).sum() for i, a in enumerate(colors) for b in colors[:i]) > 20
     scale = scale_colors(np.array([0, 0.5, 1, 2, np.nan])).astype(int)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The picture of a field from any direction, against the exact z-buffer of the same view."""
+"""Pictures of a field from any direction, compared with the exact z-buffer of the same view."""
 
 from __future__ import annotations
 
@@ -75,21 +75,21 @@ DIRECTIONS = [
 
 @lru_cache(maxsize=None)
 def field(name, step=None):
-    """The field of a job, with about one cell for each pixel of the pictures."""
+    """Return the field of a job, with about one cell for each pixel of the pictures."""
     stock, cuts = JOBS[name]
     done = simulate_job(cuts, stock=stock, view=View(width=WIDTH, height=HEIGHT))
     return Field(done if step is None else done.at(step))
 
 
 def around(values, extreme):
-    """The extreme of each pixel and its eight neighbours, NaN counting as nothing."""
+    """Return the extreme of each pixel and its eight neighbours. The extreme function may ignore NaN."""
     padded = np.pad(values, 1, mode="edge")
     height, width = values.shape
     return extreme.reduce([padded[y : y + height, x : x + width] for y, x in product(range(3), repeat=2)])
 
 
 def agreement(name, view, step=None):
-    """Return the shares of pixels that agree with the exact z-buffer: background, operation beside edges, depth."""
+    """Return the shares of pixels equal to the exact z-buffer: background, operation away from edges, and depth."""
     stock, cuts = JOBS[name]
     exact = simulate_job(cuts, stock=stock, view=view)
     exact = exact if step is None else exact.at(step)
@@ -108,7 +108,7 @@ def agreement(name, view, step=None):
     )
 
 
-# Each job from one direction; from the other nineteen, too, where time allows.
+# Each job is drawn from one direction, and in the long tests also from the other nineteen directions.
 CASES = [
     pytest.param(name, direction, marks=() if (turn - 7 * number) % 20 == 4 else pytest.mark.long)
     for number, name in enumerate(JOBS)
@@ -123,7 +123,7 @@ def test_picture_agrees_with_the_exact_z_buffer(name, direction):
 
 
 @pytest.mark.parametrize("name", ["everything", "hollow"])
-def test_zoomed_and_panned_views_agree(name):
+def test_zoomed_and_panned_pictures_agree(name):
     for direction, offset in (((-1, 1, -1), (8.0, -3.0)), ((0.4, 1, -0.6), (-12.0, 4.0)), ((1, 1, 1), (5.0, 5.0))):
         stock, _ = JOBS[name]
         pixel = View(direction, WIDTH, HEIGHT).frame(stock).pixel
@@ -134,7 +134,7 @@ def test_zoomed_and_panned_views_agree(name):
 
 
 @pytest.mark.parametrize("share", [0.0, 0.3, 0.6])
-def test_earlier_moments_agree(share):
+def test_pictures_of_earlier_moments_agree(share):
     step = int(share * sum(len(cut.toolpath) for cut in JOBS["everything"][1]))
     outline, operation, depth = agreement("everything", View((-1, 1, -1), WIDTH, HEIGHT), step)
     assert outline > 0.995 and operation > 0.99 and depth > 0.98
@@ -156,10 +156,10 @@ def test_part_that_is_machined_away_is_empty():
 
 
 @pytest.mark.parametrize("angle", np.linspace(0, pi, 7, endpoint=False).tolist())
-def test_walls_are_lit_by_their_direction(angle):
+def test_brightness_of_a_wall_is_uniform(angle):
     """A straight wall in any direction has one brightness."""
     across, along = np.array([cos(angle), sin(angle)]), np.array([-sin(angle), cos(angle)])
-    # Everything on one side of a line through the middle of the block is removed.
+    # The material on one side of a line through the middle of the block is removed.
     path = [(30, 20) + across * (3 + 2.5 * number) + along * (80 if number % 2 else -80) for number in range(26)]
     ends = [point for start in path for point in (start, start - 2 * along * ((start - (30, 20)) @ along))]
     moves = [("G1", {"X": float(x), "Y": float(y), "Z": 2.0}) for x, y in ends]

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The picture of a simulation: colours by owner or by pixel, chips in front of the part, highlights."""
+"""The picture of a simulation: colours by owner or by pixel, chips in front of the part, and highlights."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ RED, GREEN = (255, 0, 0), (0, 255, 0)
 
 
 def slot():
-    """A slot along the middle of a block: trajectory 0 enters, 1 cuts."""
+    """Return a simulated slot along the middle of a block: trajectory 0 plunges, trajectory 1 cuts."""
     toolpath = linearize([("G0", {"X": 5.0, "Y": 10.0, "Z": 5.0}), ("G1", {"Z": -2.0}), ("G1", {"X": 35.0})])
     return simulate_job([Cut(toolpath, Tool("endmill", 6))], stock=STOCK, view=View(width=80, height=40))
 
@@ -35,22 +35,22 @@ def drawn(colors, direction=(0, 0, -1), chips=None, part=True, **choices):
 
 
 def is_like(image, color):
-    """Which pixels have this hue, whatever the light on them."""
+    """Return the pixels with this hue, at any brightness."""
     image, color = image.astype(float), np.array(color, float)
     return (np.abs(image - image.max(axis=-1, keepdims=True) * color / color.max()) < 8).all(axis=-1)
 
 
-def test_cells_have_the_colours_that_are_given_row_0_below():
+def test_cells_have_the_given_colours_from_below():
     colors = np.empty((40, 80, 3), np.uint8)
     colors[:20], colors[20:] = RED, GREEN
     image = drawn(colors).image
     assert is_like(image[22:38, 4:-4], RED).all() and is_like(image[2:18, 4:-4], GREEN).all()
-    assert (colors[:20] == RED).all()  # it is the caller's still
+    assert (colors[:20] == RED).all()  # the array of the caller is not changed
     oblique = drawn(colors, (0, 1, -1)).image
     assert is_like(oblique[-3:, 20:60], RED).all() and is_like(oblique[:3, 20:60], GREEN).all()
 
 
-def test_chips_lie_before_the_part_in_their_own_colour():
+def test_chips_in_front_of_the_part_have_their_own_colour():
     colors = np.broadcast_to(np.uint8(RED), (40, 80, 3))
     before, chips = drawn(colors), drawn(colors, chips=(0, 2))
     higher = chips.depth < before.depth - 1
@@ -61,27 +61,27 @@ def test_chips_lie_before_the_part_in_their_own_colour():
     assert not is_like(alone.image[::-1][higher], RED).any()
 
 
-def test_chips_alone_are_as_thick_as_the_cut():
+def test_chips_without_the_part_are_as_thick_as_the_cut():
     front = drawn(palette(RED), (0, 1, 0), chips=(0, 2), part=False)
     rows = np.flatnonzero(~np.isnan(front.depth).all(axis=1))
     assert len(rows) * View((0, 1, 0), 80, 40).frame(STOCK).pixel == pytest.approx(2, abs=0.5)
 
 
-def test_chips_behind_the_part_are_not_seen():
+def test_chips_behind_the_part_are_hidden():
     before, chips = (drawn(palette(RED), (0, 0, 1), chips=removed) for removed in (None, (0, 2)))
     assert (before.image == chips.image).all() and (before.depth == chips.depth).all()
     assert not np.isnan(drawn(palette(RED), (0, 0, 1), chips=(0, 2), part=False).depth).all()
 
 
 @pytest.mark.parametrize("direction", [(0, 0, -1), (0, 1, -1)])
-def test_highlighted_surfaces_have_the_colour_of_highlights(direction):
+def test_highlighted_surfaces_have_the_highlight_colour(direction):
     for colors in (palette(RED), np.broadcast_to(np.uint8(RED), (40, 80, 3))):
         shown, before = drawn(colors, direction, lit=(1, 2)), drawn(colors, direction)
         marked = shown.owner[::-1] == 1
         differs = (shown.image != before.image).any(axis=-1)
         assert differs[marked].all() and not differs[~marked].any()
         image = shown.image.astype(int)
-        assert (image[marked][:, 1] > 0.6 * image[marked][:, 0]).all()  # as in LIT, unlike in red
+        assert (image[marked][:, 1] > 0.6 * image[marked][:, 0]).all()  # the colour LIT has more green than red has
 
 
 def test_floor_of_a_pocket_is_in_shadow_beside_its_walls():
@@ -91,7 +91,7 @@ def test_floor_of_a_pocket_is_in_shadow_beside_its_walls():
 
 def test_differences_are_coloured_up_to_ten_tolerances():
     left, gouged = np.array([0, 0.1, 0.11, 5.0, 0, 0, 0, 9.0]), np.array([0, 0, 0, 0, 0.11, 5.0, 0, 0])
-    model = np.array([True] * 6 + [False] * 2)  # the last is left in a hole
+    model = np.array([True] * 6 + [False] * 2)  # the last value is left in a hole
     colors = difference_colors(left, gouged, model, 0.1)
     assert (colors[[0, 1]] == MET).all() and (colors[6] == NO_MODEL).all()
     assert (colors[[3, 7]] == LEFT[-1]).all() and (colors[5] == GOUGED[-1]).all()

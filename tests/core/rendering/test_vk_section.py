@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Sections of the part, and the path of the tool over its picture."""
+"""Sections of the part, and the path of the tool over the picture."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ SLOT = [("G0", {"X": 30, "Y": -5, "Z": 20}), ("G1", {"Z": 5}), ("G1", {"Y": 45})
 
 @pytest.fixture(scope="module")
 def slot():
-    """A block with a slot along Y, 6 mm wide and 7 mm deep."""
+    """Return a simulated block with a slot along Y, 6 mm wide and 7 mm deep."""
     return simulate_job([Cut(linearize(SLOT), Tool("endmill", 6))], stock=BLOCK, view=View(width=600, height=400))
 
 
@@ -34,7 +34,7 @@ def test_section_shows_the_profile_of_a_slot(slot):
 
 
 @pytest.mark.parametrize("hides_above", [True, False])
-def test_level_section_fills_what_it_cuts(slot, hides_above):
+def test_level_section_fills_the_cut_material(slot, hides_above):
     direction = (0, 0, -1 if hides_above else 1)
     for height, area in ((8.0, 54 * 40), (3.0, 60 * 40)):
         shown, frame = drawn(slot, direction, Section(2, height, hides_above))
@@ -51,13 +51,14 @@ def test_section_beyond_the_part_changes_nothing(slot):
         assert (shown.pixels == whole.pixels).all()
 
 
-def test_path_is_a_line_without_gaps(slot):
+def test_path_is_drawn_as_a_line_without_gaps(slot):
     _, frame = drawn(slot, (0, 0, -1))
     pixels = np.zeros((frame.height, frame.width), np.uint32)
     draw_path(pixels, np.array([(-1000.0, 10.0, 0.0), (1000.0, 30.0, 0.0)]), frame, (1, 2, 3))
     row, column = np.nonzero(pixels)
     assert set(pixels[row, column].tolist()) == {0xFF010203}
-    assert sorted(set(column.tolist())) == list(range(frame.width))  # also where the line leaves the picture
+    # the path also covers the columns at the borders of the picture
+    assert sorted(set(column.tolist())) == list(range(frame.width))
     assert len(column) < 1.1 * frame.width
 
 

@@ -30,14 +30,14 @@ def test_plane_is_lit_from_above_left():
 
 
 @pytest.mark.parametrize("right, up", [(0.5, -0.3), (-0.2, 0.4), (1.5, -1.5)])
-def test_shade_follows_lambert(right, up):
-    """The light is ambient light plus Lambert's law. A level plane has exactly its own colour."""
+def test_brightness_follows_lamberts_law(right, up):
+    """The brightness is ambient light plus Lambert's law. A level plane has exactly its own colour."""
     normal = np.array((-right, -up, 1)) / np.sqrt(1 + right**2 + up**2)
     share = normal @ (-0.35, 0.5, 0.79) / 0.79
     assert brightness(plane(right, up)) == pytest.approx(min(200 * (0.38 + 0.62 * share), 255), abs=1)
 
 
-def test_empty_pixels_are_background_with_outline():
+def test_empty_pixels_have_the_background_colour():
     depth = plane()
     depth[:10] = np.nan  # the lowest rows
     image = shade(depth, 0.5, GREY)
@@ -45,17 +45,17 @@ def test_empty_pixels_are_background_with_outline():
     assert (image[:-10] == image[0, 0]).all()
 
 
-def test_a_step_is_a_dark_line_and_nothing_else():
+def test_step_has_a_dark_line_and_changes_nothing_else():
     depth = plane()
     depth[:, 30:] -= 5
     image = shade(depth, 0.5, GREY)
     line = image[20, 29:31].astype(int)
-    # The smaller slope of the two sides of the step is used, so the line has the light of the flat surface, darkened.
+    # The smaller slope of the two sides of the step is used, so the line is the darkened colour of the flat surface.
     assert np.abs(line - 0.55 * 200).max() <= 1 and (image[20, 10] == 200).all()
     assert (np.delete(image, (29, 30), axis=1) == image[20, 10]).all()
 
 
-def test_a_finished_surface_has_no_lines():
+def test_finished_surface_has_no_lines():
     x = np.arange(60) * 0.5
     depth = np.tile(100 + 0.05 * np.cos(2 * np.pi * x / 3), (40, 1)).astype(np.float32)
     image = shade(depth, 0.5, GREY)
@@ -70,7 +70,7 @@ def test_sharper_edges_are_darker_up_to_a_limit(change, dark, turned):
     depth = plane(size=(60, 60))
     depth[:, 30:] -= 0.5 * change * np.arange(30, dtype=np.float32)
     image = shade(depth.T if turned else depth, 0.5, GREY)[::-1]
-    # Left of the edge, and below it, it is level.
+    # The surface is level left of the edge, or below it.
     edge, level = (image[30, 20], image[10, 20]) if turned else (image[20, 30], image[20, 10])
     assert (level == 200).all() and edge == pytest.approx(200 * (1 - dark), abs=1)
 
@@ -79,24 +79,24 @@ def test_faces_away_from_light_have_ambient_light():
     assert brightness(plane(right=-3, up=3)) == pytest.approx(0.38 * 200, abs=1)
 
 
-def test_nothing_is_brighter_than_white():
+def test_brightness_is_limited_to_white():
     white = shade(plane(right=0.4, up=-0.6), 0.5, (255, 255, 255))
     assert (white == 255).all()
 
 
 @pytest.mark.parametrize("size", [(1, 1), (1, 7), (5, 1), (2, 2)])
-def test_images_of_any_size(size):
+def test_images_of_any_size_are_shaded(size):
     image = shade(np.zeros(size, np.float32), 1.0, GREY)
     assert image.shape == (*size, 3) and (image == GREY).all()
 
 
-def test_a_lone_pixel_is_level():
+def test_single_pixel_is_shaded_as_level():
     depth = np.full((5, 5), np.nan, np.float32)
     depth[2, 2] = 7
     assert (shade(depth, 1.0, GREY)[2, 2] == GREY).all()
 
 
-def test_each_pixel_has_its_own_colour_row_0_below():
+def test_each_pixel_has_its_own_colour_from_below():
     colors = np.zeros((40, 60, 3), np.uint8)
     colors[0] = 255, 0, 0
     image = shade(plane(), 0.5, colors)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The tool in a picture: its silhouette, and what hides it."""
+"""The tool in a picture: its silhouette, and the surfaces that hide it."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ GREY = np.uint32(0xFF808080)
 
 
 def silhouette(tool, direction, depth=np.nan):
-    """Return the pixels that a tool with its tip at (40, 30, 5) covers, row 0 at the top, and the frame."""
+    """Return the pixels that a tool with its tip at (40, 30, 5) covers, top row first, and the frame."""
     frame = View(direction, 800, 600, 0.2).frame(STOCK)
     size = frame.height, frame.width
     scene = Scene(np.full(size, depth, np.float32), np.full(size, -1, np.int32), np.full(size, GREY, np.uint32))
@@ -34,11 +34,12 @@ SIZES = {"cutting_edge_height": 18.0, "shank_diameter": 6.0, "length": 30.0}
     (Tool("vbit", 6, tip_angle=pi / 2, tip_diameter=2, **SIZES), 4.0),
     (Tool("bullnose", 6, 1.0, **SIZES), 2 * (1 - pi / 4)),
 ])  # fmt: skip
-def test_the_side_of_a_tool_has_its_profile(tool, tip_area):
+def test_side_view_of_a_tool_has_its_profile(tool, tip_area):
     covered, frame = silhouette(tool, (0, 1, 0))
     assert covered.sum() * frame.pixel**2 == pytest.approx(6 * 30 - tip_area, rel=0.01)
     row, column = np.nonzero(covered)
-    assert (row.max() + 1 - frame.height / 2) * frame.pixel == pytest.approx(0, abs=0.3)  # the tip is at half height
+    # the tip is at half the height of the picture
+    assert (row.max() + 1 - frame.height / 2) * frame.pixel == pytest.approx(0, abs=0.3)
     assert (column.min() + column.max() + 1) / 2 == pytest.approx(frame.width / 2, abs=1)
 
 
@@ -60,7 +61,7 @@ def test_holder_is_wider_than_the_shank():
     assert covered.sum() * frame.pixel**2 == pytest.approx(6 * 30 + 20 * 15, rel=0.01)
 
 
-def test_walls_before_the_tool_hide_it():
+def test_walls_in_front_of_the_tool_hide_the_tool():
     tool = Tool("endmill", 6, **SIZES)
     assert not silhouette(tool, (0, 1, 0), depth=-3.5)[0].any()
     assert silhouette(tool, (0, 1, 0), depth=3.5)[0].any()

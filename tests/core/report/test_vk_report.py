@@ -21,11 +21,11 @@ from vkworkbench.report.text_table import printable
 KNOWN = Machining(100.0, 20.0, -1.0, 1.0, 10.0, 2.0, ())
 PARTLY = replace(KNOWN, rapid_seconds=None, left_out=(Message("rapids-not-told", length=20.0),))
 JOB = "Doc", "Job"
-FIRST, SECOND, JOINT = object(), object(), object()  # what simulations told
+FIRST, SECOND, JOINT = object(), object(), object()  # stand-ins for simulation results
 
 
 def operation(label, machining=KNOWN, **other):
-    """An operation with a machining time, without a strategy or a cost."""
+    """Return an operation with a machining time, without a strategy or a cost."""
     document, job = JOB
     row = without_results(
         Message("no-tool"), document=document, name=label, label=label, job=job, counted=True, fingerprint=""
@@ -38,11 +38,11 @@ def report(*operations, **other):
 
 
 def lines(shown):
-    """The lines of a table between its rules: header, operations, totals."""
+    """Return the lines of a table without its rules: header, operations, totals."""
     return [line for line in str(shown).splitlines() if not line.startswith("---")]
 
 
-def test_a_console_shows_a_report_in_a_line():
+def test_repr_of_a_report_is_one_line():
     told = report(operation("One"), operation("Two\n3"))
     assert repr(told) == "<Report of 2 operations>"
     assert repr(told.operations[1]) == str(told.operations[1]) == "<OperationReport of Two 3: unknown>"
@@ -62,7 +62,7 @@ MILL = replace(MACHINES["small-mill"], tool_change=60.0, spindle_start=3.0, fact
 @pytest.mark.parametrize("tools, seconds", [
     (["T1"], 6), (["T1", "T1"], 6), (["T1", "T2"], 132), (["T1", "T2", "T1"], 258), (["T1", "", "T1"], 6), ([""], 0),
 ])  # fmt: skip
-def test_tool_changes_are_in_the_total(tools, seconds):
+def test_tool_changes_are_in_the_total_time(tools, seconds):
     found = report(*(operation(str(n), setup=setup_of(tool, MILL)) for n, tool in enumerate(tools)), fixtures={JOB: 2})
     (total,) = found.totals
     assert total.setup == Setup("", True, 2 * seconds)
@@ -149,7 +149,7 @@ def test_row_of_a_job_names_its_fixtures():
     assert " x" not in lines(report(operation("One")))[-1]
 
 
-def test_a_total_without_any_cost_takes_nothing_that_is_known():
+def test_total_without_costs_shows_question_marks():
     told = report(operation("One"))
     (total,) = told.totals
     assert (total.seconds, total.memory_bytes, total.incomplete) == (0, 0, True)
@@ -163,7 +163,7 @@ def test_row_ends_with_the_chosen_simulator():
     assert table_of([row], [], "z-buffer").splitlines()[-1].split()[-2:] == ["?", "?"]
 
 
-def test_a_file_of_one_operation_has_its_columns(tmp_path):
+def test_csv_file_of_one_operation_has_its_columns(tmp_path):
     file = tmp_path / "one.csv"
     report(operation("One")).to_csv(file)
     with open(file, newline="", encoding="utf-8") as opened:
@@ -171,13 +171,13 @@ def test_a_file_of_one_operation_has_its_columns(tmp_path):
     assert (row["document"], row["label"], row["trajectories"]) == ("Doc", "One", "5")
 
 
-def test_the_table_of_one_document_does_not_name_it():
+def test_table_of_one_document_does_not_name_the_document():
     assert lines(report(operation("One")))[0].split()[0] == "operation"
     told = report(operation("One"), operation("Two", document="Other"))
     assert [line.split()[0] for line in lines(told)] == ["document", "Doc", "Other", "Doc"]
 
 
-def test_a_name_of_a_program_is_two_hundred_letters_long_at_most():
+def test_document_names_are_cut_to_two_hundred_letters():
     told = report(operation("One", document="a" * 300), operation("Two", document="b" * 200))
     assert [len(line.split()[0]) for line in lines(told)[1:3]] == [200, 200]
 
@@ -199,7 +199,7 @@ def test_table_lists_contradiction_before_other_remarks():
 
 
 def test_operation_without_moves_has_no_times():
-    """Nor a cost: a question mark would ask for one."""
+    """The operation has no question mark for its cost, because a question mark would ask for one."""
     stop = replace(operation("Stop"), trajectories=0)
     empty = replace(stop.recognition, strategy=Strategy.EMPTY)
     _, idle, other, *_ = lines(report(replace(stop, recognition=empty), stop))
@@ -213,7 +213,7 @@ def test_uncounted_operation_is_in_brackets():
     assert [line.split()[0] for line in lines(told)[1:4]] == ["One", "(Dressed)", "Imported"]
 
 
-def test_the_numbers_of_a_total():
+def test_total_has_the_sums_of_its_operations():
     (total,) = report(operation("One"), operation("Two", PARTLY), fixtures={JOB: 2}).totals
     told = total.as_dict()
     assert {key: told[key] for key in ("document", "job", "label", "operations", "trajectories", "length", "fixtures")} == {
@@ -223,7 +223,7 @@ def test_the_numbers_of_a_total():
     assert (told["seconds"], told["memory_bytes"], told["incomplete"], told["simulated"]) == (0, 0, True, None)
 
 
-def test_the_shares_of_sections_have_four_decimals():
+def test_shares_of_spans_have_four_decimals():
     row = operation("One")
     span = Span(0, 9, 0, 9, Strategy.ZIGZAG, 0.123456789)
     told = replace(row, recognition=replace(row.recognition, spans=(span,))).as_dict()["spans"]
@@ -231,11 +231,11 @@ def test_the_shares_of_sections_have_four_decimals():
 
 
 @pytest.mark.parametrize(("length", "shown"), [(60, 60 * "x"), (61, 59 * "x" + "…")])
-def test_a_label_of_more_than_sixty_characters_is_cut(length, shown):
+def test_label_of_more_than_sixty_characters_is_cut(length, shown):
     assert lines(report(operation(length * "x")))[1].split()[0] == shown
 
 
-def test_words_begin_and_numbers_end_in_one_column():
+def test_words_are_left_and_numbers_right_aligned():
     rows = (
         operation("One"),
         operation("Two", replace(KNOWN, cutting_length=123456.0), remarks=(Message("no-cutting-move"),)),

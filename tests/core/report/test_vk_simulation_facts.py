@@ -52,15 +52,15 @@ def read(path):
         return list(csv.DictReader(file))
 
 
-def test_the_table_has_a_line_for_each_operation_and_one_for_all():
+def test_table_has_a_line_per_operation_and_one_for_the_job():
     header, clean, faulty, job, verdict = str(FOUND).splitlines()
     assert header.split()[0] == "operation"
-    assert clean.split() == ["Fräsen", "12.34", "0.01", "18.51", "30.00", "25%"]  # nothing is wrong with it
+    assert clean.split() == ["Fräsen", "12.34", "0.01", "18.51", "30.00", "25%"]  # this operation has no faults
     assert faulty.split() == ["=Pocket", "12.34", "0.01", "18.51", "30.00", "25%", "2", "1", "0.8", "mm", "1.5", "mm"]
     assert job.split() == ["job", *faulty.split()[1:]] and verdict == "Nothing is checked yet."
 
 
-def test_simulation_remarks_stand_below_table(tmp_path):
+def test_simulation_remarks_are_below_the_table(tmp_path):
     told = replace(FOUND, remarks=(Message("of", label="Top\nface", sentence=Message("no-stock", label="Job")),))
     *table, remark = str(told).splitlines()
     assert table == str(FOUND).splitlines() and remark.startswith("Top face: ")
@@ -68,7 +68,7 @@ def test_simulation_remarks_stand_below_table(tmp_path):
     assert json.loads((tmp_path / "facts.json").read_text(encoding="utf-8"))["remarks"] == [render(told.remarks[0])]
 
 
-def test_missing_stock_has_a_column_of_its_own(tmp_path):
+def test_missing_stock_has_its_own_column(tmp_path):
     found = replace(FOUND, job=replace(FAULTY, gouges=(*FAULTY.gouges, fault(depth=4.0, area=1.0))))
     header, _, faulty, job, _ = str(found).splitlines()
     assert header.endswith("gouged    left  stock lacks")
@@ -93,7 +93,7 @@ def test_verdict_is_below_table_and_in_file(tmp_path):
     assert data["unchecked"] == [{"label": "=Pocket", "command": 4}, {"label": "=Pocket", "command": 9}]
 
 
-def test_a_console_shows_facts_in_a_line():
+def test_repr_of_facts_is_one_line():
     assert repr(FOUND) == f"<SimulationFacts of {len(FOUND.operations)} operations>"
     assert repr(replace(FOUND, operations=FOUND.operations[:1])) == "<SimulationFacts of 1 operation>"
 
@@ -103,15 +103,15 @@ def test_table_columns_fit_widest_cell():
     header, long, longest, job, _ = str(found).splitlines()
     assert longest.startswith("x" * 59 + "…  ") and long.startswith("A long label")
     assert header.index("removed, cm3") == 60 + 2
-    for line in (long, longest, job):  # numbers end below the end of their title
+    for line in (long, longest, job):  # numbers end below the end of their heading
         assert line[: header.index("cm3") + 3].endswith("12.34")
 
 
-def test_no_label_breaks_the_table_or_steers_the_terminal():
+def test_labels_cannot_break_the_table_or_the_terminal():
     assert str(replace(FOUND, operations=(("Top\n\x1b[2Jface", CLEAN),))).splitlines()[1].startswith("Top [2Jface  ")
 
 
-def test_files_of_the_facts(tmp_path):
+def test_facts_are_written_as_csv_and_json(tmp_path):
     FOUND.to_csv(tmp_path / "facts.csv")
     FOUND.to_json(tmp_path / "facts.json")
     clean, faulty, job = read(tmp_path / "facts.csv")
@@ -124,10 +124,10 @@ def test_files_of_the_facts(tmp_path):
     assert [one["label"] for one in FOUND.as_dict()["operations"]] == ["Fräsen", "=Pocket"]
 
 
-def test_a_file_of_trajectories_names_the_operation_of_each(tmp_path):
+def test_file_of_trajectories_names_their_operations(tmp_path):
     FOUND.trajectories_to_csv(tmp_path / "trajectories.csv")
     rows = read(tmp_path / "trajectories.csv")
     assert [row["label"] for row in rows] == ["Fräsen", "'=Pocket", "'=Pocket"]
     assert [row["command"] for row in rows] == ["2", "7", "8"] and "cut" not in rows[0]
     assert [float(row["removed_volume"]) for row in rows] == [1.5, 2.5, 0.0]
-    assert [row["rate"] for row in rows] == ["90.0", "", "0.0"]  # "nan" would make words of the column
+    assert [row["rate"] for row in rows] == ["90.0", "", "0.0"]  # with "nan", the column would be text

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Tools and stocks of impossible sizes: refused, or counted without an array for each of their cells."""
+"""Tools and stocks of impossible sizes are refused, or counted without an array for all their cells."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ STOCK = Stock((-10, -10, -20), (60, 60, 0))
     (Tool("endmill", 5), Stock((-1e6, -1e6, -1e6), (1e6, 1e6, 0))), (Tool("endmill", 1e6), Stock((0, 0, -20), (1e-6, 60, 0))),
 ], ids=range(8))  # fmt: skip
 @pytest.mark.parametrize("program", ["zigzag", "helix", "drilling"])
-def test_prediction_of_any_size_takes_little_memory(tool, stock, program):
+def test_prediction_for_any_size_needs_little_memory(tool, stock, program):
     path = linearize(programs.SOUND[program]())
     task, conditions = Task(path, tool, stock, None, recognize(path)), Conditions(version=(1, 0, 0))
 

@@ -51,24 +51,24 @@ def test_play_shows_the_mesh_as_it_grows():
         return cost.play_seconds / cost.shown, cost.facets
 
     mean, last = mean_facets(surface(), Tool("ballend", 6.0))
-    assert mean == pytest.approx(0.5 * last, rel=0.2)  # row after row
+    assert mean == pytest.approx(0.5 * last, rel=0.2)  # the mesh grows row after row
     deeper = [("G0", {"X": 20.0, "Y": 20.0, "Z": 25.0})]
     for z in range(19, 5, -1):
         deeper += [("G1", {"Z": float(z)}), ("G2", {"X": 50.0, "Y": 40.0, "I": 15.0, "J": 10.0})]
         deeper += [("G2", {"X": 20.0, "Y": 20.0, "I": -15.0, "J": -10.0})]
     mean, last = mean_facets(deeper)
-    assert mean == pytest.approx(last, rel=0.15)  # its walls are there after the first turn
+    assert mean == pytest.approx(last, rel=0.15)  # the walls of the pocket exist after the first turn
     facing = [("G0", {"X": -5.0, "Y": -5.0, "Z": 10.0})]
     facing += [("G1", {"X": 105.0 if k % 4 in (1, 2) else -5.0, "Y": 5.0 * (k // 2) - 5}) for k in range(1, 30)]
     mean, last = mean_facets(facing)
-    assert last == 12 and mean > 50  # it ends flat
+    assert last == 12 and mean > 50  # the last mesh is flat
 
 
 def test_grid_has_a_thousand_cells_of_five_bytes_along_a_side():
     cost = cost_of(zigzag(3))
     assert 1000 * 600 <= cost.cells <= 1001 * 601
     assert cost.memory_bytes == pytest.approx(5 * cost.cells + 150 * cost.facets)
-    # The size of a stock does not matter, only its proportions.
+    # Only the proportions of a stock matter, and not its size.
     small, large = (cost_of(zigzag(2), stock=Stock((0, 0, 0), (size, size / 2, 1))) for size in (0.5, 50))
     assert small.cells == large.cells
 
@@ -101,7 +101,7 @@ def test_drilling_cycle_makes_three_meshes():
     free = dict.fromkeys(("facet", "display", "profile"), 0.0)
     holes = [("G81", {"X": x, "Y": 20.0, "Z": 5.0, "R": 22.0, "F": 5.0}) for x in (30.0, 60.0)]
     cost = cost_of([("G0", {"X": 20.0, "Y": 20.0, "Z": 25.0}), *holes], cell=1e-5, redraw=1.0, **free)
-    # The uncut stock, a move and two holes.
+    # The meshes are the uncut stock, a move and two holes.
     assert cost.play_seconds == pytest.approx(1e-5 * cost.cells * (1 + 1 + 2 * 3) + 1.0 * (1 + 3))
 
 
@@ -123,7 +123,7 @@ def test_meshes_of_a_play_include_the_operations_before():
     ]
     together, constants = legacy_together(costs), costs[0].constants
     assert together.facets == 1100 and together.shown == 70
-    uncut = constants.cell * costs[0].cells + constants.redraw  # shown once, not three times
+    uncut = constants.cell * costs[0].cells + constants.redraw  # shown once, and not three times
     alone = sum(cost.play_seconds for cost in costs) - 2 * uncut
     more = 20 * 100 + 40 * (100 + 300)
     assert together.play_seconds == pytest.approx(alone + (constants.facet + constants.display) * more)

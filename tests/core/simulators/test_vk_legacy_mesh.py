@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The size of the legacy simulator's mesh, from maps of the part's heights and lower face."""
+"""The size of the legacy simulator's mesh, from maps of the part's heights and of its lower face."""
 
 from __future__ import annotations
 
@@ -20,14 +20,14 @@ from vkworkbench.core.simulators.legacy_mesh import bottom_rectangles, mesh_face
 def test_heights_equal_a_search_over_all_points(tool):
     path = linearize([("G1", {"X": 20.0, "Y": 15.0, "Z": 12.0}), ("G1", {"X": 70.0, "Y": 40.0, "Z": 8.0})])
     (heights,), size = heightmaps(path, tool=tool, stock=STOCK)
-    along = np.linspace(0, 1, 500)[:, None]  # points a ninth of a mm apart, a ninth of a cell
+    along = np.linspace(0, 1, 500)[:, None]  # points a ninth of a mm apart, which is a ninth of a cell
     points = path.points[0] + along * (path.points[1] - path.points[0])
     x, y = np.meshgrid(
         (np.arange(heights.shape[0]) + 0.5) * size, (np.arange(heights.shape[1]) + 0.5) * size, indexing="ij"
     )
     distance = np.hypot(x[..., None] - points[:, 0], y[..., None] - points[:, 1])
     exact = np.minimum((points[:, 2] + tool.height(distance)).min(axis=2), 20.0)
-    # A map that is off by half a cell sideways is off by that times the tool's slope.
+    # A map that is shifted by half a cell is wrong by half a cell times the slope of the tool.
     inside = distance.min(axis=2) < tool.radius - size
     outside = distance.min(axis=2) > tool.radius + 1.5 * size
     assert (heights[outside] == 20.0).all()
@@ -50,7 +50,7 @@ def test_fine_groove_has_no_gaps():
     (heights,), size = heightmaps(linearize(groove), tool=Tool("endmill", 0.6), stock=small)
     x = (np.arange(heights.shape[0]) + 0.5) * size
     along = heights[:, int(3.05 / size)]
-    # The lowest point of the flat tool over each cell: its edge is a radius ahead of its middle.
+    # The lowest point of the flat tool over each cell: the tool's edge is a radius ahead of its middle.
     exact = np.clip(np.abs(x - 5) - 0.3, 0, 2)
     assert np.abs(along - exact)[(x > 2) & (x < 8)].max() < 3 * size
 
@@ -93,7 +93,7 @@ def test_half_the_size_at_half_the_cell_makes_equal_meshes():
     assert half == pytest.approx(whole)
 
 
-def test_mirror_image_makes_as_many_triangles():
+def test_mirror_image_has_equally_many_triangles():
     """A step is a wall if a neighbouring step, on either side, has less than half of its height."""
     heights = np.tile(np.cumsum([0.0, 0.0, 1.2, 3.0, 0.0, 0.0, 0.7, 0.7])[:, None], 6)
     there, back = (
@@ -113,8 +113,8 @@ def test_mirror_image_makes_as_many_triangles():
         ([0.5, 1.2], False),
     ],
 )
-def test_step_beside_another_one_is_a_slope(steps, slope):
-    """At half the cell a slope has four times the triangles that a box does not have, and a wall twice as many."""
+def test_step_beside_another_step_is_a_slope(steps, slope):
+    """At half the cell size, a slope has four times as many triangles more than a box, and a wall twice as many."""
     heights = np.tile(np.cumsum([0.0, 0.0, *steps, 0.0, 0.0])[:, None], 6)
     coarse, fine = (
         mesh_facets(heights, 4.0, resolution, floor=np.ones((1, 1), bool), floor_size=4.0) - 12
@@ -124,7 +124,7 @@ def test_step_beside_another_one_is_a_slope(steps, slope):
 
 
 @pytest.mark.parametrize("fall", [0.1, 1.0])
-def test_slope_turned_by_a_quarter_makes_as_many_triangles(fall):
+def test_slope_rotated_by_a_quarter_has_equal_triangles(fall):
     heights = np.tile(fall * np.arange(40.0)[:, None], 60)
     along, across = (
         mesh_facets(one, 4.0, 0.5, floor=np.ones((1, 1), bool), floor_size=4.0) for one in (heights, heights.T)
@@ -132,7 +132,7 @@ def test_slope_turned_by_a_quarter_makes_as_many_triangles(fall):
     assert along == pytest.approx(across)
 
 
-def test_last_part_leaves_the_map_of_the_whole_path():
+def test_map_after_the_last_part_is_that_of_the_whole_path():
     path = linearize(surface())
     ball = Tool("ballend", 6.0)
     (whole,), _ = heightmaps(path, tool=ball, stock=STOCK)
@@ -142,8 +142,8 @@ def test_last_part_leaves_the_map_of_the_whole_path():
     assert np.abs(parts[-1] - whole).max() < 0.05  # the ends of the parts are sampled twice
 
 
-def test_part_of_a_path_cuts_nothing_of_the_next_part():
-    """Four commands in two parts: the second begins with a slot across the stock."""
+def test_map_of_a_part_does_not_include_the_next_part():
+    """Four commands are divided into two parts. The second part begins with a slot across the stock."""
     there, across, back = (("G1", {axis: to}) for axis, to in (("X", 90.0), ("Y", 50.0), ("X", 10.0)))
     path = linearize([("G0", {"X": 10.0, "Y": 10.0, "Z": 10.0}), there, across, back])
     (first, both), _ = heightmaps(path, tool=TOOL, stock=STOCK, parts=2)
@@ -152,7 +152,7 @@ def test_part_of_a_path_cuts_nothing_of_the_next_part():
 
 
 def from_line(x, y, begin, end):
-    """How far points are from a line that ends."""
+    """Return the distances of points from a line segment."""
     ux, uy = end - begin
     share = ((x - begin[0]) * ux + (y - begin[1]) * uy) / max(ux**2 + uy**2, 1e-12)
     share = np.clip(share, 0, 1)
@@ -169,9 +169,9 @@ def test_lower_face_is_cut_where_the_tool_comes_through(tool):
         np.array([[33.0, 24.0], [40.3, 30.7], [75.0, 20.0]]),
     )
     commands = cut(*begin[0], -1.0, {"X": 33.0, "Y": 24.0}) + cut(*begin[1], -1.0, {"Z": 5.0})
-    commands += cut(*begin[2], 5.0, {"X": 75.0, "Z": 5.0})  # does not come through
+    commands += cut(*begin[2], 5.0, {"X": 75.0, "Z": 5.0})  # does not reach the lower face
     (kept,), size = floors(linearize(commands), tool=tool, stock=STOCK, thickness=0.0)
-    # A drill of 118 degrees is as wide as this 1 mm above its tip.
+    # A drill of 118 degrees has this radius 1 mm above its tip.
     radius = 4.0 if tool.shape == "endmill" else np.tan(np.radians(59.0))
     x, y = (np.indices(kept.shape) + 0.5) * size
     distance = np.minimum(*(from_line(x, y, *ends) for ends in zip(begin[:2], end[:2])))
@@ -181,8 +181,8 @@ def test_lower_face_is_cut_where_the_tool_comes_through(tool):
     assert (parts[-1] == kept).all() and kept.sum() < parts[0].sum() < kept.size
 
 
-def test_lower_face_is_cut_where_middles_of_cells_are_covered():
-    """A slot of 8 mm from (50, 30) to (51, 30) with cells of a fifth of a mm: the middles are at odd tenths."""
+def test_lower_face_is_cut_in_cells_with_covered_middles():
+    """A slot of 8 mm from (50, 30) to (51, 30) with cells of 0.2 mm, whose middles are at odd tenths."""
     slot = [("G0", {"X": 50.0, "Y": 30.0, "Z": 9.0}), ("G1", {"Z": -1.0}), ("G1", {"X": 51.0})]
     (kept,), size = floors(linearize(slot), tool=Tool("endmill", 8.0), stock=STOCK, thickness=0.0)
     assert size == pytest.approx(0.2) and kept.shape == (500, 300)
@@ -198,7 +198,7 @@ def test_lower_face_is_cut_where_middles_of_cells_are_covered():
 @pytest.mark.parametrize("scale", [1, 200])
 @pytest.mark.parametrize("seed", range(8))
 def test_lower_face_is_cut_along_lines_in_any_direction(seed, scale):
-    """From anywhere around a block of 10 by 6 mm, or m, to anywhere, from above its lower face or below it: up to the rim."""
+    """Lines between random points around a block of 10 x 6 mm (or 2 x 1.2 m) cut its lower face up to the tool's rim."""
     rng = np.random.default_rng(seed)
     ends = scale * rng.uniform((-2, -2, -2), (12, 8, 2), (2, 3))
     begin, move = ends[0], ends[1] - ends[0]
@@ -215,8 +215,8 @@ def test_lower_face_is_cut_along_lines_in_any_direction(seed, scale):
 
 
 @pytest.mark.parametrize("through", [0.1, 0.3, 0.9])
-def test_point_cuts_the_lower_face_by_its_width_there(through):
-    """A V-bit of 90 degrees is as wide on either side as its tip is below; of its 4 mm a 64th may be missing."""
+def test_v_bit_cuts_the_lower_face_by_its_width_there(through):
+    """A V-bit of 90 degrees has a radius equal to the depth of its tip. A 64th of its 4 mm may be missing."""
     plunge = [("G0", {"X": 5.0, "Y": 3.0, "Z": 4.0}), ("G1", {"Z": -through})]
     point, stock = Tool("vbit", 8.0, tip_angle=math.pi / 2), Stock((0, 0, 0), (10, 6, 2))
     (kept,), size = floors(linearize(plunge), tool=point, stock=stock, thickness=0.0)
@@ -226,14 +226,14 @@ def test_point_cuts_the_lower_face_by_its_width_there(through):
 
 
 def test_cells_of_the_lower_face_grow_with_the_path():
-    """10,000 moves of 8 mm across pass 80 m of rows and 2 m more for their ends: 300,000 rows of about 0.3 mm."""
+    """10,000 moves of 8 mm pass 80 m of rows, plus 2 m for their ends. With 300,000 rows, a row is about 0.3 mm."""
     path = linearize([("G1", {"X": 20.0 + (i % 2), "Y": 30.0, "Z": -1.0}) for i in range(10_001)])
     _, size = floors(path, tool=Tool("endmill", 8.0), stock=STOCK, thickness=0.0)
     assert size == pytest.approx(10_000 * 8.0 / 300_000, rel=1e-3)
 
 
-def test_round_part_breaks_the_bottom_to_pieces():
-    """FreeCAD makes half a triangle per remaining cell of a disc's bottom, and two of a plate's."""
+def test_lower_face_of_a_round_part_has_many_triangles():
+    """FreeCAD makes half a triangle per remaining cell for the lower face of a disc, and two triangles for a plate."""
     x, y = np.meshgrid(np.arange(100) - 49.5, np.arange(60) - 29.5, indexing="ij")
     disc = np.where(np.hypot(x, y) < 28, 20.0, 0.0)
     plate = np.where((np.abs(x) < 40) & (np.abs(y) < 28), 20.0, 0.0)
@@ -244,7 +244,7 @@ def test_round_part_breaks_the_bottom_to_pieces():
 
 
 def bottom_of_freecad(kept):
-    """Count rectangles like ``TesselBot`` and its loop in VolSim.cpp, cell by cell."""
+    """Return the number of rectangles, counted cell by cell like ``TesselBot`` and its loop in VolSim.cpp."""
     kept, count = kept.copy(), 0
     columns, rows = kept.shape
 

@@ -32,22 +32,22 @@ def test_chords_of_an_arc_are_one_motion():
 @pytest.mark.parametrize("sweep", [0.05, 0.4, 2.0, 3.5, 6.2])
 @pytest.mark.parametrize("down", [0.0, 7.0])
 def test_arc_of_any_sweep_is_one_motion(sweep, down):
-    """About (0, 0), from (10, 0), level or downwards."""
+    """The arc is around (0, 0), starts at (10, 0), and is level or goes down."""
     end = {"X": 10 * math.cos(sweep), "Y": 10 * math.sin(sweep), "Z": -down}
     path = linearize([("G0", {"X": 10.0, "Y": 0.0, "Z": 0.0}), ("G3", {**end, "I": -10.0, "J": 0.0})])
     made = motions(path)
     assert made.radius == pytest.approx([10.0], rel=1e-3) and made.sweep == pytest.approx([sweep])
-    # Straight moves are one motion each, even of one command.
+    # Each straight move is one motion, even if several moves belong to one command.
     straight = motions(replace(path, sweep=np.zeros(len(path))))
     assert len(straight.move) == len(path) and not straight.radius.any()
 
 
-def test_full_circle_is_a_motion():
+def test_full_circle_is_one_motion():
     made = motions(linearize([("G0", {"X": 10.0, "Y": 0.0, "Z": 0.0}), ("G2", {"X": 10.0, "I": -10.0, "J": 0.0})]))
     assert made.sweep == pytest.approx([-2 * math.pi]) and made.radius == pytest.approx([10.0], rel=1e-5)
 
 
-def test_arc_in_a_vertical_plane_stays_chords():
+def test_arc_in_a_vertical_plane_stays_several_chords():
     path = linearize(
         [
             ("G18", {}),
@@ -79,7 +79,7 @@ def test_peck_drilling_cycle_is_three_motions():
     assert np.allclose(made.move[~vertical], [[5, 5, -17], [10, 0, 0]])
 
 
-def test_empty_toolpath_has_no_motion():
+def test_empty_toolpath_has_no_motions():
     made = motions(linearize([("(nothing)", {})]))
     assert (
         made.move.shape == (0, 3) and len(made.sweep) == len(made.radius) == len(made.command) == len(made.level) == 0

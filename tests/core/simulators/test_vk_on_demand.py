@@ -23,7 +23,7 @@ BUDGET = {"memory_bytes": 1e9, "seconds": 600.0}
 
 @pytest.fixture
 def asked(monkeypatch):
-    """Names of the simulators whose cost was computed, in the order in which that happened."""
+    """Return the names of the simulators whose cost was computed, in the order of the computations."""
     names = []
 
     def noting(simulator):
@@ -79,7 +79,7 @@ def test_preflight_draws_no_rays_if_the_bound_is_allowed(asked):
     assert [caution for caution in preflight(whole, costs, few) if caution.what.arguments["simulator"] == "z-buffer"]
 
 
-def test_order_of_use_changes_no_number():
+def test_order_of_use_does_not_change_costs():
     conditions = Conditions(version=(1, 1), legacy_accuracy=0.5, view=View((1, 1, -1), 200, 150))
     names = [simulator.name for simulator in SIMULATORS]
     forwards, backwards = (predict(task(), conditions) for _ in range(2))
@@ -90,19 +90,19 @@ def test_order_of_use_changes_no_number():
     assert {n: a.explanation for n, a in forwards[1].items()} == {n: a.explanation for n, a in backwards[1].items()}
 
 
-def test_pickled_or_copied_mapping_is_computed():
+def test_pickled_or_copied_costs_are_computed():
     costs, _ = predict(task(), Conditions(version=(1, 1)))
     sent = pickle.loads(pickle.dumps(costs))
     assert type(sent) is dict and sent == dict(costs) == dict(copy.deepcopy(costs))
 
 
-def test_computed_names_and_repr():
+def test_names_of_computed_costs_are_listed():
     costs = OnDemand({"a": lambda: 1, "b": lambda: 2})
     assert costs.computed() == () and costs["b"] == 2 and costs.computed() == ("b",)
     assert repr(costs) == "{'a': 1, 'b': 2}"
 
 
-def test_computed_value_drops_its_function():
+def test_computed_cost_drops_its_function():
     costs, _ = predict(task(), Conditions(version=(1, 1)))
     dict(costs)
     assert not costs._makers

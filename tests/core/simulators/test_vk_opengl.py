@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The cost of the OpenGL simulator: its draw calls, and the time of its frames."""
+"""The cost of the OpenGL simulator: its draw calls, and the duration of its frames."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ from vkworkbench.core.simulators.simulator import Task
 
 
 def arcs(count, radius):
-    """Half circles back and forth."""
+    """Return half circles back and forth."""
     commands = [("G0", {"X": 40.0, "Y": 30.0, "Z": 10.0})]
     for i in range(count):
         x = 40.0 + (2 * radius if i % 2 == 0 else 0.0)
@@ -36,24 +36,25 @@ def arcs(count, radius):
 def test_draw_calls_of_lines_plunges_and_arcs():
     start = [("G0", {"X": 0.0, "Y": 0.0, "Z": 10.0})]
     line = opengl_cost(Task(linearize(start + [("G1", {"X": 10.0})]), TOOL, STOCK))
-    assert (line.draws, line.steps) == (18, 20)  # of half a millimetre
+    assert (line.draws, line.steps) == (18, 20)  # the steps are 0.5 mm long
     assert tuple(line.play_seconds) == opengl_speeds((1, 1))
-    # Ten millimetres in steps of one, and of four at the coarsest.
+    # Ten millimetres are done in steps of 1 mm, or of 4 mm at the coarsest quality.
     rough = [opengl_cost(Task(linearize(start + [("G1", {"X": 10.0})]), TOOL, STOCK), quality=q) for q in (5, 1)]
     assert [cost.steps for cost in rough] == [10, 2]
     assert opengl_cost(Task(linearize(start + [("G1", {"Z": 1.0})]), TOOL, STOCK)).draws == 9
-    # A half circle of 5 mm was counted in FreeCAD 1.0: 33 chords, 297 draw calls.
+    # For a half circle of 5 mm, FreeCAD 1.0 was found to use 33 chords and 297 draw calls.
     half = opengl_cost(Task(linearize(arcs(1, 5.0)), TOOL, STOCK))
     assert (half.steps, half.draws, half.arc_draws) == (33, 297, 297)
-    # Within the tool's radius an arc is drawn with the tool every 22.5 degrees.
+    # An arc within the tool's radius is drawn with the tool, every 22.5 degrees.
     assert [opengl_cost(Task(linearize(arcs(1, r)), TOOL, STOCK)).draws for r in (2.0, 0.5)] == [9 * 9] * 2
     assert opengl_cost(Task(linearize(arcs(1, 2.0)), TOOL, STOCK), quality=1).draws == 9 * 3
-    # Beside a smaller tool it has a chord for each quarter turn, where the quality asks for longer ones than it is wide.
+    # With a smaller tool, the arc has a chord for each quarter turn, if the quality asks for chords longer than the
+    # arc.
     assert opengl_cost(Task(linearize(arcs(1, 2.0)), Tool("endmill", 1.0), STOCK), quality=1).draws == 9 * 4
 
 
 def outline(*bases):
-    """Areas of upright solids 30 mm high on convex bases, seen along Y and 30 degrees down, added."""
+    """Return the added areas of upright solids 30 mm high on convex bases, seen along Y and 30 degrees down."""
     total = 0.0
     for base in bases:
         x, y = np.array(base).T
@@ -79,11 +80,11 @@ def test_area_of_a_straight_motion_is_its_outline(angle):
     assert plunge == pytest.approx(outline(np.concatenate((front, -front))), rel=0.002)
 
 
-def test_area_of_an_arc_is_its_chords_and_its_tool():
+def test_area_of_an_arc_is_that_of_its_chords_and_its_tool():
     tool = opengl_work(motions(linearize([("G0", {"Z": 10.0}), ("G1", {"Z": 0.0})])), diameter=6.0).area[-1]
     small = opengl_work(motions(linearize(arcs(1, 2.0))), diameter=6.0)
     assert small.area[-1] == pytest.approx(9 * tool)
-    # Half circles: 63 boxes and 5, each turned a little more, and the tool.
+    # The half circles have 63 and 5 boxes, each box rotated against the previous one, and the tool.
     for radius, diameter, boxes, off in ((10.0, 6.0, 63, 0.005), (0.8, 1.0, 5, 0.05)):
         rows = [("G0", {"Z": 10.0}), ("G1", {"Z": 0.0}), *arcs(1, radius)]
         work = opengl_work(motions(linearize(rows)), diameter=diameter)
@@ -94,10 +95,10 @@ def test_area_of_an_arc_is_its_chords_and_its_tool():
 
 
 def play(path, diameter, speed, constants):
-    """Play frame by frame, drawing everything done so far, as the simulator does."""
+    """Return the duration of a play that draws everything done so far in each frame, like the simulator."""
     drawn = [0.0]  # cost of a frame after each step, in draw calls, including the filled area
     made = motions(path)
-    window = 1.819 * 100.0**2  # at a distance of 160 mm it is 0.7 rad high and four thirds as wide
+    window = 1.819 * 100.0**2  # at a distance of 160 mm, the window is 0.7 rad high and four thirds as wide
     areas = opengl_work(made, diameter=diameter).area
     for move, sweep, radius, area in zip(made.move, made.sweep, made.radius, areas):
         filled = constants.fill * 9 * area / window
@@ -123,8 +124,11 @@ def test_play_takes_the_sum_of_its_frames(speed):
     assert predicted == pytest.approx(play(path, 6.0, speed, software), rel=0.02)
 
 
-def test_arc_is_drawn_as_far_as_it_is_done():
-    """Half of it in the mean; from how far away the part is seen is said by its sides in X and Y."""
+def test_unfinished_arc_is_drawn_up_to_the_current_step():
+    """On average, half of the arc is drawn.
+
+    The distance of the camera follows from the sides of the stock in X and Y.
+    """
     path, only = linearize(arcs(1, 20.0)[1:]), Constants(refresh=0.0, frame=0.0)
     low, high = (
         opengl_cost(Task(path, TOOL, Stock((0, 0, 0), (100, 60, height))), speeds=(1,), constants=only)
@@ -158,9 +162,10 @@ def test_play_grows_with_the_square_of_the_motions():
     assert twice / once == pytest.approx(4, rel=0.05)
 
 
-def test_earlier_cuts_are_free_while_frames_wait_for_the_screen():
-    """Two operations of 100 steps each. A frame of the first operation waits 1 s for the screen, and its drawing ends at 1 s.
+def test_earlier_cuts_are_free_while_frames_wait_for_screen():
+    """Two operations have 100 steps each.
 
+    In the first operation, each frame waits 1 s for the screen, and drawing takes up to 1 s.
     A frame of the second operation takes 1.5 s on average: 1 s for the first operation, and half of its own 1 s.
     """
     waiting = Constants(refresh=1.0, frame=0.0)

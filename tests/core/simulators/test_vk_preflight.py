@@ -24,7 +24,8 @@ from vkworkbench.core.simulators.table import available, predict
 from vkworkbench.core.zbuffer import estimate
 from vkworkbench.language import Message
 
-PREFLIGHT = importlib.import_module("vkworkbench.core.simulators.preflight")  # of that name is the function, too
+# importlib, because a function has the same name as the module
+PREFLIGHT = importlib.import_module("vkworkbench.core.simulators.preflight")
 
 START = ("G0", {"X": 10.0, "Y": 0.0, "Z": 5.0})
 HALF = {"X": -10.0, "Y": 0.0, "Z": 5.0, "I": -10.0, "J": 0.0}
@@ -48,7 +49,7 @@ def test_sound_arc_and_line_give_no_caution():
 
 
 @pytest.mark.parametrize("version, hangs", [((0, 20), True), ((1, 0), True), ((1, 1), False)])
-def test_arc_without_z_hangs_before_1_1(version, hangs):
+def test_arc_without_z_hangs_the_simulator_before_1_1(version, hangs):
     found = check([START, ("G3", without("Z")), ("G2", {**without("Z"), "X": 10.0, "I": 10.0})], version)
     assert bool(found) == hangs
     if hangs:
@@ -65,7 +66,7 @@ def test_arc_without_z_hangs_before_1_1(version, hangs):
     ({**HALF, "X": 12.0}, "sweeps no angle"),
     ({**HALF, "X": 8.0, "I": 10.0}, "sweeps no angle"),
 ])  # fmt: skip
-def test_arcs_that_hang_every_version(version, arc, reason):
+def test_arcs_that_hang_the_simulator_of_every_version(version, arc, reason):
     found = check([("(arc)", {}), START, ("G3", arc)], version)
     assert [(one.code, one.command) for one in found] == [("legacy-hangs", 2)]
     assert reason in found[0].message
@@ -79,7 +80,7 @@ def test_arc_without_sweep_below_its_start_hangs():
 
 
 def test_arc_begins_where_the_line_before_it_ends():
-    """The arc is a quarter turn about (0, 0) from the line's end (0, 10), and not from the line's start (10, 0)."""
+    """The arc is a quarter turn around (0, 0) from the line's end (0, 10), and not from the line's start (10, 0)."""
     line = ("G1", {"X": 0.0, "Y": 10.0, "F": 5.0})
     assert check([START, line, ("G2", {"X": 10.0, "Y": 0.0, "Z": 5.0, "I": 0.0, "J": -10.0})]) == ()
 
@@ -97,9 +98,9 @@ def test_long_ramp_is_cut_at_the_wrong_depth():
     commands = [("G0", {"X": 0.0, "Y": 0.0, "Z": 20.0}), ("G1", {"X": 60.0, "Z": 15.0, "F": 5.0})]
     (found,) = check(commands, diameter=8.0)
     assert found.code == "legacy-ramp" and found.command == 1
-    # 5 mm over 60 mm with a tool of 8 mm: 5 * (60 / 8 - 1) = 32.5 mm beyond the ramp's end.
+    # The ramp falls 5 mm over 60 mm with a tool of 8 mm, so it is cut 5 * (60 / 8 - 1) = 32.5 mm too deep.
     assert "32 mm too deep" in found.message or "33 mm too deep" in found.message
-    # The caution names the worst of several ramps, and its command counted from one.
+    # The caution names the worst of several ramps. In its text, commands are counted from one.
     (found,) = check([*commands, ("G1", {"X": 0.0, "Z": 25.0})], diameter=8.0)
     assert (found.what.arguments["count"], found.what.arguments["command"], found.command) == (2, 3, 1)
     assert "too high" in found.message
@@ -123,13 +124,13 @@ def zigzag(rows):
     return [START] + [("G1", {"X": 10.0 + 20 * (i % 4 in (0, 1)), "Y": 0.001 * i, "F": 5.0}) for i in range(rows)]
 
 
-def test_long_play_is_announced_with_the_faster_way():
+def test_long_play_has_a_caution_that_names_a_faster_way():
     commands = zigzag(20000)
     path = linearize(commands)
     legacy = legacy_cost(Task(path, Tool("endmill", 6.0), STOCK))
     opengl = opengl_cost(Task(path, Tool("endmill", 6.0), STOCK), constants=Constants(refresh=0.035, draw=25e-6))
     found = [one for one in check(commands, (1, 1), legacy=legacy, OpenGL=opengl) if one.code == "long-play"]
-    assert len(found) == 2  # 20,001 commands of 25 ms, a mesh of a million cells of 27 ns and its triangles
+    assert len(found) == 2  # 20,001 commands of 25 ms each, and a mesh of a million cells of 27 ns with its triangles
     assert re.search(
         r"about 20 min in the legacy simulator\. Use fast-forward, which takes about [23]0 s\.", found[0].message
     )
@@ -165,7 +166,7 @@ def test_default_memory_budget_is_a_gigabyte(memory, too_much):
 
 
 def test_default_cell_is_a_thousandth_of_the_longer_side():
-    """FreeCAD's slider stands there. 100 mm and 60 mm: 1001 x 601 corners."""
+    """FreeCAD's slider has this default. A stock of 100 x 60 mm has 1001 x 601 corners."""
     task = Task(
         linearize([START, ("G1", {"X": 20.0, "F": 5.0})]), Tool("endmill", 6.0), Stock((0, 0, 0), (100, 60, 20))
     )

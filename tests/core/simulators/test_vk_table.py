@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The table of simulators: every entry is complete, and one more entry is all that a new simulator takes."""
+"""The table of simulators: every entry is complete, and a new simulator needs only one more entry."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ STOCK = Stock((0, 0, 0), (60, 40, 20))
 
 
 def translated(language):
-    """Translated texts of a language by context and English text."""
+    """Return the translated texts of a language by context and English text."""
     tree = ElementTree.parse(ROOT / "resources" / "translations" / f"VkWorkbench_{language}.ts").getroot()
     return {
         (context.findtext("name"), message.findtext("source")): message.findtext("translation")
@@ -39,7 +39,7 @@ def translated(language):
 
 
 def texts(simulator):
-    """Context and text of all that a person reads of it."""
+    """Yield translation context and text of every string that the user sees in a simulator's entry."""
     for name in ("time_tooltip", "memory_tooltip"):
         yield "Vk_Results", getattr(simulator, name)
     if simulator.advice:
@@ -55,7 +55,7 @@ def test_every_text_of_an_entry_is_translated(language):
             assert known.get(key), (simulator.name, key)
 
 
-def test_entries_do_not_collide():
+def test_entries_have_different_names_and_columns():
     names = [simulator.name for simulator in SIMULATORS]
     columns = [name for s in SIMULATORS for name in (*s.columns, s.factor_column, s.advice and s.advice.column) if name]
     for unique in (names, columns):
@@ -63,7 +63,7 @@ def test_entries_do_not_collide():
     assert preferences.OWN not in names and SIMULATORS[0] is ZBUFFER
 
 
-def test_preferences_of_a_simulator_exist():
+def test_preferences_of_each_simulator_exist():
     known = {field.name for field in fields(preferences.Preferences)}
     form = (ROOT / "resources" / "ui" / "preferences.ui").read_text(encoding="utf-8")
     for simulator in SIMULATORS:
@@ -74,7 +74,7 @@ def test_preferences_of_a_simulator_exist():
 
 @dataclass(frozen=True)
 class WireframeCost:
-    """The cost of a simulator that takes a second for every trajectory."""
+    """The cost of a simulator that needs a second for every trajectory."""
 
     seconds: float
     memory_bytes: float
@@ -116,7 +116,7 @@ def row(version):
     )  # fmt: skip
 
 
-def test_one_more_entry_appears_everywhere(wireframe, tmp_path):
+def test_one_more_entry_of_a_simulator_appears_everywhere(wireframe, tmp_path):
     operation = row((1, 2))
     count = operation.trajectories
     assert operation.cost("wireframe") == (float(count), 1e3 * count) and operation.factor("wireframe") == 3.0
@@ -145,7 +145,7 @@ def test_advice_numbers_are_0_if_nothing_is_in_the_budget():
     assert ZBUFFER.advice.numbers(Resolution(View(width=40, height=30), 1.0, 1.0, why)) == (40, 30)
 
 
-def test_no_prediction_without_tool_or_stock():
+def test_prediction_needs_a_tool_and_a_stock():
     path, tool = linearize(ROWS), Tool("endmill", 5.0)
     assert Task(path, tool, STOCK).cutting == (tool, STOCK)
     for known in ((None, STOCK), (tool, None), (None, None)):
@@ -153,7 +153,7 @@ def test_no_prediction_without_tool_or_stock():
             Task(path, *known).cutting  # noqa: B018
 
 
-def test_caution_as_text_is_its_message():
+def test_text_of_a_caution_is_its_message():
     caution = Caution("wires", Message("leave-out"))
     assert str(caution) == caution.message != ""
 
@@ -177,7 +177,7 @@ def test_mistyped_simulator_name_is_refused():
                 ask("opengl")
 
 
-def test_freecad_without_a_simulator_has_no_cost_of_it(wireframe):
+def test_simulator_missing_in_freecad_has_no_cost(wireframe):
     operation = row((1, 1))
     assert set(operation.costs) == {"z-buffer", "legacy", "OpenGL"}
     assert operation.cost("wireframe") is None and operation.factor("wireframe") == 1.0

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The cost of a job in the z-buffer: one stock for all its operations."""
+"""The cost of a job in the z-buffer, with one stock for all its operations."""
 
 from __future__ import annotations
 
@@ -19,12 +19,12 @@ def slot(y):
     return linearize([("G0", {"X": 5, "Y": y, "Z": 20}), ("G1", {"Z": 5}), ("G1", {"X": 55})])
 
 
-def test_the_largest_stock_and_the_least_sure_time_count():
+def test_largest_stock_and_least_certain_time_are_used():
     one, other = ZBufferCost(10.0, 300.0, 1.5, 100.0), ZBufferCost(20.0, 250.0, 2.5, 120.0)
     assert zbuffer.together([one, other]) == ZBufferCost(30.0, 120.0 + 200.0 + 130.0, 2.5, 120.0)
 
 
-def test_the_memory_of_a_job_counts_the_stock_once():
+def test_memory_of_a_job_counts_the_stock_once():
     paths = [slot(y) for y in (5, 15, 25, 35)]
     costs = [{"z-buffer": estimate(path, None, tool=TOOL, stock=STOCK, view=VIEW)} for path in paths]
     told, _ = together(costs, labels=list("abcd"), stepover=None, memory_bytes=1e9, seconds=600.0)
@@ -39,7 +39,7 @@ def alone(*paths, stock=STOCK, view=VIEW):
 
 
 @pytest.mark.parametrize("direction", [(0, 0, -1), (1, 1, -1)])
-def test_material_of_two_operations_counts_once(direction):
+def test_material_of_overlapping_operations_counts_once(direction):
     view = View(direction, 400, 300)
     costs = alone(slot(15), slot(15), slot(16), view=view)
     whole = zbuffer.together(costs)
@@ -51,13 +51,13 @@ def test_material_of_two_operations_counts_once(direction):
     assert whole.trajectory_seconds == pytest.approx(sum(cost.trajectory_seconds for cost in costs))
 
 
-def test_the_order_of_the_operations_counts():
+def test_order_of_the_operations_changes_the_traces():
     deep, high = slot(15), linearize([("G0", {"X": 5, "Y": 15, "Z": 20}), ("G1", {"Z": 8}), ("G1", {"X": 55})])
     first, last = zbuffer.together(alone(deep, high)), zbuffer.together(alone(high, deep))
     assert first.traces < 0.7 * last.traces
 
 
-def test_one_operation_alone_and_a_job_estimated_once():
+def test_job_is_estimated_only_once():
     costs = alone(slot(5), slot(15))
     assert zbuffer.together(costs[:1]) is costs[0]
     assert zbuffer.together(costs) is zbuffer.together(list(costs))
@@ -65,7 +65,7 @@ def test_one_operation_alone_and_a_job_estimated_once():
     assert zbuffer.together(again) is not zbuffer.together(costs)
 
 
-def test_equal_stocks_are_one_stock():
+def test_equal_stocks_of_operations_are_one_stock():
     costs = alone(slot(15)) + alone(slot(15), stock=Stock((0, 0, 0), (60, 40, 10)))
     assert zbuffer.together(costs).memory_bytes < 1.01 * costs[0].memory_bytes
 
@@ -94,7 +94,7 @@ def test_pickled_cost_has_no_toolpath():
     assert sent == cost and sent.cuts == () and sent.stock is None and cost.cuts[0].tool is TOOL
 
 
-def test_the_image_of_a_job_is_chosen_for_the_job():
+def test_image_of_a_job_fits_the_whole_job():
     costs = [{"z-buffer": cost} for cost in alone(*5 * [slot(15)])]
     asked = {"labels": list("abcde"), "stepover": None, "seconds": 600.0}
     advice = together(costs, **asked, memory_bytes=1e8)[1]
