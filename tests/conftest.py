@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Fixtures of the tests inside FreeCAD."""
+"""Fixtures for the tests inside FreeCAD."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ import pytest
 
 @pytest.fixture(scope="session")
 def example_path(tmp_path_factory):
-    """Make the example job's file once with this FreeCAD. Tests open the file and do not write to it."""
+    """Return the file of the example job, made once with this FreeCAD. Tests open the file and do not write to it."""
     import FreeCAD
     from make_example import make_example
 
@@ -19,7 +19,7 @@ def example_path(tmp_path_factory):
 
 @pytest.fixture
 def example(example_path):
-    """The example job as a freshly opened document, closed after the test."""
+    """Yield the example job as a freshly opened document, and close it after the test."""
     import FreeCAD
 
     doc = FreeCAD.openDocument(str(example_path))

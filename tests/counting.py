@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Count instructions and memory, because a test that asserts on seconds fails on a busy computer."""
+"""Count instructions and memory, because a test that asserts seconds fails on a busy computer."""
 
 from __future__ import annotations
 

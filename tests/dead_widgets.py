@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Invalidate PySide's wrappers of widgets that FreeCAD has deleted.
 
-Since version 1.0 FreeCAD leaves wrappers of deleted forms behind when its preferences or its simulator's panel are
-closed. PySide takes a later widget at the same address for the deleted form, and FreeCAD crashes.
+Since version 1.0, FreeCAD leaves wrappers of deleted forms when its preferences or its simulator's panel are closed.
+PySide mistakes a later widget at the same address for the deleted form, and FreeCAD crashes.
 """
 
 import gc
@@ -16,7 +16,7 @@ shiboken = sys.modules.get("shiboken6") or sys.modules["shiboken2"]
 def forget():
     """Invalidate the wrappers of deleted widgets, and assert that the add-on owns no deleted widget."""
     alive = {shiboken.getCppPointer(widget)[0] for widget in QtGui.QApplication.allWidgets()}
-    kinds = set(_with_subclasses(QtGui.QWidget))  # faster than isinstance
+    kinds = set(_with_subclasses(QtGui.QWidget))  # looking up types is faster than isinstance
     for thing in gc.get_objects():
         if (
             type(thing) in kinds
@@ -36,5 +36,5 @@ def _with_subclasses(kind):
 
 
 def _is_left_form(widget):
-    """Return whether parts of a form are gone: another widget is now at its address."""
+    """Return whether parts of a form were deleted, which means that another widget is now at its address."""
     return any(isinstance(part, QtCore.QObject) and not shiboken.isValid(part) for part in vars(widget).values())

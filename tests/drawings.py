@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Strokes for tests, lists of points (x, y, z) that programs.program cuts."""
+"""Strokes for tests: lists of points (x, y, z), which programs.program cuts."""
 
 from __future__ import annotations
 
@@ -9,10 +9,10 @@ import numpy as np
 
 
 def polygon(side, *, x=0.0, y=0.0, z=0.0, corners=4, turned=0.25, clockwise=False, ratio=1.0, climbs=0.0):
-    """Closed polygon around (70 + x, y - 40): no drawing begins at the origin.
+    """Return a closed polygon around (70 + x, y - 40), because no drawing should begin at the origin.
 
-    With four corners a rectangle of `side` by `side * ratio` mm, else as wide as `side`. Every other corner lies higher
-    by `climbs`.
+    With four corners, the polygon is a rectangle of `side` by `side * ratio` mm, otherwise its width is `side`. Every
+    other corner is higher by `climbs`.
     """
     r = side / math.sqrt(2) if corners == 4 else side / 2
     angles = [2 * math.pi * (i / corners + turned / 2) for i in range(corners + 1)]
@@ -23,7 +23,7 @@ def polygon(side, *, x=0.0, y=0.0, z=0.0, corners=4, turned=0.25, clockwise=Fals
 
 
 def arc(x=0.0, y=0.0, z=0.0, *, radius=10.0, turns=0.4, clockwise=False, drop=0.0):
-    """An arc around (50 + x, y) in chords, that descends by `drop`."""
+    """Return an arc around (50 + x, y) in chords, which descends by `drop`."""
     sense = -1 if clockwise else 1
     angles = np.linspace(0, 2 * math.pi * turns, 25) * sense
     return [(50 + x + radius * math.cos(a), y + radius * math.sin(a), z - drop * i / 24) for i, a in enumerate(angles)]

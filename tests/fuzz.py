@@ -3,8 +3,8 @@
 
     python3 tests/fuzz.py [--count 10000] [--seed 0] [--minutes M]
 
-Prints how many programs were read, refused or failed (each failure with its seed), the longest time per command
-and trajectory, and the peak memory. Exits with 1 if a program failed. Add the seed of a failure to
+Prints the numbers of programs that were read, refused or failed (with the seed of each failure), the longest time per
+command and trajectory, and the peak memory. Exits with 1 if a program failed. Add the seed of a failure to
 tests/core/gcode/test_vk_fuzz.py.
 """
 
@@ -110,7 +110,7 @@ def program(seed):
 
 
 def slanted(commands, slope):
-    """Return the program with every move in X turned into a ramp."""
+    """Return the program with every move in X converted to a ramp."""
     return [
         (name, {**words, "Z": slope * words["X"]} if words and usable(words.get("X")) else words)
         for name, words in commands
@@ -130,7 +130,7 @@ def flat_program(seed):
         makers = list(programs.SOUND.values())
         commands = [c for _ in range(rng.choice([1, 1, 1, 2, 3])) for c in rng.choice(makers)()]
         commands = mutated(rng, commands)
-    # The usual program is short; a few are long, one in 5,000 very long.
+    # Most programs are short, a few are long, and one in 5,000 is very long.
     repeat = rng.random()
     if commands and repeat < 0.01:
         length = 1_000_000 if repeat < 0.0002 else 100_000 if repeat < 0.001 else 10_000
@@ -158,7 +158,7 @@ class Result:
 
 
 def feed(seed):
-    """Send the program of a seed through the core and check what comes out."""
+    """Send the program of a seed through the core and check the results."""
     return feed_program(*program(seed))
 
 
@@ -168,9 +168,7 @@ def feed_program(commands, tolerance=0.01, diameter=5.0, view="Top"):
     try:
         with warnings.catch_warnings():
             warnings.simplefilter("error")
-            warnings.filterwarnings(
-                "ignore", "invalid value encountered in (less|greater)"
-            )  # numpy 1.17 says so of NaN
+            warnings.filterwarnings("ignore", "invalid value encountered in (less|greater)")  # numpy 1.17 warns of NaN
             try:
                 words = Words(commands)
                 path = linearize(words, tolerance=tolerance)
@@ -202,8 +200,8 @@ def feed_program(commands, tolerance=0.01, diameter=5.0, view="Top"):
 
 
 def where(error):
-    """The error and the line of this repository that raised it."""
-    # Python 3.8 keeps a relative path of the script, as on the command line.
+    """Return the error and the line of this repository that raised the error."""
+    # In Python 3.8, the script has the relative path of the command line.
     frames = [f for f in traceback.extract_tb(error.__traceback__) if ROOT in Path(f.filename).resolve().parents]
     frame = frames[-1]
     return f"{type(error).__name__}: {error} at {Path(frame.filename).name}:{frame.lineno} {frame.line}"
@@ -249,7 +247,7 @@ def main(arguments=None):
         count += 1
         result = feed(seed)
         if result.outcome.startswith("slow"):
-            result = feed(seed)  # the machine may have paused
+            result = feed(seed)  # the computer may have paused
         commands, trajectories = commands + result.commands, trajectories + result.trajectories
         outcomes["failed" if result.failed else result.outcome] += 1
         if result.failed:

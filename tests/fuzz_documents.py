@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Random documents, changes, marks, settings and clicks inside FreeCAD; tests/fuzz.sh runs it, headless and in a window.
+"""Random documents, changes, marks, settings and clicks inside FreeCAD. tests/fuzz.sh runs this file.
 
 Each seed is one session: documents are made, changed, analysed, marked, damaged, copied, saved and closed. After each
 action every mark that claims to be current is compared with its toolpath. A session has failed if a current mark does
@@ -42,8 +42,9 @@ from vkworkbench.document.marks import marks
 from vkworkbench.language import Unusable
 
 ROOT = str(Path(__file__).parents[1])
-LONGEST, STILL = 120, 900  # s for a session, of the processor and on the wall: then it hangs
-ACTIONS = 25  # a session
+# s; longest processor time and longest clock time of a session, after which the session counts as hanging
+LONGEST, STILL = 120, 900
+ACTIONS = 25  # number of actions per session
 TEXTS = ["", "own words", "⟦zigzag 97%⟧", "⟦3 operations foo⟧", "a ⟦⟧ b", "⟦⟦x⟧", "⟧⟦", "zigzag 97% ⟦zigzag 97%⟧", "<b>&amp;", "🙂\n\x07",
          "<img src='file:///x'>", "x" * 3000, "⟦zigzag · ▶ 3 s · outdated⟧", "{0} %s"]  # fmt: skip
 VALUES = {
@@ -54,8 +55,8 @@ VALUES = {
 }  # fmt: skip
 ON_OPERATION = ["Active", "Base", "Copies", "Gcode", "Group", "Strategy", "Confidence", "Reason", "Remarks", "CuttingLength",
                 "MachiningTime", "SimulationTime", "VkWorkbenchMark", "ToolpathMark", "ToolpathFingerprint", "ToolpathStrategy"]  # fmt: skip
-# Without them the origin of a tool's body is an error, of which FreeCAD 1.1 tells when it has deleted the body; see
-# benchmarks/freecad_recompute.py.
+# These objects are not deleted: without them, the origin of a tool's body is an error, which FreeCAD 1.1 reports after
+# it has deleted the body. See benchmarks/freecad_recompute.py.
 OF_ORIGIN = {"App::Plane", "App::Line", "App::Point", "App::Origin"}
 JSON = [None, -1, 0, 1e308, 10**400, "x", [], {}, [[[]]], True, float("nan"), {"a": {"b": []}}]
 
@@ -63,7 +64,7 @@ JSON = [None, -1, 0, 1e308, 10**400, "x", [], {}, [[[]]], True, float("nan"), {"
 def command_of(name, words):
     words = {key: value for key, value in (words or {}).items() if isinstance(value, float)}
     if FreeCAD.GuiUp:
-        words.pop("Q", None)  # FreeCAD draws each peck of any depth, see benchmarks/freecad_pecks.py
+        words.pop("Q", None)  # FreeCAD draws each peck, however short. See benchmarks/freecad_pecks.py.
     try:
         return CAM.Command(name, words)
     except (TypeError, ValueError, RuntimeError):
@@ -71,7 +72,7 @@ def command_of(name, words):
 
 
 def a_path(rng):
-    """A path of a sound program or of a random one; few are long."""
+    """Return the path of a valid program or of a random program. Few paths are long."""
     if rng.random() < 0.5:
         commands = rng.choice(list(programs.SOUND.values()))()
     else:
@@ -98,7 +99,7 @@ class Session:
                 self.do_new_document()
             action = self.rng.choice(self.actions)
             self.done.append(action.__name__)
-            print(f"\n{action.__name__}", flush=True)  # FreeCAD may crash in it
+            print(f"\n{action.__name__}", flush=True)  # the log shows the action if FreeCAD crashes in it
             action()
             if self.rng.random() < 0.5:
                 self.settle()
@@ -170,7 +171,7 @@ class Session:
         if self.rng.random() < 0.5:
             cam("Main.Job").Create("Job", [block])
             document.recompute()
-            document.clearUndos()  # to undo a part of it ends FreeCAD, see benchmarks/freecad_undo.py
+            document.clearUndos()  # undoing a part of the job crashes FreeCAD, see benchmarks/freecad_undo.py
         for _ in range(self.rng.randrange(4)):
             self.add(document)
 
@@ -231,7 +232,8 @@ class Session:
                 value = getattr(obj, name)
                 number = self.rng.choice([1, 5, 7, 0, -1, 1e6, 1e-5])
                 choices = [None, self.an_object()] if name in ("Stock", "ToolController") else [number]
-                with suppress(TypeError, ValueError, ArithmeticError, RuntimeError):  # FreeCAD's own refusal
+                # FreeCAD itself refuses some values
+                with suppress(TypeError, ValueError, ArithmeticError, RuntimeError):
                     setattr(obj, name, not value if isinstance(value, bool) else self.rng.choice(choices))
 
     def do_change_stock(self):
@@ -240,7 +242,7 @@ class Session:
             solid = job.Document.addObject("Part::Feature", "Solid")
             solid.Shape = self.rng.choice([Part.makeBox(60, 60, 20), Part.makeCylinder(30, 20), Part.makeSphere(20), Part.Shape(),
                                            Part.makeTorus(20, 5), Part.makeBox(9, 9, 9).Shells[0], Part.makePlane(9, 9)])  # fmt: skip
-            with suppress(TypeError):  # retyped
+            with suppress(TypeError):  # the property has another type
                 job.Stock = solid
 
     def do_odd_property(self):
@@ -257,7 +259,7 @@ class Session:
                 obj.addProperty(type_id, name, self.rng.choice(["Odd", "Toolpath analysis"]))
                 setattr(obj, name, VALUES[type_id])
         except (TypeError, ValueError, RuntimeError, AttributeError):
-            pass  # FreeCAD's own refusal
+            pass  # FreeCAD itself refuses some properties
 
     def do_damage_mark(self):
         marked = [obj for obj in self.document.Objects if marks.is_marked(obj)]
@@ -308,7 +310,7 @@ class Session:
     def do_copy(self):
         obj, there = self.an_operation(), self.document
         if obj is not None:
-            with suppress(getattr(FreeCAD.Base, "XMLParseException", ())):  # FreeCAD 1.0 copies no control characters
+            with suppress(getattr(FreeCAD.Base, "XMLParseException", ())):  # FreeCAD 1.0 cannot copy control characters
                 there.copyObject(obj, self.rng.random() < 0.3)
 
     def do_delete(self):
@@ -326,7 +328,7 @@ class Session:
         FreeCAD.closeDocument(document.Name)
         document = FreeCAD.openDocument(path)
         idle()
-        if not FreeCAD.GuiUp:  # the window does it
+        if not FreeCAD.GuiUp:  # with a window, the add-on itself checks
             from vkworkbench.document.marks import watcher
 
             watcher.check(document)
@@ -342,7 +344,7 @@ class Session:
             elif how == 1:
                 group.SetInt(name, self.rng.choice([-1, 0, 1, 50, 2**31 - 1]))
             elif how == 2:
-                # FreeCAD itself ends at 1e300: it has room for 255 digits
+                # FreeCAD itself crashes at 1e300, because it has room for 255 digits only
                 group.SetFloat(name, self.rng.choice([-1.0, 0.0, 0.5, 1e30, 1e-30]))
             elif how == 3:
                 group.SetString(
@@ -354,7 +356,7 @@ class Session:
         group.SetInt("ImageHeight", 60)
 
     def do_calibration(self):
-        if self.rng.random() < 0.7:  # a damaged one is measured again, in a second
+        if self.rng.random() < 0.7:  # a damaged calibration is measured again, which takes a second
             return
         path = calibration_file()
         path.parent.mkdir(parents=True, exist_ok=True)
@@ -443,7 +445,7 @@ def calibration_file():
 
 
 def idle(seconds=0.05):
-    """Let FreeCAD's window work, until nothing waits any more."""
+    """Let FreeCAD's window work until no work is pending."""
     if FreeCAD.GuiUp:
         end = time.monotonic() + seconds
         while time.monotonic() < end or waiting():
@@ -457,7 +459,7 @@ def waiting():
 
 
 def answer():
-    """Close an open question to the user: a message box by its last button, another dialog by Esc."""
+    """Close an open dialog: a message box by its last button, another dialog by Esc."""
     box = QtGui.QApplication.activeModalWidget()
     if isinstance(box, QtGui.QMessageBox):
         box.buttons()[-1].click()
@@ -468,7 +470,7 @@ def answer():
 
 
 def tracebacks(log, start):
-    """Return what the log shows of this add-on's errors behind a position, and where it ends now."""
+    """Return the tracebacks of this add-on after a position in the log, and the end of the log."""
     sys.stdout.flush()
     sys.stderr.flush()
     with open(log, encoding="utf-8", errors="replace") as file:
@@ -499,7 +501,7 @@ def main():
         timer = QtCore.QTimer()
         timer.timeout.connect(answer)
         timer.start(50)
-    faulthandler.register(signal.SIGPROF, chain=True)  # and ends
+    faulthandler.register(signal.SIGPROF, chain=True)  # chain=True also ends the process
     while time.monotonic() < until and done < most:
         faulthandler.dump_traceback_later(STILL, exit=True)
         signal.setitimer(signal.ITIMER_PROF, LONGEST)

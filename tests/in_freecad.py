@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Run pytest inside FreeCAD and exit with its status: freecadcmd tests/in_freecad.py, or freecad for a window.
 
-FreeCAD does not pass arguments on: pytest's arguments are in the environment variable PYTEST_ADDOPTS.
+FreeCAD does not pass arguments to scripts, so pytest's arguments are in the environment variable PYTEST_ADDOPTS.
 """
 
 from __future__ import annotations
@@ -19,7 +19,7 @@ from inside_freecad import run_and_leave
 
 
 def load_cam():
-    """Load FreeCAD's CAM workbench; each of its commands inspects all frames of Python's stack, so few are cheaper."""
+    """Load the CAM workbench while the Python stack is short, because each of its commands inspects all frames."""
     import FreeCADGui as Gui
 
     Gui.activateWorkbench("CAMWorkbench" if "CAMWorkbench" in Gui.listWorkbenches() else "PathWorkbench")

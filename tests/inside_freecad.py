@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Run something inside FreeCAD, in its window or without one, and end FreeCAD with its status."""
+"""Run a function inside FreeCAD, with or without its window, and end FreeCAD with the function's status."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ import FreeCAD
 
 
 def run_and_leave(main):
-    """Call main() once FreeCAD runs, and end with the status that it returns; with 1 where it raises."""
+    """Call main() when FreeCAD runs. End with the returned status, or with 1 if main() raises an exception."""
 
     def run():
         # In FreeCAD's window, sys.stdout and sys.stderr write to the report view, which is not visible during tests.
@@ -24,11 +24,11 @@ def run_and_leave(main):
         finally:
             sys.stdout.flush()
             sys.stderr.flush()
-            os._exit(status)  # FreeCAD itself would end with 0, or ask to save a document
+            os._exit(status)  # FreeCAD itself would exit with 0, or ask to save a document
 
     if FreeCAD.GuiUp:
         from PySide import QtCore
 
-        QtCore.QTimer.singleShot(0, run)  # once FreeCAD's event loop runs
+        QtCore.QTimer.singleShot(0, run)  # after the start of FreeCAD's event loop
     else:
         run()

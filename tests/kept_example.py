@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The example's document, kept open from one test in FreeCAD's window to the next while no test changes it."""
+"""The example's document, which stays open between tests in FreeCAD's window if no test changes it."""
 
 from __future__ import annotations
 
@@ -35,11 +35,11 @@ class KeptExample:
         self._path = path
         self.document, self.is_marked = None, False
         self._name = None
-        self._is_changed = False  # or changed and changed back
+        self._is_changed = False  # also True if a test changed the document and changed it back
         FreeCAD.addDocumentObserver(self)
 
     def open(self, *, may_be_marked: bool):
-        """Return the document as FreeCAD opens it, or with its marks if it `may_be_marked` and has some."""
+        """Return the document as opened by FreeCAD. It may have marks of an earlier test only if `may_be_marked`."""
         if self.is_marked and not may_be_marked:
             self.close()
         if self.document is None:
@@ -53,21 +53,21 @@ class KeptExample:
         return self.document
 
     def has_marks(self) -> None:
-        """Take the document with its new marks as unchanged."""
+        """Treat the document with its new marks as unchanged."""
         self.is_marked = True
         self._remember()
 
     def undo_changes(self) -> None:
-        """Undo the steps that were done since the document was opened or marked."""
+        """Undo the steps since the document was opened or marked."""
         for _ in range(self.document.UndoCount - self._state["steps"] if self.document is not None else 0):
             self.document.undo()
 
     def close_if_changed(self) -> None:
-        """Close the document if it is not as it was opened or marked."""
+        """Close the document if it differs from its state after it was opened or marked."""
         if self.document is None:
             return
         if self._is_changed and self._content() == self._before:
-            for obj in self.document.Objects:  # an object that was changed and changed back
+            for obj in self.document.Objects:  # an object that a test changed and changed back
                 if "Touched" in obj.State and obj.Name not in self._state["touched"]:
                     obj.purgeTouched()
             self._is_changed = False
@@ -85,7 +85,7 @@ class KeptExample:
         self._is_changed = False
 
     def _look(self):
-        """Return the state of the document that is not in its content."""
+        """Return the part of the document's state that is not in its content."""
         gui_document = Gui.getDocument(self._name)
         return {
             "touched": [obj.Name for obj in self.document.Objects if "Touched" in obj.State],
@@ -99,7 +99,7 @@ class KeptExample:
         }
 
     def _content(self):
-        """Return the names of the objects in their order, and the check sums of what FreeCAD saves of each."""
+        """Return the names of the objects in order, and the check sums of the saved data of each object."""
         objects = [(obj.Name, _check_sums(obj)) for obj in self.document.Objects]
         return self.document.Label, self.document.FileName, objects
 

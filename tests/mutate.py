@@ -37,14 +37,14 @@ ROOT = Path(__file__).resolve().parents[1]
 DRAWN_FROM = "core", "document", "language", "program", "report", "preferences.py", "worker.py"
 COPIED = "vkworkbench", "tests", "toolpaths", "examples", "resources", "docs", "benchmarks", "pyproject.toml"
 COPIED += "package.xml", "Init.py", "InitGui.py", "README.md"
-# Additional tests from other rooms, for the files that belong to no room and for the reports.
+# Additional tests from other rooms (packages), for the files that belong to no room and for the reports.
 OF_OTHER_ROOMS = {
     **{file: ["tests/core/zbuffer"] for file in ("hull", "solids", "stocks", "tool", "view")},
     "report": ["tests/core/program"],
 }
 # Modules that are tested inside FreeCAD.
 IN_FREECAD = "document", "preferences"
-# Tests that start another FreeCAD process, which a mutant does not reach.
+# Tests that start another FreeCAD process, which is not affected by a mutant.
 ELSEWHERE = "test_vk_release.py", "test_vk_show_example.py"
 LEAST_SECONDS = 30
 SWAPS = {
@@ -62,7 +62,7 @@ class Mutant(NamedTuple):
 
     line: int
     what: str
-    text: str  # of the whole file
+    text: str  # text of the whole file
 
 
 def mutants(source: str) -> list[Mutant]:
@@ -92,11 +92,11 @@ def _mutable(tree: ast.AST) -> Iterator[ast.AST]:
     while todo:
         node = todo.pop()
         if isinstance(node, ast.Expr) and isinstance(node.value, ast.Constant):
-            continue  # a docstring
+            continue  # skip docstrings
         if isinstance(node, (ast.JoinedStr, ast.Raise)):
-            continue  # wording
+            continue  # skip message texts
         if isinstance(node, (ast.Tuple, ast.List)) and _is_row(node.elts):
-            continue  # a colour, or a line of a table: a test could only repeat it
+            continue  # skip rows of numbers, such as colours, because a test could only repeat the numbers
         yield node
         for name, value in ast.iter_fields(node):
             if name not in ("annotation", "returns", "decorator_list"):
@@ -192,7 +192,7 @@ class Checkout:
 
     def run(self, tests: list[str], *, limit: float | None = None, **asked: Any) -> bool:
         """Return whether the tests pass; pass the requests `asked` to tests/mutate_plugin.py."""
-        told = self.home / "asked.json"  # too much for a command line
+        told = self.home / "asked.json"  # a file, because the requests are too long for a command line
         told.write_text(json.dumps({"only": [], "reached": "", "tries": [], **asked}))
         environment = {
             **os.environ, "HOME": str(self.home), "PYTHONPATH": "tests", "MUTATE": str(told),
@@ -220,7 +220,10 @@ class Checkout:
         return json.loads(found.read_text())
 
     def graft(self, file: Path, tries: list[tuple[Mutant, dict[str, float]]], jobs: int) -> list[bool | None]:
-        """Return for each mutant whether it survives its tests, all tried in one process; None: needs a new process."""
+        """Return for each mutant whether it survives its tests, all in one process.
+
+        None: the mutant needs a new process.
+        """
         if not tries:
             return []
         only = sorted({test for _, tests in tries for test in tests})
@@ -242,7 +245,7 @@ class Checkout:
             self._write(own, original)
 
     def _write(self, file: Path, text: str) -> None:
-        """Write a source file with a new time stamp, without which Python would reuse the compiled code."""
+        """Write a source file with a new time stamp. Otherwise Python would reuse the compiled code."""
         file.write_text(text, encoding="utf-8")
         self.written += 1
         os.utime(file, (self.written, self.written))
@@ -263,7 +266,7 @@ def judge(file: Path, drawn: list[Mutant], known: dict[str, Any], checkout: Chec
     tries, anew, alive = [], [], []
     for mutant in drawn:
         tests = [test for test in quickest if mutant.line in reached.get(test, ())]
-        # A line that no test reaches runs during an import or in another process; any test may depend on it.
+        # A line that no test reaches runs during an import or in another process, so any test may depend on it.
         (tries if tests else anew).append((mutant, tests or quickest))
     told = [(mutant, {test: known["seconds"][test] for test in tests}) for mutant, tests in tries]
     for (mutant, tests), lives in zip(tries, checkout.graft(file, told, jobs)):
@@ -271,7 +274,7 @@ def judge(file: Path, drawn: list[Mutant], known: dict[str, Any], checkout: Chec
             anew.append((mutant, tests))
         elif lives:
             alive.append(mutant)
-    # A mutant of an import, or in another process, takes effect only if the tests are started anew.
+    # A mutant that affects an import or another process takes effect only if the tests are started again.
     for mutant, tests in anew:
         if checkout.lives(mutant, file, tests, LEAST_SECONDS + 10 * sum(map(known["seconds"].get, tests))):
             alive.append(mutant)

@@ -16,10 +16,10 @@ from pathlib import Path
 from types import CodeType, FunctionType
 
 ROOT = Path(__file__).resolve().parents[1]
-# A test fails after _LEAST s of processor time plus _LONGER times its usual duration, or after _WAITING s by the clock
-# plus _LONGER times its usual duration.
+# A test fails after _LEAST s plus _LONGER times its usual duration of processor time, or after _WAITING s plus _LONGER
+# times its usual duration of clock time.
 _LEAST, _WAITING, _LONGER = 5, 120, 5
-# Exit statuses of a forked process; 0 means that all tests passed.
+# Exit statuses of a forked process. The status 0 means that all tests passed.
 _FAILED, _NOT_GRAFTED = 1, 2
 ASKED = json.loads(Path(os.environ["MUTATE"]).read_text())
 
@@ -29,9 +29,9 @@ class Reached:
 
     def __init__(self, out: str) -> None:
         self.out = out
-        self.code = f"{ROOT}/vkworkbench/"  # in the copy of the checkout
+        self.code = f"{ROOT}/vkworkbench/"  # the package in the copy of the checkout
         self.lines, self.seconds, self.shared = {}, {}, {}
-        self.seen = set()  # until the first test runs: lines that imports reach
+        self.seen = set()  # before the first test, the lines that imports reach
 
     def _trace(self, frame, _event, _argument):
         if not frame.f_code.co_filename.startswith(self.code):
@@ -49,7 +49,7 @@ class Reached:
 
     def pytest_runtest_call(self, item):
         self.seen = self.lines.setdefault(item.nodeid, set())
-        sys.settrace(self._trace)  # hypothesis and doctests may have set another
+        sys.settrace(self._trace)  # hypothesis and doctests may have set another trace function
 
     def pytest_runtest_logreport(self, report):
         self.seconds[report.nodeid] = self.seconds.get(report.nodeid, 0.0) + report.duration
@@ -90,14 +90,14 @@ class Grafted:
         return True
 
     def _try(self, text, tests):
-        """Run tests until one fails, then exit; a timer's signal ends the process if a test takes far too long."""
+        """Run tests until one fails, then exit. A timer ends the process if a test takes far too long."""
         status = _FAILED
         try:
             if not graft(self.file, text):
                 os._exit(_NOT_GRAFTED)
             for item, following in zip(tests, [*list(tests)[1:], None]):
-                signal.setitimer(signal.ITIMER_PROF, _LEAST + _LONGER * tests[item])  # of the processor
-                signal.alarm(_WAITING + int(_LONGER * tests[item]))  # for a test that waits forever
+                signal.setitimer(signal.ITIMER_PROF, _LEAST + _LONGER * tests[item])  # processor time
+                signal.alarm(_WAITING + int(_LONGER * tests[item]))  # clock time, for a test that waits forever
                 item.config.hook.pytest_runtest_protocol(item=item, nextitem=following)
                 if self.failed:
                     break
@@ -119,7 +119,7 @@ def graft(file: str, text: str) -> bool:
             differs |= instead[function.__code__] != function.__code__
             function.__code__ = instead[function.__code__]
     module = next((one for one in list(sys.modules.values()) if getattr(one, "__file__", None) == file), None)
-    if module is None:  # only the tests load it
+    if module is None:  # only the tests load this file
         return False
     fresh = {"__name__": module.__name__, "__file__": file}
     exec(new[0], fresh)  # noqa: S102 - the checkout's own source
@@ -143,7 +143,7 @@ def _is_plain(value) -> bool:
 
 
 def _codes(code: CodeType):
-    """Yield a code object and all code objects within it, in the order of the source."""
+    """Yield a code object and all code objects inside it, in the order of the source."""
     yield code
     for inner in code.co_consts:
         if isinstance(inner, CodeType):

@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The buttons of the OpenGL simulator's window, which Qt does not know; for the benchmark and the tests."""
+"""The buttons of the OpenGL simulator's window, which are not Qt widgets, for the benchmark and the tests."""
 
 from PySide import QtCore, QtGui
 
 from vkworkbench import freecad
 
-# Where they are, and the thumb of the slider at the beginning, from the window's lower left corner.
+# Positions of two buttons, and of the slider's thumb at the start, px from the window's lower left corner.
 PLAY, FASTER, THUMB = (
     ((52, -34), (136, -34), (240, -34)) if freecad.version() < (1, 1, 0) else ((42, -36), (172, -36), (30, -78))
 )
@@ -17,7 +17,7 @@ DRAG, RELEASE = (QtCore.QEvent.MouseMove, _NONE, _LEFT), (QtCore.QEvent.MouseBut
 
 
 def send(window, x, y, kind):
-    """Send an event of the mouse, y from below."""
+    """Send a mouse event. `y` counts from below."""
     where, (event, button, buttons) = QtCore.QPointF(x, window.height() + y), kind
     QtCore.QCoreApplication.sendEvent(
         window, QtGui.QMouseEvent(event, where, where, button, buttons, QtCore.Qt.NoModifier)
@@ -25,6 +25,6 @@ def send(window, x, y, kind):
 
 
 def click(window, x, y):
-    """Click with the left button, y from below."""
+    """Click with the left button. `y` counts from below."""
     for kind in (MOVE, PRESS, RELEASE):
         send(window, x, y, kind)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""FreeCAD's own CAM tests with and without this add-on, test by test; peer_suite.sh runs it.
+"""FreeCAD's own CAM tests with and without this add-on, test by test. peer_suite.sh runs this file.
 
 In FreeCAD's window: run TestPathApp (0.20) or TestCAMApp (1.x) and write the result of each test to the file in
 the environment variable VK_PEER_RESULTS. Where VK_PEER_ADDON is set, the add-on has to be installed and is active:
@@ -24,7 +24,7 @@ from pathlib import Path
 
 
 class Recorder(unittest.TextTestResult):
-    """Keeps the outcome of every test by its name; a test's subtests count together."""
+    """Keep the outcome of every test by its name. The subtests of a test have a common outcome."""
 
     def __init__(self, *args):
         super().__init__(*args)
@@ -64,7 +64,7 @@ class Recorder(unittest.TextTestResult):
 
 
 class MarkAtOnce:
-    """Analyses and marks every document after each of its recomputes."""
+    """Analyse and mark every document after each of its recomputes."""
 
     def __init__(self):
         self.marked, self.analyzed, self.errors, self.busy = 0, 0, [], False
@@ -93,7 +93,7 @@ def run(results, addon):
     old = FreeCAD.Version()[0] == "0"
     Gui.activateWorkbench("PathWorkbench" if old else "CAMWorkbench")
     assert ("VkWorkbench" in Gui.listWorkbenches()) == ("vkworkbench" in sys.modules) == addon
-    # TestCAMApp of 1.0 imports imghdr, which Python has no longer since 3.13, and does not use it.
+    # TestCAMApp of 1.0 imports imghdr without using it, and Python 3.13 has no imghdr.
     if importlib.util.find_spec("imghdr") is None:
         sys.modules["imghdr"] = types.ModuleType("imghdr")
 
@@ -116,7 +116,7 @@ def run(results, addon):
 
 
 def compare(without, with_addon):
-    """Print how two runs differ; return 1 where they do, where the add-on failed or marked nothing."""
+    """Print how two runs differ. Return 1 if they differ, or if the add-on failed or marked nothing."""
     sides = []
     for path in (without, with_addon):
         with open(path, encoding="utf-8") as file:
@@ -137,7 +137,7 @@ def compare(without, with_addon):
 
 
 def inside():
-    """Run within FreeCAD."""
+    """Run the tests inside FreeCAD."""
     run(os.environ["VK_PEER_RESULTS"], bool(os.environ.get("VK_PEER_ADDON")))
     return 0
 

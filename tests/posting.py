@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The NC program that FreeCAD's LinuxCNC post processor writes of a job, in 0.20 and 1.x."""
+"""The NC program of a job, written by FreeCAD's LinuxCNC post-processor, in 0.20 and 1.x."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ def posted(job) -> list[str]:
 
 
 def _with_tools(operations) -> list:
-    """Return operations, each tool's controller before the first that needs it, as FreeCAD 0.20's command does."""
+    """Return the operations, with each tool controller before its first operation, like FreeCAD 0.20's command."""
     found, last = [], None
     for operation in operations:
         base = operation

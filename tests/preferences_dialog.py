@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""FreeCAD's dialog of preferences, opened in front of a function that works in it."""
+"""FreeCAD's preferences dialog, opened for a function that works in the dialog."""
 
 import dead_widgets
 import FreeCADGui as Gui
@@ -9,7 +9,7 @@ from vkworkbench.gui.qt import widgets
 
 
 def in_preferences(window, work):
-    """Open the preferences, call `work` with the dialog and this workbench's form, shown; `work` closes the dialog."""
+    """Open the preferences, and call `work` with the dialog and the add-on's form. `work` closes the dialog."""
     failure = []
 
     def answer():
@@ -34,7 +34,7 @@ def in_preferences(window, work):
 
 
 def show_page(form):
-    """Turn to the page, as clicks on its group would."""
+    """Show the page of the form, like a click on its group does."""
     for stack in widgets.find(QtGui.QStackedWidget):
         if stack.isAncestorOf(form):
             (index,) = (index for index in range(stack.count()) if stack.widget(index).isAncestorOf(form))

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Sound programs of every strategy as command lists, for tests that turn, mutate or repeat them."""
+"""Valid programs of every strategy as lists of commands, for tests that rotate, mutate or repeat them."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ FEED, CLEAR = 10.0, 10.0
 
 
 def program(strokes):
-    """Commands of a program that cuts each stroke, a list of points (x, y, z), and lifts between them."""
+    """Return the commands that cut each stroke, a list of points (x, y, z), with lifts between the strokes."""
     commands = [("(program)", {}), ("G0", {"Z": CLEAR})]
     for stroke in strokes:
         (x, y, z), *rest = stroke
@@ -20,13 +20,13 @@ def program(strokes):
 
 
 def zigzag(rows=10, length=50.0, step=3.0, depths=(0.0,)):
-    """Rows whose direction alternates, linked along the border."""
+    """Return rows with alternating directions, linked along the border."""
     ends = [((0.0, length) if row % 2 == 0 else (length, 0.0)) for row in range(rows)]
     return program([[(x, row * step, z) for row in range(rows) for x in ends[row]] for z in depths])
 
 
 def one_way(rows=10, length=50.0, step=3.0, depths=(0.0,)):
-    """Rows that all run the same way, with a lift after each."""
+    """Return rows that are all cut in one direction, with a lift after each row."""
     return program([[(0.0, row * step, z), (length, row * step, z)] for z in depths for row in range(rows)])
 
 
@@ -37,7 +37,7 @@ def outline(sides=4, radius=30.0, z=0.0, start=0, waves=0.0, longer=0.0):
     """
     points = []
     for i in range(sides):
-        angle = 2 * math.pi * (i + 0.1) / sides  # no corner lies on an axis
+        angle = 2 * math.pi * (i + 0.1) / sides  # so that no corner lies on an axis
         r = radius * (1 + waves * math.cos(3 * angle))
         points.append((r * math.cos(angle), r * math.sin(angle), z))
     if longer:
@@ -50,7 +50,7 @@ def outline(sides=4, radius=30.0, z=0.0, start=0, waves=0.0, longer=0.0):
 
 
 def offsets(loops=6, sides=4, step=3.0, inner=4.0, depths=(0.0,), longer=0.0):
-    """Nested loops from the inside out, `step` mm apart, linked without a lift."""
+    """Return nested loops from the inside out, `step` mm apart, linked without a lift."""
     further = step / math.cos(math.pi / sides)
     return program([
         [p for i in range(loops) for p in outline(sides, inner + i * further, z=z, longer=longer)] for z in depths
@@ -58,17 +58,17 @@ def offsets(loops=6, sides=4, step=3.0, inner=4.0, depths=(0.0,), longer=0.0):
 
 
 def profile(sides=6, radius=30.0, depths=(0.0, -2.0, -4.0), waves=0.0):
-    """One closed contour, the same at every depth."""
+    """Return one closed contour, equal at every depth."""
     return program([outline(sides, radius, z=z, waves=waves) for z in depths])
 
 
 def waterline(levels=12, sides=24, radius=40.0, drop=1.0):
-    """Contours of a cone with a wavy foot."""
+    """Return the contours of a cone with a wavy base."""
     return program([outline(sides, radius - 2 * i, z=-drop * i, waves=0.1) for i in range(levels)])
 
 
 def spiral(turns=8, step=3.0, chords=48):
-    """Spiral of Archimedes."""
+    """Return a spiral of Archimedes."""
     points = []
     for i in range(turns * chords + 1):
         angle = 2 * math.pi * i / chords
@@ -78,7 +78,7 @@ def spiral(turns=8, step=3.0, chords=48):
 
 
 def helix(turns=8, radius=12.0, pitch=1.5):
-    """Bore of half circles that descend, and a last one around the bottom."""
+    """Return a bore of half circles that descend, with a last turn around the bottom."""
     commands = [("G0", {"Z": CLEAR}), ("G0", {"X": radius, "Y": 0.0}), ("G1", {"Z": 0.0, "F": FEED})]
     side = 1
     for i in range(2 * turns + 2):
@@ -89,7 +89,7 @@ def helix(turns=8, radius=12.0, pitch=1.5):
 
 
 def drilling(columns=5, rows=4, pitch=12.0, cycle="G83"):
-    """Holes by a canned cycle."""
+    """Return holes drilled by a canned cycle."""
     commands = [("G0", {"Z": CLEAR}), ("G90", {}), ("G98", {})]
     words = {"Z": -15.0, "R": 2.0, "F": FEED}
     if cycle in ("G73", "G83"):
@@ -99,7 +99,7 @@ def drilling(columns=5, rows=4, pitch=12.0, cycle="G83"):
 
 
 def adaptive(bites=40, radius=8.0, step=1.0):
-    """Trochoid: circles of engagement that move on by a small step."""
+    """Return a trochoid: circles that move forward by a small step."""
     points = []
     for i in range(bites * 16):
         angle = 2 * math.pi * i / 16
@@ -108,7 +108,7 @@ def adaptive(bites=40, radius=8.0, step=1.0):
 
 
 def engraving(letters=14):
-    """Return short strokes as in engraved letters, each with a different shape."""
+    """Return short strokes like engraved letters, each with a different shape."""
     strokes = []
     for i in range(letters):
         x, lean = 9.0 * i, 0.4 * i

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Readers of other languages without Qt: they take their words from the translations' sources."""
+"""Readers in other languages without Qt: they take their texts from the translation sources."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ LANGUAGES = ["de", "fr", "es-ES", "zh-CN"]
 
 @lru_cache(maxsize=None)
 def translations(language: str) -> dict[tuple[str, str], str]:
-    """The words of one of the languages by their context and source."""
+    """Return the texts of a language by context and source text."""
     found = {}
     for context in ElementTree.parse(FOLDER / f"VkWorkbench_{language}.ts").getroot().iter("context"):
         for message in context.iter("message"):
@@ -24,7 +24,7 @@ def translations(language: str) -> dict[tuple[str, str], str]:
 
 
 class Translated(Reader):
-    """Who reads one of the languages."""
+    """A reader of one of the languages."""
 
     def __init__(self, language: str) -> None:
         self.texts = translations(language)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Helpers for tests of the tab of *Simulate Toolpaths*: open it, share it, wait for its pictures, drag in it."""
+"""Helpers for tests of the tab of *Simulate Toolpaths*: open the tab, share it, wait for its pictures, drag in it."""
 
 from __future__ import annotations
 
@@ -19,11 +19,11 @@ from vkworkbench.gui.qt import docks
 from vkworkbench.gui.simulation.tab import SimulationTab
 
 COMMAND = "Simulate Toolpaths"
-# Without a graphics card, each change in FreeCAD's window costs in proportion to all pixels of the window.
+# Without a graphics card, each change in FreeCAD's window takes time in proportion to all pixels of the window.
 SMALL = 860, 560  # px, size of the window
-# px, size of the window for the whole job: larger only for pictures of the documents
+# px, size of the window for the whole job. Only the pictures of the documents need a larger window.
 WHOLE = (1024, 700) if os.environ.get("VKWORKBENCH_SCREENSHOTS") else SMALL
-PLAYER = 360, 320  # px, size of the player of smaller jobs, whose finest simulation takes a third of a second
+PLAYER = 360, 320  # px, size of the player for smaller jobs, whose finest simulation takes a third of a second
 
 
 def tabs(window):
@@ -44,7 +44,7 @@ def finest(player, window):
         return player.simulation is not None and not player.is_busy and player.pictures.is_current
 
     while True:
-        for _ in range(4):  # a picture may change the legend, the legend the layout, and the layout the view
+        for _ in range(4):  # a picture may change the legend, then the legend the layout, and the layout the view
             events.happen()
         if rests():
             return
@@ -52,7 +52,7 @@ def finest(player, window):
 
 
 def make_small(tab, window):
-    """Make the player small when it is there; wait for a message box instead if the job has no simulation."""
+    """Make the player small when it exists. If the job has no simulation, wait for a message box instead."""
     window.wait(lambda: tab.player is not None or window.boxes())
     if tab.player is not None:
         tab.player.setFixedSize(*PLAYER)
@@ -66,7 +66,7 @@ def close(window):
 
 
 class Desk:
-    """FreeCAD's window with an open document and its simulation tab, which the tests of a file share.
+    """FreeCAD's window with an open document and its simulation tab, shared by the tests of a file.
 
     Parameters
     ----------
@@ -79,7 +79,7 @@ class Desk:
     Attributes
     ----------
     document : Document or None
-        The document that was opened last; a test may have closed it.
+        The document that was opened last. A test may have closed the document.
     """
 
     def __init__(self, window, example, folder):
@@ -91,29 +91,29 @@ class Desk:
 
     @property
     def small(self):
-        """File of the example job with four operations, the quickest to simulate."""
+        """Path: file of the example job with four operations, the fastest to simulate."""
         return self._reduced("small", ("Face", "Pocket zigzag", "Pocket around island", "Drill holes"))
 
     @property
     def bare(self):
-        """File of the example job without operations."""
+        """Path: file of the example job without operations."""
         return self._reduced("bare", ())
 
     def open(self, path):
-        """Return the document of a file, opened again, in the analysis workbench."""
+        """Return the document of a file, opened again, with the analysis workbench active."""
         self.close()
         self.window.main.setGeometry(0, 0, *(WHOLE if path == self.example else SMALL))
         self._path, self.document = path, FreeCAD.openDocument(str(path))
         if not self._is_active:
             self.window.activate("VkWorkbench")
             self._is_active = True
-        self.window.idle(0.02)  # FreeCAD's tree shows the document's objects
+        self.window.idle(0.02)  # until FreeCAD's tree shows the objects of the document
         self.window.tree.expandAll()
         Gui.Selection.clearSelection()
         return self.document
 
     def kept(self, path):
-        """Return the document of a file without a tab; open it only if it is not open yet."""
+        """Return the document of a file without a tab. Open the file only if it is not open yet."""
         if self._is_open(path):
             close(self.window)
             return self.document
@@ -133,7 +133,7 @@ class Desk:
         document.UndoMode = 0
 
     def simulate(self):
-        """Click on the command and return the tab; its player is small unless the job is the whole example."""
+        """Click on the command and return the tab. Its player is small except for the whole example."""
         Gui.Selection.clearSelection()
         self.window.click(COMMAND)
         self.window.wait(lambda: tabs(self.window))
@@ -158,7 +158,7 @@ class Desk:
         return path == self._path and str(path) in (document.FileName for document in FreeCAD.listDocuments().values())
 
     def _reset(self, direction):
-        """Reset all choices in the tab, and look in a standard direction."""
+        """Reset all choices in the tab, and view the part from a standard direction."""
         player = self._tab.player
         bar, view = player.scene_bar, player.view
         Gui.Selection.clearSelection()
@@ -184,14 +184,14 @@ class Desk:
         if self.window.boxes():
             self.window.dismiss()
         for dock in self.window.find(QtGui.QDockWidget, docks.RESULTS):
-            dock.hide()  # the panel takes room from the tab
+            dock.hide()  # a visible panel would make the tab smaller
         if self.document is not None and self._is_open(self._path):
             FreeCAD.closeDocument(self.document.Name)
         self.document = self._path = self._tab = None
         self.window.idle(0.02)
 
     def leave(self):
-        """Close tab and document, and give FreeCAD's window its former size."""
+        """Close the tab and the document, and restore the size of FreeCAD's window."""
         self.close()
         self.window.main.setGeometry(self._before)
 
@@ -212,7 +212,7 @@ class Desk:
 
 
 def drag(window, widget, start, end, button=QtCore.Qt.LeftButton, steps=6):
-    """Drag with real mouse events."""
+    """Drag the mouse with real mouse events."""
     window.mouse_press(widget, start, button)
     for number in range(1, steps + 1):
         part = QtCore.QPoint(start.x() + (end.x() - start.x()) * number // steps,

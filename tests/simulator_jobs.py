@@ -10,7 +10,7 @@ TOOL = Tool("endmill", 6.0)
 
 
 def zigzag(rows, depth=15.0, width=80.0, pitch=2.0):
-    """Rows in alternating directions at one depth."""
+    """Return the commands of rows in alternating directions at one depth."""
     commands = [("(zigzag)", {}), ("G0", {"X": 10.0, "Y": 5.0, "Z": 25.0}), ("G1", {"Z": depth, "F": 10.0})]
     for row in range(rows):
         commands.append(("G1", {"X": 10.0 + width * ((row + 1) % 2)}))
@@ -19,7 +19,7 @@ def zigzag(rows, depth=15.0, width=80.0, pitch=2.0):
 
 
 def surface(rows=60, points=60):
-    """Rows over a dome."""
+    """Return the commands of rows over a dome."""
     commands = [("G0", {"X": 20.0, "Y": 10.0, "Z": 25.0})]
     for row in range(rows):
         y = 10 + 40 * row / rows

@@ -14,7 +14,7 @@ import FreeCADGui as Gui
 from PySide import QtCore, QtGui
 
 HERE = Path(__file__).resolve().parent
-sys.path[:0] = [str(HERE / "gui"), str(HERE)]  # the window's conftest first
+sys.path[:0] = [str(HERE / "gui"), str(HERE)]  # the conftest of the window first
 
 from conftest import CAM_WORKBENCH, Window
 from inside_freecad import run_and_leave
@@ -28,9 +28,9 @@ def main() -> int:
     assert HERE.parent not in Path(vkworkbench.__file__).resolve().parents, "not the release"
     window = Window()
     window.main.show()
-    window.idle(1.0)  # FreeCAD's questions at its first start
+    window.idle(1.0)  # FreeCAD asks questions at its first start
     document = FreeCAD.ActiveDocument
-    # In 0.20 the workbench first asks about units, in a box with its own event loop.
+    # In FreeCAD 0.20, the workbench first asks about units, in a box with its own event loop.
     answering = QtCore.QTimer()
     answering.timeout.connect(window.dismiss)
     answering.start(200)
@@ -63,7 +63,7 @@ def main() -> int:
     window.settle()
     window.screenshot("stranger-3-strategies")
 
-    window.main.setGeometry(0, 0, *SMALL)  # the simulation is quicker
+    window.main.setGeometry(0, 0, *SMALL)  # in a small window, the simulation is faster
     step(window, "Simulate Toolpaths", "Vk_Simulate")
     window.wait(lambda: tabs(window))
     (tab,) = tabs(window)
@@ -79,11 +79,11 @@ def main() -> int:
 
 
 def step(window: Window, button: str, command: str) -> None:
-    """Click a button of the toolbar, or run its command if the toolbar is too short for the button."""
+    """Click a button of the toolbar. If the toolbar is too short for the button, run its command instead."""
     if any(is_button(found, button) and found.isVisible() for found in window.find(QtGui.QToolButton)):
         window.click(button)
     else:
-        Gui.runCommand(command, 1)  # switches on
+        Gui.runCommand(command, 1)  # 1 switches the command on
 
 
 def is_button(widget, text: str) -> bool:

@@ -22,7 +22,7 @@ import programs
 
 
 class Parameters:
-    """A group of preferences in which every preference has its default."""
+    """A preference group in which every preference has its default value."""
 
     def __getattr__(self, name):
         return lambda parameter, default=None: default
@@ -107,7 +107,7 @@ class Object:
 
 
 def stub(document, folder):
-    """Put stubs in the place of FreeCAD's modules."""
+    """Replace FreeCAD's modules by stubs."""
     freecad, part = ModuleType("FreeCAD"), ModuleType("Part")
     freecad.Version, freecad.GuiUp = lambda: ["0", "21", "2"], 0
     freecad.Qt = SimpleNamespace(QT_TRANSLATE_NOOP=lambda context, text: text)
@@ -123,7 +123,7 @@ def stub(document, folder):
 
 
 def a_job(document):
-    """Return a job's operations, one of each strategy."""
+    """Return the operations of a job, one operation per strategy."""
     bit = Object(document, "Bit", "App::FeaturePython", Diameter=5.0, ShapeName="endmill")
     controller = Object(
         document, "Controller", ToolNumber=1, SpindleSpeed=1.0, Tool=bit, HorizRapid=50.0, VertRapid=50.0

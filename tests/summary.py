@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Judge the results of run_layers.sh and print them: a table of FreeCAD version and layer, then a line with the sums.
+"""Check the results of run_layers.sh and print a table of FreeCAD versions and layers, and a line with the sums.
 
     python3 tests/summary.py RESULTS SUITES...       # a folder with one folder for each Debian suite
 
@@ -47,7 +47,7 @@ def judge(folder, layer):
 
 
 def tail(log):
-    """Return the part of a log that shows the failures."""
+    """Return the part of a log with the failures."""
     lines = log.read_text(errors="replace").splitlines()
     starts = [n for n, line in enumerate(lines) if re.match(r"=+ (FAILURES|ERRORS) =+|Traceback|Fatal|Timeout", line)]
     ends = [n for n, line in enumerate(lines) if re.match(r"=+ warnings summary =+", line)]

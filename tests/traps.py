@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""A hostile folder: files that Python would run instead of its own modules, or when it starts."""
+"""A hostile folder with files that Python would run instead of its own modules, or at its start."""
 
 from __future__ import annotations
 

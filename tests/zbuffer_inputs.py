@@ -14,19 +14,19 @@ from vkworkbench.core.zbuffer import CrashCheck
 
 
 def close(one, other, absolute, relative=0.0):
-    """Return whether two arrays of one shape agree everywhere within either tolerance, as pytest.approx does slowly."""
+    """Return whether two arrays agree in shape, and everywhere within a tolerance. pytest.approx would be slow."""
     return one.shape == other.shape and bool(
         (np.abs(one - other) <= np.maximum(absolute, relative * np.abs(other))).all()
     )
 
 
 def facts(zbuffer, **arguments):
-    """Return the facts that the image shows, without a check of the rapids on finer rays."""
+    """Return the facts visible in the image, without a check of the rapids on finer rays."""
     return room.facts(zbuffer, CrashCheck(), **arguments)
 
 
 class ConvexStock(Stock):
-    """A bounded solid, where ``normals @ point <= offsets``: outward normals (m, 3) of any length, and (m,) numbers."""
+    """A bounded solid with ``normals @ point <= offsets``: outward normals (m, 3) of any length, and offsets (m,)."""
 
     def __init__(self, normals: np.ndarray, offsets: np.ndarray) -> None:
         lengths = np.linalg.norm(normals, axis=1)
@@ -38,11 +38,11 @@ class ConvexStock(Stock):
 
     @classmethod
     def cylinder(cls, base: np.ndarray, radius: float, height: float, sides: int = 64) -> ConvexStock:
-        """Return a regular prism with the cross-section's area of a vertical cylinder."""
+        """Return a regular prism with the cross-section area of a vertical cylinder."""
         base = np.array(base, float)
         angles = 2 * pi * np.arange(sides) / sides
         walls = np.column_stack((np.cos(angles), np.sin(angles), np.zeros(sides)))
-        # The regular polygon of equal area: sides * tan(pi/sides) * apothem**2 = pi * radius**2.
+        # For a regular polygon of equal area, sides * tan(pi/sides) * apothem**2 = pi * radius**2.
         apothem = radius * np.sqrt(pi / (sides * tan(pi / sides)))
         normals = np.vstack((walls, [[0, 0, 1], [0, 0, -1]]))
         return cls(normals, np.concatenate((walls @ base + apothem, [base[2] + height, -base[2]])))
@@ -62,7 +62,7 @@ class ConvexStock(Stock):
 
 
 def _corners(normals: np.ndarray, offsets: np.ndarray) -> np.ndarray:
-    """Return the points where three of the planes meet and which no other plane cuts off."""
+    """Return the points of intersection of three planes that no other plane cuts off."""
     triples = np.array(list(combinations(range(len(normals)), 3)))
     matrices = normals[triples]
     proper = np.abs(np.linalg.det(matrices)) > 1e-9
@@ -71,21 +71,21 @@ def _corners(normals: np.ndarray, offsets: np.ndarray) -> np.ndarray:
 
 
 def box(lower, upper):
-    """The twelve triangles of a box."""
+    """Return the twelve triangles of a box."""
     corner = np.array([[(lower, upper)[bits >> axis & 1][axis] for axis in range(3)] for bits in range(8)], float)
     faces = [(0, 1, 3, 2), (4, 6, 7, 5), (0, 4, 5, 1), (2, 3, 7, 6), (0, 2, 6, 4), (1, 5, 7, 3)]
     return np.array([corner[[a, b, c]] for a, b, c, d in faces for a, b, c in ((a, b, c), (a, c, d))])
 
 
 def ball(middle, radius, parts=12):
-    """Triangles of a ball's inscribed polyhedron."""
+    """Return the triangles of a polyhedron inscribed in a ball."""
     phi, theta = np.meshgrid(0.1 + np.linspace(0, 2 * pi, 2 * parts + 1), np.linspace(0, pi, parts + 1))
     at = np.stack((np.sin(theta) * np.cos(phi), np.sin(theta) * np.sin(phi), np.cos(theta)), axis=-1) * radius + middle
     a, b, c, d = at[:-1, :-1], at[:-1, 1:], at[1:, :-1], at[1:, 1:]
     return np.concatenate((np.stack((a, b, c), 2).reshape(-1, 3, 3), np.stack((b, d, c), 2).reshape(-1, 3, 3)))
 
 
-# A block of 25 x 30 x 10 mm with a cavity of 15 x 10 x 4 mm, and a second block beyond a slot of 5 mm.
+# A block of 25 x 30 x 10 mm with a cavity of 15 x 10 x 4 mm, and a second block at a distance of 5 mm.
 HOLLOW = np.concatenate((box((0, 0, 0), (25, 30, 10)), box((5, 10, 3), (20, 20, 7)), box((30, 0, 0), (40, 30, 10))))
 
 
@@ -99,13 +99,13 @@ TOOLS = [
     Tool("vbit", 4, tip_angle=0.6),
     Tool("drill", 5),
 ]
-# Cones with a flat tip: chamfer mills and engravers.
+# Cones with a flat tip, like chamfer mills and engravers.
 CHAMFERS = [
     Tool("vbit", 6, tip_angle=pi / 2, tip_diameter=2),
     Tool("vbit", 5, tip_angle=0.7, tip_diameter=0.4),
     Tool("vbit", 6, tip_angle=2.6, tip_diameter=5.5),
 ]
-# One tool of each form, and of the corners and tips one of each size.
+# One tool of each shape, and the shapes with each size of corner and tip.
 FORMS = [
     Tool("endmill", 6),
     Tool("ballend", 6),
@@ -134,45 +134,45 @@ toolpath = Toolpath.through
 
 
 def free(rng, n):
-    """Random points in and around the stock."""
+    """Return random points in and around the stock."""
     return rng.uniform((-3, -3, 1), (43, 33, 12), (n + 1, 3))
 
 
 def level(rng, n):
-    """Pairs of points at one height, a plunge or a retract between the pairs."""
+    """Return pairs of points at one height, with a plunge or a retract between the pairs."""
     points = free(rng, n)
     points[:, 2] = np.repeat(rng.uniform(2, 9, n), 2)[: n + 1]
     return points
 
 
 def one_level(rng, n):
-    """Points at half the height of the stock, where depths are 0."""
+    """Return points at half the height of the stock, where depths are 0."""
     points = free(rng, n)
     points[:, 2] = 5
     return points
 
 
 def grid(rng, n):
-    """Points on even numbers, where rays graze walls and floors."""
+    """Return points on even coordinates, where rays graze walls and floors."""
     points = np.round(free(rng, n) / 2) * 2
     return points[np.append(True, (np.diff(points, axis=0) != 0).any(axis=1))]
 
 
 def plunges(rng, n):
-    """Every other move is vertical."""
+    """Return random points in which every other move is vertical."""
     points = free(rng, n)
     points[1::2, :2] = points[:-1:2, :2][: len(points[1::2])]
     return points
 
 
 def helix(rng, n):
-    """A helix down through the stock."""
+    """Return a helix down through the stock."""
     angle = np.linspace(0, n / 6, n + 1)
     return np.column_stack((20 + 6 * np.cos(angle), 15 + 6 * np.sin(angle), np.linspace(11, 3, n + 1)))
 
 
 def surface(rng, n):
-    """A zigzag over a wavy surface."""
+    """Return a zigzag over a wavy surface."""
     rows = max(2, int(np.sqrt(n)))
     x, y = np.linspace(0, 40, rows), np.linspace(0, 30, rows)
     x = np.concatenate([x[:: 1 if k % 2 == 0 else -1] for k in range(rows)])
@@ -181,7 +181,7 @@ def surface(rng, n):
 
 
 def zigzag(rng, n):
-    """A zigzag at one height."""
+    """Return a zigzag at one height."""
     y = np.repeat(np.linspace(0, 30, n // 2), 2)
     x = np.tile([5.0, 35.0, 35.0, 5.0], len(y))[: len(y)]
     return np.column_stack((x, y, np.full(len(y), rng.uniform(2, 8))))

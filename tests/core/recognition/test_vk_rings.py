@@ -103,7 +103,7 @@ def box(left, bottom, right, top):
     return [(x, y, 0), (u, y, 0), (u, v, 0), (x, v, 0), (x, y, 0)]
 
 
-def test_ring_with_only_one_side_outside_is_not_nested():
+def test_rings_with_three_equal_sides_have_no_relation():
     for pair in ([box(3, 0, 0, 0), polygon(40)], [polygon(40), box(3, 0, 0, 0)]):
         assert related(rings_of(pair)) == [set()] * 2
 
