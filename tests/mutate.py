@@ -87,7 +87,7 @@ def mutants(source: str) -> list[Mutant]:
 
 
 def _mutable(tree: ast.AST) -> Iterator[ast.AST]:
-    """Yield the nodes that determine behaviour; skip annotations, docstrings and message texts."""
+    """Yield the nodes that determine behaviour, without annotations, docstrings and message texts."""
     todo = list(ast.iter_child_nodes(tree))
     while todo:
         node = todo.pop()
@@ -191,7 +191,7 @@ class Checkout:
         subprocess.run([str(self.root / "tests/make_home.sh"), str(self.home)], check=True)
 
     def run(self, tests: list[str], *, limit: float | None = None, **asked: Any) -> bool:
-        """Return whether the tests pass; pass the requests `asked` to tests/mutate_plugin.py."""
+        """Return whether the tests pass. tests/mutate_plugin.py reads the requests `asked`."""
         told = self.home / "asked.json"  # a file, because the requests are too long for a command line
         told.write_text(json.dumps({"only": [], "reached": "", "tries": [], **asked}))
         environment = {
@@ -259,7 +259,7 @@ def sample(file: Path, count: int, seed: int) -> list[Mutant]:
 
 
 def judge(file: Path, drawn: list[Mutant], known: dict[str, Any], checkout: Checkout, jobs: int) -> list[Mutant]:
-    """Return the surviving mutants; `known` is the result of `Checkout.reach`."""
+    """Return the surviving mutants. `known` is the result of `Checkout.reach`."""
     name = str(checkout.root / file.relative_to(ROOT))
     quickest = sorted(known["seconds"], key=known["seconds"].get)
     reached = known["reached"].get(name, {})
@@ -282,7 +282,7 @@ def judge(file: Path, drawn: list[Mutant], known: dict[str, Any], checkout: Chec
 
 
 def by_folder(rates: dict[Path, tuple[int, int]]) -> Iterator[str]:
-    """Yield the lines of the table in docs/reliability.md; `rates` are the killed and drawn mutants of each file."""
+    """Yield the lines of the table in docs/reliability.md. `rates` are the killed and drawn mutants of each file."""
     yield "| folder | files | noticed | drawn | rate | below nine in ten |\n|---|---:|---:|---:|---:|---|"
     folders = {
         folder: [file for file in rates if file.parent == folder] for folder in sorted({f.parent for f in rates})

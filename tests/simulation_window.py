@@ -143,7 +143,7 @@ class Desk:
         return self._tab
 
     def shared(self, path, direction="Isometric", *, at_its_finest=True):
-        """Return the tab in its initial state; other tests may have used it."""
+        """Return the tab in its initial state. Other tests may have used the tab."""
         if not (self._is_open(path) and tabs(self.window) == [self._tab] and not self._tab.again.isVisible()):
             self.kept(path)
             tab = self.simulate()
@@ -196,7 +196,7 @@ class Desk:
         self.window.main.setGeometry(self._before)
 
     def _reduced(self, name, labels):
-        """Return the file of the example job with only these operations; the first call saves the file."""
+        """Return the file of the example job with only these operations. The first call saves the file."""
         path = self._folder / f"{name}.FCStd"
         if not path.exists():
             self.close()

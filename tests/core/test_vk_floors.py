@@ -117,7 +117,7 @@ class House:
         self.faces = {name: names for name, names in faces.items() if names and name != PACKAGE}
 
     def imports(self, code: str) -> Iterator[tuple[int, str]]:
-        """Yield the line and module of each import; a name in a package's ``__all__`` counts as the package."""
+        """Yield the line and module of each import. A name in a package's ``__all__`` counts as the package."""
         for node in import_nodes(code):
             if isinstance(node, ast.Import):
                 yield from ((node.lineno, alias.name) for alias in node.names)

@@ -18,7 +18,7 @@ def axis(*moves):
 
 
 @pytest.mark.parametrize("angle", [-80, -30, 0, 20, 75])
-def test_axis_of_one_direction_is_this_direction(angle):
+def test_axis_of_one_direction_is_equal_for_both_senses(angle):
     assert [axis((angle, 7)), axis((angle, 7), (angle + 180, 3))] == pytest.approx([angle, angle])
 
 

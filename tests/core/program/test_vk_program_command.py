@@ -315,7 +315,7 @@ def test_failing_analysis_affects_only_its_program(folder, inside, monkeypatch):
     assert done.stderr.splitlines()[-1] == "2 operations in 4 files, 2 could not be read."
 
 
-def test_table_of_a_program_is_written_when_it_is_read(tmp_path, monkeypatch):
+def test_table_of_a_program_is_printed_before_the_next_is_read(tmp_path, monkeypatch):
     for name in "ab":
         (tmp_path / f"{name}.nc").write_text(PROGRAM)
     written, seen = io.BytesIO(), []

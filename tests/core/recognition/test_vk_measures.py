@@ -50,7 +50,7 @@ def test_measures_of_a_zigzag_match_hand_calculation():
         "climbs": 0, "level": 1, "corners": 1, "smooth": 0, "one_way": links / length, "one_axis": (500 - links) / length,
         "two_axes": 1,
     })  # fmt: skip
-    # Of 18 quarter turns, each pair has one sense, and is an arc of half a turn.
+    # Of the 18 quarter turns, each pair turns in one sense, and is an arc of half a turn.
     holds(found, {
         "half_arcs": 1, "short_arcs": 0, "long_arcs": 0, "sense_keeps": 9 / 17, "surprise": 0,
         "spread": sqrt(90) / 19 * log(50 / 3),

@@ -115,7 +115,7 @@ def test_tool_change_divides_regardless_of_lengths(pair, sizes, turned):
 
 @pytest.mark.long
 @every
-def test_sections_of_one_strategy_have_it_together(name):
+def test_two_sections_of_one_strategy_are_this_strategy(name):
     # The second section is in another place, at another depth, or cut with another tool.
     sections = [linearize(MADE[name](size)) for size in (1, 2)]
     assert all(recognize(s, tool_diameter=TOOL).strategy == name for s in sections)
@@ -451,11 +451,11 @@ ROWS, AROUND, STROKES = Strategy.ZIGZAG, Strategy.PROFILE, Strategy.ENGRAVING
         (ROWS, 0, 9, Strategy.UNKNOWN, True, True, False),
     ],
 )
-def test_longest_section_decides_if_all_deny_the_whole(one, loops, passes, main, sure, program, differs):
+def test_border_divides_sections_of_different_strategy(one, loops, passes, main, sure, program, differs):
     assert _differs(told(one, closed_loops=loops, passes=passes), told(main), sure, program) is differs
 
 
-def test_longest_section_decides_if_all_deny_whole():
+def test_longest_section_decides_if_all_deny_the_whole():
     path = linearize(programs.one_way(10))
     whole, one = told(AROUND, (0, 39, AROUND, 1.0)), np.zeros(2, int)
 

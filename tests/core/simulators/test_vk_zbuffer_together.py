@@ -94,7 +94,7 @@ def test_pickled_cost_has_no_toolpath():
     assert sent == cost and sent.cuts == () and sent.stock is None and cost.cuts[0].tool is TOOL
 
 
-def test_image_of_a_job_fits_the_whole_job():
+def test_image_of_a_job_is_chosen_for_all_its_operations():
     costs = [{"z-buffer": cost} for cost in alone(*5 * [slot(15)])]
     asked = {"labels": list("abcde"), "stepover": None, "seconds": 600.0}
     advice = together(costs, **asked, memory_bytes=1e8)[1]

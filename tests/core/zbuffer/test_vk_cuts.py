@@ -43,7 +43,7 @@ def test_move_with_feed_has_a_time():
     assert Cuts([Cut(slow, TOOL)]).seconds == pytest.approx([10, 48])
 
 
-def test_lengths_and_times_of_arcs_are_not_those_of_chords():
+def test_lengths_and_times_follow_arcs_and_not_chords():
     """Arcs are as long as in the report: two turns with a radius of 1 mm, each 0.5 mm deep."""
     turn = ("G2", {"X": 1, "Y": 0, "Z": -0.5, "I": -1, "J": 0, "F": 5})
     bore = linearize([("G0", {"X": 1, "Y": 0, "Z": 0}), turn, ("G2", {**turn[1], "Z": -1.0})], tolerance=0.05)

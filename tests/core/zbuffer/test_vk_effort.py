@@ -27,7 +27,7 @@ def of_kind(**amounts):
     return tuple(float(amounts.get(f"kind_{kind}", 0)) for kind in range(KINDS))
 
 
-# Tiles of 64 pixels, and then of 32 pixels with four times as many pairs; then pixels of tiles of 16, with twice as
+# Two levels: tiles of 64 pixels, then of 32 pixels with four times as many pairs. Pixels of tiles of 16 have twice as
 # many.
 WORK = Work(
     trajectories=10, pixels=1000, first=50, pairs=(of_kind(kind_0=1e5), of_kind(kind_3=4e5)),

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The estimated cost of a simulation against the exact one, its error bar, and the image for a budget."""
+"""The estimated cost of a simulation, compared with the exact cost, its error bar, and the image for a budget."""
 
 from __future__ import annotations
 
@@ -52,7 +52,7 @@ def zigzag(step=3.0, levels=(16, 12), chords=1):
 
 
 def surface(step=2.0, chords=60):
-    """A zigzag over a wavy surface."""
+    """Return a zigzag over a wavy surface."""
     points = zigzag(step, (0,), chords).points[1:-1].copy()
     points[:, 2] = 14 + 3 * np.sin(points[:, 0] / 9) * np.cos(points[:, 1] / 11)
     return path(points)
@@ -74,7 +74,7 @@ def helix():
 
 def drilled():
     points = []
-    # Nowhere the same place between the pixels: the holes' rounding errors are not all the same.
+    # The holes lie at different places within their pixels, so their rounding errors differ.
     for x in np.arange(10, 75, 12.3):
         for y in np.arange(10, 55, 12.7):
             points += [(x, y, 22), (x, y, 14), (x, y, 21), (x, y, 9), (x, y, 22)]
@@ -95,7 +95,7 @@ PATHS = {
 @pytest.mark.long
 @pytest.mark.parametrize("direction", [TOP, TILTED, ISOMETRIC], ids=["top", "tilted", "isometric"])
 @pytest.mark.parametrize("name", PATHS)
-def test_estimate_is_the_simulation_within_its_error_bar(name, direction):
+def test_estimate_equals_the_simulation_within_its_error_bar(name, direction):
     toolpath, tool = PATHS[name]
     view = View(direction, 200, 150)
     exact = simulate(toolpath, tool=tool, stock=STOCK, view=view)
@@ -107,7 +107,7 @@ def test_estimate_is_the_simulation_within_its_error_bar(name, direction):
 
 
 @pytest.mark.long
-def test_the_error_bar_holds_as_often_as_it_should():
+def test_95_percent_of_estimates_are_within_two_errors():
     within = []
     for name, (toolpath, tool) in PATHS.items():
         frame = View(TOP if name == "helix" else TILTED).frame(STOCK)
@@ -124,18 +124,18 @@ def test_the_error_bar_holds_as_often_as_it_should():
     assert np.mean(within) >= 0.95
 
 
-def test_the_same_numbers_every_time():
+def test_repeated_estimate_returns_equal_numbers():
     toolpath, tool = PATHS["surface"]
     first, second = (estimate(toolpath, None, tool=tool, stock=STOCK, view=View(ISOMETRIC)) for _ in range(2))
     assert first == second
 
 
-def test_counts_grow_as_the_number_of_pixels():
+def test_estimated_counts_grow_with_the_number_of_pixels():
     toolpath, tool = PATHS["contours"]
     coarse, fine = (
         estimate(toolpath, None, tool=tool, stock=STOCK, view=View(width=k * 400, height=k * 300)) for k in (1, 3)
     )
-    # A pixel is cut or not: the contours' outline is a pixel here and there.
+    # Each pixel is cut or not cut, so the outlines of the contours may differ by a pixel.
     assert fine.traces == pytest.approx(9 * coarse.traces, abs=18 * coarse.traces_error)
     assert fine.dexels == pytest.approx(9 * coarse.dexels, rel=1e-3)
 
@@ -143,8 +143,8 @@ def test_counts_grow_as_the_number_of_pixels():
 @pytest.mark.long
 @pytest.mark.parametrize("width", [0.3, 0.5, 0.8, 1.0, 2.0])
 @pytest.mark.parametrize("direction", [TOP, (0, 1, 0), TILTED, ISOMETRIC], ids=["top", "front", "tilted", "isometric"])
-def test_error_bar_includes_the_pixel(width, direction):
-    """Narrow slots: the number of rows of pixels in a slot, one or two, follows from the image and not from the slot's area."""
+def test_error_bar_includes_the_size_of_the_pixel(width, direction):
+    """In a narrow slot, the number of rows of pixels (one or two) follows from the image, and not from the area."""
     stock, view = Stock((0, 0, 0), (120, 90, 20)), View(direction, 320, 240)
     far, inside = 0.0, []
     for turn in np.radians([0, 7, 45, 90]):
@@ -159,7 +159,7 @@ def test_error_bar_includes_the_pixel(width, direction):
     assert sum(inside) >= 3 and far < 4
 
 
-def test_only_the_image_counts():
+def test_estimate_counts_only_the_part_in_the_image():
     toolpath, tool = PATHS["zigzag"]
     view = View(width=100, height=100, pixel=0.1)
     exact = simulate(toolpath, tool=tool, stock=STOCK, view=view)
@@ -168,7 +168,7 @@ def test_only_the_image_counts():
     assert found.traces == pytest.approx(exact.traces, rel=0.03) == 20000
 
 
-def test_memory_is_that_by_which_it_is_refused():
+def test_estimated_memory_is_the_memory_for_the_refusal():
     toolpath, tool = PATHS["zigzag"]
     found = estimate(toolpath, None, tool=tool, stock=STOCK, view=View())
     assert found.memory_bytes == memory_needed([Cut(toolpath, tool)], stock=STOCK, view=View())
@@ -176,13 +176,13 @@ def test_memory_is_that_by_which_it_is_refused():
     assert found.stock_bytes == pytest.approx(nothing.memory_bytes, rel=1e-3) and found.stock_bytes < found.memory_bytes
 
 
-def test_the_explanation_says_how_often_a_pixel_is_cut():
+def test_explanation_contains_the_cuts_per_pixel():
     toolpath, tool = PATHS["zigzag"]
     found = estimate(toolpath, recognize(toolpath, tool_diameter=6), tool=tool, stock=STOCK, view=View())
     assert found.explanation == "zigzag, stepover 3 mm: each pixel is cut 2.0 times"
 
 
-def test_explanation_names_the_known_facts():
+def test_explanation_contains_the_known_facts():
     toolpath, tool = PATHS["contours"]
     view = View(width=80, height=60)
     for known, words in (
@@ -225,7 +225,7 @@ def test_pickled_estimate_has_no_cuts_and_no_stock():
     ],
     ids=["empty", "point", "above", "beside", "under"],
 )
-def test_paths_that_cut_nothing_or_everything(points):
+def test_estimate_for_paths_that_cut_nothing_or_everything(points):
     toolpath = path(points)
     found = estimate(toolpath, recognize(toolpath), tool=FLAT, stock=STOCK, view=View(width=200, height=150))
     exact = simulate(toolpath, tool=FLAT, stock=STOCK, view=View(width=200, height=150))
@@ -237,13 +237,13 @@ def test_paths_that_cut_nothing_or_everything(points):
         assert found.traces_error == 0
 
 
-def test_a_tool_larger_than_the_stock():
+def test_estimate_for_a_tool_larger_than_the_stock():
     toolpath = path([(0, 30, 12), (80, 30, 12)])
     found = estimate(toolpath, None, tool=Tool("endmill", 200), stock=STOCK, view=View(width=200, height=150))
     assert found.traces == pytest.approx(200 * 150, rel=1e-3)
 
 
-def test_work_per_trajectory_does_not_grow(monkeypatch):
+def test_number_of_tests_per_trajectory_does_not_grow(monkeypatch):
     tested = []
     intervals = Removal.intervals
 
@@ -267,7 +267,7 @@ def covered(stock, view):
     return area
 
 
-def test_silhouettes():
+def test_areas_of_silhouettes_are_exact():
     tilt = radians(30)
     assert covered(STOCK, View((0, sin(tilt), -cos(tilt)))) == pytest.approx(80 * (60 * cos(tilt) + 20 * sin(tilt)))
     assert covered(STOCK, View(width=10, height=10, pixel=1)) == pytest.approx(100)
@@ -276,7 +276,7 @@ def test_silhouettes():
     assert covered(cylinder, View((1, 0, 0))) == pytest.approx(20 * 30, rel=0.005)
 
 
-def test_a_noisy_measurement_makes_no_constant_nothing():
+def test_noisy_measurement_gives_positive_constants():
     amounts = 1 / np.array(Speed().constants) * (np.eye(7) + 0.1)
     seconds = amounts @ Speed().constants * [1e-6, 5, 1, 1, 1, 1, 1]
     assert (fit_speed(amounts, seconds).constants > 0).all()
@@ -284,7 +284,7 @@ def test_a_noisy_measurement_makes_no_constant_nothing():
 
 @pytest.mark.parametrize("direction", [TOP, TILTED, ISOMETRIC], ids=["top", "tilted", "isometric"])
 def test_candidates_are_pairs_of_pixel_and_trajectory(direction):
-    """Along the stock's edge and beside it: only what lies over the stock is examined."""
+    """The path follows the edge of the stock, and also lies beside the stock. Only its part over the stock counts."""
     toolpath = path([(20, 20, 10), (60, 40, 10), (20, 40, 12), (-2, -2, 8), (-2, 90, 8)])
     view = View(direction, 240, 180)
     frame = view.frame(STOCK)
@@ -296,7 +296,7 @@ def test_candidates_are_pairs_of_pixel_and_trajectory(direction):
 
 @pytest.mark.long
 @pytest.mark.parametrize("direction", [TOP, TILTED], ids=["top", "tilted"])
-def test_work_of_job_includes_all_operations(direction):
+def test_work_of_a_job_includes_all_operations(direction):
     """An operation of many moves does not hide an operation of few moves in another place."""
     cuts = [Cut(*PATHS[name]) for name in ("zigzag", "surface", "helix")] + [Cut(zigzag(0.5, chords=40), FLAT)]
     view = View(direction, 320, 240)
@@ -308,8 +308,11 @@ def test_work_of_job_includes_all_operations(direction):
 @pytest.mark.long
 @pytest.mark.parametrize("direction", [TOP, TILTED], ids=["top", "tilted"])
 @pytest.mark.parametrize("names", [("zigzag",), ("surface",), ("helix",), ("zigzag", "surface", "helix")])
-def test_estimated_work_equals_simulator_work(names, direction, monkeypatch):
-    """Pairs that are tested, and blocks: as often as it bounds or cuts pairs of one kind at once; from a few tiles."""
+def test_estimated_work_equals_the_work_of_the_simulator(names, direction, monkeypatch):
+    """The estimate uses a few tiles.
+
+    Compared are the tested pairs, and the blocks: calls that bound or cut pairs of one kind.
+    """
     worked = []
     divided = Trajectories.by_kind
     bounds = Upright if direction == TOP else Tilted
@@ -332,9 +335,9 @@ def test_estimated_work_equals_simulator_work(names, direction, monkeypatch):
     assert found.seconds == pytest.approx(found.speed.constants @ found.work.amounts())
 
 
-def test_kinds_of_trajectory_are_worked_on_apart_where_they_meet():
+def test_kinds_of_trajectories_need_own_blocks_in_common_bands():
     row, behind = path([(5, 5, 15), (75, 5, 15)]), path([(5, 55, 15), (75, 55, 15)])
-    view = View(TOP, 640, 480)  # of 60 mm in 7.5 bands of 64 rows
+    view = View(TOP, 640, 480)  # 60 mm are 7.5 bands of 64 rows
 
     def work(*cuts):
         return estimate_job(
@@ -346,12 +349,13 @@ def test_kinds_of_trajectory_are_worked_on_apart_where_they_meet():
     apart = work((row, 6), (behind, 4))
     assert apart.kinds < 0.7 and apart.bands == pytest.approx(7.5, rel=0.15)
     assert work((row, 6)).bands == pytest.approx(1 + 6 / 8, rel=0.15)
-    assert work((path([(5, 5, 30), (75, 5, 30)]), 6)).bands == 0  # above the stock
-    assert work((path([(40, -50, 15), (40, 10, 15)]), 6)).bands == pytest.approx(1 + 13 / 8)  # of the image
-    assert work((path([(40, -50, 15), (40, 110, 15)]), 6)).bands == 8  # no more than there are
+    assert work((path([(5, 5, 30), (75, 5, 30)]), 6)).bands == 0  # the path is above the stock
+    # only the part in the image counts
+    assert work((path([(40, -50, 15), (40, 10, 15)]), 6)).bands == pytest.approx(1 + 13 / 8)
+    assert work((path([(40, -50, 15), (40, 110, 15)]), 6)).bands == 8  # limited to the number of bands
 
 
-def test_the_work_in_another_image_is_known_from_one():
+def test_work_in_another_image_follows_from_one_estimate():
     toolpath, tool = PATHS["surface"]
     few, many = (
         estimate(toolpath, None, tool=tool, stock=STOCK, view=View(TILTED, w, w * 3 // 4)) for w in (400, 1200)
@@ -363,19 +367,22 @@ def test_the_work_in_another_image_is_known_from_one():
     assert growing == sorted(growing)
 
 
-def test_time_for_each_pixel_is_similar_in_large_images():
-    """Rows that cut each pixel twice: in 16 times as many pixels 0.9 times as long each was measured."""
+def test_time_per_pixel_is_similar_in_large_images():
+    """Rows cut each pixel twice.
+
+    With 16 times as many pixels, a measurement showed 0.9 times as much time per pixel.
+    """
     toolpath, tool = PATHS["zigzag"]
     found = estimate(toolpath, None, tool=tool, stock=STOCK, view=View())
     assert 0.83 < found.seconds_in(16.0) / 16 / found.seconds < 1
 
 
-def test_a_speed_is_found_in_times():
+def test_speed_is_computed_from_measured_times():
     rng = np.random.default_rng(3)
     true = Speed().constants * [2, 3, 2, 3, 2, 3, 2]
     amounts = rng.uniform(0.1, 1, (2000, 7)) / true
     assert fit_speed(amounts, amounts @ true).constants == pytest.approx(true, rel=0.02)
-    # With few and noisy times the proportions stay sensible.
+    # With few and noisy times, the constants stay within a factor of 4.
     for _ in range(50):
         few = amounts[rng.choice(2000, 6)]
         found = fit_speed(few, few @ true * rng.uniform(0.7, 1.4, 6)).constants
@@ -383,7 +390,10 @@ def test_a_speed_is_found_in_times():
 
 
 def test_speed_is_measured_in_runs_below_a_tenth_of_a_second(monkeypatch):
-    """With the default speed. Each run uses this process alone and an image of whole tiles, and its work is given to the fit."""
+    """With the default speed, each run uses only this process and an image of whole tiles.
+
+    Its work is given to the fit.
+    """
     runs, works = [], []
     monkeypatch.setattr("vkworkbench.core.zbuffer.cost.speed.steady_seconds", lambda pieces, **_: runs.extend(pieces))
     monkeypatch.setattr("vkworkbench.core.zbuffer.cost.speed.fit_speed", lambda amounts, _: works.extend(amounts))
@@ -398,8 +408,8 @@ def test_speed_is_measured_in_runs_below_a_tenth_of_a_second(monkeypatch):
 
 
 @pytest.mark.long
-def test_this_computers_speed_is_measured():
-    ticks = count(step=0.25)  # every run takes as long, and is steady
+def test_speed_of_this_computer_can_be_measured():
+    ticks = count(step=0.25)  # every run has the same, steady duration
     speed = measure_speed(clock=lambda: next(ticks))
     assert (speed.constants > 0).all() and speed.factor < Speed().factor
 
@@ -413,23 +423,23 @@ def test_simulation_and_pictures_stay_within_memory_budget(name, direction):
     for budget in (60e6, 1e9):
         chosen = best_resolution([found], memory_bytes=budget)
         needed = memory_needed([Cut(toolpath, tool)], stock=STOCK, view=chosen.view)
-        assert 0.96 * budget < needed <= budget  # it is not refused
+        assert 0.96 * budget < needed <= budget  # so the simulation is not refused
         assert 0.97 * budget < chosen.memory_bytes <= 0.98 * budget
         assert "limited by the memory" in chosen.explanation
 
 
-def test_a_time_budget_gives_the_image_that_takes_it():
+def test_image_for_a_time_budget_takes_this_time():
     toolpath, tool = PATHS["surface"]
     speed = Speed(trajectory=1e-5)
     found = estimate(toolpath, None, tool=tool, stock=STOCK, view=View(), speed=speed)
     chosen = best_resolution([found], seconds=found.seconds / 3, memory_bytes=1e12)
     again = estimate(toolpath, None, tool=tool, stock=STOCK, view=chosen.view, speed=speed)
-    assert chosen.seconds == pytest.approx(found.seconds / 3, rel=5e-3)  # whole pixels
+    assert chosen.seconds == pytest.approx(found.seconds / 3, rel=5e-3)  # relative error because of whole pixels
     assert again.seconds == pytest.approx(found.seconds / 3, rel=0.1)  # other tiles are drawn in another image
     assert "limited by the time" in chosen.explanation
 
 
-def test_the_field_of_view_stays():
+def test_best_resolution_keeps_the_field_of_view():
     toolpath, tool = PATHS["zigzag"]
     found = estimate(toolpath, None, tool=tool, stock=STOCK, view=View(width=200, height=100, pixel=0.2))
     chosen = best_resolution([found], memory_bytes=found.peak.bytes(4.001) / 0.98)
@@ -448,7 +458,7 @@ def test_image_of_a_strip_stays_within_the_budget(pixels, sides):
         assert chosen.memory_bytes <= 0.98 * budget
 
 
-def test_operations_share_one_stock():
+def test_operations_of_a_job_share_one_stock():
     toolpath, tool = PATHS["zigzag"]
     found = estimate(toolpath, None, tool=tool, stock=STOCK, view=View())
     one, two = (best_resolution([found] * k, memory_bytes=4e9) for k in (1, 2))
@@ -460,12 +470,15 @@ def test_operations_share_one_stock():
 
 
 def test_memory_of_several_operations_is_combined():
-    """Temporary arrays of 1 and 3 GB need 3 GB, because they are not held at once. Trajectories and records are added."""
+    """Temporary arrays of 1 and 3 GB need 3 GB, because they are not held at once.
+
+    Trajectories and records are added.
+    """
     found = estimate(*PATHS["zigzag"][:1], None, tool=FLAT, stock=STOCK, view=View())
     small, large = (replace(found, peak=replace(found.peak, work=work)) for work in (1e9, 3e9))
 
     def needed(*estimates):
-        return best_resolution(estimates, memory_bytes=1.0).memory_bytes  # of a single pixel
+        return best_resolution(estimates, memory_bytes=1.0).memory_bytes  # memory for a single pixel
 
     assert needed(small, large) == needed(large, small)
     assert needed(small, large) - needed(small, small) == pytest.approx(2e9)
@@ -473,7 +486,7 @@ def test_memory_of_several_operations_is_combined():
     assert needed(many, many) - needed(many) == pytest.approx(needed(many) - 1e9, rel=1e-3)
 
 
-def test_advice_if_no_resolution_helps():
+def test_advice_is_given_if_no_resolution_helps():
     toolpath, tool = PATHS["surface"]
     found = estimate(toolpath, None, tool=tool, stock=STOCK, view=View(), speed=Speed(trajectory=1.0))
     chosen = best_resolution([found], seconds=10)
@@ -488,19 +501,19 @@ def test_advice_if_no_resolution_helps():
     )
 
 
-def test_longest_of_two_operations_is_named():
+def test_longest_of_several_operations_is_named():
     assert heaviest(["Face", "Bore"], [1.0, 3.0]).arguments == {"label": "Bore", "time": 3.0}
     assert heaviest(["Face"], [1.0]) is None and heaviest([], [1.0, 3.0]) is None
 
 
-def test_passes_are_separated_by_four_pixels():
+def test_passes_are_visible_with_four_pixels_per_stepover():
     found = estimate(*PATHS["zigzag"][:1], None, tool=FLAT, stock=STOCK, view=View())
     assert (
         "For passes 3 mm apart, 0.75 mm is fine enough."
         in best_resolution([found], memory_bytes=2e7, stepover=3).explanation
     )
     assert "Passes 3 mm apart need 0.75 mm." in best_resolution([found], memory_bytes=1.44e7, stepover=3).explanation
-    assert "passes" not in best_resolution([found], memory_bytes=2e7).explanation  # no stepover is known
+    assert "passes" not in best_resolution([found], memory_bytes=2e7).explanation  # without a known stepover
 
 
 @pytest.mark.parametrize("budget", [{}, {"seconds": 0}, {"memory_bytes": float("nan")}, {"seconds": -1.0}])

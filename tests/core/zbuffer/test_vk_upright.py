@@ -24,7 +24,7 @@ PLACES, STEP = 1001, 5  # positions of the tool on a move, and points on a side 
 def bounded(tool, slope, along, aside, extent, half_run):
     """Return the bounds for one move and one square: largest reached depth, and depth opened in the whole square.
 
-    -inf, or NaN for a ball, if the move does not meet or does not cover the square.
+    The bound is -inf, or NaN for a ball, if the move does not meet or does not cover the square.
     """
     slopes = Slopes(np.array([slope])) if slope else None
     reaches, opens = bounds(
@@ -34,7 +34,7 @@ def bounded(tool, slope, along, aside, extent, half_run):
 
 
 def opened(tool, slope, along, aside, extent, half_run):
-    """Return the depths to which the tool cuts at points of a square, (k,); -inf at points outside the tool's sweep."""
+    """Return the depths cut by the tool at points of a square, (k,). The depth is -inf outside the tool's sweep."""
     side = np.linspace(-extent, extent, STEP)
     x, y = (values.ravel() for values in np.meshgrid(along + side, aside + side))
     t = np.linspace(-half_run, half_run, PLACES)[:, None]

@@ -110,7 +110,7 @@ def test_measured_moves_of_thin_tools_are_not_air():
     assert facts(zbuffer, CrashCheck()).job.removed_volume_error is None and job.pixel == 10
 
 
-def test_volumes_without_time_or_moves_are_none_or_zero():
+def test_volumes_without_time_are_none_and_without_moves_zero():
     cut, _ = slots(3.0, 1.5, 0.0)
     assert measure_volumes([cut], SHEET, seconds=0) is None
     assert measure_volumes([Cut(path((0, 0, 9), (600, 400, 9)), Tool("endmill", 3))], SHEET).each.tolist() == [0]

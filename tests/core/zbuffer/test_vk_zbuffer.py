@@ -45,7 +45,7 @@ def area(zbuffer):
     return zbuffer.traces * zbuffer.frame.pixel**2
 
 
-def test_no_trajectory_leaves_one_dexel_per_pixel():
+def test_path_without_moves_leaves_one_dexel_per_pixel():
     z = cut([], width=80, height=60)
     assert (z.dexels, z.traces) == (80 * 60, 0)
     assert z.part_volume == pytest.approx(40 * 30 * 10, rel=1e-6)
@@ -67,7 +67,7 @@ def test_only_moves_over_the_stock_have_traces():
     assert cut([(10, 15, 25), (30, 15, 12)]).traces == 0
 
 
-def test_a_second_pass_over_the_same_place_cuts_nothing():
+def test_second_pass_over_the_same_place_cuts_nothing():
     z = cut([(10, 15, 4), (30, 15, 4), (10, 15, 4)])
     assert set(z.trace_records["trajectory"]) == {0}
 
@@ -199,7 +199,7 @@ def test_steps_outside_the_simulation_are_refused():
             z.at(step)
     with pytest.raises(
         TypeError, match=r"step must be a whole number, 0 to 1, not 0\.5"
-    ):  # between two moments is none
+    ):  # no moment exists between two steps
         z.at(0.5)
 
 

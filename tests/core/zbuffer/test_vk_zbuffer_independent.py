@@ -161,7 +161,7 @@ EVERY_TOOL = TOOLS + CHAMFERS
 @pytest.mark.long
 @pytest.mark.parametrize("path", PATHS, ids=lambda path: path.__name__)
 @pytest.mark.parametrize("tool", EVERY_TOOL, ids=str)
-def test_every_piece_has_the_owner_that_its_points_have(tool, path):
+def test_owner_of_every_piece_is_the_owner_of_its_points(tool, path):
     """The last moment and a random earlier moment are compared."""
     which = PATHS.index(path), EVERY_TOOL.index(tool)
     rng = np.random.default_rng(which)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Expressions, O-words and Fanuc's macros are followed as the control follows them, within bounds that are reported."""
+"""Expressions, O-words and Fanuc's macros are followed like a control does, within reported limits."""
 
 from __future__ import annotations
 
@@ -41,7 +41,7 @@ def xs(text):
     ("[round[3]MOD 2]", 1), ("#01", 4), ("##1", 6), ("-#1", -4), ("-[#1]", -4), ("#[1+3]", 6), ("#<a b>", 8), ("#<_G>", 9),
     ("EXISTS[#<ab>]", 1), ("EXISTS[#<none>]", 0), ("[#<ab>/#1]", 2),
 ])  # fmt: skip
-def test_expression(expression, value):
+def test_value_of_an_expression_equals_linuxcncs(expression, value):
     text = f"#1=4 #4=6\n#<ab>=8\n#<_g>=9\n{HEAD}G1 X99\nG1 X{expression}\n"
     assert ends(text)[-1][0] == pytest.approx(value, abs=1e-4) and said(text) == []
 
@@ -75,7 +75,7 @@ LINUXCNC = {
 
 
 @pytest.mark.parametrize("case", LINUXCNC)
-def test_o_words_of_linuxcnc(case):
+def test_o_words_are_followed_like_linuxcnc_does(case):
     text, expected = LINUXCNC[case]
     assert xs(f"{HEAD}{text}\n") == expected and said(f"{HEAD}{text}\n") == []
 
@@ -109,7 +109,7 @@ FANUC = {
 
 
 @pytest.mark.parametrize("case", FANUC)
-def test_macros_of_fanuc(case):
+def test_macros_are_followed_like_fanuc_does(case):
     main, macro, expected = FANUC[case]
     text = f"O1\n{HEAD}{main}\n{macro}\n"
     assert xs(text) == expected and said(text) == []
@@ -135,20 +135,20 @@ def test_macros_of_fanuc(case):
     ("o1 while [1]\no1 endwhile", "The program jumps back from here without end."),
     ("N5 X5\nGOTO 5", "The program jumps back from here without end."),
 ])  # fmt: skip
-def test_reading_ends_where_program_cannot_be_followed(line, why):
+def test_reading_ends_if_a_program_cannot_be_followed(line, why):
     """The moves before the line are kept, and the moves after it are not read."""
     text = f"{HEAD}X3\n{line}\nX99\nM2\n"
     assert ends(text)[0] == (3, 0, 0) and 99 not in xs(text)
     assert said(text)[-1].endswith(f": {END}{why}")
 
 
-def test_value_from_the_machine_matters_only_where_it_is_used():
+def test_value_from_the_machine_matters_only_if_it_is_used():
     text = f"O1\n{HEAD}#100=#4003\nIF[#5405 GE 9]THEN #3000=1\nX3\nS#4119 M3\nX4\nG#100 X5\nX6"
     assert xs(text) == [3, 4]
     assert said(text) == ["Line 8: S words are ignored.", f"Line 10: {END}The value of #4003 comes from the machine."]
 
 
-def test_unknown_result_of_a_subprogram_matters_where_it_is_used():
+def test_unknown_result_of_a_subprogram_matters_if_used():
     text = f"o1 sub\nX[#2]\no1 endsub [#5063]\n{HEAD}o1 call [#5061] [3]\n#<top>=[#<_value>+2]\nX4\nX#<top>\nX5"
     assert xs(text) == [3, 4] and said(text) == [f"Line 10: {END}The value of #5063 comes from the machine."]
 
@@ -167,7 +167,7 @@ BOUNDED = [
 
 
 @pytest.mark.parametrize(("bound", "loop", "why"), BOUNDED)
-def test_reached_bound_is_reported(monkeypatch, bound, loop, why):
+def test_reached_limit_of_a_loop_is_reported(monkeypatch, bound, loop, why):
     monkeypatch.setattr(flow, bound, 100)
     text = f"#1=0\n{HEAD}X3\n{loop}\nY99"
     assert said(text)[-1].endswith(f"{END}{why}, which is the limit.") and (99 not in {y for _, y, _ in ends(text)})
@@ -183,14 +183,14 @@ def test_oversized_expression_is_not_read(value):
 LOOP = "#1=0\no1 while [#1 LT 5]\nG1 X100\nY[#1*5]\nX0\n(ROW)\n#1=[#1+1]\no1 endwhile\nG0 Z5\nM2\n"
 
 
-def test_lines_of_a_loop():
-    """The first run belongs to its own lines, every further run to the line that jumps back. Lines never decrease."""
+def test_moves_of_a_loop_have_the_lines_of_the_loop():
+    """Moves of the first run belong to their own lines, and moves of each further run to the line that jumps back."""
     program = read_program(HEAD + LOOP)
     assert program.toolpath().command.tolist() == [6, 8] + [11] * 12 + [12]
     assert [text for _, _, text in program.comments] == ["ROW"]
 
 
-def test_rows_of_a_loop_are_a_zigzag():
+def test_rows_cut_in_a_loop_are_a_zigzag():
     path = read_program("G21 G90\nG0 X0 Y0 Z5\nG1 Z-1 F200\n" + LOOP).toolpath()
     found = recognize(path, tool_diameter=6.0)
     assert (found.strategy, found.passes, found.stepover) == ("zigzag", 5, pytest.approx(5.0))

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Subprograms in the same file as their calls are expanded, other subprograms are reported, and recursion ends."""
+"""Subprograms in the same file as their calls are expanded, other subprograms have a remark, and recursion ends."""
 
 from __future__ import annotations
 
@@ -48,7 +48,7 @@ def test_subprogram_runs_at_its_call(text):
 
 
 @pytest.mark.parametrize("end", ["O3000\nX99\nM99", "/M99\nM99 P7\nX99"])
-def test_subprogram_ends_at_next_one_or_at_its_return(end):
+def test_subprogram_ends_at_its_return_or_the_next_one(end):
     text = f"O1\n{BEFORE}M98 P2000\nG1 X5\nM30\nO2000\n{STEP}{end}"
     assert points(text)[-2:] == [(0, 0, -1), (5, 0, -1)]
     assert said(text)[-1] == f"Line {16 + end.startswith('/')}: Lines after the end of the program are ignored."
@@ -64,7 +64,7 @@ def test_moves_of_subprogram_have_the_line_of_the_call():
     assert said(text) == ["Line 5 (first of 2): Lines with variables or expressions are ignored."]
 
 
-def test_operations_are_divided_within_subprograms_too():
+def test_operations_are_also_divided_inside_subprograms():
     tools = f"N100 T1 M6 (D10 ENDMILL)\n{STEP}M99\nN200 T2 M6 (DRILL)\n{STEP}M99"
     text = f"O1\n{BEFORE}M97 P100\nM97 P200 L2\nM30\n{tools}"
     sections = split_sections(read_program(text))
@@ -127,6 +127,6 @@ def test_calls_end_at_the_limit_of_lines(monkeypatch):
 
 
 @pytest.mark.parametrize("call", ["M98 P100 L99999999", "G65 P100 L1000001", "M97 P5 L99999999"])
-def test_call_beyond_the_limit_is_not_begun(call):
+def test_call_with_too_many_lines_is_not_started(call):
     text = f"O1\n{BEFORE}{call}\nG1 X7\nM30\nN5 M99\nO100\nM99"
     assert points(text) == [(0, 0, 0)] and said(text)[0] == LIMIT.format(5, "1,000,000")

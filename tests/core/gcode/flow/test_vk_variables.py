@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Variables with a known value are replaced by it; variables without a known value are reported."""
+"""Variables with a known value are replaced by the value. Variables without a known value have a remark."""
 
 import pytest
 
@@ -28,7 +28,7 @@ def points(text):
         ("N5 #1=-3", "Z+#1"),
     ],
 )
-def test_variable_is_replaced_by_its_number(down, word):
+def test_variable_is_replaced_by_its_value(down, word):
     text = f"G21\n{down}\n#2=5\n#3=60\n" + MOVES.replace("Z#1", word)
     assert said(text) == []
     assert points(text) == [[0, 0, 5], [0, 0, -3], [10, 0, -3]]
@@ -41,7 +41,7 @@ def test_variable_has_its_last_value():
 
 
 @pytest.mark.parametrize(("change", "z"), [("#1=[#2-7]", -2), ("#1=ROUND[-#2/2]", -3), ("#1=-#2", -5)])
-def test_expression_is_calculated(change, z):
+def test_expression_with_variables_is_calculated(change, z):
     text = f"G21\n#1=-1\n#2=5\n#3=60\n{MOVES}{change}\nG1 Z#1 X20\n"
     assert said(text) == [] and points(text)[-1] == [20, 0, z]
 
@@ -49,7 +49,7 @@ def test_expression_is_calculated(change, z):
 UNSET = "A variable is read that the program has not set. It is read as 0, on a Fanuc control as empty."
 
 
-def test_unset_variable_is_read_as_the_control_reads_it():
+def test_unset_variable_is_0_or_empty_on_a_fanuc_control():
     before = "G21\n#1=4\nG0 X0 Y0 Z5\n"
     for line, end in (
         ("G1 X1 Z##1", [1, 0, 0]),
