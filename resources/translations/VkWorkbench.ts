@@ -1198,10 +1198,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>An F word in the line of {name} is read in the new unit. LinuxCNC reads it in the unit before.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source> A closed contour finishes the walls.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -1389,12 +1385,24 @@
         <source>The {simulator:simulator} takes {bound} {time:estimate}, which is over your {allowed:s} limit. {better}</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>{name} moves the coordinates. The origin before it is not in the program, and is read as 0.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>An F word in the line of {name} is read in the unit before, as in LinuxCNC. Some controls use the new unit.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The program has no unit (G20, G21) and is read in millimeters. It can also be in inches.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>Strategy</name>
     <message>
         <source>zigzag</source>
-        <extracomment>No strategy, or several.</extracomment>
+        <extracomment>The operation has no strategy, or several.</extracomment>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2337,7 +2345,7 @@ Memory</source>
     </message>
     <message>
         <source>Time to simulate it in an extended z-buffer. An operation is simulated alone, on the whole stock. In a job, each operation cuts the stock that is left.</source>
-        <extracomment>The paper&apos;s simulator; its columns in CSV and JSON have no prefix.</extracomment>
+        <extracomment>The paper&apos;s extended z-buffer. Its columns in CSV and JSON have no prefix.</extracomment>
         <translation type="unfinished"></translation>
     </message>
     <message>

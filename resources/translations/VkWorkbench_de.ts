@@ -1226,10 +1226,6 @@
         <translation>Ein Spline ({name}) wird als kurze Geraden gelesen.</translation>
     </message>
     <message>
-        <source>An F word in the line of {name} is read in the new unit. LinuxCNC reads it in the unit before.</source>
-        <translation>Ein F-Wort in der Zeile von {name} wird in der neuen Einheit gelesen. LinuxCNC liest es in der Einheit davor.</translation>
-    </message>
-    <message>
         <source> A closed contour finishes the walls.</source>
         <translation> Eine geschlossene Kontur schlichtet die Wände.</translation>
     </message>
@@ -1389,12 +1385,24 @@
         <source>Nothing was checked, because no tool meets the stock. Check the stock and its position.</source>
         <translation>Nichts wurde geprüft, weil kein Werkzeug das Rohteil trifft. Prüfen Sie das Rohteil und seine Lage.</translation>
     </message>
+    <message>
+        <source>{name} moves the coordinates. The origin before it is not in the program, and is read as 0.</source>
+        <translation>{name} verschiebt die Koordinaten. Der Nullpunkt davor steht nicht im Programm und wird als 0 gelesen.</translation>
+    </message>
+    <message>
+        <source>An F word in the line of {name} is read in the unit before, as in LinuxCNC. Some controls use the new unit.</source>
+        <translation>Ein F-Wort in der Zeile von {name} wird wie in LinuxCNC in der Einheit davor gelesen. Manche Steuerungen verwenden die neue Einheit.</translation>
+    </message>
+    <message>
+        <source>The program has no unit (G20, G21) and is read in millimeters. It can also be in inches.</source>
+        <translation>Das Programm nennt keine Einheit (G20, G21) und wird in Millimetern gelesen. Es kann auch in Zoll sein.</translation>
+    </message>
 </context>
 <context>
     <name>Strategy</name>
     <message>
         <source>zigzag</source>
-        <extracomment>No strategy, or several.</extracomment>
+        <extracomment>The operation has no strategy, or several.</extracomment>
         <translation>Zickzack</translation>
     </message>
     <message>
@@ -2323,7 +2331,7 @@ höchstens</translation>
     </message>
     <message>
         <source>Time to simulate it in an extended z-buffer. An operation is simulated alone, on the whole stock. In a job, each operation cuts the stock that is left.</source>
-        <extracomment>The paper&apos;s simulator; its columns in CSV and JSON have no prefix.</extracomment>
+        <extracomment>The paper&apos;s extended z-buffer. Its columns in CSV and JSON have no prefix.</extracomment>
         <translation>Zeit der Simulation in einem erweiterten Z-Buffer. Eine Operation wird allein simuliert, am ganzen Rohteil. In einem Auftrag schneidet jede Operation das Rohteil, das noch übrig ist.</translation>
     </message>
     <message>

@@ -1226,10 +1226,6 @@
         <translation>Un spline ({name}) se lee como rectas cortas.</translation>
     </message>
     <message>
-        <source>An F word in the line of {name} is read in the new unit. LinuxCNC reads it in the unit before.</source>
-        <translation>Una palabra F en la línea de {name} se lee en la unidad nueva. LinuxCNC la lee en la unidad anterior.</translation>
-    </message>
-    <message>
         <source> A closed contour finishes the walls.</source>
         <translation> Un contorno cerrado acaba las paredes.</translation>
     </message>
@@ -1389,12 +1385,24 @@
         <source>Nothing was checked, because no tool meets the stock. Check the stock and its position.</source>
         <translation>No se ha comprobado nada, porque ninguna herramienta toca el material bruto. Revise el material bruto y su posición.</translation>
     </message>
+    <message>
+        <source>{name} moves the coordinates. The origin before it is not in the program, and is read as 0.</source>
+        <translation>{name} desplaza las coordenadas. El origen anterior no está en el programa y se lee como 0.</translation>
+    </message>
+    <message>
+        <source>An F word in the line of {name} is read in the unit before, as in LinuxCNC. Some controls use the new unit.</source>
+        <translation>Una palabra F en la línea de {name} se lee en la unidad anterior, como en LinuxCNC. Algunos controles usan la unidad nueva.</translation>
+    </message>
+    <message>
+        <source>The program has no unit (G20, G21) and is read in millimeters. It can also be in inches.</source>
+        <translation>El programa no indica unidad (G20, G21) y se lee en milímetros. También puede estar en pulgadas.</translation>
+    </message>
 </context>
 <context>
     <name>Strategy</name>
     <message>
         <source>zigzag</source>
-        <extracomment>No strategy, or several.</extracomment>
+        <extracomment>The operation has no strategy, or several.</extracomment>
         <translation>zigzag</translation>
     </message>
     <message>
@@ -2323,7 +2331,7 @@ como mucho</translation>
     </message>
     <message>
         <source>Time to simulate it in an extended z-buffer. An operation is simulated alone, on the whole stock. In a job, each operation cuts the stock that is left.</source>
-        <extracomment>The paper&apos;s simulator; its columns in CSV and JSON have no prefix.</extracomment>
+        <extracomment>The paper&apos;s extended z-buffer. Its columns in CSV and JSON have no prefix.</extracomment>
         <translation>Tiempo de simulación en un z-buffer extendido. Una operación se simula sola, con el material entero. En un trabajo, cada operación corta el material que queda.</translation>
     </message>
     <message>

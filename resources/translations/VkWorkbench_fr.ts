@@ -1226,10 +1226,6 @@
         <translation>Une spline ({name}) est lue comme de courtes droites.</translation>
     </message>
     <message>
-        <source>An F word in the line of {name} is read in the new unit. LinuxCNC reads it in the unit before.</source>
-        <translation>Un mot F dans la ligne de {name} est lu dans la nouvelle unité. LinuxCNC le lit dans l&apos;unité précédente.</translation>
-    </message>
-    <message>
         <source> A closed contour finishes the walls.</source>
         <translation> Un contour fermé finit les parois.</translation>
     </message>
@@ -1389,12 +1385,24 @@
         <source>Nothing was checked, because no tool meets the stock. Check the stock and its position.</source>
         <translation>Rien n&apos;a été vérifié, car aucun outil ne touche le brut. Vérifiez le brut et sa position.</translation>
     </message>
+    <message>
+        <source>{name} moves the coordinates. The origin before it is not in the program, and is read as 0.</source>
+        <translation>{name} déplace les coordonnées. L&apos;origine précédente n&apos;est pas dans le programme et est lue comme 0.</translation>
+    </message>
+    <message>
+        <source>An F word in the line of {name} is read in the unit before, as in LinuxCNC. Some controls use the new unit.</source>
+        <translation>Un mot F dans la ligne de {name} est lu dans l&apos;unité précédente, comme dans LinuxCNC. Certaines commandes utilisent la nouvelle unité.</translation>
+    </message>
+    <message>
+        <source>The program has no unit (G20, G21) and is read in millimeters. It can also be in inches.</source>
+        <translation>Le programme n&apos;indique pas d&apos;unité (G20, G21) et est lu en millimètres. Il peut aussi être en pouces.</translation>
+    </message>
 </context>
 <context>
     <name>Strategy</name>
     <message>
         <source>zigzag</source>
-        <extracomment>No strategy, or several.</extracomment>
+        <extracomment>The operation has no strategy, or several.</extracomment>
         <translation>zigzag</translation>
     </message>
     <message>
@@ -2323,7 +2331,7 @@ au plus</translation>
     </message>
     <message>
         <source>Time to simulate it in an extended z-buffer. An operation is simulated alone, on the whole stock. In a job, each operation cuts the stock that is left.</source>
-        <extracomment>The paper&apos;s simulator; its columns in CSV and JSON have no prefix.</extracomment>
+        <extracomment>The paper&apos;s extended z-buffer. Its columns in CSV and JSON have no prefix.</extracomment>
         <translation>Temps de simulation dans un z-buffer étendu. Une opération est simulée seule, sur le brut entier. Dans une tâche, chaque opération coupe le brut qui reste.</translation>
     </message>
     <message>

@@ -1226,10 +1226,6 @@
         <translation>样条（{name}）按短直线读取。</translation>
     </message>
     <message>
-        <source>An F word in the line of {name} is read in the new unit. LinuxCNC reads it in the unit before.</source>
-        <translation>{name} 所在行的 F 字按新单位读取。LinuxCNC 按之前的单位读取。</translation>
-    </message>
-    <message>
         <source> A closed contour finishes the walls.</source>
         <translation>最后用一圈封闭轮廓精加工侧壁。</translation>
     </message>
@@ -1389,12 +1385,24 @@
         <source>Nothing was checked, because no tool meets the stock. Check the stock and its position.</source>
         <translation>没有检查任何内容，因为没有刀具接触毛坯。请检查毛坯及其位置。</translation>
     </message>
+    <message>
+        <source>{name} moves the coordinates. The origin before it is not in the program, and is read as 0.</source>
+        <translation>{name} 移动坐标。程序中没有它之前的原点，按 0 读取。</translation>
+    </message>
+    <message>
+        <source>An F word in the line of {name} is read in the unit before, as in LinuxCNC. Some controls use the new unit.</source>
+        <translation>{name} 所在行的 F 字与 LinuxCNC 一样按之前的单位读取。有些控制器使用新单位。</translation>
+    </message>
+    <message>
+        <source>The program has no unit (G20, G21) and is read in millimeters. It can also be in inches.</source>
+        <translation>程序没有单位（G20、G21），按毫米读取。也可能是英寸。</translation>
+    </message>
 </context>
 <context>
     <name>Strategy</name>
     <message>
         <source>zigzag</source>
-        <extracomment>No strategy, or several.</extracomment>
+        <extracomment>The operation has no strategy, or several.</extracomment>
         <translation>往复</translation>
     </message>
     <message>
@@ -2323,7 +2331,7 @@ at Most</source>
     </message>
     <message>
         <source>Time to simulate it in an extended z-buffer. An operation is simulated alone, on the whole stock. In a job, each operation cuts the stock that is left.</source>
-        <extracomment>The paper&apos;s simulator; its columns in CSV and JSON have no prefix.</extracomment>
+        <extracomment>The paper&apos;s extended z-buffer. Its columns in CSV and JSON have no prefix.</extracomment>
         <translation>在扩展 Z 缓冲中模拟所需的时间。单个操作在完整毛坯上单独模拟。在作业中，每个操作切削剩余的毛坯。</translation>
     </message>
     <message>

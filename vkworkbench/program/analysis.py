@@ -24,6 +24,7 @@ from vkworkbench.core import (
     stock_around,
 )
 from vkworkbench.core.gcode import (
+    DOUBTFUL,
     INCH,
     Program,
     Section,
@@ -114,7 +115,7 @@ def analyze_file(path: Path, chosen: Preferences) -> tuple[OperationReport, ...]
         include.
     """
     try:
-        rows = _rows(path, read_program(text_of(read_bytes(path))), chosen)
+        rows = _rows(path, chosen)
         return tuple(with_travel(rows, rows, chosen.travel))
     except Unusable as error:
         return (unread(path, error.what),)
@@ -138,7 +139,9 @@ class _Whole:
     Attributes
     ----------
     path : Path
-    program : Program
+    other : Message or None
+    rotary : tuple of int
+        As in `Program`.
     chosen : Preferences
     stock : Stock or None
         A box around all cuts; None if no tool is known.
@@ -151,7 +154,8 @@ class _Whole:
     """
 
     path: Path
-    program: Program
+    other: Message | None
+    rotary: tuple[int, ...]
     chosen: Preferences
     stock: Stock | None
     inches: bool
@@ -195,19 +199,24 @@ def divide_program(program: Program, tolerance: float) -> Divided:
     return Divided(toolpath, tuple(zip(parts, sections)), inches)
 
 
-def _rows(path: Path, program: Program, chosen: Preferences) -> list[OperationReport]:
+def _rows(path: Path, chosen: Preferences) -> list[OperationReport]:
+    program = read_program(text_of(read_bytes(path)))
     divided = divide_program(program, chosen.tolerance)
     toolpath, inches = divided.toolpath, divided.inches
     cutting = [(part, section) for part, section in divided.parts if not part.rapid.all()]
     if not cutting:
         return [_without_cuts(path, program, toolpath)]
     remarks = [Message("inches-as-millimetres")] if inches else []
+    if not (inches or program.unit_told) and looks_like_inches(toolpath, small=DOUBTFUL):
+        remarks.append(Message("unit-doubtful"))
     if looks_like_increments(toolpath, inches=program.inches):
         remarks.append(Message("increments-as-units"))
     stock = _stock(toolpath, [section.tool for _, section in cutting])
     whole = _Whole(
-        path, program, chosen, stock, inches, tuple(remarks), undivided=len(cutting) == 1 and not cutting[0][1].title
-    )
+        path, program.other, program.rotary, chosen, stock, inches, tuple(remarks),
+        undivided=len(cutting) == 1 and not cutting[0][1].title,
+    )  # fmt: skip
+    del program  # its commands need more memory than the toolpath
     ends = [*(section.first for _, section in cutting[1:]), math.inf]
     rows, first = [], 0.0
     for (part, section), end in zip(cutting, ends):
@@ -231,9 +240,9 @@ def _without_cuts(path: Path, program: Program, toolpath: Toolpath) -> Operation
 
 def _row(whole: _Whole, part: Toolpath, section: Section, problems: list[Problem]) -> OperationReport:
     """Return the row of one operation with its problems."""
-    program, chosen, stock, tool = whole.program, whole.chosen, whole.stock, section.tool
+    chosen, stock, tool = whole.chosen, whole.stock, section.tool
     remarks = [*whole.remarks, *map(at_line, problems)]
-    unlike_milling = program.other or _rotary(program, section)
+    unlike_milling = whole.other or _rotary(whole.rotary, section)
     row = replace(
         unread(whole.path, unlike_milling or Message("no-cutting-move")),
         name=f"lines {section.first}-{section.last}",
@@ -284,9 +293,9 @@ def _scaled_to_millimetres(section: Section) -> Section:
     return replace(section, tool=small)
 
 
-def _rotary(program: Program, section: Section) -> Message | None:
+def _rotary(lines: tuple[int, ...], section: Section) -> Message | None:
     """Return a message if a rotary axis turns during a cut of the operation; None otherwise."""
-    line = next((line for line in program.rotary if section.first <= line <= section.last), None)
+    line = next((line for line in lines if section.first <= line <= section.last), None)
     return None if line is None else Message("rotary", line=line)
 
 

@@ -101,6 +101,14 @@ def test_work_offsets_of_g10_l20_are_read():
     assert points(text)[-2:] == [(23, 14, 5), (1, 14, 5)] and said(text) == []
 
 
+def test_work_offset_in_force_is_p0_outside_of_fanuc():
+    assert points("G55\nG10 L20 P0 X5\nX6")[-1] == (1, 0, 5)
+    assert points("G10 L2 P0 X5\nG1 X6")[-1] == (11, 0, 5) and "read as 0" in said("G10 L2 P0 X5\nG1 X6")[0]
+    fanuc = read_program("O1000\nG21\nG0 X0 Y0 Z5\nG10 L20 P0 X5\nG10 L2 P0 X5\nG1 X6 F60")
+    assert fanuc.toolpath().points[-1].tolist() == [6, 0, 5]
+    assert [(problem.what.code, problem.count) for problem in fanuc.problems] == [("coordinates-not-changed", 2)]
+
+
 def test_rotation_of_a_work_offset_is_read():
     assert points("G10 L2 P1 R30\nG1 X10")[-1] == (8.660254, 5, 5)
     rotated = read_program("G10 L2 P1 R30\nG21\nG0 X0 Y0 Z5\nG1 X10 F60")

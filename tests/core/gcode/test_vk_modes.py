@@ -87,8 +87,12 @@ def test_probing_moves_the_tool_to_its_target():
 
 
 def test_feed_rate_next_to_a_unit_change_has_a_remark():
-    said = [problem.what.code for problem in path_of("G20 G1 X1 F9").problems]
-    assert said == ["feed-in-new-unit"] and not path_of("G21 G1 X1 F9").problems
+    path = path_of("G20 G1 X1 F9\nX2 F9")
+    assert [problem.what.code for problem in path.problems] == ["feed-in-old-unit"]
+    assert path.feed[-2:].tolist() == pytest.approx([9 / 60, 9 * 25.4 / 60])
+    assert not path_of("G21 G1 X1 F9").problems
+    fanuc = read_program("O1000\nG21\nG0 X0 Y0 Z0\nG20 G1 X1 F9").toolpath()
+    assert fanuc.feed[-1] == pytest.approx(9 * 25.4 / 60) and not fanuc.problems
 
 
 @pytest.mark.parametrize("code", ["M19 R90", "M3 S100 R5", "M4 R5 P1"])

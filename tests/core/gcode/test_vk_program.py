@@ -49,7 +49,7 @@ def said(text):
         "G0 X0 Y0 Z5\nG1 Z-1E0 F6E+1\nX1.0E+01 Y.2e1",
         "G71 G90\nG0 X0 Y0 Z5\nG1 Z-1 F60\nX10 Y2",
         "G20 G21\nG0 X0 Y0 Z5\nG1 Z-1 F60\nG91 X10 Y2",
-        "G21\nG0 X0 Y0 Z5\nG4 X3.\nG28 G91 Z0\nG90\nG1 Z-1 F60\nG10 L2 P1 X7 Y7\nG1 X10 Y2",
+        "G21\nG0 X0 Y0 Z5\nG4 X3.\nG28 G91 Z0\nG90\nG1 Z-1 F60\nG10 L1 P1 Z7\nG1 X10 Y2",
         "G0 X0 Y0 Z5\nG1 Z-1 F60\nM117 Pocket1 X99\nX10 Y2",
     ],
 )  # fmt: skip
@@ -182,12 +182,15 @@ def test_fine_boring_cycle_reaches_its_depth_and_retracts():
 
 
 @pytest.mark.parametrize("code", ["G74", "G84", "G85", "G88", "G89"])
-def test_tapping_and_boring_feed_to_r_and_rise_at_rapid(code):
-    text = f"G20\nT2 M6\nG0 G90 G54 X.5 Y.5 S500 M3\nG43 H2 Z2.\n{{}} {code} Z-.6 R.1 F25.\nX1.5\nG80\nM30"
-    for level in ("G98", "G99"):
-        path = read_program(text.format(level)).toolpath()
-        assert path.lengths[~path.rapid].sum() == pytest.approx(2 * 2 * 0.7 * 25.4) and path.lengths.all()
-        assert path.points[-1, 2] == pytest.approx((2.0 if level == "G98" else 0.1) * 25.4)
+@pytest.mark.parametrize(("head", "level", "fed", "end"), [
+    ("", "G98", 0.7 + 2.6, 2.0), ("", "G99", 1.4, 0.1), ("O1000\n", "G98", 1.4, 2.0), ("O1000\n", "G99", 1.4, 0.1),
+])  # fmt: skip
+def test_tapping_and_boring_feed_out_as_the_control_does(code, head, level, fed, end):
+    """LinuxCNC feeds up to the height of G98. A Fanuc control feeds up to R, and then rises at rapid."""
+    text = f"{head}G20\nT2 M6\nG0 G90 G54 X.5 Y.5 S500 M3\nG43 H2 Z2.\n{level} {code} Z-.6 R.1 F25.\nX1.5\nG80\nM30"
+    path = read_program(text).toolpath()
+    assert path.lengths[~path.rapid].sum() == pytest.approx(2 * fed * 25.4) and path.lengths.all()
+    assert path.points[-1, 2] == pytest.approx(end * 25.4) and not path.problems
 
 
 def test_feeds_per_time_and_per_turn_are_converted():

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from vkworkbench.core import Strategy, linearize, recognize
-from vkworkbench.core.gcode import INCH, in_seconds, looks_like_inches, looks_like_increments, read_program
+from vkworkbench.core.gcode import DOUBTFUL, INCH, in_seconds, looks_like_inches, looks_like_increments, read_program
 from vkworkbench.core.recognition import recognize_inches
 from vkworkbench.language import render
 
@@ -136,6 +136,11 @@ def test_lengths_in_the_reason_have_the_unit_of_the_path():
     true, found = recognize(zigzag()), recognize_inches(shrunk(zigzag()))
     assert steps(true.why) and steps(found.why) == pytest.approx([step / INCH for step in steps(true.why)])
     assert render(found.why).split(",")[0] == render(true.why).split(",")[0]
+
+
+def test_large_part_can_be_in_inches():
+    part = zigzag(width=20.0, rows=12, step=1.0, depth=-0.5, lift=0.5, feed=1.0)
+    assert not looks_like_inches(part) and looks_like_inches(part, small=DOUBTFUL)
 
 
 def test_program_with_g20_or_g21_states_its_unit():

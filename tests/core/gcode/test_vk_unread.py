@@ -67,7 +67,7 @@ def test_time_without_a_known_dwell_has_a_note():
     ("G38.2 Z-9 F50", ("probing-as-rapid",)), ("G31 Z-9 F50", ("probing-as-rapid",)),
     ("G41 D1", ("compensation-not-read", "G41")), ("M98 P100", ("subprogram-not-read",)), ("M97 P5", ("subprogram-not-read",)),
     ("G1 X1 Y2 X3", ("word-twice", "X")), ("G1 X1 F100 F200", ("word-twice", "F")), ("G0 G1 X3", ("two-motions",)),
-    ("G10 L2 P1 X5", ("coordinates-not-changed", "G10")), ("G10 L20 P0 X0", ("coordinates-not-changed", "G10")),
+    ("G10 L2 P1 X5", ("origin-assumed", "G10")), ("G10 L20 P0 X0\nG10 L20 P33 X0", ("coordinates-not-changed", "G10")),
     ("G7.1 C20", ("coordinates-not-changed", "G7.1")), ("G7", ("unknown-code", "'G7'")),
     ("G76 P1 Z-2 Q1", ("unknown-code-with-words", "Z", "'G76'")),
     ("$H", ("words-not-read",)), ("G81 R2 Z-2 I-20\nG80", ("word-not-read", "I")), ("G15 H1", ("coordinates-not-changed", "G15")),
@@ -75,7 +75,7 @@ def test_time_without_a_known_dwell_has_a_note():
 def test_ignored_words_of_programs_have_a_remark(line, problem):
     program = read_program(f"G21 G90\nG0 X0 Y0 Z5\nG1 Z-1 F100\n{line}\nX10 Y3")
     assert [(p.what.code, *p.what.arguments.values()) for p in program.problems] == [problem]
-    assert program.problems[0].command == 4 + (line.startswith("G43"))
+    assert program.problems[0].command == 4 + line.startswith(("G43", "G10 L20"))
 
 
 @pytest.mark.parametrize(

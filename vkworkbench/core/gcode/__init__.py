@@ -19,11 +19,11 @@ from vkworkbench.core.gcode.dialects import at_line
 from vkworkbench.core.gcode.moves.codes import ARCS, OFFSETS
 from vkworkbench.core.gcode.moves.linearize import linearize
 from vkworkbench.core.gcode.moves.program import Program
-from vkworkbench.core.gcode.moves.units import INCH, in_seconds, looks_like_inches, looks_like_increments
+from vkworkbench.core.gcode.moves.units import DOUBTFUL, INCH, in_seconds, looks_like_inches, looks_like_increments
 from vkworkbench.core.gcode.moves.words import Words, used_up
 from vkworkbench.core.gcode.reader import read_program
 
 __all__ = [
-    "ARCS", "INCH", "OFFSETS", "Program", "Section", "Words", "at_line", "in_seconds", "linearize",
+    "ARCS", "DOUBTFUL", "INCH", "OFFSETS", "Program", "Section", "Words", "at_line", "in_seconds", "linearize",
     "looks_like_inches", "looks_like_increments", "read_program", "split_comments", "split_sections", "split_words", "tells_inches", "title_of", "used_up",
 ]  # fmt: skip

@@ -91,9 +91,9 @@ class _Reader:
     def __init__(self, lines: list[str], dialect: dialects.Dialect) -> None:
         self.lines = lines
         self.subprograms = Subprograms(lines)
-        self.flow = Flow(lines, self.subprograms)
+        self.flow = flow = Flow(lines, self.subprograms)
         self.plain = PlainLines(lines)
-        self.machine = Interpreter(dialect)
+        self.machine = Interpreter(dialect, lambda: flow.fanuc)
         if dialect is dialects.RAW_PATH:
             self.machine.problem(Message("feeds-per-second"), 1)
         self.comments: list[tuple[int, int, str]] = []

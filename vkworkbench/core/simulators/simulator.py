@@ -62,6 +62,8 @@ class Task:
 
     def without_words(self) -> Task:
         """Return the same task without the words, which take more memory than the rest of the task."""
+        if self.words is None:
+            return self
         bare = replace(self, words=None)
         vars(bare)["motions"] = self.motions
         return bare

@@ -22,6 +22,9 @@ PROGRAMS: dict[str, str | tuple[str, str]] = {
     "coordinates-not-changed": QT_TRANSLATE_NOOP(
         "Sentences", "{name} is ignored. The coordinates after it are read as if it were not there."
     ),
+    "origin-assumed": QT_TRANSLATE_NOOP(
+        "Sentences", "{name} moves the coordinates. The origin before it is not in the program, and is read as 0."
+    ),
     "machine-height": QT_TRANSLATE_NOOP(
         "Sentences",
         "The height of a move to a machine position ({name}) is not in the program. The greatest height is used.",
@@ -47,9 +50,9 @@ PROGRAMS: dict[str, str | tuple[str, str]] = {
         "Sentences", "Text that does not consist of words like G1 X10 is ignored. The words beside it are read."
     ),
     "spline-as-chords": QT_TRANSLATE_NOOP("Sentences", "A spline ({name}) is read as short lines."),
-    "feed-in-new-unit": QT_TRANSLATE_NOOP(
+    "feed-in-old-unit": QT_TRANSLATE_NOOP(
         "Sentences",
-        "An F word in the line of {name} is read in the new unit. LinuxCNC reads it in the unit before.",
+        "An F word in the line of {name} is read in the unit before, as in LinuxCNC. Some controls use the new unit.",
     ),
     "length-before-height": QT_TRANSLATE_NOOP(
         "Sentences",
@@ -141,6 +144,9 @@ PROGRAMS: dict[str, str | tuple[str, str]] = {
     ),
     "inches-as-millimetres": QT_TRANSLATE_NOOP(
         "Sentences", "The toolpath looks 25.4 times too small. Inches are probably read as millimeters."
+    ),
+    "unit-doubtful": QT_TRANSLATE_NOOP(
+        "Sentences", "The program has no unit (G20, G21) and is read in millimeters. It can also be in inches."
     ),
     "increments-as-units": QT_TRANSLATE_NOOP(
         "Sentences",

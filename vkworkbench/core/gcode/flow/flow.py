@@ -79,12 +79,13 @@ class Flow:
         self._steps = 0
 
     @cached_property
-    def _fanuc(self) -> bool:
+    def fanuc(self) -> bool:
+        """bool : Whether the program is written for a Fanuc control."""
         return is_fanuc(self._lines, self._subprograms)
 
     @cached_property
     def _variables(self) -> Variables:
-        return Variables(fanuc=self._fanuc, report=self.remarks.append)
+        return Variables(fanuc=self.fanuc, report=self.remarks.append)
 
     @cached_property
     def _structure(self) -> Structure:
@@ -112,7 +113,7 @@ class Flow:
         """
         code = "".join(code.split())
         try:
-            line = parse_line(code, fanuc=self._fanuc)
+            line = parse_line(code, fanuc=self.fanuc)
         except Unreadable:
             if _JUMP.match(code):
                 raise Ended(Message("jump-unread")) from None
@@ -266,7 +267,7 @@ class Flow:
     def _control(self, index: int) -> Control:
         """Return the control statement of another line."""
         try:
-            line = parse_line(bare(self._lines[index]), fanuc=self._fanuc)
+            line = parse_line(bare(self._lines[index]), fanuc=self.fanuc)
         except Unreadable:
             line = None
         if not isinstance(line, Control):

@@ -21,6 +21,13 @@ def _fine_boring(machine: Machine, line: Line) -> None:
         machine.other(line)
 
 
+def leave_holes(machine: Machine, mode: int) -> None:
+    """Select the return of Fanuc controls for a cycle that leaves its hole at feed; LinuxCNC feeds up to the start."""
+    if mode in codes.FEED_OUT and machine.modes.retract == codes.TO_START and machine.is_fanuc():
+        machine.modes.retract = codes.RAPID_TO_START
+        machine.add(codes.name_of(codes.RAPID_TO_START), {})
+
+
 def repeats_of(machine: Machine, mode: int, parameters: dict[str, float], move: dict[str, float]) -> int:
     """Return the number of repeats of a canned cycle, and convert `move` to the words that `linearize` reads."""
     move.pop("K", None)

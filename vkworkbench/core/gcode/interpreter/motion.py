@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 from vkworkbench.core.gcode.interpreter import compensation
-from vkworkbench.core.gcode.interpreter.cycles import repeats_of
+from vkworkbench.core.gcode.interpreter.cycles import leave_holes, repeats_of
 from vkworkbench.core.gcode.interpreter.mapping import turned
 from vkworkbench.core.gcode.interpreter.single_moves import SHAPES
 from vkworkbench.core.gcode.interpreter.state.line import Line
@@ -26,7 +26,7 @@ def move_of(machine: Machine, line: Line) -> None:
         machine.motion, machine.later, machine.written = motion, None, -1
         machine.pause = 0.0
     mode = machine.motion
-    feed = _feed(machine, parameters.get("F") if line.feeds else None)
+    feed = _feed(machine, line)
     move = {} if apart else target(machine, mode, parameters)
     if feed is not None:
         move["F"] = feed
@@ -53,6 +53,7 @@ def _move_along(machine: Machine, parameters: dict[str, float], move: dict[str, 
     _note(machine, mode, parameters, move)
     repeats = 1
     if mode in codes.CYCLES:
+        leave_holes(machine, mode)
         repeats = repeats_of(machine, mode, parameters, move)
         if repeats <= 0:
             machine.later = move
@@ -113,15 +114,17 @@ def _begin_move(machine: Machine) -> None:
         machine.problem(Message("goes-on"))
 
 
-def _feed(machine: Machine, value: float | None) -> float | None:
-    """Return the feed rate of an F word, mm/s; None without an F word and under G93.
+def _feed(machine: Machine, line: Line) -> float | None:
+    """Return the feed rate of a line's F word, mm/s; None without an F word and under G93.
 
     Under G93, an F word sets `machine.seconds`, the duration of the line's move.
     """
     modes, per_turn = machine.modes, machine.modes.feed_mode == codes.PER_TURN
+    value = line.parameters.get("F") if line.feeds else None
     machine.seconds = 60 / value if modes.feed_mode == codes.INVERSE_TIME and value and value > 0 else 0.0
     if value is None or modes.feed_mode == codes.INVERSE_TIME:
         return None
+    value *= line.feed_factor
     modes.per_turn = value if per_turn else None
     modes.feed = value * modes.feed_unit * (machine.spindle if per_turn else 1.0) / machine.dialect.feed_time
     return modes.feed

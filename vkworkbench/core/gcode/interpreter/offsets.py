@@ -84,25 +84,29 @@ def _data(machine: Machine, line: Line) -> None:
         machine.radii[words["P"]] = machine.modes.unit * words["R"]
     if kind not in (2.0, 20.0):
         return
-    system, place = NUMBERED.get(words.get("P", -1.0)), machine.here()
-    angle = words.get("R") if kind == 2.0 else None
-    if angle is not None and words.get("P") == 0:  # only LinuxCNC has an R word; P0 is then the work offset in force
-        system = machine.origins.system
-    if system is not None and angle is not None:
-        machine.maps.rotate_system(system, angle)
-    if machine.modes.relative and (kind == 2.0) and (values or angle):
-        known = False
-    elif system is None:
-        known = not machine.moved
-    elif kind == 2.0:
-        known = machine.origins.set_machine(system, values, moved=machine.moved)
-    else:
-        rotated = machine.is_mapped or system in machine.maps.angles
-        known = not machine.moved or (values.keys() <= place.keys() and not rotated)
-        if machine.moved and known:
+    system, place = _numbered(machine, words.get("P", -1.0), kind), machine.here()
+    if system is not None and kind == 2.0:
+        if "R" in words:
+            machine.maps.rotate_system(system, words["R"])
+        if not machine.origins.set_machine(system, values, moved=machine.moved):
+            machine.problem(Message("origin-assumed", name=codes.name_of(line.code)))
+    elif machine.moved:
+        if system is not None and values.keys() <= place.keys() and not (
+            machine.is_mapped or system in machine.maps.angles
+        ):
             machine.origins.set_here(system, place, values)
-    if not known:
-        machine.problem(Message("coordinates-not-changed", name=codes.name_of(line.code)))
+        else:
+            machine.problem(Message("coordinates-not-changed", name=codes.name_of(line.code)))
+
+
+def _numbered(machine: Machine, number: float, kind: float) -> tuple[int, float] | None:
+    """Return the work offset that the P and L words of G10 name; None if only the control knows what they change.
+
+    On Fanuc controls, P0 is an additional offset, L20 sets the work offsets of G54.1, and under G91 values are added.
+    """
+    if machine.is_fanuc():
+        return NUMBERED.get(number) if kind == 2.0 and not machine.modes.relative else None
+    return machine.origins.system if number == 0 else NUMBERED.get(number)
 
 
 def _machine_position(machine: Machine, line: Line) -> None:

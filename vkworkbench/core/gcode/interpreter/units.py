@@ -10,6 +10,7 @@ from vkworkbench.core.gcode.moves import codes
 from vkworkbench.language import Message
 
 _LATHE_CYCLE = frozenset("PQUWR")  # with these words, G70 to G72 are turning cycles, not units
+_OF_RS274 = (200, 210)
 _HOLE_PATTERN = frozenset("IJKL")  # with these words, G70 to G72 are patterns of holes on Haas and Yasnac
 
 
@@ -26,10 +27,12 @@ def _state(machine: Machine, line: Line) -> None:
 
 
 def _unit(machine: Machine, line: Line) -> None:
-    before = machine.modes.unit
+    before = machine.modes.feed_unit
     machine.measure_in(line.code)
-    if machine.moved and machine.modes.unit != before and "F" in line.letters:  # LinuxCNC reads F in the previous unit
-        machine.problem(Message("feed-in-new-unit", name=codes.name_of(line.code)))
+    changes = machine.moved and machine.modes.feed_unit != before and "F" in line.letters
+    if changes and line.code in _OF_RS274 and not machine.is_fanuc():
+        line.feed_factor = before / machine.modes.feed_unit
+        machine.problem(Message("feed-in-old-unit", name=codes.name_of(line.code)))
 
 
 def _pattern(machine: Machine, line: Line) -> None:

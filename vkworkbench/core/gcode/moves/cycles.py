@@ -140,6 +140,7 @@ def moves(
     heights: np.ndarray,
     peck: np.ndarray,
     rises: np.ndarray,
+    leaves: np.ndarray,
 ) -> tuple[np.ndarray, np.ndarray]:
     """Return the moves of m cycles.
 
@@ -158,6 +159,8 @@ def moves(
         Q word, depth of one peck, mm; NaN where absent.
     rises : (m,) bool
         Whether the tool rises to R before it moves to the hole.
+    leaves : (m,) float64
+        Height up to which a cycle of FEED_OUT leaves the hole at feed, mm.
 
     Returns
     -------
@@ -187,7 +190,7 @@ def moves(
     last = first + counts - 1
     feeds_out = np.isin(code, FEED_OUT)
     out_of_hole = last[feeds_out] - 1
-    points[out_of_hole, 2] = retract[feeds_out]
+    points[out_of_hole, 2] = leaves[feeds_out]
     rapid[out_of_hole] = False
     deepest = last - 1 - feeds_out
     points[deepest, 2] = bottom

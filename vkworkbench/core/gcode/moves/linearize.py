@@ -150,7 +150,8 @@ def _expand_cycles(program: ModalState, rows: np.ndarray) -> tuple[np.ndarray, n
     start[:, 2] = program.cycle_heights[:, 0]
     hole = np.take_along_axis(program.position[rows], axes[:, :2], 1)
     code, heights, peck = program.motion[rows], program.cycle_heights, program.cycle_peck
-    flat, rapid = cycles.moves(code, start, hole, heights, peck, program.cycle_rises)
+    leaves = np.where(program.rapid_to_start[rows], heights[:, 1], heights[:, 3])
+    flat, rapid = cycles.moves(code, start, hole, heights, peck, program.cycle_rises, leaves)
     points = np.empty_like(flat)
     np.put_along_axis(points, np.repeat(axes, cycles.move_counts(code, heights, peck), axis=0), flat, 1)
     return points, rapid

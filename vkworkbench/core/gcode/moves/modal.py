@@ -28,6 +28,7 @@ from vkworkbench.core.gcode.moves.codes import (
     PLANES,
     PROBES,
     RAPID,
+    RAPID_TO_START,
     RELATIVE,
     RELATIVE_CENTRES,
     STATES,
@@ -86,7 +87,8 @@ class ModalState:
         self.motion[self.to_machine] = RAPID
         self.absolute_centre = _mode(words, {ABSOLUTE_CENTRES: 1, RELATIVE_CENTRES: 0}, 0) == 1
         self.infer_centres = infer_centres and not np.isin(codes, (ABSOLUTE_CENTRES, RELATIVE_CENTRES)).any()
-        self.to_retract_plane = _mode(words, {TO_START: 0, TO_RETRACT_PLANE: 1}, 0) == 1
+        retract = _mode(words, {TO_START: 0, TO_RETRACT_PLANE: 1, RAPID_TO_START: 2}, 0)
+        self.to_retract_plane, self.rapid_to_start = retract == 1, retract == 2
         self.feed = self._feed()
         count = np.count_nonzero(self.is_cycle)
         self.cycle_heights, self.cycle_peck = np.empty((count, 4)), np.empty(count)

@@ -15,6 +15,9 @@ INCH = 25.4  # mm
 # A toolpath that is below all three limits SMALL, LOW and SLOW is more often in the wrong unit than really this small.
 # benchmarks/inches.py prints how often toolpaths look like inches, at their exact size and at 1/25.4 of this size.
 SMALL = 15.0  # mm, longer side of the cuts in X and Y; few parts are larger than 15 inches
+# As SMALL, for a remark that the unit is doubtful. Higher: remarks on more parts in mm. Lower: no remark on more large
+# parts in inches.
+DOUBTFUL = 40.0
 LOW = 4.0  # mm, from the lowest cut to the highest point; programs in mm lift the tool higher, even over a thin sheet
 SLOW = 5.0  # mm/s, median feed; few programs in inches are faster than 300 inches/min
 IMPORTED_SLOW = 300.0  # SLOW for toolpaths that FreeCAD imported, because its import reads mm/min or inches/min as mm/s
@@ -28,7 +31,9 @@ LONG = 5000.0
 TOOLS = 4.0  # tool diameters; cuts that are larger than this fit the tool, so their unit is right
 
 
-def looks_like_inches(toolpath: Toolpath, *, tool_diameter: float | None = None, imported: bool = False) -> bool:
+def looks_like_inches(
+    toolpath: Toolpath, *, tool_diameter: float | None = None, imported: bool = False, small: float = SMALL
+) -> bool:
     """Return whether a toolpath looks 25.4 times too small.
 
     Parameters
@@ -38,6 +43,8 @@ def looks_like_inches(toolpath: Toolpath, *, tool_diameter: float | None = None,
         Diameter of the tool, mm, if known from another source than the program.
     imported : bool
         Whether FreeCAD imported the toolpath, so that the feeds are 60 times too large.
+    small : float
+        The cuts of such a toolpath are smaller than this, mm.
     """
     cuts = ~toolpath.rapid
     if not cuts.any():
@@ -45,7 +52,7 @@ def looks_like_inches(toolpath: Toolpath, *, tool_diameter: float | None = None,
     points = _ends(toolpath)
     size = float(np.ptp(points[:, :2], axis=0).max())
     lift = float(toolpath.points[:, 2].max() - points[:, 2].min())
-    if not (0 < size < SMALL and 0 < lift < LOW):  # a single hole has size 0, a laser has lift 0
+    if not (0 < size < small and 0 < lift < LOW):  # a single hole has size 0, a laser has lift 0
         return False
     if tool_diameter and size > TOOLS * tool_diameter:
         return False

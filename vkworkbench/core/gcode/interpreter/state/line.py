@@ -28,6 +28,8 @@ class Line:
         Whether the line's axis words are parameters of a code, not the target of a move.
     feeds : bool
         Whether an F word is a feed rate, not a parameter of a code.
+    feed_factor : float
+        Factor for the F word. In RS274/NGC, the F word beside a change of the unit still has the previous unit.
     """
 
     words: list[tuple[str, float]]
@@ -38,6 +40,7 @@ class Line:
     once: int | None = None
     apart: bool = False
     feeds: bool = True
+    feed_factor: float = 1.0
 
     @property
     def code(self) -> int:

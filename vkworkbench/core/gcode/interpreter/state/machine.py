@@ -104,10 +104,12 @@ class Machine:
     ----------
     dialect : Dialect
         The dialect of the program.
+    is_fanuc : callable
+        Returns whether the program is written for a Fanuc control.
     """
 
-    def __init__(self, dialect: Dialect) -> None:
-        self.dialect = dialect
+    def __init__(self, dialect: Dialect, is_fanuc: Callable[[], bool]) -> None:
+        self.dialect, self.is_fanuc = dialect, is_fanuc
         self.commands = Commands()
         self.lines = array("q")
         self.inverse_time: dict[int, float] = {}

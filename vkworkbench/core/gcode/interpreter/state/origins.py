@@ -12,8 +12,7 @@ from typing import Dict, Tuple
 System = Tuple[int, float]  # the G-code of a work offset, in tenths, and its P or H word
 Values = Dict[str, float]  # mm, by axis
 FIRST: System = (540, 0.0)
-# Work offsets by their numbers in the P word of G10. The number 0 is left out, because P0 is the work offset in force
-# in LinuxCNC, and an additional offset on Fanuc controls.
+# Work offsets by their numbers in the P word of G10. The number 0 has another meaning.
 NUMBERED: dict[float, System] = dict(
     zip(map(float, range(1, 10)), [(code, 0.0) for code in (540, 550, 560, 570, 580, 590, 591, 592, 593)])
 )
@@ -87,7 +86,8 @@ class Origins:
         Returns
         -------
         bool
-            Whether the coordinates that follow are known.
+            Whether the coordinates that follow are known. If they are not, the toolpath's origin is assumed at 0, as in
+            LinuxCNC without a table of work offsets.
         """
         machine = self._machine.setdefault(system, {})
         machine.update(values)
@@ -100,7 +100,7 @@ class Origins:
                 origin[letter] = value - self._zero[letter]
             elif system == self.system:
                 known = False
-                self._zero[letter] = value - origin.get(letter, 0.0)
+                self._zero[letter], origin[letter] = 0.0, value
             else:
                 origin.pop(letter, None)
         return known
