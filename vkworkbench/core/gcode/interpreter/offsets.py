@@ -91,8 +91,10 @@ def _data(machine: Machine, line: Line) -> None:
         if not machine.origins.set_machine(system, values, moved=machine.moved):
             machine.problem(Message("origin-assumed", name=codes.name_of(line.code)))
     elif machine.moved:
-        if system is not None and values.keys() <= place.keys() and not (
-            machine.is_mapped or system in machine.maps.angles
+        if (
+            system is not None
+            and values.keys() <= place.keys()
+            and not (machine.is_mapped or system in machine.maps.angles)
         ):
             machine.origins.set_here(system, place, values)
         else:

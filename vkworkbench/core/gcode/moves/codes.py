@@ -46,7 +46,6 @@ STATES = (
 # The remaining codes are used only for the text of NC programs.
 # The interpreter adds these codes to the commands, for `linearize`.
 KEPT = frozenset([*PLANES, CANCEL, ABSOLUTE, ABSOLUTE_CENTRES, RELATIVE, RELATIVE_CENTRES, TO_START, TO_RETRACT_PLANE])
-CENTRES = frozenset([ABSOLUTE_CENTRES, RELATIVE_CENTRES])
 PROBES_OF_PROGRAMS = frozenset([310, *PROBES])
 # Codes whose axis words are not a target in the program's coordinates: stored positions for G28 and G30.
 APART = frozenset([281, 301])

@@ -15,12 +15,7 @@ import numpy as np
 
 from vkworkbench.core.gcode.moves import arcs, cycles
 from vkworkbench.core.gcode.moves.arc_centres import resolve_arcs
-from vkworkbench.core.gcode.moves.codes import (
-    ARCS,
-    COMMENT,
-    RAPID,
-    TOOL_CHANGE,
-)
+from vkworkbench.core.gcode.moves.codes import ARCS, COMMENT, RAPID, TOOL_CHANGE
 from vkworkbench.core.gcode.moves.modal import ModalState
 from vkworkbench.core.gcode.moves.words import Words
 from vkworkbench.core.toolpath import PLANE_AXES, Toolpath

@@ -10,34 +10,7 @@ from typing import List
 
 import numpy as np
 
-from vkworkbench.core.gcode.moves import cycles
-from vkworkbench.core.gcode.moves.codes import (
-    ABSOLUTE,
-    ABSOLUTE_CENTRES,
-    CANCEL,
-    CYCLES,
-    FEED,
-    INVERSE_TIME,
-    MACHINE,
-    MACHINE_COORDINATES,
-    MODAL,
-    MOTIONS,
-    PECKING,
-    PER_MINUTE,
-    PER_TURN,
-    PLANES,
-    PROBES,
-    RAPID,
-    RAPID_TO_START,
-    RELATIVE,
-    RELATIVE_CENTRES,
-    STATES,
-    TAPPING,
-    TO_RETRACT_PLANE,
-    TO_START,
-    UNKNOWN,
-    name_of,
-)
+from vkworkbench.core.gcode.moves import codes, cycles
 from vkworkbench.core.gcode.moves.unread import dwells, unread
 from vkworkbench.core.gcode.moves.words import Words
 from vkworkbench.core.toolpath import COORDINATE_LIMIT, PLANE_AXES, Problem
@@ -62,32 +35,32 @@ class ModalState:
 
     def __init__(self, words: Words, infer_centres: bool) -> None:
         self.words, self.problems = words, Problems()
-        codes = words.codes
+        code = words.codes
         self._report_codes()
 
         # A command with an empty name continues the last motion, until G80 ends the motion.
-        is_motion = np.isin(codes, MOTIONS)
-        self.motion = np.where(is_motion, codes, -1)
-        modal = np.flatnonzero(codes == MODAL)
+        is_motion = np.isin(code, codes.MOTIONS)
+        self.motion = np.where(is_motion, code, -1)
+        modal = np.flatnonzero(code == codes.MODAL)
         if len(modal):
-            setter = _last(is_motion | (codes == CANCEL))[modal]
-            inherited = np.where(setter >= 0, codes[setter], -1)
-            self.motion[modal] = np.where(inherited == CANCEL, -1, inherited)
+            setter = _last(is_motion | (code == codes.CANCEL))[modal]
+            inherited = np.where(setter >= 0, code[setter], -1)
+            self.motion[modal] = np.where(inherited == codes.CANCEL, -1, inherited)
             self.problems.add(modal[self.motion[modal] < 0], Message("words-without-motion"))
-        self.is_cycle = np.isin(self.motion, CYCLES)
+        self.is_cycle = np.isin(self.motion, codes.CYCLES)
         for rows, what in unread(words, self.motion):
             self.problems.add(rows, what)
         dwelling, seconds = dwells(words, self.motion)
         self.dwells = np.column_stack([dwelling, seconds])[~np.isnan(seconds)]
 
-        self.plane = _mode(words, PLANES, 17)
-        self.relative = _mode(words, {ABSOLUTE: 0, RELATIVE: 1}, 0) == 1
+        self.plane = _mode(words, codes.PLANES, 17)
+        self.relative = _mode(words, {codes.ABSOLUTE: 0, codes.RELATIVE: 1}, 0) == 1
         self.to_machine, self.rises = self._moves_to_machine()
         self.relative[self.to_machine] = False
-        self.motion[self.to_machine] = RAPID
-        self.absolute_centre = _mode(words, {ABSOLUTE_CENTRES: 1, RELATIVE_CENTRES: 0}, 0) == 1
-        self.infer_centres = infer_centres and not np.isin(codes, (ABSOLUTE_CENTRES, RELATIVE_CENTRES)).any()
-        retract = _mode(words, {TO_START: 0, TO_RETRACT_PLANE: 1, RAPID_TO_START: 2}, 0)
+        self.motion[self.to_machine] = codes.RAPID
+        self.absolute_centre = _mode(words, {codes.ABSOLUTE_CENTRES: 1, codes.RELATIVE_CENTRES: 0}, 0) == 1
+        self.infer_centres = infer_centres and not np.isin(code, (codes.ABSOLUTE_CENTRES, codes.RELATIVE_CENTRES)).any()
+        retract = _mode(words, {codes.TO_START: 0, codes.TO_RETRACT_PLANE: 1, codes.RAPID_TO_START: 2}, 0)
         self.to_retract_plane, self.rapid_to_start = retract == 1, retract == 2
         self.feed = self._feed()
         count = np.count_nonzero(self.is_cycle)
@@ -97,14 +70,14 @@ class ModalState:
         self.position, self.known = self._positions()
 
     def _report_codes(self) -> None:
-        codes, names = self.words.codes, self.words.names
-        known = np.concatenate([MOTIONS, STATES, PROBES, MACHINE])
+        code, names = self.words.codes, self.words.names
+        known = np.concatenate([codes.MOTIONS, codes.STATES, codes.PROBES, codes.MACHINE])
         self.problems.add(self.words.two_codes, Message("two-codes"))
         by_name: dict[str, list[int]] = {}
-        for row, code in zip(self.words.second_rows.tolist(), self.words.second_codes.tolist()):
-            if code == UNKNOWN or (code >= 0 and code not in known):
-                by_name.setdefault(name_of(code), []).append(row)
-        for row in np.flatnonzero((codes == UNKNOWN) | ((codes >= 0) & ~np.isin(codes, known))).tolist():
+        for row, second in zip(self.words.second_rows.tolist(), self.words.second_codes.tolist()):
+            if second == codes.UNKNOWN or (second >= 0 and second not in known):
+                by_name.setdefault(codes.name_of(second), []).append(row)
+        for row in np.flatnonzero((code == codes.UNKNOWN) | ((code >= 0) & ~np.isin(code, known))).tolist():
             by_name.setdefault(names[row], []).append(row)
         unknown = list(by_name.items())
         for name, rows in unknown[:_MOST_NAMED]:
@@ -118,24 +91,24 @@ class ModalState:
 
         FreeCAD splits a line such as ``G53 G0 Z0`` or ``G28 G91 Z0`` into two commands.
         """
-        codes = self.words.codes
-        rows = np.flatnonzero(np.isin(codes, MACHINE))
+        code = self.words.codes
+        rows = np.flatnonzero(np.isin(code, codes.MACHINE))
         if not len(rows):
             return rows, rows
         along_x, along_y, along_z = (~np.isnan(self.words.column(letter)[0]) for letter in "XYZ")
         across = along_x | along_y
         alone = rows[~(across | along_z)[rows]]
-        behind = np.minimum(alone[codes[alone] == MACHINE_COORDINATES] + 1, len(codes) - 1)
-        behind = behind[np.isin(self.motion[behind], (RAPID, FEED))]
+        behind = np.minimum(alone[code[alone] == codes.MACHINE_COORDINATES] + 1, len(code) - 1)
+        behind = behind[np.isin(self.motion[behind], (codes.RAPID, codes.FEED))]
         moving = np.union1d(rows, behind)
-        home = alone[codes[alone] != MACHINE_COORDINATES]
-        after = np.minimum(home + 1, len(codes) - 1)  # G28 G91 Z0 is split into G28 and G91 Z0
-        in_z = np.isin(codes[after], (ABSOLUTE, RELATIVE)) & along_z[after] & ~across[after]
+        home = alone[code[alone] != codes.MACHINE_COORDINATES]
+        after = np.minimum(home + 1, len(code) - 1)  # G28 G91 Z0 is split into G28 and G91 Z0
+        in_z = np.isin(code[after], (codes.ABSOLUTE, codes.RELATIVE)) & along_z[after] & ~across[after]
         aside = np.union1d(moving[across[moving]], home[~in_z])
         aside = aside[aside < np.flatnonzero(self.motion >= 0).max(initial=0)]
-        told_by = np.where(np.isin(aside, behind), MACHINE_COORDINATES, codes[aside])
-        for code in MACHINE:
-            self.problems.add(aside[told_by == code], Message("machine-position", name=name_of(code)))
+        told_by = np.where(np.isin(aside, behind), codes.MACHINE_COORDINATES, code[aside])
+        for machine in codes.MACHINE:
+            self.problems.add(aside[told_by == machine], Message("machine-position", name=codes.name_of(machine)))
         return moving, np.union1d(moving[along_z[moving]], home)
 
     def before(self, rows: np.ndarray) -> np.ndarray:
@@ -147,12 +120,12 @@ class ModalState:
         values, unusable = self.words.column("F")
         unusable |= (values != 0) & (values < _SLOWEST_FEED)
         self.problems.add(np.flatnonzero(unusable), Message("unusable-feed"))
-        tapping = np.flatnonzero(np.isin(self.motion, TAPPING) & (values <= _COARSEST_PITCH))
+        tapping = np.flatnonzero(np.isin(self.motion, codes.TAPPING) & (values <= _COARSEST_PITCH))
         if len(tapping):  # a FreeCAD tap has the pitch in F and the speed in S; the feed rate is their product
             speed = self.words.column("S", tapping)[0]  # turns/min
             values[tapping] *= np.where(speed > 0, speed / 60, 1)
         setter = _last(values >= _SLOWEST_FEED)
-        per_minute = _mode(self.words, {INVERSE_TIME: 0, PER_MINUTE: 1, PER_TURN: 0}, 1) == 1
+        per_minute = _mode(self.words, {codes.INVERSE_TIME: 0, codes.PER_MINUTE: 1, codes.PER_TURN: 0}, 1) == 1
         return np.where((setter >= 0) & per_minute, values[setter], 0.0)
 
     def _positions(self) -> tuple[np.ndarray, np.ndarray]:
@@ -208,14 +181,14 @@ class ModalState:
             self.problems.add(rows[unusable], Message("unusable-word", letter=letter))
         self.problems.add(rows[np.isnan(_held(own["Z"]))], Message("cycle-without-depth"))
         self.problems.add(rows[np.isnan(_held(own["R"]))], Message("cycle-without-retract"))
-        parted = ((self.motion >= 0) & ~drills) | (self.words.codes == CANCEL)
+        parted = ((self.motion >= 0) & ~drills) | (self.words.codes == codes.CANCEL)
         along[rows] = np.nan
         series = np.cumsum(parted)[rows]
         along, heights, rises = cycles.heights(
             along, self.relative, rows, series, own["R"], own["Z"], self.to_retract_plane[rows]
         )
         peck = _held(own["Q"])
-        tiny = np.isin(self.motion[rows], PECKING) & cycles.has_tiny_pecks(heights, peck)
+        tiny = np.isin(self.motion[rows], codes.PECKING) & cycles.has_tiny_pecks(heights, peck)
         self.problems.add(rows[tiny], Message("tiny-pecks", most=cycles.MOST_PECKS))
         among = np.searchsorted(np.flatnonzero(self.is_cycle), rows)
         self.cycle_heights[among], self.cycle_peck[among], self.cycle_rises[among] = heights, peck, rises
@@ -235,11 +208,11 @@ def _held(values: np.ndarray) -> np.ndarray:
 
 def _mode(words: Words, states: dict[int, int], default: int) -> np.ndarray:
     """Return the state of a modal group at every command: the value for the group's last code, (n,) int."""
-    codes = words.codes
-    value, sets = np.full(len(codes), default, np.int64), np.zeros(len(codes), bool)
-    for code, code_value in states.items():
-        for own in (np.flatnonzero(codes == code), words.second_rows[words.second_codes == code]):
-            value[own], sets[own] = code_value, True
+    code = words.codes
+    value, sets = np.full(len(code), default, np.int64), np.zeros(len(code), bool)
+    for state, state_value in states.items():
+        for own in (np.flatnonzero(code == state), words.second_rows[words.second_codes == state]):
+            value[own], sets[own] = state_value, True
     if not sets.any():
         return value
     setter = _last(sets)
