@@ -90,8 +90,10 @@ def linearize(commands: Iterable[Any] | Words, *, tolerance: float = 0.01, infer
 
 def _moved(points: np.ndarray) -> np.ndarray:
     """Return whether each trajectory is longer than `_ZERO_LENGTH` along an axis, (n - 1,) bool."""
-    result: np.ndarray = np.abs(np.diff(points, axis=0)).max(axis=1, initial=0.0) > _ZERO_LENGTH
-    return result
+    moved = np.zeros(max(len(points) - 1, 0), bool)
+    for axis in range(3):  # one axis after the other needs less memory
+        moved |= np.abs(np.diff(points[:, axis])) > _ZERO_LENGTH
+    return moved
 
 
 def _moves(program: ModalState, tolerance: float) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
@@ -117,7 +119,9 @@ def _moves(program: ModalState, tolerance: float) -> tuple[np.ndarray, np.ndarra
     if total > MOST_TRAJECTORIES:
         raise Unusable(Message("too-many-moves", moves=total, tolerance=tolerance))
     command = np.repeat(np.arange(len(motion)), counts)
-    points = position[command]
+    all_points = np.empty((total + 1 if total else 0, 3))  # the start, and the end of each move
+    all_points[:1], points = position[:1], all_points[1:]
+    np.take(position, command, axis=0, out=points, mode="clip")
     rapid = (motion == RAPID)[command]
     is_cycle = program.is_cycle[command]
     sweep = np.zeros(total)
@@ -132,8 +136,7 @@ def _moves(program: ModalState, tolerance: float) -> tuple[np.ndarray, np.ndarra
         sweep[on_arc] = (resolved.sweep / counts[arc_rows])[chord_of]
     if len(cycle_rows):
         points[is_cycle], rapid[is_cycle] = _expand_cycles(program, cycle_rows)
-    start = position[:1] if total else np.empty((0, 3))
-    return np.concatenate([start, points]), rapid, command, sweep, is_cycle
+    return all_points, rapid, command, sweep, is_cycle
 
 
 def _expand_cycles(program: ModalState, rows: np.ndarray) -> tuple[np.ndarray, np.ndarray]:

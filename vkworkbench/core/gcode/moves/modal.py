@@ -66,7 +66,8 @@ class ModalState:
         count = np.count_nonzero(self.is_cycle)
         self.cycle_heights, self.cycle_peck = np.empty((count, 4)), np.empty(count)
         self.cycle_rises = np.zeros(count, bool)
-        self.drilled = np.array([PLANE_AXES[p][2] for p in range(17, 20)])[self.plane - 17]  # axis of canned cycles
+        # The axis of canned cycles.
+        self.drilled = np.array([PLANE_AXES[p][2] for p in range(17, 20)], np.int8)[self.plane - 17]
         self.position, self.known = self._positions()
 
     def _report_codes(self) -> None:
@@ -209,7 +210,7 @@ def _held(values: np.ndarray) -> np.ndarray:
 def _mode(words: Words, states: dict[int, int], default: int) -> np.ndarray:
     """Return the state of a modal group at every command: the value for the group's last code, (n,) int."""
     code = words.codes
-    value, sets = np.full(len(code), default, np.int64), np.zeros(len(code), bool)
+    value, sets = np.full(len(code), default, np.int8), np.zeros(len(code), bool)
     for state, state_value in states.items():
         for own in (np.flatnonzero(code == state), words.second_rows[words.second_codes == state]):
             value[own], sets[own] = state_value, True
