@@ -188,7 +188,7 @@ def divide_program(program: Program, tolerance: float) -> Divided:
 
     `tolerance` is the largest distance between an arc and its chords, mm.
     """
-    toolpath, sections = program.toolpath(tolerance=tolerance), split_sections(program)
+    sections, toolpath = split_sections(program), program.toolpath(tolerance=tolerance)
     inches = not program.unit_told and (
         looks_like_inches(toolpath) or any(tells_inches(text) for _, _, text in program.comments)
     )

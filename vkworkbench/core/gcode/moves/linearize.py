@@ -15,7 +15,7 @@ import numpy as np
 
 from vkworkbench.core.gcode.moves import arcs, cycles
 from vkworkbench.core.gcode.moves.arc_centres import resolve_arcs
-from vkworkbench.core.gcode.moves.codes import ARCS, COMMENT, RAPID, TOOL_CHANGE
+from vkworkbench.core.gcode.moves.codes import ARCS, COMMENT, RAPID, REAMING, TOOL_CHANGE
 from vkworkbench.core.gcode.moves.modal import ModalState
 from vkworkbench.core.gcode.moves.words import Words
 from vkworkbench.core.toolpath import PLANE_AXES, Toolpath
@@ -148,7 +148,8 @@ def _expand_cycles(program: ModalState, rows: np.ndarray) -> tuple[np.ndarray, n
     start[:, 2] = program.cycle_heights[:, 0]
     hole = np.take_along_axis(program.position[rows], axes[:, :2], 1)
     code, heights, peck = program.motion[rows], program.cycle_heights, program.cycle_peck
-    leaves = np.where(program.rapid_to_start[rows], heights[:, 1], heights[:, 3])
+    only_to_r = program.rapid_to_start[rows] | (code == REAMING)
+    leaves = np.where(only_to_r, heights[:, 1], heights[:, 3])
     flat, rapid = cycles.moves(code, start, hole, heights, peck, program.cycle_rises, leaves)
     points = np.empty_like(flat)
     np.put_along_axis(points, np.repeat(axes, cycles.move_counts(code, heights, peck), axis=0), flat, 1)
