@@ -74,3 +74,9 @@ def test_repeated_cycle_turns_by_the_same_angle():
     text = "G21 G90\nG0 X10 Y0 Z5\nG91 G99 G81 ^90 Z-2 R-1 L3 F100\nG80"
     holes = [point[:2] for point in points(text) if point[2] == 2]
     assert holes == [[0, 10], [-10, 0], [0, -10]]
+
+
+def test_tool_moves_to_an_r_plane_above_the_start_before_the_next_hole():
+    """LinuxCNC compares R with the height at the start of the series, also after a hole with a higher R."""
+    series = points("G21 G90\nG0 X0 Y0 Z0\nG81 X5 Z-5 R4 F100\nX9 R2\nG80")
+    assert series[1:] == [[0, 0, 4], [5, 0, 4], [5, 0, -5], [5, 0, 4], [5, 0, 2], [9, 0, 2], [9, 0, -5], [9, 0, 2]]

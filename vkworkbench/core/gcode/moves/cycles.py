@@ -183,7 +183,8 @@ def moves(
     points[:, 2] = np.choose(step % 3, [level, out, back])
     rapid = step % 3 != 0
     clear = np.where(bottom > retract, np.minimum(start[:, 2], retract), np.maximum(start[:, 2], retract))
-    points[first] = np.column_stack([start[:, :2], np.where(rises, clear, start[:, 2])])
+    clear = np.where(rises, retract, clear)
+    points[first] = np.column_stack([start[:, :2], np.where(rises, retract, start[:, 2])])
     points[first + 1, 2] = clear
     points[first + 2, 2] = retract
     rapid[first] = True
