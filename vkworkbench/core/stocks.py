@@ -19,6 +19,8 @@ from vkworkbench.language import Message, Unusable
 # Grid to which corners of a mesh are rounded before equal corners are merged, mm.
 _SAME = 1e-6
 _AROUND = 64
+# Number of rows of rays in one strip of a mesh. With more rows, most pairs of a triangle and a row have no ray.
+_ROWS = 256
 
 
 class Cylinder(Convex):
@@ -149,15 +151,38 @@ def _distinct(rows: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
 
 
 class _SeenMesh:
-    """A mesh in the coordinates of an image, with each triangle's corners sorted from the lowest to the highest."""
+    """A mesh in the coordinates of an image.
+
+    The corners of each triangle are sorted from the lowest to the highest in the image.
+
+    Attributes
+    ----------
+    low, high : (3, t) ndarray
+        Corners of each triangle's bounding box: image coordinates and depth, mm.
+    edges : (3, t, 3) ndarray
+        The edges from the lowest to the highest, from the lowest to the middle, and from the middle to the highest
+        corner; see `_edge`.
+    corner : (3, t) ndarray
+        The lowest corner of each triangle, mm.
+    slope : (2, t) ndarray
+        Slopes of the depth along x and y; 0 for a triangle that is parallel to the rays.
+    """
 
     def __init__(self, mesh: Mesh, frame: Frame) -> None:
         axes = np.array([frame.right, frame.up, frame.direction])
-        self.points = (mesh.corners - frame.centre) @ axes.T
-        rank = np.empty(len(self.points), np.int64)
-        rank[np.lexsort((self.points[:, 0], self.points[:, 1]))] = np.arange(len(self.points))
-        self.triangles = np.take_along_axis(mesh.triangles, np.argsort(rank[mesh.triangles], axis=1), axis=1)
-        self.bottom, self.top = (self.points[self.triangles[:, k], 1] for k in (0, 2))
+        points = (mesh.corners - frame.centre) @ axes.T
+        rank = np.empty(len(points), np.int64)
+        rank[np.lexsort((points[:, 0], points[:, 1]))] = np.arange(len(points))
+        triangles = np.take_along_axis(mesh.triangles, np.argsort(rank[mesh.triangles], axis=1), axis=1)
+        a, b, c = (points[triangles[:, k]].T for k in range(3))
+        self.low, self.high = np.minimum(np.minimum(a, b), c), np.maximum(np.maximum(a, b), c)
+        self.edges = np.stack([_edge(a, c), _edge(a, b), _edge(b, c)])
+        self.corner = a
+        normal = np.cross(b - a, c - a, axis=0)
+        parallel = normal[2] == 0
+        normal[2, parallel] = 1
+        self.slope = -normal[:2] / normal[2]
+        self.slope[:, parallel] = 0
 
     def spans(self, x: np.ndarray, y: np.ndarray) -> Spans:
         """See `Convex.spans`."""
@@ -176,6 +201,21 @@ class _SeenMesh:
     def _crossings(self, x: np.ndarray, y: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """Return rays and the depths at which they cross triangles, unordered.
 
+        Many rows with few rays each are divided into strips along y, because most triangles meet few strips.
+        """
+        strips = 1 + len(np.unique(y)) // _ROWS
+        if strips == 1:
+            return self._crossings_by_row(x, y)
+        rays, depths = [], []
+        for strip in np.array_split(np.argsort(x), strips):
+            ray, depth = self._crossings_by_row(x[strip], y[strip])
+            rays.append(strip[ray])
+            depths.append(depth)
+        return np.concatenate(rays), np.concatenate(depths)
+
+    def _crossings_by_row(self, x: np.ndarray, y: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        """Return rays and the depths at which they cross triangles, unordered.
+
         Rays are treated row by row: two edges of a triangle cross the row, and the rays between the two crossings cross
         the triangle. The crossing of an edge is computed in the same way for both triangles that share the edge, so
         that no ray passes between two triangles.
@@ -185,44 +225,42 @@ class _SeenMesh:
         order = np.lexsort((x, y))
         rows, first = np.unique(y[order], return_index=True)
         row_of_ray = np.repeat(np.arange(len(rows)), np.diff(first, append=len(y)))
-        met = np.flatnonzero((self.bottom <= rows[-1]) & (self.top > rows[0]))
-        a, b, c = (self.points[self.triangles[met, k]].T for k in range(3))
+        left, right = x.min(), x.max()
+        met = (self.low[1] <= rows[-1]) & (self.high[1] > rows[0])
+        met &= (self.low[0] <= right + _SAME) & (self.high[0] >= left - _SAME)  # the crossings are rounded
+        met = np.flatnonzero(met)
 
-        begin, end = np.searchsorted(rows, a[1]), np.searchsorted(rows, c[1])
-        triangle = np.repeat(np.arange(len(begin)), end - begin)
+        begin, end = np.searchsorted(rows, self.low[1, met]), np.searchsorted(rows, self.high[1, met])
+        triangle = np.repeat(met, end - begin)
         row = np.arange(len(triangle)) - np.repeat(np.cumsum(end - begin) - end, end - begin)
         at = rows[row]
-        a, b, c = a[:, triangle], b[:, triangle], c[:, triangle]
-        upper = at >= b[1]
-        there = _crossed(a, c, at)
-        here = np.where(upper, _crossed(b, c, at), _crossed(a, b, at))
+        there = _crossed(self.edges[0, triangle], at)
+        here = _crossed(self.edges[np.where(at >= self.edges[2, triangle, 1], 2, 1), triangle], at)
         # All rows are placed one after the other on one axis, so that one search finds the rays of all rows.
-        left, right = x.min() - 1, x.max() + 1
+        left, right = left - 1, right + 1
         places = x[order] + row_of_ray * (right - left)
         low, high = np.clip(np.minimum(here, there), left, right), np.clip(np.maximum(here, there), left, right)
         begin = np.searchsorted(places, low + row * (right - left))
         end = np.searchsorted(places, high + row * (right - left))
-        pair = np.repeat(np.arange(len(begin)), end - begin)
-        ray = order[np.arange(len(pair)) - np.repeat(np.cumsum(end - begin) - end, end - begin)]
+        triangle = np.repeat(triangle, end - begin)
+        ray = order[np.arange(len(triangle)) - np.repeat(np.cumsum(end - begin) - end, end - begin)]
 
-        normal = np.cross(b - a, c - a, axis=0)
-        upright = normal[2] == 0
-        normal[2, upright] = 1
-        slope = -normal[:2] / normal[2]
-        slope[:, upright] = 0
-        a, slope = a[:, pair], slope[:, pair]
-        depth = a[2] + slope[0] * (x[ray] - a[0]) + slope[1] * (y[ray] - a[1])
+        corner, slope = self.corner[:, triangle], self.slope[:, triangle]
+        depth = corner[2] + slope[0] * (x[ray] - corner[0]) + slope[1] * (y[ray] - corner[1])
         # The depth in a triangle seen nearly edge-on is sensitive to rounding, so the depth is limited to the range of
         # the corners' depths.
-        ends = a[2], b[2, pair], c[2, pair]
-        return ray, np.clip(depth, np.minimum.reduce(ends), np.maximum.reduce(ends))
+        return ray, np.clip(depth, self.low[2, triangle], self.high[2, triangle])
 
 
-def _crossed(lower: np.ndarray, upper: np.ndarray, at: np.ndarray) -> np.ndarray:
-    """Return the image coordinate x (k,) at which edges from `lower` to `upper` (3, k) cross the rows `at` (k,)."""
+def _edge(lower: np.ndarray, upper: np.ndarray) -> np.ndarray:
+    """Return x and y of the lower ends of edges, mm, and the change of x for each mm of y, (t, 3)."""
     rise = upper[1] - lower[1]
-    share = (upper[0] - lower[0]) / np.where(rise > 0, rise, 1)
-    result: np.ndarray = lower[0] + (at - lower[1]) * share
+    return np.column_stack((lower[0], lower[1], (upper[0] - lower[0]) / np.where(rise > 0, rise, 1)))
+
+
+def _crossed(edges: np.ndarray, at: np.ndarray) -> np.ndarray:
+    """Return the image coordinate x (k,) at which edges (k, 3), see `_edge`, cross the rows `at` (k,)."""
+    result: np.ndarray = edges[:, 0] + (at - edges[:, 1]) * edges[:, 2]
     return result
 
 
