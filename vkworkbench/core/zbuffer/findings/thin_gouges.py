@@ -28,18 +28,20 @@ _SHOWN = 4.0
 _CLOSEST = 2.0**-8
 # Distance between rays along walls, mm.
 _AT_WALLS = 2.0**-4
-# Directions in which the model's surface is searched around a point, rad. Radii of the first search, as shares of the
-# smallest depth of a gouge.
-_ANGLES = np.arange(24) * np.pi / 12
-_SHARES = (0.34, 0.67, 1.0)
-# Ratio of consecutive radii in the search for the depth of a gouge.
-_WIDER = 1.1
+# Directions in which the model's surface is searched around a point, as unit vectors (2, 24). Radii of the first
+# search, as shares of the smallest depth of a gouge. The largest radius excludes most points.
+_DIRECTIONS = np.array([np.cos(np.arange(24) * np.pi / 12), np.sin(np.arange(24) * np.pi / 12)])
+_SHARES = np.array([1.0, 0.67, 0.34])
+# Ratio of consecutive radii in the search for the depth of a gouge. A depth counts as deeper than another depth if it is
+# larger by this factor. The points of a gouge are measured in groups that end at these numbers, the deepest along the
+# view first, because the first depths exclude most other points.
+_WIDER, _ALIKE, _IN_STEPS = 1.1, 1.02, (1, 8, 64)
 # Distance below which two groups of points belong to one gouge, as a multiple of the distance between neighbouring
 # points.
 _CLOSE = 4.0
 # Approximate upper bounds: number of points that are compared with the model for each batch of pieces, and number of
-# points of a gouge at which the depth is measured.
-_POINTS, _MEASURED = 20_000, 200
+# points of a gouge at which the depth is measured. Number of points around which the surface is searched together.
+_POINTS, _MEASURED, _TOGETHER = 20_000, 200, 4096
 
 
 @dataclass(frozen=True)
@@ -113,7 +115,7 @@ def thin_gouges(
             own = np.flatnonzero(sizes == size)
             rays = FineRays(numbered, stock, size)
             # The images differ only in the size of their pixels, so one search is used for all images.
-            search = search or _Search(seen.model, rays.trajectories.frame, least)
+            search = search or _Search(seen.model, rays.trajectories.frame, least, going_on)
             for part in parts_of(numbered.lengths[moves[own]] / half_width[own]):
                 if time.monotonic() > end:
                     unchecked += [numbered.source(int(move)) for move in moves[own[part]]]
@@ -149,7 +151,7 @@ def _gouges_in_walls(
         return [], True
     rays, complete = FineRays(cuts, stock, _AT_WALLS), True
     searches = {
-        number: _Search(seen.model, rays.trajectories.frame, tolerance + cuts.cuts[number].allowed_depth)
+        number: _Search(seen.model, rays.trajectories.frame, tolerance + cuts.cuts[number].allowed_depth, going_on)
         for number in others
     }
     chosen = np.isin(cuts.cut, others)
@@ -181,8 +183,8 @@ def _deep_moves(cuts: Cuts, number: int, model: Solid, least: float) -> tuple[np
 class _Search:
     """Collection of the points at which a cut removes material more than `least`, mm, below the model's surface."""
 
-    def __init__(self, model: Solid, frame: Frame, least: float) -> None:
-        self._least, self._model = least, spans_in(model, frame)
+    def __init__(self, model: Solid, frame: Frame, least: float, going_on: Callable[[], None]) -> None:
+        self._least, self._model, self._going_on = least, spans_in(model, frame), going_on
         self._found: list[tuple[RemovedPieces, np.ndarray, np.ndarray]] = []
 
     def add(self, pieces: RemovedPieces) -> None:
@@ -193,7 +195,7 @@ class _Search:
         deep = np.flatnonzero(inside & (along > self._least))
         every = 1 + len(deep) // _POINTS
         deep = deep[::every]
-        deep = deep[self._distances(pieces, deep, along[deep], self._least * np.array(_SHARES)) > self._least]
+        deep = deep[self._distances(pieces, deep, along[deep], self._least * _SHARES, self._least) > self._least]
         if len(deep):
             chosen = np.zeros(len(along), bool)
             chosen[deep] = True
@@ -220,25 +222,40 @@ class _Search:
 
     def _gouge(self, cuts: Cuts, pieces: RemovedPieces, group: np.ndarray, along: np.ndarray, area: float) -> Deviation:
         some = group[:: 1 + len(group) // _MEASURED]
-        steps = int(np.ceil(np.log(along[some].max() / self._least) / np.log(_WIDER))) + 1
-        depth = self._distances(pieces, some, along[some], self._least * _WIDER ** np.arange(steps))
-        worst = int(depth.argmax())
+        some = some[np.argsort(-along[some], kind="stable")]
+        steps = int(np.ceil(np.log(along[some[0]] / self._least) / np.log(_WIDER))) + 1
+        radii, worst, depth = self._least * _WIDER ** np.arange(steps), some[:1], 0.0
+        for own in np.split(some, _IN_STEPS):
+            floor = _ALIKE * depth
+            distances = self._distances(pieces, own, along[own], radii, floor)
+            if distances.max(initial=0.0) > floor:
+                worst, depth = own[[distances.argmax()]], float(distances.max())
         first, last = int(pieces.owner[group].min()), int(pieces.owner[group].max())
-        (place,) = pieces.points(some[[worst]], pieces.far[some[[worst]]]).tolist()
-        return Deviation(first, cuts.source(first), tuple(place), float(depth[worst]), area, cuts.source(last))
+        (place,) = pieces.points(worst, pieces.far[worst]).tolist()
+        return Deviation(first, cuts.source(first), tuple(place), depth, area, cuts.source(last))
 
-    def _distances(self, pieces: RemovedPieces, some: np.ndarray, along: np.ndarray, radii: np.ndarray) -> np.ndarray:
+    def _distances(
+        self, pieces: RemovedPieces, some: np.ndarray, along: np.ndarray, radii: np.ndarray, floor: float
+    ) -> np.ndarray:
         """Return the distances of the lower ends of pieces from the space before the model's surface, (k,) mm.
 
-        The model's surface is searched on circles with the radii `radii`, mm, around each piece.
+        The model's surface is searched on circles with the radii `radii`, mm, around each piece. If a distance is at
+        most `floor`, mm, the result is some value of at most `floor`.
         """
         least, depth = along.copy(), pieces.far[some]
         for radius in radii.tolist():
-            for angle in _ANGLES.tolist():
-                x, y = pieces.x[some] + radius * np.cos(angle), pieces.y[some] + radius * np.sin(angle)
+            # A circle whose radius exceeds the distance found so far cannot reduce this distance.
+            (searched,) = np.nonzero(least > max(radius, floor))
+            for begin in range(0, len(searched), _TOGETHER):
+                self._going_on()
+                own = searched[begin : begin + _TOGETHER]
+                x, y = (
+                    np.add.outer(radius * direction, place[some[own]]).ravel()
+                    for direction, place in zip(_DIRECTIONS, (pieces.x, pieces.y))
+                )
                 spans = self._model(x, y)
-                surface = np.where(spans.far > spans.near, spans.near, np.inf)
-                np.minimum(least, np.hypot(radius, np.maximum(depth - surface, 0.0)), out=least)
+                surface = np.where(spans.far > spans.near, spans.near, np.inf).reshape(-1, len(own)).max(axis=0)
+                least[own] = np.minimum(least[own], np.hypot(radius, np.maximum(depth[own] - surface, 0.0)))
         return least
 
 
