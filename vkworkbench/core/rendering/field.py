@@ -16,6 +16,7 @@ from typing import NamedTuple
 import numpy as np
 
 from vkworkbench.core.rendering.shading import EMPTY, STEEPEST, shadow, slope
+from vkworkbench.core.rendering.thin_cuts import ThinCuts, thin_cuts
 from vkworkbench.core.zbuffer import STOCK, ZBuffer
 
 # Offsets along x and y of the cells around the top of a wall. The heights of these cells determine the wall's
@@ -181,6 +182,12 @@ class Field:
         inside = np.flatnonzero(pixel >= 0)
         found[inside] = self._zbuffer.removers(pixel[inside], -height[inside])
         return found
+
+    @cached_property
+    def thin_cuts(self) -> ThinCuts | None:
+        """The cuts of the part that are too narrow for the rays of the simulation; None if only chips are shown."""
+        part = self.layers[0]
+        return thin_cuts(self._zbuffer, part.top[1:-1, 1:-1]) if part.is_part else None
 
     @cached_property
     def _pixel_of_cell(self) -> np.ndarray:

@@ -3,17 +3,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import reduce
 from typing import NamedTuple
 
 import numpy as np
 
+from vkworkbench.core.rendering.camera import project
 from vkworkbench.core.rendering.field import Field, Layer
 from vkworkbench.core.rendering.oblique import Walls, look
 from vkworkbench.core.rendering.palettes import CUT, palette
-from vkworkbench.core.rendering.shading import BACKGROUND, EDGE, EMPTY, LIGHT, STEEPEST, light
+from vkworkbench.core.rendering.shading import BACKGROUND, BRIGHTEST, EDGE, EMPTY, LIGHT, STEEPEST, light
 from vkworkbench.core.view import Frame
 from vkworkbench.core.zbuffer import STOCK
 
@@ -24,6 +24,9 @@ LIT = np.array((255, 170, 40), np.uint8)
 # Difference in depth between neighbouring pixels above which a dark edge is drawn, in sides of a pixel. Lower: steep
 # slopes get edges. Higher: small steps of the part get none.
 _JUMP = 8.0
+# Brightness of cuts that are narrower than the cells. Smallest sine of the view's elevation for finding the pixels in
+# front of them.
+_THIN, _FLATTEST = 0.65, 0.1
 
 
 @dataclass(frozen=True, eq=False)
@@ -92,36 +95,78 @@ def scene(
     size = frame.height, frame.width
     depth, owner = np.full(size, np.nan, np.float32), np.full(size, STOCK, np.int32)
     depth.ravel()[drawn.pixel], owner.ravel()[drawn.pixel] = drawn.depth, drawn.owner
-    channels = drawn.red, drawn.green, drawn.blue
     if lit is not None:
-        is_lit = np.flatnonzero((drawn.owner >= lit[0]) & (drawn.owner < lit[1]))
-        for channel, value in zip(channels, LIT):
-            channel[is_lit] = value
+        drawn.color[(drawn.owner >= lit[0]) & (drawn.owner < lit[1])] = _packed(LIT, BRIGHTEST)
     drawn.brightness[_edges(depth, frame.pixel).ravel()[drawn.pixel]] *= 1 - EDGE
-    pixels = np.full(size, _packed([np.array(part) for part in background]), np.uint32)
-    pixels.ravel()[drawn.pixel] = _packed([np.minimum(channel * drawn.brightness, 255) for channel in channels])
+    pixels = np.full(size, _packed(np.array(background)), np.uint32)
+    pixels.ravel()[drawn.pixel] = _shaded(drawn.color, drawn.brightness)
+    if frame.direction[2] < 0:
+        _draw_thin_cuts(field, frame, colors, lit, Scene(depth, owner, pixels))
     upwards = slice(None, None, 1 if frame.direction[2] <= 0 else -1)
     return Scene(depth[upwards], owner[upwards], pixels[upwards][::-1])
 
 
-def _packed(channels: Sequence[np.ndarray]) -> np.ndarray:
-    """Return colours as 0xffRRGGBB."""
-    packed = np.asarray(0xFF, np.uint32)
-    for channel in channels:
-        packed = packed << np.uint32(8) | channel.astype(np.uint32)
-    return packed
+def _draw_thin_cuts(
+    field: Field, frame: Frame, colors: np.ndarray, lit: tuple[int, int] | None, picture: Scene
+) -> None:
+    """Draw the narrow cuts of a field as dark lines into a picture whose row 0 is below."""
+    thin = field.thin_cuts
+    if thin is None or not len(thin.owner):
+        return
+    column, row, depth = project(thin.points, frame).T
+    column, row = np.floor(column).astype(np.int64), frame.height - 1 - np.floor(row).astype(np.int64)
+    inside = (column >= 0) & (column < frame.width) & (row >= 0) & (row < frame.height)
+    column, row, depth, owner = (part[inside] for part in (column, row, depth, thin.owner))
+    # The centre of the pixel sees the surface beside the point.
+    beside = (frame.pixel + field.frame.pixel) / max(-float(frame.direction[2]), _FLATTEST)
+    seen = depth < picture.depth[row, column] + beside
+    column, row, owner = column[seen], row[seen], owner[seen]
+    if colors.ndim == 3 or len(colors) == 2:
+        color = np.full(len(owner), _packed(palette(CUT)[1] if colors.ndim == 3 else colors[1], BRIGHTEST))
+    else:
+        color = _packed(colors, BRIGHTEST)[owner + 1]
+    if lit is not None:
+        color[(owner >= lit[0]) & (owner < lit[1])] = _packed(LIT, BRIGHTEST)
+    picture.pixels[row, column] = _shaded(color, np.full(len(owner), _THIN, np.float32))
+    picture.owner[row, column] = owner
+
+
+def _packed(colors: np.ndarray, factor: float = 1.0) -> np.ndarray:
+    """Return colours (..., 3) times a factor as 0xffRRGGBB, (...) uint32."""
+    red, green, blue = np.minimum(factor * np.moveaxis(colors, -1, 0), 255).astype(np.uint32)
+    result: np.ndarray = 0xFF000000 | red << np.uint32(16) | green << np.uint32(8) | blue
+    return result
+
+
+def _shaded(color: np.ndarray, brightness: np.ndarray) -> np.ndarray:
+    """Return colours with the brightness `BRIGHTEST`, 0xffRRGGBB, at another brightness.
+
+    Red and blue are multiplied together, because there is room for eight more bits above each of them.
+    """
+    share = (brightness * np.float32(256 / BRIGHTEST)).astype(np.uint32)
+    green = (color >> np.uint32(8)) & np.uint32(0xFF)
+    green *= share
+    green &= np.uint32(0xFF00)
+    green |= np.uint32(0xFF000000)
+    rest = color & np.uint32(0xFF00FF)
+    rest *= share
+    rest >>= np.uint32(8)
+    rest &= np.uint32(0xFF00FF)
+    rest |= green
+    return rest
 
 
 class _Drawn(NamedTuple):
-    """Pixels that see a surface, as in `Seen`, with the surface's owner, brightness and colour, (k,) each."""
+    """Pixels that see a surface, as in `Seen`, with the surface's owner, brightness and colour, (k,) each.
+
+    The colour is 0xffRRGGBB at the brightness `BRIGHTEST`.
+    """
 
     pixel: np.ndarray
     depth: np.ndarray
     owner: np.ndarray
     brightness: np.ndarray
-    red: np.ndarray
-    green: np.ndarray
-    blue: np.ndarray
+    color: np.ndarray
 
 
 def _draw(field: Field, layer: Layer, frame: Frame, colors: np.ndarray) -> _Drawn:
@@ -150,14 +195,13 @@ def _draw(field: Field, layer: Layer, frame: Frame, colors: np.ndarray) -> _Draw
     elif colors.ndim == 3 or len(colors) == 2:  # all trajectories have one colour
         np.minimum(number, 1, out=number)
         colors = palette(CUT) if colors.ndim == 3 else colors
-    channels = [channel[number] for channel in colors.T.astype(np.float32)]
+    color = _packed(colors, BRIGHTEST)[number]
     if layer.cut is not None:
         is_face = layer.cut.ravel()[seen.cell]
         is_face[seen.walls.number] = layer.cut.ravel()[seen.walls.front]
         owner[is_face] = CUT_OPEN
-        for channel, value in zip(channels, SECTION):
-            channel[is_face] = value
-    return _Drawn(seen.pixel, seen.depth, owner, brightness, *channels)
+        color[is_face] = _packed(SECTION, BRIGHTEST)
+    return _Drawn(seen.pixel, seen.depth, owner, brightness, color)
 
 
 def _light_tops(layer: Layer, cell: np.ndarray, towards: np.ndarray) -> np.ndarray:

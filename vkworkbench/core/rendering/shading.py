@@ -9,6 +9,8 @@ BACKGROUND = (232, 235, 240)
 # Direction to the light (right, up, towards the eye). The light comes over the left shoulder of the viewer.
 LIGHT = np.array([-0.35, 0.5, 0.79], np.float32)
 _AMBIENT = np.float32(0.38)
+# Brightness of a surface that faces the light. A surface that faces the eye has the brightness 1.
+BRIGHTEST = float(_AMBIENT + (1 - _AMBIENT) * np.linalg.norm(LIGHT) / LIGHT[2])
 # Height of the top of an empty cell, mm. The height is finite, because vertical views multiply it by 0. The second
 # number is the slope above which one of two neighbouring cells is empty.
 EMPTY, _TO_NOTHING = -1e9, np.float32(1e5)
