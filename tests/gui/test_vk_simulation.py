@@ -156,9 +156,15 @@ def test_differences_to_the_model_have_colours_and_places(whole_from_above, wind
     window.screenshot("simulation-difference")
     kinds = [fault.what.code for fault in differences(player.drawing.findings, bar.tolerance_mm)]
     assert kinds and set(kinds) == {"leaves-material"}  # the sound example leaves inside corners, and gouges nothing
+    found = differences(player.drawing.findings, bar.tolerance_mm)
+    deepest = max(found, key=lambda fault: fault.what.arguments["depth"])
+    assert player.play_bar.text.text() == player.known.text_with_place(
+        deepest
+    )  # two clicks show the largest difference
+    assert view._place_shown == deepest.place
     before = view.grab().toImage()
-    bar.worst.menu().actions()[0].hover()
-    assert view.grab().toImage() != before  # the ring is shown before a choice
+    bar.worst.menu().actions()[-1].hover()
+    assert len(found) > 1 and view.grab().toImage() != before  # the ring is shown before a choice
     bar.worst.menu().actions()[0].trigger()
     window.wait(lambda: player.pictures.is_current)
     assert (

@@ -72,6 +72,8 @@ class Player(QWidget):
         self.known = KnownFaults(job, self.clock)
         self.measuring = Measuring(float(job.stock.upper[2]))
         self._asked: Surface | None = None
+        self._compared = False  # whether the worst differences from the model are listed
+        self._worst: Fault | None = None  # the difference to which the text and the ring refer
         self._simulating: Simulating | None = None
         self._begin = single_shot(self.simulate, self)
         self._work, self._recognizing, self._judging = Background(self), Background(self), Background(self)
@@ -261,8 +263,18 @@ class Player(QWidget):
         self.scene_bar.list_warnings(self.faults, self.known.text)
         if judged.differences is not None:
             self.scene_bar.list_worst(judged.differences, self.known.text_with_place)
+            if not self._compared and self.moment.seconds >= self.clock.total:
+                self._show_worst(judged.differences)
+        self._compared = judged.differences is not None
         self._show_removal()
         self.known.keep(judged.proved, self.drawing.findings.facts.verdict)
+
+    def _show_worst(self, differences: list[Fault]) -> None:
+        """Show the place and the text of the largest difference from the model."""
+        if differences:
+            self._worst = max(differences, key=lambda fault: fault.what.arguments["depth"])
+            self.view.show_place(self._worst.place)
+            self._show_text()
 
     def _show_removal(self) -> None:
         removal = self.drawing.removal
@@ -275,7 +287,7 @@ class Player(QWidget):
     # Showing
 
     def _show_moment(self) -> None:
-        self._asked = None
+        self._asked = self._worst = None
         self.view.show_place(None)
         self.time_line.show_moment(self.moment.seconds)
         self.play_bar.show_playing(self.moment.plays)
@@ -283,6 +295,9 @@ class Player(QWidget):
 
     def _recolor(self) -> None:
         """Use another colouring or tolerance."""
+        if self._worst is not None:
+            self._worst = None
+            self.view.show_place(None)
         self._make_room()
         self._judge()
         self._color()
@@ -293,7 +308,8 @@ class Player(QWidget):
 
     def _show_text(self) -> None:
         measures = self.scene_bar.measure.isChecked()
-        self.play_bar.text.show_text(self.measuring.text() if measures else self._moment_text())
+        text = self.measuring.text() if measures else self._moment_text()
+        self.play_bar.text.show_text(text if self._worst is None else self.known.text_with_place(self._worst))
 
     def _moment_text(self) -> str:
         """Return the time, the command and its removed volume as text."""
