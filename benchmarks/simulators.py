@@ -33,13 +33,13 @@ sys.path[:0] = [str(ROOT), str(ROOT / "examples"), str(ROOT / "tests")]
 
 from inside_freecad import run_and_leave
 from make_example import make_example
-from measuring import RENDERER, quantiles, shape, stolen
+from measuring import quantiles, shape, stolen
 from records import with_stock
 
 from vkworkbench import freecad
 from vkworkbench.core import Tool, linearize
 from vkworkbench.core.simulators import DEFAULTS, OPENGL, Task, available, legacy, legacy_cost
-from vkworkbench.document.computer.calibration import calibrate
+from vkworkbench.document.computer.calibration import calibrate, constants
 from vkworkbench.document.job.operations import find
 from vkworkbench.document.job.setting import read_stock, read_tool
 
@@ -74,7 +74,7 @@ def calibrate_undisturbed():
     """Repeat the calibration until the host takes no time from it."""
     for _ in range(20):
         before = stolen()
-        calibrate(RENDERER)
+        calibrate()
         if stolen() == before:
             return
 
@@ -96,21 +96,19 @@ def of_corpus(name):
 
 def headless(samples):
     """Simulate every sample at every accuracy, and print the errors of the predictions."""
-    constants = calibrate().constants
+    own = constants(calibrate().speed)
     errors = {accuracy: [] for accuracy in ACCURACIES}
     simpler = {}
     for _, commands, tool, stock in samples:
         task = Task(linearize(commands), tool, stock)
         for accuracy in ACCURACIES:
-            predicted = legacy_cost(task, accuracy=accuracy, constants=constants)
+            predicted = legacy_cost(task, accuracy=accuracy, constants=own)
             mesh, looks, cells = really(commands, tool, stock, predicted.resolution, accuracy)
             facets = looks[-1]
             if accuracy == ACCURACIES[0]:
                 for name, ratio in simpler_plays(task, predicted, looks):
                     simpler.setdefault(name, []).append(max(ratio, 1 / ratio))
-            predicted_mesh, own_mesh = (
-                constants.cell * cells + constants.facet * count for count in (predicted.facets, facets)
-            )
+            predicted_mesh, own_mesh = (own.cell * cells + own.facet * count for count in (predicted.facets, facets))
             pairs = (
                 (max(predicted.facets, FEW), max(facets, FEW)),
                 (own_mesh, mesh),

@@ -20,7 +20,7 @@ from PySide import QtCore, QtGui
 from vkworkbench import freecad
 from vkworkbench.core import Tool, linearize
 from vkworkbench.core.simulators import Task, opengl_cost, opengl_speeds
-from vkworkbench.document.computer.calibration import constants
+from vkworkbench.document.computer.calibration import constants, known_speed
 
 LONGEST = 8.0  # maximum predicted time of a play, s
 PATIENCE = 60.0  # time limit of a play, s
@@ -49,7 +49,9 @@ def run(samples, out):
     simulator = PathSim()
     cases = []
     for label, commands, tool, stock in [*lines_and_arcs(samples[0]), *samples]:
-        cost = opengl_cost(Task(linearize(commands), tool, stock), speeds=(speed,), constants=constants(RENDERER))
+        cost = opengl_cost(
+            Task(linearize(commands), tool, stock), speeds=(speed,), constants=constants(known_speed(), RENDERER)
+        )
         if 1 < cost.play_seconds[speed] < LONGEST:
             frames = -(-cost.steps // speed)
             cases.append((label, cost, partial(play, simulator, commands, tool, stock, frames)))

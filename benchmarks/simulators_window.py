@@ -20,7 +20,7 @@ from vkworkbench import freecad
 from vkworkbench.core import Stock, Tool, linearize
 from vkworkbench.core.gcode import Words
 from vkworkbench.core.simulators import Conditions, Task, legacy_cost, preflight
-from vkworkbench.document.computer.calibration import constants
+from vkworkbench.document.computer.calibration import constants, known_speed
 
 LONGEST = {"fast-forward": 7000, "play": 100}  # maximum number of commands
 
@@ -28,7 +28,7 @@ LONGEST = {"fast-forward": 7000, "play": 100}  # maximum number of commands
 def run(samples, out):
     """Simulate every sample, and print the ratios of predicted and true times."""
     panel = open_panel()
-    calibrated = constants(RENDERER)
+    calibrated = constants(known_speed(), RENDERER)
     cases, runs = [], []
     for label, commands, tool, stock in [*odd_arcs(), *samples]:
         path = linearize(commands)

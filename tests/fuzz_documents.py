@@ -363,7 +363,7 @@ class Session:
         try:
             data = json.loads(path.read_text(encoding="utf-8"))
         except (OSError, ValueError):
-            data = {"constants": {}, "runs": {}}
+            data = {"z-buffer": {}}
         at = data
         while isinstance(at, dict) and at:
             key = self.rng.choice(sorted(at))

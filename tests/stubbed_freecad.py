@@ -155,7 +155,7 @@ def main():
         from vkworkbench.document.job import path_prints
         from vkworkbench.document.marks import marks, watcher
 
-        calibration.constants = lambda renderer: DEFAULTS
+        calibration.constants = lambda speed, renderer: DEFAULTS
         calibration.measured_speed = lambda going_on: Conditions(version=(0, 21)).speed
         operations = a_job(document)
         report = vkworkbench.analyze(document, cancelled=lambda: False)

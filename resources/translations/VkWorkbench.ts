@@ -1796,11 +1796,11 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Last calibrated on {date}. The times of the {simulator} are right to within a factor of {factor}. Measured with FreeCAD {freecad} on {processor}, display {renderer}.</source>
+        <source>Last calibrated on {date}. The times of the {simulator} are right to within a factor of {factor}. Measured on {processor}, display {renderer}.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Measures how fast FreeCAD&apos;s simulators are on this computer, and saves the result. This takes some seconds.</source>
+        <source>Measures how fast this computer simulates, and saves the result. This takes some seconds.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

@@ -1796,12 +1796,12 @@
         <translation>Vor Simulationen warnen, die hängen oder zu lange dauern</translation>
     </message>
     <message>
-        <source>Last calibrated on {date}. The times of the {simulator} are right to within a factor of {factor}. Measured with FreeCAD {freecad} on {processor}, display {renderer}.</source>
-        <translation>Zuletzt kalibriert am {date}. Die Zeiten von „{simulator}“ stimmen bis auf den Faktor {factor}. Gemessen mit FreeCAD {freecad} auf {processor}, Anzeige {renderer}.</translation>
+        <source>Last calibrated on {date}. The times of the {simulator} are right to within a factor of {factor}. Measured on {processor}, display {renderer}.</source>
+        <translation>Zuletzt kalibriert am {date}. Die Zeiten von „{simulator}“ stimmen bis auf den Faktor {factor}. Gemessen auf {processor}, Anzeige {renderer}.</translation>
     </message>
     <message>
-        <source>Measures how fast FreeCAD&apos;s simulators are on this computer, and saves the result. This takes some seconds.</source>
-        <translation>Misst, wie schnell FreeCADs Simulatoren auf diesem Computer sind, und speichert das Ergebnis. Das dauert einige Sekunden.</translation>
+        <source>Measures how fast this computer simulates, and saves the result. This takes some seconds.</source>
+        <translation>Misst, wie schnell dieser Computer simuliert, und speichert das Ergebnis. Das dauert einige Sekunden.</translation>
     </message>
 </context>
 <context>

@@ -1796,12 +1796,12 @@
         <translation>Avisar antes de iniciar una simulación que se bloquearía o tardaría demasiado</translation>
     </message>
     <message>
-        <source>Last calibrated on {date}. The times of the {simulator} are right to within a factor of {factor}. Measured with FreeCAD {freecad} on {processor}, display {renderer}.</source>
-        <translation>Última calibración el {date}. Los tiempos del {simulator} aciertan dentro de un factor {factor}. Medido con FreeCAD {freecad} en {processor}, pantalla {renderer}.</translation>
+        <source>Last calibrated on {date}. The times of the {simulator} are right to within a factor of {factor}. Measured on {processor}, display {renderer}.</source>
+        <translation>Última calibración el {date}. Los tiempos del {simulator} aciertan dentro de un factor {factor}. Medido en {processor}, pantalla {renderer}.</translation>
     </message>
     <message>
-        <source>Measures how fast FreeCAD&apos;s simulators are on this computer, and saves the result. This takes some seconds.</source>
-        <translation>Mide la velocidad de los simuladores de FreeCAD en este equipo y guarda el resultado. Esto tarda unos segundos.</translation>
+        <source>Measures how fast this computer simulates, and saves the result. This takes some seconds.</source>
+        <translation>Mide la velocidad de simulación de este equipo y guarda el resultado. Esto tarda unos segundos.</translation>
     </message>
 </context>
 <context>

@@ -1796,12 +1796,12 @@
         <translation>Avertir avant une simulation qui se bloquerait ou durerait trop longtemps</translation>
     </message>
     <message>
-        <source>Last calibrated on {date}. The times of the {simulator} are right to within a factor of {factor}. Measured with FreeCAD {freecad} on {processor}, display {renderer}.</source>
-        <translation>Dernier étalonnage le {date}. Les temps de « {simulator} » sont justes à un facteur {factor} près. Mesuré avec FreeCAD {freecad} sur {processor}, affichage {renderer}.</translation>
+        <source>Last calibrated on {date}. The times of the {simulator} are right to within a factor of {factor}. Measured on {processor}, display {renderer}.</source>
+        <translation>Dernier étalonnage le {date}. Les temps de « {simulator} » sont justes à un facteur {factor} près. Mesuré sur {processor}, affichage {renderer}.</translation>
     </message>
     <message>
-        <source>Measures how fast FreeCAD&apos;s simulators are on this computer, and saves the result. This takes some seconds.</source>
-        <translation>Mesure la vitesse des simulateurs de FreeCAD sur cet ordinateur et enregistre le résultat. Cela prend quelques secondes.</translation>
+        <source>Measures how fast this computer simulates, and saves the result. This takes some seconds.</source>
+        <translation>Mesure la vitesse de simulation de cet ordinateur et enregistre le résultat. Cela prend quelques secondes.</translation>
     </message>
 </context>
 <context>

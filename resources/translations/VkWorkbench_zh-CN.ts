@@ -1796,12 +1796,12 @@
         <translation>在启动会卡死或耗时过长的模拟之前警告</translation>
     </message>
     <message>
-        <source>Last calibrated on {date}. The times of the {simulator} are right to within a factor of {factor}. Measured with FreeCAD {freecad} on {processor}, display {renderer}.</source>
-        <translation>上次校准于 {date}。{simulator}的时间误差在 {factor} 倍以内。测量环境：FreeCAD {freecad}，{processor}，显示 {renderer}。</translation>
+        <source>Last calibrated on {date}. The times of the {simulator} are right to within a factor of {factor}. Measured on {processor}, display {renderer}.</source>
+        <translation>上次校准于 {date}。{simulator}的时间误差在 {factor} 倍以内。测量环境：{processor}，显示 {renderer}。</translation>
     </message>
     <message>
-        <source>Measures how fast FreeCAD&apos;s simulators are on this computer, and saves the result. This takes some seconds.</source>
-        <translation>测量 FreeCAD 的仿真器在此计算机上的速度并保存结果。这需要几秒钟。</translation>
+        <source>Measures how fast this computer simulates, and saves the result. This takes some seconds.</source>
+        <translation>测量此计算机的仿真速度并保存结果。这需要几秒钟。</translation>
     </message>
 </context>
 <context>

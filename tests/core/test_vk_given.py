@@ -27,7 +27,6 @@ from vkworkbench.core import (
     signature,
     simulate,
     simulate_job,
-    steady_seconds,
     stock_around,
     trajectory_seconds,
 )
@@ -105,7 +104,6 @@ def test_bad_number_raises_an_error_with_its_name(name, given):
         ("trajectory", 1.5, DONE.cuts.source),
         ("processes", 0, lambda given: simulate(PATH, **WITH, processes=given)),
         ("processes", "two", lambda given: simulate(PATH, **WITH, processes=given)),
-        ("most", 0, lambda given: steady_seconds([], most=given)),
     ],
 )
 def test_bad_argument_raises_an_error_with_its_name(name, given, use):
@@ -134,8 +132,6 @@ def test_bad_argument_raises_an_error_with_its_name(name, given, use):
             )
         ),
         ("going_on", lambda given: simulate(PATH, **WITH, going_on=given)),
-        ("going_on", lambda given: steady_seconds([], most=1, going_on=given)),
-        ("clock", lambda given: steady_seconds([], most=1, clock=given)),
         ("recognition", lambda given: estimate(PATH, given, **WITH)),
         ("speed", lambda given: estimate(PATH, None, **WITH, speed=given)),
         ("estimates", lambda given: best_resolution(given, **MEMORY)),

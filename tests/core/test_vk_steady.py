@@ -7,8 +7,7 @@ import time
 import numpy as np
 import pytest
 
-from vkworkbench.core import steady_seconds
-from vkworkbench.core.steady import processor_clock
+from vkworkbench.core.steady import processor_clock, steady_seconds
 
 
 class Workshop:

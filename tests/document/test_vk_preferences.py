@@ -137,7 +137,7 @@ def test_constants_of_this_computer(arc, monkeypatch):
 
     asked = []
 
-    def constants(renderer):
+    def constants(_speed, renderer):
         asked.append(renderer)
         return DEFAULTS
 

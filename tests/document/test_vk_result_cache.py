@@ -104,8 +104,8 @@ def changes():
         monkeypatch.setattr(calibration, "measured_speed", lambda going_on: replace(now, record=2 * now.record))
 
     def constants(small, op, monkeypatch):
-        now = calibration.constants()
-        monkeypatch.setattr(calibration, "constants", lambda renderer: replace(now, tick=2 * now.tick))
+        now = calibration.constants(calibration.measured_speed())
+        monkeypatch.setattr(calibration, "constants", lambda *_: replace(now, tick=2 * now.tick))
 
     return [path, comment, tool, stock, placement, rapids, active, no_tool, chords, image, budget, accuracy, speed,
             constants]  # fmt: skip

@@ -26,7 +26,6 @@ except ImportError:
     from PySide6.QtTest import QTest
 
 from vkworkbench import freecad, preferences
-from vkworkbench.core.simulators import DEFAULTS
 from vkworkbench.core.zbuffer import Speed
 from vkworkbench.document.computer import calibration, idle
 from vkworkbench.document.job.results import RESULTS
@@ -39,8 +38,7 @@ CAM_WORKBENCH = "PathWorkbench" if freecad.version() < (1, 0) else "CAMWorkbench
 
 
 def use_default_speeds(patch):
-    patch.setattr(calibration, "measure_speed", lambda clock, going_on: Speed())
-    patch.setattr(calibration, "measure_legacy", lambda clock, going_on: DEFAULTS)
+    patch.setattr(calibration, "measure_speed", lambda going_on: Speed())
 
 
 @pytest.fixture
@@ -63,7 +61,8 @@ def usual_computer():
     """Calibrate FreeCAD with the default speeds, so that no predicted time depends on this computer."""
     with pytest.MonkeyPatch.context() as patch:
         use_default_speeds(patch)
-        calibration.calibrate(note_renderer())
+        note_renderer()
+        calibration.calibrate()
 
 
 @pytest.fixture(scope="session", autouse=True)

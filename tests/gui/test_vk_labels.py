@@ -1,14 +1,12 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Labels that look like HTML are shown as they are."""
 
-from dataclasses import replace
-
 import FreeCADGui as Gui
 import pytest
 from PySide import QtCore, QtGui
 
 import vkworkbench
-from vkworkbench import preferences
+from vkworkbench.core.zbuffer import Speed
 from vkworkbench.document.computer import calibration
 from vkworkbench.gui import preferences_page
 from vkworkbench.gui.qt import plain_text, progress
@@ -84,8 +82,8 @@ def test_boxes_show_texts_as_they_are(window, trap):
 
 
 def test_the_preferences_show_a_calibration_as_text(window, trap, monkeypatch):
-    known = calibration.load(preferences.read().renderer) or calibration.calibrate("")
-    monkeypatch.setattr(calibration, "load", lambda *_: replace(known, processor=trap))
+    monkeypatch.setattr(calibration, "processor", lambda: trap)
+    monkeypatch.setattr(calibration, "load", lambda: calibration.Calibration(Speed(), "2026-01-01"))
     page = preferences_page.PreferencesPage()
     page.loadSettings()
     label = page.form.calibrated

@@ -2,7 +2,6 @@
 """The computer is measured when the user pauses after the first analysis, or by *Calibrate*, which Esc ends."""
 
 import time
-from dataclasses import replace
 
 import FreeCAD
 import pytest
@@ -10,7 +9,6 @@ from PySide import QtCore, QtGui
 
 from vkworkbench import preferences
 from vkworkbench.core import measure_speed
-from vkworkbench.core.simulators import DEFAULTS
 from vkworkbench.core.zbuffer import Speed
 from vkworkbench.document.computer import calibration
 from vkworkbench.document.job.operations import find
@@ -25,7 +23,7 @@ def never_measured(restored_calibration):
     return restored_calibration
 
 
-def endless(clock=None, going_on=None):
+def endless(going_on):
     """Measure until Esc is pressed."""
     end = time.monotonic() + 60
     while time.monotonic() < end:
@@ -62,19 +60,16 @@ def first_session(never_measured, monkeypatch):
 
 @pytest.mark.usefixtures("default_preferences")
 def test_marks_come_first_and_are_refreshed(opened, window, first_session, monkeypatch):
-    monkeypatch.setattr(
-        calibration, "measure_legacy", lambda clock, going_on: replace(DEFAULTS, cell=9 * DEFAULTS.cell)
-    )
-    monkeypatch.setattr(calibration, "measure_speed", lambda clock, going_on: Speed(factor=2.0, record=1e-6, cell=1e-4))
+    monkeypatch.setattr(calibration, "measure_speed", lambda going_on: Speed(factor=2.0, record=1e-6, cell=1e-4))
     preferences.write(mark_simulator="z-buffer")
     monkeypatch.setattr(measuring, "_PAUSE", 10**6)
     window.analyze(opened)
     before, steps = marks.read(opened.Job), opened.UndoCount
-    assert calibration.load(preferences.read().renderer) is None and "about" in before.text
+    assert calibration.load() is None and "about" in before.text
     measuring._measurement._pauses.setInterval(10)
     window.wait(lambda: marks.read(opened.Job).costs != before.costs)
     assert marks.read(opened.Job).cost("z-buffer")[0] > 5 * before.cost("z-buffer")[0]
-    assert calibration.load(preferences.read().renderer) is not None and opened.UndoCount == steps
+    assert calibration.load() is not None and opened.UndoCount == steps
     opened.undo()
     assert not any(marks.is_marked(operation.object) for operation in find(opened))
     opened.redo()
@@ -84,26 +79,25 @@ def test_marks_come_first_and_are_refreshed(opened, window, first_session, monke
 def test_measurement_handles_events_and_yields_to_the_pointer(opened, window, first_session, monkeypatch):
     beats, pieces, tries = [0], [], []
 
-    def watched(clock, going_on):
+    def watched(going_on):
         def noted():
             going_on()
             pieces.append(beats[0])
             if len(tries) == 1:
                 QtGui.QCursor.setPos(QtGui.QCursor.pos() - QtCore.QPoint(5, 5))
 
-        tries.append(clock)
-        return measure_speed(clock, noted)
+        tries.append(going_on)
+        return measure_speed(going_on=noted)
 
     def beat():
         beats[0] += 1
 
     monkeypatch.setattr(calibration, "measure_speed", watched)
-    monkeypatch.setattr(calibration, "measure_legacy", lambda clock, going_on: DEFAULTS)
     timer = QtCore.QTimer()
     timer.timeout.connect(beat)
     timer.start(0)
     window.analyze(opened)
-    window.wait(lambda: calibration.load(preferences.read().renderer) is not None)
+    window.wait(lambda: calibration.load() is not None)
     timer.stop()
     assert len(tries) == 2 and len(pieces) >= 18 and all(before < after for before, after in zip(pieces, pieces[1:]))
     window.wait(lambda: not measuring._measurement._measures)

@@ -136,8 +136,9 @@ def test_calibrate_button_measures_and_shows_the_date(with_page, restored_calibr
 
     with_page(click)
     assert seen[0].startswith("Never calibrated") and seen[1].startswith("Last calibrated on")
-    known = calibration.load(preferences.read().renderer)
-    assert known is not None and known.renderer and known.processor in seen[1]
+    assert (
+        calibration.load() is not None and calibration.processor() in seen[1] and preferences.read().renderer in seen[1]
+    )
     with_page(lambda form: seen.append(form.calibrated.text()))
     assert seen[2] == seen[1]
 

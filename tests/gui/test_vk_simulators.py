@@ -11,9 +11,9 @@ from vkworkbench.gui.qt.sentences import user
 OLD = freecad.version() < (1, 0, 0)
 
 
-def test_first_analysis_calibrates(marked):
-    known = calibration.load(preferences.read().renderer)
-    assert preferences.read().renderer and known.constants.cell != DEFAULTS.cell
+def test_first_analysis_notes_the_renderer(marked):
+    known = calibration.constants(calibration.known_speed(), preferences.read().renderer)
+    assert preferences.read().renderer and known.cell != DEFAULTS.cell
 
 
 def test_simulators_are_called_as_in_freecads_menu(opened, window):

@@ -17,7 +17,6 @@ if TYPE_CHECKING:
     from vkworkbench.core.paper import Complexity, Signature, complexity, signature
     from vkworkbench.core.recognition import Recognition, Span, recognize
     from vkworkbench.core.solids import Stock, stock_around
-    from vkworkbench.core.steady import processor_clock, steady_seconds
     from vkworkbench.core.stocks import Cylinder, Mesh, Solid
     from vkworkbench.core.strategy import Family, Strategy
     from vkworkbench.core.tool import Tool
@@ -41,8 +40,7 @@ __all__ = [
     "COORDINATE_LIMIT", "MACHINES", "Complexity", "Cut", "Cylinder", "Estimate", "Family", "Frame", "Machine", "Machining", "Mesh", "Problem",
     "Recognition", "Resolution", "Signature", "Solid", "Span", "Speed", "Stock", "Strategy", "Tool", "Toolpath",
     "View", "ZBuffer", "best_resolution", "cauchy_crofton", "complexity", "estimate", "exact_lengths", "linearize", "machine_of_grbl", "machining",
-    "measure_speed", "processor_clock", "recognize", "signature", "simulate", "simulate_job", "steady_seconds",
-    "stock_around", "trajectory_seconds",
+    "measure_speed", "recognize", "signature", "simulate", "simulate_job", "stock_around", "trajectory_seconds",
 ]  # fmt: skip
 
 _NAMES = {
@@ -52,7 +50,6 @@ _NAMES = {
     "paper": "Complexity Signature complexity signature",
     "recognition": "Recognition Span recognize",
     "solids": "Stock stock_around",
-    "steady": "processor_clock steady_seconds",
     "stocks": "Cylinder Mesh Solid",
     "strategy": "Family Strategy",
     "tool": "Tool",

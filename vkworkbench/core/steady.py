@@ -9,8 +9,6 @@ from collections.abc import Callable, Sequence
 
 import numpy as np
 
-from vkworkbench.given import of_kind, whole
-
 # A time is steady once _TIMES measurements are at most _EQUAL times the shortest measurement.
 _EQUAL, _TIMES = 1.05, 3
 
@@ -25,7 +23,7 @@ def steady_seconds(
     clock: Callable[[], float] = processor_clock,
     going_on: Callable[[], object] = lambda: None,
 ) -> np.ndarray:
-    """Time each piece of work until three measurements are within 5 % of its shortest time.
+    """Return the shortest time of each piece of work, s, (k,) float64: three measurements are within 5 % of it.
 
     Other work of the computer can only slow a piece of work down, so the shortest time is the best estimate. Three
     nearly equal times show that the computer was idle. The pieces are timed in turn, so that a busy moment spoils only
@@ -34,27 +32,12 @@ def steady_seconds(
     Parameters
     ----------
     pieces : sequence of callable
-        Pieces of work; each is called without arguments.
+        Each piece is called without arguments.
     most : int
         Largest number of measurements of a piece.
-    clock : callable
-        Returns the time, s.
     going_on : callable
         Called before each piece of work; its time does not count. An exception from this call ends the measurement.
-
-    Returns
-    -------
-    (k,) float64
-        The shortest time of each piece, s.
-
-    Raises
-    ------
-    ValueError, TypeError
-        If `most` is not a whole number of at least 1, or `clock` or `going_on` is not callable.
     """
-    most = whole("most", most, "a whole number of at least 1", lambda n: n >= 1)
-    for name, given in (("clock", clock), ("going_on", going_on)):
-        of_kind(name, given, Callable, "a function")
     times: list[list[float]] = [[] for _ in pieces]
     for _ in range(most):
         waiting = [place for place, taken in enumerate(times) if not _is_steady(taken)]

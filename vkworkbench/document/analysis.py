@@ -103,10 +103,11 @@ def analyze(
     fixtures = {key: fixtures_of(job) for key, job in jobs.items()}
     posted = [[names_of(o.object) for o in find(job) if o.counted] for job in jobs.values()]
     labels = [o.object.Label for o in operations]
+    speed = calibration.measured_speed(going_on)
     conditions = Conditions(
         version=freecad.version(),
-        constants=calibration.constants(chosen.renderer),
-        speed=calibration.measured_speed(going_on),
+        constants=calibration.constants(speed, chosen.renderer),
+        speed=speed,
         view=chosen.view,
         legacy_accuracy=chosen.legacy_accuracy,
         opengl_quality=chosen.opengl_quality,

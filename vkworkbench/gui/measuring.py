@@ -13,7 +13,6 @@ from vkworkbench.document.computer import calibration
 from vkworkbench.document.job.operations import find, is_there
 from vkworkbench.document.marks import marking, marks
 from vkworkbench.gui.qt.names import QApplication, QCursor, QTimer
-from vkworkbench.gui.qt.renderer import note_renderer
 from vkworkbench.report import Cancelled
 
 _PAUSE = 1500  # ms without a motion of the pointer that count as a pause
@@ -41,7 +40,7 @@ class _Measurement:
         self._measures = True
         try:
             with suppress(OSError):  # if the file cannot be written, the default constants stay in use
-                calibration.calibrate(note_renderer(), going_on=self._going_on)
+                calibration.calibrate(self._going_on)
                 for document in FreeCAD.listDocuments().values():
                     with suppress(ReferenceError):  # the document was closed meanwhile
                         self._refresh(document)
@@ -76,6 +75,6 @@ _measurement: _Measurement | None = None
 def measure_once() -> None:
     """Measure this computer at the next pause of the user, if it was never measured; once in a session."""
     global _measurement
-    if _measurement is None and calibration.load(note_renderer()) is None:
+    if _measurement is None and calibration.load() is None:
         _measurement = _Measurement()
         _measurement.begin()

@@ -66,10 +66,10 @@ class PreferencesPage(FormPage):
         self._whole.fit()
 
     def _last_calibration(self) -> str:
-        from vkworkbench.core.simulators import LEGACY
+        from vkworkbench.core.simulators import DEFAULTS, LEGACY
         from vkworkbench.document.computer import calibration
 
-        known = calibration.load(preferences.read().renderer)
+        known = calibration.load()
         if known is None:
             return translate(
                 "VkPreferences",
@@ -79,12 +79,12 @@ class PreferencesPage(FormPage):
         text = translate(
             "VkPreferences",
             "Last calibrated on {date}. The times of the {simulator} are right to within a "
-            "factor of {factor}. Measured with FreeCAD {freecad} on {processor}, display "
-            "{renderer}.",
+            "factor of {factor}. Measured on {processor}, display {renderer}.",
         )
         return text.format(
-            date=_local_date(known.date), factor=user().number(known.constants.legacy_factor, 2),
-            simulator=user().simulator(LEGACY.name), freecad=known.freecad, processor=known.processor, renderer=known.renderer or "?",
+            date=_local_date(known.date), factor=user().number(DEFAULTS.legacy_factor, 2),
+            simulator=user().simulator(LEGACY.name), processor=calibration.processor(),
+            renderer=preferences.read().renderer or "?",
         )  # fmt: skip
 
 

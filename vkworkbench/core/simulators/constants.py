@@ -12,8 +12,7 @@ class Constants:
 
     The defaults were measured with FreeCAD 0.20.2, 1.0.0 and 1.1.3 on two Xeon cores without a graphics card. Only
     ``redraw``, ``frame``, ``draw`` and ``fill`` are guesses, for a computer with a graphics card.
-    ``document/computer/calibration.py`` has the values for software rendering.
-    ``document/computer/measuring.py`` measures the user's computer.
+    ``document/computer/calibration.py`` has the values for software rendering, and scales the times of the processor.
 
     Attributes
     ----------

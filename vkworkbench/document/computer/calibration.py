@@ -6,10 +6,9 @@ from __future__ import annotations
 import json
 import os
 import platform
-import sys
 from collections.abc import Callable
 from contextlib import suppress
-from dataclasses import asdict, dataclass, fields, replace
+from dataclasses import dataclass, fields, replace
 from datetime import date
 from pathlib import Path
 
@@ -17,10 +16,8 @@ import FreeCAD
 import numpy as np
 
 from vkworkbench import freecad
-from vkworkbench.core import processor_clock
 from vkworkbench.core.simulators import DEFAULTS, Constants
 from vkworkbench.core.zbuffer import WORK_UNITS, Speed, measure_speed
-from vkworkbench.document.computer.measuring import as_slow_here, measure_legacy
 from vkworkbench.worker import processes
 
 # Names of OpenGL renderers that draw on the processor and do not wait for the screen, and the times of a frame and of a
@@ -37,30 +34,15 @@ _SOFTWARE_MESH = 1.5
 _MEASURED = [field.name for field in fields(Speed) if field.name != "processes"]
 # Errors that a damaged file raises: other data than a calibration, numbers that are too large, lists nested too deep.
 _UNREADABLE = (TypeError, LookupError, ValueError, AttributeError, ArithmeticError, RecursionError)
-# Upper limit for a constant, and the constants for which 0 is valid.
-_LARGEST = 1e15
-_MAY_BE_ZERO = frozenset(["repaint", "facet", "refresh"])
+_LARGEST = 1e15  # upper limit for a measured number
 
 
 @dataclass(frozen=True)
 class Calibration:
-    """Constants measured on one computer with one FreeCAD version.
+    """The measured speed of this computer, and the day of the measurement (ISO 8601)."""
 
-    Attributes
-    ----------
-    constants : Constants
-        Costs of the unit work.
-    date : str
-        Day of the measurement, ISO 8601.
-    freecad, processor, renderer : str
-        FreeCAD, processor and renderer of the measurement. The calibration is valid only for this combination.
-    """
-
-    constants: Constants
+    speed: Speed
     date: str
-    freecad: str
-    processor: str
-    renderer: str
 
 
 def processor() -> str:
@@ -74,16 +56,25 @@ def processor() -> str:
     return platform.processor() or platform.machine()
 
 
-def constants(renderer: str = "") -> Constants:
-    """Return the measured constants of this computer, or the defaults before the first measurement.
+def constants(speed: Speed, renderer: str = "") -> Constants:
+    """Return the constants of FreeCAD's simulators, scaled by the speed of this computer in the extended z-buffer.
+
+    The timer, and the pictures of a graphics card, do not depend on the processor and keep their default times.
 
     Parameters
     ----------
+    speed : Speed
     renderer : str
         OpenGL's name of its renderer; empty without a window.
     """
-    known = load(renderer)
-    return known.constants if known else _for_renderer(DEFAULTS, renderer)
+    slowness = float(np.median(speed.constants / Speed().constants))
+    own = {name: slowness * getattr(DEFAULTS, name) for name in ("start", "cell", "facet", "profile")}
+    if not any(name in renderer.lower() for name in _SOFTWARE):
+        return replace(DEFAULTS, **own)
+    panel = _SOFTWARE_PANEL_QT6 if freecad.version() >= freecad.QT6_SINCE else _SOFTWARE_PANEL
+    own.update({name: slowness * seconds for name, seconds in {**_SOFTWARE_OPENGL, **panel}.items()})
+    own.update(cell=own["cell"] * _SOFTWARE_MESH, facet=own["facet"] * _SOFTWARE_MESH)
+    return replace(DEFAULTS, opengl_factor=DEFAULTS.legacy_factor, refresh=0.0, **own)
 
 
 def measured_speed(going_on: Callable[[], object] = lambda: None) -> Speed:
@@ -96,19 +87,52 @@ def measured_speed(going_on: Callable[[], object] = lambda: None) -> Speed:
     going_on : callable
         Called every tenth of a second during a measurement. An exception from it ends the measurement.
     """
-    known = _speed()
-    if known is None and FreeCAD.GuiUp:
+    if FreeCAD.GuiUp or load() is not None:
         return known_speed()
-    if known is None:
-        known = measure_speed(going_on=going_on)
-        with suppress(OSError):
-            _write(_kept(known))
-    return _on_all_cores(known)
+    measured = _measure(going_on)
+    with suppress(OSError):
+        _save(measured)
+    return _on_all_cores(measured.speed)
 
 
 def known_speed() -> Speed:
     """Return the speed of this computer in the extended z-buffer, or the default speed before the first measurement."""
-    return _on_all_cores(_speed() or Speed())
+    known = load()
+    return _on_all_cores(known.speed if known else Speed())
+
+
+def calibrate(going_on: Callable[[], object] = lambda: None) -> Calibration:
+    """Measure the extended z-buffer on this computer until the times are steady, and save the result.
+
+    Parameters
+    ----------
+    going_on : callable
+        Called every tenth of a second. An exception from it ends the measurement; the earlier calibration then stays.
+
+    Raises
+    ------
+    OSError
+        If the user data folder cannot be written.
+    """
+    measured = _measure(going_on)
+    _save(measured)
+    return measured
+
+
+def load() -> Calibration | None:
+    """Return the calibration of this computer; None without a readable calibration."""
+    record = _records().get(_key())
+    try:
+        values = {name: float(record[name]) for name in _MEASURED}
+        day = str(record["date"])
+    except _UNREADABLE:
+        return None
+    sound = all(0 < value <= _LARGEST for value in values.values()) and values["factor"] >= 1
+    return Calibration(Speed(**values), day) if sound else None
+
+
+def _measure(going_on: Callable[[], object]) -> Calibration:
+    return Calibration(measure_speed(going_on=going_on), date.today().isoformat())
 
 
 def _on_all_cores(speed: Speed) -> Speed:
@@ -116,84 +140,15 @@ def _on_all_cores(speed: Speed) -> Speed:
     return replace(speed, processes=processes())
 
 
-def _kept(speed: Speed) -> dict[str, dict[str, float]]:
-    return {_speed_key(): {name: getattr(speed, name) for name in _MEASURED}}
-
-
-def _speed() -> Speed | None:
-    record = _records().get(_speed_key())
-    try:
-        values = {name: float(record[name]) for name in _MEASURED}
-    except _UNREADABLE:
-        return None
-    return Speed(**values) if all(0 < value <= _LARGEST for value in values.values()) else None
-
-
-def load(renderer: str = "") -> Calibration | None:
-    """Return the calibration of this FreeCAD, processor and renderer; None without a readable calibration."""
-    record = _records().get(_key(renderer))
-    try:
-        values = {field.name: float(record["constants"][field.name]) for field in fields(Constants)}
-        if not all(_least(name) <= value <= _LARGEST for name, value in values.items()):
-            return None
-        words = (str(record[name]) for name in ("date", "freecad", "processor", "renderer"))
-        return Calibration(Constants(**values), *words)
-    except _UNREADABLE:
-        return None
-
-
-def _least(name: str) -> float:
-    """Return the smallest possible value of a constant: 1 for a factor, 0 for `_MAY_BE_ZERO`, otherwise more than 0."""
-    if name.endswith("factor"):
-        return 1.0
-    return 0.0 if name in _MAY_BE_ZERO else sys.float_info.min
-
-
-def calibrate(
-    renderer: str = "",
-    *,
-    clock: Callable[[], float] = processor_clock,
-    going_on: Callable[[], object] = lambda: None,
-) -> Calibration:
-    """Measure the extended z-buffer and the legacy simulator on this computer until the times are steady; save them.
-
-    The constants of the timer and the display cannot be measured this way; they are scaled by the time of a mesh.
-
-    Parameters
-    ----------
-    renderer : str
-        OpenGL's name of its renderer; empty without a window.
-    clock : callable
-        Returns the time, s.
-    going_on : callable
-        Called every tenth of a second. An exception from it ends the measurement; the earlier calibration then stays.
-
-    Returns
-    -------
-    Calibration
-
-    Raises
-    ------
-    OSError
-        If the user data folder cannot be written.
-    """
-    speed = measure_speed(clock, going_on)
-    measured = _for_renderer(measure_legacy(clock, going_on), renderer)
-    _write(_kept(speed))
-    version = ".".join(map(str, freecad.version()))
-    calibration = Calibration(measured, date.today().isoformat(), version, processor(), renderer)
-    _write({_key(renderer): asdict(calibration)})
-    return calibration
-
-
-def _write(new: dict) -> None:
-    """Add records to the calibration file, and keep its other records."""
+def _save(measured: Calibration) -> None:
+    """Add a calibration to the file, and keep the file's other records."""
+    record = {name: getattr(measured.speed, name) for name in _MEASURED}
     path = _path()
     path.parent.mkdir(parents=True, exist_ok=True)
     # Replace the file in one step, so that another FreeCAD reads either the old file or the new one.
     fresh = path.with_suffix(f".{os.getpid()}")
     try:
-        fresh.write_text(json.dumps({**_records(), **new}, indent=1))
+        fresh.write_text(json.dumps({**_records(), _key(): {**record, "date": measured.date}}, indent=1))
         fresh.replace(path)
     finally:
         with suppress(OSError):  # after `replace` the file does not exist under this name
@@ -213,19 +168,6 @@ def _records() -> dict:
     return records if isinstance(records, dict) else {}
 
 
-def _key(renderer: str) -> str:
-    return "; ".join((".".join(map(str, freecad.version())), processor(), renderer))
-
-
-def _speed_key() -> str:
-    """Return the key of the z-buffer's speed, which depends on its units, numpy and the processor but not on FreeCAD."""
+def _key() -> str:
+    """Return the key of the calibration, which depends on the units, numpy and the processor but not on FreeCAD."""
     return f"z-buffer; {WORK_UNITS}; {np.__version__}; {processor()}"
-
-
-def _for_renderer(base: Constants, renderer: str) -> Constants:
-    if any(name in renderer.lower() for name in _SOFTWARE):
-        panel = _SOFTWARE_PANEL_QT6 if freecad.version() >= freecad.QT6_SINCE else _SOFTWARE_PANEL
-        pictures = {name: as_slow_here(seconds, base.cell) for name, seconds in {**_SOFTWARE_OPENGL, **panel}.items()}
-        mesh = {"cell": base.cell * _SOFTWARE_MESH, "facet": base.facet * _SOFTWARE_MESH}
-        return replace(base, opengl_factor=DEFAULTS.legacy_factor, refresh=0.0, **mesh, **pictures)
-    return base

@@ -46,12 +46,13 @@ def calibrate(parent: QWidget) -> None:
     OSError
         If the user data folder cannot be written.
     """
-    from vkworkbench.document.computer import calibration  # loads FreeCAD's simulators
+    from vkworkbench.document.computer import calibration  # loads numpy
 
     text = translate("Vk_Analyze", "Measuring how fast this computer simulates…")
     progress = _Progress(translate("VkPreferences", "Calibrate"), text, parent)
     try:
-        calibration.calibrate(note_renderer(again=True), going_on=progress.going_on)
+        note_renderer(again=True)
+        calibration.calibrate(progress.going_on)
     finally:
         progress.close()
 
