@@ -12,7 +12,6 @@ from zbuffer_inputs import toolpath
 from toolpaths.synthetic import SAMPLES
 from vkworkbench.core import Cylinder, Mesh, Stock, Tool, View, linearize, simulate
 from vkworkbench.core.zbuffer import cauchy_crofton, cuts_surely, may_cut, most_bytes
-from vkworkbench.core.zbuffer.cost import bound
 
 TOOLS = [Tool("endmill", 5), Tool("ballend", 6), Tool("vbit", 8, tip_angle=np.pi / 2)]
 
@@ -32,7 +31,7 @@ def test_memory_of_a_simulation_is_at_most_the_upper_bound(tool, direction):
         stock, view = Stock(lower, [*upper[:2], max(lower[2] + 1, 0.0)]), View(direction, 60, 45)
         held = simulate(path, tool=tool, stock=stock, view=view)
         most = most_bytes(path, tool=tool, stock=stock, view=view)
-        assert held.peak.bytes() <= most and held.traces <= bound._most_removed(path, tool, stock, held.frame)
+        assert held.peak.bytes() <= most
         bounds += np.isfinite(most)
         if cuts_surely(path, stock) and direction == (0, 0, -1):  # in a side view, a pixel may be larger than the cut
             assert held.traces
@@ -46,7 +45,6 @@ def test_memory_of_round_stock_is_at_most_the_upper_bound(direction):
     solids = {"tool": TOOLS[0], "stock": stock, "view": View(direction, 60, 45)}
     held = simulate(path, **solids)
     assert held.peak.bytes() <= most_bytes(path, **solids) < np.inf
-    assert held.traces <= bound._most_removed(path, TOOLS[0], stock, held.frame)
     assert not cuts_surely(path, stock)
 
 
@@ -59,63 +57,6 @@ def test_mesh_stock_has_no_memory_bound_and_no_sure_cut():
 
 
 STOCK, PIXEL = Stock((0, 0, 0), (40, 30, 10)), View((0, 0, -1), 80, 60)  # pixels of 0.5 mm
-
-
-FLAT = Tool("endmill", 6)
-
-
-def records_of(moves, *, tool=FLAT, view=PIXEL, stock=STOCK):
-    """Return the upper bound of the number of traces."""
-    path = linearize([("G1", dict(zip("XYZ", map(float, point)))) for point in moves])
-    return bound._most_removed(path, tool, stock, view.frame(stock))
-
-
-ROUND = np.pi * 6 * 7 + 1  # footprint of the tool, with a radius of 6 pixels: area, half of the perimeter, and 1
-
-
-def test_trace_bound_counts_pixels_in_the_outline_of_the_move():
-    assert records_of([(5, 5, 5), (5, 5, 12)]) == pytest.approx(ROUND)
-    assert records_of([(5, 5, 5), (8, 9, 5)]) == pytest.approx(ROUND + 13 * 10)  # 5 mm, 13 pixels wide
-    # a move on the top face of the stock, and a path without moves
-    assert records_of([(5, 5, 10), (8, 9, 10)]) == 0 == records_of([(5, 5, 5)])
-    assert records_of([(5, 5, 12), (8, 9, 8)]) == pytest.approx(ROUND + 13 * 10)
-    # down into the stock and up again
-    assert records_of([(5, 5, 12), (5, 5, 8), (5, 5, 12)]) == pytest.approx(2 * ROUND)
-    assert records_of([(0, 0, 5), (200, 0, 5)]) == 80 * 60  # limited to the number of pixels
-
-
-def test_trace_bound_counts_flat_tool_once_at_each_height():
-    there_and_back = [(0, 0, 5), (200, 0, 5), (0, 0, 5)]
-    assert records_of(there_and_back) == 4800
-    assert records_of([*there_and_back, (0, 0, 3), (200, 0, 3)]) == 2 * 4800
-    # A plunge counts for the height of its lower end, where its footprint is new.
-    assert records_of([*there_and_back, (0, 0, 3)]) == pytest.approx(4800 + ROUND)
-    # a lift counts for the height of its lower end, too
-    assert records_of([(0, 0, 3), (200, 0, 3), (200, 0, 5), (0, 0, 5)]) == 2 * 4800
-    sloped = [(0, 0, 5), (200, 0, 4), (0, 0, 5)]
-    assert records_of(sloped) == 2 * 4800
-    for tool in (Tool("ballend", 6), Tool("vbit", 6)):
-        assert records_of(there_and_back, tool=tool) == 2 * 4800
-
-
-@pytest.mark.parametrize(
-    ("direction", "right", "up"), [((0, 1, 0), 3, 0), ((1, 0, 0), 4, 0), ((0, 0.6, -0.8), 3, 4 * 0.8)]
-)
-@pytest.mark.parametrize("rise", [0, 2])
-def test_oblique_trace_bound_is_twice_the_box_of_the_move(direction, right, up, rise):
-    """A move of 3 x 4 mm, 5 mm below the top of the stock.
-
-    Its box includes the tool and the shank up to the stock's top.
-    """
-    view = View(direction, 300, 300, pixel=0.5)
-    up += rise * np.hypot(*direction[:2])
-    width, height = right / 0.5 + 12, up / 0.5 + 12 + 5 / 0.5
-    ends = [(5, 5, 5), (8, 9, 5 + rise)]
-    box = 2 * (width * height + width + height + 1)
-    for move in (ends, ends[::-1]):
-        assert records_of(move, view=view) == pytest.approx(box)
-        assert records_of([*move, move[0]], view=view) == pytest.approx(2 * box)
-        assert records_of(move, view=View(direction, 5, 4, pixel=0.5)) == 2 * 20
 
 
 def test_cut_is_sure_if_the_tip_moves_inside_the_stock():

@@ -16,7 +16,7 @@ from zbuffer_inputs import BOX, PATHS, TOOLS, toolpath
 
 from vkworkbench import worker
 from vkworkbench.core import Cut, Mesh, Speed, View, estimate, simulate
-from vkworkbench.core.zbuffer import memory_needed, shared_seconds, unshared_seconds
+from vkworkbench.core.zbuffer import memory_needed, shared_seconds
 from vkworkbench.core.zbuffer.memory.memory import helpers_within
 from vkworkbench.core.zbuffer.rays.records import side_by_side
 from vkworkbench.core.zbuffer.rays.removal import Removal
@@ -269,12 +269,10 @@ def test_joined_bands_equal_the_whole_image():
     assert joined.trajectories == whole.trajectories and sum(n for _, n in parts) == pytest.approx(tested, rel=0.01)
 
 
-def test_shared_time_converts_to_one_process_and_back():
+def test_work_is_shared_after_the_other_processes_have_started():
     assert shared_seconds(0.4, 8) == 0.4 and shared_seconds(20.0, 1) == 20.0
     assert 10 < shared_seconds(20.0, 2) < 11
-    for seconds in (0.1, 0.85, 1.0, 30.0):
-        for processes in (1, 2, 5):
-            assert unshared_seconds(shared_seconds(seconds, processes), processes) == pytest.approx(seconds)
+    assert shared_seconds(0.85, 5) == 0.85 and shared_seconds(30.85, 5) == pytest.approx(0.85 + 6)
 
 
 def test_estimate_uses_at_most_one_process_per_band():

@@ -45,7 +45,7 @@ from vkworkbench.core.zbuffer.memory.memory import OverBudget, Peak, memory_need
 from vkworkbench.core.zbuffer.rays.records import DEXEL, RECORD_BYTES, TRACE
 from vkworkbench.core.zbuffer.rays.surface import STOCK
 from vkworkbench.core.zbuffer.simulator.moments import ZBuffer
-from vkworkbench.core.zbuffer.simulator.sharing import shared_seconds, unshared_seconds
+from vkworkbench.core.zbuffer.simulator.sharing import shared_seconds
 from vkworkbench.core.zbuffer.simulator.simulate import simulate, simulate_job
 from vkworkbench.core.zbuffer.sweeps.cuts import Cut, Cuts, Source
 
@@ -111,7 +111,6 @@ __all__ = [
     "simulate_job",
     "thin_gouges",
     "trajectory_table",
-    "unshared_seconds",
     "worst_places",
     "write_stl",
 ]  # fmt: skip

@@ -5,12 +5,14 @@ from __future__ import annotations
 
 import numpy as np
 
-from vkworkbench.core.solids import Convex, Stock
+from vkworkbench.core.solids import Stock
 from vkworkbench.core.stocks import Solid, fitted
 from vkworkbench.core.tool import Tool
 from vkworkbench.core.toolpath import Toolpath, check_toolpath
-from vkworkbench.core.view import Frame, View
+from vkworkbench.core.view import View
 from vkworkbench.core.zbuffer.memory.memory import most_bytes_of
+from vkworkbench.core.zbuffer.rays.removal import Removal
+from vkworkbench.core.zbuffer.sweeps.cuts import Cut, Cuts
 from vkworkbench.given import number
 
 # Depth below the stock's top, mm. A point of the toolpath at a smaller depth does not count as a certain cut.
@@ -45,65 +47,9 @@ def may_cut(toolpath: Toolpath, tool: Tool, stock: Solid) -> bool:
 
 
 def most_bytes(toolpath: Toolpath, *, tool: Tool, stock: Solid, view: View) -> float:
-    """Return an upper bound of the simulation's peak memory, pictures included.
-
-    A trajectory adds at most one record to each pixel that it passes in a view from above, and at most two in an
-    oblique view. A convex outline with area A and perimeter P contains at most A + P / 2 + 1 points of a lattice with
-    spacing 1 (Nosarzewska 1948). In a view from above, this outline is the outline of the swept volume. In an oblique
-    view, this outline is the bounding box of the swept volume in the image. A tool with a flat end cuts each pixel at
-    most once at each height.
-
-    Parameters
-    ----------
-    toolpath : Toolpath
-    tool : Tool
-    stock : Solid
-        The bound is infinite for a mesh, because the number of dexels on its rays is unknown.
-    view : View
-
-    Returns
-    -------
-    float
-        Upper bound, bytes.
-    """
-    if not isinstance(stock, Convex):
-        return np.inf
-    frame = view.frame(stock)
-    return most_bytes_of(_most_removed(toolpath, tool, stock, frame), frame.width * frame.height, len(toolpath))
-
-
-def _most_removed(toolpath: Toolpath, tool: Tool, stock: Convex, frame: Frame) -> float:
-    """Return an upper bound of the number of removed pieces."""
-    points, top = toolpath.points, float(stock.upper[2])
-    cuts = np.flatnonzero(np.minimum(points[:-1, 2], points[1:, 2]) < top) if len(toolpath) else np.empty(0, int)
-    move = points[cuts + 1] - points[cuts]
-    pixels, radius = frame.width * frame.height, tool.radius / frame.pixel
-    if not any(frame.direction[:2]):
-        run = np.sqrt(move[:, 0] ** 2 + move[:, 1] ** 2) / frame.pixel
-        passed = (2 * radius + 1) * run + np.pi * radius * (radius + 1) + 1
-        return _count_by_level(points[cuts], move, passed, tool, pixels)
-    # In an oblique view, the tool is replaced by a cylinder with its diameter, from its tip to the stock's top.
-    height = (top - np.minimum(points[cuts, 2], points[cuts + 1, 2])) / frame.pixel
-    right, up = (
-        sum(np.abs(move[:, axis] * direction[axis]) for axis in range(3)) / frame.pixel + 2 * radius
-        for direction in (frame.right, frame.up)
-    )
-    up += height
-    return 2 * float(np.minimum(right * up + right + up + 1, pixels).sum())
-
-
-def _count_by_level(start: np.ndarray, move: np.ndarray, passed: np.ndarray, tool: Tool, pixels: int) -> float:
-    """Return an upper bound of the number of removed pieces in a view from above.
-
-    `passed` contains the number of pixels that each trajectory passes. If the tool's end is flat, each pixel counts at
-    most once at each height.
-    """
-    if passed.sum() <= pixels or tool.rounding or tool.steepness:
-        return float(np.minimum(passed, pixels).sum())
-    flat = (move[:, 2] == 0) | ~move[:, :2].any(axis=1)
-    low = start[flat, 2] + np.minimum(move[flat, 2], 0)
-    _, level = np.unique(low, return_inverse=True)
-    return float(np.minimum(np.bincount(level, passed[flat]), pixels).sum() + np.minimum(passed[~flat], pixels).sum())
+    """Return an upper bound of the simulation's peak memory, pictures included, bytes; infinite for a mesh."""
+    cuts = Cuts([Cut(toolpath, tool)])
+    return most_bytes_of(Removal(cuts, stock, view.frame(stock)), len(cuts))
 
 
 def cauchy_crofton(toolpath: Toolpath, *, stock: Solid, view: View, direction: float | None = None) -> float:

@@ -163,8 +163,7 @@ def check_memory(removal: Removal, trajectories: int, allowed: float) -> None:
     OverBudget
         If the estimated peak is larger than allowed.
     """
-    most = _most_records(removal)
-    if _peak(most, most, 0.0, most, trajectories, removal).bytes() <= allowed:
+    if most_bytes_of(removal, trajectories) <= allowed:
         return  # even the upper bound is within the limit, so no rays are sampled
     counts = count(removal)
     peak = peak_of(counts, trajectories, removal)
@@ -211,10 +210,10 @@ def peak_that_was(records: Records, removal: Removal) -> Peak:
     return _peak(len(records.far), traces, 0.0, 0.0, records.trajectories, removal)
 
 
-def most_bytes_of(traces: float, pixels: int, trajectories: int) -> float:
-    """Return an upper bound of the peak memory of a simulation that removes at most `traces` pieces, bytes."""
-    records = traces + pixels
-    return Peak(records, traces, 0.0, records, pixels, trajectories, _BAND).bytes()
+def most_bytes_of(removal: Removal, trajectories: int) -> float:
+    """Return an upper bound of the peak memory of a simulation, without sampled rays, bytes; infinite for a mesh."""
+    most = _most_records(removal)
+    return _peak(most, most, 0.0, most, trajectories, removal).bytes()
 
 
 def helpers_within(allowed: float, removal: Removal, trajectories: int) -> int:

@@ -76,15 +76,6 @@ def shared_seconds(seconds: float, processes: int) -> float:
     return alone + (seconds - alone) / processes
 
 
-def unshared_seconds(seconds: float, processes: int) -> float:
-    """Return the time that one process needs for work that takes `seconds` in several processes, s.
-
-    This function is the inverse of `shared_seconds`.
-    """
-    alone = min(seconds, _ALONE + _START)
-    return alone + (seconds - alone) * processes
-
-
 class _Shared:
     """Pending regions, and results of finished regions, shared by several threads."""
 
