@@ -31,7 +31,6 @@ def number(name: str, given: Any, takes: str, fits: Callable[[float], bool] = la
     ----------
     name : str
         Name of the argument.
-    given : object
     takes : str
         Description of the accepted values, e.g. ``"a positive number of mm"``.
     fits : callable

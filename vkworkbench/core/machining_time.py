@@ -77,7 +77,6 @@ def trajectory_seconds(
 
     Parameters
     ----------
-    toolpath : Toolpath
     horizontal_rapid, vertical_rapid : float
         As for :func:`machining`.
     machine : Machine, optional
@@ -163,10 +162,6 @@ def machining(
     machine : Machine, optional
         Machine whose accelerations and speeds are used for the times, instead of the rapid speeds above. If None, the
         tool moves at constant feed and rapid speeds.
-
-    Returns
-    -------
-    Machining
 
     Raises
     ------

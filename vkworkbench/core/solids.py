@@ -88,7 +88,6 @@ class Convex:
 
         Parameters
         ----------
-        frame : Frame
         x, y : (k,) ndarray
             Image coordinates of the rays, mm.
         """

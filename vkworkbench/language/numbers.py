@@ -102,7 +102,6 @@ class Reader:
 
         Parameters
         ----------
-        seconds : float
         factor : float
             The true time is between `seconds` / `factor` and `seconds` * `factor`. A large factor reduces the number of
             digits.

@@ -61,8 +61,6 @@ def render(message: Message, reader: Reader = ENGLISH, *, plain: bool = False) -
 
     Parameters
     ----------
-    message : Message
-    reader : Reader
     plain : bool
         Whether to use a machinist's words instead of the paper's terms, if the table has such a sentence.
 

@@ -25,8 +25,6 @@ def analyze_apart(path: Path, chosen: Preferences, patience: float) -> tuple[Ope
 
     Parameters
     ----------
-    path : Path
-    chosen : Preferences
     patience : float
         Time limit of the analysis, s. The start of the process is not included.
 

@@ -23,7 +23,6 @@ def monotonous_areas(toolpath: Toolpath, first: int = 0, last: int | None = None
 
     Parameters
     ----------
-    toolpath : Toolpath
     first, last : int
         Range of trajectories to split, last inclusive; by default all.
 

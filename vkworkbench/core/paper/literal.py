@@ -57,12 +57,7 @@ class PaperVerdict:
 
 
 def paper_verdict(areas: Areas) -> PaperVerdict | None:
-    """Return the paper's verdict on the longest area; None if no move has a direction.
-
-    Parameters
-    ----------
-    areas : Areas
-    """
+    """Return the paper's verdict on the longest area; None if no move has a direction."""
     if not len(areas):
         return None
     area = int(np.argmax(areas.area_length))

@@ -73,10 +73,6 @@ def closed_loops(moves: Moves) -> tuple[np.ndarray, np.ndarray]:
     zigzag can return to its own start before the tool cuts the contour around the zigzag; only the contour is then a
     loop.
 
-    Parameters
-    ----------
-    moves : Moves
-
     Returns
     -------
     first, end : (k,) int
@@ -212,7 +208,6 @@ def winding_turns(moves: Moves, start: np.ndarray, end: np.ndarray, sense: np.nd
 
     Parameters
     ----------
-    moves : Moves
     start, end : (w,) int
         Winding i consists of the moves start[i] .. end[i] - 1.
     sense : (w,) float

@@ -34,10 +34,6 @@ def signature(points: np.ndarray) -> Signature:
         Vertices. A polyline in space is projected to the coordinate plane of its motion. The plane is XY, unless Z
         changes and only one of X and Y changes; the plane is then YZ or ZX.
 
-    Returns
-    -------
-    Signature
-
     Raises
     ------
     ValueError

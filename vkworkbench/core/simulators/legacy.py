@@ -94,15 +94,10 @@ def legacy_cost(task: Task, *, accuracy: float = 0.1, constants: Constants = DEF
 
     Parameters
     ----------
-    task : Task
     accuracy : float
         Edge of a cell in percent of the stock's longer side, 0.1 to 1. It is 1.1 - 0.1 times the slider's position.
     constants : Constants
         Times and memory sizes of the simulator's steps.
-
-    Returns
-    -------
-    LegacyCost
     """
     toolpath = task.toolpath
     tool, stock = task.cutting
@@ -166,10 +161,6 @@ def legacy_together(costs: Sequence[LegacyCost]) -> LegacyCost:
     ----------
     costs : sequence of LegacyCost
         Costs of at least one operation, in the order of the operations. All must have the same stock and accuracy.
-
-    Returns
-    -------
-    LegacyCost
     """
     constants, facets = costs[0].constants, sum(cost.facets for cost in costs)
     cells = max(cost.cells for cost in costs)

@@ -80,10 +80,6 @@ def opengl_work(made: Motions, *, diameter: float, quality: int = 10) -> OpenGLW
         Diameter of the tool, mm.
     quality : int
         Position of the quality slider, 1 to 10.
-
-    Returns
-    -------
-    OpenGLWork
     """
     # The simulator reads the size of the stock before the stock is set, so the size is always 100 mm.
     resolution = min(max(100 * 0.05 / quality, 0.5), 4.0)
@@ -195,17 +191,12 @@ def opengl_cost(
 
     Parameters
     ----------
-    task : Task
     speeds : tuple of int
         Steps per frame, see :func:`opengl_speeds`.
     quality : int
         Position of the quality slider, 1 to 10.
     constants : Constants
         Times and memory sizes of the simulator's steps.
-
-    Returns
-    -------
-    OpenGLCost
     """
     tool, stock = task.cutting
     work = opengl_work(task.motions, diameter=tool.diameter, quality=quality)
@@ -240,10 +231,6 @@ def opengl_together(costs: Sequence[OpenGLCost]) -> OpenGLCost:
     ----------
     costs : sequence of OpenGLCost
         Costs of at least one operation, in the order of the operations. All must have the same stock and speeds.
-
-    Returns
-    -------
-    OpenGLCost
     """
     constants = costs[0].constants
     part = (np.arange(_PARTS) + 0.5) / _PARTS

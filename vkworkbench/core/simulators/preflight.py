@@ -19,7 +19,6 @@ def preflight(task: Task, costs: Mapping[str, Cost], conditions: Conditions) -> 
         Without words, there are no cautions about commands. Without a tool, there are no cautions about ramps.
     costs : mapping of str to Cost
         Predicted costs by the simulators' names. Without a cost, there are no cautions about time and memory.
-    conditions : Conditions
 
     Returns
     -------

@@ -117,11 +117,6 @@ def available(version: tuple[int, ...]) -> tuple[Simulator, ...]:
 def predict(task: Task, conditions: Conditions) -> tuple[OnDemand, OnDemand]:
     """Predict the cost of an operation with known tool and stock in every simulator of the FreeCAD in `conditions`.
 
-    Parameters
-    ----------
-    task : Task
-    conditions : Conditions
-
     Returns
     -------
     costs, advice : OnDemand

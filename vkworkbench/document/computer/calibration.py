@@ -63,7 +63,6 @@ def constants(speed: Speed, renderer: str = "") -> Constants:
 
     Parameters
     ----------
-    speed : Speed
     renderer : str
         OpenGL's name of its renderer; empty without a window.
     """

@@ -45,7 +45,6 @@ def better_way(simulator: str, records: Sequence[Record | None], chosen: Prefere
         Name of one of FreeCAD's simulators.
     records : sequence of Record or None
         The marks of the operations, None for an operation without a mark. Outdated marks are ignored.
-    chosen : Preferences
     """
     fresh = [record for record in records if record is not None and not record.outdated]
     wrong = _hangs(simulator, fresh)

@@ -34,7 +34,6 @@ def mark(report: Report, *, undo_step: bool = True) -> int:
 
     Parameters
     ----------
-    report : Report
     undo_step : bool
         Whether the marks become a step that the user can undo. If False, undone earlier steps can still be redone.
 

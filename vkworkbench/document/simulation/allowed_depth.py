@@ -28,7 +28,6 @@ def allowed_depth(obj, tool: Tool | None, simplified: Message | None) -> float:
     Parameters
     ----------
     obj : DocumentObject
-    tool : Tool or None
     simplified : Message or None
         The remark that the tool is simulated by a simpler shape.
     """

@@ -82,7 +82,6 @@ def simulate_along_axis(
 
     Parameters
     ----------
-    job : SimulatedJob
     memory_budget : float
         Largest memory, bytes. The preferences contain the time budget.
     going_on : callable, optional

@@ -139,7 +139,6 @@ def ticks(
 
     Parameters
     ----------
-    low, high : float
     count : int
         Approximate number of values.
     name : callable

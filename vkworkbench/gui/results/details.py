@@ -27,7 +27,6 @@ def page(row: Row, first: list, others: list, opened: set[str]) -> str:
 
     Parameters
     ----------
-    row : Row
     first, others : list of Column
         The default columns and the other columns.
     opened : set of str

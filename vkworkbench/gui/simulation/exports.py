@@ -85,7 +85,6 @@ def write_frames(player, folder: Path, number: int, going_on: Callable[[int], bo
     Parameters
     ----------
     player : Player
-    folder : Path
     number : int
         Number of pictures.
     going_on : callable

@@ -82,7 +82,6 @@ def judge(findings: Findings, tolerance: float, compares: bool) -> Judgement:
 
     Parameters
     ----------
-    findings : Findings
     tolerance : float
         Allowed difference from the model, mm.
     compares : bool

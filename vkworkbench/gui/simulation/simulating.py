@@ -231,7 +231,6 @@ def detail_view(frame: Frame, job: SimulatedJob, pixel: float) -> View | None:
     ----------
     frame : Frame
         Frame of the image.
-    job : SimulatedJob
     pixel : float
         Pixel of the simulation of the whole stock, mm.
     """

@@ -103,10 +103,8 @@ def layouts(record: Record, words: str, chosen: Preferences, metrics, most_of_re
 
     Parameters
     ----------
-    record : Record
     words : str
         The user's own description, shown behind the mark.
-    chosen : Preferences
     metrics : QFontMetrics
     most_of_remark : int or None
         Maximum number of characters of a remark; None for all.

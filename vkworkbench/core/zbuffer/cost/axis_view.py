@@ -34,7 +34,6 @@ def axis_view(cuts: Iterable[Cut], stock: Solid, *, memory_bytes: float, seconds
     ----------
     cuts : iterable of Cut
         The operations in machining order.
-    stock : Solid
     memory_bytes, seconds : float
         Memory budget, bytes, and time budget of the simulation, s.
     speed : Speed

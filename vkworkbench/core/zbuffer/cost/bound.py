@@ -64,7 +64,6 @@ def cauchy_crofton(toolpath: Toolpath, *, stock: Solid, view: View, direction: f
     ----------
     toolpath : Toolpath
         Each trajectory that goes below the top of the stock counts with its whole length, even beside the stock.
-    stock : Solid
     view : View
         Epsilon is the side of the view's pixels.
     direction : float, optional

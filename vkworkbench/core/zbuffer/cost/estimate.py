@@ -110,12 +110,8 @@ def estimate(
 
     Parameters
     ----------
-    toolpath : Toolpath
     recognition : Recognition or None
         The recognised strategy, which the explanation names.
-    tool : Tool
-    stock : Solid
-    view : View
     speed : Speed
         Speed of this computer; see `measure_speed`.
 
@@ -145,8 +141,6 @@ def estimate_job(cuts: Sequence[Cut], *, stock: Solid, view: View, speed: Speed 
     ----------
     cuts : sequence of Cut
         The operations in machining order.
-    stock : Solid
-    view : View
     speed : Speed
         Speed of this computer; see `measure_speed`.
 

@@ -74,10 +74,6 @@ def best_resolution(
     whole : Estimate, optional
         Estimate of all operations together. Default: the sum of `estimates`, with the stock counted once.
 
-    Returns
-    -------
-    Resolution
-
     Raises
     ------
     ValueError

@@ -136,10 +136,6 @@ def fit_speed(amounts: np.ndarray, seconds: np.ndarray) -> Speed:
         The work of each simulation; see `Work.amounts`.
     seconds : (k,) ndarray
         Measured time of each simulation, s.
-
-    Returns
-    -------
-    Speed
     """
     default = USUAL.constants
     factor = float(np.median(seconds / (amounts @ default)))

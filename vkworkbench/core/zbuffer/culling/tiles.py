@@ -69,7 +69,6 @@ class Bounds(Protocol):
 
         Parameters
         ----------
-        tiles : Tiles
         tile : (p,) ndarray of int
             Tile of each pair in `tiles`.
         near, far : (side * side, t) ndarray
@@ -173,10 +172,8 @@ def small_tiles(trajectories: Trajectories, bounds: Bounds, region: Region) -> I
 
     Parameters
     ----------
-    trajectories : Trajectories
     bounds : Bounds
         Bounds for the view of `trajectories`.
-    region : Region
 
     Yields
     ------
@@ -196,10 +193,8 @@ def divided(
 
     Parameters
     ----------
-    trajectories : Trajectories
     bounds : Bounds
         Bounds for the view of `trajectories`.
-    tiles : Tiles
     needed : callable, optional
         Function that returns the part of the tiles that the caller needs: some of the tiles, each with the first
         trajectories of its list. The function is called for the tiles of each size.

@@ -166,7 +166,6 @@ def bounds(tool: Tool, slopes: Slopes | None, squares: Squares) -> tuple[np.ndar
 
     Parameters
     ----------
-    tool : Tool
     slopes : Slopes or None
         None if all moves are level.
     squares : Squares
@@ -267,9 +266,6 @@ def _deepest_reach(
 
     Parameters
     ----------
-    tool : Tool
-    slopes : Slopes
-    squares : Squares
     inner, inner2 : (p,) ndarray
         Smallest distance from the square to the line of the move, mm, and the squared distance, mm^2.
     nearest2 : (p,) ndarray

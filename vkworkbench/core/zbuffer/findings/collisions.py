@@ -171,15 +171,10 @@ def holder_collisions(
     ----------
     cuts : Cuts
         The operations. A part of a tool is not checked if its size is unknown.
-    stock : Solid
     clamps : mapping of str to Solid, optional
         Solids that no part of a tool is allowed to touch, by name.
     going_on : callable, optional
         Called many times a second. An exception raised by `going_on` ends the work.
-
-    Returns
-    -------
-    Collisions
     """
     clamps = clamps or {}
     search = _Search(going_on)

@@ -73,15 +73,10 @@ def check_crashes(
     ----------
     cuts : iterable of Cut
         The operations in machining order.
-    stock : Solid
     seconds : float
         Time limit, s. Moves that are not checked within the time limit are returned as unchecked.
     going_on : callable, optional
         Called many times a second. An exception raised by `going_on` ends the check.
-
-    Returns
-    -------
-    CrashCheck
     """
     numbered = Cuts(cuts)
     return _Check(numbered, stock, time.monotonic() + seconds, going_on).run()

@@ -67,7 +67,6 @@ def gouges(zbuffer: ZBuffer, found: Deviations, tolerance: float) -> list[Deviat
 
     Parameters
     ----------
-    zbuffer : ZBuffer
     found : Deviations
         Deviations of this `zbuffer`.
     tolerance : float
@@ -137,7 +136,6 @@ def worst_places(
 
     Parameters
     ----------
-    zbuffer : ZBuffer
     found : Deviations
         Deviations of this `zbuffer`.
     tolerance : float

@@ -33,7 +33,6 @@ def removal_rates(zbuffer: ZBuffer, measured: Volumes | None = None) -> np.ndarr
 
     Parameters
     ----------
-    zbuffer : ZBuffer
     measured : Volumes, optional
         Measured volumes. Without measured volumes, the volumes are computed from the image.
 
@@ -56,7 +55,6 @@ def cuts_air(zbuffer: ZBuffer, measured: Volumes | None = None) -> np.ndarray:
 
     Parameters
     ----------
-    zbuffer : ZBuffer
     measured : Volumes, optional
         Measured volumes. A move with a measured volume cuts, even if no ray of the image meets the removed material.
 
@@ -86,7 +84,6 @@ def engagement(zbuffer: ZBuffer, measured: Volumes | None = None) -> tuple[np.nd
 
     Parameters
     ----------
-    zbuffer : ZBuffer
     measured : Volumes, optional
         Measured volumes and depths. Without measured values, volumes and depths are computed from the image.
 
@@ -130,7 +127,6 @@ def trajectory_table(zbuffer: ZBuffer, measured: Volumes | None = None) -> dict[
 
     Parameters
     ----------
-    zbuffer : ZBuffer
     measured : Volumes, optional
         Measured volumes and depths. Without measured values, volumes and depths are computed from the image.
 

@@ -67,10 +67,6 @@ def crashes(zbuffer: ZBuffer) -> list[Crash]:
 
     A rapid that removes material narrower than a pixel is possibly missed; `check_crashes` finds these rapids, too.
 
-    Parameters
-    ----------
-    zbuffer : ZBuffer
-
     Returns
     -------
     list of Crash
@@ -84,7 +80,6 @@ def crashes_among(cuts: Cuts, pieces: RemovedPieces, volumes: np.ndarray) -> lis
 
     Parameters
     ----------
-    cuts : Cuts
     pieces : RemovedPieces
         Pieces that rapids remove; pieces of other moves must not be included.
     volumes : (n,) ndarray
@@ -182,10 +177,6 @@ class Plunge:
 
 def fast_plunges(zbuffer: ZBuffer) -> list[Plunge]:
     """Return the plunges into full material that are faster than the vertical feed of their tool.
-
-    Parameters
-    ----------
-    zbuffer : ZBuffer
 
     Returns
     -------

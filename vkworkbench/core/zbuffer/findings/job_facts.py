@@ -218,10 +218,6 @@ def facts(
     collisions : Collisions, optional
         The check of shanks, holders and clamps of the same job.
 
-    Returns
-    -------
-    JobFacts
-
     Raises
     ------
     ValueError
@@ -346,10 +342,8 @@ def verdict_on(
 
     Parameters
     ----------
-    zbuffer : ZBuffer
     job : CutFacts
         Facts on all operations together.
-    checked : CrashCheck
     compared : bool
         Whether the part was compared with a model.
     collisions : Collisions, optional

@@ -142,13 +142,8 @@ def deviations(zbuffer: ZBuffer, model: Solid) -> Deviations:
 
     Parameters
     ----------
-    zbuffer : ZBuffer
     model : Solid
         The model in the coordinates of the stock.
-
-    Returns
-    -------
-    Deviations
     """
     return SeenModel(model, zbuffer.frame).against(zbuffer)
 

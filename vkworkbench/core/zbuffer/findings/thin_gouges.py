@@ -84,7 +84,6 @@ def thin_gouges(
     ----------
     cuts : iterable of Cut
         The operations in machining order.
-    stock : Solid
     seen : SeenModel
         The model in an image along the tool axis. This image shows the gouges that are not thin.
     tolerance : float
@@ -93,10 +92,6 @@ def thin_gouges(
         Time limit, s.
     going_on : callable, optional
         Called many times a second. An exception raised by `going_on` ends the search.
-
-    Returns
-    -------
-    ThinGouges
     """
     numbered, end, pixel = Cuts(cuts), time.monotonic() + seconds, seen.frame.pixel
     thin = tuple(

@@ -87,7 +87,6 @@ def measure_volumes(
     ----------
     cuts : iterable of Cut
         The operations in machining order.
-    stock : Solid
     seconds : float
         Time limit, s.
     going_on : callable, optional

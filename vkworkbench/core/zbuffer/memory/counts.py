@@ -72,10 +72,6 @@ def count(removal: Removal) -> Counts:
     The order of the trajectories determines how often a pixel is cut (paper, section 2.1). Therefore the sampled rays
     are cut in the order of the program.
 
-    Parameters
-    ----------
-    removal : Removal
-
     Returns
     -------
     Counts

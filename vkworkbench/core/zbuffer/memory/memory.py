@@ -128,8 +128,6 @@ def memory_needed(cuts: Iterable[Cut], *, stock: Solid, view: View) -> float:
     ----------
     cuts : iterable of Cut
         The operations in machining order.
-    stock : Solid
-    view : View
 
     Returns
     -------

@@ -82,11 +82,6 @@ def sample(removal: Removal, rng: np.random.Generator) -> Sample:
     each other. In each stratum, one random point is drawn, and the pixel that contains the point gives the ray.
     Therefore a slot narrower than a pixel counts as often as in the simulated image.
 
-    Parameters
-    ----------
-    removal : Removal
-    rng : numpy.random.Generator
-
     Returns
     -------
     Sample

@@ -30,8 +30,6 @@ def seen_areas(stock: Solid, frame: Frame, rng: np.random.Generator) -> tuple[fl
 
     Parameters
     ----------
-    stock : Solid
-    frame : Frame
     rng : numpy.random.Generator
         Random generator for the rays that sample a mesh. Other stocks do not use the generator.
 

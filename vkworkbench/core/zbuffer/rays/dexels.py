@@ -63,10 +63,6 @@ def first_cuts(
         Trajectory of each interval.
     enter, leave : (m,) ndarray
         Depths at which each interval begins and ends, mm.
-
-    Returns
-    -------
-    Pieces
     """
     stock = np.flatnonzero(far - near > THINNEST)
     enter, leave = np.maximum(enter, near[ray]), np.minimum(leave, far[ray])

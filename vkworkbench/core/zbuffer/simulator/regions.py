@@ -48,14 +48,12 @@ def cut_region(
 
     Parameters
     ----------
-    trajectories : Trajectories
     bounds : Bounds
         Bounds for the view of the trajectories.
     blocks : iterable of (Tiles, int)
         Small tiles and numbers of tested pairs, as `tiles.small_tiles` yields them.
     uncut : int
         Owner number for pieces that nothing removes.
-    region : Region
 
     Returns
     -------

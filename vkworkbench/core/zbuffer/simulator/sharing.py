@@ -34,7 +34,6 @@ def cut_bands(
 
     Parameters
     ----------
-    image : CutImage
     helpers : callable
         Returns the number of other processes to start; called once, and only if cutting takes long.
     going_on : callable

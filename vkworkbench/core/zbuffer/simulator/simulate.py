@@ -57,8 +57,6 @@ def simulate_job(
     ----------
     cuts : iterable of Cut, or Cuts
         The operations in machining order.
-    stock : Solid
-    view : View
     memory_budget : float
         Largest peak memory of all processes together, bytes.
     going_on : callable, optional

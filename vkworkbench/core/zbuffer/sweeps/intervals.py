@@ -32,7 +32,6 @@ def lowest(
 
     Parameters
     ----------
-    tool : Tool
     start : (3, k) ndarray
         Position of the tool's tip at the start of each move, mm.
     heading : (4, k) ndarray
@@ -162,7 +161,6 @@ def intervals(
 
     Parameters
     ----------
-    tool : Tool
     start, move : (3, k) ndarray
         Start point and displacement of the tool's tip, in ray coordinates, mm.
     ray : three ndarrays
