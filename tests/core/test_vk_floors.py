@@ -69,7 +69,7 @@ OUTSIDE = {
     "freecad": {"FreeCAD"},
     "preferences": {"FreeCAD"},
     "program": {"numpy", "distributed"},
-    "document": {"numpy", "FreeCAD", "Mesh", "MeshPart", "Part", "Path", "PathSimulator"},
+    "document": {"numpy", "FreeCAD", "Mesh", "MeshPart", "Part", "Path"},
     "gui": {"numpy", "FreeCAD", "FreeCADGui", "pivy"},
     "gui.qt.names": {"PySide"},
 }
