@@ -19,22 +19,9 @@ from vkworkbench.core.simulators import ZBUFFER, Conditions, Cost, Task, predict
 from vkworkbench.core.zbuffer import cuts_surely, may_cut
 from vkworkbench.document.computer import calibration, garbage
 from vkworkbench.document.job import results
-from vkworkbench.document.job.fingerprint import (
-    AT_ONCE,
-    fingerprint_of,
-    path_and_setting,
-    text_fingerprint,
-    text_of,
-)
+from vkworkbench.document.job.fingerprint import AT_ONCE, fingerprint_of, path_and_setting, text_fingerprint, text_of
 from vkworkbench.document.job.intent import contradicts
-from vkworkbench.document.job.operations import (
-    find,
-    fixtures_of,
-    is_there,
-    jobs_of,
-    names_of,
-    or_active_document,
-)
+from vkworkbench.document.job.operations import find, fixtures_of, is_there, jobs_of, names_of, or_active_document
 from vkworkbench.document.job.path_prints import PATH_PRINTS
 from vkworkbench.document.job.reading import IDENTITY, SETTINGS, Reading, read
 from vkworkbench.document.job.recognition import recognize_operation

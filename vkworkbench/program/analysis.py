@@ -12,17 +12,7 @@ from pathlib import Path
 import numpy as np
 
 from vkworkbench import preferences
-from vkworkbench.core import (
-    Machine,
-    Machining,
-    Problem,
-    Stock,
-    Tool,
-    Toolpath,
-    machining,
-    recognize,
-    stock_around,
-)
+from vkworkbench.core import Machine, Machining, Problem, Stock, Tool, Toolpath, machining, recognize, stock_around
 from vkworkbench.core.gcode import (
     DOUBTFUL,
     INCH,

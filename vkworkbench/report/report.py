@@ -93,10 +93,7 @@ class Report:
                 jobs[key] = facts.job
                 verdicts[key] = JobVerdict(facts.sentence, facts.valid_for)
         return replace(
-            self,
-            operations=operations,
-            simulated={**self.simulated, **jobs},
-            verdicts={**self.verdicts, **verdicts},
+            self, operations=operations, simulated={**self.simulated, **jobs}, verdicts={**self.verdicts, **verdicts}
         )
 
     @property

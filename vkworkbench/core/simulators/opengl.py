@@ -176,11 +176,7 @@ def predict(task: Task, conditions: Conditions) -> OpenGLCost:
 
 
 def opengl_cost(
-    task: Task,
-    *,
-    speeds: tuple[int, ...] = (1, 5, 10, 25, 50),
-    quality: int = 10,
-    constants: Constants = DEFAULTS,
+    task: Task, *, speeds: tuple[int, ...] = (1, 5, 10, 25, 50), quality: int = 10, constants: Constants = DEFAULTS
 ) -> OpenGLCost:
     """Estimate the cost of one operation in the OpenGL simulator.
 

@@ -71,8 +71,7 @@ LEGACY = Simulator(
     },
     factor_column="legacy_factor",
     time_tooltip=QT_TRANSLATE_NOOP(
-        "Vk_Results",
-        "Time in FreeCAD's legacy simulator in fast-forward, at the accuracy set in the preferences.",
+        "Vk_Results", "Time in FreeCAD's legacy simulator in fast-forward, at the accuracy set in the preferences."
     ),
     memory_tooltip=QT_TRANSLATE_NOOP(
         "Vk_Results", "Memory of FreeCAD's legacy simulator, at the accuracy set in the preferences."

@@ -64,13 +64,7 @@ class AlongAxis:
                 self.job.cuts, self.job.stock, seen, tolerance=tolerance, seconds=seconds, going_on=going_on
             )
         found = facts(
-            self.zbuffer,
-            self.checked,
-            self.measured,
-            thin,
-            model=seen,
-            tolerance=tolerance,
-            collisions=self.collisions,
+            self.zbuffer, self.checked, self.measured, thin, model=seen, tolerance=tolerance, collisions=self.collisions
         )
         return replace(found, verdict=replace(found.verdict, unread=self.job.unread))
 

@@ -37,14 +37,7 @@ from vkworkbench.document.job.operations import (
 )
 from vkworkbench.document.job.previous import previous_job
 from vkworkbench.document.job.recognition import rotary_cut
-from vkworkbench.document.job.setting import (
-    placed,
-    rapid_feeds,
-    read_stock,
-    read_tool,
-    tool_remark,
-    vertical_feed,
-)
+from vkworkbench.document.job.setting import placed, rapid_feeds, read_stock, read_tool, tool_remark, vertical_feed
 from vkworkbench.document.job.solids import form_of_stock, have_equal_shapes, model_shapes, shapes_of_model, stock_solid
 from vkworkbench.document.job.work_offsets import WorkOffsets
 from vkworkbench.document.simulation.allowed_depth import allowed_depth, with_stroke_depth

@@ -21,10 +21,7 @@ from vkworkbench.gui.tree.notices import Level
 
 VALUE = Qt.UserRole  # role of the value by which a column is sorted
 _LEFT, _RIGHT = 0x81, 0x82  # combined with Qt.AlignVCenter; numbers, because some PySide versions refuse the flags
-_ICONS = {
-    Level.WARNING: QStyle.SP_MessageBoxWarning,
-    Level.ERROR: QStyle.SP_MessageBoxCritical,
-}
+_ICONS = {Level.WARNING: QStyle.SP_MessageBoxWarning, Level.ERROR: QStyle.SP_MessageBoxCritical}
 
 
 class ResultsModel(QAbstractItemModel):

@@ -54,12 +54,10 @@ RECOGNITION: dict[str, str | tuple[str, str]] = {
     ),
     "vertical": (
         QT_TRANSLATE_NOOP(
-            "Sentences",
-            "Phi is not defined, because the moves are vertical at one point: {strategy:strategy}.",
+            "Sentences", "Phi is not defined, because the moves are vertical at one point: {strategy:strategy}."
         ),
         QT_TRANSLATE_NOOP(
-            "Sentences",
-            "Phi is not defined, because the moves are vertical at {count:n} points: {strategy:strategy}.",
+            "Sentences", "Phi is not defined, because the moves are vertical at {count:n} points: {strategy:strategy}."
         ),
     ),
     "vertical-somewhere": QT_TRANSLATE_NOOP(
@@ -87,8 +85,7 @@ RECOGNITION: dict[str, str | tuple[str, str]] = {
     "finished-by-contour": QT_TRANSLATE_NOOP("Sentences", " A contour around the rows finishes the area."),
     "finished-by-loop": QT_TRANSLATE_NOOP("Sentences", " A closed contour finishes the walls."),
     "like-a-lathe": QT_TRANSLATE_NOOP(
-        "Sentences",
-        "All moves are in X and Z, with passes along Z at many X, as on a lathe: {strategy:strategy}.",
+        "Sentences", "All moves are in X and Z, with passes along Z at many X, as on a lathe: {strategy:strategy}."
     ),
     # Evidence for the strategy.
     "bites-overlap": QT_TRANSLATE_NOOP("Sentences", "{count:n} engagements in the same direction overlap"),

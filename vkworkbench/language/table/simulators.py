@@ -60,10 +60,7 @@ SIMULATORS: dict[str, str | tuple[str, str]] = {
     "arc-without-centre": QT_TRANSLATE_NOOP("Sentences", "without a center"),
     "arc-full-circle": QT_TRANSLATE_NOOP("Sentences", "that is a full circle"),
     "arc-without-sweep": QT_TRANSLATE_NOOP("Sentences", "that sweeps no angle"),
-    "and-more": (
-        QT_TRANSLATE_NOOP("Sentences", " and 1 more"),
-        QT_TRANSLATE_NOOP("Sentences", " and {count:n} more"),
-    ),
+    "and-more": (QT_TRANSLATE_NOOP("Sentences", " and 1 more"), QT_TRANSLATE_NOOP("Sentences", " and {count:n} more")),
     "too-deep": QT_TRANSLATE_NOOP("Sentences", "too deep"),
     "too-high": QT_TRANSLATE_NOOP("Sentences", "too high"),
     # Warnings when the user starts one of FreeCAD's simulators.
@@ -121,8 +118,7 @@ SIMULATORS: dict[str, str | tuple[str, str]] = {
     "passes-seen": QT_TRANSLATE_NOOP("Sentences", " For passes {step:mm3} apart, {cell:mm2} is fine enough."),
     "no-image": QT_TRANSLATE_NOOP("Sentences", "None, because not even a single pixel fits into the memory."),
     "no-image-in-time": QT_TRANSLATE_NOOP(
-        "Sentences",
-        "None, because the moves alone take {time:s}. Simulate fewer operations.{heaviest}",
+        "Sentences", "None, because the moves alone take {time:s}. Simulate fewer operations.{heaviest}"
     ),
     "heaviest": QT_TRANSLATE_NOOP("Sentences", " The slowest is {label} with {time:s}."),
 }

@@ -95,13 +95,7 @@ class Estimate:
 
 
 def estimate(
-    toolpath: Toolpath,
-    recognition: Recognition | None,
-    *,
-    tool: Tool,
-    stock: Solid,
-    view: View,
-    speed: Speed = USUAL,
+    toolpath: Toolpath, recognition: Recognition | None, *, tool: Tool, stock: Solid, view: View, speed: Speed = USUAL
 ) -> Estimate:
     """Estimate the cost of simulating an operation from a few hundred rays that are simulated exactly.
 

@@ -159,11 +159,7 @@ class Collisions:
 
 
 def holder_collisions(
-    cuts: Cuts,
-    stock: Solid,
-    *,
-    clamps: Mapping[str, Solid] | None = None,
-    going_on: Callable[[], None] = lambda: None,
+    cuts: Cuts, stock: Solid, *, clamps: Mapping[str, Solid] | None = None, going_on: Callable[[], None] = lambda: None
 ) -> Collisions:
     """Find the collisions of the tools' non-cutting parts with the workpiece, and of all parts with clamps.
 

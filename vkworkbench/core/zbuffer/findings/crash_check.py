@@ -11,14 +11,7 @@ import numpy as np
 
 from vkworkbench.core.solids import SMALLEST
 from vkworkbench.core.stocks import Solid
-from vkworkbench.core.zbuffer.findings.faults import (
-    Crash,
-    Plunge,
-    crashes_among,
-    plunges_among,
-    too_fast,
-    touching,
-)
+from vkworkbench.core.zbuffer.findings.faults import Crash, Plunge, crashes_among, plunges_among, too_fast, touching
 from vkworkbench.core.zbuffer.findings.fine_rays import RAYS_ACROSS, FineRays, half_widths, parts_of
 from vkworkbench.core.zbuffer.findings.removed_pieces import joined
 from vkworkbench.core.zbuffer.sweeps.cuts import Cut, Cuts, Source
@@ -56,11 +49,7 @@ class CrashCheck:
 
 
 def check_crashes(
-    cuts: Iterable[Cut],
-    stock: Solid,
-    *,
-    seconds: float = np.inf,
-    going_on: Callable[[], None] = lambda: None,
+    cuts: Iterable[Cut], stock: Solid, *, seconds: float = np.inf, going_on: Callable[[], None] = lambda: None
 ) -> CrashCheck:
     """Find the rapids that cut and the plunges that are too fast, for tools and stocks of any size.
 

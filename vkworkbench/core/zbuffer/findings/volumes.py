@@ -75,11 +75,7 @@ class Volumes:
 
 
 def measure_volumes(
-    cuts: Iterable[Cut],
-    stock: Solid,
-    *,
-    seconds: float = np.inf,
-    going_on: Callable[[], None] = lambda: None,
+    cuts: Iterable[Cut], stock: Solid, *, seconds: float = np.inf, going_on: Callable[[], None] = lambda: None
 ) -> Volumes | None:
     """Measure the volumes that a job removes, for tools and stocks of any size.
 
