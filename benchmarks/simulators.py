@@ -38,7 +38,7 @@ from records import with_stock
 
 from vkworkbench import freecad
 from vkworkbench.core import Tool, linearize
-from vkworkbench.core.simulators import DEFAULTS, OPENGL, Task, available, legacy, legacy_cost
+from vkworkbench.core.simulators import DEFAULTS, OPENGL, Task, available, legacy, legacy_cost, legacy_mesh
 from vkworkbench.document.computer.calibration import calibrate, constants
 from vkworkbench.document.job.operations import find
 from vkworkbench.document.job.setting import read_stock, read_tool
@@ -132,12 +132,11 @@ def simpler_plays(task, predicted, looks):
     true = float(np.add(every[1:], every[:-1]).mean() / 2)
     tool, stock = task.cutting
     last, mean = legacy._triangles(task.toolpath, tool, stock, predicted.resolution)
-    whole = [np.ones((1, 1), bool)] * legacy._LOOKS
-    with mock.patch.object(legacy, "floors", return_value=(whole, 1.0)):
+    with mock.patch.object(legacy_mesh, "bottom_rectangles", return_value=1):
         _, without_floor = legacy._triangles(task.toolpath, tool, stock, predicted.resolution)
     for name, facets in (
         ("as it is", mean),
-        ("without the map of the lower face", without_floor),
+        ("without the rectangles of the lower face", without_floor),
         ("without looking while it is cut", 0.75 * last),
         ("without any map, 2000 triangles", 2000.0),
     ):

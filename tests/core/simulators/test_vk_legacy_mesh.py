@@ -1,9 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The size of the legacy simulator's mesh, from maps of the part's heights and of its lower face."""
+"""The size of the legacy simulator's mesh, from coarse maps of the part's heights."""
 
 from __future__ import annotations
-
-import math
 
 import numpy as np
 import pytest
@@ -11,7 +9,6 @@ from simulator_jobs import STOCK, TOOL, surface, zigzag
 
 from vkworkbench.core import Stock, Tool
 from vkworkbench.core.gcode import linearize
-from vkworkbench.core.simulators.floors import floors
 from vkworkbench.core.simulators.heightmap import heightmaps
 from vkworkbench.core.simulators.legacy_mesh import bottom_rectangles, mesh_facets
 
@@ -40,8 +37,6 @@ def test_cells_of_the_maps_have_the_documented_size():
     for stock, diameter, expected in ((STOCK, 6.0, 1.0), (tall, 6.0, 1.0), (STOCK, 64.0, 2.0)):
         _, size = heightmaps(path, tool=Tool("endmill", diameter), stock=stock)
         assert size == pytest.approx(expected)
-    _, of_floor = floors(path, tool=TOOL, stock=tall, thickness=0.1)
-    assert of_floor == pytest.approx(0.2)
 
 
 def test_fine_groove_has_no_gaps():
@@ -65,18 +60,15 @@ def test_needle_cuts_the_cells_along_the_border():
 def test_path_outside_the_stock_leaves_a_box():
     path = linearize([("G1", {"X": -50.0, "Y": 500.0, "Z": -5.0}), ("G1", {"X": -900.0})])
     (heights,), size = heightmaps(path, tool=TOOL, stock=STOCK)
-    (floor,), floor_size = floors(path, tool=TOOL, stock=STOCK, thickness=0.1)
-    assert (heights == 20.0).all() and floor.all()
-    assert mesh_facets(heights, size, 0.1, floor=floor, floor_size=floor_size) == 12
+    assert (heights == 20.0).all() and mesh_facets(heights, size, 0.1, lower=0.0) == 12
 
 
 def test_surface_makes_far_more_triangles_than_a_pocket():
     ball = Tool("ballend", 6.0)
     (pocket,), size = heightmaps(linearize(zigzag(20)), tool=TOOL, stock=STOCK)
     (dome,), dome_size = heightmaps(linearize(surface()), tool=ball, stock=STOCK)
-    whole = {"floor": np.ones((1, 1), bool), "floor_size": 1.0}
     of_dome, of_pocket = (
-        [mesh_facets(heights, edge, resolution, **whole) for resolution in (0.1, 0.2)]
+        [mesh_facets(heights, edge, resolution, lower=0.0) for resolution in (0.1, 0.2)]
         for heights, edge in ((dome, dome_size), (pocket, size))
     )
     assert of_dome[0] > 10 * of_pocket[0]
@@ -86,19 +78,14 @@ def test_surface_makes_far_more_triangles_than_a_pocket():
 
 def test_half_the_size_at_half_the_cell_makes_equal_meshes():
     (dome,), size = heightmaps(linearize(surface()), tool=Tool("ballend", 6.0), stock=STOCK)
-    floor = np.ones((1, 1), bool)
-    whole, half = (
-        mesh_facets(dome * scale, size * scale, 0.1 * scale, floor=floor, floor_size=scale) for scale in (1, 0.5)
-    )
+    whole, half = (mesh_facets(dome * scale, size * scale, 0.1 * scale, lower=0.0) for scale in (1, 0.5))
     assert half == pytest.approx(whole)
 
 
 def test_mirror_image_has_equally_many_triangles():
     """A step is a wall if a neighbouring step, on either side, has less than half of its height."""
     heights = np.tile(np.cumsum([0.0, 0.0, 1.2, 3.0, 0.0, 0.0, 0.7, 0.7])[:, None], 6)
-    there, back = (
-        mesh_facets(one, 4.0, 0.5, floor=np.ones((1, 1), bool), floor_size=4.0) for one in (heights, heights[::-1])
-    )
+    there, back = (mesh_facets(one, 4.0, 0.5, lower=-1.0) for one in (heights, heights[::-1]))
     assert there == pytest.approx(back)
 
 
@@ -116,19 +103,14 @@ def test_mirror_image_has_equally_many_triangles():
 def test_step_beside_another_step_is_a_slope(steps, slope):
     """At half the cell size, a slope has four times as many triangles more than a box, and a wall twice as many."""
     heights = np.tile(np.cumsum([0.0, 0.0, *steps, 0.0, 0.0])[:, None], 6)
-    coarse, fine = (
-        mesh_facets(heights, 4.0, resolution, floor=np.ones((1, 1), bool), floor_size=4.0) - 12
-        for resolution in (0.4, 0.2)
-    )
+    coarse, fine = (mesh_facets(heights, 4.0, resolution, lower=-1.0) - 12 for resolution in (0.4, 0.2))
     assert (fine == pytest.approx(4 * coarse)) == slope and 1.999 * coarse < fine < 4.001 * coarse
 
 
 @pytest.mark.parametrize("fall", [0.1, 1.0])
 def test_slope_rotated_by_a_quarter_has_equal_triangles(fall):
     heights = np.tile(fall * np.arange(40.0)[:, None], 60)
-    along, across = (
-        mesh_facets(one, 4.0, 0.5, floor=np.ones((1, 1), bool), floor_size=4.0) for one in (heights, heights.T)
-    )
+    along, across = (mesh_facets(one, 4.0, 0.5, lower=-1.0) for one in (heights, heights.T))
     assert along == pytest.approx(across)
 
 
@@ -151,96 +133,17 @@ def test_map_of_a_part_does_not_include_the_next_part():
     assert np.array_equal(first, half) and (both < first).any()
 
 
-def from_line(x, y, begin, end):
-    """Return the distances of points from a line segment."""
-    ux, uy = end - begin
-    share = ((x - begin[0]) * ux + (y - begin[1]) * uy) / max(ux**2 + uy**2, 1e-12)
-    share = np.clip(share, 0, 1)
-    return np.hypot(x - begin[0] - share * ux, y - begin[1] - share * uy)
-
-
-@pytest.mark.parametrize("tool", [Tool("endmill", 8.0), Tool("drill", 8.0)])
-def test_lower_face_is_cut_where_the_tool_comes_through(tool):
-    def cut(x, y, z, to):
-        return [("G0", {"X": x, "Y": y, "Z": 25.0}), ("G1", {"Z": z}), ("G1", to), ("G0", {"Z": 25.0})]
-
-    begin, end = (
-        np.array([[12.0, 9.0], [40.3, 30.7], [52.0, 20.0]]),
-        np.array([[33.0, 24.0], [40.3, 30.7], [75.0, 20.0]]),
-    )
-    commands = cut(*begin[0], -1.0, {"X": 33.0, "Y": 24.0}) + cut(*begin[1], -1.0, {"Z": 5.0})
-    commands += cut(*begin[2], 5.0, {"X": 75.0, "Z": 5.0})  # does not reach the lower face
-    (kept,), size = floors(linearize(commands), tool=tool, stock=STOCK, thickness=0.0)
-    # A drill of 118 degrees has this radius 1 mm above its tip.
-    radius = 4.0 if tool.shape == "endmill" else np.tan(np.radians(59.0))
-    x, y = (np.indices(kept.shape) + 0.5) * size
-    distance = np.minimum(*(from_line(x, y, *ends) for ends in zip(begin[:2], end[:2])))
-    assert not kept[distance < radius - 0.05].any()
-    assert kept[distance > radius + 0.05].all()
-    parts, _ = floors(linearize(commands), tool=tool, stock=STOCK, thickness=0.0, parts=3)
-    assert (parts[-1] == kept).all() and kept.sum() < parts[0].sum() < kept.size
-
-
-def test_lower_face_is_cut_in_cells_with_covered_middles():
-    """A slot of 8 mm from (50, 30) to (51, 30) with cells of 0.2 mm, whose middles are at odd tenths."""
-    slot = [("G0", {"X": 50.0, "Y": 30.0, "Z": 9.0}), ("G1", {"Z": -1.0}), ("G1", {"X": 51.0})]
-    (kept,), size = floors(linearize(slot), tool=Tool("endmill", 8.0), stock=STOCK, thickness=0.0)
-    assert size == pytest.approx(0.2) and kept.shape == (500, 300)
-    x, y = (np.indices(kept.shape) + 0.5) * size
-    assert np.array_equal(kept, np.hypot(x - np.clip(x, 50, 51), y - 30.0) > 4.0)
-    (beside,), _ = floors(
-        linearize([("G0", {"X": -2.0, "Y": 30.0, "Z": -1.0}), ("G1", {"Y": 70.0})]),
-        tool=Tool("endmill", 8.0), stock=STOCK, thickness=0.0,
-    )  # fmt: skip
-    assert np.array_equal(~beside, np.hypot(x + 2.0, y - np.clip(y, 30, 70)) < 4.0)
-
-
-@pytest.mark.parametrize("scale", [1, 200])
-@pytest.mark.parametrize("seed", range(8))
-def test_lower_face_is_cut_along_lines_in_any_direction(seed, scale):
-    """Lines between random points around a block of 10 x 6 mm (or 2 x 1.2 m) cut its lower face up to the tool's rim."""
-    rng = np.random.default_rng(seed)
-    ends = scale * rng.uniform((-2, -2, -2), (12, 8, 2), (2, 3))
-    begin, move = ends[0], ends[1] - ends[0]
-    stock = Stock((0, 0, 0), (10 * scale, 6 * scale, 2 * scale))
-    path = linearize([("G1", dict(zip("XYZ", end.tolist()))) for end in ends])
-    (kept,), size = floors(path, tool=Tool("endmill", 2.0 * scale), stock=stock, thickness=0.0)
-    part = np.linspace(0, 1, 100_001)
-    part = part[begin[2] + part * move[2] <= 0]
-    x, y = (np.indices(kept.shape) + 0.5) * size
-    distance = np.full(x.shape, np.inf)
-    if len(part):
-        distance = from_line(x, y, *(begin[:2] + part[end] * move[:2] for end in (0, -1))) / scale
-    assert not kept[distance < 0.999].any() and kept[distance > 1.001].all()
-
-
-@pytest.mark.parametrize("through", [0.1, 0.3, 0.9])
-def test_v_bit_cuts_the_lower_face_by_its_width_there(through):
-    """A V-bit of 90 degrees has a radius equal to the depth of its tip. A 64th of its 4 mm may be missing."""
-    plunge = [("G0", {"X": 5.0, "Y": 3.0, "Z": 4.0}), ("G1", {"Z": -through})]
-    point, stock = Tool("vbit", 8.0, tip_angle=math.pi / 2), Stock((0, 0, 0), (10, 6, 2))
-    (kept,), size = floors(linearize(plunge), tool=point, stock=stock, thickness=0.0)
-    x, y = (np.indices(kept.shape) + 0.5) * size
-    distance = np.hypot(x - 5, y - 3)
-    assert kept[distance > through].all() and not kept[distance < through - 4 / 64].any()
-
-
-def test_cells_of_the_lower_face_grow_with_the_path():
-    """10,000 moves of 8 mm pass 80 m of rows, plus 2 m for their ends. With 300,000 rows, a row is about 0.3 mm."""
-    path = linearize([("G1", {"X": 20.0 + (i % 2), "Y": 30.0, "Z": -1.0}) for i in range(10_001)])
-    _, size = floors(path, tool=Tool("endmill", 8.0), stock=STOCK, thickness=0.0)
-    assert size == pytest.approx(10_000 * 8.0 / 300_000, rel=1e-3)
-
-
 def test_lower_face_of_a_round_part_has_many_triangles():
     """FreeCAD makes half a triangle per remaining cell for the lower face of a disc, and two triangles for a plate."""
     x, y = np.meshgrid(np.arange(100) - 49.5, np.arange(60) - 29.5, indexing="ij")
     disc = np.where(np.hypot(x, y) < 28, 20.0, 0.0)
     plate = np.where((np.abs(x) < 40) & (np.abs(y) < 28), 20.0, 0.0)
     cells = 100 * (disc > 0).sum()
-    of_disc, of_plate = (mesh_facets(heights, 1.0, 0.1, floor=heights > 0, floor_size=1.0) for heights in (disc, plate))
+    of_disc, of_plate = (mesh_facets(heights, 1.0, 0.1, lower=0.0) for heights in (disc, plate))
     assert 0.2 * cells < of_disc < 0.7 * cells
     assert of_plate < 3000
+    thin = np.where(disc > 0, disc, 0.09)  # less than a cell is cut through
+    assert mesh_facets(thin, 1.0, 0.1, lower=0.0) == pytest.approx(of_disc, rel=0.01)
 
 
 def bottom_of_freecad(kept):

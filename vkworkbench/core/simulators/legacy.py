@@ -14,7 +14,6 @@ from dataclasses import dataclass
 import numpy as np
 
 from vkworkbench.core.simulators.constants import DEFAULTS, Constants
-from vkworkbench.core.simulators.floors import floors
 from vkworkbench.core.simulators.heightmap import heightmaps
 from vkworkbench.core.simulators.legacy_mesh import BOX, mesh_facets
 from vkworkbench.core.simulators.simulator import Conditions, Task
@@ -128,11 +127,8 @@ def legacy_cost(task: Task, *, accuracy: float = 0.1, constants: Constants = DEF
 def _triangles(toolpath: Toolpath, tool: Tool, stock: Solid, resolution: float) -> tuple[float, float]:
     """Return the number of triangles of the last mesh, and the mean number of triangles during a play."""
     maps, size = heightmaps(toolpath, tool=tool, stock=stock, parts=_LOOKS)
-    kept, floor_size = floors(toolpath, tool=tool, stock=stock, thickness=resolution, parts=_LOOKS)
-    looks = [BOX]
-    looks += [
-        mesh_facets(heights, size, resolution, floor=floor, floor_size=floor_size) for heights, floor in zip(maps, kept)
-    ]
+    lower = float(stock.lower[2])
+    looks = [BOX, *(mesh_facets(heights, size, resolution, lower=lower) for heights in maps)]
     return looks[-1], float(np.add(looks[1:], looks[:-1]).mean() / 2)
 
 

@@ -14,12 +14,9 @@ _WALL = 1.8
 _CORNER, _ALONG, _RECTANGLE, BOX = 3.6, 0.26, 3.65, 12.0
 # Maximum ratio of length to width of FreeCAD's rectangles (VolSim.cpp).
 _LONGEST = 5
-# Correction factor for the number of rectangles of a lower face. The simulator's grid is finer than the map and follows
-# curved outlines more closely. The factor was fitted to FreeCAD's meshes of round holes, discs and slanted cuts.
-_FINER = 1.05
 
 
-def mesh_facets(heights: np.ndarray, size: float, resolution: float, *, floor: np.ndarray, floor_size: float) -> float:
+def mesh_facets(heights: np.ndarray, size: float, resolution: float, *, lower: float) -> float:
     """Estimate the number of triangles of the mesh that the legacy simulator makes of a stock.
 
     The simulator covers the stock with rectangles of cells whose heights differ by less than the edge of a cell. On a
@@ -36,10 +33,8 @@ def mesh_facets(heights: np.ndarray, size: float, resolution: float, *, floor: n
         Edge of a cell of the map, mm.
     resolution : float
         Edge of a cell of the simulator, mm.
-    floor : (mx, my) bool
-        Cells of the lower face where material is left.
-    floor_size : float
-        Edge of a cell of `floor`, mm.
+    lower : float
+        Height of the stock's lower face, mm.
 
     Returns
     -------
@@ -56,13 +51,13 @@ def mesh_facets(heights: np.ndarray, size: float, resolution: float, *, floor: n
     slope_y[:, :-1] = np.where(wall_y, 0, step_y) / size
     across = np.minimum(np.maximum(slope_x, slope_y / _LONGEST), 1)
     along = np.minimum(np.maximum(slope_y, slope_x / _LONGEST), 1)
-    pieces = 1 if floor.all() else bottom_rectangles(floor)
+    kept = heights > lower + resolution  # thinner material is cut through
+    pieces = 1 if kept.all() else bottom_rectangles(kept)
     finer = size / resolution
     return float(
         BOX
         + finer * (_CORNER * (cells - straight) + _ALONG * cells)
-        + finer**2 * _RECTANGLE * (across * along).sum()
-        + (floor_size / resolution) ** 2 * 2 * _FINER * max(pieces - 1, 0)
+        + finer**2 * (_RECTANGLE * (across * along).sum() + 2 * max(pieces - 1, 0))
     )
 
 
@@ -83,65 +78,43 @@ def bottom_rectangles(kept: np.ndarray) -> int:
     -------
     int
     """
-    # Each row and each column is one integer. Set bits stand for free cells, which have material but no rectangle yet.
-    columns, rows = _bits(kept), _bits(kept.T)
+    # Each row is one integer. Set bits stand for free cells, which have material but no rectangle yet.
+    rows = [int.from_bytes(np.packbits(line, bitorder="little").tobytes(), "little") for line in kept.T]
     count = 0
     for y in range(len(rows)):
         while rows[y]:
             x = (rows[y] & -rows[y]).bit_length() - 1
-            width, height = _grown(columns, rows, x, y)
-            corner = x, y
+            width, height = _grown(rows, x, y)
+            first = y
             if height // width > _LONGEST:
-                corner, width, height = (x, y + _LONGEST * width), 1, 1
+                first, width, height = y + _LONGEST * width, 1, 1
             elif width // height > _LONGEST:
-                corner, width, height = (x + _LONGEST * height, y), 1, 1
-            _clear(rows, corner[1], height, corner[0], width)
-            _clear(columns, corner[0], width, corner[1], height)
+                x, width, height = x + _LONGEST * height, 1, 1
+            for k in range(first, first + height):
+                rows[k] &= ~_mask(x, width)
             count += 1
     return count
 
 
-def _grown(columns: list[int], rows: list[int], x: int, y: int) -> tuple[int, int]:
+def _grown(rows: list[int], x: int, y: int) -> tuple[int, int]:
     """Grow a rectangle from the first free cell of a row, and return the rectangle's width and height.
 
     The row has no free cell to the left of the first free cell, so the rectangle grows only to the right and upwards.
     """
     width = height = 1
     right = up = True
-    while up and right:
-        side = ((1 << height) - 1) << y
-        right = x + width < len(columns) and columns[x + width] & side == side
+    while right or up:
+        right = right and all(row >> (x + width) & 1 for row in rows[y : y + height])
         width += right
-        top = ((1 << width) - 1) << x
-        up = y + height < len(rows) and rows[y + height] & top == top
+        mask = _mask(x, width)
+        up = up and y + height < len(rows) and rows[y + height] & mask == mask
         height += up
-    if up:  # the rectangle grows upwards until a column is not free
-        height += _ones(_common(columns[x : x + width]) >> (y + height))
-    elif right:
-        width += _ones(_common(rows[y : y + height]) >> (x + width))
     return width, height
 
 
-def _bits(cells: np.ndarray) -> list[int]:
-    return [int.from_bytes(np.packbits(line, bitorder="little").tobytes(), "little") for line in cells]
-
-
-def _common(lines: list[int]) -> int:
-    bits = -1
-    for line in lines:
-        bits &= line
-    return bits
-
-
-def _ones(bits: int) -> int:
-    """Return the number of consecutive set bits, counted from the lowest bit."""
-    return (~bits & (bits + 1)).bit_length() - 1
-
-
-def _clear(lines: list[int], first: int, count: int, begin: int, length: int) -> None:
-    kept = ~(((1 << length) - 1) << begin)
-    for k in range(first, first + count):
-        lines[k] &= kept
+def _mask(x: int, width: int) -> int:
+    """Return the bits of `width` cells from column `x` on."""
+    return ((1 << width) - 1) << x
 
 
 def _may_be_walls(step: np.ndarray, size: float) -> np.ndarray:
