@@ -177,7 +177,7 @@ def test_no_field_is_squeezed_in_freecads_dialog_size(points, with_page, window,
 
 
 def test_failed_calibration_shows_a_message(with_page, window, monkeypatch):
-    def fail(renderer, going_on):
+    def fail(going_on):
         raise OSError("the folder cannot be written")
 
     monkeypatch.setattr(calibration, "calibrate", fail)
