@@ -3,13 +3,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from typing import NamedTuple
 
 import numpy as np
 
 from vkworkbench.core.view import Frame
+from vkworkbench.core.zbuffer.findings.connected import connected_cells, members
 from vkworkbench.core.zbuffer.findings.seen_model import Deviations, SeenModel, around
 from vkworkbench.core.zbuffer.findings.surface_distance import farthest
 from vkworkbench.core.zbuffer.rays.records import GAP, first_not_below
@@ -87,7 +87,7 @@ def gouges(zbuffer: ZBuffer, found: Deviations, tolerance: float) -> list[Deviat
             continue
         least = tolerance + zbuffer.cuts.cuts[own].allowed_depth
         group = group[gap.along[pixels[group]] > least]
-        for one in _connected(zbuffer.frame, pixels[group]):
+        for one in _connected(zbuffer.frame, pixels[group], max(zbuffer.frame.height, zbuffer.frame.width) / _TILES):
             deepest += _gouge(zbuffer, gap, pixels[group[one]], maker[group[one]], least)
     return sorted(deepest, key=_negative_depth)
 
@@ -99,22 +99,13 @@ def _gouge(zbuffer: ZBuffer, gap: _Gap, pixels: np.ndarray, maker: np.ndarray, l
     return [replace(one, trajectory=first, source=source(first), last=source(last)) for one in worst]
 
 
-def _connected(frame: Frame, pixels: np.ndarray) -> Iterator[np.ndarray]:
-    """Yield the positions in `pixels` for each group of connected tiles.
+def _connected(frame: Frame, pixels: np.ndarray, side: float) -> list[np.ndarray]:
+    """Return the positions in `pixels` for each group of connected tiles.
 
-    `pixels` (k,) contains numbers in the flat image.
+    `pixels` (k,) contains numbers in the flat image. `side` is the side of a tile, in pixels.
     """
-    side = max(1, round(max(frame.height, frame.width) / _TILES))
-    columns = -(-frame.width // side)
-    row, column = np.divmod(pixels, frame.width)
-    tile = row // side * columns + column // side
-    order = np.argsort(tile, kind="stable")
-    deviating = np.zeros((-(-frame.height // side), columns), bool)
-    deviating.ravel()[tile] = True
-    ends = np.searchsorted(tile[order], np.arange(deviating.size + 1))
-    while deviating.any():
-        tiles = _clear_group(deviating, *divmod(int(deviating.argmax()), columns))
-        yield np.sort(np.concatenate([order[ends[own] : ends[own + 1]] for own in tiles]))
+    row, column = np.array(np.divmod(pixels, frame.width)) // max(1, round(side))
+    return members(connected_cells(row, column))
 
 
 def material_left(zbuffer: ZBuffer, found: Deviations, tolerance: float) -> list[Deviation]:
@@ -175,40 +166,20 @@ def _leftover_gap(found: Deviations) -> _Gap:
 def _worst_by_group(zbuffer: ZBuffer, gap: _Gap, tolerance: float, most: int) -> list[Deviation]:
     """Return the worst place of each group of connected tiles, the worst first."""
     frame, (deviating, maker) = zbuffer.frame, _find_makers(zbuffer, gap, tolerance)
-    side = max(1, round(_APART * min(frame.height, frame.width)))
-    row, column = np.divmod(deviating, frame.width)
-    columns = -(-frame.width // side)
-    tile = row // side * columns + column // side
-    worst = np.zeros((-(-frame.height // side), columns), np.float32)
-    np.maximum.at(worst.ravel(), tile, gap.along[deviating])
-    by_tile = np.argsort(tile, kind="stable")
-    ends = np.searchsorted(tile[by_tile], np.arange(worst.size + 1))
+    groups = _connected(frame, deviating, _APART * min(frame.height, frame.width))
+    worst = [float(gap.along[deviating[group]].max()) for group in groups]
     places: list[Deviation] = []
     least = tolerance
-    # The distance between the surfaces in space is never larger than the distance along the view, so smaller groups
-    # need no search.
-    while worst.max(initial=0) > least:
-        tiles = _clear_group(worst, *divmod(int(worst.argmax()), columns))
-        group = np.sort(np.concatenate([by_tile[ends[own] : ends[own + 1]] for own in tiles]))
-        places += _worst_place(zbuffer, gap, deviating[group], maker[group], least)
+    for number in sorted(range(len(groups)), key=lambda number: -worst[number]):
+        # The distance between the surfaces in space is never larger than the distance along the view, so the other
+        # groups need no search.
+        if worst[number] <= least:
+            break
+        places += _worst_place(zbuffer, gap, deviating[groups[number]], maker[groups[number]], least)
         places = sorted(places, key=_negative_depth)[:most]
         if len(places) == most:
             least = places[-1].depth
     return places
-
-
-def _clear_group(worst: np.ndarray, row: int, column: int) -> list[int]:
-    """Set a tile and all tiles connected with it to 0, and return the numbers of all these tiles."""
-    pending, taken = [(row, column)], []
-    worst[row, column] = 0
-    while pending:
-        row, column = pending.pop()
-        taken.append(row * worst.shape[1] + column)
-        top, left = max(row - 1, 0), max(column - 1, 0)
-        beside = np.argwhere(worst[top : row + 2, left : column + 2] > 0) + (top, left)
-        worst[beside[:, 0], beside[:, 1]] = 0
-        pending += map(tuple, beside.tolist())
-    return taken
 
 
 def _negative_depth(deviation: Deviation) -> float:

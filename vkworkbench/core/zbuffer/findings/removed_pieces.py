@@ -42,7 +42,7 @@ class RemovedPieces:
         return result
 
     def selected(self, chosen: np.ndarray) -> RemovedPieces:
-        """Return the pieces selected by a mask (k,) bool."""
+        """Return the pieces selected by a mask (k,) bool, or by their numbers, ascending."""
         columns = (self.owner, self.x, self.y, self.near, self.far)
         return RemovedPieces(self.frame, *(column[chosen] for column in columns))
 

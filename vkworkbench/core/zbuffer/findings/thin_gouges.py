@@ -10,12 +10,12 @@ from __future__ import annotations
 import time
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass
-from itertools import product
 
 import numpy as np
 
 from vkworkbench.core.stocks import Solid, spans_in
 from vkworkbench.core.view import Frame
+from vkworkbench.core.zbuffer.findings.connected import connected_cells, connected_pairs, members
 from vkworkbench.core.zbuffer.findings.deviations import TOLERANCE, Deviation
 from vkworkbench.core.zbuffer.findings.fine_rays import RAYS_ACROSS, FineRays, half_widths, parts_of
 from vkworkbench.core.zbuffer.findings.removed_pieces import RemovedPieces, joined
@@ -39,9 +39,10 @@ _WIDER, _ALIKE, _IN_STEPS = 1.1, 1.02, (1, 8, 64)
 # Distance below which two groups of points belong to one gouge, as a multiple of the distance between neighbouring
 # points.
 _CLOSE = 4.0
-# Approximate upper bounds: number of points that are compared with the model for each batch of pieces, and number of
-# points of a gouge at which the depth is measured. Number of points around which the surface is searched together.
-_POINTS, _MEASURED, _TOGETHER = 20_000, 200, 4096
+# Approximate upper bounds: number of points that are compared with the model for each batch of pieces, number of these
+# points for each trajectory, and number of points of a gouge at which the depth is measured. Number of points around
+# which the surface is searched together.
+_POINTS, _OF_OWNER, _MEASURED, _TOGETHER = 20_000, 2000, 200, 4096
 
 
 @dataclass(frozen=True)
@@ -188,14 +189,11 @@ class _Search:
         inside = (spans.far > spans.near) & (pieces.near < spans.far) & (pieces.far > spans.near)
         along = np.minimum(pieces.far, spans.far) - spans.near
         deep = np.flatnonzero(inside & (along > self._least))
-        every = 1 + len(deep) // _POINTS
-        deep = deep[::every]
-        deep = deep[self._distances(pieces, deep, along[deep], self._least * _SHARES, self._least) > self._least]
-        if len(deep):
-            chosen = np.zeros(len(along), bool)
-            chosen[deep] = True
-            area = np.full(len(deep), every * pieces.frame.pixel**2)
-            self._found.append((pieces.selected(chosen), along[chosen], area))
+        deep, every = _thinned(deep, pieces.owner)
+        gouged = self._distances(pieces, deep, along[deep], self._least * _SHARES, self._least) > self._least
+        if gouged.any():
+            chosen = deep[gouged]
+            self._found.append((pieces.selected(chosen), along[chosen], every[gouged] * pieces.frame.pixel**2))
 
     def gouges(self, cuts: Cuts) -> list[Deviation]:
         """Return the gouges.
@@ -210,10 +208,12 @@ class _Search:
         order = np.argsort(pieces.owner, kind="stable")
         stretch = np.empty(len(order), np.int64)
         stretch[order] = np.cumsum(np.diff(pieces.owner[order], prepend=pieces.owner[order[0]]) > 1)
-        gouge = _touching(pieces.x, pieces.y, stretch, _CLOSE * np.sqrt(area.max()))[stretch]
-        order = np.argsort(gouge, kind="stable")
-        groups = np.split(order, np.flatnonzero(np.diff(gouge[order])) + 1)
-        return [self._gouge(cuts, pieces, group, along, float(area[group].sum())) for group in groups]
+        # A gouge is a stretch, or several stretches with points in one group of connected cells.
+        side = _CLOSE * np.sqrt(area.max())
+        cells = connected_cells(*(np.floor(place / side).astype(np.int64) for place in (pieces.y, pieces.x)))
+        stretches = int(stretch.max()) + 1
+        gouge = connected_pairs(stretch, stretches + cells, stretches + len(cells))[stretch]
+        return [self._gouge(cuts, pieces, group, along, float(area[group].sum())) for group in members(gouge)]
 
     def _gouge(self, cuts: Cuts, pieces: RemovedPieces, group: np.ndarray, along: np.ndarray, area: float) -> Deviation:
         some = group[:: 1 + len(group) // _MEASURED]
@@ -254,28 +254,16 @@ class _Search:
         return least
 
 
-def _touching(x: np.ndarray, y: np.ndarray, group: np.ndarray, near: float) -> np.ndarray:
-    """Return a number for each group of points. Groups that are connected have equal numbers.
+def _thinned(deep: np.ndarray, owner: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Return some of the pieces `deep` (k,), and the number of pieces that each returned piece stands for.
 
-    Two groups are connected if they have points that are closer than `near`, mm, or if a chain of such groups connects
-    them. `group` (k,) is the group of each point.
+    Every n-th piece of each owner is returned, so that a large gouge needs no more time than a small one.
     """
-    # Two points that are closer than `near` are in the same cell of at least one of four grids.
-    grids = []
-    for right, up in product((0.0, 0.5), repeat=2):
-        column, row = (np.floor(at / (2 * near) + shift).astype(np.int64) for at, shift in ((x, right), (y, up)))
-        grids.append(
-            np.unique((row - row.min()) * (np.ptp(column) + 1) + column - column.min(), return_inverse=True)[1]
-        )
-    number = np.arange(group.max() + 1)
-    while True:
-        before = number
-        for cell in grids:
-            lowest = np.full(cell.max() + 1, len(number))
-            np.minimum.at(lowest, cell, number[group])
-            number = number.copy()
-            np.minimum.at(number, number[group], lowest[cell])
-            np.minimum.at(number, group, lowest[cell])
-            number = number[number]
-        if (number == before).all():
-            return number
+    every = 1 + len(deep) // _POINTS
+    deep = deep[::every]
+    _, own, count = np.unique(owner[deep], return_inverse=True, return_counts=True)
+    order, rank = np.argsort(own, kind="stable"), np.empty(len(deep), np.int64)
+    rank[order] = np.arange(len(deep)) - np.repeat(np.cumsum(count) - count, count)
+    of_owner = (1 + count // _OF_OWNER)[own]
+    kept = rank % of_owner == 0
+    return deep[kept], every * of_owner[kept]
