@@ -76,7 +76,7 @@ def test_repeated_cycle_turns_by_the_same_angle():
     assert holes == [[0, 10], [-10, 0], [0, -10]]
 
 
-def test_tool_moves_to_an_r_plane_above_the_start_before_the_next_hole():
+def test_lower_r_plane_above_the_start_is_reached_first():
     """LinuxCNC compares R with the height at the start of the series, also after a hole with a higher R."""
     series = points("G21 G90\nG0 X0 Y0 Z0\nG81 X5 Z-5 R4 F100\nX9 R2\nG80")
     assert series[1:] == [[0, 0, 4], [5, 0, 4], [5, 0, -5], [5, 0, 4], [5, 0, 2], [9, 0, 2], [9, 0, -5], [9, 0, 2]]

@@ -1,15 +1,50 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Split one line of an NC program into comments, words and the remaining text."""
+"""Split the text of an NC program into lines, and a line into comments, words and the remaining text."""
 
 from __future__ import annotations
 
 import re
+from array import array
+from collections.abc import Iterator
+from itertools import accumulate
 
 # A word is a letter with a number: G1, X-.5, Z +2, X1.5E-05. LinuxCNC's polar coordinates use @ and ^ as letters.
 # Spaces between letter and number are allowed (RS274/NGC, Kramer et al. 2000).
 _WORD = re.compile(r"([A-Z@^])[ \t]*([-+]?(?:\d+(?:\.\d*)?|\.\d+)(?:E[-+]?\d+(?![.\d]))?)", re.ASCII)
 _NO_COMMENT = frozenset("(;")
 LARGEST_NUMBER = 99_999_999  # largest number of a tool, a block or a program
+
+
+class Lines:
+    """The lines of a text, with any kind of line ends. A list of the lines would need three times the memory.
+
+    Parameters
+    ----------
+    text : str
+        The text of a program.
+    """
+
+    def __init__(self, text: str) -> None:
+        self._text = text.replace("\r\n", "\n").replace("\r", "\n")
+        # Index of the first character of each line, and of the line that would follow.
+        self._starts = array("q", accumulate((len(line) + 1 for line in self), initial=0))
+
+    def __len__(self) -> int:
+        return len(self._starts) - 1
+
+    def __getitem__(self, index: int) -> str:
+        return self.between(index, index + 1)
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self._text.split("\n"))
+
+    def between(self, first: int, end: int) -> str:
+        """Return the text of the lines first .. end - 1."""
+        return self._text[self._starts[first] : self._starts[end] - 1]
+
+    def size(self, first: int, end: int) -> int:
+        """Return the number of characters of the lines first .. end - 1."""
+        return self._starts[end] - self._starts[first]
 
 
 def split_comments(line: str) -> tuple[str, list[str]]:

@@ -11,10 +11,10 @@ from __future__ import annotations
 
 from bisect import bisect_left
 from dataclasses import dataclass
-from itertools import islice
 
 import numpy as np
 
+from vkworkbench.core.gcode.blocks import Lines
 from vkworkbench.core.gcode.interpreter import Interpreter
 from vkworkbench.core.gcode.moves import codes
 
@@ -82,11 +82,11 @@ class PlainLines:
 
     Parameters
     ----------
-    lines : list of str
+    lines : Lines
         The whole text.
     """
 
-    def __init__(self, lines: list[str]) -> None:
+    def __init__(self, lines: Lines) -> None:
         self._lines = lines
         self._block = _Block.of_lines(lines, 0)
 
@@ -165,13 +165,13 @@ class _Block:
     of: np.ndarray
 
     @staticmethod
-    def of_lines(lines: list[str], first: int) -> _Block:
+    def of_lines(lines: Lines, first: int) -> _Block:
         """Return the block that begins with a line."""
         last = min(len(lines), first + _LINES)
-        while last > first + 1 and sum(map(len, islice(lines, first, last))) > _CHARACTERS:
+        while last > first + 1 and lines.size(first, last) > _CHARACTERS:
             last = first + (last - first) // 2
         count = last - first
-        plain, letter, line, value = _words("\n".join(lines[first:last]), count)
+        plain, letter, line, value = _words(lines.between(first, last), count)
         bits = np.bincount(line, _LETTER_BITS[letter], count).astype(np.int64)
         words = np.bincount(line, minlength=count)
         small = np.minimum(bits, len(_SIZES) - 1)

@@ -13,7 +13,7 @@ import re
 import numpy as np
 
 from vkworkbench.core.gcode import dialects
-from vkworkbench.core.gcode.blocks import LARGEST_NUMBER, split_comments, split_words, whole
+from vkworkbench.core.gcode.blocks import LARGEST_NUMBER, Lines, split_comments, split_words, whole
 from vkworkbench.core.gcode.comments.tool_table import tool_told
 from vkworkbench.core.gcode.flow import PROGRAM_NUMBER, Call, Ended, Flow, Step, Subprograms, arguments
 from vkworkbench.core.gcode.interpreter import Interpreter
@@ -72,8 +72,7 @@ def read_program(text: str) -> Program:
     Unusable
         If the text is not an NC program, contains no moves, or is written in the language of another control.
     """
-    lines = text.replace("\r\n", "\n").replace("\r", "\n").split("\n")
-    reader = _Reader(lines, dialects.dialect_of(text))
+    reader = _Reader(Lines(text), dialects.dialect_of(text))
     reader.read()
     return reader.program()
 
@@ -88,7 +87,7 @@ class _Reader:
         in lines that are read again it is the last line before the jump.
     """
 
-    def __init__(self, lines: list[str], dialect: dialects.Dialect) -> None:
+    def __init__(self, lines: Lines, dialect: dialects.Dialect) -> None:
         self.lines = lines
         self.subprograms = Subprograms(lines)
         self.flow = flow = Flow(lines, self.subprograms)

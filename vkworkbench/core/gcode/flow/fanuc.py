@@ -4,8 +4,9 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable
 
+from vkworkbench.core.gcode.blocks import Lines
 from vkworkbench.core.gcode.flow.lines import bare
 from vkworkbench.core.gcode.flow.subprograms import Subprograms
 from vkworkbench.core.gcode.flow.variables import Frame, Value
@@ -21,7 +22,7 @@ _MACRO_LETTERS.update({letter: number for number, letter in enumerate("QRSTUVWXY
 _MOST_SETS = 10  # largest number of I, J and K words in the line of a macro call
 
 
-def is_fanuc(lines: Sequence[str], subprograms: Subprograms) -> bool:
+def is_fanuc(lines: Lines, subprograms: Subprograms) -> bool:
     """Return whether a program is written for a Fanuc control."""
     for line in lines:
         if _SIGNS.search(line):

@@ -7,6 +7,7 @@ import re
 from collections.abc import Iterable
 from functools import cached_property
 
+from vkworkbench.core.gcode.blocks import Lines
 from vkworkbench.core.gcode.flow.ended import Ended, Unknown, Unreadable
 from vkworkbench.core.gcode.flow.expressions import Postfix, evaluate
 from vkworkbench.core.gcode.flow.fanuc import is_fanuc
@@ -49,7 +50,7 @@ class Flow:
 
     Parameters
     ----------
-    lines : list of str
+    lines : Lines
         The whole text.
     subprograms : Subprograms
 
@@ -65,7 +66,7 @@ class Flow:
         Indices of the lines that define subprograms.
     """
 
-    def __init__(self, lines: list[str], subprograms: Subprograms) -> None:
+    def __init__(self, lines: Lines, subprograms: Subprograms) -> None:
         self._lines = lines
         self._subprograms = subprograms
         self.remarks: list[Message] = []

@@ -7,6 +7,7 @@ import re
 from collections.abc import Collection
 from dataclasses import dataclass, field
 
+from vkworkbench.core.gcode.blocks import Lines
 from vkworkbench.core.gcode.flow.lines import bare, label_of
 
 _CONTROLS = re.compile("SUB|IF|ELSE|WHILE|DO|REPEAT|END|BREAK|CONTINUE", re.IGNORECASE)
@@ -55,7 +56,7 @@ class Structure:
 
     Parameters
     ----------
-    lines : list of str
+    lines : Lines
         The whole text.
     heads : collection of int
         Indices of the lines with the number of a program. A loop of a Fanuc control must end within its program.
@@ -68,7 +69,7 @@ class Structure:
         Subprograms by the names or numbers of their O-words.
     """
 
-    def __init__(self, lines: list[str], heads: Collection[int]) -> None:
+    def __init__(self, lines: Lines, heads: Collection[int]) -> None:
         self.blocks: dict[int, Block] = {}
         self.subprograms: dict[str, Block] = {}
         heads = frozenset(heads)

@@ -12,7 +12,7 @@ from bisect import bisect_right
 from collections.abc import Collection
 from functools import cached_property
 
-from vkworkbench.core.gcode.blocks import LARGEST_NUMBER, split_comments, split_words, whole
+from vkworkbench.core.gcode.blocks import LARGEST_NUMBER, Lines, split_comments, split_words, whole
 
 PROGRAM_NUMBER = re.compile(r"[O:]\s*(\d{1,8})\b(?!\s*[A-Z]{2})")
 _BLOCK = re.compile(r"\s*(?:/\d?\s*)?N\s*(\d{1,8})(?![\d.])", re.IGNORECASE)
@@ -31,7 +31,7 @@ class Subprograms:
 
     Parameters
     ----------
-    lines : list of str
+    lines : Lines
         The whole text.
 
     Attributes
@@ -42,7 +42,7 @@ class Subprograms:
         Indices of the lines with a program's number, ascending.
     """
 
-    def __init__(self, lines: list[str]) -> None:
+    def __init__(self, lines: Lines) -> None:
         self._lines = lines
         self._first: dict[int, int] = {}
         self.heads: list[int] = []
