@@ -49,7 +49,7 @@ def test_cylinder_has_its_size_corners_and_planes():
         ((-5, 2, 9), (0.8, 0, -0.6), 1.25, 10),  # in through the wall, and out through the lower face
         ((-5, 2, 3), (0.8, 0, 0.6), 1.25, 40 / 3),  # in through the wall, and out through the upper face
         ((-10, 6.95, 5), (1, 0, 0), 11 - sqrt(25 - 4.95**2), 11 + sqrt(25 - 4.95**2)),  # 0.05 mm inside the wall
-        ((1, 2, 7), (0.6, 0, 0.8), -5, 5),  # through both faces
+        ((1, 2, 7), (0.6, 0, 0.8), -5, 5),  # through the lower and the upper face
         ((1 - 10, 2 - 10, 7), (sqrt(0.5), sqrt(0.5), 0), 10 * sqrt(2) - 5, 10 * sqrt(2) + 5),
     ],
 )

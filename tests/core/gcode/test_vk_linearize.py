@@ -304,7 +304,7 @@ def test_modal_and_relative_cycle_lines_drill_holes():
     assert relative.points[relative.points[:, 2] == -2, 0].tolist() == [1, 2]
 
 
-def test_comments_and_tool_changes_have_their_move():
+def test_comments_and_tool_changes_are_stored_with_their_move():
     toolpath = path(("(first)", {}), START, ("G1", {"X": 1}), ("(second)", {}), ("M6", {"T": 2}), ("G1", {"X": 2}))
     assert toolpath.comments == ((0, "first"), (1, "second"))
     assert toolpath.tool_changes.tolist() == [1]

@@ -37,7 +37,7 @@ def found(
     return find_arcs(moves, pieces, np.arange(len(pieces)))
 
 
-def test_lengths_and_steps_of_arcs_in_one_direction():
+def test_lengths_and_steps_of_arcs_in_one_direction_are_measured():
     arcs = found([10, 12, 14, 16])
     assert (arcs.count, arcs.spiral, arcs.opposite) == (4, 0, 0)
     assert arcs.length == pytest.approx(QUARTER * 52, rel=1e-3)

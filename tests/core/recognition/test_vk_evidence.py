@@ -145,7 +145,7 @@ def test_stepover_is_row_distance_or_grid_period():
 
 
 @pytest.mark.parametrize(("downward", "stepover"), [(70.0, 3.0), (50.0, 0.6)])
-def test_grid_stepover_if_only_one_family_is_in_rows(downward, stepover):
+def test_grid_has_a_stepover_if_one_family_is_in_rows(downward, stepover):
     """Two lines lie in every 3 mm. In the family across them, no line is followed by its neighbour."""
     across = [(0.0, 60.0)[:: -1 if k % 2 else 1] for k in range(40)]
     across = [

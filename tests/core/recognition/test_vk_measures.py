@@ -131,7 +131,7 @@ def test_turns_to_both_sides_cancel_in_one_sense_only():
 
 
 @pytest.mark.parametrize("aside, keeps", [(20, 1), (-20, 0)])
-def test_share_of_equal_senses_for_two_turns(aside, keeps):
+def test_share_of_equal_senses_of_two_turns_is_measured(aside, keeps):
     found = told(programs.program([[(0, 0, 0), (20, 0, 0), (20, 20, 0), (20 - aside, 20, 0)]]))
     holds(found, {"sense_keeps": keeps})
 

@@ -293,7 +293,7 @@ def test_spiral_repeated_at_depths_is_not_a_helix():
 
 @pytest.mark.parametrize("turns", [4, 20, 100])
 @pytest.mark.parametrize(("even", "found", "step"), [(True, Strategy.SPIRAL, 1.0), (False, Strategy.ADAPTIVE, 0.97)])
-def test_pocket_after_an_entry_helix_of_any_length(turns, even, found, step):
+def test_pocket_after_an_entry_helix_of_any_length_is_recognized(turns, even, found, step):
     program = [START[0]]
     for k in range(36 * turns + 1):
         a = k * math.pi / 18

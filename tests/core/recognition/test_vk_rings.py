@@ -256,7 +256,7 @@ def test_stepover_does_not_depend_on_ring_order(order):
     assert rings_of([polygon(sides[i]) for i in order]).step == pytest.approx(2.0)
 
 
-def test_stepover_with_interleaved_island_offsets():
+def test_stepover_of_interleaved_island_offsets_is_measured():
     """Rings of a nest are 2.4 mm apart, but in FreeCAD 1.0's order most successive rings are 3.6 mm apart."""
 
     def rectangle(x, y, u, v):

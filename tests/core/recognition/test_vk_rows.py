@@ -243,7 +243,7 @@ def test_rows_fill_if_a_quarter_lies_beside_other_rows(opposite, same, good):
     assert fills(opposite=opposite, same=same) is good
 
 
-def test_repeated_lines_do_not_need_neighbours():
+def test_repeats_of_lines_do_not_count_for_filling():
     """120 mm are more than a quarter of the 400 mm without repeats, and less than a quarter of 500 mm."""
     assert fills(opposite=120, once=400.0) and not fills(opposite=120)
 
@@ -275,7 +275,7 @@ def test_many_close_rows_fill_unless_they_go_down_a_wall():
 
 
 @pytest.mark.parametrize("period, good", [(3.0, True), (7.1, True), (7.3, False)])
-def test_rows_may_skip_one_row(period, good):
+def test_filling_rows_may_skip_one_row(period, good):
     assert fills(step=8.0, period=period) is good
 
 

@@ -177,7 +177,7 @@ def test_rows_inside_a_contour_are_finished_by_the_contour():
 
 
 @pytest.mark.parametrize("name, step", [("open offsets", 3.0), ("arcs around one centre", 2.0)])
-def test_step_of_passes_that_are_not_rings(name, step):
+def test_step_of_passes_that_are_not_rings_is_measured(name, step):
     assert proposed(CASES[name][0]).step == pytest.approx(step, rel=0.1)
 
 

@@ -40,7 +40,7 @@ def is_like(image, color):
     return (np.abs(image - image.max(axis=-1, keepdims=True) * color / color.max()) < 8).all(axis=-1)
 
 
-def test_cells_have_the_given_colours_from_below():
+def test_first_row_of_cell_colours_is_the_lowest_row():
     colors = np.empty((40, 80, 3), np.uint8)
     colors[:20], colors[20:] = RED, GREEN
     image = drawn(colors).image

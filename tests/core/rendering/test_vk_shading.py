@@ -96,7 +96,7 @@ def test_single_pixel_is_shaded_as_level():
     assert (shade(depth, 1.0, GREY)[2, 2] == GREY).all()
 
 
-def test_each_pixel_has_its_own_colour_from_below():
+def test_first_row_of_colours_is_the_lowest_row_of_the_image():
     colors = np.zeros((40, 60, 3), np.uint8)
     colors[0] = 255, 0, 0
     image = shade(plane(), 0.5, colors)

@@ -105,7 +105,7 @@ def test_drilling_cycle_makes_three_meshes():
     assert cost.play_seconds == pytest.approx(1e-5 * cost.cells * (1 + 1 + 2 * 3) + 1.0 * (1 + 3))
 
 
-def test_operations_in_sequence_start_once():
+def test_legacy_simulator_starts_once_for_several_operations():
     one, constants = cost_of(zigzag(40)), Constants()
     assert legacy_together([one]) == replace(
         one, fast_forward_seconds=pytest.approx(one.fast_forward_seconds), play_seconds=pytest.approx(one.play_seconds)

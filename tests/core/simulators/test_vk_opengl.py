@@ -33,7 +33,7 @@ def arcs(count, radius):
     return commands
 
 
-def test_draw_calls_of_lines_plunges_and_arcs():
+def test_draw_calls_of_lines_plunges_and_arcs_are_counted():
     start = [("G0", {"X": 0.0, "Y": 0.0, "Z": 10.0})]
     line = opengl_cost(Task(linearize(start + [("G1", {"X": 10.0})]), TOOL, STOCK))
     assert (line.draws, line.steps) == (18, 20)  # the steps are 0.5 mm long

@@ -48,7 +48,7 @@ def texts(simulator):
 
 
 @pytest.mark.parametrize("language", ["de", "fr", "es-ES", "zh-CN"])
-def test_every_text_of_an_entry_is_translated(language):
+def test_every_text_of_a_simulators_entry_is_translated(language):
     known = translated(language)
     for simulator in SIMULATORS:
         for key in texts(simulator):

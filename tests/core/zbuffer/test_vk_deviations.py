@@ -335,7 +335,7 @@ def test_gouge_below_a_cavity_of_the_stock_has_its_source():
 
 @pytest.mark.long
 @pytest.mark.parametrize("direction, seen", list(zip(VIEWS, (1, 1, 1, 0.7, 1))))
-def test_wall_gouge_is_its_distance_not_its_height(direction, seen):
+def test_depth_of_a_wall_gouge_is_its_distance_not_its_height(direction, seen):
     """The wall of a step of 8 mm is cut 1 mm too far. From the rear, only the width of the missing edge is visible."""
     step = Milled(Stock((0, 0, 0), (40, 30, 10)), Stock((-1, -1, 2), (20, 31, 20)))
     z = simulate_job([Cut(path((18, -5, 2), (18, 35, 2)), FLAT)], stock=BOX, view=View(direction, 400, 300))

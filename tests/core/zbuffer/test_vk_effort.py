@@ -45,7 +45,7 @@ def test_amounts_of_work_match_hand_count():
     assert blocks == pytest.approx(1.5 * (2 + 4e5 / PAIRS_AT_ONCE + 2 * 16**2 * 4e5 / PAIRS_AT_ONCE))
 
 
-def test_work_of_finer_image_moves_to_the_next_level():
+def test_work_of_finer_image_moves_to_the_next_tile_size():
     """An image has four times as many pixels.
 
     The cells grow by the geometric mean of 2 (the last tiles) and 4 (the pixels).

@@ -225,7 +225,7 @@ def test_pickled_estimate_has_no_cuts_and_no_stock():
     ],
     ids=["empty", "point", "above", "beside", "under"],
 )
-def test_estimate_for_paths_that_cut_nothing_or_everything(points):
+def test_estimate_is_close_if_paths_cut_nothing_or_everything(points):
     toolpath = path(points)
     found = estimate(toolpath, recognize(toolpath), tool=FLAT, stock=STOCK, view=View(width=200, height=150))
     exact = simulate(toolpath, tool=FLAT, stock=STOCK, view=View(width=200, height=150))
@@ -237,7 +237,7 @@ def test_estimate_for_paths_that_cut_nothing_or_everything(points):
         assert found.traces_error == 0
 
 
-def test_estimate_for_a_tool_larger_than_the_stock():
+def test_estimate_is_close_for_a_tool_larger_than_the_stock():
     toolpath = path([(0, 30, 12), (80, 30, 12)])
     found = estimate(toolpath, None, tool=Tool("endmill", 200), stock=STOCK, view=View(width=200, height=150))
     assert found.traces == pytest.approx(200 * 150, rel=1e-3)

@@ -89,7 +89,7 @@ def test_volume_errors_hold_in_95_of_100_jobs():
     assert inside >= 95
 
 
-def test_volume_of_a_cylinder_and_of_two_cuts_together():
+def test_volume_of_two_cuts_in_a_cylinder_is_measured():
     stock = Cylinder((0, 0, 0), 30, 10)
     face = [(x, y, 7) for k, y in enumerate(range(-35, 40, 5)) for x in ((-40, 40) if k % 2 == 0 else (40, -40))]
     cuts = [Cut(path(*face), Tool("endmill", 8)), Cut(path((0, 0, 12), (0, 0, 2)), Tool("endmill", 12))]

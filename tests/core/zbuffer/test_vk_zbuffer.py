@@ -149,7 +149,7 @@ def hole_volume(tool, depth):
 @pytest.mark.long
 @pytest.mark.parametrize("tool", TOOLS, ids=lambda t: t.shape)
 @pytest.mark.parametrize("view", VIEWS)
-def test_hole_volume_in_every_view(tool, view):
+def test_hole_volume_is_measured_in_every_view(tool, view):
     z = cut([(20, 15, 12), (20, 15, 3)], tool, direction=VIEWS[view], width=280, height=210)
     assert z.chip_volume == pytest.approx(hole_volume(tool, 7), rel=0.01)
     assert z.part_volume + z.chip_volume == pytest.approx(z.at(0).part_volume, rel=1e-5)

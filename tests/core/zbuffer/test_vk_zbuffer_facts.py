@@ -134,7 +134,7 @@ def test_short_moves_are_air_together_with_their_neighbours(lengths, rapid, remo
     assert len(told) == len(air) + len(lengths) - len(rapid)
 
 
-def test_removal_rate_of_a_cut_below_a_second():
+def test_removal_rate_of_a_cut_below_a_second_is_exact():
     z = cut([(10, 15, 6), (12, 15, 6)])
     assert removal_rates(z) == pytest.approx(60 * removed_volumes(z) / 0.2)
 
