@@ -7,7 +7,7 @@
     print(report)
     vkworkbench.mark(report)           # marks the operations in FreeCAD's tree in one undo step
     vkworkbench.clear()                # removes the marks
-    vkworkbench.set_clamps(job, [vice])     # sets the objects that no tool may touch in a simulation
+    vkworkbench.set_clamps(job, [vice])     # sets the clamps, for which simulations report collisions
     vkworkbench.set_previous_job(second, first)     # the finished part of the first job is the stock of the second
     vkworkbench.simulate(job, view="Isometric").at(100)     # returns the part after 100 trajectories
     vkworkbench.simulate("program.nc").facts()      # finds crashes and collisions, also without FreeCAD
@@ -47,7 +47,8 @@ def analyze(what=None, *, progress=None, cancelled=None, machine=None):
         A document (with all its jobs and imported toolpaths), a job, or operations; or files and folders of NC
         programs. None stands for the active document.
     progress : callable, optional
-        Called before each operation or file with the number of finished ones, the number of all, and the label.
+        Called before each operation or file with the number of finished operations or files, the total number, and the
+        label.
     cancelled : callable, optional
         Called during the analysis. If the function returns True, the analysis ends.
     machine : Machine, str or path, optional
@@ -58,8 +59,8 @@ def analyze(what=None, *, progress=None, cancelled=None, machine=None):
     Returns
     -------
     Report
-        One row for each operation. If an operation has a problem, its row states it, and the other operations are
-        analysed.
+        One row for each operation. If an operation has a problem, its row states the problem, and all other operations
+        are analysed.
 
     Raises
     ------
@@ -111,7 +112,7 @@ def simulate(what=None, **options):
     Returns
     -------
     Simulation or ProgramSimulation
-        The simulation at its last moment.
+        The simulation after its last trajectory.
 
     Raises
     ------

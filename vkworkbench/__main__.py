@@ -13,8 +13,8 @@ def _is_current_folder(folder: str) -> bool:
 
 
 if __name__ == "__main__":
-    # `python3 -m` and empty entries of PYTHONPATH let Python import from the current folder. This folder is removed
-    # from sys.path, because it may contain files of other people.
+    # With `python3 -m` or an empty entry in PYTHONPATH, Python imports from the current folder. The current folder is
+    # removed from sys.path, because it could contain other people's files.
     sys.path[:] = [folder for folder in sys.path if not _is_current_folder(folder)]
     sys.path.insert(0, os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 

@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The names of FreeCAD's properties, commands and docks in each version. No other module contains these names.
 
-A document keeps the property names of the FreeCAD version that saved it. Therefore, in every version, the newest name
-that an object has is read. This module does not load numpy, because it is loaded when FreeCAD starts.
+A document contains the property names of the FreeCAD version that saved it. Therefore a property is read under the
+newest of its names that the object has, in every FreeCAD version. This module does not load numpy, because it is loaded
+when FreeCAD starts.
 """
 
 from __future__ import annotations
@@ -95,8 +96,8 @@ class Property:
     before : tuple of str
         Names in earlier versions, the newest first.
     fingerprint : {"path", "setting"} or None
-        Part of the fingerprint of a mark in the tree that contains the property. If the property changes, the mark may
-        be outdated. None: the fingerprint does not contain the property.
+        Part of a mark's fingerprint that contains the property. If the property changes, the mark in the tree may be
+        outdated. None if no fingerprint contains the property.
     """
 
     newest: str
@@ -124,11 +125,11 @@ class Property:
         return (value for value in found if value is not None)
 
     def of(self, obj, default=None):
-        """Return the value for an object, or a default if the property is missing or not set."""
+        """Return the property's value in an object, or a default if the property is missing or not set."""
         return next(self.values(obj), default)
 
     def number(self, obj) -> float | None:
-        """Return the value as a number in FreeCAD's units (mm, degrees, mm/s); None if it is not a number."""
+        """Return the property's value as a number in FreeCAD's units (mm, degrees, mm/s); None for other values."""
         value = self.of(obj)
         if isinstance(value, bool):
             return None
@@ -200,9 +201,10 @@ def names_in_fingerprint(part: str) -> frozenset[str]:
 
 
 def is_imported(obj) -> bool:
-    """Return whether a toolpath may come from a file, because it is a custom operation or not an operation of FreeCAD.
+    """Return whether an object's toolpath may come from a file: a custom operation, or not an operation of FreeCAD.
 
-    Operations and dress-ups from another version may have no proxy. Their properties show that they are not imported.
+    An operation or a dress-up that another FreeCAD version saved may have no proxy; its properties show that its
+    toolpath does not come from a file.
     """
     if GCODE.is_in(obj):
         return True
@@ -212,8 +214,8 @@ def is_imported(obj) -> bool:
 def operation_name(obj) -> str:
     """Return FreeCAD's name for the type of an operation, e.g. ``"Profile"``, from the module of the operation's proxy.
 
-    In a document from another version, the proxy may be missing. The returned text is then not the name of an
-    operation.
+    If another FreeCAD version saved the document, the proxy may be missing. The returned text is then not the name of
+    an operation.
     """
     name = type(getattr(obj, "Proxy", None)).__module__.rpartition(".")[2]
     return name[len("Path") :] if name.startswith("Path") else name

@@ -15,7 +15,7 @@ from dataclasses import dataclass, field, fields, replace
 from functools import cached_property
 from pathlib import Path
 
-OWN = "own"  # stands for the simulator that FreeCAD's button starts, and for a machine with the user's own values
+OWN = "own"  # means the simulator that FreeCAD's button starts, or a machine with the user's own values
 GROUP = "User parameter:BaseApp/Preferences/Mod/VkWorkbench"
 
 # View directions by the names of FreeCAD's standard views.
@@ -87,7 +87,7 @@ class Preferences:
         Travel of the machine along its axes, mm; 0 if unknown.
     machine : {"", "hobby-router", "small-mill", "machining-centre", "own"}
         The machine for which machining times are planned. "" means that times are computed with constant feeds. "own"
-        means the machine with the values of the following preferences.
+        means a machine with the user's own values, which are the preferences from `rate_x` to `spindle_start`.
     rate_x, rate_y, rate_z : float
         Largest speeds of the axes, mm/min.
     acceleration_x, acceleration_y, acceleration_z : float
@@ -101,10 +101,11 @@ class Preferences:
     tool_change, spindle_start : float
         Times of a tool change and of a start of the spindle, s; see `core.Machine`.
     renderer : str
-        Name of the renderer that OpenGL reported at the last calibration. The page does not show it.
+        Name of the renderer that OpenGL reported at the last calibration. The page in the preferences dialog does not
+        show this preference.
     result_columns : str
-        Columns of the results whose visibility differs from the default, separated by commas. The page does not show
-        them.
+        Columns of the results whose visibility differs from the default, separated by commas. The page in the
+        preferences dialog does not show this preference.
     """
 
     mark_simulator: str = _choice(OWN, _simulators)
@@ -165,7 +166,7 @@ class Preferences:
 
     @property
     def holder(self) -> dict[str, float]:
-        """Known sizes of the holder, mm, by the names of the attributes of `Tool`."""
+        """Known sizes of the tool holder, mm, by the names of the attributes of `Tool`."""
         sizes = {"holder_diameter": self.holder_diameter, "holder_length": self.holder_length}
         return {name: size for name, size in sizes.items() if size} if self.holder_diameter else {}
 
@@ -205,7 +206,7 @@ class Preferences:
         ----------
         given : Machine, str, path or None
             A machine, the name of a typical machine, or a file with the settings that grbl prints (``$$``). Values that
-            are not in the file are the values of the hobby router. None keeps the machine of the preferences.
+            are not in the file are the values of the hobby router. None keeps the machine in the preferences.
 
         Raises
         ------
@@ -240,7 +241,7 @@ class Preferences:
 
 
 def read() -> Preferences:
-    """Return the stored preferences. Defaults replace invalid values, and outside FreeCAD all values."""
+    """Return the stored preferences. Defaults replace invalid values. Outside FreeCAD, all values are defaults."""
     if "FreeCAD" not in sys.modules:
         return Preferences()
     import FreeCAD
@@ -256,7 +257,7 @@ def read() -> Preferences:
 
 
 def write(**values) -> None:
-    """Store preferences, which are given by name."""
+    """Store some preferences, given as arguments with the preferences' names."""
     import FreeCAD
 
     group = FreeCAD.ParamGet(GROUP)
@@ -279,7 +280,7 @@ def observe(changed: Callable[[str], None]) -> None:
 
     group, observer = FreeCAD.ParamGet(GROUP), Observer()
     group.Attach(observer)
-    _observers.append((group, observer))  # FreeCAD itself does not keep these objects alive
+    _observers.append((group, observer))  # keeps both objects alive, because FreeCAD does not
 
 
 _observers: list = []

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Work in separate processes, because of Python's GIL, and because a crash then affects only one process."""
+"""Run functions in separate processes, because of Python's GIL, and because a crash then ends only one process."""
 
 from __future__ import annotations
 
@@ -18,9 +18,9 @@ from typing import Any
 
 import numpy as np
 
-# The other process imports only the standard library, this package and numpy. It imports nothing from the current
-# folder, PYTHONPATH, the user's site-packages, .pth files or sitecustomize. The folders of this package and of numpy
-# are at the end of sys.path, so that they replace no module of the standard library.
+# The worker process imports only the standard library, this package and numpy. The worker process imports nothing from
+# the current folder, PYTHONPATH, the user's site-packages, .pth files or sitecustomize. The folders of this package and
+# of numpy are at the end of sys.path, so that their files replace no module of the standard library.
 _ISOLATED = ["-I", "-S"]
 _START = "import sys; sys.path += sys.argv[1:]; from vkworkbench.worker import serve; serve()"
 _FOLDERS = [str(Path(__file__).resolve().parents[1]), str(Path(np.__file__).resolve().parents[1])]
@@ -30,27 +30,27 @@ _NO_WINDOW: int = getattr(subprocess, "CREATE_NO_WINDOW", 0)
 
 
 class WorkerDied(Exception):
-    """A process could not be started, has another version of Python or numpy, has died, or was ended."""
+    """A worker process could not be started, has another version of Python or numpy, has died, or was killed."""
 
 
 class Worker:
-    """A worker process, which applies one function to one argument after the other.
+    """A worker process, which calls one function with one argument after the other.
 
-    The worker process ends when this process ends or is killed, even during its work. On Linux, the worker process also
-    ends when the thread that has started it ends.
+    The worker process ends when the process that started it ends or is killed, even during a call of the function. On
+    Linux, the worker process also ends when the thread that has started it ends.
 
     Parameters
     ----------
     work : callable
         Function of one argument. The function, its arguments and its results must be picklable.
     most_memory : float, optional
-        Memory limit for the work, bytes. Above the limit, `work` gets a `MemoryError`. The limit is effective only on
-        Linux.
+        Memory limit for `work`, bytes. If `work` needs more, a `MemoryError` is raised in it. The limit is effective
+        only on Linux.
 
     Raises
     ------
     WorkerDied
-        If no Python interpreter was found for the process.
+        If no Python interpreter was found for the worker process.
     """
 
     def __init__(self, work: Callable[[Any], Any], most_memory: float | None = None) -> None:
@@ -69,11 +69,11 @@ class Worker:
 
     @property
     def lives(self) -> bool:
-        """Whether the process is running."""
+        """Whether the worker process is running."""
         return self._process.poll() is None
 
     def get_ready(self) -> None:
-        """Wait until the process has started, and send the function.
+        """Wait until the worker process has started, and send the function to it.
 
         Raises
         ------
@@ -89,7 +89,7 @@ class Worker:
         self._ready = True
 
     def __call__(self, argument: Any) -> Any:
-        """Apply the function to an argument in the process, and wait for the result.
+        """Call the function with an argument in the worker process, and wait for the result.
 
         Raises
         ------
@@ -105,7 +105,7 @@ class Worker:
             self._process.kill()
 
     def end(self) -> None:
-        """Kill the process, and wait until it has ended."""
+        """Kill the worker process, and wait until it has ended."""
         self.kill()
         self._process.wait()
         for pipe in (self._process.stdin, self._process.stdout):
@@ -124,7 +124,7 @@ class Worker:
     def _answer(self) -> Any:
         try:
             return pickle.load(self._process.stdout)  # type: ignore[arg-type] # of this package's own process
-        # There is no answer, or the answer does not fit into the memory.
+        # The worker process sent no answer, or the answer does not fit into the memory.
         except (EOFError, OSError, ValueError, MemoryError, pickle.UnpicklingError):
             self.end()
             raise WorkerDied from None
@@ -153,7 +153,7 @@ def serve() -> None:
 
 
 def _receive(received: SimpleQueue[Any]) -> None:
-    """Read the standard input. When it ends, the parent process is gone: end this process, even during its work."""
+    """Read the standard input. When the input ends, the parent process has ended: end this process, even at work."""
     try:
         while True:
             received.put(pickle.load(sys.stdin.buffer))
@@ -202,7 +202,7 @@ def processes() -> int:
 
 @contextmanager
 def _broken_pipes_are_errors() -> Iterator[None]:
-    """Block SIGPIPE, the signal for writing to a dead process, because it would end FreeCAD 1.0. Python ignores it."""
+    """Block SIGPIPE, the signal for writing to a dead process, which would end FreeCAD 1.0; Python alone ignores it."""
     if not hasattr(signal, "pthread_sigmask"):  # Windows has no such signal
         yield
         return

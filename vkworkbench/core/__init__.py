@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The paper's method, which needs only numpy: commands, trajectories, signature, strategy and cost.
+"""The paper's method: toolpaths from commands, their signatures and strategies, and the cost of simulating them.
 
-The names in this module are stable. Other packages import the public names of a folder from the folder's ``__init__``,
-never from the files in the folder.
+The core needs only numpy. The public names in this module are stable. Other packages import the public names of a
+folder from the folder's ``__init__``, never from the files in the folder.
 """
 
 from __future__ import annotations
@@ -68,7 +68,7 @@ def __dir__() -> list[str]:
 if not TYPE_CHECKING:  # mypy reads the imports above
 
     def __getattr__(name: str) -> object:
-        """Load the module of a name when the name is first used, because loading all modules is slow."""
+        """Load the module of a public name when the name is first used, because loading all modules is slow."""
         if name not in _HOMES:
             raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
         globals()[name] = value = getattr(import_module(f"{__name__}.{_HOMES[name]}"), name)

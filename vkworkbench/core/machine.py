@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Compute machining times with acceleration: the tool's speed along a toolpath, as a machine's controller plans it.
 
-A controller moves the tool as fast as feed rate, axes and corners allow, and brakes before each corner. Two cumulative
-minima plan the squared speed at all corners at once. The backward minimum limits braking; the forward minimum limits
-acceleration.
+A controller moves the tool as fast as the feed rate, the axes and the corners allow, and brakes before each corner. Two
+cumulative minima give the squared speed at all corners at once: the minimum from the last corner backwards limits
+braking, and the minimum from the first corner forwards limits acceleration.
 """
 
 from __future__ import annotations
@@ -17,8 +17,8 @@ import numpy as np
 from vkworkbench.core.toolpath import PLANE_AXES, Toolpath, check_toolpath, exact_lengths
 from vkworkbench.given import not_negative, number, numbers, positive, whole
 
-# Limit for the sine of half the angle between two moves. A corner with a larger sine is straight up to rounding and
-# does not limit the speed.
+# Limit for the sine of half the angle between two moves. Two moves with a larger sine have the same direction up to
+# rounding, so the corner between them does not limit the speed.
 _STRAIGHT = 1 - 1e-12
 
 
@@ -37,15 +37,15 @@ class Machine:
     accelerations : (3,) tuple of float
         Accelerations of the axes, mm/s^2.
     deviation : float
-        Largest distance between a corner and the rounded path of the tool, mm. In grbl, this is the junction deviation;
-        in LinuxCNC, the path tolerance (G64 P). If the value is 0, the tool stops at each corner.
+        Largest distance between a programmed corner and the rounded path of the tool, mm. In grbl, this is the junction
+        deviation; in LinuxCNC, the path tolerance (G64 P). If the value is 0, the tool stops at each corner.
     lookahead : int
-        Number of moves that the controller plans ahead. The tool can always stop within these moves, so a small number
-        slows the tool in programs with tiny moves.
+        Number of moves that the controller plans ahead. The tool must be able to stop within these moves, so a
+        controller with a small number is slow in programs with tiny moves.
     factor : float
         Measured time of a job divided by its planned time. All times are multiplied by this factor.
     tool_change : float
-        Time between two operations with different tools, s, without `spindle_start`.
+        Time to change the tool between two operations, s, without `spindle_start`.
     spindle_start : float
         Time that the spindle needs to reach its speed, s.
 
@@ -156,12 +156,12 @@ def machine_of_grbl(settings: str, otherwise: Machine) -> Machine:
     settings : str
         Lines such as ``$110=3000.000``. Other lines are skipped.
     otherwise : Machine
-        Machine whose values are used for settings that are not in the list.
+        Machine whose values are used for settings that are not in `settings`.
 
     Raises
     ------
     ValueError
-        If no line is a known setting, or if a value is impossible.
+        If no line is a known setting, or if a setting has an impossible value.
     """
     found = {}
     for line in settings.splitlines():
@@ -178,7 +178,7 @@ def machine_of_grbl(settings: str, otherwise: Machine) -> Machine:
 
 
 def _least_over(limits: tuple[float, float, float], along: np.ndarray) -> np.ndarray:
-    """Return the largest length of a vector in each direction `along` (n, 3) with components within the limits."""
+    """Return the length of the longest vector in each direction `along` (n, 3) with components within the limits."""
     with np.errstate(divide="ignore"):
         result: np.ndarray = (np.array(limits) / along).min(axis=1)
     return result

@@ -54,7 +54,7 @@ class Machining:
 
     @property
     def complete(self) -> bool:
-        """Whether the time includes all moves; otherwise, the time is a lower bound."""
+        """Whether `seconds` includes all moves; otherwise, `seconds` is a lower bound."""
         return not self.left_out
 
     @property

@@ -58,7 +58,7 @@ class Spans(NamedTuple):
 
 
 class Convex:
-    """A convex solid: all points with ``normals @ point <= offsets``. All convex stocks have this interface."""
+    """A convex solid: all points with ``normals @ point <= offsets``. This is the base class of all convex stocks."""
 
     normals: np.ndarray
     offsets: np.ndarray

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Measure the time of pieces of work repeatedly, until the shortest time is confirmed."""
+"""Measure the times of functions repeatedly, until the shortest time of each function is confirmed."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from collections.abc import Callable, Sequence
 
 import numpy as np
 
-# A time is steady once _TIMES measurements are at most _EQUAL times the shortest measurement.
+# The time of a function is confirmed by _TIMES measurements of at most _EQUAL times the shortest measurement.
 _EQUAL, _TIMES = 1.05, 3
 
 # The processor time of this process. On Windows, this time advances in steps of 16 ms, so the wall-clock time is used.
@@ -23,20 +23,20 @@ def steady_seconds(
     clock: Callable[[], float] = processor_clock,
     going_on: Callable[[], object] = lambda: None,
 ) -> np.ndarray:
-    """Return the shortest time of each piece of work, s, (k,) float64: three measurements are within 5 % of it.
+    """Return the shortest time of each function, s, (k,) float64; at least three times are within 5 % of the shortest.
 
-    Other work of the computer can only slow a piece of work down, so the shortest time is the best estimate. Three
-    nearly equal times show that the computer was idle. The pieces are timed in turn, so that a busy moment spoils only
-    one measurement of each piece.
+    Other programs can only make a measured time longer, so the shortest time is the best estimate. Three nearly equal
+    times show that the computer was idle. The functions are called in turn, so that a short load on the computer spoils
+    only one measurement of each function.
 
     Parameters
     ----------
     pieces : sequence of callable
-        Each piece is called without arguments.
+        The functions, which are called without arguments.
     most : int
-        Largest number of measurements of a piece.
+        Largest number of measurements of each function.
     going_on : callable
-        Called before each piece of work; its time does not count. An exception from this call ends the measurement.
+        Called before each measurement. An exception from this call ends all measurements.
     """
     times: list[list[float]] = [[] for _ in pieces]
     for _ in range(most):

@@ -19,7 +19,7 @@ from vkworkbench.language import Message, Unusable
 # Grid to which corners of a mesh are rounded before equal corners are merged, mm.
 _SAME = 1e-6
 _AROUND = 64
-# Number of rows of rays in one strip of a mesh. With more rows, most pairs of a triangle and a row have no ray.
+# Number of rows of rays in one strip of a mesh. In a higher strip, most triangles cross only few of the rows.
 _ROWS = 256
 
 
@@ -158,7 +158,7 @@ class _SeenMesh:
     Attributes
     ----------
     low, high : (3, t) ndarray
-        Corners of each triangle's bounding box: image coordinates and depth, mm.
+        Lower and upper corner of each triangle's bounding box: image coordinates and depth, mm.
     edges : (3, t, 3) ndarray
         The edges from the lowest to the highest, from the lowest to the middle, and from the middle to the highest
         corner; see `_edge`.
@@ -193,7 +193,7 @@ class _SeenMesh:
         first = np.flatnonzero(np.diff(ray, prepend=-1))
         end = np.append(first[1:], len(ray))[: len(first)]
         near[ray[first]], far[ray[first]] = depth[first], depth[end - 1]
-        # Every second stretch of a ray is outside the solid.
+        # A ray is alternately inside and outside the solid, so every second stretch is outside.
         number = np.arange(len(ray)) - np.repeat(first, end - first)
         outside = np.flatnonzero((number[:-1] % 2 == 1) & (ray[1:] == ray[:-1]))
         return Spans(near, far, Gaps(ray[outside], depth[outside], depth[outside + 1]))
@@ -201,7 +201,7 @@ class _SeenMesh:
     def _crossings(self, x: np.ndarray, y: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """Return rays and the depths at which they cross triangles, unordered.
 
-        Many rows with few rays each are divided into strips along y, because most triangles meet few strips.
+        Many rows with few rays each are divided into strips along y, because most triangles overlap only a few strips.
         """
         strips = 1 + len(np.unique(y)) // _ROWS
         if strips == 1:
@@ -282,11 +282,11 @@ def fitted(view: View, stock: Solid) -> Frame:
 
 
 def spans_in(solid: Solid, frame: Frame) -> Callable[[np.ndarray, np.ndarray], Spans]:
-    """Return `solid.spans` for many calls with one frame, so that the triangles of a mesh are sorted only once."""
+    """Return a function like `solid.spans` for one frame; for a mesh, its calls share the sorted triangles."""
     return _SeenMesh(solid, frame).spans if isinstance(solid, Mesh) else partial(solid.spans, frame)
 
 
 def is_same(one: Solid, other: Solid) -> bool:
-    """Return whether two solids are equal to the last bit."""
+    """Return whether two solids have bit for bit the same data."""
     mine, others = vars(one), vars(other)
     return one is other or (type(one) is type(other) and all(np.array_equal(mine[name], others[name]) for name in mine))

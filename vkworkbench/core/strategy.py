@@ -9,13 +9,13 @@ from vkworkbench.language import QT_TRANSLATE_NOOP
 
 
 class Family(str, enum.Enum):
-    """Way in which a strategy covers the part."""
+    """Way in which a strategy covers the part: by rows, by contours around an area, by holes or by strokes."""
 
     ROWS = "rows"
     AROUND = "around"
     HOLES = "holes"
     STROKES = "strokes"
-    #: The operation has no strategy, or several.
+    #: The operation has no strategy, or several strategies.
     NONE = "none"
 
 
@@ -23,12 +23,12 @@ class Strategy(str, enum.Enum):
     """The strategy of one operation, recognised from its toolpath alone.
 
     Each entry contains everything that the window shows about a strategy. The value of an entry is also the anchor of
-    its section in docs/recognition.md.
+    the strategy's row in docs/recognition.md.
 
     Attributes
     ----------
     value : str
-        Name that never changes, because documents store the name and macros read it.
+        Name of the strategy, which never changes, because documents store the name and macros read it.
     label : str
         English name for the user; the translations are in the context "Strategy".
     about : str
@@ -37,7 +37,7 @@ class Strategy(str, enum.Enum):
     color : str
         Colour, ``"#rrggbb"``. All colours have a relative luminance of 0.14 to 0.18 (WCAG 2.1): white text on them has a
         contrast above 4.5, and the colours are visible on light and dark windows. People with red-green colour
-        blindness can also distinguish the colours. A colour never appears without the name.
+        blindness can also distinguish the colours. A strategy's colour is always shown with the strategy's name.
     """
 
     label: str
@@ -110,5 +110,5 @@ class Strategy(str, enum.Enum):
 
     @property
     def is_answer(self) -> bool:
-        """Whether the strategy is a positive answer, for which a confidence is meaningful."""
+        """Whether the toolpath has a recognised strategy, so that a confidence is meaningful."""
         return self not in (Strategy.UNKNOWN, Strategy.EMPTY)

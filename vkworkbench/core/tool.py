@@ -27,7 +27,7 @@ _BODIES = ("cutting_edge_height", "length", "shank_diameter", "holder_diameter",
 class Tool:
     """A milling tool or drill: an upright, convex solid of revolution, whose tip is at the programmed point.
 
-    The solid has no upper end, because the simulation treats the shank above the cutting edge as part of the edge.
+    The solid has no upper end, because in the simulation the shank cuts like the cutting edge below it.
     `core.zbuffer.collisions` finds collisions of the shank and the holder from the sizes of both.
 
     Parameters
@@ -50,10 +50,11 @@ class Tool:
     Raises
     ------
     Unusable
-        For a diameter that is not a positive number of at most a kilometre, a corner radius above half the diameter,
-        a tip angle outside ]0, pi], or a tip that is wider than the tool.
+        If the diameter is not a positive number of at most a kilometre, the corner radius is above half the diameter,
+        the tip angle is outside ]0, pi], or the tip is wider than the tool.
     ValueError
-        For an unknown shape, a text that is not a number, or a size of shank, holder or flutes that is not positive.
+        If the shape is unknown, a size is a text that is not a number, or a size of shank, holder or flutes is not
+        positive.
     TypeError
         If a size is not a number. (FreeCAD's quantities are accepted, in mm.)
     """

@@ -11,8 +11,8 @@ import numpy as np
 from vkworkbench.given import number, numbers, of_kind
 from vkworkbench.language import Message, render
 
-# Largest coordinate, mm. No milling machine reaches farther than a kilometre, so a larger number is an error. Larger
-# numbers would also overflow later.
+# Largest coordinate, mm. No milling machine reaches farther than a kilometre, so a larger coordinate is an error, which
+# could also cause overflows.
 COORDINATE_LIMIT = 1e6
 
 # The two axes and the normal of each working plane (G17, G18 and G19), a right-handed system.
@@ -27,18 +27,18 @@ _HIDES_CUTS = (
 
 @dataclass(frozen=True)
 class Problem:
-    """Something in the commands that could not be used.
+    """A part of the commands that could not be used, such as an unknown code.
 
     Attributes
     ----------
     command : int
         Index of the first source command concerned.
     what : Message
-        Message on the part that could not be used, and on its treatment.
+        Message that names the part that could not be used, and says how it was treated.
     count : int
         Number of commands concerned.
     commands : (count,) int64
-        All commands concerned if the problem affects the machining time or hides cuts; otherwise empty.
+        Indices of all commands concerned if the problem affects the machining time or hides cuts; otherwise empty.
     """
 
     command: int
@@ -48,7 +48,7 @@ class Problem:
 
     @classmethod
     def at(cls, commands: Sequence[int] | np.ndarray, what: Message) -> Problem:
-        """Return the problem `what` of one or more commands in ascending order."""
+        """Return the problem `what` that concerns one or more commands, given in ascending order."""
         problem = cls(int(commands[0]), what, len(commands))
         return replace(problem, commands=np.asarray(commands, np.int64)) if problem._is_divided else problem
 
@@ -70,17 +70,17 @@ class Problem:
 
     @property
     def of_time(self) -> bool:
-        """Whether only the machining time is affected, and not the tool's path."""
+        """Whether the problem affects only the machining time, not the tool's path."""
         return self.what.code in _OF_TIME
 
     @property
     def takes_time(self) -> bool:
-        """Whether the machining time is affected."""
+        """Whether the problem affects the machining time."""
         return self.of_time or self.what.code in _TAKES_TIME
 
     @property
     def hides_cuts(self) -> bool:
-        """Whether cuts can be missing or in wrong places, so that the strategy is unknown."""
+        """Whether, because of the problem, cuts can be missing or in wrong places, so that the strategy is unknown."""
         return self.what.code in _HIDES_CUTS
 
     @property
@@ -106,7 +106,7 @@ class Toolpath:
     Attributes
     ----------
     points : (n+1, 3) float64
-        Positions of the tool tip, mm; (0, 3) if the program has no position.
+        Positions of the tool tip, mm; the shape is (0, 3) if the program contains no position.
     rapid : (n,) bool
         Whether each trajectory is a positioning move (G0, or a rapid part of a canned cycle).
     command : (n,) int64
@@ -114,8 +114,8 @@ class Toolpath:
     feed : (n,) float64
         Feed rate in mm/s; 0 for rapids, and for cuts without a feed rate in the program.
     sweep : (n,) float64
-        Exact angle of the part of an arc that each chord replaces, rad; 0 for lines. The angle is
-        positive if it is counter-clockwise around the plane's normal (right-hand rule).
+        Exact angle of the part of an arc that the trajectory replaces as a chord, rad; 0 for a straight move. Angles
+        are positive if they are counter-clockwise around the plane's normal (right-hand rule).
     plane : (n,) uint8
         Working plane in force at each trajectory: 17 (XY), 18 (ZX) or 19 (YZ).
     cycle : (n,) bool
@@ -123,7 +123,7 @@ class Toolpath:
     commands : int
         Number of source commands, comments included.
     tool_changes : (m,) int64
-        Index of the trajectory after each tool change (M6), 0..n.
+        Index of the trajectory after each tool change (M6), 0 to n.
     comments : tuple of (int, str)
         Program comments as (index of the next trajectory, text without parentheses).
     problems : tuple of Problem
@@ -182,13 +182,13 @@ class Toolpath:
 
     @property
     def hidden_cuts(self) -> Problem | None:
-        """First problem that hides cuts, or None."""
+        """The first problem that hides cuts; None if no problem does."""
         return next((problem for problem in self.problems if problem.hides_cuts), None)
 
     def part(self, first: int, end: int) -> Toolpath:
-        """Return the trajectories first .. end - 1, with the tool changes and comments between them.
+        """Return the toolpath of the trajectories first .. end - 1, with the tool changes and comments between them.
 
-        The result contains no problems and no dwells.
+        The returned toolpath contains no problems and no dwells.
         """
         inside = (self.tool_changes > first) & (self.tool_changes < end)
         return Toolpath(

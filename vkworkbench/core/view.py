@@ -11,14 +11,15 @@ import numpy as np
 
 from vkworkbench.given import number, numbers, whole
 
-# Largest tilt of a view that counts as vertical, rad. A smaller tilt does not change the image visibly. Without this
-# limit, rounding in the camera's direction would decide which side of the image is up, and on which side of a tool's
-# wall a ray passes.
+# Largest tilt of a view that counts as vertical, rad. A smaller tilt does not change the image visibly. If smaller
+# tilts counted, rounding in the camera's direction would decide which side of the image is up, and whether a ray passes
+# inside or outside a tool's vertical side.
 VERTICAL = 1e-5
-# Largest side of an image, pixels, and largest number of pixels in an image, because records count pixels in 32 bits.
+# Largest width and height of an image, pixels, and largest number of pixels in an image. Records store the number of a
+# pixel in 32 bits.
 LONGEST_SIDE, MOST_PIXELS = 1_000_000, 2**32
-# Smallest and largest pixel, mm. With the smallest pixel, the smallest stock fills the largest image. The largest pixel
-# is far wider than the largest stock.
+# Smallest and largest side of a pixel, mm. With the smallest pixel, the smallest stock fills the largest image. The
+# largest pixel is much wider than the largest stock.
 _SMALLEST_PIXEL, _LARGEST_PIXEL = 1e-12, 1e10
 
 
@@ -76,7 +77,7 @@ class View:
         set_to("offset", tuple(offset.tolist()))
 
     def of_size(self, width: int, height: int) -> View:
-        """Return the view with an image of another size. A fixed pixel grows to show at least as much."""
+        """Return the view with an image of another size. A fixed pixel grows with a smaller image."""
         pixel = self.pixel and self.pixel * wider_pixel(self, width, height)
         return replace(self, width=width, height=height, pixel=pixel)
 
@@ -126,11 +127,11 @@ class Frame:
     Attributes
     ----------
     centre, right, up, direction : (3,) ndarray
-        Centre of the image, at the depth of the centre of the stock's bounding box, and the image's orthonormal axes.
+        Centre of the image, at the depth of the bounding box's centre, and the orthonormal axes of the image.
     pixel : float
         Side of a pixel, mm.
     width, height : int
-        Pixels.
+        Size of the image, pixels.
     """
 
     centre: np.ndarray

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Messages and their sentences. This package uses only the standard library, and all other packages may import it.
+"""Messages and their sentences, with only the standard library, so that all other packages may import this one.
 
 Input: `Message`, a code with arguments, which the other packages create; `Unusable`, an error with a message. Output:
-`render`, which returns the sentence of a message in the language, units and number format of a `Reader`. Texts in
+`render`, which returns a message as a sentence in the language, units and number format of a `Reader`. Texts in
 documents and files use the default reader, `ENGLISH`.
 """
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Messages: codes with arguments. Programs can compare messages, and the module `sentences` renders them as text."""
+"""Messages: codes with arguments, which programs can compare and the module `sentences` renders as text."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ Argument = Union[int, float, str, None, "Message", Tuple[Any, ...]]
 
 @dataclass(frozen=True, init=False, repr=False)
 class Message:
-    """A code from the table of sentences, with the arguments for the sentence's places.
+    """The code of a sentence in the table of sentences, with values for the places in this sentence.
 
     Parameters
     ----------
@@ -40,7 +40,7 @@ class Message:
 
     @property
     def codes(self) -> tuple[str, ...]:
-        """The code of the message, then the codes of the messages in its arguments, sorted by the arguments' names."""
+        """The message's own code, then the codes of the messages in its arguments, sorted by the arguments' names."""
         return (self.code, *(code for _, value in self._items for code in _codes_of(value)))
 
     def __repr__(self) -> str:

@@ -8,11 +8,11 @@ from math import floor, inf, log10, tau
 
 from vkworkbench.language.marking import QT_TRANSLATE_NOOP
 
-# If an estimate can be wrong by the factor ROUGH or more, it is shown with one digit and "about". If it can be wrong by
-# more than the factor ESTIMATED, it is shown with two digits. Lower: useful digits are hidden. Higher: meaningless
-# digits appear.
+# An estimate that can be wrong by the factor ROUGH or more is shown with one digit and "about". An estimate that can be
+# wrong by more than the factor ESTIMATED is shown with two digits. Lower factors hide useful digits. Higher factors
+# show meaningless digits.
 ROUGH, ESTIMATED = 2.0, 1.05
-# Units of time: the name, the length, s, and the time from which the next unit is used, s.
+# Units of time: the name, the length, s, and the duration from which the next larger unit is used, s.
 _UNITS = (("ms", 1e-3, 1.0), ("s", 1.0, 60.0), ("min", 60.0, 3600.0), ("h", 3600.0, inf))
 ABOUT = QT_TRANSLATE_NOOP("Sentences", "about {number}")
 _BETWEEN = QT_TRANSLATE_NOOP("Sentences", "{low} to {high}")
@@ -28,7 +28,7 @@ _THOUSANDS = re.compile(r"^-?\d{4,}")
 
 
 class Reader:
-    """The language, units and number format of a person. This class is for English and mm; subclasses are for others.
+    """The language, units and number format of a reader. This class is for English and mm, subclasses for all others.
 
     Attributes
     ----------
@@ -43,11 +43,11 @@ class Reader:
         return text
 
     def simulator(self, name: str) -> str:
-        """Return the name of a simulator for the reader. `name` is the name in the table of simulators."""
+        """Return the name of a simulator in the reader's language. `name` is the name in the table of simulators."""
         return self.translate("Sentences", _SIMULATORS.get(name, name))
 
     def length_unit(self, millimetres: float) -> tuple[float, str]:
-        """Return the unit for a length of this size, as its length in mm and its name."""
+        """Return the unit in which a length of this size is shown: the unit's length in mm and its name."""
         return 1.0, "mm"
 
     def length(self, millimetres: float) -> str:
@@ -126,7 +126,7 @@ class Reader:
 
     @staticmethod
     def seconds_of(clock: str) -> float | None:
-        """Return the seconds of a text such as ``"0:45"``, ``"17:30"`` or ``"1:02:30"``; None for other texts."""
+        """Return the duration in s of a text such as ``"0:45"``, ``"17:30"`` or ``"1:02:30"``; None for other texts."""
         if not _CLOCK.fullmatch(clock.strip()):
             return None
         hours, minutes, seconds = [0, 0, *map(int, clock.strip().split(":"))][-3:]

@@ -18,8 +18,8 @@ A place without a quantity stands for a text or for another message. The quantit
 
 The number of significant digits can follow ``g``, ``mm``, ``mm³`` and ``mm/min``, e.g. ``mm3``.
 
-Durations and memory sizes have few digits. If two different values in one sentence would look the same, both get more
-digits. Otherwise a sentence could say "about 2.0 GB, which is over your 2.0 GB limit".
+Durations and memory sizes have few digits. If two different values in one sentence would look equal, both get more
+digits, so that no sentence says "about 2.0 GB, which is over your 2.0 GB limit".
 """
 
 from __future__ import annotations
@@ -67,7 +67,8 @@ def render(message: Message, reader: Reader = ENGLISH, *, plain: bool = False) -
     Raises
     ------
     LookupError, TypeError, ValueError
-        If the table does not contain the message, e.g. because another version has written it.
+        If the table has no sentence for the message, e.g. because another version of the add-on has written the
+        message.
     """
     arguments = message.arguments
     template = _with_different_times(
@@ -83,7 +84,7 @@ def render(message: Message, reader: Reader = ENGLISH, *, plain: bool = False) -
 
 
 def _with_different_times(template: str, arguments: dict[str, Argument], reader: Reader) -> str:
-    """Return the template. If a rounded estimate would look like another time, all estimates are shown exactly."""
+    """Return the template, changed to show estimates exactly if a rounded estimate would look like another time."""
     places = [place for place in _PLACE.finditer(template) if place[2] in ("s", "estimate")]
     texts = {arguments[place[1]]: _QUANTITIES[place[2]](reader, arguments[place[1]], 0) for place in places}
     return template if len(set(texts.values())) == len(texts) else template.replace(":estimate}", ":s}")
@@ -100,7 +101,7 @@ def _extra_digits(template: str, arguments: dict[str, Argument], quantity: str, 
 
 
 def _template(message: Message, reader: Reader, plain: bool) -> str:
-    """Return the template of a message. If there are a singular and a plural template, the count determines which."""
+    """Return the template of a message: the singular or the plural template if the message has a count."""
     template = _plain_template(message) if plain else None
     template = template or TABLE[message.code]
     if isinstance(template, str):

@@ -29,12 +29,12 @@ class JobVerdict:
 
     @property
     def is_sound(self) -> bool:
-        """Whether the whole job was checked without finding a fault, and the job has not changed since then."""
+        """Whether a check of the whole job found no fault, and the job has not changed since the check."""
         return "verdict-sound" in self.what.codes and not self.outdated
 
     @property
     def message(self) -> Message:
-        """The verdict, or the message that it is outdated."""
+        """The verdict, or a message that the verdict is outdated."""
         return Message("verdict-outdated") if self.outdated else self.what
 
     def __str__(self) -> str:

@@ -15,7 +15,7 @@ from vkworkbench.language import Message, render
 from vkworkbench.report.spreadsheet import as_cell
 from vkworkbench.report.text_table import printable
 
-# Codes of cautions about simulations that hang, or that exceed the user's limits of time and memory.
+# Codes of the cautions that a simulation would hang, or would exceed the user's limits of time or memory.
 HANGS = frozenset({"legacy-hangs"})
 SERIOUS = HANGS | {"long-play", "memory"}
 
@@ -28,8 +28,8 @@ class Setup(NamedTuple):
     tool : str
         Name of the tool; empty if the tool is unknown, and for a job.
     planned : bool
-        Whether the machining time is planned for a machine. Otherwise it is computed with constant feeds, and without
-        times for setups.
+        Whether the machining time is planned for a machine. If not, the machining time is computed with constant feeds,
+        and without times for setups.
     change : float
         Time to change to this tool, s; for a job, the time of all setups.
     spindle : float
@@ -63,7 +63,7 @@ class OperationReport(Costs):
         Whether the operation is included in its job's total. Inactive operations and operations with a dress-up are
         not.
     recognition : Recognition
-        Strategy, confidence, reason and spans with their evidence.
+        The strategy with its confidence, reason, spans and evidence.
     trajectories : int
         Number of straight moves. Each chord of an arc counts as one move.
     machining : Machining
@@ -108,7 +108,7 @@ class OperationReport(Costs):
     setup: Setup = field(default_factory=Setup)
 
     def __repr__(self) -> str:
-        """Return one line, because the console would show many pages if it printed all attributes."""
+        """Return one line for the console, because all attributes would fill many pages."""
         return f"<OperationReport of {printable(self.label)}: {self.strategy}>"
 
     @property
@@ -128,7 +128,7 @@ class OperationReport(Costs):
 
     @property
     def spans(self) -> tuple[Span, ...]:
-        """The sections of the operation, each with one strategy."""
+        """The spans of the operation, stretches with one strategy each."""
         return self.recognition.spans
 
     @property
@@ -149,7 +149,7 @@ class OperationReport(Costs):
 
     @property
     def left_out(self) -> tuple[Message, ...]:
-        """Moves that `machining_seconds` does not include; empty if the time is complete."""
+        """Messages on the moves that `machining_seconds` does not include; empty if it includes all moves."""
         return self.machining.left_out
 
     @property

@@ -20,7 +20,7 @@ from vkworkbench.report.table import table_of
 from vkworkbench.report.text_table import files_left_out, how_many
 from vkworkbench.report.total import Total, counted_in, total_of
 
-_NO_UTF8 = "surrogateescape"  # writes file names with bytes that are not UTF-8 unchanged
+_NO_UTF8 = "surrogateescape"  # writes bytes of file names that are not UTF-8 unchanged
 
 
 class Cancelled(Exception):
@@ -63,9 +63,9 @@ class Report:
     def with_facts(self, facts: SimulationFacts) -> Report:
         """Return the report with the facts of a simulation.
 
-        An operation gets facts only if its toolpath, tool and stock are equal to the simulated ones. A job gets facts
-        and a verdict only if all its operations were simulated, except for the operations that `facts` lists as left
-        out.
+        An operation gets facts only if its toolpath, tool and stock equal the simulated toolpath, tool and stock. A job
+        gets facts and a verdict only if all its operations were simulated, except for operations that `facts` lists as
+        left out.
 
         Parameters
         ----------

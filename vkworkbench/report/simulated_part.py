@@ -19,12 +19,12 @@ _Part = TypeVar("_Part", bound="SimulatedPart")
 
 
 class SimulatedPart:
-    """A part at one moment of a simulation: the base class of the simulations of jobs and of NC programs.
+    """A part at one moment of a simulation, after `step` trajectories: the base class for jobs and for NC programs.
 
     Attributes
     ----------
     zbuffer : ZBuffer
-        Depth and owner of every pixel, dexels and traces.
+        Depth of every pixel and the trajectory that cut it, dexels and traces.
     """
 
     zbuffer: ZBuffer
@@ -95,7 +95,7 @@ class SimulatedPart:
         write_stl(path, self.triangles())
 
     def _of_solid(self) -> ZBuffer:
-        """Return the z-buffer from which the solid is made."""
+        """Return the z-buffer from which the part's surface is computed."""
         return self.zbuffer
 
 

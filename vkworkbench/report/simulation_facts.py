@@ -19,7 +19,7 @@ from vkworkbench.language import ENGLISH, Message, render
 from vkworkbench.report.spreadsheet import as_cell
 from vkworkbench.report.text_table import how_many, line, printable, widths_of
 
-_WIDTH = 400  # maximum length of a remark below the table, characters
+_WIDTH = 400  # maximum length of a remark printed below the table, characters
 
 
 @dataclass(frozen=True)

@@ -14,7 +14,7 @@ from vkworkbench.report.operation import OperationReport, contradiction
 from vkworkbench.report.text_table import how_many, line, printable, widths_of
 from vkworkbench.report.total import Total, counted_in
 
-_VERDICT = 1000  # maximum length of a verdict below the table, characters
+_VERDICT = 1000  # maximum length of a verdict printed below the table, characters
 
 
 def table_of(operations: Sequence[OperationReport], totals: Sequence[Total], simulator: str) -> str:
@@ -61,7 +61,7 @@ def _row(o: OperationReport, simulator: str) -> tuple[str, ...]:
 
 
 def _is_idle(o: OperationReport) -> bool:
-    """Return whether an operation has no moves, e.g. an inactive operation or a stop. Its cells for times are empty."""
+    """Return whether an operation has no moves (e.g. inactive operations and stops), so that it has no times."""
     return o.strategy is Strategy.EMPTY and not o.trajectories
 
 
@@ -89,7 +89,7 @@ def _is_measured(o: OperationReport) -> bool:
 
 
 def _machining(length: float, seconds: float, complete: bool, measured: bool) -> tuple[str, str]:
-    """Return the cutting length and the machining time as texts. A question mark stands for an unknown value."""
+    """Return the cutting length and the machining time as texts, with a question mark for an unknown value."""
     time = ENGLISH.clock(seconds)
     if complete:
         return ENGLISH.length(length), time

@@ -12,7 +12,7 @@ _CONTROL = re.compile(r"[\x00-\x1f\x7f-\x9f]+")
 
 
 def printable(text: str, longest: int = 60) -> str:
-    """Return a text of limited length. Control characters are replaced, because they could change the terminal."""
+    """Return a text of limited length without control characters, which could change the state of the terminal."""
     text = _CONTROL.sub(" ", text)
     return text if len(text) <= longest else text[: longest - 1] + "…"
 
@@ -23,7 +23,7 @@ def how_many(number: int, thing: str) -> str:
 
 
 def files_left_out(paths: Iterable[str]) -> str:
-    """Return a sentence that names the files in folders that are not analysed."""
+    """Return a sentence with the names of files in folders that are not analysed."""
     names = [printable(path, sys.maxsize) for path in paths]
     more = f", and {len(names) - _MOST_NAMED:,} more" if len(names) > _MOST_NAMED else ""
     return f"Left out, because they do not look like NC programs: {', '.join(names[:_MOST_NAMED])}{more}."

@@ -31,7 +31,7 @@ class Total(Costs):
     machining_seconds : float
         Time of the moves with a known speed, the dwells and the setups, for all work offsets, s.
     machining_complete : bool
-        Whether `machining_seconds` includes all moves. Otherwise it is a lower bound.
+        Whether `machining_seconds` includes all moves. If not, `machining_seconds` is a lower bound.
     incomplete : bool
         Whether the cost of at least one operation is unknown, so that the costs are lower bounds.
     costs, advice : mapping
@@ -106,7 +106,7 @@ def counted_in(operations: Iterable[OperationReport], document: str, job: str) -
 def total_of(
     document: str, job: str, label: str, counted: Sequence[Any], budget: dict[str, float] | None, fixtures: int = 1
 ) -> Total:
-    """Return the total of operations that run one after another. This function computes all totals that a user sees.
+    """Return the total of operations that run one after another.
 
     Parameters
     ----------

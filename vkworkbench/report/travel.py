@@ -10,7 +10,8 @@ from vkworkbench.core import Toolpath
 from vkworkbench.language import Message
 from vkworkbench.report.operation import OperationReport
 
-# Share by which the needed travel may exceed the machine's travel without a remark, to allow for rounding.
+# If the needed travel exceeds the machine's travel by at most this share, no remark is made, because the excess may be
+# rounding.
 _ROUNDING = 1e-9
 
 
@@ -33,7 +34,7 @@ def with_travel(
     rows : sequence of OperationReport
         All rows of the report.
     job : iterable of OperationReport
-        All rows of one job. Some of them may be missing in the report.
+        All rows of one job. The report may contain only some of these rows.
     travel : tuple of float
         Travel of the machine along X, Y and Z, mm; 0 if unknown.
     """

@@ -4,7 +4,7 @@
 The method is described in sections 2 and 3 of the paper. The input is a `Toolpath`, or the vertices of a polyline.
 `Areas` contains the monotonous areas of a toolpath, with their directions, turns, phi and loops. `Signature` contains
 the levels (numbers of whole turns), V_k and the Gauss map of one area. `PaperVerdict` contains the strategy by the
-paper's own rule. The functions of `picture` compute the lines in the picture of the Gauss map.
+paper's own rule. The functions in `picture` compute the lines that the panel *Gauss Map* draws.
 """
 
 from vkworkbench.core.paper.areas import Areas, monotonous_areas

@@ -24,18 +24,18 @@ def monotonous_areas(toolpath: Toolpath, first: int = 0, last: int | None = None
     Parameters
     ----------
     first, last : int
-        Range of trajectories to split, last inclusive; by default all.
+        First and last trajectory to split into areas; by default all trajectories are split.
 
     Returns
     -------
     Areas
-        The areas contain no moves (m = 0) if nothing cuts along the working plane.
+        The areas contain no moves (m = 0) if no trajectory cuts along the working plane.
     """
     return Areas(**vars(cutting_moves(toolpath, first, len(toolpath) if last is None else last + 1)))
 
 
 class Areas(Moves):
-    """The `m` moves of `a` monotonous areas, and measures that belong to a whole area."""
+    """The `m` moves in `a` monotonous areas, and measures of whole areas."""
 
     @cached_property
     def end(self) -> np.ndarray:
@@ -69,7 +69,7 @@ class Areas(Moves):
 
     @cached_property
     def signed(self) -> tuple[np.ndarray, np.ndarray]:
-        """Turning and phi, in which every half turn has a sign, both (m,) rad, as in :class:`Signature`."""
+        """Turning and phi, both (m,) rad, with chosen signs for the half turns, as in :class:`Signature`."""
         if not len(self.unsigned):
             return self.turning, self.phi
         signs = self._signs[0]
@@ -106,11 +106,11 @@ class Areas(Moves):
 
     @cached_property
     def total_turning(self) -> np.ndarray:
-        """Phi at the end of each area, (a,) rad, including the closing turn if the area has one.
+        """Phi at the end of each area, (a,) rad, including the closing turn of areas that end at their start.
 
-        The closing turn of an area that ends at its start leads from the last move into the first. If an area consists
-        of offset loops that are linked without a lift, the closing turn of the last loop counts. A zigzag with small
-        loops along the boundary has no closing turn.
+        The closing turn is the turn from the last move of an area into its first move. In an area of offset loops that
+        are linked without a lift, the closing turn of the last loop counts. The closing turn of small loops along the
+        boundary of a zigzag does not count.
         """
         begin, end = self.start.copy(), self.end.copy()
         closes = self.closed.copy()

@@ -15,7 +15,7 @@ from vkworkbench.core.paper.signature import signature
 class Complexity:
     """The sums of the turns of a polyline.
 
-    For a closed polyline, the sums include the turn from the last trajectory into the first.
+    If a polyline is closed, the sums include the turn from its last trajectory into its first.
 
     Attributes
     ----------
@@ -26,7 +26,7 @@ class Complexity:
         Sum of the turns with their signs, rad: the cumulative angular function phi at the end.
     windings : float
         Net turning as a number of full turns: 1 for a counter-clockwise closed contour that does not cross itself, -1
-        for a clockwise contour. The paper's level is this number, truncated toward zero.
+        for a clockwise contour. The paper's level is the net turning in full turns, truncated toward zero.
     """
 
     total_turning: float
@@ -55,7 +55,7 @@ def complexity(points: np.ndarray) -> Complexity:
     Raises
     ------
     ValueError
-        For the same points as :func:`signature`.
+        If :func:`signature` rejects the points.
 
     Examples
     --------

@@ -35,7 +35,8 @@ def turns(alpha: np.ndarray, out: np.ndarray | None = None, scratch: np.ndarray 
     alpha : (n,) float64
         rad.
     out, scratch : (n-1,) float64, optional
-        Memory for the result and for intermediate values. For a long path, allocating memory takes most of the time.
+        Memory for the result and for intermediate values, because allocating memory takes most of the time for a long
+        path.
 
     Returns
     -------
@@ -106,15 +107,15 @@ def total_turns(phi: np.ndarray, closing: np.ndarray, last: np.ndarray, half: fl
 
     The closing turn leads from the last move into the first. A closing turn of half a turn has no sign of its own. If
     the path has half turns with alternating signs, the closing turn continues the alternation. Otherwise, for example
-    at the tip of a lead that the tool travels in and out, the closing turn gets the sign that brings phi closest to one
-    full turn.
+    at the tip of a lead-in along which the tool also leaves the contour, the closing turn gets the sign that brings phi
+    closest to one full turn.
 
     Parameters
     ----------
     phi, closing : (k,) float
         Phi of the last move, and the turn from the last move into the first, rad.
     last : (k,) int
-        Last alternating sign, from :func:`signs_of_reversals`.
+        Last alternating sign of a half turn in each path, from :func:`signs_of_reversals`; 0 if the path has none.
     half : float
         Largest difference between half a turn and a closing turn without a sign, rad.
     """
@@ -151,13 +152,13 @@ def level_of(phi: float | np.ndarray) -> int | np.ndarray:
 
 
 def farthest(phi_range: tuple[float, float]) -> float:
-    """Return the end of a range of phi that is farther from zero, rad; the upper end if they are equally far."""
+    """Return the bound of a range of phi that is farther from zero, rad; the upper bound if both are equally far."""
     low, high = phi_range
     return high if high >= -low - TURNS.EXACT else low
 
 
 def top_level(phi_range: tuple[float, float]) -> int:
-    """Return the level (number of whole turns) at the end of a range of phi that is farther from zero."""
+    """Return the level (number of whole turns) of that bound of a range of phi which is farther from zero."""
     return level_of(farthest(phi_range))
 
 
@@ -174,7 +175,7 @@ def axis_of(along_x: float | np.ndarray, along_y: float | np.ndarray, length: fl
     Parameters
     ----------
     along_x, along_y : (k,) float or float
-        Sums of cos(alpha)^2 and of cos(alpha) sin(alpha), each move weighted by its length, mm.
+        Sums of cos(alpha)^2 and of cos(alpha) sin(alpha) over the moves, weighted by the moves' lengths, mm.
     length : (k,) float or float
         Sum of the lengths, mm.
     """

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Find the strategy by the paper's own rule, for comparison with the recognition."""
+"""Find the strategy of a toolpath by the paper's own rule, for comparison with the recognised strategy."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ class PaperVerdict:
         section 3.2 does not decide between pi and 2 pi. (By the level in section 3.1, areas below 2 pi are zigzags, and
         areas at 2 pi are contours.)
     area : int
-        Index of the longest area in :class:`Areas`.
+        Index of the longest area, to which the rule is applied, in :class:`Areas`.
     level : int
         Level (number of whole turns in phi) farthest from zero.
     phi_range : tuple of float
@@ -33,12 +33,11 @@ class PaperVerdict:
     v : tuple of float
         V_k (the sum of the first k trajectories) at the last trajectory, in the working plane, mm.
     theta_range : tuple of float
-        Lowest and highest theta (the direction of V_k), rad, counted from theta of the first trajectory without jumps
-        of 2 pi.
+        Lowest and highest theta (the direction of V_k), rad, made continuous by removing jumps of 2 pi.
     sense : str or None
         "ccw" or "cw" if the image of V_k on the unit circle moves in one sense only; None if the image moves back and
-        forth, as the paper expects for a zigzag. (For a contour the paper expects a full circle, but the image makes a
-        full circle only if the path starts inside the contour.)
+        forth, as the paper expects for a zigzag. (For a contour, the paper expects that the image goes all around the
+        circle, but the image does so only if the path starts inside the contour.)
     """
 
     strategy: Strategy

@@ -50,7 +50,7 @@ def is_closed(gap: np.ndarray, enclosed: np.ndarray, moves: np.ndarray) -> np.nd
 
 
 def may_be_closed(gap: np.ndarray, length: np.ndarray) -> np.ndarray:
-    """Return whether the gap of each stretch is small enough for some closed shape, (k,) bool; see :func:`is_closed`.
+    """Return whether each gap is small enough for a closed stretch of this length, (k,) bool; see :func:`is_closed`.
 
     A stretch encloses at most the area of a circle whose circumference is the length of the stretch.
     """
@@ -59,7 +59,7 @@ def may_be_closed(gap: np.ndarray, length: np.ndarray) -> np.ndarray:
 
 
 def is_one_turn(net: np.ndarray) -> np.ndarray:
-    """Return whether each net turn, (k,) rad, is within a quarter turn of a full turn in either sense, (k,) bool."""
+    """Return whether each net turn, (k,) rad, is a full turn to either side, up to a quarter turn, (k,) bool."""
     result: np.ndarray = np.abs(np.rint(net / np.pi)) == 2
     return result
 
@@ -128,7 +128,7 @@ def _vertices(moves: Moves, winds: np.ndarray) -> tuple[np.ndarray, np.ndarray, 
 def _returns(
     moves: Moves, x: np.ndarray, y: np.ndarray, at: np.ndarray, area: np.ndarray, width: float, origin: float
 ) -> tuple[np.ndarray, np.ndarray]:
-    """Return the stretches that turn by +-2 pi between two visits to a cell; cells are `width` * LOOPS.CLOSE wide."""
+    """Return the stretches with a turn of +-2 pi between two visits to a grid cell, `width` * LOOPS.CLOSE wide."""
     scaled = (x, y) if width == 1 else (x * (1 / width), y * (1 / width))
     column, row = ((v + origin).astype(np.int32).view(np.uint32) for v in scaled)
     # Visits to the same cell are found by hashing, which takes O(n); sorting all vertices would take O(n log n). The
@@ -169,8 +169,8 @@ def _returns(
     long = end - first > 2
     first, end = first[long], end[long]
     closing = closing_turns(moves.alpha, first, end)
-    # A closing turn of half a turn has no sign. Counted from the tip of a lead, one loop and two loops could then both
-    # have a net turn of 2 pi, so stretches with such a closing turn are not loops.
+    # A closing turn of half a turn has no sign. If a stretch begins at the tip of a lead-in, one loop and two loops
+    # could then both have a net turn of 2 pi, so stretches with a closing turn of half a turn are not loops.
     once = is_one_turn(moves.phi[end - 1] - moves.phi[first] + closing) & (np.abs(closing) < np.pi - TURNS.UNSIGNED)
     return first[once], end[once]
 

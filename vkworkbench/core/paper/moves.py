@@ -178,7 +178,7 @@ def turned(alpha: np.ndarray, start: np.ndarray, turning: np.ndarray, phi: np.nd
 
 
 def _drop_noise(planar: np.ndarray, length: np.ndarray) -> None:
-    """Unmark very short moves beside long moves: rounding made the short moves, and their direction is noise."""
+    """Unmark very short moves beside long moves, because rounding made the short moves and their direction is noise."""
     short = np.flatnonzero(planar & (length < MOVES.NOISE))
     if not len(short):
         return
@@ -203,7 +203,7 @@ def _split(steps: _Steps, planar: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         lifted = rapids[after] > rapids[before]
         steep = np.concatenate([[0], np.cumsum(np.where(planar | steps.rapid, 0.0, np.abs(steps.dz)))])
         height = np.abs(steps.z[after] - steps.z[before + 1])
-        drilled = steep[after] - steep[before] > height + MOVES.STILL  # the tool moved down and up again
+        drilled = steep[after] - steep[before] > height + MOVES.STILL  # a peck between two moves
         gap = gap[lifted | drilled | ((height > MOVES.STILL) & ~steps.goes_on(before, after))]
     return index, np.concatenate([[0], gap]) if len(index) else gap
 
@@ -211,11 +211,11 @@ def _split(steps: _Steps, planar: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
 def _without_air(
     steps: _Steps, planar: np.ndarray, index: np.ndarray, start: np.ndarray
 ) -> tuple[np.ndarray, np.ndarray]:
-    """Remove links in the air, for programs that lift, traverse and plunge at feed instead of at rapid.
+    """Remove links in the air from programs in which the tool lifts, traverses and plunges at feed instead of at rapid.
 
     A link in the air is a straight and horizontal move between a lift and a plunge. The lift is not required at the
     start of a program, and the plunge is not required at the end or before a final lift at feed. Beside a rapid at the
-    top height, one of lift and plunge is enough, because some post processors write rapids as fast feeds.
+    top height, only the lift or only the plunge is required, because some post processors write rapids as fast feeds.
     """
     if not len(start) or len(index) == len(planar):
         return index, start
@@ -232,7 +232,8 @@ def _without_air(
     lifted = rises | (a == 0) | (top & rapid[a - 1])
     plunges = falls | (b == end - 1) | (top & rapid[np.minimum(b + 1, len(rapid) - 1)])
     air = horizontal & steps.goes_on(b, a) & lifted & plunges
-    # A plateau between walls is not a link in the air. A plateau has the direction of a lower pass beside it.
+    # A plateau between two walls is not a link in the air. A plateau has the direction of a lower pass directly before
+    # or after it.
     before, after = b[:-1], a[1:]
     onward = steps.goes_on(before, after)
     # A move at the top height between two rapids is not a plateau, whatever its direction: a post processor wrote a

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Compute the lines in the picture of the method: the areas in their working plane, and arcs on the Gauss map."""
+"""Compute the lines for the panel *Gauss Map*: areas in their working plane, and arcs on the unit circle."""
 
 from __future__ import annotations
 
@@ -53,9 +53,9 @@ def image_arcs(angle: np.ndarray, radius: np.ndarray) -> tuple[np.ndarray, np.nd
     Parameters
     ----------
     angle : (n,) array_like of float
-        Angle of the image, rad.
+        Angles of the successive images on the unit circle, rad.
     radius : (n,) array_like of float
-        Distance from the centre at which the image is drawn. If the image moves back and forth on the same arc of the
+        Distance from the centre at which each image is drawn. If the images move back and forth on the same arc of the
         unit circle, different radii separate the drawn arcs.
 
     Returns
@@ -85,7 +85,8 @@ def _arcs(angle: np.ndarray, radius: np.ndarray, turned: np.ndarray, chosen: np.
 def thinned(values: np.ndarray, count: int) -> np.ndarray:
     """Return the indices of at most 4 * `count` values whose graph looks like the graph of all values.
 
-    The values are divided into `count` stretches. The first, least, greatest and last value of each stretch is kept.
+    The values are divided into `count` stretches. The first, the least, the greatest and the last value in each stretch
+    are kept.
     """
     n = len(values)
     if n <= 4 * count:

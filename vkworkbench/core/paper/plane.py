@@ -30,9 +30,9 @@ def plane_of_points(points: np.ndarray) -> tuple[int, ...]:
 def plane_of_toolpath(points: np.ndarray, rapid: np.ndarray) -> tuple[int, ...]:
     """Return the two axes of a toolpath's working plane, and the axis of the plane's normal.
 
-    The plane is XY, unless all cuts are in one vertical plane and some cuts slope (contouring in G18). Seen in XY, all
-    rows of such a toolpath would be on one line. The plane of a slot that is cut at several depths, with horizontal
-    passes and vertical plunges, is XY.
+    The plane is XY, unless all cuts are in one vertical plane and some cuts slope (contouring in G18). In XY, all rows
+    of a toolpath in a vertical plane would be on one line. A slot that is cut at several depths, by horizontal passes
+    and vertical plunges, has no sloping cuts, so its plane is XY.
 
     Parameters
     ----------

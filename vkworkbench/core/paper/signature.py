@@ -92,13 +92,13 @@ class Signature:
         Direction of trajectory v_i, rad in [-pi, pi]; a trajectory without length has the previous trajectory's
         direction.
     turning : (n-1,) float64
-        Angle delta phi between successive trajectories, wrapped to [-pi, pi] (section 3.2). An exact reversal
-        has no sign of its own: :func:`signs_of_reversals` chooses signs with which moves back and forth do not add up.
+        Angle delta phi between successive trajectories, wrapped to [-pi, pi] (section 3.2). An exact reversal has no
+        sign of its own: :func:`signs_of_reversals` chooses signs for which moves back and forth do not add up in phi.
     phi : (n,) float64
         Cumulative angular function: the sum of the turns before each trajectory, rad; phi[0] = 0.
     unsigned, reversals : (u,) and (r,) int64
-        Indices into `turning` of half turns, which have no sign: of half turns within rounding, and of exact half
-        turns. For a polyline that is given by its points, both arrays contain only the exact half turns.
+        Indices into `turning` of half turns, which have no sign: of turns that are half turns up to rounding, and of
+        exact half turns. For a polyline that is given by its points, both arrays contain only the exact half turns.
     closed : bool
         Whether the polyline ends at its start. For a polyline that is given by its points, the tolerance is a millionth
         of its size.
@@ -161,7 +161,7 @@ class Signature:
 
     @cached_property
     def theta(self) -> np.ndarray:
-        """Angles of V_k to the X axis, (n,) rad in [-pi, pi] (section 3.1); the previous angle if V_k has no length."""
+        """Theta, angles of V_k to the X axis, (n,) rad in [-pi, pi] (section 3.1); if V_k is 0, the previous angle."""
         x, y = self._v
         theta = directions(x, y)
         near = np.flatnonzero((x < NO_LENGTH) & (x > -NO_LENGTH))
@@ -187,7 +187,7 @@ class Signature:
     def gauss_map(self) -> tuple[np.ndarray, np.ndarray]:
         """Return the Gaussian images of the trajectories and of V_k, points of the unit circle, both (n, 2).
 
-        Each image is the tip of a unit tangent (section 2.2). For plane curves, normals give the same map, rotated.
+        Each image is the unit vector in the direction of a trajectory or of V_k (section 2.2).
         """
         return _on_circle(self.alpha), _on_circle(self.theta)
 

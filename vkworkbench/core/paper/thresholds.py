@@ -14,22 +14,23 @@ class MOVES:
     #: their moves and become drilling.
     STILL = 1e-3
     #: mm. A move that is shorter than the threshold, beside a long move, is rounding, and its direction is noise. If
-    #: the value is larger, links are dropped, and grids and offsets lose their corners. If the value is 0, moves from
-    #: rounding remain and cause half turns.
+    #: the value is larger, links between passes are dropped, and grids and offset loops lose their corners. If the
+    #: value is 0, moves from rounding remain and cause half turns.
     NOISE = 0.02
     #: share of the longer neighbour. A short move is noise only if its length is below this share of the longer
     #: neighbouring trajectory's length. If the value is 1, finely sampled paths lose moves.
     NOISE_BESIDE = 0.05
     #: ratio of rise to run. Moves that are steeper than the threshold are plunges and lifts. If the value is lower,
-    #: helices and V-carving become plunges. If the value is higher, passes over steep walls continue into their links.
+    #: helices and V-carving become plunges. If the value is higher, a pass over a steep wall and the link to the next
+    #: pass become one area.
     STEEP = 5.0
     #: cosine. Two moves have the same direction if the cosine of the angle between them is above the threshold. Moves
-    #: in the same direction before and after a wall belong to one pass, and the first and the last move of a link in
-    #: the air have the same direction. If the value is 1, links in the air count as cuts, and drilling at feed becomes
-    #: an engraving.
+    #: in the same direction before and after a wall belong to one pass. A link in the air is straight: its first and
+    #: its last move have the same direction. If the value is 1, links in the air count as cuts, and holes drilled with
+    #: links at feed are recognised as an engraving.
     ONWARD = 0.98
     #: slope. A vertical plane is the working plane if a move in it has a slope above the threshold against both axes.
-    #: If the value is 0, a signature and its toolpath can have different planes.
+    #: If the value is 0, the signature of a polyline and the areas of the same toolpath can have different planes.
     SLOPED = 0.05
 
 
@@ -38,14 +39,14 @@ class TURNS:
 
     #: rad. A turn that differs from half a turn by less than the threshold is an exact reversal, and a level (number of
     #: whole turns) is reached if phi is short of the level by less than the threshold. If the value is 0, rounding
-    #: decides both.
+    #: decides whether a turn is an exact reversal and whether a level is reached.
     EXACT = 1e-6
     #: rad. A turn that differs from half a turn by less than the threshold has no sign, because coordinates rounded to
-    #: 0.001 mm can change the sign. If the value is 0, zigzags with a contour become mixed or profiles. If the value is
-    #: larger, corners have no sign, and spirals become profiles.
+    #: 0.001 mm can change the sign. If the value is 0, zigzags with a contour are recognised as mixed or as profiles.
+    #: If the value is larger, turns at sharp corners have no sign, and spirals are recognised as profiles.
     UNSIGNED = 0.01
-    #: share of all turning of the image of V_k. Turning against the main sense of rotation is rounding up to this
-    #: share. The threshold only decides whether the paper's verdict has a sense.
+    #: share of all turning of the image of V_k. If at most this share is against the main sense of rotation, that
+    #: turning is rounding. The threshold only decides whether the paper's verdict has a sense of rotation.
     BACK_AND_FORTH = 0.01
 
 
@@ -56,24 +57,24 @@ class LOOPS:
     #: open become strokes. If the value is larger, the step from row to row or from turn to turn closes a loop.
     CLOSE = 0.03
     #: share of the side of a square with the area that the path encloses. A path is also closed if the gap between its
-    #: end and its start is at most this share. If the value is 0, contours with a gap between lead-in and lead-out stay
-    #: open. If the value is 1, rows become closed.
+    #: end and its start is at most this share of the side. If the value is 0, contours with a gap between lead-in and
+    #: lead-out stay open. If the value is 1, two neighbouring rows count as closed.
     GAP = 0.03
     #: half-turns. An area contains no loop if the range of its phi is no larger than the threshold. If the value is
-    #: lower, the verdicts are the same, but every raster is searched. If the value is higher, the contour around a
-    #: zigzag is not found.
+    #: lower, the verdicts are the same, but the search for loops also takes time in every raster. If the value is
+    #: higher, the contour around a zigzag is not found.
     HALF_TURNS = 1.05
-    #: share of an area's length. If loops have more than this share, the closing turn of the last loop counts in the
-    #: area's level (number of whole turns). If the value is 0, the closing turn of a single loop counts in the level of
-    #: a zigzag. If the value is 1, no closing turn counts in the level of linked loops.
+    #: share of an area's length. If closed loops have more than this share, the closing turn of the last loop counts in
+    #: the area's level (number of whole turns). If the value is 0, the closing turn of a single loop counts in the
+    #: level of a zigzag. If the value is 1, no closing turn counts in the level of linked loops.
     LOOPED = 0.5
-    #: share of the vertices. If a smaller share of the vertices is in loops, wider grids are searched as well. If the
-    #: value is 0, loops that close with a move as short as rounding are not found.
+    #: share of the vertices. If a smaller share of the vertices is in closed loops, the search is repeated with wider
+    #: cells. If the value is 0, loops that close with a move as short as rounding are not found.
     FOUND = 0.75
     #: turns. A loop whose absolute turning is above the threshold can be a zigzag that returns to its start. If the
     #: value is higher, the contour that is cut after such a zigzag is not found.
     WAVY = 1.5
-    #: share of the turning beyond one turn. A loop replaces an overlapping loop that began earlier if its turning
-    #: beyond one turn is below this share of the earlier loop's. If the value is 0, no loop is replaced, and a zigzag
-    #: with a contour becomes a zigzag.
+    #: share of the turning beyond one turn. A loop replaces an overlapping loop that began earlier if the later loop's
+    #: turning beyond one turn is below this share of the earlier loop's turning beyond one turn. If the value is 0, no
+    #: loop is replaced, and a zigzag with a contour is recognised as a zigzag only.
     SMOOTHER = 0.5

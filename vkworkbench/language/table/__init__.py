@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The table of all sentences: the template of each code, one file for each subject.
 
-A template is one text. If the message has an argument ``count``, it may be two texts: the singular and the plural.
+A template is one text, or two texts (singular and plural) if the message has an argument ``count``.
 `PLAIN` has templates in a machinist's words for codes whose template in `TABLE` uses the paper's terms.
 """
 

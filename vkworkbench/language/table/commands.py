@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Sentences about commands that are ignored or read differently than a machine would."""
+"""Sentences about commands that the add-on ignores, or reads differently than the machine's control would."""
 
 from __future__ import annotations
 
@@ -52,7 +52,7 @@ COMMANDS: dict[str, str | tuple[str, str]] = {
         QT_TRANSLATE_NOOP("Sentences", "1 more unknown code is ignored."),
         QT_TRANSLATE_NOOP("Sentences", "{count:n} more unknown codes are ignored."),
     ),
-    # Features that a machine has and this reader ignores.
+    # Functions of machine controls that the add-on ignores.
     "rotary-cuts": QT_TRANSLATE_NOOP(
         "Sentences", "A rotary axis ({letter}) turns while the tool cuts. The tool's path is unknown here."
     ),

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Sentences about NC programs: what is ignored in them, and why a program is not analysed."""
+"""Sentences about NC programs: which lines are ignored, and why a program is not analysed."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ PROGRAMS: dict[str, str | tuple[str, str]] = {
         QT_TRANSLATE_NOOP("Sentences", "Line {line:#}: {what}"),
         QT_TRANSLATE_NOOP("Sentences", "Line {line:#} (first of {count:n}): {what}"),
     ),
-    # Lines that are ignored, or read differently than a machine would.
+    # Lines that the add-on ignores, or reads differently than the machine's control would.
     "block-delete": QT_TRANSLATE_NOOP("Sentences", "Lines with a block delete (/) are read like all others."),
     "subprogram-not-read": QT_TRANSLATE_NOOP("Sentences", "A subprogram or macro call is ignored."),
     "jumps-not-followed": QT_TRANSLATE_NOOP("Sentences", "Jumps, loops and calls are ignored."),
@@ -61,7 +61,7 @@ PROGRAMS: dict[str, str | tuple[str, str]] = {
     "spline-as-line": QT_TRANSLATE_NOOP("Sentences", "A spline ({name}) is read as a line."),
     "goes-on": QT_TRANSLATE_NOOP("Sentences", "Lines after M2 or M30 are read as part of the same program."),
     "after-end": QT_TRANSLATE_NOOP("Sentences", "Lines after the end of the program are ignored."),
-    # Why the rest of a program is not followed.
+    # Reasons why reading ends before the end of a program.
     "read-up-to": QT_TRANSLATE_NOOP("Sentences", "The program is read up to this line. {why}"),
     "value-of-machine": QT_TRANSLATE_NOOP("Sentences", "The value of {name} comes from the machine."),
     "value-unread": QT_TRANSLATE_NOOP("Sentences", "The value of {name} is assigned in a line that cannot be read."),
@@ -157,7 +157,7 @@ PROGRAMS: dict[str, str | tuple[str, str]] = {
         "Sentences",
         "Feeds up to {feed:g} mm/s are read as mm/min, because FreeCAD's G-code import does not convert them.",
     ),
-    # Files.
+    # Files that cannot be read or written.
     "file-unreadable": QT_TRANSLATE_NOOP("Sentences", "The file cannot be read: {name}."),
     "no-file": QT_TRANSLATE_NOOP("Sentences", "This is not a file, but a pipe or a device."),
     "too-long": QT_TRANSLATE_NOOP("Sentences", "The analysis was stopped after {time:s}."),

@@ -87,7 +87,7 @@ RECOGNITION: dict[str, str | tuple[str, str]] = {
     "like-a-lathe": QT_TRANSLATE_NOOP(
         "Sentences", "All moves are in X and Z, with passes along Z at many X, as on a lathe: {strategy:strategy}."
     ),
-    # Evidence for the strategy.
+    # Measured evidence for the strategy.
     "bites-overlap": QT_TRANSLATE_NOOP("Sentences", "{count:n} engagements in the same direction overlap"),
     "rows-and-loops": QT_TRANSLATE_NOOP(
         "Sentences", "rows ({rows:%} of the length) and loops ({loops:%}) fill the same area"

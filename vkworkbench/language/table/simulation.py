@@ -28,7 +28,7 @@ SIMULATION: dict[str, str | tuple[str, str]] = {
     "the-tool": QT_TRANSLATE_NOOP("Sentences", "The tool"),
     "the-shank": QT_TRANSLATE_NOOP("Sentences", "The shank"),
     "the-holder": QT_TRANSLATE_NOOP("Sentences", "The holder"),
-    # A sentence for each of shanks, holders and clamps says what was checked.
+    # Sentences that say whether shanks, holders and clamps were checked.
     "attachments": QT_TRANSLATE_NOOP("Sentences", "{sentences}"),
     "only-shanks-checked": QT_TRANSLATE_NOOP("Sentences", "Shank checked; no holder and no clamps given."),
     "shanks-checked": QT_TRANSLATE_NOOP("Sentences", "Shanks were checked."),
