@@ -25,6 +25,8 @@ _ISOLATED = ["-I", "-S"]
 _START = "import sys; sys.path += sys.argv[1:]; from vkworkbench.worker import serve; serve()"
 _FOLDERS = [str(Path(__file__).resolve().parents[1]), str(Path(np.__file__).resolve().parents[1])]
 _PR_SET_PDEATHSIG = 1  # from Linux's prctl.h
+# Rows of a matrix whose products use the memory of OpenBLAS. Smaller products may need none.
+_OF_BLAS = 128
 # Without this flag, Windows opens a console for each process.
 _NO_WINDOW: int = getattr(subprocess, "CREATE_NO_WINDOW", 0)
 
@@ -84,8 +86,7 @@ class Worker:
         if self._answer() != _versions():
             self.end()
             raise WorkerDied
-        self._say(self._most_memory)
-        self._say(self._work)
+        self._say((self._most_memory, self._work))
         self._ready = True
 
     def __call__(self, argument: Any) -> Any:
@@ -146,8 +147,8 @@ def serve() -> None:
 
     with suppress(BrokenPipeError):
         say(_versions())
-        _limit_memory(received.get())
-        work = received.get()
+        most_memory, work = received.get()  # with the modules of the work, whose memory the limit does not include
+        _limit_memory(most_memory)
         while True:
             say(work(received.get()))
 
@@ -166,6 +167,8 @@ def _limit_memory(most: float | None) -> None:
     if most is not None and sys.platform == "linux":
         import resource  # Windows does not have this module
 
+        # OpenBLAS allocates up to 128 MB at its first matrix product, and tries forever if the limit does not allow it.
+        np.ones((_OF_BLAS, _OF_BLAS)) @ np.ones((_OF_BLAS, _OF_BLAS))
         pages = int(Path("/proc/self/statm").read_text().split()[5])  # data and stack, without reserved addresses
         limit = pages * resource.getpagesize() + int(most)
         with suppress(ValueError, OSError):  # the user has set a lower limit

@@ -530,7 +530,7 @@ def test_an_analysis_ends_where_cancelled_raises(small, zigzag_commands, monkeyp
 
     def work(*arguments):
         begun.set()
-        asked.wait(20)
+        asked.wait(120)
         try:
             arguments[-1]()
         except vkworkbench.Cancelled:
@@ -546,7 +546,7 @@ def test_an_analysis_ends_where_cancelled_raises(small, zigzag_commands, monkeyp
     with pytest.raises(KeyboardInterrupt):
         vkworkbench.analyze(small.document, cancelled=cancelled)
     asked.set()
-    for _ in range(200):
+    for _ in range(2000):
         if ended:
             break
         time.sleep(0.05)
@@ -607,7 +607,7 @@ def test_cancelled_work_is_not_awaited(small, zigzag_commands, monkeypatch):
 
     def slow(*_):
         begun.set()
-        go_on.wait(10)
+        go_on.wait(120)
         ended.set()
 
     monkeypatch.setattr(analysis, "_row", slow)

@@ -464,7 +464,7 @@ def open_without_addon(path, folder):
     script.write_text(WITHOUT_ADDON.format(path=str(path), out=str(out)))
     environment = {**os.environ, "HOME": str(home), "PYTHONPATH": ""}
     log = subprocess.run(["freecadcmd", str(script)], env=environment, stdin=subprocess.DEVNULL, text=True,
-                         stdout=subprocess.PIPE, stderr=subprocess.STDOUT, timeout=120).stdout  # fmt: skip
+                         stdout=subprocess.PIPE, stderr=subprocess.STDOUT, timeout=300).stdout  # fmt: skip
     return out.read_text(encoding="utf-8").splitlines(), log.replace(str(folder), "")
 
 

@@ -83,7 +83,7 @@ def test_release_script_writes_the_repository(tmp_path):
 
     def release(*arguments):
         command = ["python3", str(tmp_path / "checkout/resources/make_release.py"), str(tmp_path), *arguments]
-        return subprocess.run(command, stdin=subprocess.DEVNULL, capture_output=True, text=True, timeout=60)
+        return subprocess.run(command, stdin=subprocess.DEVNULL, capture_output=True, text=True, timeout=300)
 
     refused = release("--repository", "http://example.org/owner/name")
     assert refused.returncode == 2 and "is no address such as https://" in refused.stderr
@@ -121,7 +121,7 @@ def test_release_works_from_a_read_only_folder(archive, tmp_path, folder):
     environment = {"HOME": str(home), "XDG_RUNTIME_DIR": str(home / "run"), "PATH": os.environ["PATH"],
                    "LC_ALL": "C.UTF-8"}  # fmt: skip
     done = subprocess.run(["freecadcmd", str(macro)], env=environment, stdin=subprocess.DEVNULL, text=True,
-                          stdout=subprocess.PIPE, stderr=subprocess.STDOUT, timeout=120, check=False)  # fmt: skip
+                          stdout=subprocess.PIPE, stderr=subprocess.STDOUT, timeout=300, check=False)  # fmt: skip
     assert "Traceback" not in done.stdout, done.stdout
     (found,) = [line for line in done.stdout.splitlines() if line.startswith("FOUND")]
     assert f"Mod/{folder}/" in found and found.endswith(" zigzag 1")

@@ -13,7 +13,7 @@ ROOT = Path(__file__).resolve().parents[2]
 def test_the_example_leaves_table_document_and_picture(tmp_path):
     home, output = tmp_path / "home", tmp_path / "output"
     output.mkdir()
-    subprocess.run([str(ROOT / "tests/make_home.sh"), str(home)], check=True, timeout=60)
+    subprocess.run([str(ROOT / "tests/make_home.sh"), str(home)], check=True, timeout=300)
     environment = {**os.environ, "HOME": str(home), "XDG_RUNTIME_DIR": str(home / "run"), "VKWORKBENCH_OUTPUT": str(output),
                    "VKWORKBENCH_LEAVE": "1"}  # fmt: skip
     command = ["xvfb-run", "-a", "-s", "-screen 0 1280x1024x24", "freecad", str(ROOT / "examples/show_example.py")]

@@ -70,7 +70,7 @@ class Tree:
         command = ["xdotool", *(word for key in keys for word in ("keydown", key))]
         command += ["mousemove", str(where.x()), str(where.y()), "click", str(button)]
         command += [word for key in keys for word in ("keyup", key)]
-        subprocess.run(command, check=True, timeout=20)
+        subprocess.run(command, check=True, timeout=120)
 
     def menu_of(self, label, choose=None):
         """Open the context menu of a row, choose an entry or press Esc, and return the texts of the menu."""

@@ -290,7 +290,7 @@ def test_program_after_a_timeout_is_read(folder, endless):
 @pytest.mark.skipif(sys.platform != "linux", reason="other systems do not limit the memory of a process")
 def test_decompression_bomb_affects_only_its_own_row(folder, tmp_path, monkeypatch):
     """The bomb is small until it is decompressed. The programs before and after it are read."""
-    monkeypatch.setattr(apart, "_MOST_MEMORY", 1.5e8)
+    monkeypatch.setattr(apart, "_MOST_MEMORY", 5e7)
     bomb = tmp_path / "bomb.nc.xz"
     bomb.write_bytes(lzma.compress(b"G1 X1\nX2\n" * 400_000, preset=0))
     assert bomb.stat().st_size < 10_000
@@ -321,7 +321,7 @@ def test_table_of_a_program_is_printed_before_the_next_is_read(tmp_path, monkeyp
     written, seen = io.BytesIO(), []
 
     def read(path, chosen, _patience):
-        deadline = time.monotonic() + 10
+        deadline = time.monotonic() + 60
         while path.name == "b.nc" and not written.getvalue() and time.monotonic() < deadline:
             time.sleep(0.01)
         seen.append(written.getvalue())
@@ -565,14 +565,14 @@ def test_results_on_a_dask_cluster_are_the_same(folder, tmp_path, inside, endles
     address, client = scheduler
     here, there = tmp_path / "here.csv", tmp_path / "there.csv"
     inside(folder, "--csv", here)
-    done = run(folder, endless, "--csv", there, "--timeout", "5", "--scheduler", address)
+    done = run(folder, endless, "--csv", there, "--timeout", "20", "--scheduler", address)
     # After the last line, Dask may print messages about closed connections.
     assert done.returncode == 1 and "3 operations in 5 files, 2 could not be read." in done.stderr.splitlines()
     late, found = [], []
     for line in there.read_bytes().splitlines():
         (late if b"endless.nc" in line else found).append(line)
     assert sorted(found) == sorted(here.read_bytes().splitlines())
-    assert len(late) == 1 and b"stopped after 5.0 s" in late[0]
+    assert len(late) == 1 and b"stopped after 20 s" in late[0]
     started = client.run(lambda: len(__import__("vkworkbench.program.apart", fromlist=["apart"])._workers))
     assert len(started) == 2 and all(started.values())  # both workers had programs to analyse
 
