@@ -105,6 +105,6 @@ def test_averaged_picture_has_mean_colours():
     depth = np.arange(24, dtype=np.float32).reshape(4, 6)
     colors = np.array([[0x10, 0x30], [0x20, 0x40]], np.uint32)
     pixels = np.tile(0xFF000000 | colors << 16 | colors, (2, 3)).astype(np.uint32)
-    small = Scene(depth, depth.astype(np.int32), pixels).averaged(2)
+    small = Scene(depth, pixels, lambda: depth.astype(np.int32)).averaged(2)
     assert (small.image == (0x28, 0, 0x28)).all() and small.image.shape == (2, 3, 3)
     assert (small.depth == depth[::2, ::2]).all() and small.owner.shape == (2, 3)

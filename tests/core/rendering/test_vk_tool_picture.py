@@ -19,7 +19,8 @@ def silhouette(tool, direction, depth=np.nan):
     """Return the pixels that a tool with its tip at (40, 30, 5) covers, top row first, and the frame."""
     frame = View(direction, 800, 600, 0.2).frame(STOCK)
     size = frame.height, frame.width
-    scene = Scene(np.full(size, depth, np.float32), np.full(size, -1, np.int32), np.full(size, GREY, np.uint32))
+    owner = np.full(size, -1, np.int32)
+    scene = Scene(np.full(size, depth, np.float32), np.full(size, GREY, np.uint32), lambda: owner)
     draw_tool(scene, tool, (40, 30, 5), frame)
     return scene.pixels != GREY, frame
 

@@ -88,9 +88,11 @@ class Layer:
         return (low, high) if low <= high else (0.0, 0.0)
 
     @cached_property
-    def slopes(self) -> tuple[np.ndarray, np.ndarray]:
-        """Slopes of the tops along x and y. A cell at a step has the smaller slope of its two sides."""
-        return slope(self.top, self.cell, 1), slope(self.top, self.cell, 0)
+    def normals(self) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+        """Normals of the tops, as x, y and z of unit vectors. A cell at a step has the smaller slope of its two sides."""
+        x, y = slope(self.top, self.cell, 1), slope(self.top, self.cell, 0)
+        upright = 1 / np.sqrt(1 + x * x + y * y)
+        return -x * upright, -y * upright, upright
 
     @cached_property
     def shadow(self) -> np.ndarray:
@@ -182,6 +184,12 @@ class Field:
         inside = np.flatnonzero(pixel >= 0)
         found[inside] = self._zbuffer.removers(pixel[inside], -height[inside])
         return found
+
+    def is_raw_wall(self, cell: np.ndarray, height: np.ndarray) -> np.ndarray:
+        """Return which walls belong to the raw stock, (k,) bool, in a field with one layer. Arguments as above."""
+        pixel, records = self._pixel_of_cell[cell], self._zbuffer.records
+        raw: np.ndarray = ~((-height > records.entry[pixel]) & (-height <= records.ends[pixel])) | (pixel < 0)
+        return raw
 
     @cached_property
     def thin_cuts(self) -> ThinCuts | None:

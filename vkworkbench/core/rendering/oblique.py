@@ -91,43 +91,38 @@ def look(layer: Layer, of_layer: Frame, frame: Frame) -> Seen:
     back = tops[turned.cell]
     back *= scale
     back += turned.rise[:, None] + np.float32(turned.step * sine / frame.pixel)
-    row, column = _places(frame.height, width)
+    row = np.arange(0.5, frame.height, dtype=np.float32)[:, None]  # centres, in pixels from the lower edge
     if layer.is_even or cosine < _LEVEL:
         step = _first_above(back, frame.height)
     else:
         low = bottoms[turned.cell] * scale + turned.rise[:, None]
-        step = _first_between(low, back, row)
-    pixel = np.flatnonzero(step < len(turned.rise) - 1)
-    step = step.ravel()[pixel].astype(np.int64)
-    cell = cells[step * width + column[pixel]]
-    row, top, rise = row[pixel], tops[cell], turned.rise[step]
-    lower = np.float32(layer.extent[0]) if layer.is_even else bottoms[cell]
-    solid = np.flatnonzero((top > EMPTY) & (lower * scale + rise <= row))
-    if len(solid) < len(pixel):
-        pixel, step, cell, row, top, rise = (part[solid] for part in (pixel, step, cell, row, top, rise))
-    number = np.flatnonzero(top * scale + rise > row)
-    # The divisor is nearly 0 only for tops in horizontal views and for walls in vertical views, which are invisible.
+        step = _first_between(low, back, np.repeat(row, width))
+    # The arrays of the whole image are computed first, because selecting pixels takes longer than computing all pixels.
+    seen = cells[step * np.int64(width) + np.arange(width)]
+    top, rise = tops[seen], turned.rise[step]
+    lower = np.float32(layer.extent[0]) if layer.is_even else bottoms[seen]
+    solid = top > EMPTY
+    solid &= lower * scale + rise <= row
+    is_wall = top * scale + rise > row
     row -= np.float32(frame.height / 2)
-    depth = row * np.float32(frame.pixel * cosine / max(sine, _LEVEL))
+    # The divisor is nearly 0 only for tops in horizontal views and for walls in vertical views, which are invisible.
     top += np.float32(turned.lift)
-    top *= np.float32(1 / max(sine, _LEVEL))
-    depth -= top
-    height, step = row[number] * np.float32(frame.pixel), step[number]
+    top *= np.float32(-1 / max(sine, _LEVEL))
+    top += row * np.float32(frame.pixel * cosine / max(sine, _LEVEL))
+    pixel = np.flatnonzero(solid)
+    cell, depth = seen.ravel()[pixel], top.ravel()[pixel]
+    number = np.flatnonzero(is_wall.ravel()[pixel])
+    of_row, of_column = np.divmod(pixel[number], width)
+    height, step = row[of_row, 0] * np.float32(frame.pixel), step[of_row, of_column].astype(np.int64)
     of_walls = (turned.first + turned.step * np.arange(len(turned.rise))).astype(np.float32)[step]
     of_walls -= height * np.float32(sine)
     of_walls *= np.float32(1 / max(cosine, _LEVEL))
     depth[number] = of_walls
-    front = cells[np.maximum(step - 1, 0) * width + column[pixel[number]]]
+    front = cells[np.maximum(step - 1, 0) * width + of_column]
     front[step == 0] = 0  # the border: nothing is in front of the first cell
     walls = Walls(number, cell[number], front,
                   height * np.float32(cosine) - of_walls * np.float32(sine) - np.float32(turned.lift))  # fmt: skip
     return Seen(pixel, cell, depth, walls)
-
-
-def _places(height: int, width: int) -> tuple[np.ndarray, np.ndarray]:
-    """Return the row's centre, in pixels from the lower edge, and the column's number of each pixel, (pixels,) both."""
-    row, column = np.arange(0.5, height, dtype=np.float32), np.arange(width)
-    return np.repeat(row, width), np.tile(column, height)
 
 
 class _Turned:

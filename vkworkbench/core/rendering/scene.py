@@ -3,8 +3,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
-from functools import reduce
+from functools import cached_property, reduce
 from typing import NamedTuple
 
 import numpy as np
@@ -37,16 +38,24 @@ class Scene:
     ----------
     depth : (height, width) float32
         mm, row 0 below; NaN where the image is empty.
-    owner : (height, width) int32
-        Trajectory that made the visible surface, or that cuts the visible chip. -1: raw stock. `CUT_OPEN`: the cut face
-        of a section.
     pixels : (height, width) uint32
         Colours as 0xffRRGGBB, row 0 at the top.
+    find_owner : callable
+        Returns `owner`.
     """
 
     depth: np.ndarray
-    owner: np.ndarray
     pixels: np.ndarray
+    find_owner: Callable[[], np.ndarray]
+
+    @cached_property
+    def owner(self) -> np.ndarray:
+        """Trajectory that made the visible surface, or that cuts the visible chip, (height, width) int32, row 0 below.
+
+        -1: raw stock. `CUT_OPEN`: the cut face of a section. Many pictures are shown without a question for an owner,
+        so the owners are computed at the first use.
+        """
+        return self.find_owner()
 
     @property
     def image(self) -> np.ndarray:
@@ -65,7 +74,7 @@ class Scene:
         total //= factor**2
         every = slice(None, None, factor)
         pixels = total.astype(np.uint8).view(np.uint32).reshape(height, width)
-        return Scene(self.depth[every, every], self.owner[every, every], pixels)
+        return Scene(self.depth[every, every], pixels, lambda: self.owner[every, every])
 
 
 def scene(
@@ -91,7 +100,11 @@ def scene(
     background : tuple of int
         Colour of empty pixels.
     """
-    drawn = reduce(_nearest, (_draw(field, layer, frame, colors) for layer in field.layers))
+    with_owners = lit is not None or (colors.ndim == 2 and len(colors) > 2) or len(field.layers) > 1
+    walls: list[_PartWalls] = []
+    drawn = reduce(
+        _nearest, (_draw(field, layer, frame, colors, None if with_owners else walls) for layer in field.layers)
+    )
     size = frame.height, frame.width
     depth, owner = np.full(size, np.nan, np.float32), np.full(size, STOCK, np.int32)
     depth.ravel()[drawn.pixel], owner.ravel()[drawn.pixel] = drawn.depth, drawn.owner
@@ -100,26 +113,52 @@ def scene(
     drawn.brightness[_edges(depth, frame.pixel).ravel()[drawn.pixel]] *= 1 - EDGE
     pixels = np.full(size, _packed(np.array(background)), np.uint32)
     pixels.ravel()[drawn.pixel] = _shaded(drawn.color, drawn.brightness)
-    if frame.direction[2] < 0:
-        _draw_thin_cuts(field, frame, colors, lit, Scene(depth, owner, pixels))
+    thin = _draw_thin_cuts(field, frame, colors, lit, depth, pixels)
     upwards = slice(None, None, 1 if frame.direction[2] <= 0 else -1)
-    return Scene(depth[upwards], owner[upwards], pixels[upwards][::-1])
+
+    def find_owner() -> np.ndarray:
+        for part in walls:
+            part = part.chosen(owner.ravel()[part.pixel] != CUT_OPEN)
+            owner.ravel()[part.pixel] = field.owner_of_wall(part.front, part.height)
+        owner[thin.row, thin.column] = thin.owner
+        return owner[upwards]
+
+    return Scene(depth[upwards], pixels[upwards][::-1], find_owner)
+
+
+class _PartWalls(NamedTuple):
+    """Pixels that see walls of the part, with the cell in front of each wall and the height of the place, (k,) each."""
+
+    pixel: np.ndarray
+    front: np.ndarray
+    height: np.ndarray
+
+    def chosen(self, which: np.ndarray) -> _PartWalls:
+        return _PartWalls(*(part[which] for part in self))
+
+
+class _Lines(NamedTuple):
+    """Pixels of narrow cuts, row 0 below, and the trajectories that cut there, (k,) each."""
+
+    row: np.ndarray
+    column: np.ndarray
+    owner: np.ndarray
 
 
 def _draw_thin_cuts(
-    field: Field, frame: Frame, colors: np.ndarray, lit: tuple[int, int] | None, picture: Scene
-) -> None:
-    """Draw the narrow cuts of a field as dark lines into a picture whose row 0 is below."""
-    thin = field.thin_cuts
+    field: Field, frame: Frame, colors: np.ndarray, lit: tuple[int, int] | None, depth: np.ndarray, pixels: np.ndarray
+) -> _Lines:
+    """Draw the narrow cuts of a field as dark lines into a picture whose row 0 is below, and return the lines."""
+    thin = field.thin_cuts if frame.direction[2] < 0 else None
     if thin is None or not len(thin.owner):
-        return
-    column, row, depth = project(thin.points, frame).T
+        return _Lines(*np.empty((3, 0), np.int64))
+    column, row, away = project(thin.points, frame).T
     column, row = np.floor(column).astype(np.int64), frame.height - 1 - np.floor(row).astype(np.int64)
     inside = (column >= 0) & (column < frame.width) & (row >= 0) & (row < frame.height)
-    column, row, depth, owner = (part[inside] for part in (column, row, depth, thin.owner))
+    column, row, away, owner = (part[inside] for part in (column, row, away, thin.owner))
     # The centre of the pixel sees the surface beside the point.
     beside = (frame.pixel + field.frame.pixel) / max(-float(frame.direction[2]), _FLATTEST)
-    seen = depth < picture.depth[row, column] + beside
+    seen = away < depth[row, column] + beside
     column, row, owner = column[seen], row[seen], owner[seen]
     if colors.ndim == 3 or len(colors) == 2:
         color = np.full(len(owner), _packed(palette(CUT)[1] if colors.ndim == 3 else colors[1], BRIGHTEST))
@@ -127,8 +166,8 @@ def _draw_thin_cuts(
         color = _packed(colors, BRIGHTEST)[owner + 1]
     if lit is not None:
         color[(owner >= lit[0]) & (owner < lit[1])] = _packed(LIT, BRIGHTEST)
-    picture.pixels[row, column] = _shaded(color, np.full(len(owner), _THIN, np.float32))
-    picture.owner[row, column] = owner
+    pixels[row, column] = _shaded(color, np.full(len(owner), _THIN, np.float32))
+    return _Lines(row, column, owner)
 
 
 def _packed(colors: np.ndarray, factor: float = 1.0) -> np.ndarray:
@@ -169,8 +208,12 @@ class _Drawn(NamedTuple):
     color: np.ndarray
 
 
-def _draw(field: Field, layer: Layer, frame: Frame, colors: np.ndarray) -> _Drawn:
-    """Return the picture of one layer."""
+def _draw(field: Field, layer: Layer, frame: Frame, colors: np.ndarray, part_walls: list[_PartWalls] | None) -> _Drawn:
+    """Return the picture of one layer.
+
+    If `part_walls` is a list, the walls of the part are appended to it. Their owners are then some trajectory or the raw
+    stock.
+    """
     below = frame.direction[2] > 0
     layer, towards = layer.upside_down if below else layer, _light_of(frame)
     seen = look(layer, field.frame, frame)
@@ -188,7 +231,12 @@ def _draw(field: Field, layer: Layer, frame: Frame, colors: np.ndarray) -> _Draw
         steep = [_paint_walls(under, lower, frame, towards_lower, brightness)]
     steep.append(_paint_walls(layer, walls, frame, towards, brightness))
     for those in steep if layer.is_part else ():
-        owner[those.number] = field.owner_of_wall(those.front, -those.height if below else those.height)
+        height = -those.height if below else those.height
+        if part_walls is None:
+            owner[those.number] = field.owner_of_wall(those.front, height)
+        else:
+            owner[those.number] = np.where(field.is_raw_wall(those.front, height), STOCK, 0)
+            part_walls.append(_PartWalls(seen.pixel[those.number], those.front, height))
     number = owner + np.int64(1)
     if colors.ndim == 3 and layer.is_part and not below:
         number, colors = seen.cell, _in_border(colors)
@@ -206,11 +254,10 @@ def _draw(field: Field, layer: Layer, frame: Frame, colors: np.ndarray) -> _Draw
 
 def _light_tops(layer: Layer, cell: np.ndarray, towards: np.ndarray) -> np.ndarray:
     """Return the brightness of the tops of cells, (k,) float32."""
-    slope_x, slope_y = (slopes.ravel()[cell] for slopes in layer.slopes)
-    upright = 1 / np.sqrt(1 + slope_x * slope_x + slope_y * slope_y)
-    brightness = light((-slope_x * upright, -slope_y * upright, upright), towards)
-    brightness *= layer.shadow.ravel()[cell]
-    return brightness
+    brightness = light(layer.normals, towards)
+    brightness *= layer.shadow
+    result: np.ndarray = brightness.ravel()[cell]
+    return result
 
 
 def _paint_walls(layer: Layer, walls: Walls, frame: Frame, towards: np.ndarray, brightness: np.ndarray) -> Walls:
