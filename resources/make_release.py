@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Build the add-on as its users get it, without tests, benchmarks and the pictures of the guide; print its size.
+"""Build the zip file of a release, without tests, benchmarks and the guide's pictures, and print its size.
 
-    python3 resources/make_release.py [FOLDER] [--repository URL [--branch main]]     # build/ unless told; needs no FreeCAD
+    python3 resources/make_release.py [FOLDER] [--repository URL [--branch main]]     # FOLDER is build/ by default
 
-The zip holds one folder, to be unpacked into FreeCAD's Mod folder. It may have any name there. Who publishes the
-repository says once where: package.xml then names it, its issues, its README and its guide, as the Addon Manager asks,
-in the form of GitHub's addresses.
+The script does not need FreeCAD. The zip file contains one folder, which a user unpacks into FreeCAD's Mod folder; the
+folder may be renamed. With --repository, the script writes the addresses of the repository, its issues, its README and
+its guide into package.xml, where FreeCAD's Addon Manager reads them. The addresses have the form of GitHub's addresses.
 """
 
 from __future__ import annotations
@@ -33,12 +33,12 @@ def release_files() -> list[Path]:
 
 
 def with_urls(package: str, repository: str, branch: str = "main") -> str:
-    """Return the text of package.xml with new addresses of the repository.
+    """Return the text of package.xml with the addresses of another repository.
 
     Raises
     ------
     ValueError
-        Where the address is none.
+        If `repository` is not a web address.
     """
     repository = re.sub(r"(\.git)?/*$", "", repository)
     if not re.fullmatch(r"https://[\w.-]+(/[\w.~-]+)+", repository):

@@ -57,7 +57,7 @@ def self_avoiding_walk(rng):
 
 
 def maze(rng):
-    """The way through all cells of a random maze, with the returns from its dead ends."""
+    """The path through all cells of a random maze, with the returns from its dead ends."""
     side, at, seen, found = int(rng.integers(6, 18)), (0, 0), {(0, 0)}, [(0, 0)]
     stack = [at]
     while stack:
@@ -86,7 +86,7 @@ def ant(rng):
 
 
 def billiard(rng):
-    """The path of a ball that bounces off the wall of a circular room at random angles."""
+    """Straight chords of a circle, each of which begins at the end of the previous chord, at random angles."""
     at, angle, found = rng.uniform(-0.5, 0.5) + 0j, rng.uniform(0, 7), []
     for _ in range(count(rng) // 4):
         way = np.exp(1j * angle)
@@ -177,7 +177,7 @@ def shuffled_stretches(rng):
 
 
 def shaken(rng):
-    """The points of rows or of offset squares, displaced at random by more than the distance between rows."""
+    """The points of rows or of offset squares, displaced at random by more than the distance between the rows."""
     points = _toolpath(rng, fine=True)
     return points + rng.normal(0, rng.uniform(1.5, 4), points.shape)
 
@@ -234,7 +234,8 @@ def _toolpath(rng, fine=False):
     return np.concatenate([corners[:1], *(a + between * (b - a) for a, b in zip(corners, corners[1:]))])
 
 
-#: Kinds that may contain lifts. The other kinds must not: smooth curves and strokes with lifts would be an engraving.
+#: Kinds of toolpaths that may contain lifts. All other kinds must not, because smooth curves and strokes with lifts are
+#: an engraving.
 RANDOM = (
     brownian_loop, self_avoiding_walk, ant, billiard, iterated_map, sorted_noise, noise_around, noise_outward, clusters,
     binary_coordinates, digits, shuffled_moves, shuffled_points, shuffled_stretches, shaken, mutated_walk,

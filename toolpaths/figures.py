@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Make curves, fractals and paths through grids that do not machine a part, for nonsense.KINDS."""
+"""Make curves, fractals and paths through grids that machine no part, for nonsense.KINDS."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from toolpaths.turtle import grow
 
 
 def harmonograph(rng):
-    """A harmonograph: the sum of two damped oscillations along each axis."""
+    """The curve of a harmonograph: along each axis, the sum of two damped oscillations."""
     t = np.linspace(0, 2 * np.pi * rng.integers(8, 40), count(rng) * 2)
     return np.column_stack([_pendulum(rng, t) + _pendulum(rng, t) for _ in range(2)])
 
@@ -42,7 +42,7 @@ def maurer_rose(rng):
 
 
 def times_table(rng):
-    """Chords of a circle from each of n points to the point with a multiple of its angle."""
+    """Chords of a circle from each of n points to the point at a multiple of the first point's angle."""
     n, times = int(rng.integers(60, 400)), rng.uniform(2, 60)
     k = np.arange(n)
     angle = np.column_stack([k, times * k]).ravel() * 2 * np.pi / n
@@ -67,7 +67,7 @@ def stars_on_stars(rng):
 
 
 def overlapping_circles(rng):
-    """Circles of random sizes at random places, linked by cutting moves; each begins at a random angle."""
+    """Circles of random sizes at random places, linked by cutting moves; each circle begins at a random angle."""
     found, t = [], np.linspace(0, 2 * np.pi, 37)
     for _ in range(int(rng.integers(10, 60))):
         angle = rng.choice([-1, 1]) * t + rng.uniform(0, 7)
@@ -86,7 +86,7 @@ def overlapping_polygons(rng):
 
 
 def flower_of_arcs(rng):
-    """Tangential arcs of random radii and angles, joined end to end, which bend to random sides."""
+    """Arcs of random radii and angles, joined without corners, each bent to the left or to the right at random."""
     at, heading, found = 0j, 1 + 0j, []
     for _ in range(int(rng.integers(20, 120))):
         side, radius = rng.choice([-1, 1]), rng.uniform(0.3, 2)
@@ -113,7 +113,7 @@ def recaman(rng):
 
 
 def random_growth(rng):
-    """A Lindenmayer system with a random rule."""
+    """The path of a Lindenmayer system with a random rule."""
     rule = "F" + "".join(rng.choice(["+F", "-F", "++F", "--F", "F"], int(rng.integers(2, 6))))
     return grow(
         "F", {"F": rule}, int(rng.choice([45, 60, 72, 90, 120])), int(np.log(900) / np.log(rule.count("F"))), "F"
@@ -121,7 +121,7 @@ def random_growth(rng):
 
 
 def two_random_growths(rng):
-    """A Lindenmayer system of two letters with random rules."""
+    """The path of a Lindenmayer system of two letters with random rules."""
     rules = {
         letter: "".join(rng.permutation(list("FFG+-" + "".join(rng.choice(["+", "-", "F"], 2))))) for letter in "FG"
     }

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Make fine rows, with stepovers from 0.5 % to 10 % of the tool's diameter, as in reliefs and fine finishing."""
+"""Make rows with stepovers from 0.5 % to 10 % of the tool's diameter, as in reliefs and fine finishing."""
 
 from __future__ import annotations
 
@@ -12,12 +12,12 @@ from toolpaths.synthetic import Program
 
 WAYS = ("zigzag", "one-way", "linked", "relief", "one-way relief")
 SHAPES = ("rectangle", "triangle", "disc")
-DECIMALS = 4  # of coordinates; three decimals would round rows 0.001 mm apart to 0 or 1 units
+DECIMALS = 4  # of coordinates; with three, rounding would change a stepover of 0.001 mm to 0 or 0.002 mm
 
 
 @dataclass(frozen=True)
 class FineRows:
-    """A raster with its tool's diameter and its stepover, mm, and the strategy that it follows."""
+    """A raster with the tool's diameter and the stepover, mm, and the raster's strategy."""
 
     commands: list[tuple[str, dict[str, float]]]
     tool: float
@@ -51,7 +51,7 @@ def fine_rows(rng: np.random.Generator, way: str, shape: str) -> FineRows:
 
 
 def _ends(shape: str, share: float) -> tuple[float, float]:
-    """Return where a row begins and ends, as shares of the longest row. `share` is the row's position in the shape."""
+    """Return where a row begins and ends, as shares of the longest row; `share` is the position across the shape."""
     if shape == "rectangle":
         return 0.0, 1.0
     if shape == "triangle":

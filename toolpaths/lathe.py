@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Make toolpaths of a lathe in X and Z, which are not described by a milling strategy, as G-code commands.
+"""Make toolpaths of a lathe in X and Z, which have no milling strategy, as G-code commands.
 
-No toolpath consists only of a facing cut, a groove or a finishing pass, because a mill can cut a slot in X and Z in the
-same way. The makers have the same form as in synthetic.py. SAMPLES lists (label, strategies that count as right,
-maker).
+No toolpath consists only of a facing cut, a groove or a finishing pass, because a mill can cut a slot in X and Z with
+the same moves. The functions that make toolpaths have the same form as in synthetic.py. SAMPLES lists (label,
+strategies that count as right, function).
 """
 
 from __future__ import annotations
@@ -15,7 +15,7 @@ CLEAR = 2.0  # mm in front of the face
 
 
 class Turning:
-    """A list of commands that begins in front of the part; X is a diameter."""
+    """The commands of a lathe program; the tool begins in front of the part, and X is a diameter."""
 
     def __init__(self, rng: np.random.Generator) -> None:
         self.diameter, self.length = rng.uniform(15, 120), rng.uniform(10, 120)
@@ -44,7 +44,7 @@ def steps_of(rng, part: Turning) -> list[tuple[float, float]]:
 
 
 def depth_at(corners, x: float) -> float:
-    """Return the z at which a pass at the diameter x meets the finished part."""
+    """Return the z coordinate at which a pass at the diameter `x` meets the finished part."""
     for (x0, z0), (x1, z1) in zip(corners, corners[1:]):
         if x0 <= x < x1:
             return z0 + (z1 - z0) * (x - x0) / (x1 - x0)
@@ -91,7 +91,7 @@ def roughing(rng):
 
 
 def whole_part(rng):
-    """A face, then roughing, then the finishing pass."""
+    """Facing cuts, then roughing passes, then a finishing pass."""
     part = Turning(rng)
     corners = steps_of(rng, part)
     if rng.random() < 0.7:

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Make nonsense toolpaths, which machine no part: random walks, noise, rolling curves and space-filling curves.
 
-KINDS also contains the paths from chaos.py and figures.py.
+KINDS also contains the functions in chaos.py and figures.py.
 """
 
 from __future__ import annotations
@@ -95,7 +95,7 @@ def rose(rng):
 
 
 def three_arms(rng):
-    """The path of a pen at the end of three linked arms, which rotate at different speeds."""
+    """The path of the end of three rods that are joined end to end and rotate at different speeds."""
     t = np.linspace(0, 2 * np.pi * rng.integers(2, 8), 2 * _count(rng))
     arms, speeds = rng.uniform(0.2, 1, 3), rng.uniform(-12, 12, 3)
     return np.column_stack([turn(np.outer(t, speeds)) @ arms for turn in (np.cos, np.sin)])
@@ -160,7 +160,7 @@ def terdragon(rng):
 
 
 def gray(rng):
-    """The cells of a grid in the order of a Gray code, whose bits alternate between both coordinates."""
+    """The cells of a grid in the order of a Gray code, whose bits belong alternately to X and to Y."""
     k = np.arange(4 ** int(rng.integers(3, 6)))
     bits = ((k ^ (k >> 1))[:, None] >> np.arange(12)) & 1
     return np.column_stack([bits[:, 0::2] @ (1 << np.arange(6)), bits[:, 1::2] @ (1 << np.arange(6))]).astype(float)
@@ -173,7 +173,7 @@ def morton(rng):
 
 
 def odometer(rng):
-    """The cells of a grid in counting order, whose digits alternate between X and Y, in bases 2 to 4."""
+    """The cells of a grid in the order of counting in a base of 2 to 4, with digits alternately for X and for Y."""
     bases = ((3, 3), (2, 3), (3, 2), (4, 2), (2, 4), (3, 4))[int(rng.integers(6))]
     places, units = [], [1, 1]
     while units[0] * units[1] < 60 or len(places) % 2:
@@ -229,7 +229,7 @@ def knight(rng):
 
 
 def tour(rng):
-    """Random points, where each point is followed by its nearest unvisited point."""
+    """Random points, each followed by the nearest point that was not visited before."""
     points = rng.uniform(size=(int(rng.integers(60, 400)), 2))
     left, at, order = np.ones(len(points), bool), 0, []
     for _ in points:
@@ -257,7 +257,7 @@ def sunflower(rng):
 
 
 def spirolateral(rng):
-    """Steps with equal turns between them. The length of the steps grows, and starts again at a limit."""
+    """Steps with equal turns between them. The length of the steps grows up to a limit, and then starts again."""
     most, times = int(rng.integers(3, 12)), int(rng.integers(6, 30))
     angle = np.arange(most * times) * np.radians(rng.choice([36, 45, 60, 72, 80, 90, 108, 120, 144]))
     step = np.tile(np.arange(1, most + 1), times)[:, None]
@@ -289,7 +289,7 @@ KINDS = (
 def commands(kind, rng) -> list[tuple[str, dict]]:
     """Return the commands that cut one of KINDS, scaled to 20 to 300 mm.
 
-    The depth of one toolpath in four varies. Some of the kinds in RANDOM contain lifts at random places.
+    In one of four toolpaths, the depth varies. Toolpaths of the kinds in RANDOM can contain lifts at random places.
     """
     points = kind(rng)
     points = points - points.min(axis=0)

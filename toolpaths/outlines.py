@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Make toolpaths around closed outlines, as G-code commands: profiles that resemble nonsense, and pairs of offsets.
+"""Make toolpaths around closed outlines, as G-code commands: profiles with many corners, and pairs of offsets.
 
-The profiles resemble nonsense because they have many corners. The makers have the same form as in synthetic.py. SAMPLES
-lists (label, strategies that count as right, maker).
+The profiles resemble nonsense toolpaths because of their many corners. The functions that make toolpaths have the same
+form as in synthetic.py. SAMPLES lists (label, strategies that count as right, function).
 """
 
 from __future__ import annotations
@@ -18,7 +18,7 @@ def around(angle: np.ndarray, radius: np.ndarray | float) -> np.ndarray:
 
 
 def gear(rng: np.random.Generator) -> np.ndarray:
-    """Return a wheel with teeth, (k, 2)."""
+    """Return the outline of a gear, (k, 2)."""
     teeth = int(rng.integers(8, 70))
     edges = np.sort(
         np.concatenate([np.arange(teeth) + share for share in (0, rng.uniform(0, 0.2), 0.5, rng.uniform(0.5, 0.7))])
@@ -27,13 +27,13 @@ def gear(rng: np.random.Generator) -> np.ndarray:
 
 
 def star(rng: np.random.Generator) -> np.ndarray:
-    """Return a star, (k, 2)."""
+    """Return the outline of a star, (k, 2)."""
     points = int(rng.integers(5, 24))
     return around(np.pi * np.arange(2 * points) / points, np.resize([1.0, rng.uniform(0.4, 0.8)], 2 * points))
 
 
 def star_polygon(rng: np.random.Generator) -> np.ndarray:
-    """Return a star whose sides cross, (k, 2)."""
+    """Return a star polygon, whose sides cross, (k, 2)."""
     points = int(rng.choice([5, 7, 9, 11, 13]))
     return around(2 * np.pi * int(rng.integers(2, (points + 1) // 2)) * np.arange(points) / points, 1.0)
 
@@ -63,7 +63,7 @@ def wavy(rng: np.random.Generator) -> np.ndarray:
 
 
 def walls(rng: np.random.Generator) -> np.ndarray:
-    """Return an outline with sides along two axes, like a skyline or a finger joint, (k, 2)."""
+    """Return an outline with sides along X and Y only, like a skyline or a finger joint, (k, 2)."""
     count = int(rng.integers(4, 40))
     heights = np.repeat(np.where(np.arange(count) % 2, rng.uniform(0.1, 0.9, count), 1.0), 2)
     x = np.repeat(np.linspace(-1, 1, count + 1), 2)[1:-1]
@@ -86,7 +86,7 @@ def cut(rng: np.random.Generator, make) -> list[tuple[str, dict[str, float]]]:
 
 
 def two_offsets(rng: np.random.Generator) -> list[tuple[str, dict[str, float]]]:
-    """Return a program that cuts an outline and its inner offset, which form a pocket if the tool is unknown."""
+    """Return a program that cuts an outline and its inner offset, which can be a pocket if the tool is unknown."""
     p = Program(rng)
     while (inner := inward(shape := outline(rng), rng.uniform(0.5, 4.0))) is None:
         pass

@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Make toolpaths of open strokes, and contours with dress-ups of CAM programs, as G-code commands.
 
-The makers have the same form as in synthetic.py. SAMPLES lists (label, strategies that count as right, maker).
+The functions that make toolpaths have the same form as in synthetic.py. SAMPLES lists (label, strategies that count as
+right, function).
 """
 
 from __future__ import annotations
@@ -15,7 +16,7 @@ from toolpaths.words import word
 
 
 def turned(points: np.ndarray, angle: float) -> np.ndarray:
-    """Return points (k, 2) rotated about the origin and rounded as postprocessors do."""
+    """Return points (k, 2) that are rotated about the origin, and rounded as by a post processor."""
     c, s = math.cos(angle), math.sin(angle)
     return np.round(points @ np.array([[c, s], [-s, c]]), 4)
 
@@ -62,7 +63,7 @@ def open_adaptive(rng):
 
 
 def rows_in_steps(rng, *, both_ways=True):
-    """Rows, each of which is cut to its last depth before the next row begins."""
+    """Rows, each of which is cut at all its depths before the next row begins."""
     p, angle = Program(rng), rng.uniform(0, 2 * np.pi)
     length, step, levels = rng.uniform(30, 80), rng.uniform(1.0, 3.0), int(rng.integers(2, 5))
     k = 0
@@ -76,7 +77,7 @@ def rows_in_steps(rng, *, both_ways=True):
 
 
 def carved_in_steps(rng, *, levels=None):
-    """V-carving at several depths: each pass is the final carving, limited to a maximum depth."""
+    """V-carving in several passes: each pass follows the final carving, down to a maximum depth of the pass."""
     whole, levels = letters(rng, vcarve=True), levels or int(rng.integers(2, 4))
     commands = []
     for level in range(levels):
@@ -89,7 +90,7 @@ def carved_in_steps(rng, *, levels=None):
 
 
 def letters_in_steps(rng):
-    """Letters that are repeated at greater depths."""
+    """Letters that are cut at one depth and again at greater depths."""
     whole = letters(rng)
     return [
         (name, {a: v - level if a == "Z" and v < 0 else v for a, v in words.items()})
@@ -99,11 +100,11 @@ def letters_in_steps(rng):
 
 
 def dogbones(rng, *, levels=None):
-    """A contour with a relief in each corner, which is cut out and back on one line."""
+    """A contour with a relief in each corner, which the tool cuts out and back on one line."""
     p, w, h = Program(rng), rng.uniform(15, 40), rng.uniform(10, 30)
     angle, bone = rng.uniform(0, 2 * np.pi), rng.uniform(0.5, 1.5)
     corners = np.array([(-w, -h), (w, -h), (w, h), (-w, h)])
-    if rng.random() < 0.5:  # a tongue in the middle
+    if rng.random() < 0.5:  # a tongue in the middle of one side
         corners = np.array(
             [(-w, -h), (w, -h), (w, h), (w / 3, h), (w / 3, h / 2), (-w / 3, h / 2), (-w / 3, h), (-w, h)]
         )

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Make synthetic toolpaths for every strategy, in the manner of several CAM programs, as G-code commands.
+"""Make synthetic toolpaths for every strategy, similar to toolpaths of several CAM programs, as G-code commands.
 
-Each maker takes a random generator and returns a list of (name, parameters) pairs in FreeCAD's units.
-SAMPLES lists (label, strategies that count as right, maker).
+Each function that makes a toolpath has a random generator as its argument, and returns a list of (name, parameters)
+pairs in FreeCAD's units. SAMPLES lists (label, strategies that count as right, function).
 """
 
 from __future__ import annotations
@@ -16,7 +16,7 @@ FEED = 10.0  # mm/s
 
 
 class Program:
-    """A list of commands, with the usual links between consecutive cuts."""
+    """The commands of a program, with the usual links between consecutive cuts."""
 
     def __init__(self, rng: np.random.Generator, *, rapids: bool = True) -> None:
         self.rng = rng
@@ -30,7 +30,7 @@ class Program:
         self.last = (x, y, z)
 
     def enter(self, x: float, y: float, z: float) -> None:
-        """Lift, move above a point and plunge."""
+        """Lift the tool, move it above a point, and plunge."""
         name = "G0" if self.rapids else "G1"
         if self.last is not None:
             self.commands.append((name, {"Z": SAFE}))
@@ -39,7 +39,7 @@ class Program:
         self.last = (x, y, z)
 
     def cut(self, points, z: float, *, linked: bool = False) -> None:
-        """Cut along points (k, 2) or (k, 3) after a plunge, or after a link from the previous cut."""
+        """Cut along points (k, 2) or (k, 3). The tool enters by a plunge, or by a link from the previous cut."""
         points = np.asarray(points, float)
         heights = points[:, 2] if points.shape[1] == 3 else np.full(len(points), z)
         first = (points[0, 0], points[0, 1], heights[0])
@@ -67,7 +67,7 @@ class Program:
         self.commands.append(("G0" if self.rapids else "G1", {"Z": SAFE}))
 
 
-# Outlines
+# Outlines of parts
 
 
 def outline(rng: np.random.Generator) -> np.ndarray:
@@ -78,7 +78,7 @@ def outline(rng: np.random.Generator) -> np.ndarray:
     if kind == 0:  # polygon
         angles = np.sort(np.arange(corners) + rng.uniform(-0.3, 0.3, corners)) * 2 * np.pi / corners
         radii = radius * rng.uniform(0.8, 1.0, corners)
-    elif kind == 1:  # smooth blob
+    elif kind == 1:  # smooth outline
         angles = np.arange(120) * 2 * np.pi / 120
         radii = radius * (
             1 + 0.15 * np.cos(2 * angles + rng.uniform(0, 6)) + 0.1 * np.cos(3 * angles + rng.uniform(0, 6))
@@ -139,7 +139,7 @@ def depths(rng: np.random.Generator, most: int = 5) -> list[float]:
     return [-(k + 1) * 2.0 for k in range(int(rng.integers(1, most + 1)))]
 
 
-# Strategies
+# Toolpaths of each strategy
 
 
 def zigzag(rng, *, lifted=False, rapids=True, angle=None, with_contour=False, rough=0.0):
@@ -176,7 +176,7 @@ def surface(x, y, seed):
 
 
 def raster(rng, *, both_ways=True, walls=False):
-    """3D parallel finishing, sampled densely."""
+    """Parallel finishing of a 3D surface, with densely sampled rows."""
     p = Program(rng)
     w, h, step, seed = rng.uniform(30, 80), rng.uniform(20, 60), rng.uniform(0.5, 2), rng.uniform(0, 6)
     x = np.linspace(0, w, int(rng.integers(40, 120)))
@@ -192,7 +192,7 @@ def raster(rng, *, both_ways=True, walls=False):
 
 
 def nested(rng, *, linked="lift", outward=False, ccw=True, rapids=True):
-    """Nested offset loops: each with its own plunge, or linked by a step, or linked before the loop closes (smooth)."""
+    """Nested offset loops, entered by a plunge, by a step, or by a link that begins before the loop closes (smooth)."""
     p = Program(rng, rapids=rapids)
     step = rng.uniform(1.2, 4.0)
     for _ in range(20):
@@ -205,11 +205,11 @@ def nested(rng, *, linked="lift", outward=False, ccw=True, rapids=True):
     for z in depths(rng, 4):
         for k, ring in enumerate(rings):
             path = closed(ring, start)
-            if linked == "smooth":  # begin in the middle of a side
+            if linked == "smooth":  # begin the loop in the middle of a side
                 path = np.vstack([(path[0] + path[1]) / 2, path[1:-1], path[:1], (path[0] + path[1]) / 2])
             path = path if ccw else path[::-1]
             if linked == "smooth":
-                # Leave the loop short of its end, as high-speed links do.
+                # Leave the loop before its end, as with high-speed links.
                 path = dense(path, 0.7)
                 path = path[: max(4, len(path) - int(1.5 * step / 0.7))]
             p.cut(path, z, linked=linked != "lift" and k > 0)
@@ -244,7 +244,7 @@ def circle(x: float, y: float, r: float, start: float = 0.0, points: int = 72) -
 
 
 def profile(rng, *, lead=False, ramp=False, tabs=False, contours=1, opened=False):
-    """Contours repeated at several depths, with the usual dress-ups."""
+    """Contours that are repeated at several depths, with leads, ramps or tabs."""
     p = Program(rng)
     shapes = [outline(rng) + (k * 120, 0) for k in range(contours)]
     levels = depths(rng, 6)
@@ -312,7 +312,7 @@ def spiral(rng, *, surface_too=False, inwards=False):
 
 
 def clipped(rng, *, both_ways=False, drifting=False):
-    """Circles, or a spiral, around a point beside the part, cut open by the boundary of the part."""
+    """Arcs of circles or of a spiral around a point beside the part, which end at the boundary of the part."""
     p = Program(rng)
     half, step = rng.uniform(20, 40), rng.uniform(1.0, 3.0)
     away = half * rng.uniform(1.2, 2.0)  # from the centre of the circles to the centre of the part
@@ -327,7 +327,7 @@ def clipped(rng, *, both_ways=False, drifting=False):
 
 
 def square_spiral(rng):
-    """A spiral with corners, in which every side is one step farther inside than the previous parallel side."""
+    """A spiral with straight sides, each of which is one step farther inside than the previous parallel side."""
     p = Program(rng)
     step = rng.uniform(1, 4)
     west, south, east, north = (
@@ -345,7 +345,7 @@ def square_spiral(rng):
 
 
 def helix(rng, *, arcs=True, holes=1, thread=False):
-    """Bores: helices with a constant radius that descend and end with a level turn."""
+    """Descending helices with a constant radius: bores, which end with a level turn, or threads, which do not."""
     p = Program(rng)
     for k in range(holes):
         x, y, r = 40 * k, rng.uniform(-20, 20), rng.uniform(1.5, 12)
@@ -366,7 +366,7 @@ def helix(rng, *, arcs=True, holes=1, thread=False):
 
 
 def trochoid(rng):
-    """Loops that move along a line or an arc (trochoidal slot)."""
+    """A trochoidal slot: loops that advance along a line or an arc."""
     p = Program(rng)
     r, step, length = rng.uniform(2, 6), rng.uniform(0.4, 1.5), rng.uniform(30, 80)
     a = np.arange(0, length / step * 2 * np.pi, 0.2)
@@ -400,9 +400,9 @@ def winding(rng, *, corrects=False):
 
 
 def entered_pocket(rng, *, even=False):
-    """A round pocket, cleared outwards after a helical entry with equal steps, or with steps that grow.
+    """A round pocket, which is cleared from its centre outwards after a helical entry, with equal or growing steps.
 
-    The steps grow if the engagement is constant.
+    With growing steps, the engagement is constant.
     """
     p, side = Program(rng), np.pi / 18
     entry, step, turns = rng.uniform(1.5, 4), rng.uniform(0.5, 2), rng.integers(3, 40)
@@ -410,14 +410,14 @@ def entered_pocket(rng, *, even=False):
     p.cut(np.column_stack([entry * np.cos(a), entry * np.sin(a), -0.5 * a / (2 * np.pi)]), 0.0)
     wound = b / (2 * np.pi)
     if not even:
-        wound -= 0.8 * (1 - np.exp(-wound / 2.5))  # steps grow to the whole step, as in FreeCAD
+        wound -= 0.8 * (1 - np.exp(-wound / 2.5))  # the steps grow up to the stepover, as in FreeCAD
     r = entry + step * wound
     p.cut(np.column_stack([r * np.cos(b), r * np.sin(b)]), p.last[2], linked=True)
     return p.commands
 
 
 def adaptive(rng, *, lift=0.3, rapid_back=True, arcs=False):
-    """A helical entry, then a spiral out to the walls, then bites with constant engagement into the corners."""
+    """A helical entry, a spiral out to the walls, and then bites (bent, overlapping strokes) into the corners."""
     p = Program(rng, rapids=rapid_back)
     w, h, step = rng.uniform(35, 60), rng.uniform(14, 26), rng.uniform(0.5, 2.0)
     z, entry = -rng.uniform(3, 8), 2.5
@@ -455,9 +455,9 @@ def adaptive(rng, *, lift=0.3, rapid_back=True, arcs=False):
 
 
 def bites_in_a_row(rng, *, back="sloped", arcs=False, spiral_first=True, bends=False):
-    """Bites along a channel, with returns that are slightly lifted, at the same height, or rapids.
+    """Bites (bent, overlapping strokes) along a channel. The returns are slightly lifted, level, or rapids.
 
-    Stay-down adaptive clearing looks like this: arcs from wall to wall, with a small arc at both ends of each arc.
+    Adaptive clearing without lifts consists of arcs from wall to wall, with a small arc at both ends of each arc.
     """
     p = Program(rng)
     half, step, z = rng.uniform(5, 15), rng.uniform(0.3, 1.5), -rng.uniform(2, 8)
@@ -542,7 +542,7 @@ def isolation(rng):
 
 
 def board(rng):
-    """A circuit board in one program: contours at one depth, then holes, then the outline at several depths."""
+    """A circuit board in one program: contours at one depth, then holes, then the board's outline at several depths."""
     holes = drilling(rng, pecks=1)
     while sum(name == "G1" for name, _ in holes) < 6:
         holes = drilling(rng, pecks=1)
@@ -582,7 +582,7 @@ def letters(rng, *, vcarve=False):
 
 
 def comb(rng):
-    """A profile around a comb. It goes back and forth in equal steps like a zigzag, but it is closed."""
+    """A profile around a comb. The profile goes back and forth in equal steps like a zigzag, but it is closed."""
     p, tool = Program(rng), rng.uniform(0.5, 2)
     tooth, gap, height = rng.uniform(2, 8), 2.5 * tool + rng.uniform(0.5, 6), rng.uniform(12, 40)
     left = np.arange(rng.integers(4, 16)) * (tooth + gap)
@@ -682,7 +682,7 @@ SAMPLES = (
     ("trochoid", {"adaptive"}, trochoid),
     ("trochoid of chords", {"adaptive"}, trochoid_of_chords),
     ("winding that corrects itself", {"adaptive"}, lambda r: winding(r, corrects=True)),
-    ("pocket entered by a helix", {"adaptive", "spiral"}, entered_pocket),  # where no tool is known
+    ("pocket entered by a helix", {"adaptive", "spiral"}, entered_pocket),  # right if no tool is known
     ("spiral entered by a helix", {"spiral"}, lambda rng: entered_pocket(rng, even=True)),
     ("adaptive", {"adaptive"}, adaptive),
     ("adaptive without rapids", {"adaptive"}, lambda r: adaptive(r, rapid_back=False)),

@@ -101,7 +101,7 @@ class Worker:
         return self._answer()
 
     def kill(self) -> None:
-        """Kill the process. A thread that waits for a result gets a `WorkerDied`. Any thread may call this method."""
+        """Kill the worker process. A waiting `__call__` then raises `WorkerDied`. Any thread may call this method."""
         with suppress(ProcessLookupError):  # Python before 3.9 raises it if the process has just ended
             self._process.kill()
 
