@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""A small real job, whose operations get their toolpaths from the test."""
+"""A small job in FreeCAD, whose operations get their toolpaths from the test."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ class JobDocument:
         self.document.UndoMode = 1
 
     def add(self, label, commands, controller=True, job=True):
-        """Add an operation with a fixed path; like a file of another FreeCAD version it has no proxy."""
+        """Add an operation with a fixed path and without a proxy, as in a file of another FreeCAD version."""
         op = self.document.addObject("Path::FeaturePython", "Op")
         op.Label = label
         op.addProperty("App::PropertyLink", "ToolController", "Path")

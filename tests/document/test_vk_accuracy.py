@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The z-buffer against FreeCAD: volumes against boolean solids, heights against PathSimulator, cell by cell."""
+"""Compare the z-buffer with FreeCAD: volumes with boolean solids, and heights with PathSimulator in each cell."""
 
 from math import pi
 
@@ -21,7 +21,7 @@ BULL, CHAMFER = Tool("bullnose", 8, corner_radius=2), Tool("vbit", 8, tip_angle=
 
 
 def standing(tool, x, y, z):
-    """Return a tool, with its tip at a place, as a solid."""
+    """Return a tool with its tip at (x, y, z) as a solid."""
     flat, corner, r = tool.radius - tool.rounding, tool.rounding, tool.radius
     if corner:
         middle = Vector(flat + corner * 0.5**0.5, 0, corner * (1 - 0.5**0.5))
@@ -78,7 +78,7 @@ def test_volumes_equal_boolean_solids(name, direction):
     z = simulate_job([Cut(linearize(commands), tool)], stock=stock, view=View(direction, 400, 300))
     first, *others = (swept(tool, a, b) for a, b in zip(points, points[1:] or points))
     removed = shape.common(first.fuse(others) if others else first)
-    # A ray represents its pixel: where a wall crosses the pixel, the error is up to half a pixel.
+    # One ray stands for the whole pixel: where a wall crosses a pixel, the error is up to half a pixel.
     assert abs(z.chip_volume - removed.Volume) < z.frame.pixel / 2 * removed.Area
     assert abs(z.part_volume - (shape.Volume - removed.Volume)) < z.frame.pixel / 2 * (shape.Area + removed.Area)
     assert z.chip_volume == pytest.approx(removed.Volume, rel=0.02)
@@ -108,7 +108,11 @@ FLAT_PATHS = {
 
 @pytest.mark.parametrize("name", FLAT_PATHS)
 def test_heights_equal_pathsimulator(name):
-    """A flat end on level and vertical moves, where PathSimulator is exact; beside walls its round tool consists of cells."""
+    """
+    The tool is flat, and its moves are level or vertical, so PathSimulator is exact.
+
+    Cells next to walls are not compared, because PathSimulator builds its round tool from square cells.
+    """
     stock, cell = Stock((0, 0, 0), (40, 30, 10)), 0.1
     points = [(*FLAT_PATHS[name][0][:2], 12), *FLAT_PATHS[name]]
     simulator = PathSim()

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""analyze: found operations, their order, totals, and errors for bad input."""
+"""`analyze`: the operations that it finds, their order, the totals, and the errors for bad input."""
 
 import csv
 import json
@@ -42,13 +42,13 @@ def report(example_path):
     return report
 
 
-def test_every_strategy_of_the_example_is_right(report):
+def test_strategies_of_the_example_are_recognised(report):
     found = {o.label: o.strategy.value for o in report.operations}
     assert found == {label: STRATEGIES[label] for label in found}
     assert len(found) >= 8 and all(o.confidence >= 0.6 for o in report.operations)
 
 
-def test_every_operation_of_the_example_has_its_numbers(report):
+def test_every_operation_of_the_example_has_its_costs(report):
     for o in report.operations:
         assert o.error is None, o.error
         assert o.trajectories > 10 and o.length > 100
@@ -57,7 +57,7 @@ def test_every_operation_of_the_example_has_its_numbers(report):
         assert len(o.reason) > 20
 
 
-def test_a_dressed_up_operation_is_not_counted_again(report):
+def test_operation_below_a_dress_up_is_not_counted(report):
     counted = {o.label: o.counted for o in report.operations}
     assert counted.pop("Cut out") is False and all(counted.values())
     (total,) = report.totals
@@ -75,7 +75,7 @@ def test_table_names_every_operation_and_the_total(report):
         assert o.strategy.value in line and f"{o.trajectories:,}" in line
 
 
-def test_table_says_the_times_that_the_marks_say(example_path):
+def test_table_and_marks_show_the_same_times(example_path):
     document = FreeCAD.openDocument(str(example_path))
     report = vkworkbench.analyze(document)
     vkworkbench.mark(report)
@@ -91,7 +91,7 @@ def test_table_says_the_times_that_the_marks_say(example_path):
     FreeCAD.closeDocument(document.Name)
 
 
-def test_csv_and_json_hold_the_same_numbers(report, tmp_path):
+def test_csv_and_json_contain_the_same_numbers(report, tmp_path):
     report.to_csv(tmp_path / "report.csv")
     report.to_json(tmp_path / "report.json")
     with open(tmp_path / "report.csv", newline="", encoding="utf-8") as file:
@@ -106,7 +106,7 @@ def test_csv_and_json_hold_the_same_numbers(report, tmp_path):
     assert data["totals"][0]["seconds"] == report.totals[0].seconds
 
 
-def test_spans_count_commands_from_0_as_a_path_does(small, zigzag_commands, tmp_path):
+def test_command_numbers_of_spans_start_at_0(small, zigzag_commands, tmp_path):
     op = small.add("Rows", zigzag_commands)
     report = vkworkbench.analyze(small.document)
     (span,) = report.operations[0].spans
@@ -118,8 +118,8 @@ def test_spans_count_commands_from_0_as_a_path_does(small, zigzag_commands, tmp_
     assert "from 0" in cells_of.__doc__
 
 
-def test_the_table_of_two_documents_names_them(small, example):
-    # One job with operations needs no name.
+def test_table_of_two_documents_names_the_documents(small, example):
+    # If only one job has operations, the table does not name the job.
     assert str(vkworkbench.analyze([small.document, example])).startswith("operation ")
     small.add("Face", [("G0", {"X": 1.0, "Y": 1.0, "Z": 30.0}), ("G1", {"Z": 15.0, "F": 5.0})])
     report = vkworkbench.analyze([small.document, example])
@@ -129,14 +129,14 @@ def test_the_table_of_two_documents_names_them(small, example):
     assert own.split()[:2] == [small.name, f"{small.job.Label}:"] and other.split()[:2] == [example.Name, "Job:"]
 
 
-def test_formulas_in_labels_stay_text(small, zigzag_commands, tmp_path):
+def test_formula_in_a_label_is_exported_as_text(small, zigzag_commands, tmp_path):
     small.add("=HYPERLINK(0)", zigzag_commands)
     vkworkbench.analyze(small.document).to_csv(tmp_path / "report.csv")
     with open(tmp_path / "report.csv", newline="", encoding="utf-8") as file:
         assert [row["label"] for row in csv.DictReader(file)] == ["'=HYPERLINK(0)"]
 
 
-def test_analyze_changes_nothing(example):
+def test_analyze_does_not_change_the_document(example):
     example.UndoMode = 1
     before = [(obj.Name, obj.Label2, sorted(obj.PropertiesList), list(obj.State)) for obj in example.Objects]
     vkworkbench.analyze(example)
@@ -164,19 +164,19 @@ def test_documents_jobs_and_operations_can_be_analyzed(small, zigzag_commands):
     assert missing.error == "The file cannot be read: No such file or directory."
 
 
-def test_no_document(small):
+def test_analysis_without_a_document_is_refused(small):
     FreeCAD.closeDocument(small.document.Name)
     for call in (vkworkbench.analyze, vkworkbench.clear):
         with pytest.raises(ValueError, match="no document is open"):
             call()
 
 
-def test_a_document_without_operations(small):
+def test_document_without_operations_has_an_empty_report(small):
     empty = vkworkbench.analyze(small.document)
     assert empty.operations == () and "No operations" in str(empty)
 
 
-def test_imported_toolpath_without_a_job(small):
+def test_imported_toolpath_without_a_job_is_recognised(small):
     small.document.addObject("Path::Feature", "Imported").Path = Path.Path(
         "G0 X0 Y0 Z5\nG1 Z-1\nG1 X50\nG1 Y2\nG1 X0\nG1 Y4\nG1 X50\nG1 Y6\nG1 X0\nG1 Y8\nG1 X50"
     )
@@ -185,7 +185,7 @@ def test_imported_toolpath_without_a_job(small):
     assert "no tool" in imported.error and "no stock" in imported.error
 
 
-def test_dressups_and_arrays(small, zigzag_commands):
+def test_base_of_dress_up_and_array_is_not_counted(small, zigzag_commands):
     base = small.add("Base", zigzag_commands)
     dressup = small.add("Dress-up", zigzag_commands)
     dressup.addProperty("App::PropertyLink", "Base", "Path").Base = base
@@ -194,7 +194,7 @@ def test_dressups_and_arrays(small, zigzag_commands):
     array.addProperty("App::PropertyInteger", "Copies", "Path")
     counted = {o.label: o.counted for o in vkworkbench.analyze(small.job).operations}
     assert counted == {"Base": False, "Dress-up": True, "Array": True}
-    small.job.Operations.Group = [dressup, array]  # as the window does
+    small.job.Operations.Group = [dressup, array]  # as FreeCAD's window does
     counted = {o.label: o.counted for o in vkworkbench.analyze(small.document).operations}
     assert counted == {"Dress-up": True, "Base": False, "Array": True}
     assert vkworkbench.analyze(base).operations[0].job == small.job.Name
@@ -213,8 +213,8 @@ def counted(what):
     return {o.label for o in vkworkbench.analyze(what).operations if o.counted}
 
 
-def test_operation_outside_of_the_job_is_not_posted(small, zigzag_commands):
-    """An array of FreeCAD 1.1 removes its base from the job."""
+def test_array_base_outside_the_job_is_not_counted(small, zigzag_commands):
+    """In FreeCAD 1.1, making an array removes the array's base from the job."""
     base = small.add("Base", zigzag_commands)
     array = array_of(small, zigzag_commands, base)
     assert counted(small.document) == {"Base", "Array"}
@@ -226,13 +226,13 @@ def test_operation_outside_of_the_job_is_not_posted(small, zigzag_commands):
     assert [o.label for o in vkworkbench.simulate(small.document).job.operations] == ["Array"]
 
 
-def test_toolpath_without_a_job_counts_in_every_analysis(small, zigzag_commands):
+def test_toolpath_without_a_job_is_counted(small, zigzag_commands):
     alone = small.add("Alone", zigzag_commands, job=False)
     assert counted(alone) == counted(small.document) == {"Alone"}
 
 
 def test_array_base_still_belongs_to_the_job(small, zigzag_commands):
-    """As in FreeCAD 1.1: the base is cleared together with the job."""
+    """In FreeCAD 1.1 the job does not list the base of an array; clearing the job also clears the base's mark."""
     base = small.add("Base", zigzag_commands)
     small.job.Operations.Group = [array_of(small, zigzag_commands, base)]
     report = vkworkbench.analyze(small.job)
@@ -243,15 +243,18 @@ def test_array_base_still_belongs_to_the_job(small, zigzag_commands):
     assert not base.Label2
 
 
-def test_copy_does_not_replace_its_base(small, zigzag_commands, monkeypatch):
+def test_copy_of_an_operation_is_counted_with_its_original(small, zigzag_commands, monkeypatch):
     base, copy = small.add("Base", zigzag_commands), small.add("Copy", zigzag_commands)
     copy.addProperty("App::PropertyLink", "Base", "Path").Base = base
-    assert [row.counted for row in vkworkbench.analyze(small.job).operations] == [False, True]  # its dress-up
+    assert [row.counted for row in vkworkbench.analyze(small.job).operations] == [
+        False,
+        True,
+    ]  # the copy counts as a dress-up
     copy.Proxy = type("ObjectPathCopy", (), {"__module__": "Path.Op.Gui.Copy"})()
     assert [row.counted for row in vkworkbench.analyze(small.job).operations] == [True, True]
 
 
-def test_array_is_posted_while_one_base_is_active(small, zigzag_commands):
+def test_array_is_counted_while_one_of_its_bases_is_active(small, zigzag_commands):
     first, second = small.add("First", zigzag_commands), small.add("Second", zigzag_commands)
     array_of(small, zigzag_commands, first, second)
     first.Active = False
@@ -260,14 +263,14 @@ def test_array_is_posted_while_one_base_is_active(small, zigzag_commands):
     assert counted(small.job) == set()
 
 
-def test_base_of_dressed_up_array_is_posted(small, zigzag_commands):
+def test_base_of_a_dressed_up_array_is_counted(small, zigzag_commands):
     array = array_of(small, zigzag_commands, small.add("Base", zigzag_commands))
     dressup = small.add("Dress-up", zigzag_commands)
     dressup.addProperty("App::PropertyLink", "Base", "Path").Base = array
     assert counted(small.job) == {"Base", "Dress-up"}
 
 
-def test_copies_of_custom_operations_share_their_feeds(small, zigzag_commands):
+def test_array_of_custom_operation_has_feeds_of_its_base(small, zigzag_commands):
     """The feeds of a custom operation, and of an array of it, may be in mm/min."""
     base = small.add("Base", [(n, {**w, "F": 600.0} if "F" in w else w) for n, w in zigzag_commands])
     array = array_of(small, zigzag_commands, base)
@@ -278,7 +281,7 @@ def test_copies_of_custom_operations_share_their_feeds(small, zigzag_commands):
     assert vkworkbench.analyze(array).operations[0].machining_seconds < 0.1 * one.machining_seconds
 
 
-def test_folders_and_parts_stand_for_their_contents(small, zigzag_commands):
+def test_operations_in_folders_and_parts_are_analyzed(small, zigzag_commands):
     op = small.add("Zigzag", zigzag_commands)
     for kind in ("App::DocumentObjectGroup", "App::Part"):
         folder = small.document.addObject(kind, "Folder")
@@ -290,24 +293,24 @@ def test_folders_and_parts_stand_for_their_contents(small, zigzag_commands):
         small.document.removeObject(folder.Name)
 
 
-def test_inactive_operation(small, zigzag_commands):
+def test_inactive_operation_is_shown_as_switched_off(small, zigzag_commands):
     op = small.add("Off", [("(inactive operation)", {})])
     op.Active = False
     (off,) = vkworkbench.analyze(small.document).operations
     assert off.strategy == "empty" and not off.counted and off.error.startswith("The operation is switched off.")
-    assert off.remarks[0].code == "inactive"  # for programs
+    assert off.remarks[0].code == "inactive"  # the code that programs compare
     report = vkworkbench.analyze(small.document)
     assert small.document.getObject(off.name) is op and report.totals[0].operations == 0
     row = str(report).splitlines()[2]
     assert "switched off" in row and "0 ms" not in row and "?" not in row
     vkworkbench.mark(report)
-    assert op.Label2 == "⟦switched off⟧"  # not a warning: the user did it
+    assert op.Label2 == "⟦switched off⟧"  # not a warning: the user switched the operation off
     op.Label2 = "mine ⟦switched off⟧"
     vkworkbench.clear(op)
     assert op.Label2 == "mine"
 
 
-def test_a_stop_needs_no_tool(small):
+def test_stop_without_a_tool_has_no_error(small):
     stop = small.add("Stop", [("(Stop)", {}), ("M1", {})])
     stop.removeProperty("ToolController")  # stops and comments of FreeCAD have no tool
     (stop,) = vkworkbench.analyze(small.document).operations
@@ -352,7 +355,7 @@ def test_bad_path_has_an_error_and_others_are_analyzed(small, zigzag_commands):
     assert good.Remarks == ""
 
 
-def test_tools_and_stocks_that_are_missing_or_impossible(small, zigzag_commands):
+def test_missing_or_invalid_tool_or_stock_has_an_error(small, zigzag_commands):
     small.add("No tool", zigzag_commands, controller=None)
     small.add("Fine", zigzag_commands)
     rows = {o.label: o for o in vkworkbench.analyze(small.document).operations}
@@ -399,7 +402,7 @@ def test_labels_in_remarks_are_arguments_of_their_codes(small, zigzag_commands, 
     assert entry["error"] == row.error
 
 
-def test_json_holds_every_message_as_data(report):
+def test_json_contains_every_message_as_data(report):
     for o in report.operations:
         messages = o.as_dict()["messages"]
         assert [Message.from_data(data) for data in messages["cautions"]] == [caution.what for caution in o.cautions]
@@ -421,7 +424,7 @@ def test_tool_with_text_as_diameter_is_refused():
         read_tool(Operation)
 
 
-def test_placement_moves_the_toolpath(small, zigzag_commands):
+def test_placement_of_an_operation_moves_its_toolpath(small, zigzag_commands):
     op = small.add("Moved", zigzag_commands)
     (inside,) = vkworkbench.analyze(op).operations
     op.Placement.Base = FreeCAD.Vector(1000, 0, 0)
@@ -443,7 +446,7 @@ def test_stock_equal_to_finished_part_has_a_remark(small, zigzag_commands):
     assert [remark.code for remark in report.remarks] == ["not-touching"]
 
 
-def test_progress_and_cancel(small, zigzag_commands):
+def test_analysis_reports_progress_and_can_be_cancelled(small, zigzag_commands):
     for label in ("One", "Two", "Three"):
         small.add(label, zigzag_commands)
     seen = []
@@ -464,7 +467,7 @@ def rows_of_a_failure(report):
     return rows
 
 
-def test_an_error_of_our_own_costs_one_row_only(small, zigzag_commands, monkeypatch):
+def test_bug_in_the_analysis_affects_one_row_only(small, zigzag_commands, monkeypatch):
     small.add("First", zigzag_commands)
     small.add("Second", zigzag_commands[:-4])
     recognized = analysis.recognize_operation
@@ -481,7 +484,7 @@ def test_an_error_of_our_own_costs_one_row_only(small, zigzag_commands, monkeypa
     assert "Please report" in rows[0].error and rows[1].error is None
 
 
-def test_memory_error_costs_no_other_mark(small, zigzag_commands, monkeypatch):
+def test_memory_error_affects_only_its_own_mark(small, zigzag_commands, monkeypatch):
     first, second = small.add("First", zigzag_commands), small.add("Second", zigzag_commands[:-4])
     text_of, path_fingerprint = analysis.text_of, marking.path_fingerprint
 
@@ -501,11 +504,11 @@ def test_memory_error_costs_no_other_mark(small, zigzag_commands, monkeypatch):
     assert "MemoryError" in first.Label2 and "zigzag" in second.Label2
 
 
-def test_everything_is_read_and_made_once(small, zigzag_commands):
-    """One analysis reads commands, tool and stock once."""
-    arc = ("G2", {"X": 30.0, "Y": 20.0, "I": -5.0, "J": 0.0})  # the cautions for arcs are computed, too
+def test_analysis_reads_each_input_once(small, zigzag_commands):
+    """One analysis reads the commands, the tool and the stock of an operation once."""
+    arc = ("G2", {"X": 30.0, "Y": 20.0, "I": -5.0, "J": 0.0})  # with an arc, the cautions for arcs are computed, too
     small.add("Rows", [*zigzag_commands, ("G1", {"X": 40.0, "Y": 20.0, "Z": 15.0}), arc])
-    vkworkbench.analyze(small.document)  # measures the computer if that was not done yet
+    vkworkbench.analyze(small.document)  # the first analysis measures the computer
     RESULTS.clear()
     counted = dict.fromkeys(["words.__init__", "motions.motions", "setting.read_tool", "setting.read_stock"], 0)
 
@@ -524,7 +527,7 @@ def test_everything_is_read_and_made_once(small, zigzag_commands):
     assert counted == dict.fromkeys(counted, 1)
 
 
-def test_an_analysis_ends_where_cancelled_raises(small, zigzag_commands, monkeypatch):
+def test_analysis_stops_if_the_cancelled_function_raises(small, zigzag_commands, monkeypatch):
     small.add("Zigzag", zigzag_commands)
     begun, asked, ended = Event(), Event(), []
 
@@ -553,7 +556,7 @@ def test_an_analysis_ends_where_cancelled_raises(small, zigzag_commands, monkeyp
     assert ended
 
 
-def test_a_time_without_rapids_is_the_least(small, zigzag_commands):
+def test_machining_time_without_rapids_is_incomplete(small, zigzag_commands):
     small.add("Zigzag", zigzag_commands)
     report = vkworkbench.analyze(small.document)
     (row,), (total,) = report.operations, report.totals
@@ -567,7 +570,7 @@ def test_a_time_without_rapids_is_the_least(small, zigzag_commands):
     assert row.machining.left_out == () and row.machining.complete and total.machining_complete
 
 
-def test_rapids_without_a_tool_controller_are_not_blamed_on_one(small, zigzag_commands):
+def test_missing_tool_controller_is_named_as_cause(small, zigzag_commands):
     small.add("With", zigzag_commands)
     small.add("Without", zigzag_commands, controller=None)
     told = {o.label: o.machining.notes for o in vkworkbench.analyze(small.document).operations}
@@ -576,7 +579,7 @@ def test_rapids_without_a_tool_controller_are_not_blamed_on_one(small, zigzag_co
 
 
 @pytest.mark.parametrize("fixtures, count", [(["G54"], 1), (["G54", "G55", "G59"], 3), ([], 1)])
-def test_operations_take_their_time_for_every_fixture(small, zigzag_commands, fixtures, count):
+def test_machining_time_is_multiplied_by_the_fixtures(small, zigzag_commands, fixtures, count):
     small.add("Zigzag", zigzag_commands)
     small.job.Fixtures = fixtures
     report = vkworkbench.analyze(small.document)
@@ -587,8 +590,8 @@ def test_operations_take_their_time_for_every_fixture(small, zigzag_commands, fi
 
 
 @pytest.mark.parametrize("diameter, told", [(50.0, False), (65.0, True)])
-def test_a_tool_is_too_wide_beyond_the_longer_side_of_the_stock(small, zigzag_commands, diameter, told):
-    """The stock has 60 by 40 mm, at any position."""
+def test_tool_wider_than_longer_side_of_stock_has_a_remark(small, zigzag_commands, diameter, told):
+    """The stock has 60 by 40 mm; its position does not matter."""
     place = FreeCAD.Vector(100, -300, 0)
     stock = small.document.addObject("Part::Feature", "Elsewhere")
     stock.Shape = Part.makeBox(60, 40, 20, place)
@@ -599,9 +602,9 @@ def test_a_tool_is_too_wide_beyond_the_longer_side_of_the_stock(small, zigzag_co
     assert ("tool-wider-than-stock" in [remark.code for remark in row.remarks]) is told
 
 
-def test_cancelled_work_is_not_awaited(small, zigzag_commands, monkeypatch):
+def test_cancelled_analysis_does_not_wait_for_its_thread(small, zigzag_commands, monkeypatch):
     small.add("Rows", zigzag_commands)
-    vkworkbench.analyze(small.document)  # measures the computer if that was not done yet
+    vkworkbench.analyze(small.document)  # the first analysis measures the computer
     RESULTS.clear()
     begun, go_on, ended = Event(), Event(), Event()
 
@@ -618,7 +621,7 @@ def test_cancelled_work_is_not_awaited(small, zigzag_commands, monkeypatch):
 
 
 def test_analysis_computes_the_costs_that_the_panel_shows(small, zigzag_commands, monkeypatch):
-    """Otherwise the panel would compute the costs, and the window would wait."""
+    """If the panel had to compute the costs, FreeCAD's window would be blocked meanwhile."""
     small.add("First", zigzag_commands)
     small.add("Second", zigzag_commands[:-4])
     chosen = replace(preferences.read(), mark_simulator=core.simulators.ZBUFFER.name)
@@ -634,7 +637,7 @@ def test_analysis_computes_the_costs_that_the_panel_shows(small, zigzag_commands
     assert total.cost(chosen.simulator)[0] > 0 and estimated == [1]
 
 
-def test_unreadable_operation_costs_one_row(small, zigzag_commands, monkeypatch):
+def test_unreadable_operation_affects_one_row_only(small, zigzag_commands, monkeypatch):
     first, _ = small.add("First", zigzag_commands), small.add("Second", zigzag_commands)
 
     def read(obj):

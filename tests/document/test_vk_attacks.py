@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Documents as no user makes them, but files and macros can: loops, strangers, damaged marks, impossible numbers."""
+"""Documents that only damaged files or macros can make: link loops, odd objects, damaged marks, invalid numbers."""
 
 from __future__ import annotations
 
@@ -21,7 +21,11 @@ from vkworkbench.document.marks import marks, watcher
 
 
 def rows(what):
-    """Analyse, mark, watch and clear; return {label: row}. Assert that the document is unchanged afterwards."""
+    """
+    Analyse, mark, check and clear a document; return {label: row}.
+
+    Assert that the document is unchanged afterwards.
+    """
     document = what.Document if hasattr(what, "Document") else what
     before = {obj.Name: (obj.Label, obj.Label2, obj.PropertiesList) for obj in document.Objects}
     report = vkworkbench.analyze(what)
@@ -49,10 +53,10 @@ def dressed(op, bases, type_id="App::PropertyLink"):
 @pytest.mark.parametrize("length", [1, 3, 7])
 @pytest.mark.parametrize("type_id", ["App::PropertyLink", "App::PropertyLinkList", "App::PropertyLinkGlobal"])
 @pytest.mark.parametrize("arrays", [False, True])
-def test_loops_of_dress_ups(small, zigzag_commands, length, type_id, arrays):
+def test_loop_of_dress_ups_is_analyzed(small, zigzag_commands, length, type_id, arrays):
     ops = [small.add(f"Op {number}", zigzag_commands, controller=None) for number in range(length)]
     for op, base in zip(ops, [*ops[1:], ops[0]]):
-        with suppress(ValueError, RuntimeError):  # some FreeCADs refuse links of an object to itself
+        with suppress(ValueError, RuntimeError):  # some versions of FreeCAD refuse a link from an object to itself
             dressed(op, [base] if "List" in type_id else base, type_id)
         if arrays:
             op.addProperty("App::PropertyInteger", "Copies").Copies = 2
@@ -62,29 +66,29 @@ def test_loops_of_dress_ups(small, zigzag_commands, length, type_id, arrays):
     assert [found[op.Label].called for op in ops] == [None] * length
 
 
-def test_a_dress_up_of_a_base_that_was_deleted_and_undone(small, zigzag_commands):
+def test_dress_up_is_analyzed_after_its_base_is_deleted(small, zigzag_commands):
     base, top = small.add("Base", zigzag_commands), small.add("Top", zigzag_commands, controller=None)
     dressed(top, base)
     small.document.openTransaction("Delete")
     small.document.removeObject(base.Name)
     small.document.commitTransaction()
     assert "no tool" in rows(small.document)["Top"].error
-    for _ in range(3):  # clearing, marking, deleting
+    for _ in range(3):  # undo the clearing, the marking and the deletion
         small.document.undo()
     assert rows(small.document)["Top"].error is None
 
 
-def test_groups_and_jobs_within_each_other(small, zigzag_commands):
+def test_job_inside_its_own_group_is_analyzed(small, zigzag_commands):
     op = small.add("Zigzag", zigzag_commands)
     group = small.document.addObject("App::DocumentObjectGroup", "Folder")
     small.job.Operations.Group = [group]
-    group.Group = [op, small.job]  # the job within its own operations
+    group.Group = [op, small.job]  # the job is a member of its own group of operations
     for what in (small.document, small.job, small.job.Operations):
         assert [o.object.Name for o in find(what)] == [op.Name]
     assert rows(small.document)["Zigzag"].strategy == "zigzag"
 
 
-def test_a_job_whose_operations_are_itself(small, zigzag_commands):
+def test_job_that_is_its_own_group_is_analyzed(small, zigzag_commands):
     op = small.add("Zigzag", zigzag_commands)
     with suppress(ValueError, RuntimeError):
         small.job.Operations = small.job
@@ -93,7 +97,7 @@ def test_a_job_whose_operations_are_itself(small, zigzag_commands):
 
 
 @pytest.mark.parametrize("container", ["App::Part", "App::DocumentObjectGroup", "App::LinkGroup", "PartDesign::Body"])
-def test_operations_in_containers(small, zigzag_commands, container):
+def test_operation_in_a_container_is_analyzed(small, zigzag_commands, container):
     op = small.add("Zigzag", zigzag_commands)
     holder = small.document.addObject(container, "Holder")
     small.document.recompute()
@@ -107,8 +111,8 @@ def test_operations_in_containers(small, zigzag_commands, container):
     assert list(found) == ["Zigzag"] and found["Zigzag"].strategy == "zigzag"
 
 
-def test_links_to_operations_and_jobs(small, zigzag_commands):
-    """Links are skipped, in the same document and from another one."""
+def test_links_to_operations_and_jobs_are_skipped(small, zigzag_commands):
+    """`analyze` skips links, within one document and from another document."""
     op = small.add("Zigzag", zigzag_commands)
     other = FreeCAD.newDocument("Linking")
     try:
@@ -124,8 +128,8 @@ def test_links_to_operations_and_jobs(small, zigzag_commands):
         FreeCAD.closeDocument(other.Name)
 
 
-def test_a_document_with_links_opened_only_in_part(small, zigzag_commands, tmp_path):
-    """FreeCAD loads only the needed objects of a linked file: others may have no path yet."""
+def test_partly_loaded_document_can_be_marked(small, zigzag_commands, tmp_path):
+    """FreeCAD loads only the needed objects of a linked file, so an operation may not have a path yet."""
     op = small.add("Zigzag", zigzag_commands)
     vkworkbench.mark(vkworkbench.analyze(small.document))
     first, second = str(tmp_path / "first.FCStd"), str(tmp_path / "second.FCStd")
@@ -149,8 +153,8 @@ def test_a_document_with_links_opened_only_in_part(small, zigzag_commands, tmp_p
             FreeCAD.closeDocument(name)
 
 
-def test_a_job_deleted_during_the_analysis(small, zigzag_commands):
-    """The operations may stay; their rows have no job."""
+def test_job_deleted_during_the_analysis_is_tolerated(small, zigzag_commands):
+    """Operations that remain without the job have rows without a job."""
     names = [small.add(label, zigzag_commands).Name for label in ("One", "Two", "Three")]
 
     def delete(done, *_):
@@ -167,8 +171,8 @@ def test_a_job_deleted_during_the_analysis(small, zigzag_commands):
     vkworkbench.mark(report)
 
 
-def test_a_job_without_anything(small):
-    """No tools, no operations, no stock, no model."""
+def test_job_without_tools_and_stock_is_analyzed(small):
+    """The job has no tools, operations, stock or model."""
     for name in ("Tools", "Stock", "Model", "Operations"):
         with suppress(ValueError, RuntimeError):
             setattr(small.job, name, None)
@@ -176,7 +180,7 @@ def test_a_job_without_anything(small):
     assert rows(small.job) == {} and vkworkbench.mark(vkworkbench.analyze(small.job)) == 0
 
 
-# Paths.
+# Odd paths, placements, tools and stocks.
 
 ODD = [float("nan"), float("inf"), -float("inf"), 1e300, -1e300, 1e-300]
 PATHS = {
@@ -195,9 +199,9 @@ PATHS = {
 
 
 @pytest.mark.parametrize("name", PATHS)
-def test_paths(small, zigzag_commands, name):
+def test_odd_path_does_not_affect_the_other_operation(small, zigzag_commands, name):
     op = small.add("Odd", [])
-    with suppress(TypeError, ValueError):  # FreeCAD refuses it
+    with suppress(TypeError, ValueError):  # FreeCAD refuses some of these paths
         op.Path = CAM.Path([CAM.Command(*command) for command in PATHS[name]])
     small.add("Sound", zigzag_commands)
     found = rows(small.document)
@@ -208,7 +212,7 @@ def test_paths(small, zigzag_commands, name):
 
 
 @pytest.mark.parametrize("placement", [(float("nan"), 0, 0), (1e300, 0, 0), (0, 0, float("inf")), (1e9, 1e9, 1e9)])
-def test_placements(small, zigzag_commands, placement):
+def test_placement_too_far_away_is_an_error(small, zigzag_commands, placement):
     op = small.add("Odd", zigzag_commands)
     op.Placement.Base = FreeCAD.Vector(*placement)
     small.add("Sound", zigzag_commands)
@@ -217,7 +221,7 @@ def test_placements(small, zigzag_commands, placement):
     assert found["Sound"].error is None and "within a kilometer" in found["Odd"].error
 
 
-def test_too_many_moves_are_said(small, zigzag_commands, monkeypatch):
+def test_too_many_moves_are_an_error(small, zigzag_commands, monkeypatch):
     monkeypatch.setattr(sys.modules["vkworkbench.core.gcode.moves.linearize"], "MOST_TRAJECTORIES", 100)
     small.add(
         "Arcs", [("G0", {"X": 0.0, "Y": 0.0, "Z": 9.0}), ("G2", {"X": 0.0, "Y": 0.0, "I": 50.0, "J": 0.0, "Z": 0.0})]
@@ -228,7 +232,7 @@ def test_too_many_moves_are_said(small, zigzag_commands, monkeypatch):
 
 
 @pytest.mark.parametrize("diameter", [1e300, 1e-300, 1e6, -5, float("nan"), float("inf")])
-def test_tools_seen_from_everywhere(small, zigzag_commands, diameter):
+def test_odd_tool_has_an_error_or_a_cost_in_every_view(small, zigzag_commands, diameter):
     small.add("Odd", zigzag_commands)
     tool = small.document.addObject("App::FeaturePython", "Tool")
     tool.addProperty("App::PropertyFloat", "Diameter").Diameter = diameter
@@ -245,8 +249,8 @@ def test_tools_seen_from_everywhere(small, zigzag_commands, diameter):
 
 @pytest.mark.parametrize("view", ["Front", "Isometric", "Top"])
 @pytest.mark.parametrize("above", [-0.001, 1.0])
-def test_a_tool_much_wider_than_the_stock(small, zigzag_commands, view, above):
-    """The tool is too wide for a tiny stock; only moves above the stock do not touch it."""
+def test_tool_much_wider_than_the_stock_has_a_remark(small, zigzag_commands, view, above):
+    """The tool is much wider than the stock, so only moves above the stock do not touch the stock."""
     small.add("Wide", zigzag_commands)
     small.controller.Tool.Diameter = 1e6
     stock = small.document.addObject("Part::Box", "Tiny")
@@ -269,7 +273,7 @@ def test_a_tool_much_wider_than_the_stock(small, zigzag_commands, view, above):
     lambda: Part.makeCompound([]), lambda: Part.makeCompound([Part.makeBox(60, 40, 20), Part.makeLine((0, 0, 0), (99, 0, 0))]),
     lambda: Part.makeBox(60, 40, 20).reversed(), lambda: Part.makeHelix(1, 9, 9), lambda: Part.Vertex(1, 2, 3),
 ], ids=["tiny", "needle", "huge", "empty", "with a wire", "inside out", "helix", "vertex"])  # fmt: skip
-def test_stocks(small, zigzag_commands, make):
+def test_operation_with_an_odd_stock_is_recognised(small, zigzag_commands, make):
     small.add("Zigzag", zigzag_commands)
     stock = small.document.addObject("Part::Feature", "Odd")
     stock.Shape = make()
@@ -277,14 +281,14 @@ def test_stocks(small, zigzag_commands, make):
     assert rows(small.document)["Zigzag"].strategy == "zigzag"
 
 
-# Texts.
+# Odd labels and descriptions.
 
 TEXTS = ["<script>alert(1)</script>", "\x01\x02\x1b[31m", "\u202eabc\u2066def\u2069", "x" * 10_000, "a\0b", "{}{0}%n",
          "⟦⟧", "⟦1 operation⟧⟦zigzag⟧", "\u0085\u2028\u2029", "\u202e\u2066\u2067", "=HYPERLINK(1)", " \t\n ", "ﷺ" * 200, "Ｚｉｇｚａｇ"]  # fmt: skip
 
 
 @pytest.mark.parametrize("text", TEXTS, ids=range(len(TEXTS)))
-def test_labels_of_jobs_tools_and_stocks(small, zigzag_commands, text, tmp_path):
+def test_odd_labels_do_not_change_the_result(small, zigzag_commands, text, tmp_path):
     small.add("Zigzag", zigzag_commands)
     sound = rows(small.document)["Zigzag"]
     for obj in (small.job, small.controller, small.controller.Tool, small.job.Stock, small.job.Operations):
@@ -300,8 +304,8 @@ def test_labels_of_jobs_tools_and_stocks(small, zigzag_commands, text, tmp_path)
     assert "no tool" in rows(small.document)["Zigzag"].error
 
 
-def test_equal_labels(small, zigzag_commands):
-    """A preference of FreeCAD allows equal labels."""
+def test_operations_with_equal_labels_have_separate_marks(small, zigzag_commands):
+    """A preference of FreeCAD allows several objects with the same label."""
     group = FreeCAD.ParamGet("User parameter:BaseApp/Preferences/Document")
     group.SetBool("DuplicateLabels", True)
     try:
@@ -319,7 +323,7 @@ def test_equal_labels(small, zigzag_commands):
         group.RemBool("DuplicateLabels")
 
 
-# Marks.
+# Damaged marks in the tree.
 
 DAMAGES = [
     "", "null", "[]", "{}", '"x"', "1e999", "[" * 5000, '{"format": 99}', '{"text": [], "own": {}, "shown": 5}',
@@ -329,7 +333,7 @@ DAMAGES = [
 
 @pytest.mark.parametrize("damage", DAMAGES, ids=range(len(DAMAGES)))
 @pytest.mark.parametrize("of", ["operation", "job"])
-def test_marks_with_another_text(small, zigzag_commands, damage, of):
+def test_damaged_mark_is_replaced_and_cleared(small, zigzag_commands, damage, of):
     op = small.add("Zigzag", zigzag_commands)
     op.Label2 = "own ⟦words⟧"
     vkworkbench.mark(vkworkbench.analyze(small.document))
@@ -354,8 +358,8 @@ def test_marks_with_another_text(small, zigzag_commands, damage, of):
     ("remarks", [{"code": "not-analysed", "arguments": {"error": "\ud83d"}}]), ("text", "\udc00"), ("own", ["\udc00"]),
     ("outdated", "no"), ("called", {"a": 1}), ("trajectories", True), ("machining", "1"), ("text", 5), ("own", 7),
 ])  # fmt: skip
-def test_marks_with_another_entry(small, zigzag_commands, name, value):
-    """Unreadable marks are replaced by marking and removed by clearing."""
+def test_mark_with_a_damaged_entry_is_replaced_and_cleared(small, zigzag_commands, name, value):
+    """Marking replaces unreadable marks, and clearing removes them."""
     op = small.add("Zigzag", zigzag_commands)
     vkworkbench.mark(vkworkbench.analyze(small.document))
     whole = op.Label2, small.job.Label2
@@ -379,7 +383,7 @@ RETYPED = ["App::PropertyLinkSub", "App::PropertyEnumeration", "App::PropertyCol
 
 
 @pytest.mark.parametrize("type_id", RETYPED)
-def test_marks_of_other_types(small, zigzag_commands, type_id):
+def test_mark_properties_of_other_types_are_replaced(small, zigzag_commands, type_id):
     op = small.add("Zigzag", zigzag_commands)
     vkworkbench.mark(vkworkbench.analyze(small.document))
     for name in ("VkWorkbenchMark", "Strategy", "Confidence", "MachiningTime", "SimulationTime", "Remarks"):
@@ -397,8 +401,8 @@ def test_marks_of_other_types(small, zigzag_commands, type_id):
     assert op.Label2 == "" and not marks.is_marked(op)
 
 
-def test_expressions_on_marks(small, zigzag_commands):
-    """Expressions may read properties of a mark; marking replaces properties that an expression drives."""
+def test_expressions_on_mark_properties_are_tolerated(small, zigzag_commands):
+    """An expression can read a property of a mark; marking overwrites a property that an expression sets."""
     op = small.add("Zigzag", zigzag_commands)
     vkworkbench.mark(vkworkbench.analyze(small.document))
     block = small.document.getObject("Block")

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The warning before a simulator starts, computed from marks, and the faster way that it offers."""
+"""The warning before a slow simulation starts, computed from the marks, and the faster simulator that it offers."""
 
 from dataclasses import replace
 
@@ -20,12 +20,12 @@ TASK = Task(linearize([("G0", {"X": 0.0, "Y": 0.0, "Z": 5.0}), ("G1", {"X": 40.0
 
 @pytest.fixture(autouse=True)
 def both(monkeypatch):
-    """Let FreeCAD have both simulators in every version."""
+    """Make every version of FreeCAD report both simulators: legacy and OpenGL."""
     monkeypatch.setattr(freecad, "own_simulators", lambda: ("legacy", "OpenGL"))
 
 
 def record(label="Pocket", *, forward=5.0, play=60.0, opengl=60.0, **rest):
-    """Return a mark with these times, s."""
+    """Return the record of a mark with the given simulation times, s."""
     legacy = legacy_cost(TASK)
     drawn = opengl_cost(TASK)
     longer = opengl / drawn.seconds
@@ -53,7 +53,7 @@ def test_no_advice_within_the_budget():
         assert better_way(simulator, [None, record(opengl=1e5, play=1e5, outdated=True)], BUDGET) is None
 
 
-def test_a_long_play_has_its_fast_forward():
+def test_fast_forward_is_offered_for_a_long_play():
     found = better_way("legacy", [record(play=6120.0, forward=34.0)], BUDGET)
     assert found.way == "legacy"
     assert (
@@ -76,14 +76,14 @@ def test_hanging_operation_is_named_with_an_alternative():
     assert better_way("OpenGL", [hanging("Thread001")], BUDGET) is None
 
 
-def test_our_own_where_both_are_too_slow_or_hang():
+def test_zbuffer_is_offered_if_both_simulators_fail():
     assert better_way("OpenGL", [record(opengl=1e4, forward=1e4, play=1e5)], BUDGET).way == OURS
     assert better_way("OpenGL", [hanging("Thread001", opengl=1e4)], BUDGET).way == OURS
     assert better_way("legacy", [hanging("Thread001", opengl=1e4)], BUDGET).way == OURS
     assert better_way("legacy", [record(play=1e4, forward=1e4, opengl=1e4)], BUDGET).way == OURS
 
 
-def test_in_a_freecad_without_the_opengl_simulator(monkeypatch):
+def test_advice_without_opengl_simulator_is_available(monkeypatch):
     monkeypatch.setattr(freecad, "own_simulators", lambda: ("legacy",))
     assert better_way("legacy", [hanging("Thread001")], BUDGET).way == OURS
     assert better_way("legacy", [record(play=1e4)], BUDGET).way == "legacy"
@@ -98,14 +98,14 @@ def test_unknown_costs_make_the_time_a_lower_bound(other):
     )
 
 
-def test_of_several_one_that_is_known_in_part_makes_it_the_least():
+def test_one_incomplete_time_makes_total_a_lower_bound():
     known, in_part = record(play=6120.0, forward=34.0), record(incomplete=True)
     for records in ([known, in_part], [in_part, known]):
         assert "at least" in said(better_way("legacy", records, BUDGET))
     assert "at least" not in said(better_way("legacy", [known, known], BUDGET))
 
 
-def test_operations_together_take_longer_than_each():
+def test_times_of_operations_are_added_for_the_warning():
     each = record(opengl=400.0, forward=1.0)
     assert better_way("OpenGL", [each], BUDGET) is None
     assert better_way("OpenGL", [each, each], BUDGET) is not None

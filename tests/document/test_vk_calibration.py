@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The calibration, the file that keeps it, and the constants of FreeCAD's simulators that follow from it."""
+"""The calibration, the file that stores it, and the constants of FreeCAD's simulators computed from it."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ def measured(tmp_path, monkeypatch):
 
 @pytest.fixture
 def folder(measured, monkeypatch):
-    """An empty user data folder, and measured speeds that grow by one percent each, without measuring."""
+    """An empty user data folder; instead of measuring, each calibration returns a time that is 1 % longer."""
     slower = itertools.count(100)
     monkeypatch.setattr(
         calibration, "measure_speed",
@@ -48,13 +48,13 @@ def test_window_starts_with_the_default_speed(folder, monkeypatch):
     assert calibration.measured_speed().factor == Speed().factor
 
 
-def test_the_folder_of_the_users_data_may_not_be_there_yet(folder, monkeypatch):
+def test_missing_user_data_folder_is_created(folder, monkeypatch):
     monkeypatch.setattr(FreeCAD, "getUserAppDataDir", lambda: f"{folder}/not/yet/")
     assert calibration.calibrate() == calibration.load()
 
 
 def test_processor_name_falls_back_to_python(monkeypatch):
-    """As on Windows and macOS."""
+    """Windows and macOS do not have the file from which the name of the processor is read."""
 
     def nowhere(_path):
         raise FileNotFoundError
@@ -67,11 +67,11 @@ def test_processor_name_falls_back_to_python(monkeypatch):
 
 
 def slower(times):
-    """A computer that needs the default times multiplied by `times`."""
+    """Return the speed of a computer that needs `times` times the default times."""
     return Speed(*(times * Speed().constants))
 
 
-def test_software_rendering_has_slower_pictures():
+def test_software_rendering_is_slower_than_a_card():
     card, software = (calibration.constants(Speed(), renderer) for renderer in ("card", "llvmpipe (LLVM 19)"))
     assert card == DEFAULTS and software.draw > 5 * DEFAULTS.draw and software.refresh == 0 < DEFAULTS.refresh
     assert (software.repaint > 0) == (freecad.version() >= (1, 1)) and software.redraw > DEFAULTS.redraw
@@ -79,7 +79,7 @@ def test_software_rendering_has_slower_pictures():
     assert software.opengl_factor < card.opengl_factor
 
 
-def test_times_of_the_processor_scale_with_its_speed():
+def test_constants_of_the_processor_scale_with_its_speed():
     """The timer's ticks and the pictures of a graphics card do not depend on the processor."""
     for renderer in ("card", "llvmpipe"):
         usual, slow = (calibration.constants(slower(times), renderer) for times in (1, 3))
@@ -91,7 +91,7 @@ def test_times_of_the_processor_scale_with_its_speed():
             assert getattr(slow, name) == pytest.approx(3 * getattr(usual, name)), name
 
 
-def test_one_disturbed_constant_does_not_change_the_times():
+def test_one_wrong_measured_constant_is_ignored():
     assert calibration.constants(replace(Speed(), block=9 * Speed().block)) == DEFAULTS
 
 
@@ -100,7 +100,7 @@ IMPOSSIBLE = ("1e999", "1" + 9000 * "0", "1e300", "NaN", "-1", "0", "[]", '"one"
 
 
 def with_number(name, number):
-    """Return a function that writes another number behind a name."""
+    """Return a function that replaces the number of the entry `name` in a JSON text."""
 
     def damage(text):
         head, tail = text.split(f'"{name}": ', 1)
@@ -115,7 +115,7 @@ def with_number(name, number):
     lambda text: "not JSON", lambda text: "[1, 2]", lambda text: NESTED, lambda text: "\ufeff{}", lambda text: "",
     lambda text: f'{{"other": {NESTED}, {text[1:]}', str.upper,
 ])  # fmt: skip
-def test_a_damaged_file_counts_as_none_and_is_replaced(folder, damage):
+def test_damaged_calibration_file_is_replaced(folder, damage):
     speed = calibration.measured_speed()
     (path,) = folder.rglob("calibration.json")
     sound = path.read_text()
@@ -132,11 +132,11 @@ def test_no_temporary_file_stays_after_a_failed_write(folder):
     path.mkdir(parents=True)
     with pytest.raises(OSError):
         calibration.calibrate()
-    assert calibration.measured_speed().factor < Speed().factor  # an analysis does without the file
+    assert calibration.measured_speed().factor < Speed().factor  # an analysis works without the file
     assert list(path.parent.iterdir()) == [path]
 
 
-def test_other_records_of_the_file_are_kept(folder):
+def test_calibration_keeps_other_records_of_the_file(folder):
     """The file has a record for each processor, and records of earlier versions."""
     path = calibration._path()
     path.parent.mkdir(parents=True)
@@ -156,7 +156,7 @@ def test_speed_is_measured_once(folder, monkeypatch):
 
 
 @pytest.mark.parametrize("after", [0, 3])
-def test_a_calibration_that_is_given_up_changes_nothing(measured, after):
+def test_cancelled_calibration_writes_no_file(measured, after):
     calls = []
 
     def going_on():
@@ -169,7 +169,7 @@ def test_a_calibration_that_is_given_up_changes_nothing(measured, after):
     assert calibration.load() is None and not list(measured.iterdir())
 
 
-def test_an_analysis_is_cancelled_while_the_computer_is_measured(measured, small, zigzag_commands):
+def test_analysis_can_be_cancelled_during_calibration(measured, small, zigzag_commands):
     small.add("Rows", zigzag_commands)
     asked = []
     with pytest.raises(Cancelled):
@@ -179,4 +179,4 @@ def test_an_analysis_is_cancelled_while_the_computer_is_measured(measured, small
             progress=lambda *_: pytest.fail("it went on"),
         )
     assert len(asked) == 6
-    assert not list(measured.rglob("calibration.json"))  # FreeCAD 1.1 makes folders there
+    assert not list(measured.rglob("calibration.json"))  # FreeCAD 1.1 makes folders in the user data folder

@@ -36,13 +36,13 @@ def told(job):
             for one in holder_collisions(Cuts(job.cuts), job.stock, clamps=job.clamps).found]  # fmt: skip
 
 
-def test_sizes_of_a_tool_bit_are_read(slot):
+def test_sizes_of_shank_and_flutes_are_read_from_a_tool_bit(slot):
     tool = read_tool(slot)
     assert (tool.cutting_edge_height, tool.shank_diameter, tool.length, tool.holder_diameter) == (6, 8, 40, None)
     assert told(read_job(slot)) == [("flutes", 2, 3.0, ""), ("shank", 2, 3.0, "")]
 
 
-def test_holder_of_the_tool_bit_comes_before_the_preferences(small, slot):
+def test_holder_of_the_tool_bit_overrides_the_preferences(small, slot):
     before = preferences.read()
     try:
         preferences.write(holder_diameter=30.0, holder_length=50.0)
@@ -56,7 +56,7 @@ def test_holder_of_the_tool_bit_comes_before_the_preferences(small, slot):
         preferences.write(**vars(before))
 
 
-def test_shank_is_part_of_the_fingerprint(small, slot):
+def test_another_shank_changes_the_fingerprint(small, slot):
     before = read_setting_fingerprints(slot, small.job)
     small.controller.Tool.ShankDiameter = 9
     assert read_setting_fingerprints(slot, small.job) != before
@@ -102,8 +102,8 @@ def test_moved_clamp_outdates_the_simulation(small, slot):
     assert not is_same()
 
 
-def test_clamp_in_a_part_is_where_the_part_places_it(small):
-    """The part itself can be a clamp, too."""
+def test_clamp_in_a_part_is_moved_by_the_placement_of_the_part(small):
+    """Both the solid in the part and the part itself can be a clamp."""
     clamp, part = box(small, "Clamp", 0, 0, 0, 10, 10, 10), small.document.addObject("App::Part", "Vice")
     part.addObject(clamp)
     part.Placement.Base = FreeCAD.Vector(0, 100, 5)
@@ -115,14 +115,14 @@ def test_clamp_in_a_part_is_where_the_part_places_it(small):
     assert moved.BoundBox.YMin == pytest.approx(100) and clamp.Shape.BoundBox.YMin == pytest.approx(0)
 
 
-def test_same_clamps_leave_no_open_step(small, slot):
+def test_setting_the_same_clamps_leaves_no_open_transaction(small, slot):
     clamp = box(small, "Clamp", -20, 100, 0, 15, 20, 30)
     set_clamps(small.job, [clamp])
     set_clamps(small.job, [clamp])
     assert not small.document.HasPendingTransaction and FreeCAD.getActiveTransaction() is None
 
 
-def test_object_without_solid_is_not_a_clamp(small):
+def test_object_without_solid_is_refused_as_clamp(small):
     line = small.document.addObject("Part::Feature", "Line")
     line.Shape = Part.makeLine((0, 0, 0), (1, 1, 1))
     with pytest.raises(Unusable, match="Line: The surface of the solid is not closed"):

@@ -19,7 +19,7 @@ def operations(doc):
     return {op.Label: op for op in doc.getObject("Job").Operations.Group}
 
 
-def test_example_has_every_operation_in_order(example):
+def test_example_has_all_operations_in_order(example):
     labels = list(operations(example))
     assert labels in (list(TOOL_DIAMETERS), [label for label in TOOL_DIAMETERS if label != "Dish"])
 

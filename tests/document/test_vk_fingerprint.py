@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Fingerprints: equal if an analysis would give equal results, different otherwise."""
+"""Fingerprints of operations are equal if the analysis would return equal results, and different otherwise."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ def placed(x=0.0, angle=0.0):
 @pytest.mark.parametrize(
     "text", [TEXT.replace("X0.0", "X-0.0"), "(a title)\n" + TEXT, TEXT.replace("\nG1", "\n(a title)\nG1")]
 )
-def test_comments_and_the_sign_of_nothing_do_not_count(text):
+def test_comments_and_minus_zero_keep_the_fingerprint(text):
     assert text != TEXT and text_fingerprint(text, NOWHERE) == text_fingerprint(TEXT, NOWHERE)
 
 
@@ -48,11 +48,11 @@ def test_comments_and_the_sign_of_nothing_do_not_count(text):
         "",
     ],
 )
-def test_every_other_letter_counts(text):
+def test_any_other_letter_changes_the_fingerprint(text):
     assert text_fingerprint(text, NOWHERE) != text_fingerprint(TEXT, NOWHERE)
 
 
-def test_the_place_counts_to_a_millionth():
+def test_placement_changes_the_fingerprint_from_a_millionth():
     here = text_fingerprint(TEXT, placed())
     assert here != text_fingerprint(TEXT, NOWHERE)
     assert here == text_fingerprint(TEXT, placed(1e-7)) and here != text_fingerprint(TEXT, placed(1e-5))
@@ -80,7 +80,7 @@ def of(form=(), lower=BOX[0], upper=BOX[1], **changed):
      {"upper": (50.0, 40.0, 20.01)}, {"form": ("cylinder",)}],
     ids=str,
 )  # fmt: skip
-def test_another_tool_or_stock_is_another_setting(changed):
+def test_another_tool_or_stock_changes_the_fingerprint(changed):
     assert of(**changed) != of()
 
 
@@ -90,18 +90,18 @@ def test_another_tool_or_stock_is_another_setting(changed):
      {"upper": (50.002, 40.0, 20.0)}, {"lower": (0.0, -0.001, 0.0)}],
     ids=str,
 )  # fmt: skip
-def test_rounding_in_files_keeps_the_setting(changed):
+def test_rounding_in_files_keeps_the_fingerprint(changed):
     assert of(**changed) == of()
 
 
-def test_corner_between_two_hundredths_ignores_the_last_digit():
-    """Multiples of 0.005 mm, which halves of sizes are, are not on the border."""
+def test_corner_at_half_a_hundredth_is_rounded_the_same_way():
+    """A corner is often a multiple of 0.005 mm (half of a size); such a corner is not on a limit of the rounding."""
     for corner in (0.005, 0.125, 12.345, 3.175):
         assert of(upper=(60.0 + corner - 1e-9, 40.0, 20.0)) == of(upper=(60.0 + corner + 1e-9, 40.0, 20.0))
 
 
 def test_fingerprint_is_the_same_in_every_version():
-    """The first 16 digits of a SHA-1 of the rounded values; -0 counts as 0."""
+    """A fingerprint is the first 16 digits of the SHA-1 of the rounded values, with -0 written as 0."""
 
     def digits(text):
         return hashlib.sha1(text.encode()).hexdigest()[:16]
@@ -119,7 +119,7 @@ def test_unreadable_setting_has_its_own_fingerprint():
     assert setting_fingerprint(tool, None, ("a form",)) == setting_fingerprint(tool, None)
 
 
-def test_rapid_speeds_count_where_they_are_set():
+def test_rapid_speeds_change_the_fingerprint_if_set():
     tool, stock = Tool(**TOOL), Stock(*BOX)
     assert setting_fingerprint(tool, stock, (), (0.0, 0.0)) == setting_fingerprint(tool, stock)
     speeds = [(0.0, 0.0), (50.0, 0.0), (0.0, 50.0), (50.0, 50.01)]
@@ -127,7 +127,7 @@ def test_rapid_speeds_count_where_they_are_set():
     assert setting_fingerprint(tool, stock, (), (100 / 3, 9.0)) == setting_fingerprint(tool, stock, (), (33.33334, 9.0))
 
 
-def test_the_point_of_a_tool_counts():
+def test_tip_of_a_tool_changes_the_fingerprint():
     pointed = Tool("vbit", 6.0, tip_angle=1.0)
     settings = [pointed, Tool("vbit", 6.0, tip_angle=1.0002), Tool("vbit", 6.0, tip_angle=1.0, tip_diameter=1.0),
                 Tool("vbit", 6.0, tip_angle=1.0, tip_diameter=1.001), Tool("drill", 6.0, tip_angle=1.0)]  # fmt: skip
@@ -138,7 +138,7 @@ def test_the_point_of_a_tool_counts():
 
 
 @pytest.mark.parametrize("at_once", [50_000, 10])
-def test_fingerprint_of_a_path_is_the_one_of_its_text(small, zigzag_commands, monkeypatch, at_once):
+def test_fingerprint_of_a_path_equals_fingerprint_of_its_text(small, zigzag_commands, monkeypatch, at_once):
     monkeypatch.setattr(fingerprint, "AT_ONCE", at_once)
     op = small.add("One", zigzag_commands)
     text = op.Path.toGCode()
@@ -146,15 +146,15 @@ def test_fingerprint_of_a_path_is_the_one_of_its_text(small, zigzag_commands, mo
     assert path_fingerprint(op) == text_fingerprint(text, op.Placement)
 
 
-def test_fingerprints_that_match_a_setting(small, zigzag_commands):
-    """In a reopened document, marks made without a stock fit, too, because FreeCAD adds a stock."""
+def test_reopened_document_accepts_a_mark_without_stock(small, zigzag_commands):
+    """In a reopened document, marks made without a stock also match, because FreeCAD adds a stock when it opens a file."""
     op = small.add("One", zigzag_commands)
     whole, of_tool = read_setting_fingerprints(op, small.job)
     assert whole != of_tool
     assert Settings().of(op) == (whole,) and Settings(opened=True).of(op) == (whole, of_tool)
 
 
-def test_finding_stops_when_an_analysis_has_the_fingerprint(small, zigzag_commands):
+def test_search_stops_if_an_analysis_found_the_fingerprint(small, zigzag_commands):
     op = small.add("One", zigzag_commands)
     steps = finding_path_fingerprint(op)
     next(steps)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""FreeCAD's names and versions are in one file, and the watcher watches all properties that marks need."""
+"""Only `freecad.py` names FreeCAD's properties and versions; the watcher watches all properties that marks need."""
 
 import ast
 from pathlib import Path
@@ -27,12 +27,12 @@ PROPERTIES = {name: entry for name, entry in vars(freecad).items() if isinstance
         (["1", "2", "dev"], (1, 2, 0)),
     ],
 )
-def test_versions_are_numbers(words, numbers, monkeypatch):
+def test_version_of_freecad_is_read_as_numbers(words, numbers, monkeypatch):
     monkeypatch.setattr(FreeCAD, "Version", lambda: words)
     assert freecad.version() == numbers
 
 
-def test_the_newest_name_that_an_object_has_is_read():
+def test_newest_property_name_of_an_object_is_read():
     shape = freecad.TOOL_SHAPE
     assert shape.of(SimpleNamespace(ShapeName="endmill")) == "endmill"
     assert shape.of(SimpleNamespace(ShapeName="endmill", ShapeType="Drill")) == "Drill"
@@ -41,14 +41,14 @@ def test_the_newest_name_that_an_object_has_is_read():
     assert shape.is_in(SimpleNamespace(ShapeType=None)) and not shape.is_in(SimpleNamespace(Shape=1))
 
 
-def test_a_value_with_a_unit_is_a_number():
+def test_quantity_with_a_unit_is_read_in_millimetres():
     quantity = FreeCAD.Units.Quantity("1 in")
     assert freecad.DIAMETER.number(SimpleNamespace(Diameter=quantity)) == pytest.approx(25.4)
     assert freecad.DIAMETER.number(SimpleNamespace(Diameter=5)) == 5.0
     assert freecad.DIAMETER.number(SimpleNamespace()) is None
 
 
-def test_freecad_calls_a_pocket_pattern_so(example):
+def test_pocket_pattern_property_exists_in_freecad(example):
     pocket = example.getObjectsByLabel("Pocket zigzag")[0]
     assert freecad.POCKET_PATTERN.name in pocket.PropertiesList
     assert freecad.POCKET_PATTERN.of(pocket) == "ZigZag"
@@ -56,7 +56,7 @@ def test_freecad_calls_a_pocket_pattern_so(example):
 
 
 class Spy:
-    """An object that notes which of its properties are read."""
+    """A wrapper around an object that records which properties are read."""
 
     def __init__(self, obj, read):
         self._obj, self._read = obj, read
@@ -89,7 +89,7 @@ def names_in(code):
             yield node.attr
 
 
-def test_no_other_file_names_a_property_of_the_workbench():
+def test_only_freecad_py_names_cam_properties():
     core = {"Path", "Placement", "Shape", "Group", "Base", "Length"}  # properties of FreeCAD itself keep their names
     names = {name for entry in PROPERTIES.values() for name in entry.names} - core
     for folder in ("document", "gui"):
@@ -98,13 +98,13 @@ def test_no_other_file_names_a_property_of_the_workbench():
     assert names & set(names_in("obj.ToolController = bit\ngetattr(bit, 'Diameter')")) == {"ToolController", "Diameter"}
 
 
-def test_no_other_file_asks_for_the_version():
+def test_only_freecad_py_reads_the_version():
     for path in PACKAGE.rglob("*.py"):
         if path.name != "freecad.py":
             assert "FreeCAD.Version" not in path.read_text(encoding="utf-8"), path
 
 
-def test_tools_of_any_version_are_read():
+def test_tools_of_all_freecad_versions_are_read():
     bullnose = {"Diameter": 10.0, "Label": "T1"}
     for bit in (
         SimpleNamespace(ShapeType="Bullnose", CornerRadius=2.0, **bullnose),

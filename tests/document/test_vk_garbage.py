@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Python's garbage while other threads work: only `collect` collects it."""
+"""Garbage collection while other threads work: only `garbage.collect` collects Python's garbage."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from vkworkbench.document.computer import garbage
 
 
 class Ring:
-    """An object that only the collector of cycles removes."""
+    """An object that refers to itself, so that only Python's cyclic garbage collector removes it."""
 
     def __init__(self):
         self.itself = self
@@ -24,7 +24,7 @@ class Ring:
 
 @pytest.fixture
 def collector():
-    """Restore the collector after the test: switched on, without garbage."""
+    """Switch the garbage collector on and remove old garbage; restore its settings after the test."""
     threshold = gc.get_threshold()
     gc.enable()
     gc.collect()
@@ -38,7 +38,7 @@ def gone():
     return weakref.ref(Ring())
 
 
-def test_garbage_waits_until_the_last_holder_releases_it(collector):
+def test_collector_is_on_after_the_last_release(collector):
     garbage.hold()
     assert not gc.isenabled()
     garbage.hold()
@@ -48,14 +48,14 @@ def test_garbage_waits_until_the_last_holder_releases_it(collector):
     assert gc.isenabled()
 
 
-def test_garbage_collection_stays_off(collector):
+def test_collector_that_was_off_stays_off_after_release(collector):
     gc.disable()
     garbage.hold()
     garbage.release()
     assert not gc.isenabled()
 
 
-def test_young_objects_are_collected(collector):
+def test_young_garbage_is_collected_above_the_threshold(collector):
     garbage.hold()
     ring = gone()
     gc.set_threshold(1_000_000)
@@ -69,7 +69,7 @@ def test_young_objects_are_collected(collector):
 
 
 @pytest.mark.skipif(sys.version_info >= (3, 14), reason="Python collects a part of what is old each time")
-def test_old_objects_are_collected_at_the_end(collector):
+def test_old_garbage_is_not_collected_while_held(collector):
     ring = Ring()
     gc.collect()
     garbage.hold()
@@ -81,7 +81,7 @@ def test_old_objects_are_collected_at_the_end(collector):
     garbage.release()
 
 
-def test_nothing_is_collected_where_the_user_has_turned_it_off(collector):
+def test_collector_that_the_user_switched_off_stays_off(collector):
     gc.disable()
     garbage.hold()
     ring = gone()

@@ -1,5 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Hostile documents: a broken object is reported in its row, stops no other row, and is changed only by marks."""
+"""
+Hostile documents: a broken object has an error in its own row of the report, and affects no other row.
+
+Only the mark changes the object.
+"""
 
 import csv
 import json
@@ -31,7 +35,7 @@ def outdated(document):
 
 
 def analyze_mark_clear(what):
-    """Analyse, mark and clear; return the report. Assert that the document is unchanged afterwards."""
+    """Analyse, mark and clear a document; return the report. Assert that the document is unchanged afterwards."""
     document = what.Document if hasattr(what, "Document") else what
     before = {obj.Name: (obj.Label, obj.Label2, obj.PropertiesList) for obj in document.Objects}
     report = vkworkbench.analyze(what)
@@ -43,7 +47,7 @@ def analyze_mark_clear(what):
     return report
 
 
-def test_base_object_deleted(small, zigzag_commands):
+def test_operation_is_analyzed_after_its_model_is_deleted(small, zigzag_commands):
     op = small.add("Zigzag", zigzag_commands)
     op.addProperty("App::PropertyLinkSubList", "Base", "Path")
     op.Base = [(small.document.getObject("Block"), ("Face6",))]
@@ -53,7 +57,7 @@ def test_base_object_deleted(small, zigzag_commands):
     assert (after.strategy, after.trajectories, after.error) == (before.strategy, before.trajectories, None)
 
 
-def test_dressed_up_operation_deleted(small, zigzag_commands):
+def test_dress_up_without_base_is_analyzed(small, zigzag_commands):
     base, dressup = small.add("Base", zigzag_commands), small.add("Dress-up", zigzag_commands)
     dressup.addProperty("App::PropertyLink", "Base", "Path").Base = base
     small.document.removeObject(base.Name)
@@ -61,10 +65,12 @@ def test_dressed_up_operation_deleted(small, zigzag_commands):
     assert row.strategy == "zigzag" and row.counted and row.error is None
 
 
-def test_operations_that_dress_up_each_other(small, zigzag_commands):
+def test_operations_that_dress_up_each_other_have_rows(small, zigzag_commands):
     first, second = small.add("First", zigzag_commands), small.add("Second", zigzag_commands)
     for op, other in ((first, second), (second, first)):
-        op.addProperty("App::PropertyLink", "Base", "Path").Base = other  # possible in a file
+        op.addProperty(
+            "App::PropertyLink", "Base", "Path"
+        ).Base = other  # FreeCAD's window forbids this loop, but a file can contain it
     rows = analyze_mark_clear(small.document).operations
     assert sorted(o.label for o in rows) == ["First", "Second"]
     assert [row.called for row in rows] == [None, None]
@@ -73,7 +79,7 @@ def test_operations_that_dress_up_each_other(small, zigzag_commands):
 @pytest.mark.parametrize("lost, words", [
     ("controller", "no tool"), ("bit", "no tool"), ("stock", "no stock"), ("group", "no stock"), ("job", "no stock"),
 ])  # fmt: skip
-def test_links_to_deleted_objects(small, zigzag_commands, lost, words):
+def test_link_to_a_deleted_object_is_an_error(small, zigzag_commands, lost, words):
     op = small.add("Zigzag", zigzag_commands)
     vkworkbench.mark(vkworkbench.analyze(small.document))
     vkworkbench.clear(small.document)
@@ -108,7 +114,7 @@ def test_an_operation_in_two_groups_is_analyzed_once(small, zigzag_commands):
     assert not any(marks.is_marked(obj) for obj in small.document.Objects)
 
 
-def test_job_without_stock_costs_as_a_box_around_its_cuts(small, zigzag_commands):
+def test_missing_stock_is_replaced_by_a_box_around_the_cuts(small, zigzag_commands):
     op = small.add("Zigzag", zigzag_commands)
     small.job.Stock = None
     vkworkbench.mark(vkworkbench.analyze(small.document))
@@ -116,7 +122,7 @@ def test_job_without_stock_costs_as_a_box_around_its_cuts(small, zigzag_commands
     assert "a box around the cuts" in op.Remarks
 
 
-def test_operations_beside_the_stock(small, zigzag_commands):
+def test_operation_outside_the_stock_has_a_warning(small, zigzag_commands):
     small.job.Stock.Placement.Base.x += 5000
     small.document.recompute()
     op = small.add("Zigzag", zigzag_commands)
@@ -124,7 +130,7 @@ def test_operations_beside_the_stock(small, zigzag_commands):
     assert "does not touch the stock" in op.Label2 and op.Strategy == "zigzag"
 
 
-def test_job_with_an_operation_of_unknown_cost(small, zigzag_commands):
+def test_job_with_an_unknown_cost_shows_a_lower_bound(small, zigzag_commands):
     op = small.add("Zigzag", zigzag_commands, controller=None)
     small.add("Fine", zigzag_commands)
     vkworkbench.mark(vkworkbench.analyze(small.document))
@@ -134,7 +140,7 @@ def test_job_with_an_operation_of_unknown_cost(small, zigzag_commands):
     assert outdated(small.document) == []
 
 
-def test_stock_larger_than_ten_metres(small, zigzag_commands):
+def test_stock_larger_than_ten_metres_is_analyzed(small, zigzag_commands):
     op = small.add("Zigzag", zigzag_commands)
     stock = small.document.addObject("Part::Box", "Hall")
     stock.Length, stock.Width, stock.Height = 12_000, 11_000, 10_500
@@ -146,7 +152,7 @@ def test_stock_larger_than_ten_metres(small, zigzag_commands):
 
 
 @pytest.mark.parametrize("diameter", [0, 1e-7, 1e6])
-def test_impossible_tools(small, zigzag_commands, diameter):
+def test_invalid_tool_diameter_has_an_error(small, zigzag_commands, diameter):
     op = small.add("Zigzag", zigzag_commands)
     small.controller.Tool.Diameter = diameter
     (row,) = analyze_mark_clear(small.document).operations
@@ -160,7 +166,7 @@ def test_impossible_tools(small, zigzag_commands, diameter):
 
 
 @pytest.mark.parametrize("label", LABELS, ids=range(len(LABELS)))
-def test_labels_are_text(small, zigzag_commands, label, tmp_path):
+def test_odd_labels_are_shown_as_plain_text(small, zigzag_commands, label, tmp_path):
     op = small.add(label, zigzag_commands)
     own = label
     op.Label2 = own
@@ -188,7 +194,7 @@ def test_labels_are_text(small, zigzag_commands, label, tmp_path):
     document = FreeCAD.openDocument(path)
     try:
         again = document.getObject("Op")
-        # XML may change line ends and tabs, but not the words.
+        # Saving as XML can change line ends and tabs, but not the words.
         assert again.Label2.split() == f"{own} ⟦{marks.read(again).text}⟧".split()
         watcher.check(document)
         assert outdated(document) == []
@@ -198,7 +204,7 @@ def test_labels_are_text(small, zigzag_commands, label, tmp_path):
         FreeCAD.closeDocument(document.Name)
 
 
-def test_another_tool_takes_the_description(small, zigzag_commands):
+def test_description_that_another_add_on_wrote_is_kept(small, zigzag_commands):
     op = small.add("Zigzag", zigzag_commands)
     small.document.UndoMode = 1
     vkworkbench.mark(vkworkbench.analyze(small.document))
@@ -212,7 +218,7 @@ def test_another_tool_takes_the_description(small, zigzag_commands):
     assert op.Label2 == "⟦feeds: 1200 mm/min⟧ another tool's"
 
 
-def test_read_only_file(small, zigzag_commands, tmp_path):
+def test_read_only_file_is_analyzed_and_not_changed(small, zigzag_commands, tmp_path):
     small.add("Zigzag", zigzag_commands)
     path = tmp_path / "read-only.FCStd"
     small.document.saveAs(str(path))
@@ -230,7 +236,7 @@ def test_read_only_file(small, zigzag_commands, tmp_path):
         tmp_path.chmod(stat.S_IRWXU)
 
 
-def test_a_report_that_cannot_be_written_says_where(small, zigzag_commands, tmp_path):
+def test_error_of_an_unwritable_report_names_the_folder(small, zigzag_commands, tmp_path):
     small.add("Zigzag", zigzag_commands)
     report = vkworkbench.analyze(small.document)
     for write in (report.to_csv, report.to_json):
@@ -238,7 +244,7 @@ def test_a_report_that_cannot_be_written_says_where(small, zigzag_commands, tmp_
             write(tmp_path / "missing" / "report")
 
 
-def test_document_closed_during_the_analysis(small, zigzag_commands):
+def test_closing_the_document_ends_the_analysis(small, zigzag_commands):
     for label in ("One", "Two", "Three"):
         small.add(label, zigzag_commands)
     name = small.document.Name
@@ -253,8 +259,8 @@ def test_document_closed_during_the_analysis(small, zigzag_commands):
 
 
 @pytest.mark.parametrize("kept", [True, False])
-def test_operation_deleted_during_the_analysis(small, zigzag_commands, kept):
-    small.document.UndoMode = int(kept)  # the deleted object then still exists without a name
+def test_operation_deleted_during_the_analysis_has_no_row(small, zigzag_commands, kept):
+    small.document.UndoMode = int(kept)  # with undo, the deleted object still exists, without a name
     small.document.openTransaction("Delete")
     names = [small.add(label, zigzag_commands).Name for label in ("One", "Two", "Three")]
     report = vkworkbench.analyze(small.job, progress=lambda done, *_: done or small.document.removeObject(names[1]))
@@ -263,7 +269,7 @@ def test_operation_deleted_during_the_analysis(small, zigzag_commands, kept):
     small.document.commitTransaction()
 
 
-def test_two_documents_keep_apart(small, zigzag_commands):
+def test_marks_of_two_documents_are_separate(small, zigzag_commands):
     op = small.add("Zigzag", zigzag_commands)
     other = FreeCAD.newDocument("Other")
     try:
@@ -305,7 +311,7 @@ def add_many(small, count, commands):
     return made
 
 
-def test_a_thousand_operations_take_linear_work(small, zigzag_commands):
+def test_work_for_a_thousand_operations_is_linear(small, zigzag_commands):
     document = small.document
     operations = add_many(small, 100, zigzag_commands)
     few = [steps(lambda what=what: find(what)) for what in (operations, document, small.job)]
@@ -325,7 +331,7 @@ def test_a_thousand_operations_take_linear_work(small, zigzag_commands):
     assert not any(marks.is_marked(obj) for obj in document.Objects)
 
 
-def test_open_transaction(small, zigzag_commands):
+def test_marks_are_part_of_an_open_transaction(small, zigzag_commands):
     op = small.add("Zigzag", zigzag_commands)
     document = small.document
     report = vkworkbench.analyze(document)
@@ -348,7 +354,7 @@ def test_open_transaction(small, zigzag_commands):
 
 
 @pytest.mark.parametrize("undo_mode", [0, 1])
-def test_no_transaction_stays_open(small, zigzag_commands, undo_mode):
+def test_marking_and_clearing_leave_no_open_transaction(small, zigzag_commands, undo_mode):
     op = small.add("Zigzag", zigzag_commands)
     small.document.UndoMode = undo_mode
     report = vkworkbench.analyze(small.document)
@@ -363,7 +369,7 @@ def test_no_transaction_stays_open(small, zigzag_commands, undo_mode):
 
 
 @pytest.mark.parametrize("undo_mode", [0, 1])
-def test_marking_that_fails_leaves_no_trace(small, zigzag_commands, undo_mode, monkeypatch):
+def test_failed_marking_is_rolled_back(small, zigzag_commands, undo_mode, monkeypatch):
     first, second = small.add("First", zigzag_commands), small.add("Second", zigzag_commands)
     small.document.UndoMode = undo_mode
     report = vkworkbench.analyze(small.document)
@@ -387,10 +393,10 @@ ASCII = f"<code_set_name> ASCII\n<comment_char> %\n<escape_char> /\nCHARMAP\n{CH
 
 @pytest.fixture
 def decimal_comma(tmp_path, monkeypatch):
-    """Make a locale with a decimal comma, which test machines lack, and switch to it."""
+    """Build a locale with a decimal comma, because test machines have none; return a function that switches to it."""
     (tmp_path / "comma.src").write_text(COMMA)
     (tmp_path / "ascii").write_text(ASCII)
-    # The locale tool warns of undefined categories.
+    # localedef warns of undefined categories and returns an error code.
     subprocess.run(["localedef", "-c", "-i", "comma.src", "-f", "./ascii", "./comma"], cwd=tmp_path, check=False,
                    stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)  # fmt: skip
     monkeypatch.setenv("LOCPATH", str(tmp_path))
@@ -403,7 +409,7 @@ def findings(report):
     return [{key: value for key, value in o.as_dict().items() if key != "document"} for o in report.operations]
 
 
-def test_decimal_comma(example, decimal_comma, tmp_path):
+def test_decimal_comma_in_the_locale_changes_no_result(example, decimal_comma, tmp_path):
     report = vkworkbench.analyze(example)
     before = findings(report), [o.fingerprint for o in report.operations]
     vkworkbench.mark(report)
@@ -418,7 +424,7 @@ def test_decimal_comma(example, decimal_comma, tmp_path):
         assert [float(row["length"]) for row in csv.DictReader(file)] == [o.length for o in report.operations]
 
 
-def test_unit_system_of_the_user_changes_no_number(example):
+def test_unit_system_of_the_user_changes_no_result(example):
     before = findings(vkworkbench.analyze(example))
     try:
         FreeCAD.Units.setSchema(2)  # inches
@@ -428,7 +434,7 @@ def test_unit_system_of_the_user_changes_no_number(example):
 
 
 class Audit:
-    """While switched on, record started programs, connections, and files that are opened for writing or deleted."""
+    """While `on`, record started programs, network connections, and files opened for writing or deleted."""
 
     def __init__(self):
         self.on, self.seen = False, []
@@ -447,7 +453,7 @@ class Audit:
             self.seen.append((event, *map(str, args)))
 
 
-def test_nothing_is_written_but_the_files_the_user_names(example, tmp_path):
+def test_only_files_that_the_user_names_are_written(example, tmp_path):
     audit = Audit()
     monitored = sys.dont_write_bytecode
     sys.dont_write_bytecode = True

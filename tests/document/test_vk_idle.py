@@ -1,5 +1,10 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Work that may wait: at once without a window, in a window a moment of it and the rest when FreeCAD is idle."""
+"""
+Work in the background, done in steps.
+
+Without a window, `idle.work` does all steps at once. In a window it works for a short time, and continues when FreeCAD
+is idle.
+"""
 
 from __future__ import annotations
 
@@ -18,12 +23,12 @@ class Window:
         self.waiting, self.now, self.done = [], 0.0, []
 
     def idle(self):
-        """Call the waiting functions; functions added meanwhile wait for the next call."""
+        """Call the waiting functions; functions that they add wait for the next call of `idle`."""
         for _ in range(len(self.waiting)):
             self.waiting.pop(0)()
 
     def steps(self, name, count, *, seconds=0.02, error=None):
-        """Return work in `count` steps, which may end in an error."""
+        """Yield `count` times, `seconds` apart, and raise `error` at the end if one is given."""
         for step in range(count):
             self.done.append(f"{name}{step}")
             self.now += seconds
@@ -44,7 +49,7 @@ def window(monkeypatch):
 
 def test_long_work_continues_when_idle(window):
     idle.work(window.steps("a", 5))
-    assert window.done == ["a0", "a1"] and len(window.waiting) == 1  # 20 ms each
+    assert window.done == ["a0", "a1"] and len(window.waiting) == 1  # each step takes 20 ms
     window.idle()
     assert window.done == ["a0", "a1", "a2", "a3"]
     window.idle()
@@ -53,7 +58,7 @@ def test_long_work_continues_when_idle(window):
     assert window.waiting == []
 
 
-def test_one_work_comes_after_the_other(window):
+def test_second_work_starts_after_the_first_ends(window):
     idle.work(window.steps("a", 3))
     idle.work(window.steps("b", 2))
     assert window.done == ["a0", "a1"]
@@ -64,16 +69,16 @@ def test_one_work_comes_after_the_other(window):
 
 
 @pytest.mark.parametrize("error", [ReferenceError("gone"), ValueError("a bug")])
-def test_a_work_that_fails_ends_no_other(window, error):
+def test_failed_work_does_not_stop_other_work(window, error):
     idle.work(window.steps("a", 3, error=error))
     idle.work(window.steps("b", 3))
     while window.waiting:
-        with suppress(ValueError):  # a closed document is not an error
+        with suppress(ValueError):  # a ReferenceError of a closed document is ignored, so only the ValueError arrives
             window.idle()
     assert window.done == ["a0", "a1", "a2", "b0", "b1", "b2"]
 
 
-def test_calls_of_one_name_are_one_call_of_the_last(window):
+def test_only_the_last_call_with_the_same_name_is_made(window):
     for name, value in (("one", 1), ("other", 2), ("one", 3)):
         idle.later(name, lambda value=value: window.done.append(value))
     assert window.done == []
@@ -84,7 +89,7 @@ def test_calls_of_one_name_are_one_call_of_the_last(window):
     assert window.done == [3, 2, 4]
 
 
-def test_without_a_window_all_is_done_at_once_and_nothing_later():
+def test_work_without_a_window_is_done_at_once():
     window = Window()
     idle.later("one", lambda: window.done.append("later"))
     idle.work(window.steps("a", 3, seconds=60.0))
@@ -92,7 +97,7 @@ def test_without_a_window_all_is_done_at_once_and_nothing_later():
 
 
 @pytest.mark.parametrize("error", [None, ValueError("a bug")])
-def test_nested_work_runs_afterwards_without_a_window(error):
+def test_nested_work_runs_after_outer_work_without_a_window(error):
     window = Window()
 
     def asking():

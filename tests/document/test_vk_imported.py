@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Programs imported by FreeCAD: the importer loses units and feeds, and the analysis finds them again."""
+"""Programs imported by FreeCAD: the importer loses the units of lengths and feeds, and the analysis detects them."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ TOO_SMALL = "The toolpath looks 25.4 times too small. Inches are probably read a
 
 
 def importer():
-    """FreeCAD's importer of G-code, 1.x and 0.20."""
+    """Return FreeCAD's G-code importer, whose module has another name in FreeCAD 0.20 and 1.x."""
     for name in ("Path.Post.scripts.gcode_pre", "gcode_pre", "PathScripts.post.gcode_pre"):
         try:
             return importlib.import_module(name)
@@ -37,7 +37,7 @@ def imported(small, text, folder):
     return operation
 
 
-def test_imported_inches_are_noticed_and_recognised(small, tmp_path):
+def test_program_imported_in_inches_is_reported_and_recognised(small, tmp_path):
     FreeCAD.setActiveDocument(small.name)
     operation = imported(small, PROGRAM, tmp_path)
     (row,) = vkworkbench.analyze(operation).operations
@@ -46,7 +46,7 @@ def test_imported_inches_are_noticed_and_recognised(small, tmp_path):
     assert file.strategy is row.strategy and file.length == pytest.approx(25.4 * row.length)
 
 
-def test_imported_inches_are_recognized_per_operation(small, tmp_path):
+def test_operations_imported_in_inches_are_separate_spans(small, tmp_path):
     FreeCAD.setActiveDocument(small.name)
     turn = "".join(f"G1 X{x} Y{y}\n" for x, y in ((8, 4), (8, 8), (4, 8), (4, 4)))
     contours = f"G0 X4 Y4\nG1 Z0.7 F20\n{turn}G1 Z0.6\n{turn}G0 Z1.5\n"
@@ -57,7 +57,7 @@ def test_imported_inches_are_recognized_per_operation(small, tmp_path):
 
 
 def test_imported_inches_split_profile_and_helix_at_a_retract(small, tmp_path):
-    """As in a program in millimetres: the two operations are separate spans."""
+    """The two operations are separate spans, as in a program in millimetres."""
     FreeCAD.setActiveDocument(small.name)
     commands = [*programs.profile(24, 40.0, [-1.0, -2.0, -3.0]), *programs.helix(8, 15.0, 1.0)]
     lines = [
@@ -73,7 +73,11 @@ def test_imported_inches_split_profile_and_helix_at_a_retract(small, tmp_path):
 
 @pytest.mark.parametrize("name", ["ClearanceHeight", "Base"])
 def test_operation_without_proxy_is_not_an_import(small, name):
-    """Without a proxy, but with heights or a base as only operations have. Its feeds are in mm/s."""
+    """
+    The object has no proxy, but heights or a base, which an imported program does not have.
+
+    So the object is an operation, and its feeds are in mm/s.
+    """
     operation = small.add(
         "Fast", [("G0", {"X": 5.0, "Y": 5.0, "Z": 30.0}), ("G1", {"Z": 15.0, "F": 300.0}), ("G1", {"X": 55.0})]
     )
@@ -82,7 +86,7 @@ def test_operation_without_proxy_is_not_an_import(small, name):
     assert vkworkbench.analyze(operation).operations[0].machining_seconds == pytest.approx(65 / 300)
 
 
-def test_imported_millimetres_are_not_doubted(small, tmp_path):
+def test_program_imported_in_millimetres_has_no_remark(small, tmp_path):
     FreeCAD.setActiveDocument(small.name)
     lines = ROWS.replace("G1 X2.1000", "G1 X50.1000").replace("Y0.", "Y").replace("Y1.", "Y1")
     operation = imported(small, f"G21\nM6 T1\nG0 X0.1 Y0.1 Z30\nG1 Z15 F600\n{lines}G0 Z30\n", tmp_path)
@@ -90,7 +94,7 @@ def test_imported_millimetres_are_not_doubted(small, tmp_path):
     assert TOO_SMALL not in (row.error or "")
 
 
-def test_small_work_of_freecads_own_is_not_doubted(small, zigzag_commands):
+def test_very_small_freecad_operation_has_no_remark(small, zigzag_commands):
     """An operation with a proxy was not imported, even if it is very small."""
     shrunk = [(name, {axis: v / 25.4 for axis, v in words.items()}) for name, words in zigzag_commands]
     operation = small.add("Tiny", shrunk)
@@ -102,7 +106,7 @@ def test_small_work_of_freecads_own_is_not_doubted(small, zigzag_commands):
 MINUTES = "are read as mm/min"
 
 
-def test_import_time_uses_feeds_per_minute(small, tmp_path):
+def test_feeds_of_an_imported_program_are_read_as_mm_per_min(small, tmp_path):
     FreeCAD.setActiveDocument(small.name)
     lines = "".join(f"G1 X{55 if k % 2 == 0 else 5} F1200\nG1 Y{5 + 3 * k}\n" for k in range(10))
     operation = imported(small, f"G21\nM6 T1\nG0 X5 Y5 Z30\nG1 Z15 F300\n{lines}G0 Z30\n", tmp_path)
@@ -114,8 +118,8 @@ def test_import_time_uses_feeds_per_minute(small, tmp_path):
     assert MINUTES in vkworkbench.analyze(operation).operations[0].error
 
 
-def test_feeds_of_a_machine_are_not_doubted(small, zigzag_commands):
-    """FreeCAD's feeds are in mm/s, also for an operation that lost its proxy in another version."""
+def test_feeds_of_a_freecad_operation_are_read_as_mm_per_second(small, zigzag_commands):
+    """FreeCAD's feeds are in mm/s, even if the operation lost its proxy in another version of FreeCAD."""
     (row,) = vkworkbench.analyze(small.add("Zigzag", zigzag_commands)).operations
     assert row.machining.cutting_seconds == pytest.approx(56) and MINUTES not in (row.error or "")
     fast = small.add("Fast", [(name, {**words, "F": 300.0}) for name, words in zigzag_commands])
@@ -123,14 +127,14 @@ def test_feeds_of_a_machine_are_not_doubted(small, zigzag_commands):
     assert MINUTES not in (vkworkbench.analyze(fast).operations[0].error or "")
 
 
-def test_no_inches_are_looked_for_where_a_rotary_axis_cuts(small):
-    """Degrees are not lengths: the toolpath is not recognised, and not called too small."""
+def test_toolpath_with_rotary_axis_is_not_called_too_small(small):
+    """The A word is an angle, so the toolpath is neither recognised nor reported as too small."""
     turning = [("G0", {"X": 0.1, "Y": 0.1, "Z": 1.0}), ("G1", {"X": 1.0, "F": 5.0}), ("G1", {"X": 0.2, "A": 90.0})]
     (row,) = vkworkbench.analyze(small.add("Turning", turning)).operations
     assert row.strategy == "unknown" and "rotary" in row.error and TOO_SMALL not in row.error
 
 
-def test_input_of_the_recognition_is_copied_for_a_thread(small, zigzag_commands):
+def test_recognition_gets_a_copy_of_the_path(small, zigzag_commands):
     op, without = small.add("Rows", zigzag_commands), small.add("No tool", zigzag_commands, controller=None)
     op.Placement.Base = FreeCAD.Vector(1, 2, 3)
     source = source_of(op)

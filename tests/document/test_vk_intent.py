@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The operation's type against the recognised strategy: only another family of strategies contradicts."""
+"""Compare an operation's type with its recognised strategy: only another family of strategies is a contradiction."""
 
 from __future__ import annotations
 
@@ -29,16 +29,16 @@ def done(strategy):
 
 
 @pytest.mark.parametrize("strategy, name", FITS)
-def test_names_of_one_family_fit(strategy, name):
+def test_type_of_the_same_family_does_not_contradict(strategy, name):
     assert not contradicts(name, done(strategy))
 
 
 @pytest.mark.parametrize("strategy, name", CONTRADICTS)
-def test_another_family_contradicts(strategy, name):
+def test_type_of_another_family_contradicts(strategy, name):
     assert contradicts(name, done(strategy))
 
 
-def test_one_line_or_one_loop_is_all_there_is_room_for():
+def test_single_loop_does_not_contradict_a_zigzag_operation():
     assert not contradicts("ZigZag", recognize(linearize(programs.profile(depths=(0.0,)))))
 
 
@@ -68,12 +68,12 @@ ROWS, ROWS_ONE_WAY, AROUND, MIXED = Strategy.ZIGZAG, Strategy.ONE_WAY, Strategy.
         ("Grid", told(MIXED, spans=[AROUND, Strategy.DRILLING]), True),
     ],
 )
-def test_contradiction_needs_a_confident_other_family(name, found, expected):
+def test_contradiction_needs_confidence_and_another_family(name, found, expected):
     assert contradicts(name, found) is expected
 
 
-def test_the_pattern_of_a_slot_is_how_its_one_line_is_cut(small):
-    """The CutPattern of FreeCAD's Slot is not the pattern of a surface."""
+def test_pattern_of_a_slot_does_not_contradict_a_profile(small):
+    """The CutPattern of FreeCAD's Slot only says how a single line is cut, so it contradicts no strategy."""
     slot = small.add("Slot", programs.profile())
     slot.addProperty("App::PropertyString", "CutPattern", "Path").CutPattern = "ZigZag"
     slot.Proxy = type("ObjectSlot", (), {"__module__": "Path.Op.Slot"})()
@@ -90,8 +90,12 @@ def test_the_pattern_of_a_slot_is_how_its_one_line_is_cut(small):
         ("OCL Dropcutter", "ZigZag", "Waterline"),
     ],
 )
-def test_waterline_clears_its_layers_with_a_pattern(small, zigzag_commands, algorithm, pattern, called):
-    """Only the experimental algorithm has a pattern. A waterline of rows then is as it is named."""
+def test_zigzag_fits_a_waterline_operation_with_a_pattern(small, zigzag_commands, algorithm, pattern, called):
+    """
+    Only the experimental algorithm clears its layers with a pattern.
+
+    So only there a zigzag in a Waterline operation is not a contradiction.
+    """
     waterline = small.add("Waterline", zigzag_commands)
     for name, value in (("Algorithm", algorithm), ("CutPattern", pattern)):
         waterline.addProperty("App::PropertyString", name, "Path")
@@ -102,14 +106,14 @@ def test_waterline_clears_its_layers_with_a_pattern(small, zigzag_commands, algo
 
 
 @pytest.mark.parametrize("count", [1, 2, 3])
-def test_contours_contradict_drilling_at_any_number(small, count):
+def test_contours_contradict_drilling_at_any_number_of_passes(small, count):
     drilling = small.add("Drilling", programs.profile(depths=tuple(-2.0 * k for k in range(count))))
     drilling.Proxy = type("ObjectDrilling", (), {"__module__": "Path.Op.Drilling"})()
     (row,) = vkworkbench.analyze(drilling).operations
     assert (row.strategy, row.called) == ("profile", "Drilling")
 
 
-def test_a_dress_up_is_judged_by_itself(small, zigzag_commands):
+def test_type_of_a_dress_up_is_not_taken_from_its_base(small, zigzag_commands):
     base, dressup = small.add("Base", programs.helix()), small.add("Dress-up", zigzag_commands)
     for op, pattern in ((base, "ZigZag"), (dressup, "Offset")):
         op.addProperty("App::PropertyString", "OffsetPattern", "Path").OffsetPattern = pattern
@@ -121,7 +125,7 @@ def test_a_dress_up_is_judged_by_itself(small, zigzag_commands):
 
 
 def test_results_file_contains_contradictions(small, zigzag_commands, tmp_path):
-    """The files have the same remark as mark and panel."""
+    """The CSV file names the contradicted type, as the mark and the panel do."""
     op = small.add("2D Pocket3", zigzag_commands)
     op.addProperty("App::PropertyString", "OffsetPattern", "Path").OffsetPattern = "Offset"
     report = vkworkbench.analyze(small.document)
@@ -129,6 +133,6 @@ def test_results_file_contains_contradictions(small, zigzag_commands, tmp_path):
     with open(tmp_path / "job.csv", newline="", encoding="utf-8") as file:
         (row,) = csv.DictReader(file)
     assert (row["label"], row["strategy"], row["called"]) == ("2D Pocket3", "zigzag", "Offset")
-    op.OffsetPattern = "ZigZag"  # effective without a recompute
+    op.OffsetPattern = "ZigZag"  # the new pattern is read without a recompute
     (again,) = vkworkbench.analyze(small.document).operations
     assert again.called is None

@@ -10,7 +10,7 @@ from vkworkbench.document.marks import marks, watcher
 
 
 def in_compound(small, *operations):
-    """Put operations into a compound, whose path joins their paths, as the job's group."""
+    """Make a compound of operations the job's group; the path of the compound joins the paths of the operations."""
     compound = small.document.addObject("Path::FeatureCompoundPython", "Compound")
     compound.Group = list(operations)
     group = small.job.Operations
@@ -39,7 +39,7 @@ def test_compound_of_a_job_is_not_an_operation(old):
         assert [row.label for row in vkworkbench.analyze(what).operations] == ["One", "Two"]
 
 
-def test_its_operations_know_their_job(old):
+def test_operation_in_a_compound_belongs_to_the_job(old):
     assert kind(old.compound) == "group"
     assert all(job_of(op) is old.job for op in old.operations)
     assert all(
@@ -47,7 +47,7 @@ def test_its_operations_know_their_job(old):
     )
 
 
-def test_its_marks_are_fresh_after_reopening(old, tmp_path):
+def test_marks_in_a_compound_are_current_after_reopening(old, tmp_path):
     vkworkbench.mark(vkworkbench.analyze(old.document))
     assert not marks.is_marked(old.compound) and old.job.Label2.startswith("⟦2 operations")
     path = str(tmp_path / "old.FCStd")
@@ -62,8 +62,8 @@ def test_its_marks_are_fresh_after_reopening(old, tmp_path):
         FreeCAD.closeDocument(document.Name)
 
 
-def test_a_job_that_no_later_freecad_has_touched(old):
-    """The tool controllers are a list property of the job; the group of tools came later."""
+def test_job_from_an_old_freecad_is_read(old):
+    """In an old job, the tool controllers are a list property, not a group of tools."""
     tools = old.job.Tools
     old.job.Proxy = None
     old.job.removeProperty("Tools")
@@ -72,7 +72,7 @@ def test_a_job_that_no_later_freecad_has_touched(old):
     assert [operation.object for operation in find(old.document)] == old.operations
 
 
-def test_compounds_in_compounds(old, zigzag_commands):
+def test_operations_in_nested_compounds_are_found_in_order(old, zigzag_commands):
     inner = old.document.addObject("Path::FeatureCompound", "Inner")
     third, outer = old.add("Three", zigzag_commands, job=False), old.add("Outside", zigzag_commands, job=False)
     inner.Group = [third]
@@ -87,7 +87,7 @@ def test_compounds_in_compounds(old, zigzag_commands):
     assert [row.label for row in vkworkbench.analyze(inner).operations] == ["Three"]
 
 
-def test_dress_ups_in_a_compound_stand_for_their_bases(old, zigzag_commands):
+def test_base_of_a_dress_up_in_a_compound_is_not_counted(old, zigzag_commands):
     dressup = old.add("Dress-up", zigzag_commands, job=False)
     dressup.addProperty("App::PropertyLink", "Base", "Path").Base = old.operations[0]
     old.compound.Group = [*old.operations, dressup]
@@ -95,7 +95,7 @@ def test_dress_ups_in_a_compound_stand_for_their_bases(old, zigzag_commands):
     assert {row.label: row.counted for row in report.operations} == {"One": False, "Two": True, "Dress-up": True}
 
 
-def test_operations_in_a_folder_of_the_job_belong_to_it(small, zigzag_commands):
+def test_operation_in_a_folder_of_the_job_belongs_to_the_job(small, zigzag_commands):
     op = small.add("Zigzag", zigzag_commands, job=False)
     folder = small.document.addObject("App::DocumentObjectGroup", "Folder")
     folder.Group = [op]

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The z-buffer cost of a job is the cost of one z-buffer, and equal everywhere."""
+"""The z-buffer cost of a job is the cost of simulating all its operations in one z-buffer, and is the same everywhere."""
 
 import json
 
@@ -28,7 +28,7 @@ def shown():
 
 @pytest.fixture
 def twice(small, zigzag_commands, shown):
-    """A job with two operations that make the same cut, and a third operation."""
+    """A job with two equal operations and a third operation that cuts deeper."""
     deeper = [
         (name, {**words, "Z": 12.0}) if words.get("Z") == 15.0 else (name, words) for name, words in zigzag_commands
     ]
@@ -52,7 +52,7 @@ def test_total_is_the_cost_of_simulating_the_job(example):
     assert total.memory_bytes == pytest.approx(true.peak.bytes(), rel=0.1)
 
 
-def test_material_of_two_operations_counts_once(twice):
+def test_equal_cuts_of_two_operations_are_counted_once(twice):
     report = vkworkbench.analyze(twice.document)
     (total,) = report.totals
     first, second, third = (o.estimate for o in report.operations)
@@ -61,7 +61,7 @@ def test_material_of_two_operations_counts_once(twice):
     assert total.memory_bytes < first.memory_bytes + third.memory_bytes - third.stock_bytes + 0.05 * first.memory_bytes
 
 
-def test_report_files_and_mark_say_the_same(twice, tmp_path):
+def test_report_and_mark_contain_the_same_total(twice, tmp_path):
     report = vkworkbench.analyze(twice.document)
     vkworkbench.mark(report)
     (total,) = report.totals
@@ -79,7 +79,7 @@ def test_operations_marked_one_by_one_have_the_same_total(twice):
     assert marks.read(twice.job).cost(ZBUFFER.name) == report.totals[0].cost(ZBUFFER.name)
 
 
-def test_nothing_is_estimated_while_marks_are_written(twice, monkeypatch):
+def test_marking_does_not_estimate_costs(twice, monkeypatch):
     asked = []
 
     def estimated(*what, **how):
@@ -97,7 +97,7 @@ def test_nothing_is_estimated_while_marks_are_written(twice, monkeypatch):
     assert len(asked) == 2 and marks.read(twice.job).cost(ZBUFFER.name)[0] < 3 * report.operations[0].estimate.seconds
 
 
-def test_total_survives_its_file_or_becomes_a_sum(twice, tmp_path):
+def test_total_is_kept_in_the_file_or_replaced_by_a_sum(twice, tmp_path):
     report = vkworkbench.analyze(twice.document)
     vkworkbench.mark(report)
     total = report.totals[0].cost(ZBUFFER.name)
@@ -117,7 +117,7 @@ def test_total_survives_its_file_or_becomes_a_sum(twice, tmp_path):
         FreeCAD.closeDocument(again.Name)
 
 
-def test_a_total_of_other_operations_is_not_read(twice):
+def test_total_is_not_read_after_an_operation_is_removed(twice):
     vkworkbench.mark(vkworkbench.analyze(twice.document))
     assert marks.read_total(twice.job) is not None
     twice.document.removeObject(twice.job.Operations.Group[0].Name)
@@ -125,7 +125,7 @@ def test_a_total_of_other_operations_is_not_read(twice):
 
 
 def test_operation_that_cuts_nothing_costs_nothing(twice):
-    """An operation that only drives the tool away has moves, but costs nothing in every simulator."""
+    """An operation of rapids above the stock costs nothing in any simulator, and its total is complete."""
     twice.add("Away", [("G0", {"Z": 50.0}), ("G0", {"X": 0.0, "Y": 0.0}), ("G0", {"Z": 80.0})])
     report = vkworkbench.analyze(twice.job)
     (total,) = report.totals
@@ -134,7 +134,7 @@ def test_operation_that_cuts_nothing_costs_nothing(twice):
     assert "sim ≥" not in twice.job.Label2 and "Away" not in twice.job.Label2
 
 
-def test_a_closed_document_is_forgotten(twice):
+def test_results_of_a_closed_document_are_dropped(twice):
     vkworkbench.mark(vkworkbench.analyze(twice.document))
     name = twice.document.Name
     assert any(document == name for document, _ in results.latest_rows(()))
@@ -153,8 +153,8 @@ def linked(small, zigzag_commands):
     return op, link
 
 
-def test_a_link_in_the_job_counts_as_it_is_posted(small, linked):
-    """FreeCAD posts the path of a link in the group of operations."""
+def test_link_in_a_job_is_counted_as_an_operation(small, linked):
+    """FreeCAD also posts the path of a link in the job's group of operations."""
     op, link = linked
     report = vkworkbench.analyze(small.document)
     one, other = report.operations
@@ -164,14 +164,14 @@ def test_a_link_in_the_job_counts_as_it_is_posted(small, linked):
     vkworkbench.mark(report)
     assert small.job.Label2.startswith("⟦2 operations · ")
     assert marks.read(small.job).length == pytest.approx(2 * one.length)
-    assert link.Label2 == "" and MARK not in link.PropertiesList  # the mark of the operation counts
+    assert link.Label2 == "" and MARK not in link.PropertiesList  # only the operation has a mark
     op.Active = False
     small.document.recompute()
     assert vkworkbench.analyze(small.document).totals[0].operations == 0
     assert vkworkbench.clear(small.document) == 2 and MARK not in op.PropertiesList
 
 
-def test_link_beside_the_job_is_not_posted_or_marked(small, linked):
+def test_link_outside_the_job_is_not_counted_or_marked(small, linked):
     op, link = linked
     small.job.Operations.Group = [op]
     vkworkbench.mark(vkworkbench.analyze(small.document))

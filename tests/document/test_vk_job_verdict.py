@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The verdict of a simulation in a job's mark, and what makes it outdated or unsure."""
+"""The verdict of a simulation in a job's mark, and the changes and remarks that make the verdict outdated or unsure."""
 
 import FreeCAD
 import Part
@@ -91,7 +91,7 @@ def test_verdict_is_outdated_after_a_change(small, slot, change):
     assert verdict(small).is_sound
 
 
-def test_undone_change_restores_the_verdict(small, slot):
+def test_undoing_a_change_restores_the_verdict(small, slot):
     simulated_and_marked(small)
     small.document.openTransaction("change")
     slot.Path = Path.Path(slot.Path.Commands[:-1])
@@ -101,7 +101,7 @@ def test_undone_change_restores_the_verdict(small, slot):
     assert verdict(small).is_sound
 
 
-def test_other_clamps_give_no_verdict_on_the_job(small, slot):
+def test_simulation_with_other_clamps_gives_the_job_no_verdict(small, slot):
     vice = small.document.addObject("Part::Feature", "Vice")
     vice.Shape = Part.makeBox(20, 20, 20, FreeCAD.Vector(0, -90, 0))
     facts = vkworkbench.simulate(small.job, clamps=[vice]).facts()
@@ -112,7 +112,7 @@ def test_other_clamps_give_no_verdict_on_the_job(small, slot):
 
 
 def test_verdict_of_the_window_is_shown_until_a_change(small, slot):
-    """The window writes nothing; the next analysis writes the verdict into the mark."""
+    """The simulation window does not write into the document; the next analysis writes the verdict into the mark."""
     vkworkbench.mark(vkworkbench.analyze(small.job))
     job, undo = read_job(small.job), small.document.UndoCount
     sound = Verdict(pixel=0.1)
@@ -127,7 +127,7 @@ def test_verdict_of_the_window_is_shown_until_a_change(small, slot):
     assert verdict(small).outdated and read_with_faults(small.job).verdict == verdict(small)
 
 
-def test_part_of_a_job_gives_no_verdict_on_it(small, slot):
+def test_simulation_of_one_operation_gives_the_job_no_verdict(small, slot):
     small.add("Second", SLOT)
     facts = vkworkbench.simulate(slot).facts()
     assert vkworkbench.analyze(small.job).with_facts(facts).verdicts == {} and facts.valid_for == ""
@@ -143,7 +143,7 @@ def test_operation_without_tool_makes_the_verdict_unsure(small, slot):
     assert not verdict(small).is_sound
 
 
-def test_stop_and_comment_need_no_tool(small, slot):
+def test_stop_and_comment_without_tool_have_no_remark(small, slot):
     for name, text in (("Comment", "(check the clamps)"), ("Stop", "M1"), ("Fixture", "G54")):
         other = small.document.addObject("Path::FeaturePython", name)
         other.Path = Path.Path(text)
@@ -152,8 +152,8 @@ def test_stop_and_comment_need_no_tool(small, slot):
     assert facts.remarks == () and facts.verdict.is_sound
 
 
-def test_other_work_offset_is_a_remark(small, slot):
-    """Between operations and within one; after the first move, another origin is unknown."""
+def test_change_of_the_work_offset_has_a_remark(small, slot):
+    """A work offset that changes after the first move has an unknown origin: between two operations or within one."""
     fixture = small.document.addObject("Path::FeaturePython", "Fixture")
     fixture.Path = Path.Path("G55")
     small.job.Operations.Group = [*small.job.Operations.Group, fixture]
@@ -167,14 +167,14 @@ def test_other_work_offset_is_a_remark(small, slot):
     assert "Command 9: G55 is ignored" in row.error
 
 
-def test_first_work_offset_is_the_origin(small):
+def test_first_work_offset_has_no_remark(small):
     small.add("Slot", [("G55", {}), *SLOT])
     small.job.Fixtures = ["G55", "G56"]
     assert vkworkbench.simulate(small.job).facts().remarks == ()
     assert "x2 " in str(vkworkbench.analyze(small.job))
 
 
-def test_toolpath_of_a_lathe_is_told(small):
+def test_toolpath_of_a_lathe_has_a_remark(small):
     passes = [("G0", {"X": 20, "Y": 0, "Z": 65})]
     for x in (15, 14, 13, 12):
         passes += [("G0", {"X": x}), ("G1", {"Z": 30, "F": 3}), ("G0", {"X": 20}), ("G0", {"Z": 65})]
@@ -184,7 +184,7 @@ def test_toolpath_of_a_lathe_is_told(small):
     assert not facts.verdict.is_sound
 
 
-def test_drilled_row_is_not_of_a_lathe(small):
+def test_drilled_row_is_not_taken_for_a_lathe_toolpath(small):
     holes = [("G0", {"X": 5, "Y": 0, "Z": 25})]
     for x in (5, 15, 25, 35):
         holes += [("G0", {"X": x}), ("G1", {"Z": 10, "F": 3}), ("G0", {"Z": 25})]
@@ -192,7 +192,7 @@ def test_drilled_row_is_not_of_a_lathe(small):
     assert vkworkbench.simulate(small.job).facts().remarks == ()
 
 
-def test_open_clamp_of_a_job_is_left_out_and_named(small, slot):
+def test_clamp_without_closed_surface_is_left_out_with_a_remark(small, slot):
     clamp = small.document.addObject("Part::Feature", "Clamp")
     clamp.Shape = Part.makeBox(20, 20, 20, FreeCAD.Vector(0, -90, 0))
     set_clamps(small.job, [clamp])

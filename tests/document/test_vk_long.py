@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Long analyses: the same numbers with and without a thread, and a cancel that leaves everything as it was."""
+"""Long analyses return the same results with and without a thread."""
 
 import concurrent.futures
 import threading
@@ -13,7 +13,7 @@ from vkworkbench.document.job import fingerprint
 from vkworkbench.document.job.fingerprint import path_fingerprint, text_fingerprint, text_of
 
 
-def test_one_by_one_or_at_once_is_the_same_fingerprint(example, monkeypatch):
+def test_fingerprint_in_batches_equals_fingerprint_at_once(example, monkeypatch):
     def one_by_one(obj):
         with monkeypatch.context() as long:
             long.setattr(fingerprint, "AT_ONCE", 0)
@@ -29,13 +29,13 @@ def test_one_by_one_or_at_once_is_the_same_fingerprint(example, monkeypatch):
     assert one_by_one(bare) == path_fingerprint(bare)
 
 
-def test_a_thread_finds_the_same(example):
+def test_analysis_in_a_thread_gives_the_same_report(example):
     alone = vkworkbench.analyze(example)
     assert vkworkbench.analyze(example, cancelled=lambda: False) == alone
 
 
-def test_a_thread_that_takes_long_is_waited_for_by_any_python(small, zigzag_commands, monkeypatch):
-    """Before Python 3.11 concurrent.futures has its own TimeoutError."""
+def test_slow_thread_is_awaited_in_all_python_versions(small, zigzag_commands, monkeypatch):
+    """Before Python 3.11, the TimeoutError of concurrent.futures is not Python's TimeoutError."""
     from vkworkbench.document import analysis
 
     small.add("Zigzag", zigzag_commands)
@@ -46,7 +46,7 @@ def test_a_thread_that_takes_long_is_waited_for_by_any_python(small, zigzag_comm
     assert row.strategy == "zigzag" and row.error is None
 
 
-def test_a_failure_in_the_thread_is_the_callers(example, monkeypatch):
+def test_error_in_the_thread_is_raised_in_the_caller(example, monkeypatch):
     from vkworkbench.document import analysis
 
     def fail(*what, **more):

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The macros of examples/macros work as described, on the example and on jobs of the tests."""
+"""The macros in examples/macros do what their descriptions promise, on the example and on test jobs."""
 
 import csv
 import shutil
@@ -21,7 +21,7 @@ def state(document):
     return [(obj.Name, obj.Label2, list(obj.State), tuple(obj.PropertiesList)) for obj in document.Objects]
 
 
-def test_a_folder_becomes_one_table(example_path, tmp_path):
+def test_folder_of_documents_is_exported_to_one_table(example_path, tmp_path):
     for name in ("a", "deeper/b"):
         (tmp_path / name).parent.mkdir(exist_ok=True)
         shutil.copy(example_path, tmp_path / f"{name}.FCStd")
@@ -38,7 +38,7 @@ def test_a_folder_becomes_one_table(example_path, tmp_path):
         folder_to_csv(tmp_path / "deeper" / "nothing", tmp_path / "none.csv")
 
 
-def test_an_open_document_of_the_folder_stays_open(example, example_path, tmp_path):
+def test_document_that_was_open_stays_open_after_export(example, example_path, tmp_path):
     shutil.copy(example_path, tmp_path / "mine.FCStd")
     mine = FreeCAD.openDocument(str(tmp_path / "mine.FCStd"))
     try:
@@ -50,7 +50,7 @@ def test_an_open_document_of_the_folder_stays_open(example, example_path, tmp_pa
         FreeCAD.closeDocument(mine.Name)
 
 
-def test_a_broken_document_of_the_folder_is_left_out(example_path, tmp_path):
+def test_broken_document_is_left_out_of_the_table(example_path, tmp_path):
     (tmp_path / "a.FCStd").write_text("no document")
     shutil.copy(example_path, tmp_path / "b.FCStd")
     assert folder_to_csv(tmp_path, tmp_path / "all.csv") > 0
@@ -74,7 +74,7 @@ def test_heavy_job_is_named_with_its_simulator(example):
     assert len(too_heavy(example, 1e9, 0.0)) == len(slow)
 
 
-def test_two_versions_are_compared(example, example_path, tmp_path):
+def test_compare_lists_differences_of_two_versions(example, example_path, tmp_path):
     shutil.copy(example_path, tmp_path / "old.FCStd")
     old = FreeCAD.openDocument(str(tmp_path / "old.FCStd"))
     before = state(old)
@@ -106,7 +106,7 @@ def test_active_document_is_the_new_version(names):
 
 
 @pytest.mark.parametrize(("point", "parted"), [(".", ","), (",", ";")])
-def test_a_spreadsheet_reads_the_export(example, tmp_path, point, parted):
+def test_exported_table_can_be_read_by_a_spreadsheet(example, tmp_path, point, parted):
     operation = example.getObject("Job").Operations.Group[0]
     operation.Label = "\t=1+1"
     count = export(example, tmp_path / "sheet.csv", point)
@@ -119,7 +119,7 @@ def test_a_spreadsheet_reads_the_export(example, tmp_path, point, parted):
         assert row["Strategy"] == str(o.strategy)
 
 
-def test_the_core_takes_sizes_as_freecad_has_them(small, zigzag_commands):
+def test_core_accepts_quantities_of_freecad(small, zigzag_commands):
     op = small.add("Zigzag", zigzag_commands)
     bit, box = small.controller.Tool, small.job.Stock.Shape.BoundBox
     path = core.linearize(op.Path.Commands, tolerance=FreeCAD.Units.Quantity("0.01 mm"))

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The text of a mark: long times, warnings, and the brackets around it."""
+"""The text of a mark in the tree: times, warnings, and remarks without the brackets of a mark."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ NOTHING = Message("moves-nothing")
 
 
 def record(seconds=5.0, **rest):
-    """Return a mark with a simulation time of `seconds`, or without one."""
+    """Return the record of a mark with a simulation time of `seconds`; None: without a time."""
     costs = {} if seconds is None else {"legacy": replace(COST, fast_forward_seconds=seconds)}
     return Record(**{"strategy": Strategy.ZIGZAG, "confidence": 0.9, "trajectories": 2, "costs": costs, **rest})
 
@@ -35,7 +35,7 @@ def hangs(simulator):
     "seconds, expected",
     [(None, Burden.FINE), (299.0, Burden.FINE), (301.0, Burden.NEAR), (600.0, Burden.NEAR), (601.0, Burden.OVER)],
 )
-def test_half_of_the_budget_is_near_it_and_all_of_it_is_within(seconds, expected):
+def test_time_is_near_the_budget_from_half_of_it(seconds, expected):
     assert burden(record(seconds), CHOSEN) is expected
     assert is_warned(record(seconds), CHOSEN) is (expected is Burden.OVER)
 
@@ -53,12 +53,12 @@ def test_half_of_the_budget_is_near_it_and_all_of_it_is_within(seconds, expected
     ],
     ids=["nothing", "remark", "called", "hangs", "the other hangs", "both hang", "not serious"],
 )
-def test_caution_before_the_start_is_a_warning(rest, warned):
+def test_serious_caution_or_remark_is_a_warning(rest, warned):
     assert is_warned(record(**rest), CHOSEN) is warned
     assert ("⚠" in text_of(record(**rest), CHOSEN)) is warned
 
 
-def test_incomplete_time_is_a_lower_bound():
+def test_incomplete_time_is_shown_as_lower_bound():
     assert time_of(record(5.0), CHOSEN) != "" and "≥" not in time_of(record(5.0), CHOSEN)
     assert time_of(record(5.0, incomplete=True), CHOSEN) == f"≥ {time_of(record(5.0), CHOSEN)}"
     assert time_of(record(None), CHOSEN) == "" == time_of(record(None, incomplete=True), CHOSEN)
@@ -90,7 +90,7 @@ REMARK = render(NOTHING)
     ],
     ids=str,
 )
-def test_the_text_between_the_brackets(rest, text):
+def test_mark_text_contains_strategy_times_and_warnings(rest, text):
     assert text_of(record(**rest), CHOSEN) == text
 
 
@@ -98,11 +98,11 @@ def test_the_text_between_the_brackets(rest, text):
     "strategy, confidence, unsure",
     [(Strategy.ZIGZAG, 0.79, True), (Strategy.ZIGZAG, 0.8, False), (Strategy.UNKNOWN, 0.1, False), (None, 0.1, False)],
 )
-def test_only_an_answer_can_be_unsure(strategy, confidence, unsure):
+def test_only_a_recognised_strategy_can_be_unsure(strategy, confidence, unsure):
     assert is_unsure(record(strategy=strategy, confidence=confidence)) is unsure
 
 
-def test_a_long_remark_is_cut_and_has_no_brackets_of_marks():
+def test_long_remark_is_cut_and_its_brackets_are_replaced():
     assert _shortened("x" * 120) == "x" * 120
     assert _shortened("x" * 121) == "x" * 119 + "…"
     assert _shortened("x" * 110 + " " * 20 + "y") == "x" * 110 + "…"
