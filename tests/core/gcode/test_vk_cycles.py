@@ -80,3 +80,8 @@ def test_lower_r_plane_above_the_start_is_reached_first():
     """LinuxCNC compares R with the height at the start of the series, also after a hole with a higher R."""
     series = points("G21 G90\nG0 X0 Y0 Z0\nG81 X5 Z-5 R4 F100\nX9 R2\nG80")
     assert series[1:] == [[0, 0, 4], [5, 0, 4], [5, 0, -5], [5, 0, 4], [5, 0, 2], [9, 0, 2], [9, 0, -5], [9, 0, 2]]
+
+
+def test_shift_along_the_hole_also_moves_r():
+    text = "G21 G90 G99\nG0 X20 Y0 Z0\nG52 X10 Z5\nG19 G81 Y1 X-4 R2 F100\nG80"
+    assert points(text)[1:] == [[20, 1, 0], [12, 1, 0], [6, 1, 0], [12, 1, 0]]

@@ -12,7 +12,6 @@ from vkworkbench.core.gcode.moves.unread import ROTARY
 from vkworkbench.language import Message
 
 _COORDINATES = {"X": "X", "Y": "Y", "Z": "Z"}  # letters of absolute coordinates, and their axes
-_OF_CYCLES = {**_COORDINATES, "R": "Z"}
 _OF_ARCS = {**_COORDINATES, "I": "X", "J": "Y", "K": "Z"}  # for arcs with absolute centres (G90.1)
 _POLAR = "@^"  # letters of LinuxCNC's polar coordinates: distance from the origin, and angle
 _LENGTHS = frozenset("XYZIJKRQ")
@@ -78,7 +77,9 @@ def _shifted(machine: Machine, mode: int, move: dict[str, float]) -> dict[str, f
     if machine.modes.relative:
         along = {"I": "X", "J": "Y", "K": "Z"} if centres else {}
     else:
-        along = _OF_CYCLES if mode in codes.CYCLES else _OF_ARCS if centres else _COORDINATES
+        along = _OF_ARCS if centres else _COORDINATES
+        if mode in codes.CYCLES:
+            along = {**along, "R": codes.DRILLED[machine.modes.plane]}
     return {
         letter: value + machine.origins.of(along[letter]) if letter in along else value
         for letter, value in move.items()

@@ -11,8 +11,6 @@ from vkworkbench.core.gcode.moves.codes import code_of
 from vkworkbench.core.gcode.moves.commands import Commands
 from vkworkbench.core.gcode.moves.cycles import Heights
 
-_DRILLED = {170: "Z", 180: "Y", 190: "X"}  # the axis of canned cycles in each plane
-
 
 class Place:
     """The position of the tool after the commands that were added so far.
@@ -73,7 +71,7 @@ class Place:
             self._move(code, words)
 
     def _move(self, motion: int, words: dict[str, float]) -> None:
-        drilled = _DRILLED[self._plane] if motion in codes.CYCLES else ""
+        drilled = codes.DRILLED[self._plane] if motion in codes.CYCLES else ""
         for letter in "XYZ":
             if letter == drilled:
                 r, bottom = words.get("R", nan), words.get(letter, nan)
