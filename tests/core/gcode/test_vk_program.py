@@ -493,7 +493,7 @@ def test_equal_problems_are_counted():
         ("", "This is not an NC program. None of its lines moves a tool."),
         ("G21\nG90\nM30\n", "This is not an NC program. None of its lines moves a tool."),
         ("#1=[2+3]\nG65 P9000\n", "None of the moves can be read. Line"),
-        ("#1=[2+3]\nG1 X#5041 Y[#1*2] F200\n", "None of the moves can be read. Line 2"),
+        ("#1=[2+3]\nG1 X#5221 Y[#1*2] F200\n", "None of the moves can be read. Line 2"),
         ("O1 sub\nG1 X5 F200\nO1 endsub\n", "None of the moves can be read. Line 1"),
     ],
 )  # fmt: skip

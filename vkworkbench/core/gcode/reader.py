@@ -89,10 +89,10 @@ class _Reader:
 
     def __init__(self, lines: Lines, dialect: dialects.Dialect) -> None:
         self.lines = lines
-        self.subprograms = Subprograms(lines)
-        self.flow = flow = Flow(lines, self.subprograms)
+        self.subprograms = subprograms = Subprograms(lines)
+        self.machine = Interpreter(dialect, lambda: subprograms.fanuc)
+        self.flow = Flow(lines, subprograms, self.machine.coordinates)
         self.plain = PlainLines(lines)
-        self.machine = Interpreter(dialect, lambda: flow.fanuc)
         if dialect is dialects.RAW_PATH:
             self.machine.problem(Message("feeds-per-second"), 1)
         self.comments: list[tuple[int, int, str]] = []

@@ -116,8 +116,8 @@ def test_macros_are_followed_like_fanuc_does(case):
 
 
 @pytest.mark.parametrize(("line", "why"), [
-    ("X#5061", "The value of #5061 comes from the machine."), ("#1=#5041\nX[#1+1]", "The value of #5041 comes from the machine."),
-    ("X#<_x>", "The value of #<_x> comes from the machine."), ("X#<depth>", "A control stops here, because #<depth> has no value."),
+    ("X#5061", "The value of #5061 comes from the machine."), ("#1=#5221\nX[#1+1]", "The value of #5221 comes from the machine."),
+    ("X#<_feed>", "The value of #<_feed> comes from the machine."), ("G28 X0\nX#<_x>", "The value of #<_x> comes from the machine."), ("X#<depth>", "A control stops here, because #<depth> has no value."),
     ("o1 if [#5070 EQ 1]\nX5\no1 endif", "The value of #5070 comes from the machine."),
     ("#1=[1/0]", "A control stops here, because an expression has no result, such as a division by zero."),
     ("X[-8**[1/3]]", "A control stops here, because an expression has no result, such as a division by zero."),
@@ -140,6 +140,14 @@ def test_reading_ends_if_a_program_cannot_be_followed(line, why):
     text = f"{HEAD}X3\n{line}\nX99\nM2\n"
     assert ends(text)[0] == (3, 0, 0) and 99 not in xs(text)
     assert said(text)[-1].endswith(f": {END}{why}")
+
+
+def test_coordinates_of_the_tool_are_known():
+    linuxcnc = HEAD + "G52 X10\nG20 X1\nY[#5420+#<_y>]\no1 while [#<_x> LT 3]\nG91 X1\nG90\no1 endwhile\nG21 X#5420"
+    assert ends(linuxcnc) == [(35.4, 0, 0), (35.4, 25.4, 0), (60.8, 25.4, 0), (86.2, 25.4, 0), (13, 25.4, 0)]
+    assert said(linuxcnc) == []
+    fanuc = f"O1\n{HEAD}X3\nY[#5041+#5001]\nM30"
+    assert ends(fanuc)[-1] == (3, 6, 0) and said(fanuc) == []
 
 
 def test_value_from_the_machine_matters_only_if_it_is_used():

@@ -4,13 +4,12 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 from functools import cached_property
 
 from vkworkbench.core.gcode.blocks import Lines
 from vkworkbench.core.gcode.flow.ended import Ended, Unknown, Unreadable
 from vkworkbench.core.gcode.flow.expressions import Postfix, evaluate
-from vkworkbench.core.gcode.flow.fanuc import is_fanuc
 from vkworkbench.core.gcode.flow.lines import Control, Words, bare, parse_line
 from vkworkbench.core.gcode.flow.step import Call, Step
 from vkworkbench.core.gcode.flow.structure import Block, Structure
@@ -53,6 +52,8 @@ class Flow:
     lines : Lines
         The whole text.
     subprograms : Subprograms
+    place : callable
+        Returns the known coordinates of the tool, by axis, in the program's unit.
 
     Attributes
     ----------
@@ -66,8 +67,8 @@ class Flow:
         Indices of the lines that define subprograms.
     """
 
-    def __init__(self, lines: Lines, subprograms: Subprograms) -> None:
-        self._lines = lines
+    def __init__(self, lines: Lines, subprograms: Subprograms, place: Callable[[], dict[str, float]]) -> None:
+        self._lines, self._place = lines, place
         self._subprograms = subprograms
         self.remarks: list[Message] = []
         self.followed = False
@@ -80,13 +81,8 @@ class Flow:
         self._steps = 0
 
     @cached_property
-    def fanuc(self) -> bool:
-        """bool : Whether the program is written for a Fanuc control."""
-        return is_fanuc(self._lines, self._subprograms)
-
-    @cached_property
     def _variables(self) -> Variables:
-        return Variables(fanuc=self.fanuc, report=self.remarks.append)
+        return Variables(fanuc=self._subprograms.fanuc, report=self.remarks.append, place=self._place)
 
     @cached_property
     def _structure(self) -> Structure:
@@ -114,7 +110,7 @@ class Flow:
         """
         code = "".join(code.split())
         try:
-            line = parse_line(code, fanuc=self.fanuc)
+            line = parse_line(code, fanuc=self._subprograms.fanuc)
         except Unreadable:
             if _JUMP.match(code):
                 raise Ended(Message("jump-unread")) from None
@@ -268,7 +264,7 @@ class Flow:
     def _control(self, index: int) -> Control:
         """Return the control statement of another line."""
         try:
-            line = parse_line(bare(self._lines[index]), fanuc=self.fanuc)
+            line = parse_line(bare(self._lines[index]), fanuc=self._subprograms.fanuc)
         except Unreadable:
             line = None
         if not isinstance(line, Control):

@@ -13,11 +13,17 @@ from collections.abc import Collection
 from functools import cached_property
 
 from vkworkbench.core.gcode.blocks import LARGEST_NUMBER, Lines, split_comments, split_words, whole
+from vkworkbench.core.gcode.flow.lines import bare
 
 PROGRAM_NUMBER = re.compile(r"[O:]\s*(\d{1,8})\b(?!\s*[A-Z]{2})")
 _BLOCK = re.compile(r"\s*(?:/\d?\s*)?N\s*(\d{1,8})(?![\d.])", re.IGNORECASE)
 _CALLS = frozenset([("M", 98.0), ("M", 198.0), ("G", 65.0), ("G", 66.0)])  # codes that call the program with number P
 _CALL_LETTERS = frozenset("PpOo:")  # letters in lines with a call or with the number of a program
+# Signs of LinuxCNC and of Fanuc controls. In a program without signs of LinuxCNC, a program number (O1000) is also a
+# sign of a Fanuc control.
+_LINUXCNC = re.compile(r"#<|\*\*|EXISTS\[|O(?:\d+|<[^<>]*>)(?:SUB|CALL|IF|WHILE|DO|REPEAT)", re.IGNORECASE)
+_FANUC = re.compile(r"GOTO[\d#\[]|\]THEN|DO\d|END\d|G0*65(?!\d)|#0(?!\d)", re.IGNORECASE)
+_SIGNS = re.compile(r"[#\[*]|SUB|CALL|DO|GO|END|G\s*0*65|REPEAT", re.IGNORECASE)
 _TIMES = 10_000  # P31000 calls program 1000 three times, unless the text contains a program 31000
 
 
@@ -63,6 +69,18 @@ class Subprograms:
                 calls.append((caller, whole(number, LARGEST_NUMBER)))
         called = ((caller, number if number in self._first else number % _TIMES) for caller, number in calls)
         self.called = {number for caller, number in called if number != caller}
+
+    @cached_property
+    def fanuc(self) -> bool:
+        """bool : Whether the text is written for a Fanuc control."""
+        for line in self._lines:
+            if _SIGNS.search(line):
+                code = bare(line)
+                if _LINUXCNC.search(code):
+                    return False
+                if _FANUC.search(code):
+                    return True
+        return bool(self.heads)
 
     def find(self, m_code: float, words: dict[str, float], caller: int) -> tuple[int, int] | None:
         """Return the index of a subprogram's first line, and the number of runs; None if they are not in this text.

@@ -29,6 +29,9 @@ _OF_MACHINE = frozenset([
     "_ABS_V", "_ABS_W", "_CURRENT_TOOL", "_CURRENT_POCKET", "_SELECTED_TOOL", "_SELECTED_POCKET", "_TASK",
     "_CALL_LEVEL", "_REMAP_LEVEL",
 ])  # fmt: skip
+# The variables with the tool's coordinates, as far as the program contains them.
+_PLACE = {5420: "X", 5421: "Y", 5422: "Z"}
+_PLACE_OF_FANUC = {5001: "X", 5002: "Y", 5003: "Z", 5041: "X", 5042: "Y", 5043: "Z"}
 _FIRST_OF_MACHINE, _LAST_OF_MACHINE = 5000, 5999  # LinuxCNC: positions, offsets, the tool table, results of probing
 _FIRST_OF_FANUC = 1000  # Fanuc: signals, tool offsets, alarms, clocks, modal states, positions
 _KEPT_FROM, _KEPT_TO = 500, 999  # Fanuc: variables that keep their values when the power is off
@@ -63,6 +66,8 @@ class Variables:
         0 in LinuxCNC.
     report : callable
         Reports a message on the current line.
+    place : callable
+        Returns the known coordinates of the tool, by axis, in the program's unit.
 
     Attributes
     ----------
@@ -73,9 +78,11 @@ class Variables:
         subprogram.
     """
 
-    def __init__(self, *, fanuc: bool, report: Callable[[Message], None]) -> None:
+    def __init__(
+        self, *, fanuc: bool, report: Callable[[Message], None], place: Callable[[], dict[str, float]]
+    ) -> None:
         self._fanuc = fanuc
-        self._report = report
+        self._report, self._place = report, place
         self._locals = 33 if fanuc else 30  # largest number of a local variable
         self._numbers: dict[int, Value] = {}
         self._names: dict[str, Value] = {}
@@ -88,7 +95,7 @@ class Variables:
         if index == 0:
             return None
         if self._from_machine(index):
-            raise Unknown(Message("value-of-machine", name=f"#{index}"))
+            return self._coordinate((_PLACE_OF_FANUC if self._fanuc else _PLACE).get(index, ""), f"#{index}")
         values = self._values(index)
         if index in values:
             return _known(values[index])
@@ -106,8 +113,16 @@ class Variables:
         if name in _RESULTS:
             return 0.0
         if _is_of_machine(name):
-            raise Unknown(Message("value-of-machine", name=f"#<{name.lower()}>"))
+            return self._coordinate(name[1:], f"#<{name.lower()}>")
         raise Ended(Message("name-unset", name=f"#<{name.lower()}>"))
+
+    def _coordinate(self, letter: str, name: str) -> float:
+        """Return the tool's coordinate along an axis; other values of the machine are unknown."""
+        place = self._place()
+        if letter not in place:
+            raise Unknown(Message("value-of-machine", name=name))
+        self.changes += 1  # a loop that waits for a position is not endless
+        return place[letter]
 
     def exists(self, name: str) -> bool:
         """Return whether a variable with a name has a value."""

@@ -78,11 +78,8 @@ def _name(machine: Machine) -> str:
 
 def _centre(machine: Machine, line: Line) -> dict[str, float]:
     """Return the fixed point from a line's words, mm. An absent word is the tool's coordinate, or 0 if unknown."""
-    here, origins = machine.here(), machine.origins
-    return {
-        **{letter: value - origins.of(letter) for letter, value in here.items()},
-        **line.lengths(machine.modes.unit),
-    }
+    unit = machine.modes.unit
+    return {**{letter: unit * value for letter, value in machine.coordinates().items()}, **line.lengths(unit)}
 
 
 def _rotate(machine: Machine, line: Line) -> None:

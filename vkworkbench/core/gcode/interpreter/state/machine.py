@@ -233,6 +233,16 @@ class Machine:
         height = self.maps.height_before(place["Z"], self.origins.of("Z")) if "Z" in place else None
         return {**place, "X": before.real, "Y": before.imag, **({} if height is None else {"Z": height})}
 
+    def coordinates(self) -> dict[str, float]:
+        """Return the known coordinates of the tool as a program writes them, in the program's unit.
+
+        The coordinates are rounded, because a conversion to inches and back would change comparisons in the program.
+        """
+        here, beside = dict(self.here()), self.compensation
+        if beside is not None:
+            here.update(X=beside.programmed.real, Y=beside.programmed.imag)
+        return {axis: round((value - self.origins.of(axis)) / self.modes.unit, 9) for axis, value in here.items()}
+
     def stop(self) -> None:
         """Note a stop at which the operator or tool changer can move the tool, which is then at a safe height."""
         self.stopped = True
