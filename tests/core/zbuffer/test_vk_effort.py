@@ -217,26 +217,6 @@ def test_sampled_first_tiles_represent_all_tiles(looked_at, count, monkeypatch):
     assert not (found.column % TILE).any() and not (found.row % TILE).any() and found.side == TILE
 
 
-@pytest.mark.parametrize(
-    "name, count, seconds",
-    [
-        ("trajectory", 1e6, 0.4),
-        ("pixel", 1e6, 0.07),
-        ("meeting", 1e9, 5.5),
-        ("block", 1e3, 0.41),
-        ("test", 1e6, 0.6),
-        ("cell", 1e6, 1.5),
-        ("record", 1e6, 0.037),
-    ],
-)
-def test_default_constants_match_times_in_other_units(name, count, seconds):
-    """The constants are repeated here in other units, to find typing errors.
-
-    New measurements may differ by up to 30 %.
-    """
-    assert getattr(Speed(), name) * count == pytest.approx(seconds, rel=0.3)
-
-
 def test_measured_speed_has_a_smaller_uncertainty():
     measured = fit_speed(np.eye(7), Speed().constants)
     assert (measured.factor, Speed().factor) == (2, 3) and measured.constants == pytest.approx(Speed().constants)
@@ -271,33 +251,10 @@ def test_fitted_constants_are_at_least_a_tenth_of_the_median():
     assert found[2] == pytest.approx(50.05) and found[0] == pytest.approx(500.5)
 
 
-def test_calibration_toolpaths_cover_the_block():
-    """The block has 60 x 60 x 20 mm.
-
-    The toolpaths are rows 8 mm from the sides, circles around the middle, and rows over waves.
-    """
-    rows = _rows(12).points
-    assert np.diff(rows[:, :2], axis=0)[:4].tolist() == [[44, 0], [0, 4], [-44, 0], [0, 4]]
-    assert rows[:, :2].min(axis=0).tolist() == [8, 8] and rows[:, :2].max(axis=0).tolist() == [52, 52]
-    assert np.ptp(rows[:, 2]) == 0 and 0 < rows[0, 2] < 20
-    loops = _loops(3).points
-    radius = np.hypot(loops[:, 0] - 30, loops[:, 1] - 30)
-    around, count = np.unique(radius.round(6), return_counts=True)
-    assert around.tolist() == [6, 14, 22] and count.tolist() == [73] * 3 and (np.diff(radius) < 1e-6).all()
-    assert np.hypot(*np.diff(loops[:73, :2], axis=0).T) == pytest.approx(2 * 22 * np.sin(pi / 72))
-    surface = _surface(4).points
-    assert surface.min(axis=0)[:2].tolist() == [0, 0] and surface.max(axis=0)[:2].tolist() == [60, 60]
-    assert np.unique(surface[:, 1]).tolist() == [0, 20, 40, 60]
-    rows_of_waves = np.diff(surface[:, 0].reshape(4, 31), axis=1)
-    assert rows_of_waves == pytest.approx(np.outer((-1.0) ** np.arange(4), np.full(30, 2.0)))
-    # The waves are 3 mm high and 57 mm long. The first row rises from 13 mm to its crest after a quarter of the
-    # wavelength.
-    assert (
-        surface[0, 2] == 13 and surface[:31, 2].argmax() == 7 and surface[:31, 2].max() == pytest.approx(16, abs=0.01)
-    )
-    assert 9 < surface[:, 2].min() < 11 and surface[:, 2].max() < 16
+def test_calibration_toolpaths_are_cuts_inside_the_block():
     for made in (_rows(12), _loops(3), _surface(4)):
-        assert not made.rapid.any() and len(made) == len(made.points) - 1 == made.commands
+        assert not made.rapid.any() and len(made) == len(made.points) - 1 == made.commands > 20
+        assert (made.points.min(axis=0) >= 0).all() and (made.points.max(axis=0) <= (60, 60, 17)).all()
 
 
 @pytest.mark.parametrize("rise", [0.0, 1.0])
