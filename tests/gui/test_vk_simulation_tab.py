@@ -9,7 +9,7 @@ import FreeCAD
 import numpy as np
 import pytest
 from PySide import QtCore, QtGui
-from simulation_window import COMMAND, close, drag, finest, make_small, shown, tabs
+from simulation_window import COMMAND, SMALL, close, drag, finest, make_small, shown, tabs
 
 import vkworkbench
 from vkworkbench.gui.qt import widgets
@@ -292,6 +292,21 @@ def test_controls_of_differences_come_with_differences(tab, window):
     bar.colorings.setCurrentIndex(0)
     assert not bar.differences.isVisible()
     finest(tab.player, window)
+
+
+def test_results_leave_room_for_the_tab_in_a_small_window(desk, window):
+    desk.kept(desk.small)
+    results = window.show_results()
+    window.main.setGeometry(0, 0, *SMALL)
+    window.settle()
+    before = results.height()
+    desk.simulate()
+    window.idle(0.1)
+    assert results.height() < before and results.isVisible()
+    assert results.height() <= results.minimumSizeHint().height() + 2
+    window.screenshot("simulation-beside-results")
+    close(window)
+    results.close()
 
 
 # Keys

@@ -33,6 +33,18 @@ def add(dock: QDockWidget, height: int) -> None:
     window.resizeDocks([dock], [min(height, window.height() // 3)], Qt.Vertical)
 
 
+def make_room(height: int) -> None:
+    """Make the add-on's docks at the bottom as low as possible if the 3D view and other tabs have less than `height` px."""
+    window = Gui.getMainWindow()
+    bottom = [
+        dock for dock in map(find, (RESULTS, GAUSS_MAP))
+        if dock is not None and not dock.isHidden() and not dock.isFloating()
+        and window.dockWidgetArea(dock) == Qt.BottomDockWidgetArea
+    ]  # fmt: skip
+    if bottom and widgets.area_of_views().height() < height:
+        window.resizeDocks(bottom, [1] * len(bottom), Qt.Vertical)
+
+
 def show(dock: QDockWidget) -> None:
     """Show a dock in front of the other tabs, also if other docks were opened after it was closed."""
     window = Gui.getMainWindow()

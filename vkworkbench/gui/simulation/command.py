@@ -8,13 +8,15 @@ import FreeCADGui as Gui
 
 from vkworkbench.document.job.operations import find, jobs_of, posted
 from vkworkbench.document.simulation.copy import JobCopy, copy_job
-from vkworkbench.gui.qt import widgets
+from vkworkbench.gui.qt import docks, widgets
 from vkworkbench.gui.qt.document_command import DocumentCommand, selected_operations
 from vkworkbench.gui.qt.names import QInputDialog, Qt
 from vkworkbench.gui.qt.plain_text import inform
 from vkworkbench.gui.qt.sentences import sentence
 from vkworkbench.gui.qt.text import QT_TRANSLATE_NOOP, translate
 from vkworkbench.language import Unusable
+
+_LOW = 400  # px; in a lower tab, some rows of controls would be hidden
 
 
 class SimulateCommand(DocumentCommand):
@@ -69,6 +71,7 @@ def open_tab(what):
     tab.outdated.connect(lambda: _again(tab))
     widgets.area_of_views().addSubWindow(tab)
     tab.showMaximized()
+    docks.make_room(_LOW)
     tab.setFocus()
     return tab
 
