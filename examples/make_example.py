@@ -13,6 +13,7 @@ import importlib
 import math
 import os
 import sys
+import tempfile
 
 import FreeCAD
 import Part
@@ -29,6 +30,7 @@ OLD_NAMES = {
     "Tool.Controller": "PathToolController",
     "Dressup.Tags": "PathDressupHoldingTags",
     "Dressup.Gui.Tags": "PathDressupTagGui",
+    "Post.scripts.gcode_pre": "post.gcode_pre",
 }
 
 
@@ -207,6 +209,35 @@ def make_example(path):
     doc.recompute()
     doc.saveAs(str(path))
     return doc
+
+
+def spiral_program():
+    """The text of a program that roughs the dish in two spirals, without a word about what it does."""
+    lines = ["G21 G90", "M6 T2", "G0 Z26"]
+    for depth, turns in ((18.5, 4), (17, 3)):
+        lines += ["G0 X94 Y72", f"G1 Z{depth} F300"]
+        for step in range(1, 36 * turns + 1):
+            angle, radius = math.radians(10 * step), 2.5 * step / 36  # a stepover of 2.5 mm
+            lines.append(f"G1 X{94 + radius * math.cos(angle):.3f} Y{72 + radius * math.sin(angle):.3f} F800")
+        lines.append("G0 Z26")
+    return "\n".join(lines)
+
+
+def add_surprises(doc):
+    """Add to the example what only its toolpaths tell: an imported program, and a pattern that was not recomputed."""
+    job = doc.getObject("Job")
+    before = job.Operations.Group
+    with tempfile.TemporaryDirectory() as folder:
+        path = os.path.join(folder, "O1234.nc")
+        with open(path, "w") as file:
+            file.write(spiral_program())
+        cam("Post.scripts.gcode_pre").insert(path, doc.Name)
+    (program,) = [op for op in job.Operations.Group if op not in before]
+    program.Label = "O1234"
+    job.Operations.Group = [*before[:-1], program, before[-1]]  # the plate is cut out last
+    doc.recompute()
+    pocket = next(op for op in job.Operations.Group if op.Label == "Pocket around island")
+    setattr(pocket, "ClearingPattern" if VERSION >= (1, 1) else "OffsetPattern", "ZigZag")
 
 
 # FreeCAD imports the script that it runs, so `__name__` is not always "__main__"; the command line names the script.

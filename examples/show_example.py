@@ -22,7 +22,7 @@ from vkworkbench.gui.tree import column as tree
 from vkworkbench.gui.tree import pills
 
 sys.path.insert(0, str(Path(__file__).parent))
-from make_example import make_example
+from make_example import add_surprises, make_example
 
 OUTPUT = Path(os.environ["VKWORKBENCH_OUTPUT"])
 LEAVE = "VKWORKBENCH_LEAVE" in os.environ
@@ -46,6 +46,8 @@ def guarded(step):
 def analyze():
     Gui.activateWorkbench("VkWorkbench")
     doc = make_example(OUTPUT / "example.FCStd")
+    add_surprises(doc)
+    doc.save()
     report = vkworkbench.analyze(doc)
     (OUTPUT / "report.txt").write_text(f"{report}\n", encoding="utf-8")
     FreeCAD.Console.PrintMessage(f"{report}\n")

@@ -20,5 +20,7 @@ def test_the_example_leaves_table_document_and_picture(tmp_path):
     done = subprocess.run(command, env=environment, stdin=subprocess.DEVNULL, text=True, timeout=300, check=False,
                           stdout=subprocess.PIPE, stderr=subprocess.STDOUT)  # fmt: skip
     assert done.returncode == 0, done.stdout[-3000:]
-    assert "Pocket zigzag         zigzag" in (output / "report.txt").read_text(encoding="utf-8")
+    table = (output / "report.txt").read_text(encoding="utf-8")
+    assert "Pocket zigzag         zigzag" in table and "O1234                 spiral" in table
+    assert "The operation is called ZigZag, but its toolpath is contour-parallel." in table
     assert all((output / name).stat().st_size > 1000 for name in ("marked.FCStd", "tree.png"))
