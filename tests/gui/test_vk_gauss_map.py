@@ -183,7 +183,7 @@ def test_an_edit_is_shown(view, opened, window):
 
 
 def test_hidden_it_does_nothing_and_shown_again_it_is_up_to_date(view, opened, window):
-    window.click("Gauss Map")
+    view.dock.hide()
     assert not view.dock.isVisible()
     select(labelled(opened, "Bore"))
     window.settle()
@@ -359,19 +359,42 @@ def test_numbers_are_the_same_as_in_mark_and_table(view, opened, window, label, 
     assert f"{ENGLISH.turns(figure.phi.max())} turns, level n = {signature.top_level}," in third
     assert signature.top_level in (figure.level.min(), figure.level.max())
     low, high = figure.graph.window[0][1], figure.graph.window[1][1]
-    assert low < min(figure.phi.min(), -2 * np.pi) and high > max(figure.phi.max(), 2 * np.pi)
+    assert low < min(figure.phi.min(), figure.limits[0]) and high > max(figure.phi.max(), figure.limits[1])
 
 
-def test_deciding_threshold_is_named(view, opened, window):
+def test_deciding_bound_is_named(view, opened, window):
     named = {}
     for label in ("Face", "Pocket around island", "Bore", "Drill holes"):
         select(labelled(opened, label))
         window.wait(lambda label=label: view.title.text().startswith(label) and not view.dock._background.works)
         if view.canvas.isVisible():
-            named[label] = view.canvas.figure._threshold()
-    assert named["Pocket around island"] == (2 * np.pi, "|φ| ≥ 2π: contour-parallel")
-    assert named["Bore"] == (2 * np.pi, "|φ| ≥ 2π: helix")
-    assert named["Face"] in ((np.pi, "|φ| ≤ π: zigzag"), (2 * np.pi, "|φ| < 2π, n = 0: zigzag"))
+            named[label] = view.canvas.figure.bound
+    assert named["Pocket around island"] == "|n| ≥ 1: contour-parallel"
+    assert named["Bore"] == "|n| ≥ 1: helix"
+    assert named["Face"] == "n = 0: zigzag"
+
+
+def test_zigzag_stays_away_from_its_bound(view, opened, window):
+    select(labelled(opened, "Pocket zigzag"))
+    window.wait(lambda: view.title.text().startswith("Pocket zigzag") and not view.dock._background.works)
+    figure = view.canvas.figure
+    low, high = figure.limits
+    assert low + np.pi / 2 < figure.phi.min() and figure.phi.max() < high - np.pi / 2
+    assert figure.bound.endswith(": zigzag")
+
+
+def test_plots_are_at_least_80_pixels_high(view, opened, window):
+    before = window.main.geometry()
+    try:
+        for size in ((1024, 700), (1366, 768)):
+            window.main.setGeometry(0, 0, *size)
+            view.picture()
+            figure = view.canvas.figure
+            assert min(plot.place.height() for plot in (figure.path, figure.circle, figure.graph)) >= 80
+            window.screenshot(f"gauss-map-{size[0]}")
+    finally:
+        window.main.setGeometry(before)
+        window.settle()
 
 
 def test_wheel_and_mouse_zoom_and_move(view, window):

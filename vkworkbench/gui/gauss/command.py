@@ -13,7 +13,7 @@ _HEIGHT = 420  # height of the panel, px
 
 
 class GaussMapCommand(DocumentCommand):
-    """Show the Gauss map panel, or hide it."""
+    """Show the Gauss map panel and give it the keyboard's focus, or hide it if it has the focus."""
 
     name = "Vk_GaussMap"
     menu = QT_TRANSLATE_NOOP("Vk_GaussMap", "Gauss Map")
@@ -27,10 +27,11 @@ class GaussMapCommand(DocumentCommand):
 
     def Activated(self) -> None:
         dock = docks.find(docks.GAUSS_MAP)
-        if dock is not None and docks.is_seen(dock):
+        if docks.has_focus(dock):
             dock.hide()
         else:
             show()
+            docks.find(docks.GAUSS_MAP).setFocus()
 
 
 def show() -> None:

@@ -49,7 +49,6 @@ from vkworkbench.language import Message, Unusable
 from vkworkbench.report import Cancelled
 
 _LISTED = 50  # number of longest areas that the chooser lists
-_MIN_LINES = 7  # minimum height of the plots, in lines of text
 _QUICK = 20_000  # an area with fewer trajectories is drawn without a background thread
 _NOT_IN_NAMES = '\\/:*?"<>|'
 
@@ -92,7 +91,7 @@ class GaussMapDock(QDockWidget):
         self.slider.valueChanged.connect(self._step)
 
         self.canvas = GaussCanvas()
-        self.canvas.setMinimumSize(300, _MIN_LINES * self.canvas.fontMetrics().height())
+        self.canvas.setMinimumSize(300, GaussFigure.min_height(self.canvas.fontMetrics()))
         self.canvas.setToolTip(translate(
             "Vk_GaussMap",
             "<p>The left plot shows the toolpath with the vector V<sub>k</sub> from the "
@@ -102,8 +101,8 @@ class GaussMapDock(QDockWidget):
             "part of the circle. In a contour, it moves all around the circle. The direction "
             "of V<sub>k</sub> moves all around only if the path begins inside the contour. "
             "The right plot shows the cumulative angular function φ and the angle θ on level "
-            "n. A contour-parallel path reaches the dashed lines ±2π, and a zigzag stays "
-            "between them.</p>",
+            "n, in turns. A contour-parallel path reaches the dashed lines, one turn from its "
+            "start. A zigzag stays between the dashed lines, one turn from its middle.</p>",
         ) + translate("Vk_GaussMap", "<p>Use the wheel to zoom, drag to move, and double-click to show everything "
                                      "again.</p>"))  # fmt: skip
         self.setWidget(self._laid_out())
@@ -130,6 +129,7 @@ class GaussMapDock(QDockWidget):
         area.setFrameShape(QFrame.NoFrame)
         area.setWidgetResizable(True)
         area.setWidget(self._body)
+        self.setFocusProxy(area)
         return area
 
     # FreeCAD calls these when the selection changes.
@@ -269,12 +269,12 @@ class GaussMapDock(QDockWidget):
         self.canvas.step(k - 1)
         text = (
             f"k = {user().count(k)} / {user().count(len(signature))}   α = {_in_degrees(signature.alpha[k - 1])}   "
-            f"φ = {_in_pi(signature.phi[k - 1])}   θ = {_in_degrees(signature.theta[k - 1])}   "
+            f"{_in_turns(signature.phi[k - 1])}   θ = {_in_degrees(signature.theta[k - 1])}   "
             f"|V| = {user().length(signature.length[k - 1])}   n = {signature.level[k - 1]}"
         )
         if k == len(signature) < len(figure.phi):
-            text += "   " + translate("Vk_GaussMap", "with the closing turn φ = {}, n = {}").format(
-                _in_pi(figure.phi[-1]), figure.level[-1]
+            text += "   " + translate("Vk_GaussMap", "with the closing turn {}, n = {}").format(
+                _in_turns(figure.phi[-1]), figure.level[-1]
             )
         self.values.setText(text)
         self._fit_texts()
@@ -363,8 +363,8 @@ def _legend(theme: Theme) -> str:
     return text + " &nbsp; × " + translate("Vk_GaussMap", "exact reversal")
 
 
-def _in_pi(angle: float) -> str:
-    return f"{user().decimals(angle / math.pi, 2)}π"
+def _in_turns(phi: float) -> str:
+    return translate("Vk_GaussMap", "φ = {} turns").format(user().turns(phi))
 
 
 def _in_degrees(angle: float) -> str:

@@ -24,9 +24,10 @@ TRAIL = 1000  # number of trajectories before k that are highlighted and drawn o
 _COLUMNS = 1000  # number of parts in which the graph is thinned, see thinned()
 _MARKERS = 500
 _WIDE = 1.8  # minimum ratio of width to height for three plots in one row
+_MIN_PLOT = 90  # minimum height of a plot, px
 _GROWTH = 0.5  # change of the arcs' radius along the trail
 _GAP = 10  # px
-_FULL, _HALF = 2 * np.pi, np.pi
+_FULL = 2 * np.pi
 _ROUNDING = 1e-6  # rounding error of an angle, rad
 _EDGE = 0.04  # margin in a plot, as a share of its data's size
 
@@ -49,7 +50,7 @@ class GaussFigure:
         self.path = Plot(corner - edge, opposite + edge, equal=True)
         self.circle = Plot((-1.6, -1.6), (1.6, 1.6), equal=True)
         low, high = min(self.phi.min(), signature.theta_level.min()), max(self.phi.max(), signature.theta_level.max())
-        low, high = min(low, -1.15 * _FULL), max(high, 1.15 * _FULL)
+        low, high = min(low, self.limits[0] - 0.15 * _FULL), max(high, self.limits[1] + 0.15 * _FULL)
         edge = _EDGE * (high - low)
         self.graph = Plot((1, low - edge), (max(len(self.phi), 2), high + edge), equal=False)
 
@@ -61,14 +62,19 @@ class GaussFigure:
         """Return the zoomable plot at a pixel, or None."""
         return next((plot for plot in self.zoomable if plot.place.contains(at)), None)
 
+    @staticmethod
+    def min_height(text: QFontMetrics) -> int:
+        """Return the minimum height of three plots in one row, px."""
+        return 4 * text.height() + 10 + _MIN_PLOT
+
     def lay_out(self, width: float, height: float, text: QFontMetrics, top: float = 0.0) -> None:
         """Arrange the plots side by side, or, in a narrow widget, the graph below the other two plots."""
         self._width = width
         line = text.height()
-        left, right, below = 62.0, 36.0, line + 6.0
+        left, right, below = 62.0, 8.0, line + 6.0
         above = 2 * line + 4.0  # the graph's legend
         height -= top
-        if width > _WIDE * height:
+        if width > _WIDE * height or height < 2 * self.min_height(text):
             each = (width - 2 * _GAP) / 3.5
             tall = height - below - _GAP - line
             self.path.put(QRectF(left, top + line, each - left, tall))
@@ -127,7 +133,7 @@ class GaussFigure:
 
     def _paint_graph(self, painter: QPainter, theme: Theme) -> None:
         plot, signature = self.graph, self.signature
-        self._paint_thresholds(painter, theme)
+        self._paint_bounds(painter, theme)
         for values, pen, steps in (
             (_FULL * self.level, _pen(theme.faint, 2.5), True),
             (signature.theta_level, _pen(theme.v, 1.0), False),
@@ -148,16 +154,14 @@ class GaussFigure:
         lower, upper = plot.window
         text = QFontMetrics(painter.font())
         rows = max(2, int(plot.place.height() / (1.8 * text.height())))
-        in_pi = ticks(lower[1], upper[1], min(rows, 9), _in_pi, _HALF, whole=upper[1] - lower[1] > 4 * _HALF)
-        levels = ticks(lower[1], upper[1], 5, _in_turns, _FULL, whole=True)
+        in_turns = ticks(lower[1], upper[1], min(rows, 9), _in_turns, _FULL, whole=upper[1] - lower[1] > 2 * _FULL)
         many = max(2, int(plot.place.width() / 90))
         steps = ticks(lower[0], upper[0], many, lambda k: user().count(round(k)), whole=True)
-        plot.frame(painter, steps, in_pi, QColor(theme.text), levels)
+        plot.frame(painter, steps, in_turns, QColor(theme.text))
         place, line = plot.place, text.height()
         painter.drawText(
             QRectF(place.left(), place.bottom() + line + 2, place.width(), line), int(Qt.AlignHCenter), "k"
         )
-        painter.drawText(QRectF(place.right() + 6, place.top() - line, 20, line), int(Qt.AlignLeft), "n")
         self._paint_names(painter, theme)
 
     def _seen(self, values: np.ndarray) -> np.ndarray:
@@ -167,18 +171,17 @@ class GaussFigure:
         last = int(np.clip(math.ceil(upper[0]) + 1, first + 1, len(values)))
         return first + thinned(values[first:last], _COLUMNS)
 
-    def _paint_thresholds(self, painter: QPainter, theme: Theme) -> None:
-        """Draw the bounds of phi, +-pi and +-2 pi, and highlight the deciding bound."""
+    def _paint_bounds(self, painter: QPainter, theme: Theme) -> None:
+        """Draw the limits of phi, highlighted if they decide for this strategy."""
         plot = self.graph
         plot.clipped(painter)
-        deciding, _ = self._threshold()
-        strong = self._strong(theme)
-        for turned, style in ((_HALF, Qt.DotLine), (_FULL, Qt.DashLine)):
-            painter.setPen(_pen(strong, 2.2, style) if turned == deciding else _pen(theme.faint, 1.0, style))
-            x = plot.window[0][0], plot.window[1][0]
-            for sign in (1, -1):
-                ends = plot.pixels([(x[0], sign * turned), (x[1], sign * turned)])
-                painter.drawLine(QPointF(*ends[0]), QPointF(*ends[1]))
+        painter.setPen(
+            _pen(self._strong(theme), 2.2, Qt.DashLine) if self.bound else _pen(theme.faint, 1.0, Qt.DashLine)
+        )
+        x = plot.window[0][0], plot.window[1][0]
+        for limit in self.limits:
+            ends = plot.pixels([(x[0], limit), (x[1], limit)])
+            painter.drawLine(QPointF(*ends[0]), QPointF(*ends[1]))
 
     def _strong(self, theme: Theme) -> str:
         """Return the colour of the deciding bound: the colour of the strategy, made readable."""
@@ -188,28 +191,36 @@ class GaussFigure:
     def _strategy(self) -> Strategy:
         return self.reading.recognition.strategy
 
-    def _threshold(self) -> tuple[float | None, str]:
-        """Return the bound of phi that decides for this strategy, with its name; None if phi does not decide.
+    @property
+    def limits(self) -> tuple[float, float]:
+        """One turn of phi to both sides, rad: from the middle for rows, else from the start.
 
-        Rows stay within +-pi, or within 2 pi (level 0), depending on the area's first direction. Loops reach 2 pi.
+        The first move of a zigzag can have any direction, so the middle of phi differs from the start.
         """
-        reached = float(np.abs(self.phi).max())
+        rows = self._strategy.family is Family.ROWS
+        middle = float(self.phi.min() + self.phi.max()) / 2 if rows else 0.0
+        return middle - _FULL, middle + _FULL
+
+    @property
+    def bound(self) -> str:
+        """The condition that decides for this strategy; empty if phi does not decide."""
+        low, high = self.limits
+        inside = low + _ROUNDING < self.phi.min() and self.phi.max() < high - _ROUNDING
         name = strategy_name(self._strategy)
-        if self._strategy.family is Family.ROWS and reached <= _HALF + _ROUNDING:
-            return _HALF, f"|φ| ≤ π: {name}"
-        if self._strategy.family is Family.ROWS and reached < _FULL - _ROUNDING:
-            return _FULL, f"|φ| < 2π, n = 0: {name}"
-        if self._strategy.family is Family.AROUND and reached >= _FULL - _ROUNDING:
-            return _FULL, f"|φ| ≥ 2π: {name}"
-        return None, ""
+        if self._strategy.family is Family.ROWS and inside:
+            level_0 = np.abs(self.phi).max() < _FULL - _ROUNDING
+            return f"n = 0: {name}" if level_0 else f"(max φ − min φ)/2π < 2: {name}"
+        if self._strategy.family is Family.AROUND and not inside:
+            return f"|n| ≥ 1: {name}"
+        return ""
 
     def _paint_names(self, painter: QPainter, theme: Theme) -> None:
         """Write the names of the curves above the graph, and the deciding bound; farther left if room is short."""
         text = QFontMetrics(painter.font())
-        entries = [("2π n", theme.faint), ("θ + 2π n", theme.v), ("φ", theme.counter_clockwise)]
+        entries = [("n", theme.faint), ("θ/2π + n", theme.v), ("φ/2π", theme.counter_clockwise)]
         if len(self.signature.reversals):
             entries.append(("× Δφ = ±π", theme.text))
-        bound, gap = self._threshold()[1], 22
+        bound, gap = self.bound, 22
         widths = [text.horizontalAdvance(name) for name, _ in entries]
         left, y = self.graph.place.left(), self.graph.place.top() - text.height() - 4
         x = min(left, self._width - sum(widths) - gap * (len(widths) - 1))
@@ -307,11 +318,4 @@ def _polar(radius, angle) -> tuple:
 
 
 def _in_turns(value: float) -> str:
-    return f"{round(value / _FULL)}".replace("-", "−")
-
-
-def _in_pi(value: float) -> str:
-    multiple = round(value / np.pi, 6)
-    if multiple in (-1, 0, 1):
-        return {-1: "−π", 0: "0", 1: "π"}[int(multiple)]
-    return f"{user().number(multiple)}π".replace("-", "−")
+    return user().number(round(value / _FULL, 6)).replace("-", "−")

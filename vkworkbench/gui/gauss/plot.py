@@ -111,8 +111,8 @@ class Plot:
         painter.setClipRect(self.place)
         return painter
 
-    def frame(self, painter: QPainter, x_ticks: list, y_ticks: list, color, right: list = ()) -> None:
-        """Draw the border, and ticks with labels: (value, text) below, on the left and on the right."""
+    def frame(self, painter: QPainter, x_ticks: list, y_ticks: list, color) -> None:
+        """Draw the border, and ticks with labels: (value, text) below and on the left."""
         painter.setClipping(False)
         painter.setPen(QPen(color, 1))
         painter.setBrush(Qt.NoBrush)
@@ -124,12 +124,11 @@ class Plot:
             painter.drawLine(QPointF(x, self.place.bottom()), QPointF(x, self.place.bottom() + 3))
             box = QRectF(x - 60, self.place.bottom() + 4, 120, height)
             painter.drawText(box, int(Qt.AlignHCenter | Qt.AlignTop), name)
-        for ticks, x, way in ((y_ticks, self.place.left(), -1), (right, self.place.right(), 1)):
-            for value, name in ticks:
-                y = float(self.pixels([(lower[0], value)])[0, 1])
-                painter.drawLine(QPointF(x, y), QPointF(x + 3 * way, y))
-                box = QRectF(x - 66 if way < 0 else x + 6, y - height / 2, 60, height)
-                painter.drawText(box, int((Qt.AlignRight if way < 0 else Qt.AlignLeft) | Qt.AlignVCenter), name)
+        x = self.place.left()
+        for value, name in y_ticks:
+            y = float(self.pixels([(lower[0], value)])[0, 1])
+            painter.drawLine(QPointF(x, y), QPointF(x - 3, y))
+            painter.drawText(QRectF(x - 66, y - height / 2, 60, height), int(Qt.AlignRight | Qt.AlignVCenter), name)
 
 
 def ticks(
