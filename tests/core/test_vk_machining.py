@@ -11,7 +11,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from vkworkbench.core import MACHINES, exact_lengths, machining, trajectory_seconds
+from vkworkbench.core import MACHINES, exact_lengths, machining, seconds_of_dwells, trajectory_seconds
 from vkworkbench.core.gcode import linearize
 
 
@@ -114,7 +114,7 @@ def test_rapids_of_unknown_speed_have_a_note():
     none = machining(linearize(commands), controller=False)
     assert none.rapid_seconds is None
     assert none.notes == (
-        "The machining time does not include 104 mm of rapids, because the operation has no tool controller. Give it one with rapid speeds.",
+        "The machining time does not include 104 mm of rapids, because the operation has no tool controller. Choose your machine in the preferences, page Machine.",
     )
 
 
@@ -192,3 +192,14 @@ def test_unread_timed_commands_make_time_a_lower_bound():
         found = machining(linearize([start, cut, command]), horizontal_rapid=50.0, vertical_rapid=50.0)
         assert [told.arguments["sentence"].code for told in found.left_out] == [code] and not found.complete
     assert machining(linearize([start, cut, ("G999", {})]), horizontal_rapid=50.0, vertical_rapid=50.0).complete
+
+
+def test_dwells_belong_to_the_next_move_or_to_their_hole():
+    lines = [("G0", {"X": 0.0, "Y": 0.0, "Z": 5.0}), ("G4", {"P": 2.0}), ("G1", {"Z": -1.0, "F": 5.0}), ("G4", {"P": 1.0}),
+             ("G0", {"Z": 5.0}), ("G82", {"X": 9.0, "Z": -1.0, "R": 2.0, "P": 0.5, "F": 5.0}), ("G4", {"P": 4.0})]  # fmt: skip
+    path = linearize(lines)
+    found = seconds_of_dwells(path)
+    assert found.sum() == machining(path).dwell_seconds == 7.5
+    assert found[:2].tolist() == [2.0, 1.0] and found[-1] == 4.5
+    assert seconds_of_dwells(path, machine=replace(MACHINES["small-mill"], factor=2.0)).sum() == 15.0
+    assert seconds_of_dwells(linearize(lines[1:2])).tolist() == []

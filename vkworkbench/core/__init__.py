@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING
 if TYPE_CHECKING:
     from vkworkbench.core.gcode import linearize
     from vkworkbench.core.machine import MACHINES, Machine, machine_of_grbl
-    from vkworkbench.core.machining_time import Machining, machining, trajectory_seconds
+    from vkworkbench.core.machining_time import Machining, machining, seconds_of_dwells, trajectory_seconds
     from vkworkbench.core.paper import Complexity, Signature, complexity, signature
     from vkworkbench.core.recognition import Recognition, Span, recognize
     from vkworkbench.core.solids import Stock, stock_around
@@ -40,13 +40,13 @@ __all__ = [
     "COORDINATE_LIMIT", "MACHINES", "Complexity", "Cut", "Cylinder", "Estimate", "Family", "Frame", "Machine", "Machining", "Mesh", "Problem",
     "Recognition", "Resolution", "Signature", "Solid", "Span", "Speed", "Stock", "Strategy", "Tool", "Toolpath",
     "View", "ZBuffer", "best_resolution", "cauchy_crofton", "complexity", "estimate", "exact_lengths", "linearize", "machine_of_grbl", "machining",
-    "measure_speed", "recognize", "signature", "simulate", "simulate_job", "stock_around", "trajectory_seconds",
+    "measure_speed", "recognize", "seconds_of_dwells", "signature", "simulate", "simulate_job", "stock_around", "trajectory_seconds",
 ]  # fmt: skip
 
 _NAMES = {
     "gcode": "linearize",
     "machine": "MACHINES Machine machine_of_grbl",
-    "machining_time": "Machining machining trajectory_seconds",
+    "machining_time": "Machining machining seconds_of_dwells trajectory_seconds",
     "paper": "Complexity Signature complexity signature",
     "recognition": "Recognition Span recognize",
     "solids": "Stock stock_around",

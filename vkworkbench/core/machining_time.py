@@ -99,6 +99,21 @@ def trajectory_seconds(
     return exact_lengths(toolpath) / np.where(speed > 0, speed, np.nan)
 
 
+def seconds_of_dwells(toolpath: Toolpath, *, machine: Machine | None = None) -> np.ndarray:
+    """Return the dwells before each trajectory, and after the hole of a drilling cycle, (n,) float64 s.
+
+    A dwell at the end of the toolpath counts with the last trajectory.
+    """
+    if not len(toolpath):
+        return np.zeros(0)
+    dwelling, seconds = toolpath.dwells.T
+    behind = np.searchsorted(toolpath.command, dwelling, "right")
+    in_cycle = toolpath.command[np.maximum(behind, 1) - 1] == dwelling
+    at = np.clip(behind - in_cycle, 0, len(toolpath) - 1)
+    result: np.ndarray = np.bincount(at, weights=seconds, minlength=len(toolpath))
+    return result * (machine.factor if machine else 1.0)
+
+
 def _timed(moves: np.ndarray, lengths: np.ndarray, seconds: np.ndarray) -> tuple[float, float | None, float, int]:
     """Measure the lengths and times of the moves selected by `moves`, (n,) bool. Unknown times in `seconds` are NaN.
 

@@ -10,7 +10,7 @@ from functools import cached_property
 import numpy as np
 
 from vkworkbench import preferences
-from vkworkbench.core import Cut, Solid, Strategy, Toolpath, trajectory_seconds
+from vkworkbench.core import Cut, Solid, Strategy, Toolpath, seconds_of_dwells, trajectory_seconds
 from vkworkbench.document.job.listing import Listing
 from vkworkbench.document.job.recognition import recognize_operation
 from vkworkbench.document.job.solids import model_solid
@@ -93,11 +93,12 @@ class SimulatedJob:
 
     @cached_property
     def seconds(self) -> np.ndarray:
-        """Times of the trajectories of all operations, (n,) float64 s; NaN for an unknown speed."""
+        """Times of the trajectories of all operations, with dwells, (n,) float64 s; NaN for an unknown speed."""
         machine = preferences.read().planned_machine
         return np.concatenate([
             trajectory_seconds(cut.toolpath, horizontal_rapid=operation.rapid_feeds[0],
                                vertical_rapid=operation.rapid_feeds[1], machine=machine)
+            + seconds_of_dwells(cut.toolpath, machine=machine)
             for operation, cut in zip(self.operations, self.cuts)
         ])  # fmt: skip
 
