@@ -9,6 +9,7 @@ A place without a quantity stands for a text or for another message. The quantit
 * ``g``: a number
 * ``mm``, ``mm³``, ``mm/min``: a length, a volume, a speed
 * ``s``: a duration in s
+* ``clock``: a duration in s, as minutes and seconds
 * ``estimate``: an estimated duration in s
 * ``bytes``: a memory size
 * ``%``: a share of 1
@@ -44,6 +45,7 @@ _QUANTITIES: dict[str, Callable[[Reader, Any, int], str]] = {
     "mm³": lambda reader, value, digits: reader.volume(float(value), digits),
     "mm/min": lambda reader, value, digits: f"{reader.measure(float(value), digits)}/min",
     "s": lambda reader, value, extra: reader.time(value, extra_digits=extra),
+    "clock": lambda reader, value, digits: reader.clock(value),
     "estimate": lambda reader, value, extra: reader.time(value, ROUGH),
     "bytes": lambda reader, value, extra: reader.memory(value, extra),
     "%": lambda reader, value, digits: reader.share(value),

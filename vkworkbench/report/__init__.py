@@ -23,10 +23,10 @@ from vkworkbench.report.simulated_part import SimulatedPart
 from vkworkbench.report.simulation_facts import SimulationFacts
 from vkworkbench.report.spreadsheet import as_cell
 from vkworkbench.report.text_table import files_left_out, how_many, printable
-from vkworkbench.report.total import Total, has_unknown_cost, total_of
+from vkworkbench.report.total import Total, compare_setups, compare_with_sum, has_unknown_cost, total_of
 from vkworkbench.report.travel import extent_of, with_travel
 
 __all__ = [
     "HANGS", "SERIOUS", "Cancelled", "JobVerdict", "OperationReport", "Report", "Setup", "SimulatedPart", "SimulationFacts", "Total", "as_cell", "cells_of",
-    "contradiction", "extent_of", "files_left_out", "fingerprint_of_job", "has_unknown_cost", "how_many", "is_switched_off", "printable", "setup_of", "total_of", "with_travel", "without_results",
+    "compare_setups", "compare_with_sum", "contradiction", "extent_of", "files_left_out", "fingerprint_of_job", "has_unknown_cost", "how_many", "is_switched_off", "printable", "setup_of", "total_of", "with_travel", "without_results",
 ]  # fmt: skip

@@ -12,7 +12,7 @@ from vkworkbench.core.simulators import Costs
 from vkworkbench.language import ENGLISH, render
 from vkworkbench.report.operation import OperationReport, contradiction
 from vkworkbench.report.text_table import how_many, line, printable, widths_of
-from vkworkbench.report.total import Total, counted_in
+from vkworkbench.report.total import Total, compare_setups, compare_with_sum, counted_in
 
 _VERDICT = 1000  # maximum length of a verdict printed below the table, characters
 
@@ -36,6 +36,11 @@ def table_of(operations: Sequence[OperationReport], totals: Sequence[Total], sim
     lines = [title, rule, *shown]
     if below:
         lines += [rule, *(line(row, widths, left) for row in below)]
+    if any(not o.counted and o.job is not None for o in operations):
+        lines.append("Rows in brackets are not included in the totals: they are switched off, or have a dress-up.")
+    for t in totals:
+        notes = compare_setups(t), compare_with_sum(t, counted_in(operations, t.document, t.job), simulator)
+        lines += [f"{printable(t.label)}: {render(note)}" for note in notes if note]
     lines += [f"{printable(t.label)}: {printable(str(t.verdict), _VERDICT)}" for t in totals if t.verdict]
     return "\n".join(lines)
 

@@ -10,9 +10,12 @@ from typing import Any
 from vkworkbench.core import Strategy
 from vkworkbench.core.simulators import SIMULATORS, ZBUFFER, Costs, together
 from vkworkbench.core.zbuffer import CutFacts
+from vkworkbench.language import Message
 from vkworkbench.report.job_verdict import JobVerdict
 from vkworkbench.report.operation import OperationReport, Setup
 from vkworkbench.report.text_table import how_many, printable
+
+_SAME = 0.1  # share of a total by which the sum of its operations may differ without a remark
 
 
 @dataclass(frozen=True)
@@ -143,6 +146,21 @@ def total_of(
         advice=advice,
         setup=Setup("", bool(counted) and all(o.setup.planned for o in counted), setup),
     )  # fmt: skip
+
+
+def compare_setups(total: Total) -> Message | None:
+    """Return why the machining time of a job is more than the sum of its operations; None if it is the sum."""
+    return Message("setups-in-total", time=total.setup.change) if total.setup.change else None
+
+
+def compare_with_sum(total: Costs, parts: Iterable[Costs], simulator: str) -> Message | None:
+    """Return why the simulation time of a job is not the sum of its operations; None if it is the sum, or unknown."""
+    cost, alone = total.cost(simulator), [part.cost(simulator) for part in parts]
+    sum_of_parts = sum(one[0] for one in alone if one is not None)
+    if cost is None or not sum_of_parts or abs(cost[0] - sum_of_parts) < _SAME * cost[0]:
+        return None
+    more = cost[0] > sum_of_parts
+    return Message("more-than-sum", simulator=simulator) if more else Message("less-than-sum", simulator=simulator)
 
 
 def _setup_seconds(counted: Sequence[Any]) -> float:

@@ -21,7 +21,7 @@ from vkworkbench.language.table import PLAIN, TABLE
 
 PACKAGE = Path(__file__).resolve().parents[3] / "vkworkbench"
 PLACE = re.compile(r"\{(\w+)(?::([^{}\d]+)\d*)?\}")
-VALUES = {"n": 3, "#": 12345, "g": 0.5, "mm": 2.5, "mm³": 212.0, "mm/min": 300.0, "s": 4.0, "estimate": 40.0, "bytes": 2e6, "%": 0.5, "turns": 9.0,
+VALUES = {"n": 3, "#": 12345, "g": 0.5, "mm": 2.5, "mm³": 212.0, "mm/min": 300.0, "s": 4.0, "estimate": 40.0, "clock": 75.0, "bytes": 2e6, "%": 0.5, "turns": 9.0,
           "strategy": "zigzag", "simulator": "legacy", "": "Face"}  # fmt: skip
 
 
@@ -165,7 +165,7 @@ def test_numbers_are_written_in_the_readers_way():
     ("measure", [1e-6, 6], "1e-06 mm"), ("measure", [float("nan"), 6], "nan mm"), ("measure", [10 / 3, 6], "3.33333 mm"),
     ("number", [10 / 3], "3.33333"), ("number", [1234567.8], "1,234,568"), ("volume", [10 / 3, 3], "3.33 mm³"),
     ("turns", [9.42478], "+1.50"), ("turns", [-1e-9], "0"), ("turns", [0.03], "0"), ("turns", [0.04], "+0.01"), ("share", [0.005], "0%"),
-    ("simulator", ["z-buffer"], "extended z-buffer"), ("simulator", ["another"], "another"),
+    ("simulator", ["z-buffer"], "Simulate Toolpaths simulator"), ("simulator", ["another"], "another"),
 ])  # fmt: skip
 def test_numbers_have_two_or_three_digits_and_a_unit(kind, number, text):
     assert getattr(ENGLISH, kind)(*number) == text

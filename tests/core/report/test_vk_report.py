@@ -14,7 +14,7 @@ import pytest
 from vkworkbench.core import MACHINES, Machining, Span, Strategy
 from vkworkbench.core.zbuffer import Verdict
 from vkworkbench.language import Message
-from vkworkbench.report import JobVerdict, Report, Setup, SimulationFacts, setup_of, without_results
+from vkworkbench.report import JobVerdict, Report, Setup, SimulationFacts, compare_with_sum, setup_of, without_results
 from vkworkbench.report.table import table_of
 from vkworkbench.report.text_table import printable
 
@@ -161,6 +161,27 @@ def test_row_ends_with_the_chosen_simulator():
     row = operation("One", costs={"legacy": cost}, remarks=())
     assert table_of([row], [], "legacy").splitlines()[-1].split()[-4:] == ["7.0", "s", "3.0", "MB"]
     assert table_of([row], [], "z-buffer").splitlines()[-1].split()[-2:] == ["?", "?"]
+
+
+@pytest.mark.parametrize("seconds, code", [
+    (20.0, "more-than-sum"), (5.0, "less-than-sum"), (10.5, None), (9.5, None), (None, None),
+])  # fmt: skip
+def test_difference_from_the_sum_has_a_reason(seconds, code):
+    def costs(seconds):
+        return {} if seconds is None else {"legacy": SimpleNamespace(seconds=seconds, memory_bytes=0.0, factor=1.0)}
+
+    (total,) = report(operation("One")).totals
+    parts = [operation("One", costs=costs(4.0)), operation("Two", costs=costs(6.0)), operation("Three")]
+    found = compare_with_sum(replace(total, costs=costs(seconds)), parts, "legacy")
+    assert (found and found.code) == code
+
+
+def test_table_says_why_totals_are_not_sums():
+    one, two, base = (operation(name, setup=setup_of(name, MILL)) for name in ("T1", "T2", "T3"))
+    text = str(report(one, two, replace(base, counted=False)))
+    assert "\nRows in brackets are not included in the totals" in text and "\n(T3) " in text
+    assert text.endswith("\nPart: More than the sum: tool changes and starts of the spindle take 2:12.")
+    assert "brackets" not in str(report(one)) and "sum" not in str(report(operation("One")))
 
 
 def test_csv_file_of_one_operation_has_its_columns(tmp_path):

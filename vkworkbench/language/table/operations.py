@@ -21,6 +21,9 @@ OPERATIONS: dict[str, str | tuple[str, str]] = {
         "Sentences", "The operation is called {name}, but its toolpath is {strategy:strategy}."
     ),
     "no-tool": QT_TRANSLATE_NOOP("Sentences", "The operation has no tool. Give it a tool controller."),
+    "no-tool-possible": QT_TRANSLATE_NOOP(
+        "Sentences", "This toolpath cannot have a tool. Import its program into a job."
+    ),
     "no-tool-bit": QT_TRANSLATE_NOOP("Sentences", "{label} has no tool. Choose a tool bit for it."),
     "no-diameter": QT_TRANSLATE_NOOP("Sentences", "The tool in {label} has no diameter. Enter one in its tool bit."),
     "tool-diameter": QT_TRANSLATE_NOOP(
@@ -76,6 +79,10 @@ OPERATIONS: dict[str, str | tuple[str, str]] = {
     "tool-wider-than-stock": QT_TRANSLATE_NOOP(
         "Sentences", "The tool is wider than the stock. Check the tool's diameter and the stock."
     ),
+    "cycle-time": QT_TRANSLATE_NOOP(
+        "Sentences",
+        "FreeCAD's CycleTime for this job is {seconds:clock}. FreeCAD measures arcs wrongly, and leaves out accelerations and dwells.",
+    ),
     "cutting-untimed": (
         QT_TRANSLATE_NOOP(
             "Sentences",
@@ -98,6 +105,6 @@ OPERATIONS: dict[str, str | tuple[str, str]] = {
     "rapids-without-controller": QT_TRANSLATE_NOOP(
         "Sentences",
         "The machining time does not include {length:mm4} of rapids, because the "
-        "operation has no tool controller. Give it one with rapid speeds.",
+        "operation has no tool controller. Choose your machine in the preferences, page Machine.",
     ),
 }

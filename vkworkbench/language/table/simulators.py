@@ -90,6 +90,16 @@ SIMULATORS: dict[str, str | tuple[str, str]] = {
     "ours-instead": QT_TRANSLATE_NOOP(
         "Sentences", "Simulate Toolpaths shows the finished part at once, coarse at first."
     ),
+    # Why the total of a job is not the sum of its operations.
+    "more-than-sum": QT_TRANSLATE_NOOP(
+        "Sentences", "More than the sum: the {simulator:simulator} slows down with every cut."
+    ),
+    "less-than-sum": QT_TRANSLATE_NOOP(
+        "Sentences", "Less than the sum: the {simulator:simulator} simulates all operations in one run."
+    ),
+    "setups-in-total": QT_TRANSLATE_NOOP(
+        "Sentences", "More than the sum: tool changes and starts of the spindle take {time:clock}."
+    ),
     # Advice.
     "use-opengl": QT_TRANSLATE_NOOP("Sentences", "Use the {simulator:simulator} for this operation."),
     "leave-out": QT_TRANSLATE_NOOP("Sentences", "Leave this operation out of the simulation."),
