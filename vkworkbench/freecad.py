@@ -156,6 +156,7 @@ TOOLS = Property("Tools")
 GROUP = Property("Group", fingerprint="setting")
 # Work offsets, G54 to G59. All operations are posted once for each work offset.
 FIXTURES = Property("Fixtures", fingerprint="setting")
+CYCLE_TIME = Property("CycleTime")
 STOCK = Property("Stock", fingerprint="setting")
 MODEL = Property("Model")
 # Objects that hold the workpiece. This add-on defines the property.

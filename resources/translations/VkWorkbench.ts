@@ -242,10 +242,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>extended z-buffer</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>legacy simulator</source>
         <translation type="unfinished"></translation>
     </message>
@@ -535,10 +531,6 @@
     </message>
     <message>
         <source>The machining time does not include {length:mm4} of rapids, because the tool controller&apos;s {name} and {other} are 0.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The machining time does not include {length:mm4} of rapids, because the operation has no tool controller. Give it one with rapid speeds.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1397,12 +1389,40 @@
         <source>The program has no unit (G20, G21) and is read in millimeters. It can also be in inches.</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Simulate Toolpaths simulator</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This toolpath cannot have a tool. Import its program into a job.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>FreeCAD&apos;s CycleTime for this job is {seconds:clock}. FreeCAD measures arcs wrongly, and leaves out accelerations and dwells.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The machining time does not include {length:mm4} of rapids, because the operation has no tool controller. Choose your machine in the preferences, page Machine.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>More than the sum: the {simulator:simulator} slows down with every cut.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Less than the sum: the {simulator:simulator} simulates all operations in one run.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>More than the sum: tool changes and starts of the spindle take {time:clock}.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>Strategy</name>
     <message>
         <source>zigzag</source>
-        <extracomment>The operation has no strategy, or several.</extracomment>
+        <extracomment>The operation has no strategy, or several strategies.</extracomment>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1660,10 +1680,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Budget</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Time</source>
         <translation type="unfinished"></translation>
     </message>
@@ -1673,18 +1689,6 @@
     </message>
     <message>
         <source>Simulation</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Z-buffer image width</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Z-buffer image height</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Z-buffer view</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1772,14 +1776,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Width of the image that the extended z-buffer computes.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Height of the image that the extended z-buffer computes.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Direction from which the part is viewed.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -1801,6 +1797,30 @@
     </message>
     <message>
         <source>Measures how fast this computer simulates, and saves the result. This takes some seconds.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Limits</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Simulate Toolpaths: image width</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Width of the picture for which the time and memory of Simulate Toolpaths are estimated.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Simulate Toolpaths: image height</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Height of the picture for which the time and memory of Simulate Toolpaths are estimated.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Simulate Toolpaths: view</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -1928,11 +1948,11 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>{count} mark was removed.</source>
+        <source>The marks were removed.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>{count} marks were removed.</source>
+        <source>There are no marks to remove.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -1979,10 +1999,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>with the closing turn φ = {}, n = {}</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Gauss Map</source>
         <translation type="unfinished"></translation>
     </message>
@@ -2003,10 +2019,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>&lt;p&gt;The left plot shows the toolpath with the vector V&lt;sub&gt;k&lt;/sub&gt; from the first point of the area. The unit circle shows the directions of the trajectory v&lt;sub&gt;k&lt;/sub&gt; and of V&lt;sub&gt;k&lt;/sub&gt;. Its arcs show how these directions have moved. In a zigzag, the direction of v&lt;sub&gt;k&lt;/sub&gt; moves back and forth on a part of the circle. In a contour, it moves all around the circle. The direction of V&lt;sub&gt;k&lt;/sub&gt; moves all around only if the path begins inside the contour. The right plot shows the cumulative angular function φ and the angle θ on level n. A contour-parallel path reaches the dashed lines ±2π, and a zigzag stays between them.&lt;/p&gt;</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>&lt;p&gt;Use the wheel to zoom, drag to move, and double-click to show everything again.&lt;/p&gt;</source>
         <translation type="unfinished"></translation>
     </message>
@@ -2016,6 +2028,18 @@
     </message>
     <message>
         <source>Save Picture</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&lt;p&gt;The left plot shows the toolpath with the vector V&lt;sub&gt;k&lt;/sub&gt; from the first point of the area. The unit circle shows the directions of the trajectory v&lt;sub&gt;k&lt;/sub&gt; and of V&lt;sub&gt;k&lt;/sub&gt;. Its arcs show how these directions have moved. In a zigzag, the direction of v&lt;sub&gt;k&lt;/sub&gt; moves back and forth on a part of the circle. In a contour, it moves all around the circle. The direction of V&lt;sub&gt;k&lt;/sub&gt; moves all around only if the path begins inside the contour. The right plot shows the cumulative angular function φ and the angle θ on level n, in turns. A contour-parallel path reaches the dashed lines, one turn from its start. A zigzag stays between the dashed lines, one turn from its middle.&lt;/p&gt;</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>with the closing turn {}, n = {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>φ = {} turns</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -2166,10 +2190,6 @@
     <message>
         <source>Recommended
 Image</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The finest image of the z-buffer within your limits of time and memory.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2344,15 +2364,6 @@ Memory</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Time to simulate it in an extended z-buffer. An operation is simulated alone, on the whole stock. In a job, each operation cuts the stock that is left.</source>
-        <extracomment>The paper&apos;s extended z-buffer. Its columns in CSV and JSON have no prefix.</extracomment>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Memory to simulate it in an extended z-buffer. An operation includes the whole stock. A job includes the stock once.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Time on the machine of the preferences. Without a machine: at constant feeds, and with rapids if the tool controller has rapid speeds.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -2369,18 +2380,6 @@ Memory</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>More than the sum: tool changes and starts of the spindle take {time}.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>More than the sum: the {simulator} slows down with every cut.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Less than the sum: the {simulator} simulates all operations in one run.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Enter the Measured Time…</source>
         <translation type="unfinished"></translation>
     </message>
@@ -2394,6 +2393,35 @@ Memory</source>
     </message>
     <message>
         <source>This is not a possible time. Enter it like 17:30 or 1:02:30.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Time that Simulate Toolpaths takes. An operation is simulated alone, on the whole stock. In a job, each operation cuts the stock that is left.</source>
+        <extracomment>The paper&apos;s extended z-buffer. Its columns in CSV and JSON have no prefix.</extracomment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Memory that Simulate Toolpaths takes. An operation includes the whole stock. A job includes the stock once.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The finest image of Simulate Toolpaths within your limits of time and memory.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Notes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Remarks that need no action, such as problems of a simulator that the marks do not show.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Jobs and Operations</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Details of the Selected Operation</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

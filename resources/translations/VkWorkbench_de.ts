@@ -626,10 +626,6 @@
         <translation>Diese Operationen gehören zu mehreren Aufträgen. Wählen Sie nur Operationen eines Auftrags: {labels}.</translation>
     </message>
     <message>
-        <source>extended z-buffer</source>
-        <translation>erweiterter Z-Buffer</translation>
-    </message>
-    <message>
         <source>legacy simulator</source>
         <translation>alter Simulator</translation>
     </message>
@@ -940,10 +936,6 @@
     <message>
         <source>{width:n} x {height:n} pixels of {pixel:mm2}, limited by the {limit}.{passes}</source>
         <translation>{width:n} × {height:n} Pixel von {pixel:mm2}, begrenzt durch {limit}.{passes}</translation>
-    </message>
-    <message>
-        <source>The machining time does not include {length:mm4} of rapids, because the operation has no tool controller. Give it one with rapid speeds.</source>
-        <translation>Die Bearbeitungszeit enthält {length:mm4} Eilgang nicht, weil die Operation keinen Werkzeugcontroller hat. Geben Sie ihr einen mit Eilganggeschwindigkeiten.</translation>
     </message>
     <message>
         <source>Lines with variables or expressions are ignored.</source>
@@ -1397,12 +1389,40 @@
         <source>The program has no unit (G20, G21) and is read in millimeters. It can also be in inches.</source>
         <translation>Das Programm nennt keine Einheit (G20, G21) und wird in Millimetern gelesen. Es kann auch in Zoll sein.</translation>
     </message>
+    <message>
+        <source>Simulate Toolpaths simulator</source>
+        <translation>Werkzeugwege simulieren</translation>
+    </message>
+    <message>
+        <source>This toolpath cannot have a tool. Import its program into a job.</source>
+        <translation>Dieser Werkzeugweg kann kein Werkzeug haben. Importieren Sie sein Programm in einen Auftrag.</translation>
+    </message>
+    <message>
+        <source>FreeCAD&apos;s CycleTime for this job is {seconds:clock}. FreeCAD measures arcs wrongly, and leaves out accelerations and dwells.</source>
+        <translation>FreeCADs CycleTime für diesen Auftrag ist {seconds:clock}. FreeCAD misst Bögen falsch und lässt Beschleunigungen und Verweilzeiten weg.</translation>
+    </message>
+    <message>
+        <source>The machining time does not include {length:mm4} of rapids, because the operation has no tool controller. Choose your machine in the preferences, page Machine.</source>
+        <translation>Die Bearbeitungszeit enthält {length:mm4} Eilgang nicht, weil die Operation keinen Werkzeugcontroller hat. Wählen Sie Ihre Maschine in den Einstellungen, Seite Maschine.</translation>
+    </message>
+    <message>
+        <source>More than the sum: the {simulator:simulator} slows down with every cut.</source>
+        <translation>Mehr als die Summe: „{simulator:simulator}“ wird mit jedem Schnitt langsamer.</translation>
+    </message>
+    <message>
+        <source>Less than the sum: the {simulator:simulator} simulates all operations in one run.</source>
+        <translation>Weniger als die Summe: „{simulator:simulator}“ simuliert alle Operationen in einem Lauf.</translation>
+    </message>
+    <message>
+        <source>More than the sum: tool changes and starts of the spindle take {time:clock}.</source>
+        <translation>Mehr als die Summe: Werkzeugwechsel und Spindelanläufe dauern {time:clock}.</translation>
+    </message>
 </context>
 <context>
     <name>Strategy</name>
     <message>
         <source>zigzag</source>
-        <extracomment>The operation has no strategy, or several.</extracomment>
+        <extracomment>The operation has no strategy, or several strategies.</extracomment>
         <translation>Zickzack</translation>
     </message>
     <message>
@@ -1676,10 +1696,6 @@
         <translation>Nach einer Neuberechnung erneut analysieren</translation>
     </message>
     <message>
-        <source>Budget</source>
-        <translation>Grenzen</translation>
-    </message>
-    <message>
         <source>Time</source>
         <translation>Zeit</translation>
     </message>
@@ -1698,26 +1714,6 @@
     <message>
         <source>Simulation</source>
         <translation>Simulation</translation>
-    </message>
-    <message>
-        <source>Z-buffer image width</source>
-        <translation>Bildbreite des Z-Buffers</translation>
-    </message>
-    <message>
-        <source>Width of the image that the extended z-buffer computes.</source>
-        <translation>Breite des Bildes, das der erweiterte Z-Buffer berechnet.</translation>
-    </message>
-    <message>
-        <source>Z-buffer image height</source>
-        <translation>Bildhöhe des Z-Buffers</translation>
-    </message>
-    <message>
-        <source>Height of the image that the extended z-buffer computes.</source>
-        <translation>Höhe des Bildes, das der erweiterte Z-Buffer berechnet.</translation>
-    </message>
-    <message>
-        <source>Z-buffer view</source>
-        <translation>Ansicht des Z-Buffers</translation>
     </message>
     <message>
         <source>Direction from which the part is viewed.</source>
@@ -1802,6 +1798,30 @@
     <message>
         <source>Measures how fast this computer simulates, and saves the result. This takes some seconds.</source>
         <translation>Misst, wie schnell dieser Computer simuliert, und speichert das Ergebnis. Das dauert einige Sekunden.</translation>
+    </message>
+    <message>
+        <source>Limits</source>
+        <translation>Grenzen</translation>
+    </message>
+    <message>
+        <source>Simulate Toolpaths: image width</source>
+        <translation>Werkzeugwege simulieren: Bildbreite</translation>
+    </message>
+    <message>
+        <source>Width of the picture for which the time and memory of Simulate Toolpaths are estimated.</source>
+        <translation>Breite des Bildes, für das Zeit und Speicher von „Werkzeugwege simulieren“ geschätzt werden.</translation>
+    </message>
+    <message>
+        <source>Simulate Toolpaths: image height</source>
+        <translation>Werkzeugwege simulieren: Bildhöhe</translation>
+    </message>
+    <message>
+        <source>Height of the picture for which the time and memory of Simulate Toolpaths are estimated.</source>
+        <translation>Höhe des Bildes, für das Zeit und Speicher von „Werkzeugwege simulieren“ geschätzt werden.</translation>
+    </message>
+    <message>
+        <source>Simulate Toolpaths: view</source>
+        <translation>Werkzeugwege simulieren: Ansicht</translation>
     </message>
 </context>
 <context>
@@ -1928,12 +1948,12 @@
         <translation>Analyse löschen</translation>
     </message>
     <message>
-        <source>{count} mark was removed.</source>
-        <translation>{count} Markierung wurde entfernt.</translation>
+        <source>The marks were removed.</source>
+        <translation>Die Markierungen wurden entfernt.</translation>
     </message>
     <message>
-        <source>{count} marks were removed.</source>
-        <translation>{count} Markierungen wurden entfernt.</translation>
+        <source>There are no marks to remove.</source>
+        <translation>Es gibt keine Markierungen zu entfernen.</translation>
     </message>
 </context>
 <context>
@@ -1999,10 +2019,6 @@
         <translation>{} wird gelesen…</translation>
     </message>
     <message>
-        <source>with the closing turn φ = {}, n = {}</source>
-        <translation>mit der schließenden Drehung φ = {}, n = {}</translation>
-    </message>
-    <message>
         <source>Areas that the tool cuts without a rapid move or a plunge. The area that shows the strategy best comes first, then the longest areas.</source>
         <translation>Bereiche, die das Werkzeug ohne Eilgang oder Eintauchen schneidet. Zuerst kommt der Bereich, der die Strategie am besten zeigt, dann die längsten.</translation>
     </message>
@@ -2015,8 +2031,16 @@
         <translation>{}: Keine Bewegung schneidet zur Seite, daher gibt es keine Richtung zu zeigen.</translation>
     </message>
     <message>
-        <source>&lt;p&gt;The left plot shows the toolpath with the vector V&lt;sub&gt;k&lt;/sub&gt; from the first point of the area. The unit circle shows the directions of the trajectory v&lt;sub&gt;k&lt;/sub&gt; and of V&lt;sub&gt;k&lt;/sub&gt;. Its arcs show how these directions have moved. In a zigzag, the direction of v&lt;sub&gt;k&lt;/sub&gt; moves back and forth on a part of the circle. In a contour, it moves all around the circle. The direction of V&lt;sub&gt;k&lt;/sub&gt; moves all around only if the path begins inside the contour. The right plot shows the cumulative angular function φ and the angle θ on level n. A contour-parallel path reaches the dashed lines ±2π, and a zigzag stays between them.&lt;/p&gt;</source>
-        <translation>&lt;p&gt;Das linke Diagramm zeigt den Werkzeugweg mit dem Vektor V&lt;sub&gt;k&lt;/sub&gt; vom ersten Punkt des Bereichs aus. Der Einheitskreis zeigt die Richtungen der Bewegung v&lt;sub&gt;k&lt;/sub&gt; und von V&lt;sub&gt;k&lt;/sub&gt;. Seine Bögen zeigen, wie diese Richtungen gewandert sind. Bei einem Zickzack wandert die Richtung von v&lt;sub&gt;k&lt;/sub&gt; auf einem Teil des Kreises hin und her. Bei einer Kontur wandert sie ganz herum. Die Richtung von V&lt;sub&gt;k&lt;/sub&gt; wandert nur dann ganz herum, wenn der Weg innerhalb der Kontur beginnt. Das rechte Diagramm zeigt die kumulierte Winkelfunktion φ und den Winkel θ auf Stufe n. Ein konturparalleler Weg erreicht die gestrichelten Linien ±2π, und ein Zickzack bleibt dazwischen.&lt;/p&gt;</translation>
+        <source>&lt;p&gt;The left plot shows the toolpath with the vector V&lt;sub&gt;k&lt;/sub&gt; from the first point of the area. The unit circle shows the directions of the trajectory v&lt;sub&gt;k&lt;/sub&gt; and of V&lt;sub&gt;k&lt;/sub&gt;. Its arcs show how these directions have moved. In a zigzag, the direction of v&lt;sub&gt;k&lt;/sub&gt; moves back and forth on a part of the circle. In a contour, it moves all around the circle. The direction of V&lt;sub&gt;k&lt;/sub&gt; moves all around only if the path begins inside the contour. The right plot shows the cumulative angular function φ and the angle θ on level n, in turns. A contour-parallel path reaches the dashed lines, one turn from its start. A zigzag stays between the dashed lines, one turn from its middle.&lt;/p&gt;</source>
+        <translation>&lt;p&gt;Das linke Diagramm zeigt den Werkzeugweg mit dem Vektor V&lt;sub&gt;k&lt;/sub&gt; vom ersten Punkt des Bereichs aus. Der Einheitskreis zeigt die Richtungen der Bewegung v&lt;sub&gt;k&lt;/sub&gt; und von V&lt;sub&gt;k&lt;/sub&gt;. Seine Bögen zeigen, wie diese Richtungen gewandert sind. Bei einem Zickzack wandert die Richtung von v&lt;sub&gt;k&lt;/sub&gt; auf einem Teil des Kreises hin und her. Bei einer Kontur wandert sie ganz herum. Die Richtung von V&lt;sub&gt;k&lt;/sub&gt; wandert nur dann ganz herum, wenn der Weg innerhalb der Kontur beginnt. Das rechte Diagramm zeigt die kumulierte Winkelfunktion φ und den Winkel θ auf Stufe n, in Umdrehungen. Ein konturparalleler Weg erreicht die gestrichelten Linien, eine Umdrehung von seinem Anfang. Ein Zickzack bleibt zwischen den gestrichelten Linien, eine Umdrehung von seiner Mitte.&lt;/p&gt;</translation>
+    </message>
+    <message>
+        <source>with the closing turn {}, n = {}</source>
+        <translation>mit der schließenden Drehung {}, n = {}</translation>
+    </message>
+    <message>
+        <source>φ = {} turns</source>
+        <translation>φ = {} Umdrehungen</translation>
     </message>
 </context>
 <context>
@@ -2146,10 +2170,6 @@
 Image</source>
         <translation>Empfohlenes
 Bild</translation>
-    </message>
-    <message>
-        <source>The finest image of the z-buffer within your limits of time and memory.</source>
-        <translation>Das feinste Bild des Z-Buffers innerhalb Ihrer Grenzen für Zeit und Speicher.</translation>
     </message>
     <message>
         <source>none</source>
@@ -2330,15 +2350,6 @@ at Most</source>
 höchstens</translation>
     </message>
     <message>
-        <source>Time to simulate it in an extended z-buffer. An operation is simulated alone, on the whole stock. In a job, each operation cuts the stock that is left.</source>
-        <extracomment>The paper&apos;s extended z-buffer. Its columns in CSV and JSON have no prefix.</extracomment>
-        <translation>Zeit der Simulation in einem erweiterten Z-Buffer. Eine Operation wird allein simuliert, am ganzen Rohteil. In einem Auftrag schneidet jede Operation das Rohteil, das noch übrig ist.</translation>
-    </message>
-    <message>
-        <source>Memory to simulate it in an extended z-buffer. An operation includes the whole stock. A job includes the stock once.</source>
-        <translation>Speicher der Simulation in einem erweiterten Z-Buffer. Eine Operation enthält das ganze Rohteil. Ein Auftrag enthält das Rohteil nur einmal.</translation>
-    </message>
-    <message>
         <source>This operation is not included in the total, because its dress-up is.</source>
         <translation>Diese Operation ist nicht in der Summe enthalten, weil ihre Anpassung es ist.</translation>
     </message>
@@ -2375,18 +2386,6 @@ höchstens</translation>
         <translation>Bei konstantem Vorschub. Wählen Sie Ihre Maschine in den Einstellungen, Seite Maschine.</translation>
     </message>
     <message>
-        <source>More than the sum: tool changes and starts of the spindle take {time}.</source>
-        <translation>Mehr als die Summe: Werkzeugwechsel und Spindelanläufe dauern {time}.</translation>
-    </message>
-    <message>
-        <source>More than the sum: the {simulator} slows down with every cut.</source>
-        <translation>Mehr als die Summe: {simulator} wird mit jedem Schnitt langsamer.</translation>
-    </message>
-    <message>
-        <source>Less than the sum: the {simulator} simulates all operations in one run.</source>
-        <translation>Weniger als die Summe: {simulator} simuliert alle Operationen in einem Lauf.</translation>
-    </message>
-    <message>
         <source>Enter the Measured Time…</source>
         <translation>Gemessene Zeit eingeben…</translation>
     </message>
@@ -2401,6 +2400,35 @@ höchstens</translation>
     <message>
         <source>This is not a possible time. Enter it like 17:30 or 1:02:30.</source>
         <translation>Diese Zeit ist nicht möglich. Geben Sie sie in der Form 17:30 oder 1:02:30 ein.</translation>
+    </message>
+    <message>
+        <source>Time that Simulate Toolpaths takes. An operation is simulated alone, on the whole stock. In a job, each operation cuts the stock that is left.</source>
+        <extracomment>The paper&apos;s extended z-buffer. Its columns in CSV and JSON have no prefix.</extracomment>
+        <translation>Zeit für „Werkzeugwege simulieren“. Eine Operation wird allein simuliert, am ganzen Rohteil. In einem Auftrag schneidet jede Operation das Rohteil, das noch übrig ist.</translation>
+    </message>
+    <message>
+        <source>Memory that Simulate Toolpaths takes. An operation includes the whole stock. A job includes the stock once.</source>
+        <translation>Speicher für „Werkzeugwege simulieren“. Eine Operation enthält das ganze Rohteil. Ein Auftrag enthält das Rohteil nur einmal.</translation>
+    </message>
+    <message>
+        <source>The finest image of Simulate Toolpaths within your limits of time and memory.</source>
+        <translation>Das feinste Bild von „Werkzeugwege simulieren“ innerhalb Ihrer Grenzen für Zeit und Speicher.</translation>
+    </message>
+    <message>
+        <source>Notes</source>
+        <translation>Hinweise</translation>
+    </message>
+    <message>
+        <source>Remarks that need no action, such as problems of a simulator that the marks do not show.</source>
+        <translation>Hinweise, bei denen nichts zu tun ist, etwa Probleme eines Simulators, den die Markierungen nicht zeigen.</translation>
+    </message>
+    <message>
+        <source>Jobs and Operations</source>
+        <translation>Aufträge und Operationen</translation>
+    </message>
+    <message>
+        <source>Details of the Selected Operation</source>
+        <translation>Einzelheiten der ausgewählten Operation</translation>
     </message>
 </context>
 <context>

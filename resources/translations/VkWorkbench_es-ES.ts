@@ -626,10 +626,6 @@
         <translation>Estas operaciones pertenecen a varios trabajos. Elija operaciones de un solo trabajo: {labels}.</translation>
     </message>
     <message>
-        <source>extended z-buffer</source>
-        <translation>z-buffer extendido</translation>
-    </message>
-    <message>
         <source>legacy simulator</source>
         <translation>simulador antiguo</translation>
     </message>
@@ -940,10 +936,6 @@
     <message>
         <source>{width:n} x {height:n} pixels of {pixel:mm2}, limited by the {limit}.{passes}</source>
         <translation>{width:n} × {height:n} píxeles de {pixel:mm2}, limitados por {limit}.{passes}</translation>
-    </message>
-    <message>
-        <source>The machining time does not include {length:mm4} of rapids, because the operation has no tool controller. Give it one with rapid speeds.</source>
-        <translation>El tiempo de mecanizado no incluye {length:mm4} de rápidos, porque la operación no tiene controlador de herramienta. Asígnele uno con velocidades rápidas.</translation>
     </message>
     <message>
         <source>Lines with variables or expressions are ignored.</source>
@@ -1397,12 +1389,40 @@
         <source>The program has no unit (G20, G21) and is read in millimeters. It can also be in inches.</source>
         <translation>El programa no indica unidad (G20, G21) y se lee en milímetros. También puede estar en pulgadas.</translation>
     </message>
+    <message>
+        <source>Simulate Toolpaths simulator</source>
+        <translation>Simular trayectorias</translation>
+    </message>
+    <message>
+        <source>This toolpath cannot have a tool. Import its program into a job.</source>
+        <translation>Esta trayectoria no puede tener herramienta. Importe su programa en un trabajo.</translation>
+    </message>
+    <message>
+        <source>FreeCAD&apos;s CycleTime for this job is {seconds:clock}. FreeCAD measures arcs wrongly, and leaves out accelerations and dwells.</source>
+        <translation>El CycleTime de FreeCAD para este trabajo es {seconds:clock}. FreeCAD mide mal los arcos y no cuenta las aceleraciones ni las pausas.</translation>
+    </message>
+    <message>
+        <source>The machining time does not include {length:mm4} of rapids, because the operation has no tool controller. Choose your machine in the preferences, page Machine.</source>
+        <translation>El tiempo de mecanizado no incluye {length:mm4} de rápidos, porque la operación no tiene controlador de herramienta. Elija su máquina en las preferencias, página Máquina.</translation>
+    </message>
+    <message>
+        <source>More than the sum: the {simulator:simulator} slows down with every cut.</source>
+        <translation>Más que la suma: {simulator:simulator} se ralentiza con cada corte.</translation>
+    </message>
+    <message>
+        <source>Less than the sum: the {simulator:simulator} simulates all operations in one run.</source>
+        <translation>Menos que la suma: {simulator:simulator} simula todas las operaciones en una sola pasada.</translation>
+    </message>
+    <message>
+        <source>More than the sum: tool changes and starts of the spindle take {time:clock}.</source>
+        <translation>Más que la suma: los cambios de herramienta y los arranques del husillo duran {time:clock}.</translation>
+    </message>
 </context>
 <context>
     <name>Strategy</name>
     <message>
         <source>zigzag</source>
-        <extracomment>The operation has no strategy, or several.</extracomment>
+        <extracomment>The operation has no strategy, or several strategies.</extracomment>
         <translation>zigzag</translation>
     </message>
     <message>
@@ -1676,10 +1696,6 @@
         <translation>Analizar de nuevo tras un recálculo</translation>
     </message>
     <message>
-        <source>Budget</source>
-        <translation>Límites</translation>
-    </message>
-    <message>
         <source>Time</source>
         <translation>Tiempo</translation>
     </message>
@@ -1698,26 +1714,6 @@
     <message>
         <source>Simulation</source>
         <translation>Simulación</translation>
-    </message>
-    <message>
-        <source>Z-buffer image width</source>
-        <translation>Ancho de imagen del z-buffer</translation>
-    </message>
-    <message>
-        <source>Width of the image that the extended z-buffer computes.</source>
-        <translation>Ancho de la imagen que calcula el z-buffer extendido.</translation>
-    </message>
-    <message>
-        <source>Z-buffer image height</source>
-        <translation>Alto de imagen del z-buffer</translation>
-    </message>
-    <message>
-        <source>Height of the image that the extended z-buffer computes.</source>
-        <translation>Alto de la imagen que calcula el z-buffer extendido.</translation>
-    </message>
-    <message>
-        <source>Z-buffer view</source>
-        <translation>Vista del z-buffer</translation>
     </message>
     <message>
         <source>Direction from which the part is viewed.</source>
@@ -1802,6 +1798,30 @@
     <message>
         <source>Measures how fast this computer simulates, and saves the result. This takes some seconds.</source>
         <translation>Mide la velocidad de simulación de este equipo y guarda el resultado. Esto tarda unos segundos.</translation>
+    </message>
+    <message>
+        <source>Limits</source>
+        <translation>Límites</translation>
+    </message>
+    <message>
+        <source>Simulate Toolpaths: image width</source>
+        <translation>Simular trayectorias: ancho de imagen</translation>
+    </message>
+    <message>
+        <source>Width of the picture for which the time and memory of Simulate Toolpaths are estimated.</source>
+        <translation>Ancho de la imagen para la que se estiman el tiempo y la memoria de «Simular trayectorias».</translation>
+    </message>
+    <message>
+        <source>Simulate Toolpaths: image height</source>
+        <translation>Simular trayectorias: alto de imagen</translation>
+    </message>
+    <message>
+        <source>Height of the picture for which the time and memory of Simulate Toolpaths are estimated.</source>
+        <translation>Alto de la imagen para la que se estiman el tiempo y la memoria de «Simular trayectorias».</translation>
+    </message>
+    <message>
+        <source>Simulate Toolpaths: view</source>
+        <translation>Simular trayectorias: vista</translation>
     </message>
 </context>
 <context>
@@ -1928,12 +1948,12 @@
         <translation>Borrar el análisis</translation>
     </message>
     <message>
-        <source>{count} mark was removed.</source>
-        <translation>{count} marca eliminada.</translation>
+        <source>The marks were removed.</source>
+        <translation>Las marcas se han eliminado.</translation>
     </message>
     <message>
-        <source>{count} marks were removed.</source>
-        <translation>{count} marcas eliminadas.</translation>
+        <source>There are no marks to remove.</source>
+        <translation>No hay marcas que eliminar.</translation>
     </message>
 </context>
 <context>
@@ -1999,10 +2019,6 @@
         <translation>Leyendo {}…</translation>
     </message>
     <message>
-        <source>with the closing turn φ = {}, n = {}</source>
-        <translation>con el giro de cierre φ = {}, n = {}</translation>
-    </message>
-    <message>
         <source>Areas that the tool cuts without a rapid move or a plunge. The area that shows the strategy best comes first, then the longest areas.</source>
         <translation>Áreas que la herramienta corta sin movimiento rápido ni entrada. Primero viene la que mejor muestra la estrategia, después las más largas.</translation>
     </message>
@@ -2015,8 +2031,16 @@
         <translation>{}: Ningún movimiento corta hacia los lados, así que no hay dirección que mostrar.</translation>
     </message>
     <message>
-        <source>&lt;p&gt;The left plot shows the toolpath with the vector V&lt;sub&gt;k&lt;/sub&gt; from the first point of the area. The unit circle shows the directions of the trajectory v&lt;sub&gt;k&lt;/sub&gt; and of V&lt;sub&gt;k&lt;/sub&gt;. Its arcs show how these directions have moved. In a zigzag, the direction of v&lt;sub&gt;k&lt;/sub&gt; moves back and forth on a part of the circle. In a contour, it moves all around the circle. The direction of V&lt;sub&gt;k&lt;/sub&gt; moves all around only if the path begins inside the contour. The right plot shows the cumulative angular function φ and the angle θ on level n. A contour-parallel path reaches the dashed lines ±2π, and a zigzag stays between them.&lt;/p&gt;</source>
-        <translation>&lt;p&gt;El gráfico izquierdo muestra la trayectoria de la herramienta con el vector V&lt;sub&gt;k&lt;/sub&gt; desde el primer punto de la zona. El círculo unidad muestra las direcciones del tramo v&lt;sub&gt;k&lt;/sub&gt; y de V&lt;sub&gt;k&lt;/sub&gt;. Sus arcos muestran cómo se han movido estas direcciones. En un zigzag, la dirección de v&lt;sub&gt;k&lt;/sub&gt; va y viene por una parte del círculo. En un contorno, da la vuelta entera. La dirección de V&lt;sub&gt;k&lt;/sub&gt; solo da la vuelta entera si la trayectoria empieza dentro del contorno. El gráfico derecho muestra la función angular acumulada φ y el ángulo θ en el nivel n. Una trayectoria de contornos paralelos alcanza las líneas discontinuas ±2π, y un zigzag queda entre ellas.&lt;/p&gt;</translation>
+        <source>&lt;p&gt;The left plot shows the toolpath with the vector V&lt;sub&gt;k&lt;/sub&gt; from the first point of the area. The unit circle shows the directions of the trajectory v&lt;sub&gt;k&lt;/sub&gt; and of V&lt;sub&gt;k&lt;/sub&gt;. Its arcs show how these directions have moved. In a zigzag, the direction of v&lt;sub&gt;k&lt;/sub&gt; moves back and forth on a part of the circle. In a contour, it moves all around the circle. The direction of V&lt;sub&gt;k&lt;/sub&gt; moves all around only if the path begins inside the contour. The right plot shows the cumulative angular function φ and the angle θ on level n, in turns. A contour-parallel path reaches the dashed lines, one turn from its start. A zigzag stays between the dashed lines, one turn from its middle.&lt;/p&gt;</source>
+        <translation>&lt;p&gt;El gráfico izquierdo muestra la trayectoria de la herramienta con el vector V&lt;sub&gt;k&lt;/sub&gt; desde el primer punto de la zona. El círculo unidad muestra las direcciones del tramo v&lt;sub&gt;k&lt;/sub&gt; y de V&lt;sub&gt;k&lt;/sub&gt;. Sus arcos muestran cómo se han movido estas direcciones. En un zigzag, la dirección de v&lt;sub&gt;k&lt;/sub&gt; va y viene por una parte del círculo. En un contorno, da la vuelta entera. La dirección de V&lt;sub&gt;k&lt;/sub&gt; solo da la vuelta entera si la trayectoria empieza dentro del contorno. El gráfico derecho muestra la función angular acumulada φ y el ángulo θ en el nivel n, en vueltas. Una trayectoria de contornos paralelos alcanza las líneas discontinuas, a una vuelta de su inicio. Un zigzag queda entre las líneas discontinuas, a una vuelta de su centro.&lt;/p&gt;</translation>
+    </message>
+    <message>
+        <source>with the closing turn {}, n = {}</source>
+        <translation>con el giro de cierre {}, n = {}</translation>
+    </message>
+    <message>
+        <source>φ = {} turns</source>
+        <translation>φ = {} vueltas</translation>
     </message>
 </context>
 <context>
@@ -2146,10 +2170,6 @@
 Image</source>
         <translation>Imagen
 recomendada</translation>
-    </message>
-    <message>
-        <source>The finest image of the z-buffer within your limits of time and memory.</source>
-        <translation>La imagen más fina del z-buffer dentro de sus límites de tiempo y memoria.</translation>
     </message>
     <message>
         <source>none</source>
@@ -2330,15 +2350,6 @@ at Most</source>
 como mucho</translation>
     </message>
     <message>
-        <source>Time to simulate it in an extended z-buffer. An operation is simulated alone, on the whole stock. In a job, each operation cuts the stock that is left.</source>
-        <extracomment>The paper&apos;s extended z-buffer. Its columns in CSV and JSON have no prefix.</extracomment>
-        <translation>Tiempo de simulación en un z-buffer extendido. Una operación se simula sola, con el material entero. En un trabajo, cada operación corta el material que queda.</translation>
-    </message>
-    <message>
-        <source>Memory to simulate it in an extended z-buffer. An operation includes the whole stock. A job includes the stock once.</source>
-        <translation>Memoria de simulación en un z-buffer extendido. Una operación incluye el material entero. Un trabajo incluye el material una sola vez.</translation>
-    </message>
-    <message>
         <source>This operation is not included in the total, because its dress-up is.</source>
         <translation>Esta operación no está incluida en el total, porque su aderezo lo está.</translation>
     </message>
@@ -2375,18 +2386,6 @@ como mucho</translation>
         <translation>Con avance constante. Elija su máquina en las preferencias, página Máquina.</translation>
     </message>
     <message>
-        <source>More than the sum: tool changes and starts of the spindle take {time}.</source>
-        <translation>Más que la suma: los cambios de herramienta y los arranques del husillo duran {time}.</translation>
-    </message>
-    <message>
-        <source>More than the sum: the {simulator} slows down with every cut.</source>
-        <translation>Más que la suma: {simulator} se ralentiza con cada corte.</translation>
-    </message>
-    <message>
-        <source>Less than the sum: the {simulator} simulates all operations in one run.</source>
-        <translation>Menos que la suma: {simulator} simula todas las operaciones en una sola pasada.</translation>
-    </message>
-    <message>
         <source>Enter the Measured Time…</source>
         <translation>Introducir el tiempo medido…</translation>
     </message>
@@ -2401,6 +2400,35 @@ como mucho</translation>
     <message>
         <source>This is not a possible time. Enter it like 17:30 or 1:02:30.</source>
         <translation>Este tiempo no es posible. Introdúzcalo como 17:30 o 1:02:30.</translation>
+    </message>
+    <message>
+        <source>Time that Simulate Toolpaths takes. An operation is simulated alone, on the whole stock. In a job, each operation cuts the stock that is left.</source>
+        <extracomment>The paper&apos;s extended z-buffer. Its columns in CSV and JSON have no prefix.</extracomment>
+        <translation>Tiempo de «Simular trayectorias». Una operación se simula sola, sobre el material entero. En un trabajo, cada operación corta el material que queda.</translation>
+    </message>
+    <message>
+        <source>Memory that Simulate Toolpaths takes. An operation includes the whole stock. A job includes the stock once.</source>
+        <translation>Memoria de «Simular trayectorias». Una operación incluye el material entero. Un trabajo incluye el material una sola vez.</translation>
+    </message>
+    <message>
+        <source>The finest image of Simulate Toolpaths within your limits of time and memory.</source>
+        <translation>La imagen más fina de «Simular trayectorias» dentro de sus límites de tiempo y memoria.</translation>
+    </message>
+    <message>
+        <source>Notes</source>
+        <translation>Notas</translation>
+    </message>
+    <message>
+        <source>Remarks that need no action, such as problems of a simulator that the marks do not show.</source>
+        <translation>Notas que no requieren nada, como los problemas de un simulador que las marcas no muestran.</translation>
+    </message>
+    <message>
+        <source>Jobs and Operations</source>
+        <translation>Trabajos y operaciones</translation>
+    </message>
+    <message>
+        <source>Details of the Selected Operation</source>
+        <translation>Detalles de la operación seleccionada</translation>
     </message>
 </context>
 <context>

@@ -626,10 +626,6 @@
         <translation>Ces opérations appartiennent à plusieurs tâches. Choisissez les opérations d&apos;une seule tâche : {labels}.</translation>
     </message>
     <message>
-        <source>extended z-buffer</source>
-        <translation>z-buffer étendu</translation>
-    </message>
-    <message>
         <source>legacy simulator</source>
         <translation>ancien simulateur</translation>
     </message>
@@ -940,10 +936,6 @@
     <message>
         <source>{width:n} x {height:n} pixels of {pixel:mm2}, limited by the {limit}.{passes}</source>
         <translation>{width:n} × {height:n} pixels de {pixel:mm2}, limités par {limit}.{passes}</translation>
-    </message>
-    <message>
-        <source>The machining time does not include {length:mm4} of rapids, because the operation has no tool controller. Give it one with rapid speeds.</source>
-        <translation>La durée d&apos;usinage ne comprend pas {length:mm4} de déplacements rapides, car l&apos;opération n&apos;a pas de contrôleur d&apos;outil. Donnez-lui-en un avec des vitesses rapides.</translation>
     </message>
     <message>
         <source>Lines with variables or expressions are ignored.</source>
@@ -1397,12 +1389,40 @@
         <source>The program has no unit (G20, G21) and is read in millimeters. It can also be in inches.</source>
         <translation>Le programme n&apos;indique pas d&apos;unité (G20, G21) et est lu en millimètres. Il peut aussi être en pouces.</translation>
     </message>
+    <message>
+        <source>Simulate Toolpaths simulator</source>
+        <translation>Simuler l&apos;usinage</translation>
+    </message>
+    <message>
+        <source>This toolpath cannot have a tool. Import its program into a job.</source>
+        <translation>Ce parcours ne peut pas avoir d&apos;outil. Importez son programme dans une tâche.</translation>
+    </message>
+    <message>
+        <source>FreeCAD&apos;s CycleTime for this job is {seconds:clock}. FreeCAD measures arcs wrongly, and leaves out accelerations and dwells.</source>
+        <translation>Le CycleTime de FreeCAD pour cette tâche est {seconds:clock}. FreeCAD mesure mal les arcs et ne compte ni les accélérations ni les temporisations.</translation>
+    </message>
+    <message>
+        <source>The machining time does not include {length:mm4} of rapids, because the operation has no tool controller. Choose your machine in the preferences, page Machine.</source>
+        <translation>La durée d&apos;usinage ne comprend pas {length:mm4} de déplacements rapides, car l&apos;opération n&apos;a pas de contrôleur d&apos;outil. Choisissez votre machine dans les préférences, page Machine.</translation>
+    </message>
+    <message>
+        <source>More than the sum: the {simulator:simulator} slows down with every cut.</source>
+        <translation>Plus que la somme : {simulator:simulator} ralentit à chaque coupe.</translation>
+    </message>
+    <message>
+        <source>Less than the sum: the {simulator:simulator} simulates all operations in one run.</source>
+        <translation>Moins que la somme : {simulator:simulator} simule toutes les opérations en une seule fois.</translation>
+    </message>
+    <message>
+        <source>More than the sum: tool changes and starts of the spindle take {time:clock}.</source>
+        <translation>Plus que la somme : les changements d&apos;outil et les démarrages de la broche prennent {time:clock}.</translation>
+    </message>
 </context>
 <context>
     <name>Strategy</name>
     <message>
         <source>zigzag</source>
-        <extracomment>The operation has no strategy, or several.</extracomment>
+        <extracomment>The operation has no strategy, or several strategies.</extracomment>
         <translation>zigzag</translation>
     </message>
     <message>
@@ -1676,10 +1696,6 @@
         <translation>Analyser à nouveau après un recalcul</translation>
     </message>
     <message>
-        <source>Budget</source>
-        <translation>Budget</translation>
-    </message>
-    <message>
         <source>Time</source>
         <translation>Temps</translation>
     </message>
@@ -1698,26 +1714,6 @@
     <message>
         <source>Simulation</source>
         <translation>Simulation</translation>
-    </message>
-    <message>
-        <source>Z-buffer image width</source>
-        <translation>Largeur d&apos;image du z-buffer</translation>
-    </message>
-    <message>
-        <source>Width of the image that the extended z-buffer computes.</source>
-        <translation>Largeur de l&apos;image que le z-buffer étendu calcule.</translation>
-    </message>
-    <message>
-        <source>Z-buffer image height</source>
-        <translation>Hauteur d&apos;image du z-buffer</translation>
-    </message>
-    <message>
-        <source>Height of the image that the extended z-buffer computes.</source>
-        <translation>Hauteur de l&apos;image que le z-buffer étendu calcule.</translation>
-    </message>
-    <message>
-        <source>Z-buffer view</source>
-        <translation>Vue du z-buffer</translation>
     </message>
     <message>
         <source>Direction from which the part is viewed.</source>
@@ -1802,6 +1798,30 @@
     <message>
         <source>Measures how fast this computer simulates, and saves the result. This takes some seconds.</source>
         <translation>Mesure la vitesse de simulation de cet ordinateur et enregistre le résultat. Cela prend quelques secondes.</translation>
+    </message>
+    <message>
+        <source>Limits</source>
+        <translation>Limites</translation>
+    </message>
+    <message>
+        <source>Simulate Toolpaths: image width</source>
+        <translation>Simuler l&apos;usinage : largeur d&apos;image</translation>
+    </message>
+    <message>
+        <source>Width of the picture for which the time and memory of Simulate Toolpaths are estimated.</source>
+        <translation>Largeur de l&apos;image pour laquelle la durée et la mémoire de « Simuler l&apos;usinage » sont estimées.</translation>
+    </message>
+    <message>
+        <source>Simulate Toolpaths: image height</source>
+        <translation>Simuler l&apos;usinage : hauteur d&apos;image</translation>
+    </message>
+    <message>
+        <source>Height of the picture for which the time and memory of Simulate Toolpaths are estimated.</source>
+        <translation>Hauteur de l&apos;image pour laquelle la durée et la mémoire de « Simuler l&apos;usinage » sont estimées.</translation>
+    </message>
+    <message>
+        <source>Simulate Toolpaths: view</source>
+        <translation>Simuler l&apos;usinage : vue</translation>
     </message>
 </context>
 <context>
@@ -1928,12 +1948,12 @@
         <translation>Effacer l&apos;analyse</translation>
     </message>
     <message>
-        <source>{count} mark was removed.</source>
-        <translation>{count} marque a été supprimée.</translation>
+        <source>The marks were removed.</source>
+        <translation>Les marques ont été supprimées.</translation>
     </message>
     <message>
-        <source>{count} marks were removed.</source>
-        <translation>{count} marques ont été supprimées.</translation>
+        <source>There are no marks to remove.</source>
+        <translation>Il n&apos;y a aucune marque à supprimer.</translation>
     </message>
 </context>
 <context>
@@ -1999,10 +2019,6 @@
         <translation>Lecture de {}…</translation>
     </message>
     <message>
-        <source>with the closing turn φ = {}, n = {}</source>
-        <translation>avec la rotation de fermeture φ = {}, n = {}</translation>
-    </message>
-    <message>
         <source>Areas that the tool cuts without a rapid move or a plunge. The area that shows the strategy best comes first, then the longest areas.</source>
         <translation>Zones que l&apos;outil usine sans déplacement rapide ni plongée. La zone qui montre le mieux la stratégie vient d&apos;abord, puis les plus longues.</translation>
     </message>
@@ -2015,8 +2031,16 @@
         <translation>{} : Aucun déplacement ne coupe latéralement, il n&apos;y a donc pas de direction à montrer.</translation>
     </message>
     <message>
-        <source>&lt;p&gt;The left plot shows the toolpath with the vector V&lt;sub&gt;k&lt;/sub&gt; from the first point of the area. The unit circle shows the directions of the trajectory v&lt;sub&gt;k&lt;/sub&gt; and of V&lt;sub&gt;k&lt;/sub&gt;. Its arcs show how these directions have moved. In a zigzag, the direction of v&lt;sub&gt;k&lt;/sub&gt; moves back and forth on a part of the circle. In a contour, it moves all around the circle. The direction of V&lt;sub&gt;k&lt;/sub&gt; moves all around only if the path begins inside the contour. The right plot shows the cumulative angular function φ and the angle θ on level n. A contour-parallel path reaches the dashed lines ±2π, and a zigzag stays between them.&lt;/p&gt;</source>
-        <translation>&lt;p&gt;Le graphique de gauche montre le parcours d&apos;outil avec le vecteur V&lt;sub&gt;k&lt;/sub&gt; issu du premier point de la zone. Le cercle unité montre les directions de la trajectoire v&lt;sub&gt;k&lt;/sub&gt; et de V&lt;sub&gt;k&lt;/sub&gt;. Ses arcs montrent comment ces directions ont bougé. Pour un zigzag, la direction de v&lt;sub&gt;k&lt;/sub&gt; va et vient sur une partie du cercle. Pour un contour, elle en fait le tour. La direction de V&lt;sub&gt;k&lt;/sub&gt; n&apos;en fait le tour que si le parcours commence à l&apos;intérieur du contour. Le graphique de droite montre la fonction angulaire cumulée φ et l&apos;angle θ au niveau n. Un parcours à contours parallèles atteint les lignes tiretées ±2π, et un zigzag reste entre elles.&lt;/p&gt;</translation>
+        <source>&lt;p&gt;The left plot shows the toolpath with the vector V&lt;sub&gt;k&lt;/sub&gt; from the first point of the area. The unit circle shows the directions of the trajectory v&lt;sub&gt;k&lt;/sub&gt; and of V&lt;sub&gt;k&lt;/sub&gt;. Its arcs show how these directions have moved. In a zigzag, the direction of v&lt;sub&gt;k&lt;/sub&gt; moves back and forth on a part of the circle. In a contour, it moves all around the circle. The direction of V&lt;sub&gt;k&lt;/sub&gt; moves all around only if the path begins inside the contour. The right plot shows the cumulative angular function φ and the angle θ on level n, in turns. A contour-parallel path reaches the dashed lines, one turn from its start. A zigzag stays between the dashed lines, one turn from its middle.&lt;/p&gt;</source>
+        <translation>&lt;p&gt;Le graphique de gauche montre le parcours d&apos;outil avec le vecteur V&lt;sub&gt;k&lt;/sub&gt; issu du premier point de la zone. Le cercle unité montre les directions de la trajectoire v&lt;sub&gt;k&lt;/sub&gt; et de V&lt;sub&gt;k&lt;/sub&gt;. Ses arcs montrent comment ces directions ont bougé. Pour un zigzag, la direction de v&lt;sub&gt;k&lt;/sub&gt; va et vient sur une partie du cercle. Pour un contour, elle en fait le tour. La direction de V&lt;sub&gt;k&lt;/sub&gt; n&apos;en fait le tour que si le parcours commence à l&apos;intérieur du contour. Le graphique de droite montre la fonction angulaire cumulée φ et l&apos;angle θ au niveau n, en tours. Un parcours à contours parallèles atteint les lignes tiretées, à un tour de son départ. Un zigzag reste entre les lignes tiretées, à un tour de son milieu.&lt;/p&gt;</translation>
+    </message>
+    <message>
+        <source>with the closing turn {}, n = {}</source>
+        <translation>avec la rotation de fermeture {}, n = {}</translation>
+    </message>
+    <message>
+        <source>φ = {} turns</source>
+        <translation>φ = {} tours</translation>
     </message>
 </context>
 <context>
@@ -2146,10 +2170,6 @@
 Image</source>
         <translation>Image
 recommandée</translation>
-    </message>
-    <message>
-        <source>The finest image of the z-buffer within your limits of time and memory.</source>
-        <translation>L&apos;image la plus fine du z-buffer dans vos limites de temps et de mémoire.</translation>
     </message>
     <message>
         <source>none</source>
@@ -2330,15 +2350,6 @@ at Most</source>
 au plus</translation>
     </message>
     <message>
-        <source>Time to simulate it in an extended z-buffer. An operation is simulated alone, on the whole stock. In a job, each operation cuts the stock that is left.</source>
-        <extracomment>The paper&apos;s extended z-buffer. Its columns in CSV and JSON have no prefix.</extracomment>
-        <translation>Temps de simulation dans un z-buffer étendu. Une opération est simulée seule, sur le brut entier. Dans une tâche, chaque opération coupe le brut qui reste.</translation>
-    </message>
-    <message>
-        <source>Memory to simulate it in an extended z-buffer. An operation includes the whole stock. A job includes the stock once.</source>
-        <translation>Mémoire de simulation dans un z-buffer étendu. Une opération comprend le brut entier. Une tâche comprend le brut une seule fois.</translation>
-    </message>
-    <message>
         <source>This operation is not included in the total, because its dress-up is.</source>
         <translation>Cette opération n&apos;est pas comprise dans le total, car son complément l&apos;est.</translation>
     </message>
@@ -2375,18 +2386,6 @@ au plus</translation>
         <translation>À avance constante. Choisissez votre machine dans les préférences, page Machine.</translation>
     </message>
     <message>
-        <source>More than the sum: tool changes and starts of the spindle take {time}.</source>
-        <translation>Plus que la somme : les changements d&apos;outil et les démarrages de la broche prennent {time}.</translation>
-    </message>
-    <message>
-        <source>More than the sum: the {simulator} slows down with every cut.</source>
-        <translation>Plus que la somme : {simulator} ralentit à chaque coupe.</translation>
-    </message>
-    <message>
-        <source>Less than the sum: the {simulator} simulates all operations in one run.</source>
-        <translation>Moins que la somme : {simulator} simule toutes les opérations en une seule fois.</translation>
-    </message>
-    <message>
         <source>Enter the Measured Time…</source>
         <translation>Entrer le temps mesuré…</translation>
     </message>
@@ -2401,6 +2400,35 @@ au plus</translation>
     <message>
         <source>This is not a possible time. Enter it like 17:30 or 1:02:30.</source>
         <translation>Ce temps n&apos;est pas possible. Entrez-le sous la forme 17:30 ou 1:02:30.</translation>
+    </message>
+    <message>
+        <source>Time that Simulate Toolpaths takes. An operation is simulated alone, on the whole stock. In a job, each operation cuts the stock that is left.</source>
+        <extracomment>The paper&apos;s extended z-buffer. Its columns in CSV and JSON have no prefix.</extracomment>
+        <translation>Durée de « Simuler l&apos;usinage ». Une opération est simulée seule, sur le brut entier. Dans une tâche, chaque opération coupe le brut restant.</translation>
+    </message>
+    <message>
+        <source>Memory that Simulate Toolpaths takes. An operation includes the whole stock. A job includes the stock once.</source>
+        <translation>Mémoire de « Simuler l&apos;usinage ». Une opération comprend le brut entier. Une tâche comprend le brut une seule fois.</translation>
+    </message>
+    <message>
+        <source>The finest image of Simulate Toolpaths within your limits of time and memory.</source>
+        <translation>L&apos;image la plus fine de « Simuler l&apos;usinage » dans vos limites de temps et de mémoire.</translation>
+    </message>
+    <message>
+        <source>Notes</source>
+        <translation>Remarques</translation>
+    </message>
+    <message>
+        <source>Remarks that need no action, such as problems of a simulator that the marks do not show.</source>
+        <translation>Remarques qui ne demandent rien, par exemple les problèmes d&apos;un simulateur que les marques ne montrent pas.</translation>
+    </message>
+    <message>
+        <source>Jobs and Operations</source>
+        <translation>Tâches et opérations</translation>
+    </message>
+    <message>
+        <source>Details of the Selected Operation</source>
+        <translation>Détails de l&apos;opération sélectionnée</translation>
     </message>
 </context>
 <context>

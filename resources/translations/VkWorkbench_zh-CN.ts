@@ -626,10 +626,6 @@
         <translation>这些操作属于多个作业。请只选择其中一个作业的操作：{labels}。</translation>
     </message>
     <message>
-        <source>extended z-buffer</source>
-        <translation>扩展 Z-buffer</translation>
-    </message>
-    <message>
         <source>legacy simulator</source>
         <translation>旧版模拟器</translation>
     </message>
@@ -940,10 +936,6 @@
     <message>
         <source>{width:n} x {height:n} pixels of {pixel:mm2}, limited by the {limit}.{passes}</source>
         <translation>{width:n} × {height:n} 像素，每个 {pixel:mm2}，受{limit}限制。{passes}</translation>
-    </message>
-    <message>
-        <source>The machining time does not include {length:mm4} of rapids, because the operation has no tool controller. Give it one with rapid speeds.</source>
-        <translation>加工时间不包括 {length:mm4} 的快速移动，因为操作没有刀具控制器。请为其指定一个带有快速移动速度的刀具控制器。</translation>
     </message>
     <message>
         <source>Lines with variables or expressions are ignored.</source>
@@ -1397,12 +1389,40 @@
         <source>The program has no unit (G20, G21) and is read in millimeters. It can also be in inches.</source>
         <translation>程序没有单位（G20、G21），按毫米读取。也可能是英寸。</translation>
     </message>
+    <message>
+        <source>Simulate Toolpaths simulator</source>
+        <translation>模拟刀具路径</translation>
+    </message>
+    <message>
+        <source>This toolpath cannot have a tool. Import its program into a job.</source>
+        <translation>此刀具路径不能有刀具。请将其程序导入到作业中。</translation>
+    </message>
+    <message>
+        <source>FreeCAD&apos;s CycleTime for this job is {seconds:clock}. FreeCAD measures arcs wrongly, and leaves out accelerations and dwells.</source>
+        <translation>FreeCAD 为此作业给出的 CycleTime 是 {seconds:clock}。FreeCAD 对圆弧的测量有误，且不计加速度和暂停时间。</translation>
+    </message>
+    <message>
+        <source>The machining time does not include {length:mm4} of rapids, because the operation has no tool controller. Choose your machine in the preferences, page Machine.</source>
+        <translation>加工时间不包括 {length:mm4} 的快速移动，因为操作没有刀具控制器。请在首选项的“机床”页面选择您的机床。</translation>
+    </message>
+    <message>
+        <source>More than the sum: the {simulator:simulator} slows down with every cut.</source>
+        <translation>大于总和：{simulator:simulator} 每次切削后都会变慢。</translation>
+    </message>
+    <message>
+        <source>Less than the sum: the {simulator:simulator} simulates all operations in one run.</source>
+        <translation>小于总和：{simulator:simulator} 一次运行中仿真所有操作。</translation>
+    </message>
+    <message>
+        <source>More than the sum: tool changes and starts of the spindle take {time:clock}.</source>
+        <translation>大于总和：换刀和主轴启动需要 {time:clock}。</translation>
+    </message>
 </context>
 <context>
     <name>Strategy</name>
     <message>
         <source>zigzag</source>
-        <extracomment>The operation has no strategy, or several.</extracomment>
+        <extracomment>The operation has no strategy, or several strategies.</extracomment>
         <translation>往复</translation>
     </message>
     <message>
@@ -1676,10 +1696,6 @@
         <translation>重新计算后再次分析</translation>
     </message>
     <message>
-        <source>Budget</source>
-        <translation>限额</translation>
-    </message>
-    <message>
         <source>Time</source>
         <translation>时间</translation>
     </message>
@@ -1698,26 +1714,6 @@
     <message>
         <source>Simulation</source>
         <translation>模拟</translation>
-    </message>
-    <message>
-        <source>Z-buffer image width</source>
-        <translation>Z 缓冲图像宽度</translation>
-    </message>
-    <message>
-        <source>Width of the image that the extended z-buffer computes.</source>
-        <translation>扩展 Z 缓冲所计算图像的宽度。</translation>
-    </message>
-    <message>
-        <source>Z-buffer image height</source>
-        <translation>Z 缓冲图像高度</translation>
-    </message>
-    <message>
-        <source>Height of the image that the extended z-buffer computes.</source>
-        <translation>扩展 Z 缓冲所计算图像的高度。</translation>
-    </message>
-    <message>
-        <source>Z-buffer view</source>
-        <translation>Z 缓冲视图</translation>
     </message>
     <message>
         <source>Direction from which the part is viewed.</source>
@@ -1802,6 +1798,30 @@
     <message>
         <source>Measures how fast this computer simulates, and saves the result. This takes some seconds.</source>
         <translation>测量此计算机的仿真速度并保存结果。这需要几秒钟。</translation>
+    </message>
+    <message>
+        <source>Limits</source>
+        <translation>限额</translation>
+    </message>
+    <message>
+        <source>Simulate Toolpaths: image width</source>
+        <translation>模拟刀具路径：图像宽度</translation>
+    </message>
+    <message>
+        <source>Width of the picture for which the time and memory of Simulate Toolpaths are estimated.</source>
+        <translation>估算“模拟刀具路径”的时间和内存所用的图像宽度。</translation>
+    </message>
+    <message>
+        <source>Simulate Toolpaths: image height</source>
+        <translation>模拟刀具路径：图像高度</translation>
+    </message>
+    <message>
+        <source>Height of the picture for which the time and memory of Simulate Toolpaths are estimated.</source>
+        <translation>估算“模拟刀具路径”的时间和内存所用的图像高度。</translation>
+    </message>
+    <message>
+        <source>Simulate Toolpaths: view</source>
+        <translation>模拟刀具路径：视图</translation>
     </message>
 </context>
 <context>
@@ -1928,12 +1948,12 @@
         <translation>清除分析</translation>
     </message>
     <message>
-        <source>{count} mark was removed.</source>
-        <translation>已移除 {count} 个标记。</translation>
+        <source>The marks were removed.</source>
+        <translation>标记已移除。</translation>
     </message>
     <message>
-        <source>{count} marks were removed.</source>
-        <translation>已移除 {count} 个标记。</translation>
+        <source>There are no marks to remove.</source>
+        <translation>没有可移除的标记。</translation>
     </message>
 </context>
 <context>
@@ -1999,10 +2019,6 @@
         <translation>正在读取 {}…</translation>
     </message>
     <message>
-        <source>with the closing turn φ = {}, n = {}</source>
-        <translation>加上闭合转角 φ = {}，n = {}</translation>
-    </message>
-    <message>
         <source>Areas that the tool cuts without a rapid move or a plunge. The area that shows the strategy best comes first, then the longest areas.</source>
         <translation>刀具在没有快速移动或下刀的情况下切削的区域。最能体现策略的区域排在最前，然后是最长的区域。</translation>
     </message>
@@ -2015,8 +2031,16 @@
         <translation>{}：没有横向切削的移动，因此没有方向可显示。</translation>
     </message>
     <message>
-        <source>&lt;p&gt;The left plot shows the toolpath with the vector V&lt;sub&gt;k&lt;/sub&gt; from the first point of the area. The unit circle shows the directions of the trajectory v&lt;sub&gt;k&lt;/sub&gt; and of V&lt;sub&gt;k&lt;/sub&gt;. Its arcs show how these directions have moved. In a zigzag, the direction of v&lt;sub&gt;k&lt;/sub&gt; moves back and forth on a part of the circle. In a contour, it moves all around the circle. The direction of V&lt;sub&gt;k&lt;/sub&gt; moves all around only if the path begins inside the contour. The right plot shows the cumulative angular function φ and the angle θ on level n. A contour-parallel path reaches the dashed lines ±2π, and a zigzag stays between them.&lt;/p&gt;</source>
-        <translation>&lt;p&gt;左图显示刀具路径以及从区域起点出发的向量 V&lt;sub&gt;k&lt;/sub&gt;。单位圆显示轨迹 v&lt;sub&gt;k&lt;/sub&gt; 和 V&lt;sub&gt;k&lt;/sub&gt; 的方向。圆弧显示这些方向如何移动。在往复路径中，v&lt;sub&gt;k&lt;/sub&gt; 的方向在圆的一部分上来回移动。在轮廓路径中，它绕圆一周。V&lt;sub&gt;k&lt;/sub&gt; 的方向只有当路径从轮廓内部开始时才绕圆一周。右图显示累积角函数 φ 和层级 n 上的角 θ。环切路径达到虚线 ±2π，往复路径保持在其间。&lt;/p&gt;</translation>
+        <source>&lt;p&gt;The left plot shows the toolpath with the vector V&lt;sub&gt;k&lt;/sub&gt; from the first point of the area. The unit circle shows the directions of the trajectory v&lt;sub&gt;k&lt;/sub&gt; and of V&lt;sub&gt;k&lt;/sub&gt;. Its arcs show how these directions have moved. In a zigzag, the direction of v&lt;sub&gt;k&lt;/sub&gt; moves back and forth on a part of the circle. In a contour, it moves all around the circle. The direction of V&lt;sub&gt;k&lt;/sub&gt; moves all around only if the path begins inside the contour. The right plot shows the cumulative angular function φ and the angle θ on level n, in turns. A contour-parallel path reaches the dashed lines, one turn from its start. A zigzag stays between the dashed lines, one turn from its middle.&lt;/p&gt;</source>
+        <translation>&lt;p&gt;左图显示刀具路径以及从区域起点出发的向量 V&lt;sub&gt;k&lt;/sub&gt;。单位圆显示轨迹 v&lt;sub&gt;k&lt;/sub&gt; 和 V&lt;sub&gt;k&lt;/sub&gt; 的方向。圆弧显示这些方向如何移动。在往复路径中，v&lt;sub&gt;k&lt;/sub&gt; 的方向在圆的一部分上来回移动。在轮廓路径中，它绕圆一周。V&lt;sub&gt;k&lt;/sub&gt; 的方向只有当路径从轮廓内部开始时才绕圆一周。右图显示累积角函数 φ 和层级 n 上的角 θ，以圈为单位。环切路径达到虚线，距起点一圈。往复路径保持在虚线之间，距中心一圈。&lt;/p&gt;</translation>
+    </message>
+    <message>
+        <source>with the closing turn {}, n = {}</source>
+        <translation>加上闭合转角 {}，n = {}</translation>
+    </message>
+    <message>
+        <source>φ = {} turns</source>
+        <translation>φ = {} 圈</translation>
     </message>
 </context>
 <context>
@@ -2146,10 +2170,6 @@
 Image</source>
         <translation>推荐
 图像</translation>
-    </message>
-    <message>
-        <source>The finest image of the z-buffer within your limits of time and memory.</source>
-        <translation>在您的时间和内存限额内最精细的 Z 缓冲图像。</translation>
     </message>
     <message>
         <source>none</source>
@@ -2330,15 +2350,6 @@ at Most</source>
 最长</translation>
     </message>
     <message>
-        <source>Time to simulate it in an extended z-buffer. An operation is simulated alone, on the whole stock. In a job, each operation cuts the stock that is left.</source>
-        <extracomment>The paper&apos;s extended z-buffer. Its columns in CSV and JSON have no prefix.</extracomment>
-        <translation>在扩展 Z 缓冲中模拟所需的时间。单个操作在完整毛坯上单独模拟。在作业中，每个操作切削剩余的毛坯。</translation>
-    </message>
-    <message>
-        <source>Memory to simulate it in an extended z-buffer. An operation includes the whole stock. A job includes the stock once.</source>
-        <translation>在扩展 Z 缓冲中模拟所需的内存。操作包含完整毛坯。作业中毛坯只计一次。</translation>
-    </message>
-    <message>
         <source>This operation is not included in the total, because its dress-up is.</source>
         <translation>此操作不计入合计，因为其修饰已计入。</translation>
     </message>
@@ -2375,18 +2386,6 @@ at Most</source>
         <translation>按恒定进给计算。请在首选项的“机床”页面选择您的机床。</translation>
     </message>
     <message>
-        <source>More than the sum: tool changes and starts of the spindle take {time}.</source>
-        <translation>大于总和：换刀和主轴启动需要 {time}。</translation>
-    </message>
-    <message>
-        <source>More than the sum: the {simulator} slows down with every cut.</source>
-        <translation>大于总和：{simulator} 每次切削后都会变慢。</translation>
-    </message>
-    <message>
-        <source>Less than the sum: the {simulator} simulates all operations in one run.</source>
-        <translation>小于总和：{simulator} 一次运行中仿真所有操作。</translation>
-    </message>
-    <message>
         <source>Enter the Measured Time…</source>
         <translation>输入实测时间…</translation>
     </message>
@@ -2401,6 +2400,35 @@ at Most</source>
     <message>
         <source>This is not a possible time. Enter it like 17:30 or 1:02:30.</source>
         <translation>该时间无效。请输入如 17:30 或 1:02:30 的时间。</translation>
+    </message>
+    <message>
+        <source>Time that Simulate Toolpaths takes. An operation is simulated alone, on the whole stock. In a job, each operation cuts the stock that is left.</source>
+        <extracomment>The paper&apos;s extended z-buffer. Its columns in CSV and JSON have no prefix.</extracomment>
+        <translation>“模拟刀具路径”所需的时间。操作单独在完整毛坯上模拟。在作业中，每个操作切削剩余的毛坯。</translation>
+    </message>
+    <message>
+        <source>Memory that Simulate Toolpaths takes. An operation includes the whole stock. A job includes the stock once.</source>
+        <translation>“模拟刀具路径”所需的内存。操作包含完整毛坯。作业中毛坯只计一次。</translation>
+    </message>
+    <message>
+        <source>The finest image of Simulate Toolpaths within your limits of time and memory.</source>
+        <translation>在您的时间和内存限额内，“模拟刀具路径”的最精细图像。</translation>
+    </message>
+    <message>
+        <source>Notes</source>
+        <translation>备注</translation>
+    </message>
+    <message>
+        <source>Remarks that need no action, such as problems of a simulator that the marks do not show.</source>
+        <translation>无需处理的说明，例如标记未显示的模拟器的问题。</translation>
+    </message>
+    <message>
+        <source>Jobs and Operations</source>
+        <translation>作业和操作</translation>
+    </message>
+    <message>
+        <source>Details of the Selected Operation</source>
+        <translation>所选操作的详细信息</translation>
     </message>
 </context>
 <context>

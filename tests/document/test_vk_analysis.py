@@ -575,7 +575,7 @@ def test_missing_tool_controller_is_named_as_cause(small, zigzag_commands):
     small.add("Without", zigzag_commands, controller=None)
     told = {o.label: o.machining.notes for o in vkworkbench.analyze(small.document).operations}
     assert "tool controller's VertRapid is 0" in told["With"][0]
-    assert "has no tool controller. Give it one" in told["Without"][0] and "VertRapid" not in told["Without"][0]
+    assert "has no tool controller. Choose your machine" in told["Without"][0] and "VertRapid" not in told["Without"][0]
 
 
 @pytest.mark.parametrize("fixtures, count", [(["G54"], 1), (["G54", "G55", "G59"], 3), ([], 1)])

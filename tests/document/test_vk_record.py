@@ -22,7 +22,7 @@ HANGS = Caution(
 SHORT = Caution("short-moves", Message("opengl-long-play", simulator="OpenGL", time=700.0), None)
 WHOLE = Record(
     strategy=Strategy.ZIGZAG, confidence=0.91, reason=(Message("not-nested"),), remarks=(Message("moves-nothing"),),
-    cautions=(HANGS, SHORT), operations=1, trajectories=120, length=512.5, machining_seconds=61.5,
+    cautions=(HANGS, SHORT), operations=1, fixtures=1, trajectories=120, length=512.5, machining_seconds=61.5,
     left_out=(Message("moves-nothing"),), setup=Setup("T3", True, 60.0, 3.0), stepover=2.5, called="Offset", incomplete=True, fingerprint="a:b",
     outdated=True, text="zigzag 91%",
 )  # fmt: skip
@@ -31,7 +31,7 @@ WHOLE = Record(
 @pytest.mark.parametrize(
     "changed",
     [{}, {"machining_seconds": None}, {"stepover": None}, {"called": None}, {"strategy": None}, {"cautions": ()},
-     {"outdated": False}, {"off": True}, {"incomplete": False}, {"operations": 7}, {"trajectories": 0, "length": 0.0, "confidence": 0.0},
+     {"outdated": False}, {"off": True}, {"incomplete": False}, {"operations": 7}, {"fixtures": 3}, {"trajectories": 0, "length": 0.0, "confidence": 0.0},
      {"confidence": 1.0}, {"length": 0.9e15}],
     ids=str,
 )  # fmt: skip

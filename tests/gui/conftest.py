@@ -436,7 +436,7 @@ def marked(opened, kept_document, window):
         window.dismiss()
         window.tree.expandAll()
         kept_document.has_marks()
-    elif not any(map(docks.is_seen, window.find(QtGui.QDockWidget, docks.RESULTS))):
+    elif not any(map(tree.is_seen, window.find(QtGui.QDockWidget, docks.RESULTS))):
         window.click("Toolpath Results")
     window.settle()
     return opened

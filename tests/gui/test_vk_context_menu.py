@@ -82,6 +82,10 @@ class Tree:
                 QtCore.QTimer.singleShot(50, look)
                 return
             actions = {action.text().replace("&", ""): action for action in menu.actions()}
+            below = [
+                action.menu() for action in menu.actions() if action.menu() and "Toolpath Analysis" in action.text()
+            ]
+            texts.extend(action.text().replace("&", "") for ours in below for action in ours.actions())
             texts.extend(actions)
             if choose is None:
                 if self.pictured:  # one picture for each label, whatever the workbench

@@ -34,11 +34,11 @@ def view_of_tree(window):
     return window.tree.viewport().height() / window.tree.visualRect(window.cell("Face")).height()
 
 
-def assert_marks_are_seen(window, document):
-    """Assert that strategy and time of two operations are in the viewport of the tree."""
+def assert_marks_are_seen(window, document, labels=("Face", "Adaptive pocket")):
+    """Assert that strategy and time of some operations are in the viewport of the tree."""
     view = window.tree
     assert not view.isColumnHidden(1)
-    for label in ("Face", "Adaptive pocket"):
+    for label in labels:
         view.scrollTo(window.cell(label))
         window.settle()
         area = view.visualRect(window.cell(label)) & view.viewport().rect()
@@ -134,6 +134,23 @@ def test_first_marks_in_a_small_window_with_the_report_view(untouched, opened, w
         window.screenshot("first-1024-results")
     finally:
         report.hide()
+
+
+def test_marks_of_sixty_operations_are_seen_in_a_small_window(untouched, opened, window):
+    pocket = opened.getObjectsByLabel("Pocket zigzag")[0]
+    copies = [opened.addObject("Path::FeaturePython", "Copy") for _ in range(60)]
+    for number, copy in enumerate(copies, 1):
+        copy.Label, copy.Path = f"Pocket {number}", pocket.Path
+        copy.addProperty("App::PropertyLink", "ToolController", "Path").ToolController = pocket.ToolController
+    opened.Job.Operations.Group += copies
+    window.main.setGeometry(0, 0, 1024, 700)
+    window.settle()
+    window.analyze(opened)
+    window.dismiss()
+    window.tree.expandAll()
+    assert_marks_are_seen(window, opened, ("Face", "Pocket 1", "Pocket 30", "Pocket 60"))
+    assert view_of_tree(window) >= 8 and window.main.height() <= 700
+    window.screenshot("first-sixty")
 
 
 def test_job_is_expanded_once(untouched, opened, window):

@@ -24,4 +24,4 @@ def test_simulators_are_called_as_in_freecads_menu(opened, window):
         assert action.text().replace("&", "") == freecad.simulator_title(name) == user().simulator(name)
     assert freecad.own_simulator() == names[-1]
     assert freecad.simulator_title("z-buffer") is freecad.simulator_command("z-buffer") is None
-    assert user().simulator("z-buffer") == "extended z-buffer"
+    assert user().simulator("z-buffer") == "Simulate Toolpaths simulator"

@@ -102,11 +102,8 @@ class ClearCommand(DocumentCommand):
             return
         with column.steady_columns():
             cleared = vkworkbench.clear(selected_operations() or FreeCAD.ActiveDocument)
-        one, more = (
-            translate("Vk_Clear", "{count} mark was removed."),
-            translate("Vk_Clear", "{count} marks were removed."),
-        )
-        _status(plural(one, more, cleared))
+        removed = translate("Vk_Clear", "The marks were removed.")
+        _status(removed if cleared else translate("Vk_Clear", "There are no marks to remove."))
 
 
 def mark(report) -> None:

@@ -183,4 +183,7 @@ def _append_to_context_menu(workbench) -> None:
     selected = selected_operations()
     if selected:
         of_job = JOB_COMMANDS if any(kind(obj) == "job" for obj in selected) else []
-        workbench.appendContextMenu("", [*COMMANDS, *of_job, "Separator"])
+        analyze, *others = COMMANDS
+        workbench.appendContextMenu("", [analyze])
+        workbench.appendContextMenu(TITLE, [*others, *of_job])
+        workbench.appendContextMenu("", ["Separator"])

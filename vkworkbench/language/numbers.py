@@ -19,7 +19,7 @@ _BETWEEN = QT_TRANSLATE_NOOP("Sentences", "{low} to {high}")
 _PERCENT = QT_TRANSLATE_NOOP("Sentences", "{number}%")
 # Names of the simulators in documents. The user interface shows the names from FreeCAD's menu instead.
 _SIMULATORS = {
-    "z-buffer": QT_TRANSLATE_NOOP("Sentences", "extended z-buffer"),
+    "z-buffer": QT_TRANSLATE_NOOP("Sentences", "Simulate Toolpaths simulator"),
     "legacy": QT_TRANSLATE_NOOP("Sentences", "legacy simulator"),
     "OpenGL": QT_TRANSLATE_NOOP("Sentences", "OpenGL simulator"),
 }

@@ -33,13 +33,12 @@ ZBUFFER = Simulator(
     factor_column=None,
     time_tooltip=QT_TRANSLATE_NOOP(
         "Vk_Results",
-        "Time to simulate it in an extended z-buffer. An operation is simulated alone, "
+        "Time that Simulate Toolpaths takes. An operation is simulated alone, "
         "on the whole stock. In a job, each operation cuts the stock that is left.",
     ),
     memory_tooltip=QT_TRANSLATE_NOOP(
         "Vk_Results",
-        "Memory to simulate it in an extended z-buffer. An operation includes the whole "
-        "stock. A job includes the stock once.",
+        "Memory that Simulate Toolpaths takes. An operation includes the whole stock. A job includes the stock once.",
     ),
     advice=Advice(
         choose=zbuffer.finest_image,
@@ -48,7 +47,7 @@ ZBUFFER = Simulator(
         column="resolution",
         title=QT_TRANSLATE_NOOP("Vk_Results", "Recommended\nImage"),
         tooltip=QT_TRANSLATE_NOOP(
-            "Vk_Results", "The finest image of the z-buffer within your limits of time and memory."
+            "Vk_Results", "The finest image of Simulate Toolpaths within your limits of time and memory."
         ),
         sentence=QT_TRANSLATE_NOOP("Vk_Results", "Recommended image: {}"),
         none=QT_TRANSLATE_NOOP("Vk_Results", "none"),

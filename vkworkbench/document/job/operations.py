@@ -12,7 +12,7 @@ from dataclasses import dataclass, field
 import FreeCAD
 
 from vkworkbench import freecad
-from vkworkbench.language import Message, Unusable
+from vkworkbench.language import ENGLISH, Message, Unusable
 
 
 @dataclass(frozen=True)
@@ -300,6 +300,12 @@ def fixtures_of(job) -> int:
     """Return how often a job's operations are posted: once for each fixture of the job."""
     listed = freecad.FIXTURES.of(job)
     return max(len(listed), 1) if isinstance(listed, list) else 1
+
+
+def cycle_seconds(job) -> int | None:
+    """Return FreeCAD's own machining time of a job, s; None without one."""
+    text = freecad.CYCLE_TIME.of(job)
+    return ENGLISH.seconds_of(text) if isinstance(text, str) else None
 
 
 def job_of(obj):

@@ -13,7 +13,7 @@ import Part
 
 from vkworkbench import freecad
 from vkworkbench.core import COORDINATE_LIMIT, Stock, Tool, Toolpath
-from vkworkbench.document.job.operations import through_bases
+from vkworkbench.document.job.operations import takes_tool, through_bases
 from vkworkbench.given import positive
 from vkworkbench.language import Message, Unusable
 
@@ -82,7 +82,7 @@ def read_tool(operation) -> Tool:
     """
     controller = controller_of(operation)
     if controller is None:
-        raise Unusable(Message("no-tool"))
+        raise Unusable(Message("no-tool") if takes_tool(operation) else Message("no-tool-possible"))
     bit = freecad.TOOL.of(controller)
     if bit is None:
         raise Unusable(Message("no-tool-bit", label=controller.Label))

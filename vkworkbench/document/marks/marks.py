@@ -35,7 +35,7 @@ _BRACKETS = re.compile(f" ?{OPENING}([^{OPENING}{CLOSING}]*){CLOSING}")
 # The text of a mark in any version: a confidence, a time, or only a strategy.
 _LIKE_A_MARK = re.compile(
     rf"\S.*?(?: \d{{1,3}} ?%|{SEPARATOR}(?:{SIMULATION}|▶) .+)(?:{SEPARATOR}.*|$)|"
-    rf"(?:{'|'.join(strategy.value for strategy in Strategy)}|{SWITCHED_OFF}|\d+ operations?)(?:{SEPARATOR}.*)?"
+    rf"(?:{'|'.join(strategy.value for strategy in Strategy)}|{SWITCHED_OFF}|\d+ operations?(?: x\d+)?)(?:{SEPARATOR}.*)?"
 )
 
 

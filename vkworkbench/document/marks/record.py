@@ -32,7 +32,8 @@ class Record(Costs):
         The reason for the strategy; problems and unknowns.
     cautions : tuple of Caution
         Problems in FreeCAD's simulators.
-    operations, trajectories : int
+    operations, fixtures, trajectories : int
+        Numbers of operations, of work offsets for which they are posted, and of straight moves.
     length : float
         Cutting length, mm.
     machining_seconds : float or None
@@ -69,6 +70,7 @@ class Record(Costs):
     remarks: tuple[Message, ...] = ()
     cautions: tuple[Caution, ...] = ()
     operations: int = 1
+    fixtures: int = 1
     trajectories: int = 0
     length: float = 0.0
     machining_seconds: float | None = None
@@ -144,6 +146,7 @@ def of_total(total: Total, parts: list[Record], fingerprint: str) -> Record:
         remarks=(Message("cost-unknown", labels=unknown),) if unknown else (),
         cautions=tuple(caution for part in parts for caution in part.cautions if caution.code in HANGS),
         operations=total.operations,
+        fixtures=total.fixtures,
         trajectories=total.trajectories,
         length=total.length,
         machining_seconds=total.machining_seconds if any(p.machining_seconds is not None for p in parts) else None,
@@ -170,6 +173,7 @@ def as_json(record: Record, shown: Iterable[str] = (), own: Iterable[str] = ()) 
         "remarks": [message.as_data() for message in record.remarks],
         "cautions": [{"code": c.code, "what": c.what.as_data(), "command": c.command} for c in record.cautions],
         "operations": record.operations,
+        "fixtures": record.fixtures,
         "trajectories": record.trajectories,
         "length": record.length,
         "machining": record.machining_seconds,
@@ -197,6 +201,7 @@ def from_json(text: str) -> Record | None:
             remarks=_messages(data["remarks"]),
             cautions=tuple(_caution(one) for one in data["cautions"]),
             operations=int(_number(data["operations"])),
+            fixtures=int(_number(data.get("fixtures", 1))),
             trajectories=int(_number(data["trajectories"])),
             length=_number(data["length"]),
             machining_seconds=_or_none(data["machining"]),

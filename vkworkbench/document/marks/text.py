@@ -67,7 +67,7 @@ def machine_time_of(record: Record, reader: Reader = ENGLISH) -> str:
 def text_of(record: Record, chosen: Preferences) -> str:
     """Return the text between the brackets of a description, in English for all readers."""
     if record.strategy is None:
-        first = how_many(record.operations, "operation")
+        first = how_many(record.operations, "operation") + (f" x{record.fixtures}" if record.fixtures > 1 else "")
     elif is_switched_off(record):
         first = SWITCHED_OFF
     else:

@@ -81,6 +81,9 @@ def _join(dock: QDockWidget, others: list[QDockWidget]) -> None:
         Gui.getMainWindow().tabifyDockWidget(max(seen, key=lambda other: other.width()), dock)
 
 
-def is_seen(dock: QDockWidget) -> bool:
-    """Return whether a dock is visible: neither closed nor behind another tab."""
-    return dock.isVisible() and not dock.visibleRegion().isEmpty()
+def has_focus(dock: QDockWidget | None) -> bool:
+    """Return whether a dock is visible and has the focus of its window."""
+    if dock is None or not dock.isVisible():
+        return False
+    focus = dock.window().focusWidget()
+    return focus is not None and dock.isAncestorOf(focus)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The columns of the results: six that are visible by default, and others that the user can choose."""
+"""The columns of the results: seven that are visible by default, and others that the user can choose."""
 
 from __future__ import annotations
 
@@ -10,14 +10,14 @@ from functools import partial
 import FreeCAD
 
 from vkworkbench.core.simulators import ZBUFFER, Simulator, available
-from vkworkbench.gui.qt.sentences import is_chinese, plain_sentence, user
+from vkworkbench.gui.qt.sentences import is_chinese, plain_sentence, sentence, user
 from vkworkbench.gui.qt.text import translate
 from vkworkbench.gui.results.rows import Row
 from vkworkbench.language import ROUGH
+from vkworkbench.report import compare_setups, compare_with_sum
 
-OPERATION, STRATEGY, WARNINGS, STATE, LENGTH = "operation", "strategy", "warnings", "state", "length"
-REASON = "reason"
-_SUM = 0.1  # a note appears if a job's total differs from the sum of its operations by a larger share
+OPERATION, STRATEGY, WARNINGS, NOTES = "operation", "strategy", "warnings", "notes"
+STATE, LENGTH, REASON = "state", "length", "reason"
 
 
 @dataclass(frozen=True)
@@ -108,7 +108,10 @@ def columns(version: tuple[int, ...], marked: str) -> tuple[list[Column], list[C
                lambda row: translate("Vk_Results", "outdated") if row.outdated else None),
         Column(WARNINGS, translate("Vk_Results", "Warnings"),
                translate("Vk_Results", "Problems of the operation, and what goes wrong when you simulate it."),
-               lambda row: " ".join(notice.text for notice in row.notices) or None),
+               lambda row: " ".join(row.texts(warned=True)) or None),
+        Column(NOTES, translate("Vk_Results", "Notes"),
+               translate("Vk_Results", "Remarks that need no action, such as problems of a simulator that the marks do not show."),
+               lambda row: " ".join(row.texts(warned=False)) or None),
     ]  # fmt: skip
     longest = translate(
         "Vk_Results",
@@ -137,20 +140,14 @@ def _of_machining(row: Row) -> str:
     """Return what a machining time includes."""
     if not row.found.setup.planned:
         return translate("Vk_Results", "At constant feed. Choose your machine in the preferences, page Machine.")
-    if not (row.is_total and row.found.setup.change):
-        return ""
-    text = translate("Vk_Results", "More than the sum: tool changes and starts of the spindle take {time}.")
-    return text.format(time=user().clock(row.found.setup.change))
+    note = compare_setups(row.found) if row.is_total else None
+    return sentence(note) if note else ""
 
 
 def _beside_sum(simulator: str, row: Row) -> str:
     """Return why the simulation time of a job is not the sum of its operations."""
-    total, parts = _seconds(simulator, row), [_seconds(simulator, one) or 0.0 for one in row.rows if one.is_counted]
-    if total is None or not parts or abs(total - sum(parts)) < _SUM * total:
-        return ""
-    more = translate("Vk_Results", "More than the sum: the {simulator} slows down with every cut.")
-    less = translate("Vk_Results", "Less than the sum: the {simulator} simulates all operations in one run.")
-    return (more if total > sum(parts) else less).format(simulator=user().simulator(simulator))
+    note = compare_with_sum(row.found, (one.found for one in row.rows if one.is_counted), simulator)
+    return sentence(note) if note else ""
 
 
 def _as(kind: str) -> Callable[[object], str]:

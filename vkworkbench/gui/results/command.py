@@ -13,7 +13,7 @@ _HEIGHT = 300  # height of the panel, px
 
 
 class ResultsCommand(DocumentCommand):
-    """Show the results panel, or hide it."""
+    """Show the results panel and give it the keyboard's focus, or hide it if it has the focus."""
 
     name = "Vk_Results"
     menu = QT_TRANSLATE_NOOP("Vk_Results", "Toolpath Results")
@@ -25,7 +25,7 @@ class ResultsCommand(DocumentCommand):
 
     def Activated(self) -> None:
         dock = docks.find(docks.RESULTS)
-        if dock is not None and docks.is_seen(dock):
+        if docks.has_focus(dock):
             dock.hide()
         else:
             show()

@@ -10,7 +10,7 @@ from vkworkbench.gui.qt import colors
 from vkworkbench.gui.qt.plain_text import lines
 from vkworkbench.gui.qt.sentences import plain_sentence, sentence, user
 from vkworkbench.gui.qt.text import translate
-from vkworkbench.gui.results.columns import LENGTH, OPERATION, REASON, STATE, STRATEGY, WARNINGS
+from vkworkbench.gui.results.columns import LENGTH, NOTES, OPERATION, REASON, STATE, STRATEGY, WARNINGS
 from vkworkbench.gui.results.rows import Row
 from vkworkbench.gui.tree.notices import Level
 from vkworkbench.report import OperationReport, is_switched_off
@@ -19,7 +19,15 @@ WHY, NUMBERS, GAUSS_MAP, MEASURED = "why", "numbers", "gauss-map", "measured"  #
 _SIGNS = {
     Level.NOTE: ("i", colors.NOTE_SIGN), Level.WARNING: ("\u26a0", colors.WARNING_SIGN), Level.ERROR: ("\u2716", colors.ERROR_SIGN),
 }  # fmt: skip
-_APART = {OPERATION, STRATEGY, WARNINGS, STATE, LENGTH, REASON}  # columns that the details do not list in a table
+_APART = {
+    OPERATION,
+    STRATEGY,
+    WARNINGS,
+    NOTES,
+    STATE,
+    LENGTH,
+    REASON,
+}  # columns that the details do not list in a table
 
 
 def page(row: Row, first: list, others: list, opened: set[str]) -> str:

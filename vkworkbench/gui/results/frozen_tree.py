@@ -36,6 +36,7 @@ class FrozenTree(QTreeView):
         for view in (self, self._above):
             view.setModel(model)
             view.setUniformRowHeights(True)
+            view.setTextElideMode(Qt.ElideMiddle)  # labels often differ at the end only
             view.setAlternatingRowColors(True)
             view.setExpandsOnDoubleClick(False)
             view.setSelectionMode(QAbstractItemView.ExtendedSelection)
@@ -60,11 +61,14 @@ class FrozenTree(QTreeView):
         self._above.header().setSectionsClickable(True)
         self._above.header().sectionClicked.connect(self._sort)
 
-    def show_headers_menu(self, menu: Callable) -> None:
-        """Show the menu that a function returns when a title is clicked with the right button."""
-        for header in (self.header(), self._above.header()):
-            header.setContextMenuPolicy(Qt.CustomContextMenu)
-            header.customContextMenuRequested.connect(lambda at, h=header: menu().exec_(h.mapToGlobal(at)))
+    def show_menus(self, of_titles: Callable, of_rows: Callable) -> None:
+        """Show the menus that functions return when a title or a row is clicked with the right button."""
+        for view in (self, self._above):
+            for part, place, menu in ((view.header(), view.header(), of_titles), (view, view.viewport(), of_rows)):
+                part.setContextMenuPolicy(Qt.CustomContextMenu)
+                part.customContextMenuRequested.connect(
+                    lambda at, place=place, menu=menu: menu().exec_(place.mapToGlobal(at))
+                )
 
     def drawRow(self, painter, option, index) -> None:
         """Do not paint behind the frozen column, because trees are transparent in FreeCAD 1.1's theme."""

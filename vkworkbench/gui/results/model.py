@@ -3,24 +3,29 @@
 
 from __future__ import annotations
 
+from functools import lru_cache
+
 from vkworkbench import freecad, preferences
 from vkworkbench.gui.qt.names import (
     QAbstractItemModel,
     QApplication,
     QColor,
     QFont,
+    QIcon,
     QModelIndex,
+    QPixmap,
     QSortFilterProxyModel,
     QStyle,
     Qt,
 )  # fmt: skip
 from vkworkbench.gui.qt.plain_text import as_html
-from vkworkbench.gui.results.columns import OPERATION, STRATEGY, WARNINGS, columns
+from vkworkbench.gui.results.columns import NOTES, OPERATION, STRATEGY, WARNINGS, columns
 from vkworkbench.gui.results.rows import Row
 from vkworkbench.gui.tree.notices import Level
 
 VALUE = Qt.UserRole  # role of the value by which a column is sorted
 _LEFT, _RIGHT = 0x81, 0x82  # combined with Qt.AlignVCenter; numbers, because some PySide versions refuse the flags
+_SWATCH = 12  # side of the square in the colour of a strategy, px
 _ICONS = {Level.WARNING: QStyle.SP_MessageBoxWarning, Level.ERROR: QStyle.SP_MessageBoxCritical}
 
 
@@ -86,7 +91,7 @@ class ResultsModel(QAbstractItemModel):
             value = column.value(row)
             return _LEFT if value is None or isinstance(value, str) else _RIGHT
         if role == Qt.DecorationRole and column.key == STRATEGY and row.strategy is not None:
-            return QColor(row.strategy.color)
+            return _swatch(row.strategy.color)
         if role == Qt.DecorationRole and column.key == OPERATION and row.is_warned:
             return QApplication.style().standardIcon(_ICONS[row.level])
         if role == Qt.FontRole and row.is_total:
@@ -96,9 +101,19 @@ class ResultsModel(QAbstractItemModel):
         return None
 
 
+@lru_cache(None)
+def _swatch(color: str) -> QIcon:
+    """Return an icon of one colour, which stays the same in a selected row."""
+    square = QPixmap(_SWATCH, _SWATCH)
+    square.fill(QColor(color))
+    icon = QIcon(square)
+    icon.addPixmap(square, QIcon.Selected)
+    return icon
+
+
 def _tooltip(row: Row, column) -> str:
-    if column.key == WARNINGS:
-        return "\n".join(notice.text for notice in row.notices)
+    if column.key in (WARNINGS, NOTES):
+        return "\n".join(row.texts(warned=column.key == WARNINGS))
     return column.remark(row) or column.text(row)
 
 

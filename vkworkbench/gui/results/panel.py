@@ -28,7 +28,7 @@ from vkworkbench.gui.qt.names import (
 from vkworkbench.gui.qt.plain_text import lines, unbroken
 from vkworkbench.gui.qt.text import translate
 from vkworkbench.gui.results import findings
-from vkworkbench.gui.results.columns import STATE
+from vkworkbench.gui.results.columns import NOTES, STATE
 from vkworkbench.gui.results.details import GAUSS_MAP, MEASURED, page
 from vkworkbench.gui.results.export import as_text, save
 from vkworkbench.gui.results.filter import Filter
@@ -38,7 +38,7 @@ from vkworkbench.gui.results.model import VALUE, ResultsModel, ResultsOrder
 from vkworkbench.gui.results.rows import Row, rows_of
 from vkworkbench.report import Cancelled, is_switched_off
 
-_MAX_WIDTH = {"operation": 260, "warnings": 420}  # px; the tooltip shows a longer text in full
+_MAX_WIDTH = {"operation": 260, "warnings": 420, "notes": 420}  # px; the tooltip shows a longer text in full
 _MIN_LINES = 3  # minimum height of tree and details, in lines of text
 
 
@@ -62,10 +62,12 @@ class ResultsDock(QDockWidget):
         self.tree.setSortingEnabled(True)
         self.tree.sortByColumn(-1, Qt.AscendingOrder)  # in the order of posting, until the user sorts
         self.tree.selectionModel().selectionChanged.connect(self._select)
-        self.tree.show_headers_menu(lambda: self.columns)
+        self.tree.show_menus(of_titles=lambda: self.columns, of_rows=lambda: self.row_menu)
+        self.tree.setAccessibleName(translate("Vk_Results", "Jobs and Operations"))
 
         self.details = QTextBrowser()
         self.details.setOpenLinks(False)
+        self.details.setAccessibleName(translate("Vk_Results", "Details of the Selected Operation"))
         self.details.anchorClicked.connect(lambda url: self._open(url.toString()))
         self.csv = self._action(translate("Vk_Results", "Export &CSV…"), lambda: self._export("csv"))
         self.json = self._action(translate("Vk_Results", "Export &JSON…"), lambda: self._export("json"))
@@ -74,8 +76,9 @@ class ResultsDock(QDockWidget):
         self.columns = self._columns_menu()
         self._show_columns()
         self.export = QMenu(translate("Vk_Results", "E&xport"), self)
-        for action in (self.csv, self.json, self.copy):
-            self.export.addAction(action)
+        self.export.addActions([self.csv, self.json, self.copy])
+
+        self.row_menu = self._menu_of_rows()
 
         self.filter = Filter([self.columns, self.export])
         self.filter.changed = self._filter
@@ -104,6 +107,15 @@ class ResultsDock(QDockWidget):
         action.triggered.connect(lambda checked=False: work())
         return action
 
+    def _menu_of_rows(self) -> QMenu:
+        """Return the context menu of the rows: FreeCAD's selection follows the rows, so commands act on them."""
+        menu = QMenu(self)
+        for name in ("Vk_Analyze", "Vk_Clear", "Vk_GaussMap", "Vk_Simulate"):
+            menu.addActions(Gui.Command.get(name).getAction())
+        menu.addSeparator()
+        menu.addAction(self.copy)
+        return menu
+
     def _columns_menu(self) -> QMenu:
         """Return the menu for choosing columns and restoring the order of posting."""
         menu = QMenu(translate("Vk_Results", "Col&umns"), self)
@@ -127,11 +139,12 @@ class ResultsDock(QDockWidget):
         preferences.write(result_columns=",".join(changed))
 
     def _show_columns(self) -> None:
-        """Show the chosen columns. The state column also needs an outdated row."""
-        outdated = any(row.outdated for job in self.model.rows for row in (job, *job.rows))
+        """Show the chosen columns. The columns of states and notes are shown only if a row has a state or a note."""
+        rows = [row for job in self.model.rows for row in (job, *job.rows)]
         for number, action in enumerate(self._choices, 1):
-            shown = action.isChecked() and (outdated or self.model.columns[number].key != STATE)
-            self.tree.setColumnHidden(number, not shown)
+            column = self.model.columns[number]
+            needed = column.key not in (STATE, NOTES) or any(map(column.value, rows))
+            self.tree.setColumnHidden(number, not (action.isChecked() and needed))
         self._fit_columns()
 
     def _fit_columns(self) -> None:

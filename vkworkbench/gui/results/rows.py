@@ -9,16 +9,19 @@ from dataclasses import dataclass, replace
 
 from vkworkbench import preferences
 from vkworkbench.core import Strategy
-from vkworkbench.document.job.operations import find, fixtures_of
+from vkworkbench.document.job.operations import cycle_seconds, find, fixtures_of
 from vkworkbench.document.marks import marks
 from vkworkbench.document.marks.record import Record, of_total
 from vkworkbench.document.simulation.faults import read_with_faults
-from vkworkbench.gui.qt.sentences import plural
+from vkworkbench.gui.qt.sentences import plural, sentence
 from vkworkbench.gui.qt.text import translate
 from vkworkbench.gui.results.findings import Finding
 from vkworkbench.gui.tree.notices import Level, Notice, kind_of, notices_of
+from vkworkbench.language import Message
 from vkworkbench.preferences import Preferences
 from vkworkbench.report import OperationReport, Total, is_switched_off, total_of
+
+_SIMILAR = 1.5  # a note explains FreeCAD's CycleTime if it differs from the machining time by a larger factor
 
 
 @dataclass(frozen=True)
@@ -77,6 +80,10 @@ class Row:
     def level(self) -> Level:
         return max((notice.level for notice in self.notices), default=Level.NOTE)
 
+    def texts(self, *, warned: bool) -> list[str]:
+        """Return the texts of the notices with a sign in the tree, or of the other notices, the notes."""
+        return [notice.text for notice in self.notices if (notice.level > Level.NOTE) == warned]
+
     @property
     def is_warned(self) -> bool:
         """Whether the mark has a sign in the tree."""
@@ -122,11 +129,18 @@ def _job(job, findings: list[Finding], chosen: Preferences) -> Row:
     of_parts, own = of_total(replace(total, costs={}), [f.mark for f in counted], ""), read_with_faults(job)
     record = replace(of_parts, costs=total.costs, verdict=own and own.verdict)
     notices = notices_of(record, chosen)
+    theirs = cycle_seconds(job)
+    if len(counted) == posted and theirs and _differ(theirs, total.machining_seconds / total.fixtures):
+        notices.append(Notice(Level.NOTE, sentence(Message("cycle-time", seconds=theirs))))
     if total.operations < posted:
         text = translate("Vk_Results", "This total covers the analyzed operations only.")
         notices.append(Notice(Level.NOTE, text))
     rows = tuple(_operation(finding, chosen) for finding in findings)
     return Row(total, job.Name, job.Label, tuple(notices), outdated, posted=posted, rows=rows)
+
+
+def _differ(theirs: float, ours: float) -> bool:
+    return not 1 / _SIMILAR < ours / theirs < _SIMILAR
 
 
 def in_total(row: Row) -> str:

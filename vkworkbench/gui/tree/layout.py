@@ -22,7 +22,7 @@ from vkworkbench.document.marks.text import (
 from vkworkbench.gui.qt.colors import BURDEN, ERROR, TEXT, TOTAL, WARNING
 from vkworkbench.gui.qt.sentences import sentence, user
 from vkworkbench.gui.qt.text import translate
-from vkworkbench.gui.tree.notices import Level, kind_of, level_of_remarks
+from vkworkbench.gui.tree.notices import Level, kind_of, level_of
 from vkworkbench.preferences import Preferences
 from vkworkbench.report import is_switched_off
 
@@ -152,7 +152,7 @@ def _times(record: Record, chosen: Preferences) -> tuple[str, str, str, str]:
 
 def _is_error(record: Record) -> bool:
     """Return whether an operation cannot be simulated."""
-    return bool(record.remarks) and level_of_remarks(record) is Level.ERROR
+    return any(level_of(remark, record) is Level.ERROR for remark in record.remarks)
 
 
 def _add_pill(layout: Layout, record: Record, name: str) -> None:
@@ -174,6 +174,7 @@ def pill_text(record: Record) -> str:
     """Return the text of a mark's pill, in the user's language."""
     if record.strategy is None:
         one, more = translate("Pills", "{} operation"), translate("Pills", "{} operations")
-        return (one if record.operations == 1 else more).format(user().count(record.operations))
+        times = f" x{record.fixtures}" if record.fixtures > 1 else ""  # posted for several work offsets
+        return (one if record.operations == 1 else more).format(user().count(record.operations)) + times
     name = kind_of(record)
     return f"{name} {user().share(record.confidence)}" if is_unsure(record) else name

@@ -13,8 +13,15 @@ from vkworkbench.document.marks.record import Record
 from vkworkbench.document.marks.text import is_serious
 from vkworkbench.gui.qt.sentences import sentence, strategy_name
 from vkworkbench.gui.qt.text import translate
+from vkworkbench.language import Message
 from vkworkbench.preferences import Preferences
 from vkworkbench.report import HANGS, OperationReport, contradiction, is_switched_off
+
+# Codes of remarks that do not prevent an estimate of the costs. Such a remark is a warning for every operation.
+_WITH_COSTS = frozenset({
+    "beyond-travel", "coordinates-not-changed", "feeds-per-minute", "in-commands", "inches-as-millimetres", "no-job", "no-stock",
+    "stock-as-box", "tool-simplified",
+})  # fmt: skip
 
 
 class Level(IntEnum):
@@ -43,18 +50,19 @@ def kind_of(found: OperationReport | Record) -> str:
     return translate("Pills", "switched off") if is_switched_off(found) else strategy_name(found.strategy)
 
 
-def level_of_remarks(record: Record) -> Level:
-    """Return the severity of the remarks. An operation without tool, stock or toolpath has no costs, which is an error."""
+def level_of(remark: Message, record: Record) -> Level:
+    """Return the severity of a remark: an error if it is the reason why the costs of the operation are unknown."""
     if is_switched_off(record):
         return Level.NOTE
-    return Level.WARNING if record.strategy is None or record.costs else Level.ERROR
+    harmless = record.strategy is None or record.costs or remark.code in _WITH_COSTS
+    return Level.WARNING if harmless else Level.ERROR
 
 
 def _notices(record: Record, chosen: Preferences) -> Iterator[Notice]:
     if record.verdict is not None:
         yield Notice(Level.NOTE if record.verdict.is_sound else Level.WARNING, sentence(record.verdict.message))
     for remark in record.remarks:
-        yield Notice(level_of_remarks(record), sentence(remark))
+        yield Notice(level_of(remark, record), sentence(remark))
     wrong = contradiction(record)
     if wrong is not None:
         yield Notice(Level.WARNING, sentence(wrong))
