@@ -16,6 +16,8 @@ from vkworkbench.core.zbuffer import Cuts, ZBuffer
 
 # Distance between neighbouring points of a path, in cells. Largest number of points.
 _STEP, _MOST = 0.5, 1_000_000
+# Largest radius of a tool that can pass between four rays, in cells.
+_NARROW = 0.71
 # Number of points before and after an uncut ray that are shown, too, although their rays were cut by chance.
 _BESIDE = 2
 # Difference between two heights that is not a rounding error, mm.
@@ -78,7 +80,7 @@ def thin_cuts(zbuffer: ZBuffer, top: np.ndarray) -> ThinCuts:
 
 def _sampled(cuts: Cuts, cell: float) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """Return points on the paths of narrow tools (k, 3), and the trajectory and the cut of each point (k,)."""
-    narrow = np.array([tool.radius < cell or (tool.steepness > 0 and tool.tip < cell)
+    narrow = np.array([tool.radius < _NARROW * cell or (tool.steepness > 0 and tool.tip < cell)
                        for tool in (cut.tool for cut in cuts.cuts)])  # fmt: skip
     moves = np.flatnonzero(narrow[cuts.cut])
     start, end = (ends[moves] for ends in cuts.ends)
