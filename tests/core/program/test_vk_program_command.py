@@ -577,6 +577,25 @@ def test_results_on_a_dask_cluster_are_the_same(folder, tmp_path, inside, endles
     assert len(started) == 2 and all(started.values())  # both workers had programs to analyse
 
 
+@pytest.mark.long
+def test_dask_worker_that_is_killed_loses_no_row(folder, tmp_path, endless, scheduler):
+    """Another worker analyses the program of the killed worker."""
+    address, client = scheduler
+    out = tmp_path / "out.csv"
+    asked = command(folder, endless, "--csv", out, "--timeout", "20", "--scheduler", address)
+    with subprocess.Popen(asked, cwd=ROOT, stderr=subprocess.PIPE, text=True) as process:
+        deadline = time.monotonic() + 100
+        while (not out.exists() or out.read_bytes().count(b"\n") < 1 + len(NAMES)) and time.monotonic() < deadline:
+            time.sleep(0.05)
+        (busy,) = (worker for worker, tasks in client.processing().items() if tasks)
+        os.kill(client.run(os.getpid)[busy], signal.SIGKILL)
+        _, said = process.communicate(timeout=120)
+    assert process.returncode == 1 and "Traceback" not in said
+    errors = {Path(row["document"]).name: row["error"] for row in rows_of(out)}
+    assert errors.pop("endless.nc") == "The analysis was stopped after 20 s."
+    assert errors.pop("b.nc") and len(errors) == 3 and not any(errors.values())
+
+
 @pytest.mark.parametrize(
     ("start", "names"),
     [
