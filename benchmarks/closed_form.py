@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Compute the number of trace elements in closed form, with and without the strategy, for benchmarks/resources.py.
 
-Neither formula uses the sequence of the trajectories. One formula uses the strategy instead: according to the paper
-(sections 1 and 2.1), strategy, stepover and tool determine how much new material each trajectory cuts.
+Neither formula uses the order of the trajectories. The formula with the strategy follows the paper (sections 1 and
+2.1): strategy, stepover and tool determine how much new material each trajectory cuts.
 """
 
 from __future__ import annotations
@@ -126,8 +126,8 @@ def _levels(t: _Trajectories, recognition: Recognition, tool: Tool, stock: Solid
     radius = tool.radius
     level = np.flatnonzero((np.abs(t.rise) < _LEVEL) & (t.run > 0))
     key = np.rint(t.low / _LEVEL).astype(np.int64)
-    # A descent that ends at the height of level moves is part of this height. Other descents also cut the tool's
-    # circle.
+    # A descent to the height of level moves cuts only the area that belongs to this height. All other descents also cut
+    # the tool's circle.
     between = ~np.isin(key, key[level])
     descents = _descents(t, tool) * t.share
     if recognition.strategy is Strategy.HELIX:
@@ -223,8 +223,8 @@ def _rows_area(t: _Trajectories, rows: np.ndarray, tool: Tool, stepover: float) 
     offset = t.start[rows, 1] * np.cos(heading) - t.start[rows, 0] * np.sin(heading)
     in_order, sorted_ = np.abs(np.diff(offset)), np.diff(np.sort(offset))
     passes = np.count_nonzero(in_order > _APART) + 1
-    # If the rows are sorted, rows of several pockets mix. If they are not sorted, distances between distant rows occur.
-    # Both errors only make the step smaller, so the larger of the two steps is used.
+    # If the rows are sorted by position, the rows of several pockets mix. If the rows are in the order of cutting,
+    # successive rows can be far apart. Both errors only make the step smaller, so the larger of the two steps is used.
     steps = [s.mean() for s in (x[(x > _APART) & (x <= tool.diameter + _APART)] for x in (in_order, sorted_)) if len(s)]
     step = min(float(max(steps)), tool.diameter) if steps else stepover
     along = float((t.run * t.share)[rows].sum())

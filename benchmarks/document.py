@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Use the add-on on one document inside FreeCAD, as the document's owner would: a part of real_documents.py.
+"""Use the add-on on one document inside FreeCAD, as a user would; real_documents.py runs this script.
 
     VKWORKBENCH_DOCUMENT=FILE.FCStd freecadcmd $PWD/benchmarks/document.py
 

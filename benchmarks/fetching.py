@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Fetch the files in a table. Each row has a repository, a commit, a path and the beginning of the file's sha256."""
+"""Fetch the files that a table names by repository, commit, path and the beginning of the file's sha256."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ def rows_of(table: Path) -> list[dict[str, str]]:
 
 
 def fetch(row: dict[str, str], folder: Path, host: str) -> Path:
-    """Return the path of a row's file, which is fetched if it is not in `folder`. Raises OSError if this fails."""
+    """Fetch the file of a row if it is not in `folder`, and return its path. Raises OSError if it cannot be fetched."""
     path = folder / "texts" / row["repository"] / row["commit"] / row["path"]
     if not path.exists():
         address = f"{host}/{quote(str(path.relative_to(folder / 'texts')))}"

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Count how often the unit inch is guessed wrongly, for toolpaths in mm, and rightly, for toolpaths scaled by 1/25.4.
+"""Count how often inches are guessed as the unit of toolpaths in mm (wrong), and of toolpaths / 25.4 (right).
 
     python3 benchmarks/inches.py FILE...
 

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Measure how often the remark that a toolpath contradicts its operation's name is right.
+"""Measure how often the remark is right that a toolpath contradicts its operation's name.
 
     python3 benchmarks/intent.py FILE.jsonl.gz ...
 

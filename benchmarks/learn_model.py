@@ -47,7 +47,7 @@ WEIGHTS = {
     "made": (3.0, 1.0, 0.0),
     "nonsense": (0.0, 2.0, 0.0),
 }
-BEST = 2.0  # weight of the best label of a row; its other labels have the weight 1
+BEST = 2.0  # weight of the best label of a row; all other labels of the row have the weight 1
 # Random forests (Breiman 2001) recognise the strategy more accurately. Extremely randomised trees (Geurts, Ernst and
 # Wehenkel 2006) recognise more kinds of nonsense toolpaths that they were not learned from. More trees or leaves
 # improve the accuracy only a little, and the model's file already has 200 kB.

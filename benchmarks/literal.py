@@ -40,7 +40,7 @@ def phi_to_the_letter(alpha):
 
 
 def told(low, high):
-    """Return the answer of the paper's two inequalities: rows, around, or "" if neither holds."""
+    """Return the class by the paper's two inequalities for phi: rows, around, or "" if neither inequality holds."""
     reached = max(high, -low)
     return "around" if reached > TURN + 1e-6 else "rows" if reached <= np.pi + 1e-6 else ""
 

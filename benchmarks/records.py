@@ -94,7 +94,7 @@ def key(path: Toolpath, tool: float | None) -> bytes:
 
 
 def operations(files: list[str]) -> Iterator[Record]:
-    """Yield the operations in the files. If toolpaths differ by less than a micrometre, only the first is yielded."""
+    """Yield the operations in files; of toolpaths that differ by less than a micrometre, only the first operation."""
     seen: set[bytes] = set()
     for file in files:
         for r in lines(file):

@@ -13,7 +13,7 @@ HIGH = 0.9  # a confidence of at least this counts as high
 
 
 def two_class(strategy: str, accepted: set[str], got: str) -> bool | None:
-    """Return whether an answer is accepted or is in the right class: back-and-forth or around.
+    """Return whether the strategy `got` is accepted, or is in the right class: rows, or contours around an area.
 
     Return None if the right strategy is in neither class.
     """
@@ -23,7 +23,7 @@ def two_class(strategy: str, accepted: set[str], got: str) -> bool | None:
 
 
 def how_sure(confidence: np.ndarray, right: np.ndarray) -> str:
-    """Return a text on how well the confidences (n,) agree with the correctness of the verdicts (n,) bool."""
+    """Return a text on how well the confidences (n,) agree with whether the verdicts are right (n,) bool."""
     high = right[confidence >= HIGH]
     return (
         f"calibration error {calibration_error(confidence, right):.3f}; "

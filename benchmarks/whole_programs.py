@@ -20,7 +20,7 @@ PAIRS, SEEDS = 200, 20
 
 @dataclass
 class Borders:
-    """Numbers of true borders between sections of different names, of found ones, and of all and right reported ones.
+    """Numbers of true, found, reported and rightly reported borders between sections with different strategies.
 
     Reported borders inside a section with the label mixed are counted separately, because such a section has no labels
     for its inner borders.
@@ -34,7 +34,7 @@ class Borders:
 
 
 def covered(record: Record, found: Recognition, reached: np.ndarray) -> list[float]:
-    """Return for each section the share of its cutting length that lies in spans with a right name.
+    """Return for each section the share of its cutting length that is in spans with a right strategy.
 
     `reached` is the cutting length before each move. A span has one strategy, so a section with the label mixed is
     right if its spans have several strategies.
@@ -83,7 +83,7 @@ def reached(record: Record) -> np.ndarray:
 
 
 def report_programs(file: str, learn=lambda group: None) -> None:
-    """Print how many labelled sections of whole programs get a right name, and how well the borders are found.
+    """Print how many labelled sections of whole programs get a right strategy, and how well the borders are found.
 
     `learn` is called with the group of a program before it is recognised.
     """

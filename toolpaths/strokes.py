@@ -22,7 +22,7 @@ def turned(points: np.ndarray, angle: float) -> np.ndarray:
 
 
 def wall(rng: np.random.Generator, reach: float = 3.0, points: int = 60) -> tuple[np.ndarray, np.ndarray]:
-    """Return an open wall (k, 2) with bends to both sides, and its normals (k, 2). Offsets up to `reach` mm exist."""
+    """Return an open wall (k, 2) with bends to both sides and with offsets up to `reach` mm, and its normals (k, 2)."""
     length = rng.uniform(50, 120)
     x = np.linspace(0, length, points)
     waves = rng.uniform(1.0, 1.8) * 2 * np.pi / length
