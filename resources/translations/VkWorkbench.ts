@@ -922,10 +922,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The {simulator:simulator} slows to about {frames:g1} frames per second here, mostly because of arcs. Simulate this operation on its own.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>The {simulator:simulator} takes about {memory:bytes} for this operation, which is over your {allowed:bytes} limit. {instead}</source>
         <translation type="unfinished"></translation>
     </message>
@@ -1415,6 +1411,10 @@
     </message>
     <message>
         <source>More than the sum: tool changes and starts of the spindle take {time:clock}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The {simulator:simulator} slows to about {frames:g1} frames per second at the end of this job, mostly because of arcs. Simulate fewer operations at a time.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

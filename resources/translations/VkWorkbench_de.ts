@@ -954,10 +954,6 @@
         <translation>Der Werkzeugweg erstreckt sich in ganzen Zahlen über Meter. Wahrscheinlich werden Tausendstel ohne Dezimalpunkt als ganze Einheiten gelesen.</translation>
     </message>
     <message>
-        <source>The {simulator:simulator} slows to about {frames:g1} frames per second here, mostly because of arcs. Simulate this operation on its own.</source>
-        <translation>„{simulator:simulator}“ wird hier auf etwa {frames:g1} Bilder pro Sekunde langsamer, vor allem wegen der Bögen. Simulieren Sie diese Operation allein.</translation>
-    </message>
-    <message>
         <source>The {simulator:simulator} takes {bound} {time:estimate}, which is over your {allowed:s} limit. {better}</source>
         <translation>„{simulator:simulator}“ braucht {bound} {time:estimate}, mehr als Ihre Grenze von {allowed:s}. {better}</translation>
     </message>
@@ -1416,6 +1412,10 @@
     <message>
         <source>More than the sum: tool changes and starts of the spindle take {time:clock}.</source>
         <translation>Mehr als die Summe: Werkzeugwechsel und Spindelanläufe dauern {time:clock}.</translation>
+    </message>
+    <message>
+        <source>The {simulator:simulator} slows to about {frames:g1} frames per second at the end of this job, mostly because of arcs. Simulate fewer operations at a time.</source>
+        <translation>„{simulator:simulator}“ wird am Ende dieses Auftrags auf etwa {frames:g1} Bilder pro Sekunde langsamer, vor allem wegen der Bögen. Simulieren Sie weniger Operationen auf einmal.</translation>
     </message>
 </context>
 <context>

@@ -954,10 +954,6 @@
         <translation>La trayectoria abarca metros en números enteros. Probablemente se leen milésimas sin punto decimal como unidades enteras.</translation>
     </message>
     <message>
-        <source>The {simulator:simulator} slows to about {frames:g1} frames per second here, mostly because of arcs. Simulate this operation on its own.</source>
-        <translation>El {simulator:simulator} baja aquí a unas {frames:g1} imágenes por segundo, sobre todo por los arcos. Simule esta operación sola.</translation>
-    </message>
-    <message>
         <source>The {simulator:simulator} takes {bound} {time:estimate}, which is over your {allowed:s} limit. {better}</source>
         <translation>El {simulator:simulator} tarda {bound} {time:estimate}, más que su límite de {allowed:s}. {better}</translation>
     </message>
@@ -1416,6 +1412,10 @@
     <message>
         <source>More than the sum: tool changes and starts of the spindle take {time:clock}.</source>
         <translation>Más que la suma: los cambios de herramienta y los arranques del husillo duran {time:clock}.</translation>
+    </message>
+    <message>
+        <source>The {simulator:simulator} slows to about {frames:g1} frames per second at the end of this job, mostly because of arcs. Simulate fewer operations at a time.</source>
+        <translation>El {simulator:simulator} baja a unas {frames:g1} imágenes por segundo al final de este trabajo, sobre todo por los arcos. Simule menos operaciones a la vez.</translation>
     </message>
 </context>
 <context>

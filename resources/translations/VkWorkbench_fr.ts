@@ -954,10 +954,6 @@
         <translation>Le parcours s&apos;étend sur des mètres en nombres entiers. Des millièmes sans point décimal sont probablement lus comme des unités entières.</translation>
     </message>
     <message>
-        <source>The {simulator:simulator} slows to about {frames:g1} frames per second here, mostly because of arcs. Simulate this operation on its own.</source>
-        <translation>« {simulator:simulator} » ralentit ici à environ {frames:g1} images par seconde, surtout à cause des arcs. Simulez cette opération seule.</translation>
-    </message>
-    <message>
         <source>The {simulator:simulator} takes {bound} {time:estimate}, which is over your {allowed:s} limit. {better}</source>
         <translation>« {simulator:simulator} » prend {bound} {time:estimate}, plus que votre limite de {allowed:s}. {better}</translation>
     </message>
@@ -1416,6 +1412,10 @@
     <message>
         <source>More than the sum: tool changes and starts of the spindle take {time:clock}.</source>
         <translation>Plus que la somme : les changements d&apos;outil et les démarrages de la broche prennent {time:clock}.</translation>
+    </message>
+    <message>
+        <source>The {simulator:simulator} slows to about {frames:g1} frames per second at the end of this job, mostly because of arcs. Simulate fewer operations at a time.</source>
+        <translation>« {simulator:simulator} » ralentit à environ {frames:g1} images par seconde à la fin de cette tâche, surtout à cause des arcs. Simulez moins d&apos;opérations à la fois.</translation>
     </message>
 </context>
 <context>

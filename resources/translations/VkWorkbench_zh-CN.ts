@@ -954,10 +954,6 @@
         <translation>刀具路径全为整数且跨越数米。可能把没有小数点的千分之一读成了整单位。</translation>
     </message>
     <message>
-        <source>The {simulator:simulator} slows to about {frames:g1} frames per second here, mostly because of arcs. Simulate this operation on its own.</source>
-        <translation>{simulator:simulator}在此处降至约每秒 {frames:g1} 帧，主要由于圆弧。请单独模拟此操作。</translation>
-    </message>
-    <message>
         <source>The {simulator:simulator} takes {bound} {time:estimate}, which is over your {allowed:s} limit. {better}</source>
         <translation>{simulator:simulator}需要{bound} {time:estimate}，超过您的限额 {allowed:s}。{better}</translation>
     </message>
@@ -1416,6 +1412,10 @@
     <message>
         <source>More than the sum: tool changes and starts of the spindle take {time:clock}.</source>
         <translation>大于总和：换刀和主轴启动需要 {time:clock}。</translation>
+    </message>
+    <message>
+        <source>The {simulator:simulator} slows to about {frames:g1} frames per second at the end of this job, mostly because of arcs. Simulate fewer operations at a time.</source>
+        <translation>{simulator:simulator}在此作业结束时降至约每秒 {frames:g1} 帧，主要由于圆弧。请一次模拟较少的操作。</translation>
     </message>
 </context>
 <context>

@@ -588,6 +588,8 @@ def test_misnamed_operations_have_a_remark(panel, opened, window):
     remarks = column(panel, "Warnings")
     assert "called ZigZag, but its toolpath is contour-parallel" in remarks["Face"]
     assert "called Offset, but its toolpath is zigzag" in remarks["Pocket around island"]
+    (index,) = [index for index in indexes(panel) if index.data() == "Face"]
+    assert "called ZigZag" in index.data(QtCore.Qt.AccessibleTextRole)
     click_row(window, panel, "Face")
     assert "called ZigZag" in text_of(panel)
     window.see_all()

@@ -169,7 +169,7 @@ def test_minimum_time_of_0_is_not_shown():
 
 def test_error_sign_beside_a_pill_stays_in_every_width():
     """Without a tool the simulation is unknown, even if the strategy is certain."""
-    record = Record(Strategy.ZIGZAG, confidence=0.95, remarks=(Message("no-job"),))
+    record = Record(Strategy.ZIGZAG, confidence=0.95, remarks=(Message("no-tool"),))
     for room in (10_000, 120, 40):
         assert [piece.kind for piece in layout(record, room=room).pieces] == ["error", "filled"]
     assert sentence(record.remarks[0]) in layout(record).text
@@ -260,6 +260,24 @@ def test_pills_have_their_strategys_colour(marked, window, theme):
         if not mark.outdated:
             assert bright(image) > 0.005, obj.Label  # the text
     assert marks.is_outdated(drill)
+
+
+def test_warning_sign_is_in_sight_in_a_column_wider_than_the_tree(marked, window):
+    view = window.tree
+    preferences.write(time_budget=0.1)
+    try:
+        labelled(marked, "Face").Label2 = "rough " * 60 + labelled(marked, "Face").Label2
+        window.settle()
+        view.setColumnWidth(tree.DESCRIPTION, 2000)
+        view.horizontalScrollBar().setValue(0)
+        window.settle()
+        cell = view.visualRect(window.cell("Job"))
+        assert cell.right() > view.viewport().width()
+        image = view.viewport().grab(cell & view.viewport().rect()).toImage()
+        assert share(image, colors.WARNING[0]) > 0
+    finally:
+        preferences.write(time_budget=600.0)
+        window.settle()
 
 
 def test_tooltip_is_not_taken_from_another_document(marked, window):

@@ -12,7 +12,7 @@ from vkworkbench.core.simulators.costs import Costs
 from vkworkbench.core.simulators.kept import as_data as cost_as_data
 from vkworkbench.core.simulators.kept import from_data as cost_from_data
 from vkworkbench.core.simulators.legacy import LegacyCost, legacy_cost, legacy_together
-from vkworkbench.core.simulators.opengl import OpenGLCost, opengl_cost, opengl_speeds, opengl_together
+from vkworkbench.core.simulators.opengl import OpenGLCost, opengl_cost, opengl_speeds, opengl_together, slow_frames
 from vkworkbench.core.simulators.preflight import preflight
 from vkworkbench.core.simulators.simulator import Advice, Caution, Conditions, Cost, Simulator, Task
 from vkworkbench.core.simulators.table import LEGACY, OPENGL, SIMULATORS, ZBUFFER, available, predict, together
@@ -21,5 +21,5 @@ __all__ = [
     "DEFAULTS", "LEGACY", "OPENGL", "SIMULATORS", "ZBUFFER", "Advice",
     "Caution", "Conditions", "Constants", "Cost", "Costs", "LegacyCost", "OpenGLCost", "Simulator", "Task",
     "available", "cost_as_data", "cost_from_data", "legacy_cost", "legacy_together", "opengl_cost",
-    "opengl_speeds", "opengl_together", "predict", "preflight", "together",
+    "opengl_speeds", "opengl_together", "predict", "preflight", "slow_frames", "together",
 ]  # fmt: skip

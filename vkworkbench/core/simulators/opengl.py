@@ -248,10 +248,14 @@ def opengl_together(costs: Sequence[OpenGLCost]) -> OpenGLCost:
 
 
 def cautions(task: Task, cost: OpenGLCost | None, conditions: Conditions) -> list[Caution]:
-    """Find plays that take too long, and slow frames that are mostly caused by arcs."""
-    found = []
-    if cost is not None and cost.seconds > conditions.time_budget:
-        found.append(Caution("long-play", Message("opengl-long-play", simulator=NAME, time=cost.seconds)))
-    if cost is not None and cost.frame_seconds > SLOWEST_FRAME and 2 * cost.arc_draws > cost.draws:
-        found.append(Caution("arcs", Message("opengl-arcs", simulator=NAME, frames=1 / cost.frame_seconds)))
-    return found
+    """Find plays that take too long."""
+    if cost is None or cost.seconds <= conditions.time_budget:
+        return []
+    return [Caution("long-play", Message("opengl-long-play", simulator=NAME, time=cost.seconds))]
+
+
+def slow_frames(cost: OpenGLCost) -> Message | None:
+    """Return a message if the frames of a job are slow at the end, mostly because of arcs; else None."""
+    if cost.frame_seconds <= SLOWEST_FRAME or 2 * cost.arc_draws <= cost.draws:
+        return None
+    return Message("opengl-arcs", simulator=NAME, frames=1 / cost.frame_seconds)

@@ -125,7 +125,7 @@ class Cost(Protocol):
 
 
 # Codes of cautions, the worst first: simulations that never end, take too much memory or time, are wrong, or are slow.
-WORST_FIRST = "legacy-hangs", "memory", "long-play", "legacy-ramp", "arcs", "short-moves"
+WORST_FIRST = "legacy-hangs", "memory", "long-play", "legacy-ramp", "short-moves"
 
 
 @dataclass(frozen=True)

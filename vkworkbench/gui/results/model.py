@@ -87,6 +87,8 @@ class ResultsModel(QAbstractItemModel):
             return as_html(_tooltip(row, column))
         if role == VALUE:
             return column.value(row)
+        if role == Qt.AccessibleTextRole and column.key == OPERATION and row.is_warned:  # screen readers see no icon
+            return f"{row.label}: {row.notices[0].text}"
         if role == Qt.TextAlignmentRole:
             value = column.value(row)
             return _LEFT if value is None or isinstance(value, str) else _RIGHT

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from enum import IntEnum
 
-from vkworkbench.core.simulators import Caution
+from vkworkbench.core.simulators import OPENGL, Caution, slow_frames
 from vkworkbench.document.marks.better_way import too_long
 from vkworkbench.document.marks.record import Record
 from vkworkbench.document.marks.text import is_serious
@@ -69,6 +69,10 @@ def _notices(record: Record, chosen: Preferences) -> Iterator[Notice]:
     longer = too_long(record, chosen)
     if longer is not None:
         yield Notice(Level.WARNING, sentence(longer))
+    if record.strategy is None and chosen.simulator == OPENGL.name and OPENGL.name in record.costs:
+        slow = slow_frames(record.costs[OPENGL.name])
+        if slow is not None:
+            yield Notice(Level.NOTE, sentence(slow))
     for caution in record.cautions:
         serious = is_serious(caution, chosen)
         if not (serious and caution.code == "long-play" and longer is not None):  # the caution repeats `longer`

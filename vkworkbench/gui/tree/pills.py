@@ -59,11 +59,13 @@ class PillDelegate(QStyledItemDelegate):
             return
         style = option.widget.style() if option.widget else QApplication.style()
         margin = style.pixelMetric(QStyle.PM_FocusFrameHMargin, None, option.widget) + 1
-        room = style.subElementRect(QStyle.SE_ItemViewItemText, shown, option.widget).width() - 2 * margin
+        area = style.subElementRect(QStyle.SE_ItemViewItemText, shown, option.widget)
+        room = area.width() - 2 * margin
+        if option.widget:  # the column can be wider than the tree
+            room = min(room, option.widget.viewport().width() - area.left() - 2 * margin)
         layout = next((one for one in found if one.needed <= room), found[-1])
         shown.text = layout.text
         style.drawControl(QStyle.CE_ItemViewItem, shown, painter, option.widget)
-        area = style.subElementRect(QStyle.SE_ItemViewItemText, shown, option.widget)
         painter.save()
         painter.setClipRect(option.rect)
         painter.setRenderHint(QPainter.Antialiasing)
@@ -197,6 +199,8 @@ def show() -> None:
     for view in column.trees():
         if (view.itemDelegateForColumn(column.DESCRIPTION) is _delegate) != wanted:
             view.setItemDelegateForColumn(column.DESCRIPTION, _delegate if wanted else None)
+            # The visible room, and so the layouts, change when the tree is scrolled.
+            view.horizontalScrollBar().valueChanged.connect(lambda value, view=view: view.viewport().update())
         view.viewport().update()
 
 

@@ -46,8 +46,8 @@ SIMULATORS: dict[str, str | tuple[str, str]] = {
     ),
     "opengl-arcs": QT_TRANSLATE_NOOP(
         "Sentences",
-        "The {simulator:simulator} slows to about {frames:g1} frames per second here, "
-        "mostly because of arcs. Simulate this operation on its own.",
+        "The {simulator:simulator} slows to about {frames:g1} frames per second at the end of "
+        "this job, mostly because of arcs. Simulate fewer operations at a time.",
     ),
     "memory": QT_TRANSLATE_NOOP(
         "Sentences",
