@@ -6,8 +6,9 @@
 The script needs freecadcmd. Each document is analysed, marked and cleared in a separate FreeCAD process. The documents
 have four operations, and the largest number of commands is also tested in one operation. The script prints the peak
 memory of the analysis in addition to FreeCAD and the document, and the part of this memory that FreeCAD itself needs to
-return the longest path with its commands. It also prints the time, and the ratio to the time in the row above, which
-has a tenth of the commands, so a ratio of 10 means linear time. The program is read without FreeCAD.
+return the longest path with its commands. The script also prints the time, and the ratio of this time to the time in
+the row above, which has a tenth of the commands, so a ratio of 10 means linear time. The program is read without
+FreeCAD.
 """
 
 from __future__ import annotations

@@ -13,7 +13,7 @@ import numpy as np
 import Part
 
 RENDERER = "llvmpipe"  # the renderer under Xvfb
-MOST_STOLEN = 0.03  # maximum share of a run's time that the host may take for other virtual machines
+MOST_STOLEN = 0.03  # runs from which the host takes a larger share of the time for other virtual machines are left out
 ROUNDS = {"fast-forward": 3, "play": 5, "OpenGL play": 3}  # number of runs of each simulation in a window
 
 

@@ -10,8 +10,8 @@ files (in the form that recognition.py reads). NAME, such as ROWS or ROWS.MAX_DI
 needs numpy only.
 
 For each new value, the script prints the number of verdicts that change, the number of right verdicts that become wrong
-(-), and the number of wrong verdicts that become right (+). The number after ~ counts answers with the same strategy,
-but with another number or confidence. If thresholds were selected by name, the script also prints the kinds of
+(-), and the number of wrong verdicts that become right (+). The number after ~ counts verdicts with the same strategy,
+but with another measured number or confidence. If thresholds were selected by name, the script also prints the kinds of
 toolpaths with another verdict. With --rules, only the rules decide, as described in the comments at the thresholds.
 Without --rules, the learned trees outvote many of the errors that these comments describe.
 """

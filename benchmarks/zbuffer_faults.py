@@ -93,7 +93,7 @@ class Job:
         self.high = self.low + np.maximum(wide, 1.2 * diameter)
         self.top = self.size[2]
         self.safe = self.top + ABOVE
-        # Size of the error that the fault makes, mm.
+        # Size of the error that the job's fault makes, mm.
         self.error = float(rng.uniform(0.2, 1.0))
         self.hole_places = self.places(4)
         if fault in BODIES:
@@ -292,15 +292,15 @@ class Job:
             yield at, along[1], along[2], self.top - self.depth
 
 
-# The name of each fault in the facts.
+# For each kind of fault, its name in the facts of the simulation.
 KINDS = {
     "no retract": "crashes", "rapid plunge": "crashes", "fast plunge": "fast_plunges", "deep layer": "gouges", "wall": "gouges",
     "deep hole": "gouges", "deep line": "gouges", "shank": "shank", "flutes": "flutes", "holder": "holder", "short": "length",
     "clamp": "tool", "travel": "travel",
 }  # fmt: skip
-# Faults that also cut into the model.
+# Kinds of faults that also cut into the model.
 GOUGING = ("no retract", "rapid plunge")
-# Faults of the parts of a tool that do not cut.
+# Kinds of faults in which the material touches a shank or holder, or flutes or tool are too short.
 BODIES = ("shank", "flutes", "holder", "short")
 
 

@@ -3,8 +3,8 @@
 
     freecadcmd "$PWD/examples/make_example.py"     # writes build/example.FCStd
 
-The environment variable VKWORKBENCH_EXAMPLE names another file. Runs in FreeCAD 0.20, 1.0 and 1.1, without a window
-or in one; only in a window do the operations get the icons and editors of FreeCAD's own commands.
+The environment variable VKWORKBENCH_EXAMPLE names another file. The script runs in FreeCAD 0.20, 1.0 and 1.1, with or
+without a window. Only with a window, the operations have the icons and editors of FreeCAD's own commands.
 """
 
 from __future__ import annotations
@@ -35,7 +35,7 @@ OLD_NAMES = {
 
 
 def cam(name):
-    """FreeCAD's CAM module called Path.`name` in 1.x."""
+    """Return FreeCAD's CAM module whose name in 1.x is Path.`name`."""
     if VERSION >= (1, 0):
         return importlib.import_module("Path." + name)
     package, _, last = name.rpartition(".")
@@ -52,7 +52,7 @@ def cylinder(x, y, z, radius, height):
 
 
 def plate():
-    """The part to be milled, a solid in mm."""
+    """Return the part to be milled, a solid in mm."""
     solid = box(0, 0, 0, LENGTH, WIDTH, HEIGHT)
     holes = [(8, 8), (152, 8), (8, 92), (152, 92)]  # in the corners, then a bolt circle
     angles = [math.radians(angle) for angle in range(0, 360, 60)]
@@ -68,7 +68,7 @@ def plate():
 
 
 def faces(shape, surface, lower, upper):
-    """Names of the faces of the `surface` type that lie inside the box from `lower` to `upper`, mm."""
+    """Return the names of the faces of the `surface` type inside the box from `lower` to `upper`, mm."""
     inside = FreeCAD.BoundBox(*lower, *upper)
     inside.enlarge(1e-3)
     return [
@@ -123,7 +123,7 @@ def holding_tags(job, profile):
     dressup.Width, dressup.Height, dressup.Angle = 8, 3, 45
     if dressup.ViewObject:
         dressup.ViewObject.Proxy = cam("Dressup.Gui.Tags").PathDressupTagViewProvider(dressup.ViewObject)
-    # Only with a window does FreeCAD itself take the dressed-up operation out of the job's list.
+    # Without a window, FreeCAD does not remove the dressed-up operation from the job's list.
     job.Operations.Group = [op for op in job.Operations.Group if op != profile]
     job.Document.recompute()
     return dressup
@@ -132,7 +132,7 @@ def holding_tags(job, profile):
 def make_example(path):
     """Build the example job in a new document and save it to `path`; the document stays open and is returned.
 
-    The 3D surface is left out, with a printed line, where OpenCAMLib is not installed.
+    If OpenCAMLib is not installed, the 3D surface is left out, and a line is printed.
     """
     doc = FreeCAD.newDocument("Example")
     model = doc.addObject("Part::Feature", "Plate")
@@ -187,7 +187,7 @@ def make_example(path):
     operation(job, "Drilling", "Drill holes", drill, holes, PeckEnabled=True, PeckDepth=5)
     try:
         dish = faces(shape, "Sphere", (0, 0, 0), (LENGTH, WIDTH, HEIGHT))
-        # FreeCAD's default deflections take it half a minute.
+        # With its default deflections, FreeCAD needs half a minute for the 3D surface.
         operation(
             job,
             "Surface",

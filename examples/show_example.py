@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Build, analyse and mark the example job in a FreeCAD window, and take a picture of the tree: see run.sh.
+"""Build, analyse and mark the example job in a FreeCAD window, and save a picture of the tree; used by run.sh.
 
-Writes example.FCStd, report.txt, marked.FCStd and tree.png to the folder that the environment variable
-VKWORKBENCH_OUTPUT names, and ends FreeCAD where VKWORKBENCH_LEAVE is set.
+The script writes example.FCStd, report.txt, marked.FCStd and tree.png to the folder in the environment variable
+VKWORKBENCH_OUTPUT. If VKWORKBENCH_LEAVE is set, the script then ends FreeCAD.
 """
 
 from __future__ import annotations
@@ -30,7 +30,7 @@ TREE_SETTLES = 1000  # ms; FreeCAD updates its tree a moment after the document
 
 
 def guarded(step):
-    """Run `step` once FreeCAD's event loop is idle; an error ends FreeCAD, which would only print it."""
+    """Run `step` when FreeCAD's event loop is idle; an error ends FreeCAD, which would only print the error."""
 
     def run():
         try:
@@ -72,14 +72,14 @@ def expand_tree():
                 expand(index)
 
     expand(view.rootIndex())
-    view.setMinimumSize(600, 450)  # px: the picture shows all of the marks
+    view.setMinimumSize(600, 450)  # pixels; large enough to show all marks in the picture
     QTimer.singleShot(TREE_SETTLES, guarded(lambda: take_picture(view)))
 
 
 def take_picture(view):
     pills.fit_column()
     picture = QPixmap(view.size())
-    picture.fill(Qt.white)  # 1.1 draws a tree without its background
+    picture.fill(Qt.white)  # FreeCAD 1.1 draws the tree without a background
     view.render(picture, QPoint())
     picture.save(str(OUTPUT / "tree.png"))
     if LEAVE:

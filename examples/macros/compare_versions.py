@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Compare two versions of a job, open as two documents: which operations are new, missing or different.
 
-Run it as a macro with the two documents open and the new version in front.
+Run this macro with both documents open; the document with the new version must be active.
 """
 
 from __future__ import annotations

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Write one CSV file for a folder of FreeCAD documents, with a line for each operation.
 
-Run it as a macro: it asks for the folder. Documents are opened without a window and are not changed. A document that is
-already open is analysed as it is and stays open. A file that FreeCAD cannot open is named in the report view.
+The macro asks for the folder. It opens documents without a window and does not change them. A document that is already
+open stays open. The report view shows the names of files that FreeCAD cannot open.
 """
 
 from __future__ import annotations
