@@ -1390,7 +1390,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>This toolpath cannot have a tool. Import its program into a job.</source>
+        <source>This toolpath has no tool. Import its program into a job.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

@@ -1390,7 +1390,7 @@
         <translation>Werkzeugwege simulieren</translation>
     </message>
     <message>
-        <source>This toolpath cannot have a tool. Import its program into a job.</source>
+        <source>This toolpath has no tool. Import its program into a job.</source>
         <translation>Dieser Werkzeugweg kann kein Werkzeug haben. Importieren Sie sein Programm in einen Auftrag.</translation>
     </message>
     <message>

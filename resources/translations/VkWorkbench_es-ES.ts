@@ -1390,7 +1390,7 @@
         <translation>Simular trayectorias</translation>
     </message>
     <message>
-        <source>This toolpath cannot have a tool. Import its program into a job.</source>
+        <source>This toolpath has no tool. Import its program into a job.</source>
         <translation>Esta trayectoria no puede tener herramienta. Importe su programa en un trabajo.</translation>
     </message>
     <message>

@@ -1390,7 +1390,7 @@
         <translation>Simuler l&apos;usinage</translation>
     </message>
     <message>
-        <source>This toolpath cannot have a tool. Import its program into a job.</source>
+        <source>This toolpath has no tool. Import its program into a job.</source>
         <translation>Ce parcours ne peut pas avoir d&apos;outil. Importez son programme dans une tâche.</translation>
     </message>
     <message>

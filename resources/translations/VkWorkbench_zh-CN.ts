@@ -1390,7 +1390,7 @@
         <translation>模拟刀具路径</translation>
     </message>
     <message>
-        <source>This toolpath cannot have a tool. Import its program into a job.</source>
+        <source>This toolpath has no tool. Import its program into a job.</source>
         <translation>此刀具路径不能有刀具。请将其程序导入到作业中。</translation>
     </message>
     <message>

@@ -67,7 +67,9 @@ def test_operation_below_a_dress_up_is_not_counted(report):
 
 
 def test_table_names_every_operation_and_the_total(report):
-    lines = str(report).splitlines()
+    lines = [
+        line for line in str(report).splitlines() if not line.startswith(("Rows in brackets", "Job: Less", "Job: More"))
+    ]
     assert len(lines) == len(report.operations) + 4
     assert lines[0].split()[:4] == ["operation", "strategy", "confidence", "moves"]  # the words of the panel
     for o in report.operations:
@@ -79,7 +81,9 @@ def test_table_and_marks_show_the_same_times(example_path):
     document = FreeCAD.openDocument(str(example_path))
     report = vkworkbench.analyze(document)
     vkworkbench.mark(report)
-    header, _, *lines = str(report).splitlines()
+    header, _, *lines = [
+        line for line in str(report).splitlines() if not line.startswith(("Rows in brackets", "Job: Less", "Job: More"))
+    ]
     assert f"{report.simulator} time" in header and report.simulator == preferences.read().simulator
     for o in report.operations:
         (line,) = [line for line in lines if line.split("  ")[0].strip("()") == o.label]
@@ -123,7 +127,12 @@ def test_table_of_two_documents_names_the_documents(small, example):
     assert str(vkworkbench.analyze([small.document, example])).startswith("operation ")
     small.add("Face", [("G0", {"X": 1.0, "Y": 1.0, "Z": 30.0}), ("G1", {"Z": 15.0, "F": 5.0})])
     report = vkworkbench.analyze([small.document, example])
-    header, _, *rows, _, own, other = str(report).splitlines()
+    table = [
+        line
+        for line in str(report).splitlines()
+        if not line.startswith("Rows in brackets") and " than the sum" not in line
+    ]
+    header, _, *rows, _, own, other = table
     assert header.split()[:2] == ["document", "operation"]
     assert [row.split()[0] for row in rows] == [o.document for o in report.operations]
     assert own.split()[:2] == [small.name, f"{small.job.Label}:"] and other.split()[:2] == [example.Name, "Job:"]

@@ -104,6 +104,7 @@ def test_remarks_contain_only_serious_problems():
 
 def test_a_total_is_made_of_its_parts():
     total = SimpleNamespace(
+        fixtures=1,
         operations=2,
         trajectories=200,
         length=900.0,
@@ -123,6 +124,6 @@ def test_a_total_is_made_of_its_parts():
 
 
 def test_total_without_moves_has_no_remark_on_costs():
-    total = SimpleNamespace(operations=1, trajectories=0, length=0.0, machining_seconds=0.0, incomplete=False, costs={},
+    total = SimpleNamespace(operations=1, fixtures=1, trajectories=0, length=0.0, machining_seconds=0.0, incomplete=False, costs={},
                             setup=Setup())  # fmt: skip
     assert of_total(total, [replace(WHOLE, trajectories=0)], "f").remarks == ()

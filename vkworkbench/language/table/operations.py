@@ -21,9 +21,7 @@ OPERATIONS: dict[str, str | tuple[str, str]] = {
         "Sentences", "The operation is called {name}, but its toolpath is {strategy:strategy}."
     ),
     "no-tool": QT_TRANSLATE_NOOP("Sentences", "The operation has no tool. Give it a tool controller."),
-    "no-tool-possible": QT_TRANSLATE_NOOP(
-        "Sentences", "This toolpath cannot have a tool. Import its program into a job."
-    ),
+    "no-tool-possible": QT_TRANSLATE_NOOP("Sentences", "This toolpath has no tool. Import its program into a job."),
     "no-tool-bit": QT_TRANSLATE_NOOP("Sentences", "{label} has no tool. Choose a tool bit for it."),
     "no-diameter": QT_TRANSLATE_NOOP("Sentences", "The tool in {label} has no diameter. Enter one in its tool bit."),
     "tool-diameter": QT_TRANSLATE_NOOP(
