@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Texts of the marks. Marking changes nothing else: no recompute, no G-code, and no text of the user."""
+"""Marks in the tree. Marking an operation causes no recompute and changes neither the G-code nor the user's text."""
 
 import json
 import os
@@ -29,7 +29,7 @@ def marked(document):
     return [obj for obj in document.Objects if marks.is_marked(obj)]
 
 
-def test_mark_text_and_data(small, zigzag_commands):
+def test_mark_contains_the_results_of_the_analysis(small, zigzag_commands):
     op = small.add("Zigzag", zigzag_commands)
     report = vkworkbench.analyze(small.document)
     assert vkworkbench.mark(report) == 1
@@ -55,7 +55,7 @@ def test_mark_text_and_data(small, zigzag_commands):
     assert small.job.CuttingLength.getValueAs("mm") == pytest.approx(o.length)
 
 
-def test_low_confidence_is_in_the_mark(small, zigzag_commands):
+def test_low_confidence_is_shown_in_the_mark(small, zigzag_commands):
     op = small.add("Zigzag", zigzag_commands)
     report = vkworkbench.analyze(small.document)
     (o,) = report.operations
@@ -70,7 +70,7 @@ def told(op):
 
 
 @pytest.mark.parametrize("label", ["T; U", "{label} {}", "a: b, c", '⟦x⟧ 50% "q" \\', "Ж 🙂"])
-def test_codes_of_a_mark(small, zigzag_commands, label):
+def test_mark_stores_reason_and_remarks_as_codes(small, zigzag_commands, label):
     op = small.add("Zigzag", [*zigzag_commands, ("G123", {"X": 5.0})])
     small.controller.Label, small.controller.Tool.Diameter = label, 0
     report = vkworkbench.analyze(small.document)
@@ -83,7 +83,7 @@ def test_codes_of_a_mark(small, zigzag_commands, label):
     assert small.job.Remarks == "The simulation cost of Zigzag is unknown." and marks.read(small.job).reason == ()
 
 
-def test_codes_survive_a_file(small, zigzag_commands, tmp_path):
+def test_remarks_of_a_mark_are_kept_in_a_file(small, zigzag_commands, tmp_path):
     op = small.add("Zigzag", zigzag_commands, controller=None)
     vkworkbench.mark(vkworkbench.analyze(small.document))
     before = marks.read(op)
@@ -156,7 +156,7 @@ def test_deleted_or_retyped_property_is_created_again(small, zigzag_commands, na
     assert (sorted(op.PropertiesList), op.Label2) == (before, "")
 
 
-def test_a_property_of_the_operations_own_stays(small, zigzag_commands):
+def test_property_of_the_operation_with_the_same_name_is_kept(small, zigzag_commands):
     op = small.add("Zigzag", zigzag_commands)
     op.addProperty("App::PropertyInteger", "Strategy", "Own")
     op.Strategy = 7
@@ -166,7 +166,7 @@ def test_a_property_of_the_operations_own_stays(small, zigzag_commands):
     assert op.Strategy == 7 and not hasattr(op, "Reason")
 
 
-def test_locked_properties_are_unlocked(small, zigzag_commands):
+def test_locked_properties_of_a_mark_are_unlocked(small, zigzag_commands):
     op = small.add("Zigzag", zigzag_commands)
     vkworkbench.mark(vkworkbench.analyze(small.document))
     op.setPropertyStatus("Strategy", "LockDynamic")
@@ -181,7 +181,7 @@ def test_locked_properties_are_unlocked(small, zigzag_commands):
 
 
 @pytest.mark.parametrize("how", ["driven", "locked"])
-def test_a_description_that_is_not_ours_to_write_stays(small, zigzag_commands, how):
+def test_locked_or_driven_description_is_not_changed(small, zigzag_commands, how):
     op = small.add("Zigzag", zigzag_commands)
     op.Label2 = "mine"
     if how == "driven":
@@ -199,7 +199,7 @@ def test_a_description_that_is_not_ours_to_write_stays(small, zigzag_commands, h
     "⟦sculpting · ▶ 3 s⟧", "⟦sculpting · 1:18 · sim 3 s⟧", "⟦Zickzack 97 % · 5 s · 9 MB⟧", "⟦3D scallop 40%⟧", "⟦zigzag⟧", "⟦2 operations · 5 s⟧",
     "⟦empty · inactive: switch it on · outdated⟧",
 ])  # fmt: skip
-def test_another_mark_is_replaced_and_cleared(small, zigzag_commands, other):
+def test_mark_text_of_another_version_is_replaced_and_cleared(small, zigzag_commands, other):
     op = small.add("Zigzag", zigzag_commands)
     vkworkbench.mark(vkworkbench.analyze(op))
     mine = op.Label2
@@ -212,7 +212,7 @@ def test_another_mark_is_replaced_and_cleared(small, zigzag_commands, other):
     assert op.Label2 == "a b"
 
 
-def test_the_text_of_a_newer_version_is_known_by_its_property(small, zigzag_commands):
+def test_mark_text_of_a_newer_version_is_replaced(small, zigzag_commands):
     op = small.add("Zigzag", zigzag_commands)
     op.addProperty("App::PropertyString", "ToolpathMark")
     op.ToolpathMark = json.dumps({"format": 9, "text": "whatever it says", "shown": ["Reason"], "more": {}})
@@ -230,7 +230,7 @@ def test_the_text_of_a_newer_version_is_known_by_its_property(small, zigzag_comm
     ("App::PropertyFloat", 1.5), ("App::PropertyStringList", ["a"]), ("App::PropertyBool", True),
 ])  # fmt: skip
 def test_property_of_the_user_is_kept(small, zigzag_commands, type_id, value):
-    """It has the earlier name of the mark."""
+    """The user's property has the name under which an earlier version stored the mark."""
     op = small.add("Zigzag", zigzag_commands)
     for obj in (op, small.job):
         obj.addProperty(type_id, "ToolpathMark", "Mine").ToolpathMark = value
@@ -245,7 +245,7 @@ def test_property_of_the_user_is_kept(small, zigzag_commands, type_id, value):
 
 @pytest.fixture
 def earlier(small, zigzag_commands):
-    """An operation with a mark as an earlier version wrote it, and the mark of this version."""
+    """An operation whose mark is stored under the name that an earlier version used, and the record of the mark."""
     op = small.add("Zigzag", zigzag_commands)
     vkworkbench.mark(vkworkbench.analyze(small.document))
     made = marks.read(op)
@@ -264,10 +264,12 @@ def test_mark_under_the_earlier_name_is_read_and_cleared(small, earlier):
     assert not {"ToolpathMark", "Strategy"} & set(op.PropertiesList + small.job.PropertiesList)
 
 
-def test_mark_under_the_earlier_name_becomes_outdated(small, earlier, zigzag_commands):
+def test_mark_under_the_earlier_name_can_be_outdated(small, earlier, zigzag_commands):
     op, made = earlier
     watcher.check(small.document)
-    assert marks.read(op) == made and "ToolpathMark" in op.PropertiesList  # nothing was written
+    assert (
+        marks.read(op) == made and "ToolpathMark" in op.PropertiesList
+    )  # checking an unchanged mark does not rewrite it
     op.Path = Path.Path([Path.Command(name, words) for name, words in zigzag_commands[:-4]])
     watcher.check(small.document)
     assert marks.is_outdated(op) and marks.is_outdated(small.job) and op.Label2.count("⟦") == 1
@@ -276,7 +278,7 @@ def test_mark_under_the_earlier_name_becomes_outdated(small, earlier, zigzag_com
     assert marks.read(op).strategy is made.strategy and not marks.is_outdated(small.job)
 
 
-def test_one_undo_step_and_clear_leave_no_trace(example):
+def test_undo_and_clear_remove_a_mark_completely(example):
     example.UndoMode = 1
     job = example.getObject("Job")
     job.Label2 = "the user's own words"
@@ -316,7 +318,7 @@ def test_one_undo_step_and_clear_leave_no_trace(example):
         "Ж 🙂 \u200fעברית",
     ],
 )
-def test_the_users_words_stay(small, zigzag_commands, own):
+def test_words_of_the_user_are_kept(small, zigzag_commands, own):
     op = small.add("Zigzag", zigzag_commands)
     op.Label2 = own
     for _ in range(2):
@@ -329,7 +331,7 @@ def test_the_users_words_stay(small, zigzag_commands, own):
     assert op.Label2 == own + " and more"
 
 
-def test_nothing_is_recomputed_and_the_gcode_stays(example):
+def test_marking_causes_no_recompute_and_keeps_the_gcode(example):
     before = posted(example.getObject("Job"))
     assert len(before) > 1000
     vkworkbench.mark(vkworkbench.analyze(example))
@@ -338,7 +340,7 @@ def test_nothing_is_recomputed_and_the_gcode_stays(example):
     assert posted(example.getObject("Job")) == before
 
 
-def test_marking_again_changes_nothing(small, zigzag_commands):
+def test_second_marking_adds_no_undo_step(small, zigzag_commands):
     small.add("Zigzag", zigzag_commands)
     vkworkbench.mark(vkworkbench.analyze(small.document))
     count = small.document.UndoCount
@@ -346,7 +348,7 @@ def test_marking_again_changes_nothing(small, zigzag_commands):
     assert small.document.UndoCount == count
 
 
-def test_total_of_the_job_counts_nothing_twice(example):
+def test_mark_of_the_job_equals_the_total_of_the_report(example):
     report = vkworkbench.analyze(example)
     vkworkbench.mark(report)
     job = example.getObject("Job")
@@ -356,7 +358,7 @@ def test_total_of_the_job_counts_nothing_twice(example):
     assert marks.read(job).trajectories == total.trajectories and "≥" not in job.Label2
 
 
-def test_the_total_of_operations_marked_one_by_one_is_the_same(small, zigzag_commands):
+def test_total_is_the_same_if_operations_are_marked_singly(small, zigzag_commands):
     ops = [small.add("First", zigzag_commands), small.add("Second", zigzag_commands)]
     report = vkworkbench.analyze(small.document)
     vkworkbench.mark(report)
@@ -367,7 +369,7 @@ def test_the_total_of_operations_marked_one_by_one_is_the_same(small, zigzag_com
     assert small.job.Label2 == text and marks.read(small.job).costs == whole.costs
 
 
-def test_a_job_gets_its_total_when_all_its_operations_are_marked(small, zigzag_commands):
+def test_job_is_marked_if_all_its_operations_are_marked(small, zigzag_commands):
     first, second = small.add("First", zigzag_commands), small.add("Second", zigzag_commands)
     vkworkbench.mark(vkworkbench.analyze(first))
     assert marked(small.document) == [first]
@@ -377,14 +379,14 @@ def test_a_job_gets_its_total_when_all_its_operations_are_marked(small, zigzag_c
     assert marked(small.document) == [second]
 
 
-def test_clear_reaches_a_job_without_operations(small, zigzag_commands):
+def test_clear_removes_the_mark_of_an_empty_job(small, zigzag_commands):
     op = small.add("Zigzag", zigzag_commands)
     vkworkbench.mark(vkworkbench.analyze(small.document))
     small.document.removeObject(op.Name)
     assert vkworkbench.clear(small.job) == 1 and marked(small.document) == []
 
 
-def test_marks_of_deleted_operations_are_skipped(small, zigzag_commands):
+def test_deleted_operation_is_skipped_when_marking(small, zigzag_commands):
     first, second = small.add("First", zigzag_commands), small.add("Second", zigzag_commands)
     report = vkworkbench.analyze(small.document)
     small.document.removeObject(first.Name)
@@ -393,7 +395,7 @@ def test_marks_of_deleted_operations_are_skipped(small, zigzag_commands):
     assert vkworkbench.mark(report) == 0
 
 
-def test_two_documents_have_an_undo_step_each(small, zigzag_commands):
+def test_marking_two_documents_adds_one_undo_step_each(small, zigzag_commands):
     small.add("Zigzag", zigzag_commands)
     other = FreeCAD.newDocument("Other")
     try:
@@ -408,7 +410,7 @@ def test_two_documents_have_an_undo_step_each(small, zigzag_commands):
 
 
 @pytest.mark.parametrize("changed", ["path", "tool", None])
-def test_a_report_from_before_a_change_marks_as_outdated(small, zigzag_commands, changed):
+def test_mark_of_a_report_older_than_a_change_is_outdated(small, zigzag_commands, changed):
     op = small.add("Zigzag", zigzag_commands)
     report = vkworkbench.analyze(op)
     if changed == "path":
@@ -419,7 +421,7 @@ def test_a_report_from_before_a_change_marks_as_outdated(small, zigzag_commands,
     assert marks.is_outdated(op) == (changed is not None)
 
 
-def test_a_step_that_is_open_in_another_document_stays_open(small, zigzag_commands):
+def test_transaction_of_another_document_stays_open(small, zigzag_commands):
     op = small.add("Zigzag", zigzag_commands)
     other = FreeCAD.newDocument("Other")
     try:
@@ -435,7 +437,7 @@ def test_a_step_that_is_open_in_another_document_stays_open(small, zigzag_comman
         FreeCAD.closeDocument(other.Name)
 
 
-def test_a_transaction_that_is_open_is_joined(small, zigzag_commands):
+def test_marking_joins_an_open_transaction(small, zigzag_commands):
     op = small.add("Zigzag", zigzag_commands)
     small.document.openTransaction("Macro")
     op.Label = "Renamed"
@@ -458,7 +460,7 @@ with open({out!r}, "w", encoding="utf-8") as file:
 
 
 def open_without_addon(path, folder):
-    """Open a file in a new FreeCAD without the add-on; return the shown texts and the output."""
+    """Open a file in a new FreeCAD process without the add-on; return the texts in the tree and FreeCAD's output."""
     script, out, home = folder / "open.py", folder / "out.txt", folder / "home"
     home.mkdir()
     script.write_text(WITHOUT_ADDON.format(path=str(path), out=str(out)))
@@ -468,7 +470,7 @@ def open_without_addon(path, folder):
     return out.read_text(encoding="utf-8").splitlines(), log.replace(str(folder), "")
 
 
-def test_a_marked_file_opens_without_the_addon(example, tmp_path):
+def test_marked_file_opens_without_the_addon(example, tmp_path):
     plain, with_marks = tmp_path / "plain", tmp_path / "marked"
     for folder in (plain, with_marks):
         folder.mkdir()
@@ -483,7 +485,7 @@ def test_a_marked_file_opens_without_the_addon(example, tmp_path):
 
 
 def test_mark_is_shown_with_its_text_or_an_expression(small, zigzag_commands):
-    """A pill covers the text of the mark: no pill is shown if the user has removed the text."""
+    """A pill is drawn over the text of the mark, so no pill is shown if the user has removed the text."""
     op = small.add("Zigzag", zigzag_commands)
     assert not marks.is_shown(op)
     vkworkbench.mark(vkworkbench.analyze(small.document))
@@ -495,22 +497,22 @@ def test_mark_is_shown_with_its_text_or_an_expression(small, zigzag_commands):
     assert marks.is_shown(op)
 
 
-def test_marking_again_brings_back_a_text_that_was_taken_away(small, zigzag_commands):
+def test_second_marking_restores_a_removed_text(small, zigzag_commands):
     op = small.add("Zigzag", zigzag_commands)
     report = vkworkbench.analyze(small.document)
     vkworkbench.mark(report)
     texts = op.Label2, small.job.Label2
     op.Label2 = small.job.Label2 = ""
-    # Automatic updates omit the sign; only a click on Analyze restores it.
+    # An automatic update does not write the mark's text again; only a new analysis does.
     refresh(op, lambda _: ())
     assert (op.Label2, small.job.Label2) == ("", "")
     vkworkbench.mark(vkworkbench.analyze(small.document))
     assert (op.Label2, small.job.Label2) == texts
 
 
-def test_refreshing_says_whether_the_mark_changed(small, zigzag_commands):
+def test_refresh_returns_whether_the_mark_changed(small, zigzag_commands):
     op = small.add("Zigzag", zigzag_commands)
-    assert not refresh(op, lambda _: ())  # no mark
+    assert not refresh(op, lambda _: ())  # the operation has no mark
     vkworkbench.mark(vkworkbench.analyze(small.document))
     _, setting = fingerprint.path_and_setting(marks.read(op).fingerprint)
     assert not refresh(op, lambda _: (setting,))
@@ -520,7 +522,7 @@ def test_refreshing_says_whether_the_mark_changed(small, zigzag_commands):
     assert not marks.is_outdated(op)
 
 
-def test_a_total_is_outdated_while_one_of_its_operations_is(small, zigzag_commands):
+def test_total_is_outdated_while_one_operation_is_outdated(small, zigzag_commands):
     one, other = small.add("One", zigzag_commands), small.add("Other", zigzag_commands)
     vkworkbench.mark(vkworkbench.analyze(small.document))
     assert not marks.is_outdated(small.job)
@@ -531,7 +533,7 @@ def test_a_total_is_outdated_while_one_of_its_operations_is(small, zigzag_comman
     refresh(one, lambda _: (setting,))
     marks.refresh_total(small.job)
     assert not marks.is_outdated(small.job)
-    # The total of outdated marks is outdated at once.
+    # A new total is outdated if one of the operations' marks is outdated.
     refresh(other, lambda _: ("another",))
     marks.write_total(small.job, preferences.read())
     assert marks.is_outdated(small.job)
@@ -551,7 +553,7 @@ def test_a_total_is_outdated_while_one_of_its_operations_is(small, zigzag_comman
         ({"seconds": 61.0}, True),
         ({"seconds": 59.0}, False),
         ({"hangs": "legacy"}, True),
-        ({"hangs": "OpenGL"}, False),  # the user starts the other simulator
+        ({"hangs": "OpenGL"}, False),  # the mark shows the legacy simulator, so OpenGL's hang does not matter
     ],
 )
 def test_warning_sign_belongs_to_the_started_simulator(small, zigzag_commands, changed, warned):
@@ -568,14 +570,14 @@ def test_warning_sign_belongs_to_the_started_simulator(small, zigzag_commands, c
     assert mark_text.is_warned(known, chosen) is warned
 
 
-def test_clear_takes_the_marks_of_the_document_that_is_open(small, zigzag_commands):
+def test_clear_without_argument_clears_the_active_document(small, zigzag_commands):
     small.add("Zigzag", zigzag_commands)
     vkworkbench.mark(vkworkbench.analyze(small.document))
     FreeCAD.setActiveDocument(small.name)
     assert vkworkbench.clear() == 2 and marked(small.document) == []
 
 
-def test_a_step_that_fails_changes_nothing(small, zigzag_commands):
+def test_failed_transaction_is_rolled_back(small, zigzag_commands):
     op = small.add("Before", zigzag_commands)
     count = small.document.UndoCount
 
@@ -589,18 +591,18 @@ def test_a_step_that_fails_changes_nothing(small, zigzag_commands):
     assert op.Label == "Before" and small.document.UndoCount == count
 
 
-def test_other_words_come_before_the_mark(small, zigzag_commands):
+def test_new_words_of_the_user_come_before_the_mark(small, zigzag_commands):
     op = small.add("Zigzag", zigzag_commands)
     assert marks.with_words(op, " mine ") == "mine"
     vkworkbench.mark(vkworkbench.analyze(op))
     mark = op.Label2
     op.Label2 = f"before {mark}"
     assert marks.with_words(op, "mine ") == f"mine {mark}" and marks.with_words(op, "") == mark
-    op.Label2 = f"⟦zigzag⟧ {mark}"  # written by an earlier version
+    op.Label2 = f"⟦zigzag⟧ {mark}"  # an earlier version wrote the first mark
     assert marks.with_words(op, "mine") == f"mine {mark}"
 
 
-def test_brackets_that_the_user_puts_beside_a_mark_stay(small, zigzag_commands):
+def test_brackets_that_the_user_adds_to_a_mark_are_kept(small, zigzag_commands):
     op = small.add("Zigzag", zigzag_commands)
     op.Label2 = "mine"
     vkworkbench.mark(vkworkbench.analyze(op))

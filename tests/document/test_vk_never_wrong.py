@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""No mark is ever wrong: if an operation has changed since its analysis, its mark is removed or shows the change."""
+"""No mark is wrong: if an operation has changed since its analysis, its mark is removed or shown as outdated."""
 
 import FreeCAD
 import Part
@@ -32,7 +32,7 @@ def outdated(document):
 
 
 @pytest.mark.parametrize("how", ["copy", "copy as one step", "move"])
-def test_a_mark_in_another_document_is_outdated(marked, other, how):
+def test_mark_copied_to_another_document_is_outdated(marked, other, how):
     if how == "move":
         there = other.moveObject(marked.op)
     else:
@@ -46,19 +46,19 @@ def test_a_mark_in_another_document_is_outdated(marked, other, how):
     assert outdated(marked.document) == ([] if how != "move" else outdated(marked.document))
 
 
-def test_a_copy_is_outdated_before_it_is_saved(marked, other, tmp_path):
+def test_copied_mark_is_outdated_before_saving(marked, other, tmp_path):
     other.copyObject(marked.op, False)
     other.saveAs(str(tmp_path / "other.FCStd"))
     assert outdated(other) == ["Zigzag"]
 
 
-def test_a_copy_with_its_job_is_fresh(marked, other):
+def test_marks_copied_with_their_job_are_current(marked, other):
     other.copyObject(marked.job, True)
     other.recompute()
     assert sum(map(marks.is_marked, other.Objects)) == 2 and outdated(other) == []
 
 
-def test_a_mark_in_another_job_is_outdated(marked):
+def test_mark_moved_to_another_job_is_outdated(marked):
     document = marked.document
     job = document.addObject("Path::FeaturePython", "Second")
     job.addProperty("App::PropertyLink", "Operations").Operations = document.addObject(
@@ -93,7 +93,7 @@ def test_change_during_an_analysis_outdates_the_mark(small, zigzag_commands, wha
     assert outdated(small.document) == [small.job.Label, "First"] and not marks.is_outdated(second)
 
 
-def test_an_older_report_is_outdated(marked):
+def test_mark_of_an_older_report_is_outdated(marked):
     before = vkworkbench.analyze(marked.document)
     marked.op.Path = Path.Path(marked.op.Path.Commands[:-3])
     after = vkworkbench.analyze(marked.document)
@@ -104,7 +104,7 @@ def test_an_older_report_is_outdated(marked):
 
 
 def test_fingerprint_follows_each_path_change(marked):
-    """After every change the fingerprint belongs to the current path."""
+    """After every change, the cached fingerprint is the fingerprint of the current path."""
     document, op = marked.document, marked.op
 
     def is_true():
@@ -133,7 +133,7 @@ def test_fingerprint_follows_each_path_change(marked):
     is_true()
 
 
-def test_results_of_a_closed_document_are_written_in_no_other(small, zigzag_commands):
+def test_report_of_a_closed_document_marks_no_other_document(small, zigzag_commands):
     small.add("Zigzag", zigzag_commands)
     report, name = vkworkbench.analyze(small.document), small.name
     FreeCAD.closeDocument(name)
@@ -145,7 +145,7 @@ def test_results_of_a_closed_document_are_written_in_no_other(small, zigzag_comm
     assert not any(map(marks.is_marked, another.Objects))
 
 
-def test_results_of_a_document_opened_again_are_written(small, zigzag_commands, tmp_path):
+def test_report_can_mark_a_reopened_document(small, zigzag_commands, tmp_path):
     small.add("Zigzag", zigzag_commands)
     small.document.saveAs(str(tmp_path / "again.FCStd"))
     report = vkworkbench.analyze(small.document)
@@ -156,7 +156,7 @@ def test_results_of_a_document_opened_again_are_written(small, zigzag_commands, 
     FreeCAD.closeDocument(document.Name)
 
 
-def test_a_job_without_a_stock_is_fresh_when_it_is_opened(small, zigzag_commands, tmp_path):
+def test_marks_of_a_job_without_stock_are_current_when_opened(small, zigzag_commands, tmp_path):
     stock = small.job.Stock
     small.job.Stock = None
     small.document.removeObject(stock.Name)
@@ -207,7 +207,7 @@ def test_analysis_after_recompute_adds_no_undo_step(marked, analyzed_again):
 
 @pytest.mark.parametrize("what", ["tool", "stock"])
 def test_mark_restored_by_redo_is_outdated_without_its_tool(small, zigzag_commands, what):
-    """The tool is deleted outside any transaction while the mark is undone."""
+    """The tool is deleted after marking and before the undo, outside any transaction."""
     op = small.add("Zigzag", zigzag_commands)
     upkeep.watch()
     vkworkbench.mark(vkworkbench.analyze(small.document))
@@ -231,7 +231,7 @@ STOCKS = {
 }  # fmt: skip
 
 
-def test_a_stock_of_another_form_in_the_same_box_outdates(marked):
+def test_stock_of_another_form_in_the_same_box_outdates_marks(marked):
     document, found = marked.document, {}
     solid = document.addObject("Part::Feature", "Solid")
     marked.job.Stock = solid
@@ -249,11 +249,13 @@ def test_a_stock_of_another_form_in_the_same_box_outdates(marked):
     for name in ("box", "cylinder", "tube"):
         solid.Shape = STOCKS[name]()
         vkworkbench.mark(vkworkbench.analyze(document))
-        assert marks.read(marked.op).fingerprint == found[name]  # a new analysis gives the same result
+        assert (
+            marks.read(marked.op).fingerprint == found[name]
+        )  # a new analysis of the same shape gives the same fingerprint
 
 
 def test_new_shape_does_not_get_results_of_a_deleted_one(marked):
-    """A new shape at the address of a deleted one does not get its results."""
+    """A new shape at the memory address of a deleted shape does not get the results of the deleted shape."""
     solid = marked.document.addObject("Part::Feature", "Solid")
     marked.job.Stock = solid
     seen = set()

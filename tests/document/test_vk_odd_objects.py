@@ -1,5 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Properties of another type than FreeCAD's: a file or another add-on may have them. One odd object stops no other."""
+"""
+Objects whose properties have another type than in FreeCAD, as in damaged files and files of other add-ons.
+
+An odd object does not prevent the analysis of the other operations.
+"""
 
 from __future__ import annotations
 
@@ -19,7 +23,7 @@ VALUES = {
 
 
 class Odd:
-    """A value of a property that links to an object of another type."""
+    """Add a property of the given type and value to an object."""
 
     def __init__(self, obj, name, type_id, value):
         obj.addProperty(type_id, name, "Odd")
@@ -32,14 +36,14 @@ def bare(small, name, type_name="Path::FeaturePython"):
 
 
 def operation(small, commands, controller):
-    """Return an operation with any object as its controller."""
+    """Return an operation with the given object as its tool controller."""
     op = small.add("Odd", commands, controller=None)
     op.ToolController = controller
     return op
 
 
 def odd_row(small, op):
-    """Analyse, mark, watch and clear a sound and an odd operation; return the row of the odd one."""
+    """Analyse, mark, check and clear a sound and an odd operation; return the row of the odd operation."""
     report = vkworkbench.analyze(small.document)
     rows = {row.label: row for row in report.operations}
     assert rows["Sound"].strategy == "zigzag" and rows["Sound"].error is None
@@ -54,7 +58,7 @@ def odd_row(small, op):
 
 
 def test_comment_operation_needs_no_toolpath_remark(sound):
-    """A comment needs no recompute."""
+    """An operation that consists of a comment is complete; only an empty path has the remark "no-toolpath"."""
     comment = bare(sound, "Comment")
     comment.Path = Path.Path([Path.Command("(flip the part)")])
     sound.job.Operations.Group += [comment]
@@ -73,7 +77,7 @@ def sound(small, zigzag_commands):
 
 @pytest.mark.parametrize("type_id", VALUES)
 @pytest.mark.parametrize("name", ["Diameter", "ShapeName", "ShapeType", "CornerRadius", "TipAngle", "CuttingEdgeAngle"])
-def test_tools(sound, zigzag_commands, name, type_id):
+def test_odd_tool_property_affects_one_row_only(sound, zigzag_commands, name, type_id):
     tool, controller = bare(sound, "Tool", "App::FeaturePython"), bare(sound, "Controller")
     Odd(tool, name, type_id, VALUES[type_id])
     if name != "Diameter":
@@ -86,7 +90,7 @@ def test_tools(sound, zigzag_commands, name, type_id):
 
 @pytest.mark.parametrize("type_id", VALUES)
 @pytest.mark.parametrize("name", ["Tool", "HorizRapid", "VertRapid"])
-def test_tool_controllers(sound, zigzag_commands, name, type_id):
+def test_odd_tool_controller_has_an_error(sound, zigzag_commands, name, type_id):
     controller = bare(sound, "Controller")
     Odd(controller, name, type_id, VALUES[type_id])
     row = odd_row(sound, operation(sound, zigzag_commands, controller))
@@ -107,7 +111,7 @@ def test_invalid_rapid_speeds_are_ignored(sound, zigzag_commands, speed):
 
 @pytest.mark.parametrize("type_id", VALUES)
 @pytest.mark.parametrize("name", ["ToolController", "Active", "Base", "Copies", "Gcode", "Group"])
-def test_operations(sound, zigzag_commands, name, type_id):
+def test_odd_operation_property_is_tolerated(sound, zigzag_commands, name, type_id):
     op = bare(sound, "Op")
     op.Label, op.Path = "Odd", sound.document.getObject("Op").Path
     Odd(op, name, type_id, VALUES[type_id])
@@ -118,7 +122,7 @@ def test_operations(sound, zigzag_commands, name, type_id):
 
 @pytest.mark.parametrize("type_id", VALUES)
 @pytest.mark.parametrize("name", ["Operations", "Tools", "Stock", "Shape", "Model"])
-def test_jobs(sound, zigzag_commands, name, type_id):
+def test_odd_job_property_is_tolerated(sound, zigzag_commands, name, type_id):
     job, stock = bare(sound, "OddJob"), bare(sound, "OddStock", "App::FeaturePython")
     group = sound.document.addObject("App::DocumentObjectGroup", "Group")
     odd = operation(sound, zigzag_commands, sound.controller)
@@ -132,8 +136,8 @@ def test_jobs(sound, zigzag_commands, name, type_id):
     assert odd_row(sound, odd).strategy == "zigzag"
 
 
-def test_a_failure_of_reading_costs_one_row(sound, zigzag_commands, monkeypatch):
-    """Any other error is a remark in the row."""
+def test_error_while_reading_affects_one_row_only(sound, zigzag_commands, monkeypatch):
+    """An unexpected error is a remark in the row of the operation."""
     from vkworkbench.document.job import reading
 
     sound.add("Odd", zigzag_commands)
@@ -153,7 +157,7 @@ def test_a_failure_of_reading_costs_one_row(sound, zigzag_commands, monkeypatch)
 def test_argument_that_is_not_a_document_is_refused(small, what):
     with pytest.raises(TypeError, match="only a document, a job or operations"):
         vkworkbench.clear(what)
-    if not isinstance(what, str) and what != ["x"]:  # these are files
+    if not isinstance(what, str) and what != ["x"]:  # analyze reads a text as a file name
         with pytest.raises(TypeError, match="only a document, a job or operations"):
             vkworkbench.analyze(what)
 
@@ -176,12 +180,12 @@ def test_deleted_object_is_refused_with_a_sentence(small, zigzag_commands, do):
 
 
 @pytest.mark.parametrize("what", [None, "x", 5, []])
-def test_mark_takes_a_report(small, what):
+def test_mark_refuses_anything_but_a_report(small, what):
     with pytest.raises(TypeError, match="report is the Report that analyze returns"):
         vkworkbench.mark(what)
 
 
-def test_an_iterator_is_cleared_as_a_list(small, zigzag_commands):
+def test_clear_accepts_an_iterator_or_nested_list(small, zigzag_commands):
     op = small.add("Zigzag", zigzag_commands)
     vkworkbench.mark(vkworkbench.analyze(small.document))
     assert vkworkbench.clear(iter([op])) == 2 and not marks.is_marked(op) and not marks.is_marked(small.job)
@@ -189,7 +193,7 @@ def test_an_iterator_is_cleared_as_a_list(small, zigzag_commands):
     assert vkworkbench.clear([[op]]) == 2
 
 
-def test_cutting_rotary_axis_is_not_drilling(small):
+def test_rotary_axis_that_cuts_is_not_recognised(small):
     commands = [
         ("G0", {"X": 5.0, "Y": 5.0, "Z": 30.0}),
         ("G1", {"Z": 15.0, "F": 5.0}),
@@ -203,7 +207,7 @@ def test_cutting_rotary_axis_is_not_drilling(small):
 
 
 class AnalyzesWhileReading:
-    """Analyses a document each time that FreeCAD creates an object while it reads the document."""
+    """An observer that calls analyze, simulate and clear whenever FreeCAD creates an object while reading a file."""
 
     def __init__(self):
         self.answers = []
@@ -216,7 +220,7 @@ class AnalyzesWhileReading:
                 self.answers.append(str(refused.value))
 
 
-def test_document_is_refused_while_it_is_read(small, zigzag_commands, tmp_path):
+def test_document_is_refused_while_freecad_reads_it(small, zigzag_commands, tmp_path):
     small.add("Zigzag", zigzag_commands)
     vkworkbench.mark(vkworkbench.analyze(small.document))
     small.document.saveCopy(str(tmp_path / "read.FCStd"))

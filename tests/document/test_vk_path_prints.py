@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Caches of path fingerprints and of results of shapes: valid entries only, and few."""
+"""The caches of path fingerprints and of results for shapes contain only valid entries and a limited number."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ def prints():
 
 
 def found(prints, op, fingerprint="f", meanwhile=lambda: None):
-    """Return the fingerprint of an operation's path, found step by step."""
+    """Search a path's fingerprint in the cache `prints`, with a call of `meanwhile` during it; return what is cached."""
     whose, token = (op.Document.Name, op.Name), prints.begin(op)
     meanwhile()
     prints.end(whose, token, fingerprint)
@@ -39,29 +39,29 @@ def test_fingerprint_is_kept_until_path_or_placement_changes(small, zigzag_comma
     assert prints.of(other) is None
 
 
-def test_changes_are_listened_to_once(small, zigzag_commands, prints, monkeypatch):
+def test_cache_observes_documents_only_once(small, zigzag_commands, prints, monkeypatch):
     heard = []
     monkeypatch.setattr(FreeCAD, "addDocumentObserver", heard.append)
     for name in ("One", "Other"):
         found(prints, small.add(name, zigzag_commands))
     assert heard == [prints]
     monkeypatch.undo()
-    FreeCAD.addDocumentObserver(prints)  # the fixture closes it
+    FreeCAD.addDocumentObserver(prints)  # the fixture removes this observer
 
 
-def test_path_that_changes_has_no_fingerprint(small, zigzag_commands, prints):
+def test_path_changed_during_the_search_has_no_fingerprint(small, zigzag_commands, prints):
     op = small.add("One", zigzag_commands)
 
     def edit():
         op.Path = Path.Path(op.Path.Commands[:-1])
 
     assert found(prints, op, meanwhile=edit) is None
-    assert found(prints, op, "") is None  # the search failed
+    assert found(prints, op, "") is None  # an empty fingerprint means that the search failed
     assert found(prints, op, "g") == "g"
 
 
 def test_two_searches_share_one_fingerprint(small, zigzag_commands, prints):
-    """Otherwise an analysis and the comparison of its mark would restart each other's search."""
+    """Otherwise an analysis and the comparison of a mark would restart each other's search for the fingerprint."""
     op = small.add("One", zigzag_commands)
     whose, first, second = (op.Document.Name, op.Name), prints.begin(op), prints.begin(op)
     prints.end(whose, first, "f")
@@ -71,7 +71,7 @@ def test_two_searches_share_one_fingerprint(small, zigzag_commands, prints):
     assert prints.of(op) == "f"
 
 
-def test_a_document_that_is_closed_is_forgotten(small, zigzag_commands, prints):
+def test_fingerprints_of_a_closed_document_are_dropped(small, zigzag_commands, prints):
     op = small.add("One", zigzag_commands)
     name = op.Name
     assert found(prints, op) == "f"
@@ -83,7 +83,7 @@ def test_a_document_that_is_closed_is_forgotten(small, zigzag_commands, prints):
         FreeCAD.closeDocument(again.Name)
 
 
-def test_cache_keeps_the_latest_shapes():
+def test_cache_keeps_the_last_used_shapes():
     shapes, made = [Part.makeBox(1, 1, height) for height in (1, 2, 3)], []
     kept = ShapeCache(2)
 
@@ -93,4 +93,10 @@ def test_cache_keeps_the_latest_shapes():
     assert [of(0), of(1), of(0), of(1)] == [0, 1, 0, 1] and made == [0, 1]
     assert [of(2), of(1)] == [2, 1] and made == [0, 1, 2]
     assert of(0) == 0 and made == [0, 1, 2, 0]
-    assert [of(1), of(2), of(1)] == [1, 2, 1] and made == [0, 1, 2, 0, 2]  # 1 was used after 0
+    assert [of(1), of(2), of(1)] == [1, 2, 1] and made == [
+        0,
+        1,
+        2,
+        0,
+        2,
+    ]  # shape 1 was used after shape 0, so shape 2 replaces shape 0

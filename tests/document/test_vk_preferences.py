@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Every preference has its described effect, for macros and for clicks."""
+"""Every preference has the effect that its description promises."""
 
 import json
 from dataclasses import fields
@@ -20,7 +20,7 @@ ARC = [("G0", {"X": 20, "Y": 10, "Z": 25}), ("G1", {"Z": 18, "F": 5}), ("G2", {"
 
 @pytest.fixture(autouse=True)
 def fresh():
-    """Default preferences before and after each test."""
+    """Reset the preferences to their defaults before each test, and restore them afterwards."""
     group = FreeCAD.ParamGet(preferences.GROUP)
     before = preferences.read()
     group.Clear()
@@ -39,7 +39,7 @@ def analyzed(obj):
     return operation
 
 
-def test_defaults_and_their_parameters():
+def test_preferences_are_stored_under_freecads_names():
     assert preferences.read() == Preferences()
     preferences.write(image_width=1234, tolerance=0.02, analyze_after_recompute=True, mark_simulator=LEGACY.name)
     group = FreeCAD.ParamGet(preferences.GROUP)
@@ -50,8 +50,12 @@ def test_defaults_and_their_parameters():
     assert read.image_height == Preferences().image_height
 
 
-def test_defaults_match_the_documents():
-    """The image of the paper, the memory budget of docs/cost.md, ten minutes, and the best accuracies."""
+def test_default_preferences_match_the_documents():
+    """
+    The defaults are the paper's image size, the memory budget of docs/cost.md and a time budget of ten minutes.
+
+    The simulators of FreeCAD have their best accuracy.
+    """
     chosen = Preferences()
     assert (chosen.image_width, chosen.image_height) == (800, 600)
     assert (chosen.legacy_accuracy, chosen.opengl_quality) == (0.1, 10)
@@ -69,7 +73,7 @@ LIMITS = {
 
 
 @pytest.mark.parametrize("name", LIMITS)
-def test_a_number_is_taken_up_to_its_limits(name):
+def test_number_outside_its_limits_is_replaced_by_the_default(name):
     for limit, onward in zip(LIMITS[name], (-1, 1)):
         beyond = limit + onward if isinstance(limit, int) else limit * 1.01**onward
         for value, read in ((limit, limit), (beyond, getattr(Preferences(), name))):
@@ -77,12 +81,12 @@ def test_a_number_is_taken_up_to_its_limits(name):
             assert getattr(preferences.read(), name) == read
 
 
-def test_invalid_preferences_become_defaults():
+def test_invalid_preferences_are_replaced_by_defaults():
     preferences.write(image_width=0, tolerance=-1.0, view_direction="Sideways", legacy_accuracy=float("nan"))
     assert preferences.read() == Preferences()
 
 
-def test_seen_simulators_are_in_marks_or_chosen_columns():
+def test_shown_simulators_are_those_of_marks_and_columns():
     preferences.write(mark_simulator=ZBUFFER.name)
     assert preferences.read().simulators == (ZBUFFER.name,)
     preferences.write(result_columns=f"confidence,{LEGACY.name} time,{LEGACY.name} memory,{ZBUFFER.name} time")
@@ -94,13 +98,13 @@ def test_every_preference_is_documented():
         assert preference.name in Preferences.__doc__
 
 
-def test_tolerance(arc):
+def test_smaller_tolerance_gives_more_trajectories(arc):
     few = analyzed(arc).trajectories
     preferences.write(tolerance=1e-4)
     assert analyzed(arc).trajectories > 2 * few
 
 
-def test_image_and_view(arc):
+def test_image_size_and_view_change_the_estimate(arc):
     coarse = analyzed(arc).estimate
     preferences.write(image_width=1600, image_height=1200)
     fine = analyzed(arc).estimate
@@ -109,7 +113,7 @@ def test_image_and_view(arc):
     assert analyzed(arc).estimate.view.direction == (0, 1, 0)
 
 
-def test_accuracy_of_the_legacy_simulator(arc):
+def test_legacy_accuracy_changes_the_cells(arc):
     fine = analyzed(arc).legacy
     preferences.write(legacy_accuracy=1.0)
     coarse = analyzed(arc).legacy
@@ -117,13 +121,13 @@ def test_accuracy_of_the_legacy_simulator(arc):
 
 
 @pytest.mark.skipif(freecad.version() < (1, 0), reason="0.20 has no OpenGL simulator")
-def test_quality_of_the_opengl_simulator(arc):
+def test_opengl_quality_changes_the_draws(arc):
     best = analyzed(arc).opengl
     preferences.write(opengl_quality=1)
     assert analyzed(arc).opengl.draws < best.draws
 
 
-def test_budgets(arc):
+def test_small_budgets_give_cautions(arc):
     assert not [c for c in analyzed(arc).cautions if c.code in ("memory", "long-play")]
     pixels = analyzed(arc).resolution.view.width
     preferences.write(memory_budget=1.0, time_budget=0.1)
@@ -132,7 +136,7 @@ def test_budgets(arc):
     assert found.resolution.view is None or found.resolution.view.width < pixels
 
 
-def test_constants_of_this_computer(arc, monkeypatch):
+def test_renderer_preference_selects_the_constants(arc, monkeypatch):
     from vkworkbench.document.computer import calibration
 
     asked = []
@@ -148,10 +152,10 @@ def test_constants_of_this_computer(arc, monkeypatch):
 
 
 @pytest.mark.parametrize("simulator", [ZBUFFER.name, LEGACY.name, OPENGL.name])
-def test_whose_cost_the_mark_shows(arc, small, simulator):
+def test_mark_shows_the_cost_of_the_chosen_simulator(arc, small, simulator):
     preferences.write(mark_simulator=simulator)
     if simulator == OPENGL.name and freecad.version() < (1, 0):
-        simulator = LEGACY.name  # if FreeCAD lacks the simulator
+        simulator = LEGACY.name  # FreeCAD 0.20 has no OpenGL simulator, so the mark shows the legacy simulator
     report = vkworkbench.analyze(arc)
     vkworkbench.mark(report)
     (found,), (total,) = report.operations, report.totals
@@ -160,7 +164,7 @@ def test_whose_cost_the_mark_shows(arc, small, simulator):
         assert f"sim {ENGLISH.estimated_time(one.cost(simulator)[0], one.factor(simulator))}" in obj.Label2
 
 
-def test_marks_follow_a_changed_preference_without_an_analysis(arc, small, monkeypatch):
+def test_changed_preference_updates_marks_without_an_analysis(arc, small, monkeypatch):
     upkeep.watch()
     preferences.write(mark_simulator=ZBUFFER.name)
     report = vkworkbench.analyze(small.document)
@@ -181,7 +185,7 @@ def test_marks_follow_a_changed_preference_without_an_analysis(arc, small, monke
     assert (small.document.UndoCount, list(arc.State)) == (count, touched)
 
 
-def test_watch_follows_preferences_that_marks_show(monkeypatch):
+def test_watch_updates_marks_after_a_relevant_preference(monkeypatch):
     observers, told, followed = [], [], []
     monkeypatch.setattr(upkeep, "_upkeep", None)
     monkeypatch.setattr(upkeep.FreeCAD, "addDocumentObserver", observers.append)
@@ -210,7 +214,7 @@ def test_totals_of_different_simulators_are_not_added(arc, small):
 
 
 @pytest.mark.parametrize("wanted", [False, True])
-def test_analysis_after_a_recompute(example, wanted):
+def test_analysis_after_recompute_depends_on_the_preference(example, wanted):
     preferences.write(analyze_after_recompute=wanted)
     drill = example.getObjectsByLabel("Drill holes")[0]
     unmarked = example.getObjectsByLabel("Bore")[0]
@@ -224,11 +228,11 @@ def test_analysis_after_a_recompute(example, wanted):
     assert marks.is_outdated(drill) != wanted
     assert (marks.read(drill).fingerprint != before) == wanted
     assert not marks.is_marked(unmarked)
-    assert "Touched" not in drill.State and example.UndoCount == steps  # the user's own transactions come last
+    assert "Touched" not in drill.State and example.UndoCount == steps  # no undo step was added after the user's steps
 
 
 def test_travel_of_the_machine_is_compared_with_the_whole_job(small):
-    """Two operations that are far from each other; the first of the job has the remark."""
+    """Each of the two operations fits into the travel, but both together do not; the first operation has the remark."""
     small.add("Left", [("G0", {"X": 0, "Y": 0, "Z": 25}), ("G1", {"X": 20, "Z": 18, "F": 5})])
     small.add("Right", [("G0", {"X": 50, "Y": 5, "Z": 25}), ("G1", {"X": 60, "Z": 18, "F": 5})])
 

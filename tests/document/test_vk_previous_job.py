@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""A job that begins with the part that another job leaves: the second side of a part."""
+"""A job for the second side of a part, whose stock is the part that the job for the first side leaves."""
 
 import FreeCAD
 import Mesh
@@ -32,12 +32,12 @@ def job_of(small, label, model, placement=None):
 
 @pytest.fixture
 def second(small):
-    """The other side of the block, whose first side has a pocket."""
+    """A second job that drills the turned block, after the first job has cut a pocket into the first side."""
     small.add("Pocket", POCKET)
     return job_of(small, "Second", small.document.getObject("Block"), TURNED)
 
 
-def test_second_side_begins_with_what_the_first_left(small, second):
+def test_second_job_begins_with_the_part_of_the_first(small, second):
     first = vkworkbench.simulate(small.job)
     undo = small.document.UndoCount
     states = [obj.State for obj in small.document.Objects]
@@ -53,7 +53,7 @@ def test_second_side_begins_with_what_the_first_left(small, second):
     assert previous_job(second) is None
 
 
-def test_jobs_of_the_same_part_are_offered(small, second):
+def test_only_jobs_of_the_same_part_are_offered_as_previous(small, second):
     other = small.document.addObject("Part::Feature", "Other")
     other.Shape = Part.makeBox(50, 30, 10)
     job_of(small, "Third", other)
@@ -66,7 +66,7 @@ def test_jobs_of_the_same_part_are_offered(small, second):
         set_previous_job(small.job, small.job)
 
 
-def test_change_of_first_side_outdates_verdict_on_second(small, second):
+def test_change_of_the_first_job_outdates_the_second_verdict(small, second):
     set_previous_job(second, small.job)
     facts = vkworkbench.simulate(second).facts()
     vkworkbench.mark(vkworkbench.analyze(small.document).with_facts(facts))
@@ -77,15 +77,15 @@ def test_change_of_first_side_outdates_verdict_on_second(small, second):
     assert marks.read(second).verdict.outdated
 
 
-def test_previous_job_without_operations_is_named(small):
+def test_error_names_a_previous_job_without_operations(small):
     second = job_of(small, "Second", small.document.getObject("Block"))
     set_previous_job(second, small.job)
     with pytest.raises(Unusable, match="Job: There is nothing to simulate"):
         vkworkbench.simulate(second)
 
 
-def test_two_sides_of_the_example(example, tmp_path):
-    """The example's part turned over: its STL file is closed and has the volume of the records."""
+def test_second_side_of_the_example_gives_a_closed_stl_file(example, tmp_path):
+    """The example's part is turned over and drilled; its STL file is closed and has the simulated volume."""
     before = preferences.read()
     job = example.getObject("Job")
     model = job.Model.Group[0]
@@ -115,4 +115,4 @@ def test_two_sides_of_the_example(example, tmp_path):
     assert volume == pytest.approx(done.zbuffer.part_volume, rel=1e-5)
     mesh = Mesh.Mesh(str(tmp_path / "part.stl"))
     assert mesh.isSolid() and not mesh.hasNonManifolds()
-    assert mesh.Volume == pytest.approx(volume, rel=1e-4)  # FreeCAD adds up with single precision
+    assert mesh.Volume == pytest.approx(volume, rel=1e-4)  # FreeCAD adds the volumes with single precision

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The data of a mark: it is read back unchanged, totals are sums, and damaged data is not a mark."""
+"""The record of a mark: JSON keeps it unchanged, the total combines records, and damaged data is not a mark."""
 
 from __future__ import annotations
 
@@ -35,7 +35,7 @@ WHOLE = Record(
      {"confidence": 1.0}, {"length": 0.9e15}],
     ids=str,
 )  # fmt: skip
-def test_all_that_is_kept_comes_back(changed):
+def test_record_is_unchanged_after_writing_and_reading(changed):
     kept = replace(WHOLE, **changed)
     assert from_json(as_json(kept)) == kept
 
@@ -50,15 +50,15 @@ def test_damaged_or_newer_data_is_not_a_mark(name, value):
     assert from_json(json.dumps(data)) is None
 
 
-def test_an_operation_alone_is_one_and_leaves_out_nothing():
-    """Only costs of a job may be lower bounds."""
+def test_record_of_one_operation_is_complete():
+    """Only the costs of a job can be lower bounds, so the record of an operation is complete."""
     alone = Record(Strategy.ZIGZAG)
     assert alone.operations == 1 and not alone.incomplete and not alone.outdated
     assert (alone.trajectories, alone.length, alone.confidence, alone.machining_seconds) == (0, 0, 0, None)
 
 
 def test_mark_contains_its_format():
-    """A later version can tell the format of marks in old files."""
+    """The format number lets a later version recognise old marks."""
     assert json.loads(as_json(WHOLE))["format"] == 2
 
 
@@ -68,7 +68,7 @@ def test_reasons_are_written_in_english():
 
 
 class Asked(dict):
-    """Costs, partly computed, that record which costs were read."""
+    """A dictionary of costs that records which costs were read; `computed` returns the names of the computed costs."""
 
     def __init__(self, costs, computed):
         super().__init__(costs)
@@ -102,7 +102,7 @@ def test_remarks_contain_only_serious_problems():
     assert WHOLE.english_remarks == " ".join([*map(render, WHOLE.remarks), HANGS.message])
 
 
-def test_a_total_is_made_of_its_parts():
+def test_total_combines_the_records_of_operations():
     total = SimpleNamespace(
         fixtures=1,
         operations=2,
@@ -117,8 +117,8 @@ def test_a_total_is_made_of_its_parts():
     found = of_total(total, [WHOLE, untimed], "f")
     assert found.strategy is None and (found.operations, found.trajectories, found.length) == (2, 200, 900.0)
     assert found.machining_seconds == 61.5 and of_total(total, [untimed], "f").machining_seconds is None
-    assert found.cautions == (HANGS,)  # a simulator that hangs on one operation hangs on the job
-    assert found.left_out == WHOLE.left_out and found.setup == total.setup  # named once
+    assert found.cautions == (HANGS,)  # a simulator that hangs on one operation also hangs on the job
+    assert found.left_out == WHOLE.left_out and found.setup == total.setup  # the same cause is listed only once
     (remark,) = found.remarks
     assert remark.code == "cost-unknown"
 

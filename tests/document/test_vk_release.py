@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The release zip, installed in new home folders, analyses a job."""
+"""The release zip contains the files for users, and works when installed in a new home folder."""
 
 from __future__ import annotations
 
@@ -47,18 +47,18 @@ def test_release_has_only_the_files_for_users(archive):
     assert "vkworkbench/core/recognition/verdict/model.npz" in names
     assert any(name.endswith(".qm") for name in names) and any(name.endswith(".ui") for name in names)
     assert not any(name.startswith(("tests/", "benchmarks/", "toolpaths/", ".")) for name in names)
-    # The guide describes the macros; the example job needs a checkout.
+    # The zip contains the macros that the guide describes, but not the example job.
     assert {name for name in names if name.startswith("examples/")} == {
         f"examples/macros/{path.name}" for path in (RESOURCES.parent / "examples" / "macros").glob("*.py")
     }
 
 
-def test_freecad_reads_where_the_repository_is(tmp_path):
+def test_package_xml_has_the_repository_address(tmp_path):
     text = (RESOURCES.parent / "package.xml").read_text(encoding="utf-8")
     for place in (
         "https://example.org/one/first",
         "https://example.org/other/second.git/",
-    ):  # published at another address later
+    ):  # the second address replaces the first
         text = make_release.with_urls(text, place, "trunk")
     place = "https://example.org/other/second"
     package = tmp_path / "package.xml"
@@ -76,7 +76,7 @@ def test_freecad_reads_where_the_repository_is(tmp_path):
             make_release.with_urls(text, none)
 
 
-def test_release_script_writes_the_repository(tmp_path):
+def test_release_script_writes_the_repository_address(tmp_path):
     for file in [*make_release.release_files(), Path("resources/make_release.py")]:
         (tmp_path / "checkout" / file).parent.mkdir(parents=True, exist_ok=True)
         shutil.copy(RESOURCES.parent / file, tmp_path / "checkout" / file)
@@ -93,7 +93,7 @@ def test_release_script_writes_the_repository(tmp_path):
     for told in (
         release("--repository", "https://example.org/owner/name"),
         release(),
-    ):  # unchanged for the next release
+    ):  # the next release keeps the address
         assert (told.returncode, told.stderr) == (0, "")
         with zipfile.ZipFile(next(tmp_path.glob("*.zip"))) as file:
             package = Path(file.extract(f"{make_release.FOLDER}/package.xml", tmp_path))
@@ -102,7 +102,7 @@ def test_release_script_writes_the_repository(tmp_path):
         assert all(url.startswith("https://example.org/owner/name") for url in urls.values())
 
 
-# All other tests use a folder called ToolpathAnalysis.
+# Names of the add-on's folder; in all other tests the folder is called ToolpathAnalysis.
 @pytest.mark.parametrize("folder", ["Toolpath-Analysis-main", "Fräsen mit Überblick 刀具"])
 def test_release_works_from_a_read_only_folder(archive, tmp_path, folder):
     home = tmp_path / "Hæuser und Höfe"
@@ -126,4 +126,6 @@ def test_release_works_from_a_read_only_folder(archive, tmp_path, folder):
     (found,) = [line for line in done.stdout.splitlines() if line.startswith("FOUND")]
     assert f"Mod/{folder}/" in found and found.endswith(" zigzag 1")
     written = [path for path in sorted(home.glob(".local/share/FreeCAD/**/Mod/**/*")) if path not in before]
-    assert all("__pycache__" in path.parts for path in written)  # root, as which tests may run, may write anywhere
+    assert all(
+        "__pycache__" in path.parts for path in written
+    )  # tests that run as root can write into read-only folders

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""An operation that is as it was is not analysed again, one of which anything changed is."""
+"""The cache of results: an unchanged operation is not analysed again, and a changed operation is."""
 
 from dataclasses import replace
 from types import SimpleNamespace
@@ -19,7 +19,7 @@ from vkworkbench.document.job.results import RESULTS, ResultCache, key_of
 
 @pytest.fixture
 def recognized(monkeypatch):
-    """The lengths of the recognised toolpaths."""
+    """A list of the lengths (number of trajectories) of the toolpaths passed to `recognize`."""
     lengths, recognize = [], recognition_module.recognize
 
     def noting(toolpath, **more):
@@ -31,7 +31,7 @@ def recognized(monkeypatch):
 
 
 def paths(zigzag_commands, count):
-    """Zigzags of different lengths."""
+    """Return `count` zigzags with different numbers of commands."""
     return [zigzag_commands[: len(zigzag_commands) - k] for k in range(count)]
 
 
@@ -60,7 +60,7 @@ def test_cached_row_has_the_current_labels(small, zigzag_commands, recognized):
 
 
 def changes():
-    """Changes that an analysis has to notice."""
+    """Return functions that change an input of the analysis, so that its result cannot be reused."""
 
     def path(small, op, _):
         op.Path = Path.Path([*op.Path.Commands[:-1], Path.Command("G1", {"X": 12.25})])
@@ -129,7 +129,7 @@ def test_changed_operation_is_analysed_again(small, zigzag_commands, recognized,
     assert vkworkbench.analyze(small.document) == changed and len(recognized) == 3
 
 
-def test_an_undone_change_is_known_again(small, zigzag_commands, recognized):
+def test_result_is_reused_after_undoing_a_change(small, zigzag_commands, recognized):
     op = small.add("Zigzag", zigzag_commands)
     first = vkworkbench.analyze(small.document)
     before = op.Path
@@ -139,7 +139,7 @@ def test_an_undone_change_is_known_again(small, zigzag_commands, recognized):
     assert vkworkbench.analyze(small.document) == first and len(recognized) == 2
 
 
-def test_an_error_is_not_kept(small, zigzag_commands, monkeypatch):
+def test_result_with_an_error_is_not_cached(small, zigzag_commands, monkeypatch):
     small.add("Zigzag", zigzag_commands)
 
     def fail(*what, **more):
@@ -151,7 +151,7 @@ def test_an_error_is_not_kept(small, zigzag_commands, monkeypatch):
     assert vkworkbench.analyze(small.document).operations[0].error is None
 
 
-def test_long_paths_are_known_too(small, zigzag_commands, recognized, monkeypatch):
+def test_result_of_a_long_path_is_cached(small, zigzag_commands, recognized, monkeypatch):
     monkeypatch.setattr(analysis, "AT_ONCE", 5)
     small.add("Zigzag", zigzag_commands)
     assert vkworkbench.analyze(small.document) == vkworkbench.analyze(small.document) and len(recognized) == 1
@@ -172,7 +172,7 @@ def test_result_cache_is_bounded():
     assert known.find(None) is None and len(known) == 0
 
 
-def test_forgetting_frees_room_in_the_cache():
+def test_clearing_the_cache_frees_its_space():
     known, row = ResultCache(max_trajectories=100), SimpleNamespace(trajectories=100)
     for _ in range(2):
         known.keep("key", row)

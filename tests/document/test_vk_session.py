@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Results of this session, kept while the document is open and the operation unchanged."""
+"""Results of this session are kept while the document is open and the operation is unchanged."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ def row(document, name, fingerprint="f"):
     return SimpleNamespace(document=document, name=name, fingerprint=fingerprint)
 
 
-def test_last_row_is_remembered_while_its_fingerprint_holds(small):
+def test_last_row_is_returned_for_its_fingerprint(small):
     op = small.add("Op", [])
     assert results.latest_row(op, "f") is None
     before, after = row(small.name, op.Name), row(small.name, op.Name, "g")
@@ -24,7 +24,7 @@ def test_last_row_is_remembered_while_its_fingerprint_holds(small):
     assert results.latest_row(op, "g") is after and results.latest_row(op, "f") is None
 
 
-def test_document_of_the_same_name_has_no_old_results(small):
+def test_new_document_of_the_same_name_has_no_old_results(small):
     op = small.add("Op", [])
     results.remember([row(small.name, op.Name)])
     FreeCAD.closeDocument(small.name)
@@ -36,10 +36,10 @@ def test_document_of_the_same_name_has_no_old_results(small):
         FreeCAD.closeDocument(again.Name)
 
 
-def test_new_rows_replace_remembered_rows(small):
+def test_new_rows_are_preferred_to_remembered_rows(small):
     old = [row(small.name, "A"), row(small.name, "B")]
     results.remember(old)
     new = row(small.name, "B", "g")
     known = results.latest_rows([new])
     assert (known[small.name, "A"], known[small.name, "B"]) == (old[0], new)
-    assert results.latest_rows([])[small.name, "B"] is old[1]  # closed documents are forgotten
+    assert results.latest_rows([])[small.name, "B"] is old[1]  # the row of B in the cache is not replaced

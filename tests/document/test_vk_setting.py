@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Speeds of tool controllers, boxes that a window's mesh does not change, and the text of long paths."""
+"""Speeds of tool controllers, exact boxes of stocks, and the text of long paths."""
 
 from math import inf, nan
 from types import SimpleNamespace
@@ -13,7 +13,7 @@ from vkworkbench.document.job.setting import exact_box, rapid_feeds, tool_remark
 
 
 def operation(**controller):
-    """Return an operation, with a tool controller if its properties are given."""
+    """Return an operation; if properties of a tool controller are given, the operation has such a controller."""
     told = {"ToolController": SimpleNamespace(**{"Label": "TC", **controller})} if controller else {}
     return SimpleNamespace(Name="Operation", **told)
 
@@ -31,7 +31,7 @@ def test_rapid_speeds_are_positive_numbers_or_none(across, down, feeds):
 
 
 @pytest.mark.parametrize("feed, told", [(5.0, 5), (0.5, 0.5), (SimpleNamespace(Value=3.0), 3), (None, 0), ("slow", 0)])
-def test_the_feed_downwards(feed, told):
+def test_vertical_feed_of_a_controller_is_read(feed, told):
     assert vertical_feed(operation(VertFeed=feed)) == told
     assert vertical_feed(operation()) == 0
 
@@ -47,22 +47,22 @@ def test_unknown_tool_shape_is_simulated_as_end_mill(name, instead):
     assert tool_remark(operation()) is None
 
 
-def test_a_coarse_mesh_does_not_change_the_box():
-    """The displayed triangles of a ball are smaller than the ball."""
+def test_displayed_mesh_does_not_change_the_box_of_a_shape():
+    """The triangles that FreeCAD displays for a ball lie inside the ball, so their box would be too small."""
     ball = Part.makeSphere(10, FreeCAD.Vector(1, 2, 3))
     ball.tessellate(5.0)
     lower, upper = exact_box(ball)
     assert lower == pytest.approx((-9, -8, -7), abs=1e-4) and upper == pytest.approx((11, 12, 13), abs=1e-4)
 
 
-def test_commands_at_hand_are_the_text_of_a_long_path():
-    """FreeCAD copies the commands of a path slowly."""
+def test_given_commands_are_the_text_of_a_long_path():
+    """FreeCAD copies the commands of a path slowly, so a caller can pass a list of commands that it already has."""
     commands = [SimpleNamespace(toGCode=lambda k=k: f"G1 X{k}") for k in range(AT_ONCE + 1)]
     path = SimpleNamespace(Size=len(commands))
     expected = "".join(f"G1 X{k}\n" for k in range(len(commands)))
     assert text_of(path, commands) == expected
-    path.Commands = list(commands)  # FreeCAD returns a new list each time
-    assert text_of(path) == expected and path.Commands == []  # the commands are freed piece by piece
+    path.Commands = list(commands)  # FreeCAD's Path returns a new list each time
+    assert text_of(path) == expected and path.Commands == []  # text_of frees the commands batch by batch
     short = SimpleNamespace(Size=AT_ONCE, toGCode=lambda: "at once")
     assert text_of(short) == text_of(short, []) == "at once"
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The README's first command opens a window with the promised result."""
+"""The README's first command (examples/show_example.py) opens a window and writes the promised files."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parents[2]
 
 
-def test_the_example_leaves_table_document_and_picture(tmp_path):
+def test_show_example_writes_table_document_and_picture(tmp_path):
     home, output = tmp_path / "home", tmp_path / "output"
     output.mkdir()
     subprocess.run([str(ROOT / "tests/make_home.sh"), str(home)], check=True, timeout=300)

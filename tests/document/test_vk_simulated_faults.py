@@ -16,13 +16,13 @@ def slot(y):
 
 
 def told(small):
-    """Return {label: faults} of operations with faults from simulations."""
+    """Analyse the document; return {label: arguments of the remarks on simulated faults}."""
     return {row.label: [remark.arguments for remark in row.remarks if remark.code == "simulated"]
             for row in vkworkbench.analyze(small.document).operations}  # fmt: skip
 
 
 def simulated(small):
-    """Two slots; the second has a known crash in its second command."""
+    """Add two slots, and keep two faults of the second slot, as a simulation does."""
     small.add("First", slot(10.0))
     small.add("Second", slot(20.0))
     first, second = read_job(small.job).operations
@@ -47,7 +47,7 @@ def test_fault_is_dropped_after_a_toolpath_change(small):
         before = op.Path
         op.Path = type(before)(before.Commands[:-1])
         assert told(small)["Second"] == []
-        op.Path = before  # not simulated again
+        op.Path = before  # the old path is back, but was not simulated again
         assert told(small)["Second"] == []
         for obj in small.document.getObjectsByLabel("First") + small.document.getObjectsByLabel("Second"):
             small.document.removeObject(obj.Name)
@@ -66,7 +66,7 @@ def test_new_simulation_replaces_the_faults(small):
     assert told(small)["Second"] == []
 
 
-def test_marks_show_it_without_a_new_analysis_and_never_keep_it(small):
+def test_fault_is_shown_with_a_mark_but_not_stored_in_it(small):
     small.add("First", slot(10.0))
     small.add("Second", slot(20.0))
     second = small.document.getObjectsByLabel("Second")[0]
@@ -76,17 +76,17 @@ def test_marks_show_it_without_a_new_analysis_and_never_keep_it(small):
     assert [remark.code for remark in read_with_faults(second).remarks][-1] == "simulated"
     vkworkbench.mark(vkworkbench.analyze(small.document))
     first = small.document.getObjectsByLabel("First")[0]
-    first.Path = type(first.Path)(first.Path.Commands[:-1])  # the cuts before it
+    first.Path = type(first.Path)(first.Path.Commands[:-1])  # the part before the second operation has changed
     assert not [remark for remark in read_with_faults(second).remarks if remark.code == "simulated"]
 
 
-def test_new_faults_are_noticed(small):
+def test_keep_faults_returns_whether_faults_are_new(small):
     small.add("First", slot(10.0))
     small.add("Second", slot(20.0))
     first, second = read_job(small.job).operations
     crash, other = [(1, CRASH)], [(2, CRASH)]
     assert not keep_faults({first: [], second: []})
-    assert keep_faults({first: crash, second: []})  # one changed operation is enough
+    assert keep_faults({first: crash, second: []})  # the faults of one operation are new
     assert not keep_faults({first: crash, second: []})
     assert keep_faults({first: crash, second: other}) and keep_faults({first: other, second: other})
     assert keep_faults({first: [], second: other}) and not keep_faults({second: other})

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""simulate: the simulated operations, their order, tools and stock, and refused jobs."""
+"""`simulate`: the simulated operations, their order, tools and stock, and the jobs that it refuses."""
 
 import csv
 import json
@@ -38,13 +38,14 @@ def slot(y, z=15.0):
     ]
 
 
-def test_a_job_is_simulated_in_its_order(small):
+def test_job_is_simulated_in_the_order_of_its_operations(small):
     first, second = small.add("First", slot(10.0)), small.add("Second", slot(12.0))
     for what in (None, small.document, small.job, [second, first]):
         done = vkworkbench.simulate(what, view=VIEW)
         assert [o.label for o in done.job.operations] == ["First", "Second"]
         assert done.trajectories == 6 and done.step == 6 and done.job.remarks == ()
-    # The second slot overlaps 3 of 5 mm of the first: it adds 100 mm^2 and the difference of two discs 2 mm apart.
+    # The second slot overlaps the first by 3 of 5 mm. So it adds an area of 100 mm² and, at the ends, the part of a disc
+    # outside another disc 2 mm away.
     fine = vkworkbench.simulate(small.job, view=View((0, 0, -1), 500, 340))
     volumes = [fine.at(3).zbuffer.chip_volume, fine.zbuffer.chip_volume]
     assert volumes == pytest.approx([6 * (250 + 19.6), 6 * (250 + 19.6 + 100 + 9.7)], rel=0.02)
@@ -53,7 +54,7 @@ def test_a_job_is_simulated_in_its_order(small):
     assert [o.label for o in vkworkbench.simulate(second, view=VIEW).job.operations] == ["Second"]
 
 
-def test_a_console_shows_a_simulation_in_a_line(small):
+def test_repr_of_a_simulation_is_one_line(small):
     small.add("First", slot(10.0))
     assert repr(vkworkbench.simulate(view=VIEW).at(1)) == "<Simulation of 1 operation, 1 of 3 trajectories>"
 
@@ -103,20 +104,20 @@ def test_default_image_is_the_finest_that_fits(small):
     assert vkworkbench.simulate(small.job, memory_budget=2 * needed).job.remarks == ()
     with pytest.raises(OverBudget, match=r"Choose an image of 4\d\d x \d+ pixels"):
         vkworkbench.simulate(small.job, view=usual, memory_budget=needed / 2)
-    # The image would be too coarse to be useful.
+    # With this budget the image would be too coarse to be useful, so the simulation is refused.
     with pytest.raises(OverBudget) as refused:
         vkworkbench.simulate(small.job, memory_budget=17e6)
     assert 1 < refused.value.size[0] < usual.width / 3
 
 
-def test_the_placement_of_an_operation_counts(small):
+def test_placement_of_an_operation_moves_its_cuts(small):
     op = small.add("First", slot(10.0))
     op.Placement = FreeCAD.Placement(FreeCAD.Vector(0, 20, 0), FreeCAD.Rotation())
     (cut,) = vkworkbench.simulate(small.job, view=VIEW).job.cuts
     assert (cut.toolpath.points[:, 1] == 30).all()
 
 
-def test_operation_without_a_simulation_is_left_out_and_named(small):
+def test_operation_without_tool_is_left_out_with_a_remark(small):
     small.add("Fine", slot(10.0))
     small.add("No tool", slot(20.0), controller=None)
     small.add("Words only", [("(nothing)", {})])
@@ -185,7 +186,7 @@ def test_simulation_can_be_stopped(small):
         vkworkbench.simulate(small.job, going_on=stop)
 
 
-def test_the_example_is_simulated_as_one_part(example):
+def test_operations_of_the_example_cut_one_part_in_turn(example):
     done = vkworkbench.simulate(example, view=View((0, 0, -1), 200, 150))
     labels = [o.label for o in done.job.operations]
     assert labels[0] == "Face" and len(labels) >= 7 and "Cut out" not in labels
@@ -194,27 +195,27 @@ def test_the_example_is_simulated_as_one_part(example):
     assert all(later < before for before, later in zip(moments, moments[1:]))
 
 
-def test_a_picture_of_the_part_at_any_moment(small, tmp_path):
+def test_image_of_the_part_shows_the_chosen_step(small, tmp_path):
     small.add("First", slot(10.0))
     done = vkworkbench.simulate(small.job, view=VIEW)
     image, before = done.image(), done.at(0).image()
     assert image.shape == before.shape == (80, 120, 3) and image.dtype == np.uint8
     changed = (image != before).any(axis=-1)
     row, column = np.nonzero(changed)
-    assert row.min() > 40 and column.max() - column.min() > 90  # the slot lies near the front, all along X
+    assert row.min() > 40 and column.max() - column.min() > 90  # the slot is near the front and extends along X
     done.save_png(tmp_path / "part.png")
     assert (tmp_path / "part.png").read_bytes().startswith(b"\x89PNG")
     with pytest.raises(OSError):
         done.save_png(tmp_path / "nowhere" / "part.png")
     done.save_png(str(tmp_path / "PART.PNG"))
-    for name in ("part.jpg", "part", ".png"):  # suffixes of other formats
+    for name in ("part.jpg", "part", ".png"):  # names that do not end with .png
         with pytest.raises(ValueError, match=r"must end with \.png"):
             done.save_png(tmp_path / name)
     assert not (tmp_path / "part.jpg").exists()
 
 
-def test_facts_of_a_job_with_a_fault_of_each_kind(small, tmp_path):
-    """A slot has a rapid cut, a gouge and a fast plunge; the rest of the block has leftover stock."""
+def test_facts_contain_a_fault_of_each_kind(small, tmp_path):
+    """The slot has a rapid that cuts, a gouge and a plunge that is too fast; elsewhere 1 mm of stock is left."""
     small.controller.VertFeed, small.controller.HorizFeed = "2 mm/s", "10 mm/s"
     small.document.recompute()
     small.add("=Fault", [
@@ -254,8 +255,8 @@ def test_facts_of_a_job_with_a_fault_of_each_kind(small, tmp_path):
 
 
 @pytest.mark.parametrize("depth, told", [(0.05, False), (0.15, True), (0.25, True)])
-def test_gouges_are_deeper_than_the_tolerance(small, depth, told):
-    """The model is 20 mm high."""
+def test_only_cuts_deeper_than_the_tolerance_are_gouges(small, depth, told):
+    """The top of the model is at Z = 20 mm, and the slot is `depth` deeper."""
     small.add("Deep", slot(10.0, z=20 - depth))
     done = vkworkbench.simulate(small.job, view=View((0, 0, -1), 300, 200))
     assert bool(done.facts().job.gouges) is told
@@ -263,7 +264,7 @@ def test_gouges_are_deeper_than_the_tolerance(small, depth, told):
 
 
 def test_move_times_use_feed_or_rapid_speed(small):
-    """Feeds: 60 mm at 10 mm/s, 15 mm at 5 mm/s. Rapids: 15 mm across at 50 mm/s, 15 mm up at 30 mm/s."""
+    """The feed moves are 15 mm at 5 mm/s and 60 mm at 10 mm/s, the rapids 15 mm up at 30 mm/s and 15 mm at 50 mm/s."""
     sheet = small.job.SetupSheet
     sheet.HorizRapid, sheet.VertRapid = "50 mm/s", "30 mm/s"
     small.document.recompute()
@@ -275,7 +276,11 @@ def test_move_times_use_feed_or_rapid_speed(small):
 
 
 def test_simulation_has_remarks_on_ignored_commands(small):
-    """Cuts of a turning workpiece are unknown, and a toolpath without readable numbers is empty: both are remarks."""
+    """
+    An operation has a remark if its result is unknown or incomplete.
+
+    Examples: an unknown code, a rotary axis that turns while the tool cuts, and a path without usable numbers.
+    """
     small.add("Odd", [*slot(10.0), ("G999", {})])
     small.add("Turned", [("G0", {"X": 5.0, "Y": 20.0, "Z": 30.0}), ("G1", {"Z": 10.0}), ("G1", {"X": 50.0, "A": 90.0})])
     lost = small.add("Lost", [("G1", {"X": float("nan")}), ("G1", {"X": 1e30})])
@@ -322,7 +327,7 @@ def test_report_contains_simulation_findings(small, tmp_path):
         one.to_json(tmp_path / f"{name}.json")
         with open(tmp_path / f"{name}.csv", newline="", encoding="utf-8") as file:
             lines[name] = list(csv.DictReader(file))
-    assert list(lines["before"][0]) == list(lines["after"][0])  # empty columns before a simulation
+    assert list(lines["before"][0]) == list(lines["after"][0])  # without a simulation the columns exist, but are empty
     assert lines["before"][0]["simulated_crashes"] == "" and lines["after"][0]["simulated_crashes"] == "1"
     volume = found.operations[1][1].removed_volume
     assert float(lines["after"][1]["simulated_removed_volume"]) == volume > 0
@@ -333,19 +338,19 @@ def test_report_contains_simulation_findings(small, tmp_path):
     assert json.loads((tmp_path / "before.json").read_text(encoding="utf-8"))["operations"][0]["simulated"] is None
 
 
-def test_the_example_has_no_fault(example):
+def test_simulated_example_has_no_fault(example):
     found = vkworkbench.simulate(example).facts()
     assert found.job.crashes == found.job.fast_plunges == found.job.gouges == ()
     assert all(facts.removed_volume > 100 and 0 <= facts.air_length_share < 0.5 for _, facts in found.operations)
     assert sum(facts.removed_volume for _, facts in found.operations) == pytest.approx(found.job.removed_volume)
-    # Leftover stock: sharp inside corners of the model, corners left by facing, the ends of the drilled holes, where the
-    # drill's tip stops at the model's bottom, and the dish if no operation cuts it.
+    # Stock is left in sharp inside corners of the model, in corners that facing leaves, at the ends of the drilled holes
+    # (the drill's tip stops at the model's bottom), and in the dish if no operation cuts the dish.
     dish = "Dish" in [label for label, _ in found.operations]
     area = sum(left.area for left in found.job.left)
     assert 120 < area < 180 if dish else 1060 < area < 1120
 
 
-def test_job_is_copied_by_operations_and_read_meanwhile(small):
+def test_job_is_copied_and_read_operation_by_operation(small):
     for label, y in (("First", 10.0), ("Second", 20.0)):
         small.add(label, [("G0", {"X": 5.0, "Y": y, "Z": 30.0}), ("G1", {"Z": 15.0, "F": 10.0}), ("G1", {"X": 55.0})])
     copy = copy_job(small.job)
@@ -359,7 +364,7 @@ def test_job_is_copied_by_operations_and_read_meanwhile(small):
     assert next(copying, "no more") == "no more" == next(reading, "no more")
 
 
-def test_a_job_that_is_waited_for_is_given_up(small):
+def test_reading_a_job_can_be_cancelled(small):
     small.add("First", [("G0", {"X": 5.0, "Y": 5.0, "Z": 30.0}), ("G1", {"Z": 15.0, "F": 10.0})])
     looks = []
 
@@ -383,7 +388,7 @@ def test_deleted_operation_ends_the_copying(small):
 
 
 @pytest.mark.parametrize("comment", ["(a comment)", "(two\nlines)", "(ä, ö)"])
-def test_any_line_of_a_listing_is_its_commands_code(comment):
+def test_line_of_a_listing_is_the_code_of_its_command(comment):
     lines = ["G0 X1 Y2", "G1 F3 Z-1.05", "G2 I0 J-10 X100.000001 Y0.5"]
     shown = ["G0 X1 Y2", "G1 F180 Z-1.05", "G2 I0 J-10 X100 Y0.5"]
     path = Path.Path([Path.Command(line) for line in (comment, *lines)])
@@ -394,15 +399,15 @@ def test_any_line_of_a_listing_is_its_commands_code(comment):
         listing[4]
 
 
-def test_freecad_finds_a_python_for_workers():
-    """The Python has the same numpy: with another numpy the worker would not start."""
+def test_worker_runs_in_a_python_that_freecad_finds():
+    """The worker's Python must have the same numpy as FreeCAD; with another numpy the worker would not start."""
     one = Worker(len)
     assert one("abc") == 3
     one.end()
     assert worker.processes() >= 1
 
 
-def test_helper_runs_nothing_of_a_hostile_folder(monkeypatch, tmp_path):
+def test_worker_runs_no_code_from_a_hostile_folder(monkeypatch, tmp_path):
     ran = lay_traps(tmp_path / "traps")
     for name, value in environment_of_traps(tmp_path / "traps").items():
         monkeypatch.setenv(name, value)
@@ -413,8 +418,12 @@ def test_helper_runs_nothing_of_a_hostile_folder(monkeypatch, tmp_path):
 
 
 @pytest.mark.skipif(not hasattr(signal, "SIGPIPE"), reason="there is no such signal")
-def test_a_helper_that_dies_does_not_take_freecad_with_it():
-    """Python ignores the signal of a broken pipe, but it may end FreeCAD."""
+def test_dead_worker_does_not_end_freecad():
+    """
+    A write to a dead worker raises the signal SIGPIPE, which can end FreeCAD.
+
+    Python's own programs ignore SIGPIPE, but a Python embedded in FreeCAD may not.
+    """
     before = signal.signal(signal.SIGPIPE, signal.SIG_DFL)
     try:
         one = Worker(len)
@@ -427,7 +436,7 @@ def test_a_helper_that_dies_does_not_take_freecad_with_it():
         signal.signal(signal.SIGPIPE, before)
 
 
-def test_long_simulation_is_shared_with_the_same_result(small, monkeypatch):
+def test_simulation_shared_with_workers_gives_the_same_result(small, monkeypatch):
     small.add("First", slot(10.0))
     small.add("Second", slot(12.0))
     view = View((1, 1, -1), 300, 200)
@@ -450,7 +459,7 @@ def test_long_simulation_is_shared_with_the_same_result(small, monkeypatch):
 
 
 def holds(copy, changed=()):
-    """Return whether the document still equals the copy."""
+    """Return whether the job in the document still equals its copy."""
     steps = copy.comparing(set(changed))
     while True:
         try:
@@ -523,7 +532,7 @@ CHANGES = [larger_stock, without_stock, larger_tool, quicker_rapids, moved, anot
 
 
 @pytest.mark.parametrize("change", CHANGES)
-def test_copy_is_compared_with_the_document(small, change):
+def test_copied_job_differs_after_a_change_of_the_document(small, change):
     for label, y in (("First", 10.0), ("Second", 20.0)):
         small.add(label, slot(y))
     copy = copy_job(small.job)
@@ -541,7 +550,7 @@ def test_copy_is_compared_with_the_document(small, change):
     assert holds(copy, names)
 
 
-def test_another_body_beside_one_that_stayed_is_another_model(small):
+def test_copied_job_differs_after_a_change_of_one_model_body(small):
     small.add("First", slot(10.0))
     one_more_body_of_the_model(small)
     copy = copy_job(small.job)
@@ -553,7 +562,7 @@ def test_another_body_beside_one_that_stayed_is_another_model(small):
     assert not holds(copy)
 
 
-def test_only_paths_that_may_have_changed_are_read_again(small):
+def test_only_paths_named_as_changed_are_compared(small):
     op = small.add("First", slot(10.0))
     copy = copy_job(small.job)
     for _ in copy.copying():
@@ -563,7 +572,7 @@ def test_only_paths_that_may_have_changed_are_read_again(small):
     assert holds(copy) and not holds(copy, [op.Name])
 
 
-def test_simulation_can_be_repeated(small):
+def test_repeated_simulation_finds_the_same_objects_again(small):
     first, second = small.add("First", slot(10.0)), small.add("Second", slot(20.0))
     one, job, all_of_it = copy_job([second]), copy_job(small.job), copy_job(small.document)
     small.add("Third", slot(30.0))
@@ -577,20 +586,20 @@ def test_simulation_can_be_repeated(small):
     assert list(copy_job(one.asked()).labels) == ["First", "Third"] and first.Label == "First"
 
 
-def test_a_thread_that_simulates_asks_freecad_for_nothing(small, monkeypatch):
+def test_thread_that_simulates_does_not_call_freecad(small, monkeypatch):
     small.add("First", slot(10.0))
     job = read_job(small.job)
     monkeypatch.setattr(FreeCAD, "ParamGet", None)
     assert simulate_read(job, VIEW, 1e8).trajectories == 3
 
 
-def test_a_listing_has_feeds_as_programs_do(small):
+def test_feeds_in_a_listing_are_in_mm_per_min(small):
     own = Path.Path(
         [Path.Command(line) for line in ("(F20.000000)", "G1 F20 X133.388398 Y-0.0001", "G1 F3.3333333 Z0.001")]
     )
     listing = Listing(own.toGCode(), own.Commands)
     assert [listing[k] for k in range(3)] == ["(F20.000000)", "G1 F1200 X133.388 Y0", "G1 F200 Z0.001"]
-    # Imported paths keep the mm/min of their file; an operation of FreeCAD would have F20.
+    # Feeds of imported paths are in mm/min, as in their file; an operation of FreeCAD has F20 (mm/s) for the same feed.
     small.add("Own", [("G1", {"X": 5.0, "Y": 5.0, "Z": 15.0}), ("G1", {"X": 55.0, "F": 20.0})])
     small.add("Imported", [("G1", {"X": 5.0, "Y": 5.0, "Z": 15.0}), ("G1", {"X": 55.0, "F": 1200.0})])
     job = read_job(small.job)
@@ -599,7 +608,7 @@ def test_a_listing_has_feeds_as_programs_do(small):
 
 
 def test_facts_are_the_same_from_every_view(small):
-    """A rapid plunge, 3 mm deep, with a tool thinner than the pixels of the view."""
+    """The job is a rapid plunge, 3 mm deep, with a tool thinner than the pixels of the view."""
     small.controller.Tool.Diameter = 0.5
     small.add("Thin", [("G0", {"X": 10.3, "Y": 10.3, "Z": 30.0}), ("G0", {"Z": 17.0}), ("G0", {"Z": 30.0})])
     found = [

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Stocks, models and tools of FreeCAD as the simulation has them."""
+"""Stocks, models and tools of FreeCAD are converted into solids and tools of the simulation."""
 
 from math import pi
 from types import SimpleNamespace
@@ -42,10 +42,11 @@ def test_triangles_do_not_depend_on_the_displayed_mesh():
     assert len(finely.triangles) == len(newly.triangles)
 
 
-def test_a_wavy_face_has_few_triangles():
-    """A gear's flank with waves 0.01 mm high: triangles may bend by half a radian.
+def test_wavy_face_is_divided_into_few_triangles():
+    """
+    The face is a gear's flank with waves 0.01 mm high; adjacent triangles may differ by half a radian.
 
-    `tessellate` would bend them ten times less and take minutes for thousands of poles.
+    `tessellate` would allow a tenth of this angle, and take minutes for thousands of poles.
     """
     turns = np.linspace(0, 2 * pi, 500, endpoint=False)
     radius = 20 + 0.01 * np.cos(100 * turns)
@@ -59,7 +60,7 @@ def test_a_wavy_face_has_few_triangles():
 
 
 @pytest.mark.parametrize("name", SHAPES)
-def test_stock_solid_has_its_kind(small, name):
+def test_shape_of_a_stock_decides_the_kind_of_solid(small, name):
     shape, kind = SHAPES[name]
     job = with_stock(small, shape)
     solid, remark = stock_solid(job, read_stock(job))
@@ -77,12 +78,16 @@ def test_stock_solid_has_its_kind(small, name):
      ("two", ("Mesh", *(f"{1.0037 * measure:.4e}" for measure in (2 * 10**3, 2 * 600, 15, 5, 5))))],
 )  # fmt: skip
 def test_form_of_stock_that_is_not_a_box(small, name, form):
-    """Volume, area and centre of two cubes of 10 mm, 20 mm apart, away from rounding borders."""
+    """
+    The expected form of "two" contains the volume, area and centre of two cubes of 10 mm that are 20 mm apart.
+
+    The factor 1.0037 keeps the values away from limits of the rounding.
+    """
     job = with_stock(small, SHAPES[name][0])
     assert form_of_stock(job, read_stock(job)) == form
 
 
-def test_a_stock_without_a_volume_is_its_box(small, zigzag_commands):
+def test_stock_without_a_volume_is_simulated_as_its_box(small, zigzag_commands):
     job = with_stock(small, Part.makeBox(60, 40, 20).Shells[0])
     small.add("Rows", zigzag_commands)
     (row,) = vkworkbench.analyze(job).operations
@@ -90,14 +95,14 @@ def test_a_stock_without_a_volume_is_its_box(small, zigzag_commands):
     assert [remark.code for remark in vkworkbench.simulate(job, view=VIEW).job.remarks] == ["stock-as-box"]
 
 
-def test_a_cylinder_has_fewer_traces_than_its_box(small, zigzag_commands):
+def test_estimate_for_a_cylinder_uses_its_round_outline(small, zigzag_commands):
     small.add("Rows", zigzag_commands)
     job = with_stock(small, SHAPES["cylinder"][0])
     estimate = vkworkbench.analyze(job).operations[0].estimate
     assert estimate.dexels == pytest.approx(pi / 4 * 600 * 600, rel=0.02)
 
 
-def test_a_job_has_its_model(small):
+def test_model_of_a_job_is_read(small):
     model = model_solid(model_shapes(small.job))
     assert np.allclose([*model.lower, *model.upper], [0, 0, 0, 60, 40, 20])
     small.job.Model.Group[0].Objects[0].Height = 25
@@ -130,8 +135,8 @@ def test_chamfer_mills_and_engravers_have_a_flat_tip():
 
 
 @pytest.mark.parametrize("measures, corner", [({"FlatRadius": 3.0}, 2.0), ({"CornerRadius": 1.5}, 1.5), ({}, 0.0)])
-def test_bull_nose_corner_from_its_radius_or_its_flat(measures, corner):
-    """The tool has 10 mm; before FreeCAD 1.1 it has the radius of the flat part."""
+def test_corner_radius_of_bull_nose_is_read_in_all_versions(measures, corner):
+    """The tool's diameter is 10 mm. Before FreeCAD 1.1, a bull-nose tool has the radius of its flat part."""
     tool = read_tool(operation(ShapeName="bullnose", **measures))
     assert (tool.shape, tool.corner_radius) == ("bullnose", corner)
 
@@ -153,7 +158,7 @@ def test_tool_shape_comes_from_its_file_name(file, shape, exact):
 
 
 @pytest.mark.parametrize("far, usable", [(0.9e6, True), (1.1e6, False), (float("nan"), False)])
-def test_an_operation_lies_within_a_kilometre(far, usable):
+def test_operation_beyond_a_kilometre_is_refused(far, usable):
     path = linearize([("G0", {"X": 1.0, "Y": 2.0, "Z": 3.0}), ("G1", {"X": 4.0})])
     place = FreeCAD.Placement(FreeCAD.Vector(0, far, 0), FreeCAD.Rotation())
     if usable:
@@ -178,7 +183,7 @@ def test_inexact_tool_shape_has_a_remark(shape, simulated, told):
         assert render(remark).startswith("TC is simulated only approximately") and told in render(remark)
 
 
-def test_results_of_the_last_shapes_are_kept():
+def test_results_of_the_last_used_shapes_are_kept():
     kept, asked = ShapeCache(3), []
 
     def found(number):
@@ -189,6 +194,6 @@ def test_results_of_the_last_shapes_are_kept():
         assert found(number) == f"of {number}"
     assert asked == [0, 1, 2]
     found(0)
-    found(3)  # one more than fits: the first shape was used again and stays
+    found(3)  # the cache holds 3 shapes; shape 0 was used last and stays
     assert [found(number) for number in (0, 2, 3)] == ["of 0", "of 2", "of 3"] and asked == [0, 1, 2, 3]
     assert found(1) == "of 1" and asked == [0, 1, 2, 3, 1]

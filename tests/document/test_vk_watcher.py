@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Marks that stay true: outdated by an edit of path, tool or stock, fresh again when it is undone."""
+"""Marks are outdated after a change of path, tool or stock, and current again after the change is undone."""
 
 import FreeCAD
 import Part
@@ -28,7 +28,7 @@ def outdated(document):
 
 
 def descriptions(document):
-    # By name: FreeCAD 1.1 makes new bodies for a changed tool.
+    # The keys are names, because FreeCAD 1.1 makes new body objects when a tool changes.
     return {obj.Name: obj.Label2 for obj in document.Objects if obj.Label2}
 
 
@@ -36,7 +36,7 @@ def edit_path(small):
     small.first.Path = Path.Path(small.first.Path.Commands[:-3])
 
 
-def test_an_edited_path_outdates_its_mark_and_the_total(watched):
+def test_changed_path_outdates_its_mark_and_the_total(watched):
     document = watched.document
     document.openTransaction("Edit")
     edit_path(watched)
@@ -53,18 +53,18 @@ def test_an_edited_path_outdates_its_mark_and_the_total(watched):
 
 
 def switch(op, on, commands):
-    """Switch an operation off or on, with the path that FreeCAD's recompute makes."""
+    """Switch an operation off or on, and set the path that FreeCAD's recompute would make."""
     op.Active = on
     op.Path = Path.Path(commands if on else [Path.Command("(inactive operation)")])
     op.Document.recompute()
 
 
-def test_mark_says_switched_off_until_switched_on(watched, tmp_path):
+def test_mark_of_inactive_operation_shows_switched_off(watched, tmp_path):
     document, first = watched.document, watched.first
     commands, before, total = first.Path.Commands, descriptions(document), marks.read(first)
     first.Active = False
     document.recompute()
-    assert descriptions(document)[first.Name] == before[first.Name]  # until FreeCAD removes its toolpath
+    assert descriptions(document)[first.Name] == before[first.Name]  # FreeCAD has not removed the toolpath yet
     switch(first, False, commands)
     assert first.Label2 == "⟦switched off⟧" and first.Strategy == "empty" and outdated(document) == []
     told = marks.read(first)
@@ -83,7 +83,7 @@ def test_mark_says_switched_off_until_switched_on(watched, tmp_path):
     assert descriptions(document) == before and marks.read(first) == total and first.Strategy == "zigzag"
 
 
-def test_switching_off_is_undone_with_its_mark(watched):
+def test_undoing_the_switching_off_restores_the_mark(watched):
     document, before = watched.document, descriptions(watched.document)
     document.openTransaction("Off")
     switch(watched.first, False, [])
@@ -103,7 +103,7 @@ def test_change_while_inactive_outdates_the_mark(watched):
     switch(first, True, commands[:-3])
     assert first.Label2.endswith(" · outdated⟧")
     switch(first, False, commands)
-    assert first.Label2 == "⟦switched off⟧"  # outdated as it is
+    assert first.Label2 == "⟦switched off⟧"  # the mark is outdated, but "switched off" is more important
     watched.controller.Tool.Diameter = 4
     watched.document.recompute()
     assert first.Label2 == "⟦switched off⟧" and watched.second.Label2.endswith(" · outdated⟧")
@@ -131,7 +131,7 @@ def test_lost_path_of_an_active_operation_outdates_its_mark(watched):
 
 @pytest.fixture
 def looked_at(monkeypatch):
-    """Record the labels of compared operations with their possible changes."""
+    """A list of compared operations: label, whether the path and whether the setting may have changed."""
     looked_at = []
     refresh = marks.refresh
 
@@ -158,7 +158,7 @@ def test_only_possible_changes_are_compared(watched, looked_at):
     assert looked_at == [("First", True, False)]
 
 
-def test_a_check_looks_at_all_that_is_marked_and_at_all_of_it(watched, zigzag_commands, looked_at):
+def test_check_compares_path_and_setting_of_all_marks(watched, zigzag_commands, looked_at):
     watched.add("Third", zigzag_commands)
     looked_at.clear()
     watcher.check(watched.document)
@@ -166,7 +166,7 @@ def test_a_check_looks_at_all_that_is_marked_and_at_all_of_it(watched, zigzag_co
 
 
 def test_undone_mark_is_compared_with_current_state(watched):
-    """The job's tool was changed in between, outside any transaction."""
+    """The job's tool was changed between the two markings, outside any transaction."""
     document = watched.document
     document.UndoMode = 0
     watched.controller.Tool.Diameter = 7
@@ -179,7 +179,7 @@ def test_undone_mark_is_compared_with_current_state(watched):
 
 
 @pytest.mark.parametrize("change", ["tool", "stock", "placement", "rapids"])
-def test_tool_and_stock_matter_too(watched, change):
+def test_change_of_tool_or_stock_outdates_the_marks(watched, change):
     document = watched.document
     fresh = descriptions(document)
 
@@ -189,7 +189,9 @@ def test_tool_and_stock_matter_too(watched, change):
         elif change == "stock":
             watched.job.Stock.ExtZpos = 1 + value
         elif change == "rapids":
-            watched.controller.setExpression("HorizRapid", None)  # since 1.0 it follows the setup sheet
+            watched.controller.setExpression(
+                "HorizRapid", None
+            )  # since FreeCAD 1.0 an expression copies the speed from the setup sheet
             watched.controller.HorizRapid = 50 + value
         else:
             watched.first.Placement.Base = FreeCAD.Vector(value, 0, 0)
@@ -206,7 +208,7 @@ def test_tool_and_stock_matter_too(watched, change):
     assert descriptions(document) == fresh
 
 
-def test_the_total_follows_the_fixtures(watched):
+def test_total_time_is_multiplied_after_a_change_of_fixtures(watched):
     once = marks.read(watched.job).machining_seconds
     for fixtures in (["G54", "G55"], ["G54", "G55", "G59"], ["G54"]):
         watched.job.Fixtures = fixtures
@@ -215,7 +217,7 @@ def test_the_total_follows_the_fixtures(watched):
         assert marks.read(watched.job).machining_seconds == pytest.approx(len(fixtures) * once)
 
 
-def test_irrelevant_changes_keep_marks_fresh(watched):
+def test_irrelevant_changes_keep_marks_current(watched):
     watched.first.Label = "Renamed"
     watched.second.Label2 = "own words " + watched.second.Label2
     watched.job.Label = "Another"
@@ -224,7 +226,7 @@ def test_irrelevant_changes_keep_marks_fresh(watched):
     assert outdated(watched.document) == []
 
 
-def test_an_operation_without_a_mark_outdates_the_total(watched, zigzag_commands):
+def test_new_operation_without_a_mark_outdates_the_total(watched, zigzag_commands):
     document = watched.document
     third = watched.add("Third", zigzag_commands)
     document.recompute()
@@ -234,7 +236,7 @@ def test_an_operation_without_a_mark_outdates_the_total(watched, zigzag_commands
     assert outdated(document) == []
 
 
-def test_total_covers_the_remaining_operations(watched):
+def test_total_is_updated_when_an_operation_is_deleted(watched):
     document, before = watched.document, watched.job.Label2
     document.openTransaction("Delete")
     document.removeObject(watched.second.Name)
@@ -254,7 +256,7 @@ def test_total_covers_the_remaining_operations(watched):
 
 @pytest.fixture
 def waiting(monkeypatch):
-    """The work that waits until the window is idle."""
+    """A list of the functions that wait until the window is idle."""
     waiting = []
     monkeypatch.setattr(idle, "_soon", None)
     idle.use(waiting.append)
@@ -262,7 +264,7 @@ def waiting(monkeypatch):
 
 
 def test_copy_in_another_document_is_outdated_when_idle(watched, waiting):
-    """Pasted objects are not recomputed or saved."""
+    """A pasted object is neither recomputed nor saved, so its mark is compared when FreeCAD is idle."""
     other = FreeCAD.newDocument("Other")
     closed = FreeCAD.newDocument("Closed")
     for document in (other, closed):
@@ -277,7 +279,7 @@ def test_copy_in_another_document_is_outdated_when_idle(watched, waiting):
         FreeCAD.closeDocument(other.Name)
 
 
-def test_reopened_marks_are_fresh_or_outdated(watched, tmp_path):
+def test_marks_are_compared_after_reopening(watched, tmp_path):
     path = str(tmp_path / "job.FCStd")
     watched.document.saveAs(path)
     name = watched.document.Name
@@ -294,7 +296,7 @@ def test_reopened_marks_are_fresh_or_outdated(watched, tmp_path):
         FreeCAD.closeDocument(document.Name)
 
 
-def test_real_operations_outdate_and_recover(example):
+def test_mark_of_a_real_operation_is_outdated_until_undo(example):
     vkworkbench.mark(vkworkbench.analyze(example))
     upkeep.watch()
     example.UndoMode = 1
@@ -310,7 +312,7 @@ def test_real_operations_outdate_and_recover(example):
     assert outdated(example) == []
 
 
-def test_nothing_is_looked_at_while_restoring(watched, tmp_path, looked_at):
+def test_marks_are_not_compared_while_a_file_is_opened(watched, tmp_path, looked_at):
     path = str(tmp_path / "job.FCStd")
     watched.document.saveAs(path)
     FreeCAD.closeDocument(watched.document.Name)
@@ -321,7 +323,7 @@ def test_nothing_is_looked_at_while_restoring(watched, tmp_path, looked_at):
     FreeCAD.closeDocument(document.Name)
 
 
-# Stocks with curved faces, and the part of their marks that is equal in FreeCAD 0.20.2, 1.0.0 and 1.1.3.
+# Stocks with curved faces, and their setting fingerprints, which are equal in FreeCAD 0.20.2, 1.0.0 and 1.1.3.
 CURVED = {
     "round": (lambda: Part.makeCylinder(25.4 / 8, 20, FreeCAD.Vector(30, 20, 0)), "9aa4b6c64a753d85"),
     "tilted": (lambda: Part.makeCylinder(30, 20, FreeCAD.Vector(1, 2, 0), FreeCAD.Vector(1, 1, 3)), "becb408387289149"),
@@ -332,9 +334,9 @@ CURVED = {
 
 
 @pytest.mark.parametrize("name", CURVED)
-def test_the_display_of_a_stock_does_not_matter(watched, name):
+def test_displayed_mesh_of_a_stock_does_not_outdate_marks(watched, name):
     make, fingerprint = CURVED[name]
-    watched.job.Stock.Proxy = None  # keeps its given shape
+    watched.job.Stock.Proxy = None  # without a proxy, a recompute keeps the given shape
     watched.job.Stock.Shape = make()
     vkworkbench.mark(vkworkbench.analyze(watched.document))
     box = str(watched.job.Stock.Shape.BoundBox)

@@ -23,7 +23,7 @@ def pocket(small):
 
 @pytest.mark.parametrize("view", ["Top", "Isometric", View(width=100, height=80, offset=(20, 0))])
 def test_stl_file_is_closed_and_has_the_volume(small, tmp_path, view):
-    """The solid is the whole part, even if the view shows a part of it."""
+    """The STL file contains the whole part, even if the view shows only a section of the part."""
     small.add("Pocket", POCKET)
     done = vkworkbench.simulate(small.job, view=view)
     done.save_stl(tmp_path / "part.stl")
@@ -33,7 +33,7 @@ def test_stl_file_is_closed_and_has_the_volume(small, tmp_path, view):
     assert mesh.Volume == pytest.approx(whole.zbuffer.part_volume, rel=1e-5 if view == "Top" else 1e-3)
 
 
-def test_stl_file_of_a_moment(pocket, tmp_path):
+def test_stl_file_shows_the_chosen_step(pocket, tmp_path):
     pocket.at(0).save_stl(tmp_path / "raw.STL")
     assert Mesh.Mesh(str(tmp_path / "raw.STL")).Volume == pytest.approx(pocket.at(0).zbuffer.part_volume, rel=1e-6)
     with pytest.raises(ValueError, match=r"end with \.stl"):
@@ -60,27 +60,27 @@ def second_job(small, placement=None):
     return job
 
 
-def test_next_job_begins_with_the_remaining_part(small, pocket):
+def test_stock_of_the_next_job_is_the_remaining_part(small, pocket):
     done = vkworkbench.simulate(second_job(small), stock=pocket)
     assert done.at(0).zbuffer.part_volume == pytest.approx(pocket.zbuffer.part_volume, rel=1e-3)
     assert done.zbuffer.part_volume < done.at(0).zbuffer.part_volume
     assert "stock-not-moved" not in [remark.code for remark in done.job.remarks]
 
 
-def test_part_is_turned_over_with_the_model(small, pocket):
-    """The other side up: the pocket of the first job is then below, from 0 to 10 mm."""
+def test_stock_from_a_simulation_is_turned_with_the_model(small, pocket):
+    """After turning, the pocket of the first job is on the lower side, from Z = 0 to 10 mm."""
     turned = FreeCAD.Placement(FreeCAD.Vector(0, 40, 20), FreeCAD.Rotation(FreeCAD.Vector(1, 0, 0), 180))
     done = vkworkbench.simulate(second_job(small, turned), stock=pocket)
     stock = done.job.stock
     assert stock.lower == pytest.approx((-1, -1, -1), abs=0.01) and stock.upper == pytest.approx((61, 41, 21), abs=0.01)
     assert done.at(0).zbuffer.part_volume == pytest.approx(pocket.zbuffer.part_volume, rel=1e-3)
     picture = done.at(0).zbuffer.picture.depth
-    assert np.nanmax(picture) - np.nanmin(picture) < 1e-4  # the upper side is whole
+    assert np.nanmax(picture) - np.nanmin(picture) < 1e-4  # the upper side has no pocket
     mesh = done.mesh()
     assert mesh.isSolid() and mesh.Volume == pytest.approx(done.zbuffer.part_volume, rel=1e-5)
 
 
-def test_stock_of_another_model_stays_with_a_remark(small, pocket):
+def test_stock_for_another_model_is_not_moved_and_has_a_remark(small, pocket):
     other = small.document.addObject("Part::Feature", "Other")
     other.Shape = Part.makeBox(50, 30, 10)
     job = cam("Main.Job").Create("Third", [other])
