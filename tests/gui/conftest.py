@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""FreeCAD's window as a user works with it: wait, click, type, look. Fixtures that several test files share."""
+"""A class that uses FreeCAD's window as a user does (wait, click, type, look), and fixtures for several test files."""
 
 from __future__ import annotations
 
@@ -43,7 +43,7 @@ def use_default_speeds(patch):
 
 @pytest.fixture
 def default_preferences():
-    """Default preferences before and after each test."""
+    """Reset the preferences to their defaults before and after the test."""
     group = FreeCAD.ParamGet(preferences.GROUP)
     group.Clear()
     yield
@@ -67,7 +67,7 @@ def usual_computer():
 
 @pytest.fixture(scope="session", autouse=True)
 def coarse_check():
-    """Check simulated jobs with pixels of 0.3 mm instead of 0.05 mm, which takes a tenth of the time."""
+    """Check simulated jobs with pixels of 0.3 mm instead of 0.05 mm, to save nine tenths of the time."""
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr("vkworkbench.core.zbuffer.cost.axis_view._FINE_ENOUGH", 0.3)
         patch.setattr("vkworkbench.core.zbuffer.cost.axis_view._OF_TOOL", 1.0)
@@ -76,7 +76,7 @@ def coarse_check():
 
 @pytest.fixture(scope="session", autouse=True)
 def coarse_legacy_simulator():
-    """Let FreeCAD's legacy simulator begin with its coarsest mesh instead of its finest, of a million triangles."""
+    """Start FreeCAD's legacy simulator with its coarsest mesh; its finest mesh has a million triangles."""
     from make_example import cam  # stranger.py, which imports this file, does not find examples/
 
     module = cam("Main.Gui.Simulator")
@@ -93,7 +93,7 @@ def coarse_legacy_simulator():
 
 @pytest.fixture
 def restored_calibration():
-    """The path of the calibration file, which has its former content after the test."""
+    """Return the path of the calibration file, and restore the file's content after the test."""
     path = calibration._path()
     before = path.read_bytes()
     yield path
@@ -148,7 +148,7 @@ class Window:
     def __init__(self):
         self.main = Gui.getMainWindow()
         if not os.environ.get("VKWORKBENCH_SCREENSHOTS"):
-            # Without a graphics card, the cube and the axes take a third of the time to draw a small 3D view.
+            # Without a graphics card, drawing the navigation cube and the axes takes a third of the time of a small view.
             view = FreeCAD.ParamGet("User parameter:BaseApp/Preferences/View")
             for drawn in ("ShowNaviCube", "CornerCoordSystem", "UseNavigationAnimations"):
                 view.SetBool(drawn, False)
@@ -181,7 +181,7 @@ class Window:
     def activate(self, workbench):
         Gui.activateWorkbench(workbench)
         self.settle()
-        # FreeCAD starts without a workbench, which hides the dock of the tree.
+        # FreeCAD starts without a workbench, and then hides the dock of the tree.
         shown = {"Combo View": True, "Model": True, "Report view": False, "Python console": False}
         for dock in self.find(QtGui.QDockWidget):
             if dock.objectName() in shown:
@@ -190,7 +190,7 @@ class Window:
         for tabs in self.find(QtGui.QTabWidget, "combiTab"):  # FreeCAD 0.20; some workbenches turn to the tasks
             tabs.setCurrentIndex(0)
         for bar in self.find(QtGui.QToolBar):
-            if bar.objectName() == "Toolpath Analysis":  # a row of its own, where it has room for all its buttons
+            if bar.objectName() == "Toolpath Analysis":  # in a separate row, the toolbar has room for all its buttons
                 self.main.insertToolBarBreak(bar)
         self.settle()
 
@@ -254,7 +254,7 @@ class Window:
         QTest.mouseRelease(widget, button, QtCore.Qt.NoModifier, where)
 
     def wheel(self, widget, where, notches=1):
-        """Turn the mouse wheel by some notches; positive ones turn away from the user."""
+        """Turn the mouse wheel; a positive number of notches turns the wheel away from the user."""
         place = QtCore.QPointF(where)
         event = QtGui.QWheelEvent(place, QtCore.QPointF(widget.mapToGlobal(where)), QtCore.QPoint(),
                                   QtCore.QPoint(0, 120 * notches), QtCore.Qt.NoButton, QtCore.Qt.NoModifier,
@@ -368,7 +368,7 @@ def window():
 
 @pytest.fixture
 def small(window):
-    """A small window, in which the finest picture of a simulation is made quickly."""
+    """Make the window small, so that the finest picture of a simulation is computed quickly."""
     before = window.main.geometry()
     window.main.setGeometry(0, 0, *SMALL)
     yield
@@ -396,7 +396,7 @@ def document(desk):
 
 
 def hide_results(window):
-    """Hide the results panel, which takes room from the 3D view."""
+    """Hide the results panel, so that the 3D view is larger."""
     for dock in window.find(QtGui.QDockWidget, docks.RESULTS):
         dock.hide()
 
@@ -412,7 +412,7 @@ def no_kept_document(request):
 
 @pytest.fixture
 def opened(kept_document, window, request):
-    """The example job, expanded in the tree, in the analysis workbench; it has marks only in `marked`."""
+    """The example job, expanded in the tree of the analysis workbench; only the fixture `marked` gives the job marks."""
     may_be_marked = "marked" in request.fixturenames
     if not may_be_marked:
         hide_results(window)

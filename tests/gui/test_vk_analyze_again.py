@@ -27,7 +27,7 @@ def is_idle():
 
 
 def imported(document):
-    """Return an operation that keeps the path that it is given, as an imported one does."""
+    """Return an operation without a proxy, as an imported program, so that a recompute keeps its path."""
     op = document.addObject("Path::Feature", "Given")
     op.Path = Path.Path("G0 X0 Y0 Z30\nG1 Z15 F100\nG1 X50\nG1 Y3\nG1 X0")
     document.recompute()
@@ -80,7 +80,7 @@ def test_esc_leaves_the_mark_outdated(again, window, monkeypatch):
     timer.start(100)
     change(op, 10)
     again.recompute()
-    assert not analyzed  # not while FreeCAD recomputes
+    assert not analyzed  # no analysis starts during the recompute
     window.wait(lambda: analyzed and is_idle())
     timer.stop()
     assert analyzed == [["Given"]] and marks.is_outdated(op)

@@ -10,7 +10,7 @@ from vkworkbench.gui.qt.background import Background, Busy
 
 
 class Tells:
-    """Notes the thread in which it is destroyed."""
+    """An object that appends the thread in which it is destroyed to a list."""
 
     def __init__(self, where):
         self.where, self.itself = where, self
@@ -19,7 +19,7 @@ class Tells:
         self.where.append(threading.get_ident())
 
 
-def test_a_thread_collects_no_cycles(window):
+def test_thread_does_not_collect_garbage(window):
     where, ended, going, parent = [], [], threading.Event(), QtCore.QObject()
 
     def work(going_on):

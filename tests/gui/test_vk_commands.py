@@ -21,7 +21,7 @@ def marked(document):
     return [obj for obj in document.Objects if marks.is_marked(obj)]
 
 
-def test_the_first_click_marks_the_job_and_shows_the_column(opened, window):
+def test_first_analysis_shows_the_description_column(opened, window):
     FreeCAD.ParamGet("User parameter:BaseApp/Preferences/Mod/VkWorkbench").RemBool("DescriptionShown")
     if freecad.version() >= (1, 0):
         FreeCAD.ParamGet("User parameter:BaseApp/Preferences/TreeView").SetBool("HideColumn", True)
@@ -56,7 +56,7 @@ def test_the_first_click_marks_the_job_and_shows_the_column(opened, window):
     assert "marks were removed." in window.main.statusBar().currentMessage()
 
 
-def test_long_label_does_not_push_marks_out_of_sight(opened, window):
+def test_long_label_does_not_hide_the_marks(opened, window):
     (face,) = opened.getObjectsByLabel("Face")
     header, before = window.tree.header(), window.tree.header().sectionResizeMode(0)
     face.Label = (
@@ -70,7 +70,7 @@ def test_long_label_does_not_push_marks_out_of_sight(opened, window):
     assert header.sectionViewportPosition(1) + view.columnWidth(1) / 2 < view.viewport().width()
     window.screenshot("long-name")
     wider = view.columnWidth(0) + 100
-    view.setColumnWidth(0, wider)  # as a user drags the border
+    view.setColumnWidth(0, wider)  # a user can drag the border of the column
     window.settle()
     assert view.columnWidth(0) == wider
     face.Label = "Face"
@@ -78,7 +78,7 @@ def test_long_label_does_not_push_marks_out_of_sight(opened, window):
     window.wait(lambda: header.sectionResizeMode(0) == before and view.columnWidth(0) < 300)
 
 
-def test_the_tree_is_brought_before_the_tasks(opened, window):
+def test_analysis_brings_the_tree_in_front_of_the_tasks(opened, window):
     docks = {dock.objectName(): dock for dock in window.find(QtGui.QDockWidget)}
     if "Tasks" in docks:
         window.main.tabifyDockWidget(docks["Model"], docks["Tasks"])
@@ -95,7 +95,7 @@ def test_the_tree_is_brought_before_the_tasks(opened, window):
     window.wait(lambda: any(not view.visibleRegion().isEmpty() for view in trees))
 
 
-def test_the_click_and_the_macro_give_the_same_numbers(opened, window):
+def test_button_and_macro_give_the_same_results(opened, window):
     window.click("Analyze Toolpaths")
     window.wait(lambda: marked(opened))
     for o in vkworkbench.analyze(opened).operations:
@@ -120,7 +120,7 @@ def test_message_if_there_is_nothing_to_analyze(window):
     assert ["no operation" in text for text in window.dismiss()] == [True]
     FreeCAD.closeDocument(document.Name)
     window.wait(lambda: not window.button("Analyze Toolpaths").isEnabled())
-    Gui.runCommand("Vk_Analyze")  # what a macro could still do
+    Gui.runCommand("Vk_Analyze")  # a macro can still run a disabled command
     Gui.runCommand("Vk_Clear")
 
 
@@ -144,7 +144,7 @@ def test_document_closed_during_its_analysis_shows_no_message(example_path, wind
     assert window.dismiss() == [] and "analyzed" not in window.main.statusBar().currentMessage()
 
 
-def test_esc_cancels_and_changes_nothing(opened, window):
+def test_esc_cancels_the_analysis_without_any_change(opened, window):
     job = opened.getObject("Job")
     for _ in range(20):
         copy = opened.copyObject(opened.getObjectsByLabel("Adaptive pocket")[0], False)
@@ -180,19 +180,19 @@ def test_commands_are_in_freecads_own_workbench(opened, window):
     menus = [m for m in window.find(QtGui.QMenu) if m.title().replace("&", "") in ("CAM", "Path")]
     assert {"Analyze Toolpaths", "Clear Analysis"} <= set(menu_texts(menus[0]))
     own_toolbars = [t for t in window.find(QtGui.QToolBar) if t.isVisible()]
-    assert len(own_toolbars) > 5  # the workbench's own are still there
+    assert len(own_toolbars) > 5  # FreeCAD's own toolbars are still shown
     window.click("Analyze Toolpaths")
     window.wait(lambda: marked(opened))
 
 
-def test_resources_of_the_commands(window):
+def test_commands_have_icons_and_tooltips(window):
     window.activate("VkWorkbench")
     for name in ("Analyze Toolpaths", "Clear Analysis"):
         action = window.button(name).defaultAction()
         assert not action.icon().isNull() and action.toolTip() and action.statusTip()
 
 
-def test_an_edit_shows_outdated_in_the_tree(opened, window):
+def test_changed_operation_is_shown_as_outdated_in_the_tree(opened, window):
     window.click("Analyze Toolpaths")
     window.wait(lambda: marked(opened))
     drill = opened.getObjectsByLabel("Drill holes")[0]
@@ -208,7 +208,7 @@ def test_an_edit_shows_outdated_in_the_tree(opened, window):
     window.wait(lambda: not window.descriptions()["Drill holes"].endswith("outdated⟧"))
 
 
-def test_marks_of_a_reopened_file_are_checked(opened, window, tmp_path):
+def test_marks_of_a_reopened_file_are_compared_with_it(opened, window, tmp_path):
     vkworkbench.mark(vkworkbench.analyze(opened))
     stale = opened.getObjectsByLabel("Face")[0]
     stale.VkWorkbenchMark = stale.VkWorkbenchMark.replace(marks.read(stale).fingerprint, "of:another")

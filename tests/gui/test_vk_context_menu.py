@@ -38,7 +38,7 @@ def tree(shown_tree):
 
 
 class Tree:
-    """The tree, clicked with a real mouse."""
+    """The tree of FreeCAD's window, clicked with real mouse events of xdotool."""
 
     def __init__(self, window, document, pictured):
         self.window, self.document, self.pictured = window, document, pictured
@@ -88,7 +88,7 @@ class Tree:
             texts.extend(action.text().replace("&", "") for ours in below for action in ours.actions())
             texts.extend(actions)
             if choose is None:
-                if self.pictured:  # one picture for each label, whatever the workbench
+                if self.pictured:  # take the picture in only one of the two workbenches
                     self.window.screenshot(f"context-menu-{label}")
                 self.window.press(menu, QtCore.Qt.Key_Escape)
             else:
@@ -102,12 +102,12 @@ class Tree:
 
 
 @pytest.mark.parametrize("label", ["Job", "Operations", "Face", "Cut out with tags", "Imported"])
-def test_entries_come_on_objects_with_operations(tree, label):
+def test_context_menu_of_operations_has_the_entries(tree, label):
     tree.click(label, 1)
     assert tree.menu_of(label) >= OURS
 
 
-def test_entries_come_on_several_selected_objects(tree, window):
+def test_context_menu_of_several_objects_has_the_entries(tree, window):
     tree.click("Face", 1)
     tree.click("Imported", 1, "ctrl")
     window.wait(lambda: len(Gui.Selection.getSelection()) == 2)
@@ -115,13 +115,13 @@ def test_entries_come_on_several_selected_objects(tree, window):
     assert len(Gui.Selection.getSelection()) == 2
 
 
-def test_entries_do_not_come_on_models_and_tools(tree):
+def test_context_menu_of_models_and_tools_has_no_entries(tree):
     for label in ("Model", "Tools"):
         tree.click(label, 1)
         assert not tree.menu_of(label) & OURS
 
 
-def test_entry_analyzes_the_selected_object(tree, window):
+def test_context_menu_entry_analyzes_the_selected_object(tree, window):
     tree.click("Imported", 1)
     tree.menu_of("Imported", choose="Analyze Toolpaths")
     document = tree.document

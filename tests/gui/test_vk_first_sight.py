@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The first marks are visible: in a hidden combo view, in a narrow dock, in a small window beside open docks."""
+"""The marks of the first analysis are visible, even in a hidden, narrow or floating tree and in a small window."""
 
 import FreeCAD
 import FreeCADGui as Gui
@@ -14,7 +14,7 @@ from vkworkbench.gui.tree import column as tree
 
 @pytest.fixture
 def untouched(opened, window):
-    """The window before the first analysis: FreeCAD's own widths, and its hidden Description column."""
+    """The window before the first analysis, with a narrow tree and (in FreeCAD 1.x) a hidden Description column."""
     FreeCAD.ParamGet("User parameter:BaseApp/Preferences/Mod/VkWorkbench").RemBool("DescriptionShown")
     if freecad.version() >= freecad.DESCRIPTION_HIDDEN_SINCE:
         FreeCAD.ParamGet("User parameter:BaseApp/Preferences/TreeView").SetBool("HideColumn", True)
@@ -46,10 +46,10 @@ def assert_marks_are_seen(window, document, labels=("Face", "Adaptive pocket")):
         color = QtGui.QColor(marks.read(document.getObjectsByLabel(label)[0]).strategy.color).rgb()
         columns = [x for x in range(image.width()) if any(image.pixel(x, y) == color for y in range(image.height()))]
         assert len(columns) > 20, label
-        assert columns[-1] < image.width() - 30, label  # beside the pill there is room for the time
+        assert columns[-1] < image.width() - 30, label  # the column is wide enough for pill and time
 
 
-def test_first_marks_in_a_narrow_dock(untouched, opened, window):
+def test_first_marks_are_visible_in_a_narrow_dock(untouched, opened, window):
     assert untouched.width() < 300
     precision = window.tree.header().resizeContentsPrecision()
     window.analyze(opened)
@@ -61,7 +61,7 @@ def test_first_marks_in_a_narrow_dock(untouched, opened, window):
     window.screenshot("first-narrow-dock")
 
 
-def test_first_marks_in_a_large_font(untouched, opened, window):
+def test_first_marks_are_visible_in_a_large_font(untouched, opened, window):
     window.main.setGeometry(0, 0, 1700, 1000)  # wide enough for the tree and the 3D view
     view, usual = window.tree, window.tree.font()
     large = QtGui.QFont(usual)
@@ -76,13 +76,13 @@ def test_first_marks_in_a_large_font(untouched, opened, window):
         for label in ("Face", "Adaptive pocket"):
             index = window.cell(label)
             needed = view.visualRect(index).left() + view.sizeHintForIndex(index).width()
-            assert needed <= view.viewport().width(), label  # the time is visible, too
+            assert needed <= view.viewport().width(), label  # the whole text is visible, with the time
         window.screenshot("first-large-letters")
     finally:
         view.setFont(usual)
 
 
-def test_first_marks_in_a_hidden_combo_view(untouched, opened, window):
+def test_first_marks_are_visible_when_a_hidden_tree_is_shown(untouched, opened, window):
     untouched.hide()
     window.settle()
     window.analyze(opened)
@@ -94,14 +94,14 @@ def test_first_marks_in_a_hidden_combo_view(untouched, opened, window):
     window.tree.expandAll()
     assert_marks_are_seen(window, opened)
     window.screenshot("first-hidden-combo-view")
-    untouched.hide()  # from now on the user's choice counts
+    untouched.hide()  # after the first marks, the width that the user chooses is kept
     window.main.resizeDocks([untouched], [250], QtCore.Qt.Horizontal)
     untouched.show()
     window.settle()
     assert window.boxes() == []
 
 
-def test_first_marks_in_a_floating_dock(untouched, opened, window):
+def test_first_marks_are_visible_in_a_floating_dock(untouched, opened, window):
     untouched.setFloating(True)
     untouched.resize(240, 400)
     window.settle()
@@ -111,7 +111,7 @@ def test_first_marks_in_a_floating_dock(untouched, opened, window):
     assert_marks_are_seen(window, opened)
 
 
-def test_first_marks_in_a_small_window_with_the_report_view(untouched, opened, window):
+def test_first_marks_are_visible_in_a_small_window(untouched, opened, window):
     report = window.first(QtGui.QDockWidget, "Report view")
     window.main.addDockWidget(QtCore.Qt.BottomDockWidgetArea, report)
     report.show()
@@ -130,7 +130,7 @@ def test_first_marks_in_a_small_window_with_the_report_view(untouched, opened, w
         assert height >= 8
         assert results in window.main.tabifiedDockWidgets(
             report
-        )  # although the results panel was closed when the report view was opened
+        )  # the results panel is a tab with the report view, even if it was closed when the report view was opened
         window.screenshot("first-1024-results")
     finally:
         report.hide()
@@ -153,14 +153,14 @@ def test_marks_of_sixty_operations_are_seen_in_a_small_window(untouched, opened,
     window.screenshot("first-sixty")
 
 
-def test_job_is_expanded_once(untouched, opened, window):
+def test_job_is_expanded_only_by_the_first_analysis(untouched, opened, window):
     window.tree.collapseAll()
     window.analyze(opened)
     window.dismiss()
     job = window.cell("Job")
     operations = window.cell("Face").parent()
     assert window.tree.isExpanded(job.sibling(job.row(), 0)) and window.tree.isExpanded(operations)
-    window.tree.collapseAll()  # from then on it is the user's own
+    window.tree.collapseAll()  # later analyses keep what the user has collapsed
     window.click("Analyze Toolpaths")
     window.settle()
     assert not window.tree.isExpanded(window.cell("Face").parent())

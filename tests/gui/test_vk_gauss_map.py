@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The Gauss map panel: it follows the selection, steps through the vectors, and saves its picture."""
+"""The Gauss map panel follows the selection, steps through the sums of vectors V_k, and saves its picture."""
 
 import csv
 import pathlib
@@ -67,7 +67,7 @@ def pixels(image):
 
 
 def same(picture, other):
-    return picture.tobytes() == other.tobytes()  # pytest would print arrays whole
+    return picture.tobytes() == other.tobytes()  # bytes, because pytest would print whole arrays
 
 
 @pytest.fixture(scope="module", autouse=True)
@@ -88,10 +88,10 @@ def view(opened, window):
     return view
 
 
-def test_zigzag_stays_on_level_0(view, window):
+def test_zigzag_makes_no_full_turn_in_the_gauss_map(view, window):
     signature = view.signature
     assert len(signature) > 20 and (signature.level == 0).all()
-    assert view.title.text().count("level n = 0") >= 1  # of the operation, and of this area where it is another
+    assert view.title.text().count("level n = 0") >= 1  # the title has the level of the operation, and that of the area if it differs
     assert view.title.text().startswith("Face: zigzag 9")
     assert view.slider.value() == view.slider.maximum() == len(signature)
     view.picture()
@@ -153,7 +153,7 @@ def test_slider_and_number_step_through_vectors(view, window):
     assert same(view.picture(), pictures[0])
 
 
-def test_areas_are_chosen(view, opened, window):
+def test_chosen_area_is_shown_in_the_gauss_map(view, opened, window):
     select(labelled(opened, "Pocket around island"))
     window.wait(lambda: view.title.text().startswith("Pocket around island"))
     assert view.chooser.count() > 1
@@ -170,7 +170,7 @@ def test_areas_are_chosen(view, opened, window):
     window.screenshot("gauss-map-area")
 
 
-def test_an_edit_is_shown(view, opened, window):
+def test_changed_path_is_shown_in_the_gauss_map(view, opened, window):
     face = labelled(opened, "Face")
     points = [(0, 0), (30, 0), (30, 2), (0, 2), (0, 4), (30, 4)]
     commands = [Path.Command("G0", {"X": 0, "Y": 0, "Z": 0})]
@@ -182,7 +182,7 @@ def test_an_edit_is_shown(view, opened, window):
     assert not view.canvas.isVisible()
 
 
-def test_hidden_it_does_nothing_and_shown_again_it_is_up_to_date(view, opened, window):
+def test_hidden_gauss_map_is_updated_when_shown_again(view, opened, window):
     view.dock.hide()
     assert not view.dock.isVisible()
     select(labelled(opened, "Bore"))
@@ -193,7 +193,7 @@ def test_hidden_it_does_nothing_and_shown_again_it_is_up_to_date(view, opened, w
 
 
 @pytest.mark.parametrize("suffix", ["png", "svg"])
-def test_save_the_picture(view, window, tmp_path, suffix):
+def test_picture_of_the_gauss_map_is_saved(view, window, tmp_path, suffix):
     path = tmp_path / f"picture.{suffix}"
     before = view.picture()
     assert window.answer_file_dialog(path, lambda: window.click_on(view.dock.saver))
@@ -210,13 +210,13 @@ def test_save_the_picture(view, window, tmp_path, suffix):
     assert not same(view.picture(), before)
 
 
-def test_closing_another_document_changes_nothing(view, opened, window):
+def test_gauss_map_stays_when_another_document_is_closed(view, opened, window):
     other = FreeCAD.newDocument("Other")
     FreeCAD.closeDocument(other.Name)
     assert view.canvas.isVisible()
 
 
-def test_another_active_document_empties_the_panel(view, opened, window):
+def test_gauss_map_is_empty_for_another_active_document(view, opened, window):
     other = FreeCAD.newDocument("Other")
     try:
         window.settle()
@@ -230,7 +230,7 @@ def test_another_active_document_empties_the_panel(view, opened, window):
     window.wait(view.canvas.isVisible)
 
 
-def test_a_small_window_does_not_grow(view, opened, window):
+def test_small_window_is_not_enlarged_by_the_gauss_map(view, opened, window):
     before = window.main.geometry()
     try:
         window.main.setGeometry(0, 0, 1024, 600)
@@ -267,7 +267,7 @@ def test_narrow_floating_panel_has_two_rows_of_plots(view, window):
     view.picture()
     window.screenshot("gauss-map-narrow")
     figure = view.canvas.figure
-    assert figure.path.place.bottom() < figure.graph.place.top()  # two above, one below
+    assert figure.path.place.bottom() < figure.graph.place.top()  # two plots in the upper row, one in the lower row
     window.main.removeDockWidget(view.dock)
     window.main.addDockWidget(QtCore.Qt.BottomDockWidgetArea, view.dock)
     results = window.first(QtGui.QDockWidget, "VkResults")
@@ -301,7 +301,7 @@ def test_gauss_map_is_readable_in_themes(view, opened, window, pack):
 
 @contextmanager
 def in_theme(window, pack):
-    """Set a theme that FreeCAD ships, as its preferences do; 0.20 has style sheets only."""
+    """Set a theme of FreeCAD through its preferences; before FreeCAD 1.1, set the theme's style sheet."""
     application = QtGui.QApplication.instance()
     group = FreeCAD.ParamGet("User parameter:BaseApp/Preferences/MainWindow")
     before = application.styleSheet(), group.GetString("Theme"), group.GetString("StyleSheet")
@@ -323,7 +323,7 @@ def in_theme(window, pack):
 
 
 def shipped_sheet(pack):
-    """Return the style sheet of a preference pack with its colours filled in; 0.20 has a similar sheet."""
+    """Return the style sheet of a theme with its accent colours; FreeCAD 0.20 has a similar style sheet."""
     sheets = pathlib.Path(FreeCAD.getResourceDir()) / "Gui" / "Stylesheets"
     like = {"FreeCAD Dark": "Dark-blue.qss", "FreeCAD Light": "Light-blue.qss"}[pack]
     path = sheets / f"{pack}.qss" if (sheets / f"{pack}.qss").exists() else sheets / like
@@ -334,7 +334,7 @@ def shipped_sheet(pack):
 
 
 @pytest.mark.parametrize("label", ["Face", "Pocket zigzag", "Pocket around island", "Bore", "Adaptive pocket"])
-def test_numbers_are_the_same_as_in_mark_and_table(view, opened, window, label, tmp_path):
+def test_gauss_map_shows_the_numbers_of_mark_and_table(view, opened, window, label, tmp_path):
     report = vkworkbench.analyze(opened.getObjectsByLabel(label)[0])
     report.to_csv(str(tmp_path / "report.csv"))
     (row,) = csv.DictReader(
@@ -348,9 +348,9 @@ def test_numbers_are_the_same_as_in_mark_and_table(view, opened, window, label, 
         found.strategy, found.confidence, found.phi_range, found.level, found.reversals, found.reason)  # fmt: skip
     first, second, *rest = view.title.text().split("\n")
     (third,) = rest or [second]
-    assert not rest or second not in third  # nothing is said twice
+    assert not rest or second not in third  # the third line does not repeat the second
     assert first == f"{label}: {found.strategy.value} {found.confidence:.0%}. {found.reason.replace('Phi', 'φ')}"
-    assert "φ" in first and "phi" not in view.title.text().lower()  # one name for it, wherever it stands
+    assert "φ" in first and "phi" not in view.title.text().lower()  # phi is always written φ
     assert f"level n = {row['level']}," in second
     assert second.startswith("φ between {} and {} turns".format(*map(ENGLISH.turns, found.phi_range)))
     # The drawn range is the named range of the area, its closing turn included.
@@ -397,7 +397,7 @@ def test_plots_are_at_least_80_pixels_high(view, opened, window):
         window.settle()
 
 
-def test_wheel_and_mouse_zoom_and_move(view, window):
+def test_wheel_zooms_and_mouse_moves_a_plot(view, window):
     window.settle()  # a late layout would move the plot under the mouse
     canvas, plot, pictures = view.canvas, view.canvas.figure.path, [view.picture()]
     before, whole = plot.window, [np.array([one.lower, one.upper]) for one in view.canvas.figure.zoomable]
@@ -424,7 +424,7 @@ def test_wheel_and_mouse_zoom_and_move(view, window):
     assert [np.array_equal([one.lower, one.upper], was) for one, was in zip((plot, graph), whole)] == [True, False]
 
 
-def test_100_000_trajectories_stay_usable(view, opened, window):
+def test_gauss_map_of_100_000_trajectories_stays_responsive(view, opened, window):
     rows = np.arange(50_000)
     xs = np.where(rows % 2 == 0, 100.0, 0.0)
     commands = [Path.Command("G0", {"X": 0, "Y": 0, "Z": 0})]
@@ -467,7 +467,7 @@ def test_100_000_trajectories_stay_usable(view, opened, window):
 
 
 @pytest.mark.parametrize("label", ["Face", "Pocket around island"])
-def test_nothing_is_cut_off_in_a_narrow_dock(opened, view, label):
+def test_plots_are_not_cut_off_in_a_narrow_dock(opened, view, label):
     select(labelled(opened, label))
     view.picture()
     canvas, width = view.canvas, 420  # width of a dock beside the 3D view
@@ -482,7 +482,7 @@ def test_nothing_is_cut_off_in_a_narrow_dock(opened, view, label):
     assert drawn.nonzero()[0].max() < width
 
 
-def test_save_waits_until_the_selected_operation_is_read(opened, view, window, monkeypatch):
+def test_save_is_disabled_until_the_operation_is_read(opened, view, window, monkeypatch):
     go_on, drawn = threading.Event(), gauss_map._drawn
 
     def slowly(*what):
@@ -498,7 +498,7 @@ def test_save_waits_until_the_selected_operation_is_read(opened, view, window, m
     window.wait(lambda: view.title.text().startswith("Bore") and view.dock.saver.isEnabled())
 
 
-def test_save_waits_until_the_chosen_area_is_read(opened, view, window, monkeypatch):
+def test_save_is_disabled_until_the_area_is_read(opened, view, window, monkeypatch):
     go_on, figure = threading.Event(), gauss_map.GaussFigure
 
     def slowly(*what):

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Labels that look like HTML are shown as they are."""
+"""Labels that look like HTML are shown as plain text."""
 
 import FreeCADGui as Gui
 import pytest
@@ -42,7 +42,7 @@ def test_gauss_map_shows_labels_as_text(opened, window):
 
 @pytest.fixture
 def trap(tmp_path, window):
-    """A label that is HTML with a picture: red, 60 x 60 pixels."""
+    """Return a label that is HTML with a red picture of 60 x 60 pixels."""
     picture = QtGui.QPixmap(60, 60)
     picture.fill(QtGui.QColor("#ff0000"))
     assert picture.save(str(tmp_path / "red.png"))
@@ -74,14 +74,14 @@ def test_tooltips_show_labels_as_text(opened, window, trap):
     assert is_shown_as_it_is(window.tooltip(trap), trap)
 
 
-def test_boxes_show_texts_as_they_are(window, trap):
+def test_message_boxes_show_html_as_text(window, trap):
     for show in (plain_text.inform, plain_text.warn):
         box = show("Title", trap, window.main)
         assert (box.text(), box.textFormat(), box.isModal()) == (trap, QtCore.Qt.PlainText, False)
     assert window.dismiss() == [trap, trap]
 
 
-def test_the_preferences_show_a_calibration_as_text(window, trap, monkeypatch):
+def test_preferences_show_the_processor_name_as_text(window, trap, monkeypatch):
     monkeypatch.setattr(calibration, "processor", lambda: trap)
     monkeypatch.setattr(calibration, "load", lambda: calibration.Calibration(Speed(), "2026-01-01"))
     page = preferences_page.PreferencesPage()

@@ -22,16 +22,18 @@ def long_document(opened):
         x = 10 + 0.2 * (step if row % 2 == 0 else 499 - step)
         lines.append(f"G1 X{x:.3f} Y{10 + 0.3 * row + 0.1 * math.sin(x):.4f}")
     changed = opened.getObject("Job").Operations.Group[:OPERATIONS]
-    for number, obj in enumerate(changed):  # different paths: the analysis reuses results of equal paths
+    for number, obj in enumerate(changed):  # the paths differ, because the analysis reuses results of equal paths
         obj.Path = Path.Path("\n".join([*lines[:-1], f"G1 X{10 + number}"]))
     assert sum(obj.Path.Size for obj in changed) == OPERATIONS * COMMANDS
     return opened
 
 
 class Stopwatch:
-    """Measures seconds as on a computer where nothing else runs.
+    """
+    A stopwatch that other processes and threads affect little.
 
-    The smaller of two times: other processes add to the wall clock, and parallel threads add to the processor time.
+    The time is the smaller of wall time, which other processes lengthen, and processor time, which parallel threads
+    lengthen.
     """
 
     def __init__(self):
@@ -42,7 +44,8 @@ class Stopwatch:
 
 
 def cancel(window, order, number, beats):
-    """Analyse, and press Esc after `beats` timer events within operation `number`.
+    """
+    Analyse the job, and press Esc after `beats` timer events within operation `number`.
 
     Return the seconds from Esc to the end, the seconds between timer events, the labels in the dialog, and whether
     another operation began after Esc.
@@ -89,7 +92,7 @@ def test_esc_ends_the_analysis_of_150_000_commands(long_document, window):
     pauses = sorted(gap for _, gaps, *_ in tries for gap in gaps)
     print(f"cancelled after {[round(seconds, 3) for seconds, *_ in tries]} s; pauses of the window: "
           f"median {pauses[len(pauses) // 2]:.3f}, longest {pauses[-1]:.3f} s")  # fmt: skip
-    # Seconds depend on the computer. The test requires timer events within operations, and no operation after Esc.
+    # Seconds depend on the computer, so the test only requires timer events within operations, and no operation after Esc.
     assert not any(more for *_, more in tries)
     assert all(len(gaps) > 2 * len(shown) for _, gaps, shown, _ in tries)
     labels = set().union(*(shown for _, _, shown, _ in tries))

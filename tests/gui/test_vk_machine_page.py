@@ -27,7 +27,7 @@ def page(window, nothing_swallowed):
     page.form.close()
 
 
-def test_page_begins_without_a_machine(page):
+def test_machine_page_has_no_machine_by_default(page):
     page.saveSettings()
     assert page.form.machine.currentIndex() == 0
     assert preferences.read() == Preferences() and preferences.read().planned_machine is None
@@ -43,7 +43,7 @@ def test_typical_machine_fills_the_form(name, page):
     assert preferences.read().machine == name and preferences.read().planned_machine == machine
 
 
-def test_changed_value_makes_an_own_machine(page, window):
+def test_changed_value_is_saved_as_the_users_own_machine(page, window):
     page.form.machine.setCurrentIndex(1)
     page.form.acceleration_x.setValue(400)
     page.saveSettings()
@@ -90,7 +90,7 @@ def test_text_that_is_not_from_grbl_is_refused(page, paste):
     assert "$110=3000" in text and page.chosen() == before
 
 
-def test_page_is_in_freecads_dialog(page, window):
+def test_machine_page_has_a_label_for_each_field(page, window):
     window.screenshot("preferences-machine")
     assert page.form.windowTitle() == "Machine"
     labels = {label.buddy().objectName() for label in page.form.findChildren(QtGui.QLabel) if label.buddy()}
@@ -119,7 +119,7 @@ def row_page(window, label):
     return panel, panel.details.toPlainText()
 
 
-def test_measured_time_teaches_the_factor(page, opened, window, monkeypatch):
+def test_measured_time_changes_the_time_factor(page, opened, window, monkeypatch):
     vkworkbench.mark(vkworkbench.analyze(opened))
     assert "At constant feed" in row_page(window, "Job")[1]
     assert "at constant feed" in explanation(marks.read(opened.Job), preferences.read())

@@ -18,13 +18,13 @@ from vkworkbench.gui import measuring
 
 @pytest.fixture
 def never_measured(restored_calibration):
-    """No calibration before the test; the path of its file."""
+    """Delete the calibration file before the test; return its path."""
     restored_calibration.unlink()
     return restored_calibration
 
 
 def endless(going_on):
-    """Measure until Esc is pressed."""
+    """Replace the measurement by a loop that only Esc ends."""
     end = time.monotonic() + 60
     while time.monotonic() < end:
         going_on()
@@ -51,7 +51,7 @@ def pressing_escape(window, labels, name=None):
 
 @pytest.fixture
 def first_session(never_measured, monkeypatch):
-    """A session that has not tried to measure, with short pauses."""
+    """A session that has not measured the computer yet, and measures after a pause of 50 ms."""
     monkeypatch.setattr(measuring, "_measurement", None)
     monkeypatch.setattr(measuring, "_PAUSE", 50)
     yield
@@ -59,7 +59,7 @@ def first_session(never_measured, monkeypatch):
 
 
 @pytest.mark.usefixtures("default_preferences")
-def test_marks_come_first_and_are_refreshed(opened, window, first_session, monkeypatch):
+def test_marks_are_updated_after_the_measurement(opened, window, first_session, monkeypatch):
     monkeypatch.setattr(calibration, "measure_speed", lambda going_on: Speed(factor=2.0, record=1e-6, cell=1e-4))
     preferences.write(mark_simulator="z-buffer")
     monkeypatch.setattr(measuring, "_PAUSE", 10**6)
@@ -76,7 +76,7 @@ def test_marks_come_first_and_are_refreshed(opened, window, first_session, monke
     assert marks.read(opened.Job).cost("z-buffer")[0] > 5 * before.cost("z-buffer")[0]
 
 
-def test_measurement_handles_events_and_yields_to_the_pointer(opened, window, first_session, monkeypatch):
+def test_measurement_restarts_after_a_move_of_the_pointer(opened, window, first_session, monkeypatch):
     beats, pieces, tries = [0], [], []
 
     def watched(going_on):

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The results panel: its tree, columns, filter, page and exports, and the selection that it shares with FreeCAD."""
+"""The results panel: its tree, columns, filter, page and exports, and the selection, which is also FreeCAD's."""
 
 import csv
 import json
@@ -118,7 +118,7 @@ FIRST = [
 ]  # the State column is shown only if a mark is outdated
 
 
-def test_jobs_are_branches_with_totals(panel, opened, window):
+def test_panel_shows_the_total_of_a_job_above_its_operations(panel, opened, window):
     report = vkworkbench.analyze(opened)
     assert labels(panel) == ["Job", *(o.label for o in report.operations)]
     (job,) = [index for index in indexes(panel) if not index.parent().isValid()]
@@ -131,7 +131,7 @@ def test_jobs_are_branches_with_totals(panel, opened, window):
     assert [moves[o.label] for o in report.operations] == [f"{o.trajectories:,}" for o in report.operations]
 
 
-def test_columns_are_chosen_in_a_menu(panel, opened, window):
+def test_columns_of_the_panel_are_chosen_in_a_menu(panel, opened, window):
     assert shown(panel) == FIRST
     named = ["Simulate Toolpaths", *(user().simulator(name) for name in ("legacy", *(["OpenGL"] if OPENGL else [])))]
     assert titles(panel)[:7] == [*FIRST[:4], "State", "Warnings", "Notes"]
@@ -164,7 +164,7 @@ def test_columns_are_chosen_in_a_menu(panel, opened, window):
 
 
 def test_costs_of_hidden_columns_are_not_computed(panel):
-    """Computing the z-buffer cost of a long toolpath would stop the window."""
+    """Computing the z-buffer cost of a long toolpath would block the window."""
     (total,) = [row for _, row in panel._indexes() if row.is_total]
     assert preferences.read().simulator in total.found.costs.computed()
     assert "z-buffer" not in total.found.costs.computed()
@@ -175,7 +175,7 @@ def test_costs_of_hidden_columns_are_not_computed(panel):
     panel.tree.setColumnHidden(number, True)
 
 
-def test_name_column_stays_visible(panel, opened, window):
+def test_name_column_stays_visible_when_scrolling(panel, opened, window):
     chosen = [action for action in panel.columns.actions() if action.isCheckable() and not action.isChecked()]
     try:
         for action in chosen:
@@ -200,7 +200,7 @@ def test_name_column_stays_visible(panel, opened, window):
             action.trigger()
 
 
-def test_name_column_is_opaque(panel, shipped, window):
+def test_frozen_name_column_is_opaque(panel, shipped, window):
     chosen = [action for action in panel.columns.actions() if action.isCheckable() and not action.isChecked()]
     try:
         for action in chosen:
@@ -251,7 +251,7 @@ def test_arrow_of_a_menu_is_beside_its_text(panel, shipped, window):
         assert max(columns(bare, empty)) < min(columns(whole, bare))
 
 
-def test_light_and_dark(panel, window, theme):
+def test_panel_does_not_widen_the_window_in_any_theme(panel, window, theme):
     Gui.activeView().viewIsometric()
     Gui.SendMsgToActiveView("ViewFit")
     click_row(window, panel, "Adaptive pocket")
@@ -283,7 +283,7 @@ def test_panel_is_readable_in_freecads_themes(panel, window, shipped):
 
 
 def test_panel_has_a_small_minimum_height(panel):
-    """Also after the themes of the tests above."""
+    """The themes of the tests above must not have changed the minimum height."""
     panel.filter.updateGeometry()
     least = panel.filter.minimumSizeHint().height() + 4 * panel.fontMetrics().height()
     assert panel.widget().layout().totalMinimumSize().height() <= least
@@ -355,7 +355,7 @@ def test_click_on_a_row_selects_the_operation(panel, opened, window):
     assert tree_selected == ["Bore"]
 
 
-def test_page_has_the_papers_terms_behind_why(panel, opened, window):
+def test_page_shows_phi_only_after_a_click_on_why(panel, opened, window):
     click_row(window, panel, "Bore")
     (found,) = [o for o in vkworkbench.analyze(opened).operations if o.label == "Bore"]
     assert ("φ" not in text_of(panel) and "going down" in text_of(panel).lower()) or "descending" in text_of(panel)
@@ -363,7 +363,7 @@ def test_page_has_the_papers_terms_behind_why(panel, opened, window):
     assert found.reason.replace("Phi", "φ") in text_of(panel)
     assert "Recommended" not in text_of(panel)
     panel.details.anchorClicked.emit(QtCore.QUrl("numbers"))
-    assert re.search(r"Recommended image: [\d,]+ × [\d,]+ pixels", text_of(panel))  # as its column has it
+    assert re.search(r"Recommended image: [\d,]+ × [\d,]+ pixels", text_of(panel))  # the same text as in the column
     length = user().length(found.length)
     assert f"Cutting Length {length}" in text_of(panel).replace("\n", " ") and text_of(panel).count(length) == 1
     shortest = user().measure(found.machining.shortest, 3)
@@ -393,7 +393,7 @@ def test_several_selected_rows_show_their_total(panel, opened, window):
     assert text_of(panel).startswith(f"Selection in Job: 2 of {posted} operations")
 
 
-def test_keys_move_copy_and_open(panel, opened, window):
+def test_keys_move_the_selection_copy_rows_and_open_a_row(panel, opened, window):
     click_row(window, panel, "Face")
     window.press(panel.tree, QtCore.Qt.Key_Down)
     window.settle()
@@ -412,7 +412,7 @@ def test_keys_move_copy_and_open(panel, opened, window):
     assert asked
 
 
-def test_selecting_in_freecad_moves_the_row(panel, opened, window):
+def test_selection_in_freecad_selects_the_row_in_the_panel(panel, opened, window):
     click_header(window, panel, "Machining Time")
     for label in ("Drill holes", "Face"):
         Gui.Selection.clearSelection()
@@ -424,7 +424,7 @@ def test_selecting_in_freecad_moves_the_row(panel, opened, window):
 
 
 def test_row_of_a_job_is_not_the_row_of_its_first_operation(panel, opened, window):
-    """Both are row 0 of different parents."""
+    """The job and its first operation are both row 0, of different parents."""
     first = next(iter(labels(panel)[1:]))
     for label in ("Job", first, "Job"):
         Gui.Selection.clearSelection()
@@ -433,7 +433,7 @@ def test_row_of_a_job_is_not_the_row_of_its_first_operation(panel, opened, windo
         assert text_of(panel).startswith(f"{label}:")
 
 
-def test_exports_have_the_numbers_of_the_report(panel, opened, window, tmp_path):
+def test_exported_files_contain_the_numbers_of_the_report(panel, opened, window, tmp_path):
     operations = vkworkbench.analyze(opened).operations
     window.answer_file_dialog(tmp_path / "results.csv", panel.csv.trigger)
     window.answer_file_dialog(tmp_path / "results", panel.json.trigger)
@@ -468,7 +468,7 @@ def test_failed_export_shows_a_message(panel, window, tmp_path):
     assert said
 
 
-def test_copy_has_the_shown_columns_and_rows(panel, window):
+def test_copied_table_has_the_shown_columns_and_rows(panel, window):
     Gui.Selection.clearSelection()
     window.settle()
     panel.copy.trigger()
@@ -490,7 +490,7 @@ def test_the_command_shows_it_and_hides_it_from_within(panel, window):
     window.wait(lambda: window.main.focusWidget() is panel.tree)
 
 
-def test_no_table_in_the_report_view(panel, window):
+def test_analysis_writes_no_table_into_the_report_view(panel, window):
     view = window.first(QtGui.QTextEdit, "Report view") or window.first(QtGui.QTextEdit)
     assert "trajectories" not in view.toPlainText()
     assert marks.is_marked(FreeCAD.ActiveDocument.getObject("Job"))
@@ -514,7 +514,7 @@ def test_simulation_time_is_the_same_as_in_marks(panel, opened, window):
         window.settle()
 
 
-def test_lengths_in_inches(panel, opened, window):
+def test_texts_show_inches_if_freecad_shows_inches(panel, opened, window):
     """Mark, tooltip and page show no millimetres if FreeCAD shows inches."""
     schema, units = FreeCAD.Units.getSchema(), FreeCAD.ParamGet("User parameter:BaseApp/Preferences/Units")
     FreeCAD.Units.setSchema(3)
@@ -534,13 +534,13 @@ def test_lengths_in_inches(panel, opened, window):
 
 
 def sign(panel, label):
-    """Return the icon beside a label, or None."""
+    """Return the warning icon next to a label in the panel, or None."""
     (index,) = [index for index in indexes(panel) if index.data() == label]
     return index.data(QtCore.Qt.DecorationRole)
 
 
 def test_warning_signs_are_the_same_as_in_the_tree(panel, opened, window):
-    """A time over the budget has the sign and names a faster way; rows without the sign in the tree have none here."""
+    """A row with a time over the budget has the sign ⚠ and a faster way; the tree has the sign in the same rows."""
     harmless = [label for label, text in column(panel, "Notes").items() if text and not sign(panel, label)]
     try:
         preferences.write(time_budget=0.1, mark_simulator="legacy")
@@ -565,7 +565,7 @@ def test_warning_signs_are_the_same_as_in_the_tree(panel, opened, window):
         window.settle()
 
 
-def test_only_the_job_over_the_budget_is_a_warning(panel, opened, window):
+def test_only_rows_over_the_budget_have_a_warning(panel, opened, window):
     one = marks.read(labelled(opened, "Adaptive pocket")).cost("legacy")[0]
     total = marks.read(opened.getObject("Job")).cost("legacy")[0]
     assert one < total
@@ -579,7 +579,7 @@ def test_only_the_job_over_the_budget_is_a_warning(panel, opened, window):
         window.settle()
 
 
-def test_misnamed_operations_have_a_remark(panel, opened, window):
+def test_operation_with_another_strategy_has_a_remark(panel, opened, window):
     face, pocket = labelled(opened, "Face"), labelled(opened, "Pocket around island")
     assert not any("called" in remark for remark in column(panel, "Warnings").values())
     face.Path, pocket.Path = pocket.Path, face.Path
@@ -617,7 +617,7 @@ def test_faulty_operations_have_a_remark(panel, opened, window):
     )  # further remarks depend on the computer's speed
 
 
-def test_switching_an_operation_off_needs_no_analysis(panel, opened, window):
+def test_operation_switched_off_is_updated_without_analysis(panel, opened, window):
     window.analyze(opened)
     window.dismiss()
     face, text = labelled(opened, "Face"), text_of(panel)
@@ -660,7 +660,7 @@ def test_switched_off_operation_is_not_an_error(panel, opened, window):
 
 
 def test_analysis_fills_the_panel_once_in_its_own_event(panel, opened, window, monkeypatch):
-    """Filling the panel within the analysis would make the window wait for both."""
+    """If the analysis also filled the panel, the window would be blocked for both."""
     find, events = findings.read_findings, []
 
     def finds(document):
@@ -675,7 +675,7 @@ def test_analysis_fills_the_panel_once_in_its_own_event(panel, opened, window, m
     assert column(panel, "Strategy")["Face"] == "zigzag"
 
 
-def test_rows_follow_the_document(panel, opened, window):
+def test_rows_of_the_panel_follow_changes_of_the_document(panel, opened, window):
     labelled(opened, "Face").Label = "Top"
     window.wait(lambda: "Top" in labels(panel))
     top = labelled(opened, "Top")
@@ -725,7 +725,7 @@ def test_row_of_a_job_agrees_with_its_mark(panel, opened, window):
     window.wait(lambda: said(count, True))
 
 
-def test_one_operation_analyzed_again_keeps_the_others(panel, opened, window):
+def test_other_rows_are_kept_when_one_is_analyzed_again(panel, opened, window):
     count = len(labels(panel))
     Gui.Selection.addSelection(labelled(opened, "Face"))
     window.click("Analyze Toolpaths")
@@ -733,7 +733,7 @@ def test_one_operation_analyzed_again_keeps_the_others(panel, opened, window):
     assert len(labels(panel)) == count
 
 
-def test_total_of_selection_is_named(opened, window):
+def test_total_of_a_selection_has_a_remark(opened, window):
     posted = vkworkbench.analyze(opened).totals[0].operations
     Gui.Selection.addSelection(labelled(opened, "Face"))
     window.click("Analyze Toolpaths")
@@ -753,7 +753,7 @@ def test_total_of_selection_is_named(opened, window):
         ("", ""),
     ],
 )
-def test_a_name_without_a_suffix_gets_one(chosen, saved):
+def test_file_name_without_a_suffix_gets_one(chosen, saved):
     assert with_suffix(chosen, ".csv") == saved
 
 
@@ -786,14 +786,14 @@ def test_panel_is_a_tab_beside_the_report_view(opened, window):
         window.settle()
 
 
-def test_results_and_gauss_map_share_their_place(opened, window):
+def test_results_and_gauss_map_are_tabs_of_one_dock(opened, window):
     window.click("Toolpath Results")
     window.click("Gauss Map")
     window.settle()
     results, gauss = (window.first(QtGui.QDockWidget, name) for name in ("VkResults", "VkGaussMap"))
     assert gauss in window.main.tabifiedDockWidgets(results)
     assert gauss.width() > 0.5 * window.main.width() and not gauss.visibleRegion().isEmpty()
-    window.click("Toolpath Results")  # from behind to the front
+    window.click("Toolpath Results")  # bring the results in front of the Gauss map
     window.settle()
     assert not results.visibleRegion().isEmpty() and gauss.visibleRegion().isEmpty()
     window.click("Toolpath Results")
@@ -806,7 +806,7 @@ def test_results_and_gauss_map_share_their_place(opened, window):
 
 
 def test_document_opened_with_marks_fills_the_panel(panel, opened, window, tmp_path):
-    """Columns and page look as before the reopening; numbers that a mark does not hold come with a new analysis."""
+    """After reopening, columns and page are as before; numbers that a mark does not store need a new analysis."""
     before = {title: column(panel, title) for title in FIRST}
     label = "Pocket zigzag"
     click_row(window, panel, label)
@@ -820,10 +820,10 @@ def test_document_opened_with_marks_fills_the_panel(panel, opened, window, tmp_p
         click_row(window, panel, label)
         assert (
             text_of(panel).split("Cutting Length")[0] == page.split("Cutting Length")[0]
-        )  # after it lengths that a mark does not keep
+        )  # the lengths after this entry are not stored in a mark
         window.screenshot("panel-from-marks")
         assert "Rapid Length" not in text_of(panel)
-        window.click("Analyze Toolpaths")  # of the selected operation, whose mark stays as it is
+        window.click("Analyze Toolpaths")  # analyze the selected operation; its mark does not change
         window.wait(lambda: "Rapid Length" in text_of(panel), 10)
         window.answer_file_dialog(tmp_path / "results.csv", panel.csv.trigger)
         with open(tmp_path / "results.csv", newline="", encoding="utf-8") as file:
@@ -834,8 +834,8 @@ def test_document_opened_with_marks_fills_the_panel(panel, opened, window, tmp_p
         FreeCAD.setActiveDocument(opened.Name)
 
 
-def test_total_of_the_z_buffer_is_one_number(opened, window, tmp_path):
-    """Report, tree, panel and page show the total of one z-buffer, also after reopening the document."""
+def test_z_buffer_total_is_the_same_everywhere(opened, window, tmp_path):
+    """Report, mark, panel and page show the same z-buffer total, also after reopening the document."""
     results, again = None, None
     preferences.write(mark_simulator="z-buffer")
     try:
@@ -876,16 +876,16 @@ def test_cleared_results_are_not_shown(panel, opened, window):
     window.wait(lambda: len(labels(panel)) > 3)
 
 
-def test_many_millimetres_are_metres():
+def test_length_above_ten_metres_is_shown_in_metres():
     assert (user().length(9_999.0), user().length(318_629.67)) == ("9,999.00 mm", "319 m")
 
 
 @pytest.mark.parametrize(("title", "name"), [("Machi-\nning\nTime", "Machining Time"), ("加工\n时间", "加工时间")])
-def test_column_title_is_one_line_in_names(title, name):
+def test_line_breaks_in_a_column_title_are_removed_in_names(title, name):
     assert Column("key", title, "", None).name == name
 
 
-def test_page_without_document_says_what_to_do(window):
+def test_page_without_a_document_shows_a_hint(window):
     assert not FreeCAD.listDocuments()
     document = FreeCAD.newDocument("Empty")
     window.activate("VkWorkbench")
@@ -897,8 +897,8 @@ def test_page_without_document_says_what_to_do(window):
     dock(window).hide()
 
 
-def test_one_number_has_one_text(panel, opened, window, tmp_path):
-    """Mark, tooltip, list, page, warning, table and CSV show one value of a time, rounded once."""
+def test_same_time_is_shown_everywhere(panel, opened, window, tmp_path):
+    """Mark, tooltip, list, page, warning, table and CSV show the same time, rounded in the same way."""
     report, chosen = vkworkbench.analyze(opened), preferences.read()
     window.answer_file_dialog(tmp_path / "results.csv", panel.csv.trigger)
     rows = {row["label"]: row for row in csv.DictReader(open(tmp_path / "results.csv", encoding="utf-8"))}

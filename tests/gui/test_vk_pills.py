@@ -35,12 +35,12 @@ def labelled(document, label):
 
 
 def picture(window, label):
-    """Return the picture of an operation's description on the screen."""
+    """Return a screenshot of an operation's description in the tree."""
     view = window.tree
     view.scrollTo(window.cell(label))
     window.settle()
     area = view.visualRect(window.cell(label)) & view.viewport().rect()
-    area.setWidth(min(area.width(), 240))  # shares refer to the usual width of the column
+    area.setWidth(min(area.width(), 240))  # the tests compare with shares of this width
     corner = view.viewport().mapToGlobal(area.topLeft())
     screen = QtGui.QApplication.primaryScreen()
     return screen.grabWindow(0, corner.x(), corner.y(), area.width(), area.height()).toImage()
@@ -78,7 +78,7 @@ def contrast(one, other):
     ("white", "black", 21.0), ("#777777", "white", 4.478), ("#ff0000", "white", 3.998), ("#008000", "white", 5.137),
     ("#0000ff", "white", 8.592), ("#0a0a0a", "black", 1.0607),
 ])  # fmt: skip
-def test_contrast_of_two_colours(one, other, expected):
+def test_contrast_of_two_colours_follows_wcag(one, other, expected):
     for pair in ((one, other), (other, one)):
         assert colors.contrast(*map(QtGui.QColor, pair)) == pytest.approx(expected, rel=2e-4)
 
@@ -89,7 +89,11 @@ def test_contrast_of_two_colours(one, other, expected):
     ("#000080", "black", 3.1, "#5959ac"), ("#000000", "white", 21.0, "#000000"), ("#777777", "white", 30.0, "#000000"),
 ])  # fmt: skip
 def test_colour_is_changed_until_it_is_readable(ink, back, least, expected):
-    """It stays as it is if it is readable already, and becomes white or black if nothing is readable enough."""
+    """
+    A readable colour is not changed.
+
+    If no shade of the colour has enough contrast, the result is white or black.
+    """
     found = QtGui.QColor(colors.readable(QtGui.QColor(ink), QtGui.QColor(back), least))
     assert found.getRgb()[:3] == pytest.approx(QtGui.QColor(expected).getRgb()[:3], abs=1)
 
@@ -103,7 +107,7 @@ def test_every_strategy_has_a_readable_colour():
 
 
 def layout(record, words="", *, room=10_000, **chosen):
-    """Return the layout of a mark in a cell of `room` pixels."""
+    """Return the layout of a mark in a cell that is `room` pixels wide."""
     found = layouts(record, words, Preferences(**chosen), QtGui.QFontMetrics(QtGui.QFont()), None)
     return next((one for one in found if one.needed <= room), found[-1])
 
@@ -114,7 +118,7 @@ def record_of(seconds, *, factor=1.3, strategy=Strategy.ADAPTIVE, **rest):
 
 
 @pytest.mark.parametrize("seconds, color", [(299, None), (301, "NEAR"), (601, "OVER")])
-def test_a_time_near_or_over_the_budget_has_its_colour(seconds, color):
+def test_pill_of_a_time_near_or_over_the_budget_is_coloured(seconds, color):
     record = record_of(seconds)
     shown = layout(record, mark_simulator="legacy", time_budget=600.0)
     colored = [piece.color for piece in shown.pieces if piece.kind == "filled"]
@@ -124,7 +128,7 @@ def test_a_time_near_or_over_the_budget_has_its_colour(seconds, color):
     assert layout(record, mark_simulator="legacy", time_budget=1e5).text.endswith(f"sim {user().time(seconds)}")
 
 
-def test_narrow_pill_drops_the_machine_then_the_simulation():
+def test_narrow_pill_drops_machining_time_before_simulation():
     record = record_of(6120, factor=4.0, machining_seconds=78.0, remarks=(Message("no-job"),))
     texts = []
     for room in range(600, 10, -5):
@@ -143,7 +147,7 @@ def test_narrow_pill_drops_the_machine_then_the_simulation():
     ]
 
 
-def test_warning_sign_is_there_in_every_width():
+def test_warning_sign_is_shown_in_every_width():
     record = record_of(6120, machining_seconds=78.0)
     for room in range(600, 10, -5):
         shown = layout(record, "own words", room=room, mark_simulator="legacy", time_budget=600.0)
@@ -167,15 +171,15 @@ def test_minimum_time_of_0_is_not_shown():
     assert machining.text(Row(record, "Op", "Op", mark=record)) == ""
 
 
-def test_error_sign_beside_a_pill_stays_in_every_width():
-    """Without a tool the simulation is unknown, even if the strategy is certain."""
+def test_error_sign_next_to_a_pill_is_shown_in_every_width():
+    """A mark can have an error and a strategy: without a job the simulation is unknown, but the strategy is not."""
     record = Record(Strategy.ZIGZAG, confidence=0.95, remarks=(Message("no-tool"),))
     for room in (10_000, 120, 40):
         assert [piece.kind for piece in layout(record, room=room).pieces] == ["error", "filled"]
     assert sentence(record.remarks[0]) in layout(record).text
 
 
-def test_pills_of_totals_and_outdated_marks():
+def test_pills_of_totals_and_outdated_marks_look_different():
     total = record_of(5, strategy=None, operations=8)
     assert layout(total).pieces[0].text == "8 operations" and layout(total).pieces[0].color == colors.TOTAL
     outdated = layout(record_of(5, outdated=True), "mine")
@@ -233,7 +237,7 @@ def test_tooltip_has_reason_and_times(marked, window):
     assert "a &lt;b&gt;&amp;c remark" in tooltip(window, "Face")
 
 
-def test_words_equal_to_the_mark_are_shown_once(marked, window):
+def test_words_of_the_user_equal_to_the_mark_can_be_edited(marked, window):
     face = labelled(marked, "Face")
     own = marks.read(face).text
     face.Label2 = f"{own} ⟦{own}⟧"
@@ -242,7 +246,7 @@ def test_words_equal_to_the_mark_are_shown_once(marked, window):
     assert face.Label2 == f"other words ⟦{own}⟧"
 
 
-def test_pills_have_their_strategys_colour(marked, window, theme):
+def test_pill_has_the_colour_of_its_strategy(marked, window, theme):
     labelled(marked, "Face").Label2 = "rough first " + labelled(marked, "Face").Label2
     drill = labelled(marked, "Drill holes")
     drill.VkWorkbenchMark = drill.VkWorkbenchMark.replace(marks.read(drill).fingerprint, "of:another")
@@ -364,7 +368,7 @@ def test_description_without_a_mark_is_edited_normally(opened, window):
     assert labelled(opened, "Face").Label2 == "mine"
 
 
-def test_marks_of_a_macro_are_pills_too(opened, window):
+def test_marks_that_a_macro_writes_are_shown_as_pills(opened, window):
     vkworkbench.mark(vkworkbench.analyze(labelled(opened, "Face")))
     window.tree.expandAll()
     window.settle()
@@ -372,7 +376,7 @@ def test_marks_of_a_macro_are_pills_too(opened, window):
 
 
 def test_sixty_marks_are_laid_out_once(opened, window):
-    """The tree is laid out as often as for one mark; FreeCAD 1.x would lay it out after each of 60 texts."""
+    """FreeCAD 1.x lays the tree out after each change of a text; 60 marks must cause no more layouts than one."""
     from vkworkbench.gui import commands
 
     job, bore = opened.getObject("Job"), labelled(opened, "Bore")

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The page in FreeCAD's preferences dialog."""
+"""The add-on's page in FreeCAD's preferences dialog."""
 
 from dataclasses import replace
 
@@ -18,7 +18,7 @@ pytestmark = pytest.mark.usefixtures("default_preferences")
 
 
 def check(window, box):
-    """Press the space key on a check box; a click in its middle may miss box and text."""
+    """Toggle a check box with the space key, because a click in the middle of the widget may miss box and text."""
     box.setFocus()
     window.press(box, QtCore.Qt.Key_Space)
 
@@ -98,7 +98,7 @@ def test_ok_keeps_untouched_values_exactly(schema, with_page, window):
         units.SetInt("UserSchema", now)
 
 
-def test_page_follows_freecads_units(with_page, window):
+def test_preferences_page_shows_freecads_units(with_page, window):
     units = FreeCAD.ParamGet("User parameter:BaseApp/Preferences/Units")
     schema = FreeCAD.Units.getSchema()
     FreeCAD.Units.setSchema(3)  # imperial decimal
@@ -144,7 +144,7 @@ def test_calibrate_button_measures_and_shows_the_date(with_page, restored_calibr
 
 
 @pytest.mark.parametrize("points", [0, 14])
-def test_no_field_is_squeezed_in_freecads_dialog_size(points, with_page, window, default_speeds):
+def test_fields_are_high_enough_in_freecads_dialog_size(points, with_page, window, default_speeds):
     """FreeCAD 1.x opens its dialog with 819 x 500 pixels for every page."""
     application = QtGui.QApplication.instance()
     before, larger, squeezed = application.font(), QtGui.QFont(application.font()), []
@@ -191,5 +191,5 @@ def test_failed_calibration_shows_a_message(with_page, window, monkeypatch):
     assert said == ["the folder cannot be written"]
 
 
-def test_the_group_has_its_icon():
+def test_preferences_group_has_an_icon():
     assert not Gui.getIcon("preferences-toolpath_analysis").isNull()

@@ -11,7 +11,7 @@ CONTROLS = QtGui.QAbstractButton, QtGui.QComboBox, QtGui.QAbstractSpinBox, QtGui
 
 
 def nameless(widget):
-    """Return class and tooltip of the controls without a name, except parts that Qt makes for other controls."""
+    """Return class and tooltip of all controls without a name, except controls that Qt makes as parts of others."""
     controls = [part for part in widget.findChildren(QtGui.QWidget) if isinstance(part, CONTROLS)]
     assert controls
     return [
@@ -26,20 +26,20 @@ def nameless(widget):
 
 
 @pytest.mark.parametrize(("command", "dock"), [("Toolpath Results", "VkResults"), ("Gauss Map", "VkGaussMap")])
-def test_the_controls_of_docks_have_names(opened, window, command, dock):
+def test_controls_of_docks_have_accessible_names(opened, window, command, dock):
     window.click(command)
     window.wait(lambda: window.first(QtGui.QDockWidget, dock))
     assert nameless(window.first(QtGui.QDockWidget, dock).widget()) == []
     window.click(command)
 
 
-def test_controls_of_the_simulation_have_names(desk):
+def test_controls_of_the_simulation_have_accessible_names(desk):
     tab = desk.shared(desk.small)
     assert nameless(tab) == []
     assert tab.player.play_bar.play_button.accessibleName() == "Plays or pauses the simulation (Space)."
 
 
-def test_the_button_that_closes_the_warning_has_a_name(window):
+def test_button_that_closes_the_warning_has_a_name(window):
     line = Line(area_of_views())
     line.way.setText("Simulate Toolpaths")
     assert nameless(line) == []

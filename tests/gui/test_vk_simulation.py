@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The simulation tab as a user works with it: click, drag, play, ask for the cut that made a surface."""
+"""The simulation tab as a user works with it: click, drag, play, and find the cut that made a surface."""
 
 from __future__ import annotations
 
@@ -58,7 +58,7 @@ def test_click_shows_the_simulated_part(whole, window):
     assert len(colors) > 50
 
 
-def test_dragging_on_the_time_line_shows_any_moment(whole, window):
+def test_dragging_on_the_time_line_changes_the_shown_time(whole, window):
     line, view = whole.time_line, whole.view
     part = view.grab().toImage()
     middle = line.height() - 20
@@ -95,7 +95,7 @@ def test_exports_save_pictures_and_rates(whole, window, tmp_path):
     assert lines[1].split(",")[2] == str(first + 1)  # the line below the part counts from 1, too
 
 
-def test_chips_are_drawn_on_the_part(whole, window):
+def test_chips_are_drawn_on_the_simulated_part(whole, window):
     whole.moment.go_to(0.5 * whole.clock.total)
     whole.scene_bar.colorings.setCurrentIndex(4)
     finest(whole, window)
@@ -106,7 +106,7 @@ def test_chips_are_drawn_on_the_part(whole, window):
     assert (whole.view._scene.image != part).any()
 
 
-def test_turning_moving_and_zooming_with_the_mouse(whole, window):
+def test_mouse_turns_moves_and_zooms_the_part(whole, window):
     view = whole.view
     before = view.view
     middle = view.rect().center()
@@ -262,7 +262,7 @@ def test_crash_is_found_in_three_clicks(desk, window):
 # Four operations in one tab
 
 
-def test_steps_go_to_commands_and_operations(simulated, window):
+def test_step_buttons_go_to_commands_and_operations(simulated, window):
     window.press(simulated.time_line, QtCore.Qt.Key_Home)
     first = [len(cut.toolpath) for cut in simulated.job.cuts]
     window.click_on(simulated.play_bar.steps[3])
@@ -444,7 +444,7 @@ def test_changed_toolpath_is_shown_and_simulated_again(desk, document, window):
     assert len(shown(tab, window).job.cuts[0].toolpath) < length
 
 
-def test_closing_ends_the_work(desk, window, monkeypatch):
+def test_closing_the_tab_ends_its_work(desk, window, monkeypatch):
     begun = []
 
     def endless(*arguments):
@@ -469,7 +469,7 @@ def test_closing_the_document_closes_the_tab(desk, document, window):
     window.wait(lambda: not tabs(window))
 
 
-def test_nothing_to_simulate_shows_a_message(desk, window):
+def test_job_with_nothing_to_simulate_shows_a_message(desk, window):
     desk.close()
     window.activate("VkWorkbench")
     document = FreeCAD.newDocument()
@@ -515,7 +515,7 @@ def test_cost_is_shown_before_and_after_the_simulation(desk, window, monkeypatch
     assert player.state.text() in player.state.toolTip().replace("\xa0", " ")
 
 
-def test_surface_is_prepared_before_the_picture(desk, window, monkeypatch):
+def test_surface_is_computed_before_the_picture(desk, window, monkeypatch):
     made = []
 
     def show(drawing, done, original=Drawing.take):
@@ -581,7 +581,7 @@ def test_faults_are_the_same_from_every_side(desk, document, window):
 
 
 @pytest.mark.parametrize("wide", [True, False])
-def test_a_choice_is_whole_or_ends_in_an_ellipsis(window, wide):
+def test_entry_of_a_choice_is_whole_or_ends_in_an_ellipsis(window, wide):
     box, text = controls._combo(""), "Difference to the Model"
     box.setParent(window.main)
     box.addItem(text)
@@ -604,7 +604,7 @@ def test_a_choice_is_whole_or_ends_in_an_ellipsis(window, wide):
 
 
 @pytest.mark.parametrize("wide", [True, False])
-def test_line_is_whole_or_ends_in_an_ellipsis(window, wide):
+def test_line_of_text_is_whole_or_ends_in_an_ellipsis(window, wide):
     line, text = OneLine(window.main), "1,024 × 768 pixels of 0.1 mm, 90,000 traces <b>"
     line.show_text(text)
     whole = line.sizeHint()

@@ -21,7 +21,7 @@ def player(desk, window):
 
 
 def place(player, share):
-    """Return a point of the part's view, given by its shares of width and height."""
+    """Return a point of the part's view; across and down are shares of the view's width and height."""
     return QtCore.QPoint(*(int(part * side) for part, side in zip(share, (player.view.width(), player.view.height()))))
 
 
@@ -40,7 +40,7 @@ def lowest_place(player):
     return QtCore.QPoint(int((column + 2) / ratio), int((scene.depth.shape[0] - 3 - row) / ratio))
 
 
-def test_click_tells_the_depth_of_a_pocket(player, window):
+def test_click_shows_the_depth_of_a_pocket(player, window):
     where = lowest_place(player)
     surface = player.view.surface_at(where)
     window.click_at(player.view, where)
@@ -51,7 +51,7 @@ def test_click_tells_the_depth_of_a_pocket(player, window):
     window.screenshot("simulation-depth")
 
 
-def test_two_clicks_measure_their_distance(player, window):
+def test_two_clicks_show_the_distance_between_them(player, window):
     bar, view = player.scene_bar, player.view
     moment = player.moment.seconds
     bar.measure.trigger()
@@ -89,7 +89,7 @@ def test_section_is_filled_and_moves(player, window):
     assert not bar.section.isVisible() and (player.view._scene.owner != CUT_OPEN).all()
 
 
-def test_path_shows_what_is_done_and_to_come(player, window):
+def test_past_and_future_path_have_different_colours(player, window):
     def count(color):
         return int((player.view._scene.image == color).all(axis=-1).sum())
 
@@ -115,7 +115,7 @@ def test_zoomed_in_part_is_simulated_finer(player, window):
     assert player.simulation is whole and player.drawing.finest_for(view.frame) is detail
     assert detail.zbuffer.frame.pixel < 0.7 * coarse
     frame, stock = detail.zbuffer.frame, player.job.stock
-    assert frame.width * frame.pixel < 0.6 * (stock.upper - stock.lower)[0]  # only what is visible
+    assert frame.width * frame.pixel < 0.6 * (stock.upper - stock.lower)[0]  # only the visible section is simulated
     window.screenshot("simulation-zoomed")
     player.look("Isometric")
     assert player.drawing.finest_for(view.frame) is whole

@@ -97,7 +97,7 @@ def gouge(cut, depth, command=0):
 
 
 def test_missing_stock_is_not_a_gouge():
-    """The stock is 3 mm too low, and a slot is 8 mm too deep."""
+    """The top of the stock is 3 mm below the model's top, and the slot is 8 mm too deep."""
     job, model = job_of(SLOT), Stock((0, 0, 0), (60, 40, 23))
     vars(job)["model"] = model
     known, zbuffer = KnownFaults(job, Clock(job)), simulate_job(job.cuts, stock=STOCK, view=WHOLE)
@@ -115,7 +115,7 @@ def test_missing_stock_is_not_a_gouge():
     assert judge(finished, 9.0, compares=False).faults == []
 
 
-def test_marks_have_the_latest_faults():
+def test_marks_show_the_latest_faults():
     job = job_of(SLOT)
     known = KnownFaults(job, Clock(job))
     crash = Fault(0, 7, 0, (0.0, 0.0, 0.0), Message("rapid-cuts", volume=50.69), True)
@@ -123,7 +123,7 @@ def test_marks_have_the_latest_faults():
     with pytest.MonkeyPatch.context() as patched:
         patched.setattr("vkworkbench.gui.simulation.faults.keep_faults", lambda faults: bool(told.append(faults)))
         known.follow(True)
-        assert not told  # nothing was compared with the model yet
+        assert not told  # the part has not been compared with the model yet
         known.keep([gouge(0, 20.0, command=2)], PENDING)
         known.keep([crash, gouge(0, 0.3)], PENDING)
         known.follow(False)
@@ -174,7 +174,7 @@ def test_scale_of_removal_rates_leaves_out_the_fastest_1_percent():
 def test_scale_of_times_begins_with_the_first_end():
     last = colored(coloring.by_time, [1.0, 1.0], [0.0, 50.0, 100.0]).colors
     alone = colored(coloring.by_time, [1.0], [0.0, 100.0]).colors
-    assert (last[2] == alone[1]).all() and not (last[1] == last[2]).all()  # the first colour is the stock's
+    assert (last[2] == alone[1]).all() and not (last[1] == last[2]).all()  # the first colour is the colour of the stock
 
 
 def test_missing_feed_is_the_median_of_the_others():

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The simulation tab under unusual conditions: closed at any time, odd jobs, every navigation style, keys only."""
+"""The simulation tab when it is closed at any time, for odd jobs, in every navigation style and with keys only."""
 
 from __future__ import annotations
 
@@ -108,7 +108,7 @@ def test_operation_is_deleted_while_the_tab_is_open(document, window, moment):
 
 
 @pytest.mark.parametrize("style", sorted(part_view._STYLES))
-def test_every_navigation_style_turns_and_moves(desk, window, style):
+def test_every_navigation_style_turns_and_moves_the_part(desk, window, style):
     tab = desk.shared(desk.small, at_its_finest=False)
     group = FreeCAD.ParamGet("User parameter:BaseApp/Preferences/View")
     before = group.GetString("NavigationStyle")
@@ -295,7 +295,7 @@ def many_operations(document):
 
 
 @pytest.mark.parametrize("odd", [large_part, small_part, only_drilling, all_crashes, many_operations, no_model, one_move, no_feed, moves_without_length, far_away, huge_tool, tiny_tool, tiny_stock, flat_stock])  # fmt: skip
-def test_odd_jobs_are_shown(bare, window, odd):
+def test_odd_job_is_shown_without_an_error(bare, window, odd):
     odd(bare)
     window.click(COMMAND)
     window.wait(lambda: tabs(window) or window.boxes())
@@ -356,7 +356,7 @@ def test_tab_is_closed_while_it_plays(desk, window, how):
     window.idle(0.3)  # no event of the closed tab follows
 
 
-def test_inches_leave_no_millimetres(desk, bare, window):
+def test_simulation_shows_no_millimetres_in_an_inch_schema(desk, bare, window):
     group = FreeCAD.ParamGet("User parameter:BaseApp/Preferences/Units")
     before = group.GetInt("UserSchema", 0)
     lone(bare, ["G0 Z30", "G0 X40 Y50", "G0 Z14", "G1 X60 F5", "G1 Z5 F50", "G0 Z30"])

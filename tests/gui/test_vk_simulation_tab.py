@@ -23,10 +23,10 @@ def tab(desk, window):
     return desk.shared(desk.small)
 
 
-# Looking
+# Changes of the view
 
 
-def test_looking_and_playing_never_simulate_again(tab, window, monkeypatch, tmp_path):
+def test_turning_and_playing_do_not_simulate_again(tab, window, monkeypatch, tmp_path):
     player = tab.player
     findings, faults, simulation = player.drawing.findings, player.faults, player.simulation
     monkeypatch.setattr(player, "simulate", lambda: pytest.fail("simulated again"))
@@ -49,7 +49,7 @@ def test_looking_and_playing_never_simulate_again(tab, window, monkeypatch, tmp_
         assert player.simulation is simulation and player.drawing.findings is findings
         assert [(f.trajectory, f.what) for f in player.faults] == [(f.trajectory, f.what) for f in faults]
         size = player.view.view
-        assert player.view._scene.depth.shape == (size.height, size.width)  # at full fineness, each time
+        assert player.view._scene.depth.shape == (size.height, size.width)  # each picture has the full number of pixels
     assert len(set(shown)) == len(shown)
 
 
@@ -143,7 +143,7 @@ def test_change_is_shown_until_it_is_undone(desk, document, window, change):
     assert not again.again.isVisible()
 
 
-def test_change_outside_the_simulation_is_ignored(desk, document, window):
+def test_change_of_an_object_not_simulated_is_ignored(desk, document, window):
     tab = desk.simulate()
     window.wait(lambda: tab.player.known._holds)
     face = document.getObjectsByLabel("Face")[0]
@@ -259,7 +259,7 @@ def low_tab(request, desk):
 
 
 @pytest.mark.parametrize("height", [170, 200, 260, 330, 480])
-def test_nothing_overlaps_in_a_low_and_narrow_tab(low_tab, window, height):
+def test_controls_do_not_overlap_in_a_low_and_narrow_tab(low_tab, window, height):
     tab, points = low_tab
     player, bar = tab.player, tab.player.scene_bar
     player.setFixedSize(550, height)
@@ -280,7 +280,7 @@ def test_nothing_overlaps_in_a_low_and_narrow_tab(low_tab, window, height):
     window.screenshot(f"simulation-low-{height}-{points or 'usual'}")
 
 
-def test_controls_of_differences_come_with_differences(tab, window):
+def test_controls_of_differences_are_shown_with_differences(tab, window):
     bar = tab.player.scene_bar
     tab.player.setFixedSize(360, 400)  # large enough for the controls of differences
     assert not bar.differences.isVisible()
@@ -363,7 +363,7 @@ def test_saved_pictures_get_their_own_folder(tab, desk, window, folder):
     assert window.progress_dialog() is None
 
 
-def test_saving_waits_for_the_finest_and_esc_cancels_it(tab, desk, window, folder, monkeypatch):
+def test_saving_waits_for_finest_picture_and_esc_cancels_it(tab, desk, window, folder, monkeypatch):
     player = tab.player
     player.simulate()
     assert player.refines

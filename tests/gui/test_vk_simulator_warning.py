@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The warning line above the view when a simulator of FreeCAD is started: when it comes and goes, and its button."""
+"""The warning line above the view, when one of FreeCAD's simulators is started: when it is shown, and its button."""
 
 import gc
 import re
@@ -21,7 +21,7 @@ needs_opengl = pytest.mark.skipif(OLD, reason="FreeCAD 0.20 has no OpenGL simula
 
 @pytest.fixture(autouse=True)
 def forgotten(monkeypatch):
-    """Tell PySide when a panel is gone: otherwise FreeCAD sometimes cannot open the next panel."""
+    """Tell PySide which panels were deleted: otherwise FreeCAD sometimes cannot open the next panel."""
     close = simulator_panels.close
 
     def close_and_forget():
@@ -109,12 +109,14 @@ def test_warning_of_a_long_play_offers_fast_forward(marked, window):
     Gui.SendMsgToActiveView("ViewFit")
     window.screenshot("warning-play")
     assert line.text.text().startswith("Playing this simulation takes about ") and line.way.text() == "Fast-forward"
-    assert not re.search(r"\d (?:ms|s|min|h)\b", line.text.text())  # in one line
+    assert not re.search(
+        r"\d (?:ms|s|min|h)\b", line.text.text()
+    )  # a non-breaking space keeps number and unit in one line
     assert not line.isModal() and not window.boxes()
     assert line.text.height() >= line.text.heightForWidth(line.text.width())
     button = simulator_panel(window).findChild(QtGui.QToolButton, "toolButtonFF")
     window.click_on(line.way)
-    assert lines(window) == [] and not button.isEnabled()  # the simulation runs
+    assert lines(window) == [] and not button.isEnabled()  # the simulation is running
     window.click_on(simulator_panel(window).findChild(QtGui.QToolButton, "toolButtonPause"))
     window.wait(button.isEnabled)
 
@@ -151,8 +153,8 @@ def test_click_after_closing_the_panel_does_nothing(marked, window):
 
 
 @pytest.mark.skipif(not OLD, reason="FreeCAD itself keeps a panel since 1.0")
-def test_closed_panels_are_not_kept(marked, window):
-    # PySide would take a new widget at the same address for the old panel, and the next panel could not open.
+def test_closed_simulator_panels_are_deleted(marked, window):
+    # If Python kept the old panel, PySide would mistake a new widget at the same address for it, and no panel could open.
     def kept():
         return sum(type(thing) is QtGui.QDialog for thing in gc.get_objects())
 
@@ -187,7 +189,7 @@ def test_warning_names_an_operation_that_hangs_the_simulator(marked, window):
                 and simulator_panels.simulator_of(simulator_panel(window)) == "OpenGL"
             )
         )
-    assert not [o for o in marked.Objects if o.Name.startswith("Cut")]  # no results of the closed panel
+    assert not [o for o in marked.Objects if o.Name.startswith("Cut")]  # the closed panel leaves no result objects
     window.screenshot("warning-hangs-taken")
 
 
@@ -211,7 +213,7 @@ def test_no_warning_without_marks_or_when_switched_off(marked, window):
 
 @needs_opengl
 def test_warning_for_opengl_offers_a_faster_simulator(marked, window):
-    """The warning offers the legacy simulator if its fast-forward is within the budget, otherwise the tab."""
+    """The warning offers the legacy simulator if its fast-forward is within the budget, otherwise the simulation tab."""
     costs = marks.read(marked.getObject("Job")).costs
     legacy, opengl = costs["legacy"].seconds, costs["OpenGL"].seconds
     preferences.write(time_budget=max(0.5 * opengl, 0.1))
@@ -231,7 +233,7 @@ def test_warning_for_opengl_offers_a_faster_simulator(marked, window):
         )
 
 
-def test_every_start_of_a_simulator_is_noticed(marked, window):
+def test_every_way_to_start_a_simulator_shows_the_warning(marked, window):
     """Tool buttons with a menu, and runCommand, do not trigger the action of the command."""
     preferences.write(time_budget=0.1)
     command = freecad.simulator_command(freecad.own_simulator())

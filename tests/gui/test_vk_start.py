@@ -11,7 +11,7 @@ import vkworkbench
 from vkworkbench.document.marks import watcher
 
 
-def test_window_is_there():
+def test_main_window_of_freecad_is_there():
     assert FreeCADGui.getMainWindow().isVisible()
 
 
@@ -32,7 +32,7 @@ def test_start_loads_only_the_needed_modules():
     assert "matplotlib" not in loaded
 
 
-def test_switching_documents_compares_no_marks_again(opened, window, monkeypatch):
+def test_switching_documents_does_not_compare_marks_again(opened, window, monkeypatch):
     vkworkbench.mark(vkworkbench.analyze(opened))
     window.settle()
     other = FreeCAD.newDocument("Other")
@@ -54,7 +54,7 @@ def test_switching_documents_compares_no_marks_again(opened, window, monkeypatch
     FreeCAD.setActiveDocument(opened.Name)
 
 
-def test_waiting_in_vain_fails(window):
-    """Several tests assert what they wait for in no other way."""
+def test_wait_fails_after_its_time_limit(window):
+    """Many tests rely on `window.wait` to fail, because they assert the awaited condition in no other way."""
     with pytest.raises(AssertionError, match="in vain"):
         window.wait(lambda: False, seconds=0.05)

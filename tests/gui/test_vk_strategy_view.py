@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""*Show strategies* in the 3D view: visible colours, an unchanged document, and no remaining nodes."""
+"""*Show strategies* colours the toolpaths in the 3D view, changes no document, and leaves no nodes in the scene."""
 
 import threading
 import time
@@ -103,7 +103,7 @@ def test_colours_are_visible_until_switched_off(opened, window, switched_on, tmp
 
 @pytest.fixture
 def reopened(kept_document):
-    """Open the example again, so that it is not modified."""
+    """Open the example again, so that FreeCAD does not show the document as modified."""
     kept_document.close()
 
 
@@ -156,7 +156,7 @@ def test_changed_toolpath_is_coloured_again(opened, window, switched_on):
     assert nodes(opened) == len(strategy_view._shown[opened.Name].lines)
 
 
-def test_each_document_has_its_own_switch(opened, window, switched_on):
+def test_strategies_are_switched_on_for_each_document(opened, window, switched_on):
     assert window.button(SWITCH).isChecked()
     other = FreeCAD.newDocument("Other")
     window.wait(lambda: not window.button(SWITCH).isChecked())
@@ -165,7 +165,7 @@ def test_each_document_has_its_own_switch(opened, window, switched_on):
     window.wait(lambda: window.button(SWITCH).isChecked())
 
 
-def test_nothing_to_colour_shows_a_message(window):
+def test_document_without_toolpaths_shows_a_message(window):
     document = FreeCAD.newDocument("Empty")
     window.activate("VkWorkbench")
     window.click(SWITCH)
@@ -175,7 +175,7 @@ def test_nothing_to_colour_shows_a_message(window):
     FreeCAD.closeDocument(document.Name)
 
 
-def test_closed_document_is_forgotten(example_path, window):
+def test_closed_document_is_removed_from_the_strategy_view(example_path, window):
     document = FreeCAD.openDocument(str(example_path))
     window.activate("VkWorkbench")
     name = document.Name
@@ -187,7 +187,7 @@ def test_closed_document_is_forgotten(example_path, window):
 
 
 def test_operation_without_a_view_proxy_is_skipped(opened, window):
-    """An operation made by a macro has no view proxy, and FreeCAD gives it no node for lines."""
+    """An operation made by a macro has no view proxy, so FreeCAD makes no node for the lines of its toolpath."""
     profile = cam("Op.Profile").Create("Macro", parentJob=opened.getObject("Job"))
     profile.ToolController = opened.getObject("Job").Tools.Group[0]
     opened.recompute()
@@ -196,16 +196,18 @@ def test_operation_without_a_view_proxy_is_skipped(opened, window):
     window.wait(lambda: drawn(opened))
     assert nodes(opened) == len(strategy_view._shown[opened.Name].lines) >= 8
     profile.touch()
-    opened.recompute()  # drawn again while strategies are shown
+    opened.recompute()  # the recompute draws the operation while strategies are shown
     window.wait(lambda: drawn(opened))
     window.click(SWITCH)
     window.wait(lambda: not strategy_view.is_shown(opened))
     assert nodes(opened) == 0
 
 
-def test_rapids_are_grey_also_from_the_origin(opened, window, tmp_path):
+def test_rapids_from_the_origin_are_grey(opened, window, tmp_path):
     def red(there):
-        return there["#aa0000"] + there["#e03131"]  # FreeCAD's colours for rapids, the second since 1.1
+        return (
+            there["#aa0000"] + there["#e03131"]
+        )  # FreeCAD's colours for rapids; FreeCAD 1.1 and later use the second colour
 
     Gui.activeView().viewIsometric()
     Gui.SendMsgToActiveView("ViewFit")
@@ -254,7 +256,7 @@ def test_legend_does_not_enlarge_the_scene(opened, window, switched_on):
 
 @pytest.fixture
 def long(opened):
-    """The example with 40,000 commands in each of five operations, more than one step of drawing takes."""
+    """The example with 40,000 commands in each of five operations, which need more than one step of drawing."""
     lines = ["G0 Z30", "G0 X10 Y10", "G1 Z18 F10"]
     for number in range(40_000):
         row, step = divmod(number, 500)
@@ -285,7 +287,7 @@ def test_events_are_handled_while_200_000_commands_are_drawn(long, window):
 
 def test_cancelled_drawing_ends_its_thread(long, window, monkeypatch):
     def again_and_again(source, going_on):
-        while True:  # otherwise a fast computer is ready before the click
+        while True:  # otherwise a fast computer could finish before the click
             yield from strategy_lines.drawings(source, going_on)
 
     monkeypatch.setattr(strategy_view, "drawings", again_and_again)

@@ -21,13 +21,13 @@ def luminance(color):
 
 
 def contrast_of_text(image):
-    """Return the contrast between the commonest colour, the background, and the colour farthest from it."""
+    """Return the contrast between the background (the commonest colour) and the colour that differs most from it."""
     shades = Counter(image.pixel(x, y) for x in range(image.width()) for y in range(image.height()))
     back = luminance(shades.most_common(1)[0][0])
     return max((max(back, one) + 0.05) / (min(back, one) + 0.05) for one in map(luminance, shades))
 
 
-def test_mark_is_readable(shipped, marked, window):
+def test_mark_is_readable_in_freecads_themes(shipped, marked, window):
     view = window.tree
     model = view.model()
     (found,) = model.match(model.index(0, 0), QtCore.Qt.DisplayRole, "Face", 1,
@@ -45,7 +45,7 @@ def test_mark_is_readable(shipped, marked, window):
     assert contrast_of_text(image.copy(pill[-1] + 4, 0, 60, image.height())) >= 4.5
 
 
-def test_warning_line_is_readable(shipped, marked, window):
+def test_warning_line_is_readable_in_freecads_themes(shipped, marked, window):
     window.activate("PathWorkbench" if freecad.version() < (1, 0) else "CAMWorkbench")
     preferences.write(time_budget=0.1)
     try:
@@ -62,8 +62,8 @@ def test_warning_line_is_readable(shipped, marked, window):
         window.settle()
 
 
-def test_simulation_tab_is_opaque(shipped, small, marked, window):
-    window.see_all()  # a colourful view behind the tab
+def test_simulation_tab_is_opaque_in_freecads_themes(shipped, small, marked, window):
+    window.see_all()  # a colourful 3D view is behind the tab
     Gui.Selection.clearSelection()
     window.click(simulation_window.COMMAND)
     window.wait(lambda: simulation_window.tabs(window))
@@ -79,7 +79,7 @@ def test_simulation_tab_is_opaque(shipped, small, marked, window):
         window.settle()
         bar = tab.player.play_bar.controls
         row = window.main.grab(QtCore.QRect(bar.mapTo(window.main, QtCore.QPoint(0, 0)), bar.size())).toImage()
-        # Look between the buttons; a narrow window has no room to the right of the last one.
+        # The background is read between the buttons, because a narrow window has no space after the last button.
         shown = [widget.geometry() for widget in bar.findChildren(QtGui.QWidget) if widget.parent() is bar]
         free = [x for x in range(bar.width()) if all(x < one.left() or x > one.right() for one in shown)]
         assert len(free) > 10

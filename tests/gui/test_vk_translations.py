@@ -39,7 +39,7 @@ ACCELERATOR = re.compile(r"""["']Accel["']: *["']([^"']+)["']""")
 
 
 def close_docks(window):
-    """Delete the add-on's docks, so that the commands make new ones, as after a start."""
+    """Delete the add-on's docks, so that the commands make new docks, as after a start of FreeCAD."""
     for dock in window.find(QtGui.QDockWidget):
         if dock.objectName() in DOCKS:
             Gui.Selection.removeObserver(dock)
@@ -52,7 +52,7 @@ def close_docks(window):
 
 @contextmanager
 def speaking(language, window):
-    """Set FreeCAD's language; the add-on's docks are made again."""
+    """Set FreeCAD's language, and delete the add-on's docks, which are then made in this language."""
     close_docks(window)
     Gui.setLocale(language)
     window.settle()
@@ -111,7 +111,7 @@ def dock(window, name):
 
 
 def test_shortcuts_are_not_used_twice(window):
-    """The loaded commands, and the Python sources of all workbenches."""
+    """Shortcuts are read from the loaded commands and from the Python sources of all workbenches."""
     cam_workbench = "PathWorkbench" if freecad.version() < (1, 0) else "CAMWorkbench"
     for workbench in ("SketcherWorkbench", "PartDesignWorkbench", "DraftWorkbench", cam_workbench, "VkWorkbench"):
         window.activate(workbench)
@@ -137,7 +137,7 @@ def test_every_command_has_help_texts(window):
         assert action.statusTip() and not action.icon().isNull()
 
 
-def test_window_in_each_language(language, opened, window):
+def test_texts_of_the_window_are_translated_and_fit(language, opened, window):
     command, title = LANGUAGES[language]
     menus = {m.title().replace("&", "") for m in window.find(QtGui.QMenu)}
     assert title in menus
@@ -166,12 +166,12 @@ def test_window_in_each_language(language, opened, window):
 
 def test_command_name_differs_from_freecad_simulators(language):
     ours = FreeCAD.Qt.translate("Vk_Simulate", "Simulate Toolpaths")
-    for name in freecad.own_simulators():  # their columns stand side by side, and so do their entries in a menu
+    for name in freecad.own_simulators():  # the names are next to each other in columns and menus
         theirs = freecad.simulator_title(name)
         assert SequenceMatcher(None, ours, theirs).ratio() < 0.65, (ours, theirs)
 
 
-def test_preferences_in_each_language(language, window):
+def test_texts_of_the_preferences_are_translated_and_fit(language, window):
     seen = {}
 
     def look(dialog, form):
@@ -200,7 +200,7 @@ def test_compiled_translations_are_up_to_date(name):
 
 
 @in_german
-def test_sentences_of_the_example_in_german(opened, german):
+def test_sentences_of_the_example_are_shown_in_german(opened, german):
     for o in vkworkbench.analyze(opened).operations:
         messages = *o.messages, o.resolution.why
         for message in messages:
@@ -217,7 +217,7 @@ def test_sentences_of_the_example_in_german(opened, german):
 
 
 @in_german
-def test_numbers_follow_the_users_locale(german):
+def test_numbers_have_the_format_of_the_users_locale(german):
     reader = user()
     assert (reader.count(5752), reader.time(1.42), reader.share(0.98)) == ("5.752", "1,4 s", "98 %")
     assert (reader.length(1601.38), reader.measure(2.5, 3), reader.turns(-9.0)) == ("1.601,38 mm", "2,5 mm", "-1,43")
@@ -238,7 +238,7 @@ def test_numbers_follow_the_users_locale(german):
 
 
 @in_german
-def test_mark_panel_and_gauss_map_in_german(opened, german, window):
+def test_mark_panel_and_gauss_map_are_shown_in_german(opened, german, window):
     """Mark, panel and Gauss map have German numbers and no English sentence."""
     (face,) = opened.getObjectsByLabel("Face")
     window.click("Werkzeugwege analysieren")
@@ -280,7 +280,7 @@ def test_mark_panel_and_gauss_map_in_german(opened, german, window):
 
 
 @in_german
-def test_pills_follow_the_users_locale(german):
+def test_times_in_pills_have_the_format_of_the_users_locale(german):
     cost = cost_from_data("z-buffer", {"seconds": 1.4, "memory_bytes": 2e6, "factor": 1.5, "stock_bytes": 0})
     record = Record(Strategy.ZIGZAG, confidence=0.7, costs={"z-buffer": cost}, remarks=(Message("no-tool"),))
     metrics = QtGui.QFontMetrics(QtGui.QFont())

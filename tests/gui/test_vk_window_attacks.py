@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Attacks on the views by macros, add-ons and files: changed scenes in the 3D view, HTML texts, many moves."""
+"""Macros, add-ons and files that could break the views: changed 3D scenes, HTML texts and very many moves."""
 
 from __future__ import annotations
 
@@ -128,7 +128,7 @@ def read_again(document, window):
 
 
 def other_fields(document, window):
-    """A macro switches the view off by its nodes, not by its property."""
+    """A macro hides the toolpath through its scene node, and then changes its Visibility property."""
     op = face(document)
     op.ViewObject.SwitchNode.whichChild = -1
     op.ViewObject.Visibility = False
@@ -145,7 +145,7 @@ def short_job(example_path, kept_document, tmp_path_factory):
     """The file of the example with two operations and their tools."""
     kept_document.close()
     document = FreeCAD.openDocument(str(example_path))
-    for operation in find(document):  # dress-ups before what they dress up
+    for operation in find(document):  # a dress-up comes before its base
         if operation.object.Label not in ("Face", "Bore"):
             document.removeObject(operation.object.Name)
     used = {document.getObjectsByLabel(label)[0].ToolController.Name for label in ("Face", "Bore")}
@@ -183,7 +183,7 @@ def test_show_strategies_survives_changes_of_the_scene(short_job, window, tiny, 
     window.wait(lambda: not strategy_view.is_drawing())
     window.settle()
     assert window.button(SWITCH).isChecked() == strategy_view.is_shown(document)
-    if not strategy_view.is_shown(document):  # FreeCAD reverts a file as another document
+    if not strategy_view.is_shown(document):  # after *Revert*, FreeCAD has another document object
         assert strange is read_again
         window.click(SWITCH)
         window.wait(lambda: drawn(document))
@@ -216,7 +216,9 @@ def trap(tmp_path):
     file = tmp_path / "trap.png"
     assert picture.save(str(file))
     now = time.time()
-    os.utime(file, (now - 10_000, now - 5_000))  # read before it was written: the system notes the next reading
+    os.utime(
+        file, (now - 10_000, now - 5_000)
+    )  # the access time is older than the change, so that the system records the next access
     before = os.stat(file).st_atime
 
     class Trap:
@@ -230,12 +232,12 @@ def trap(tmp_path):
 
 
 def rich(text):
-    """Return whether Qt takes a text for HTML, as QLabel and tooltips do."""
+    """Return whether QLabel and tooltips would show a text as HTML."""
     return QtCore.Qt.mightBeRichText(text) if hasattr(QtCore.Qt, "mightBeRichText") else QtGui.Qt.mightBeRichText(text)
 
 
 def seen_as_html(widgets, trap):
-    """Return labels, tooltips and pages that show a text with the trap as HTML."""
+    """Return the labels, tooltips and pages that show a text with the trap's picture as HTML."""
     found = []
     for widget in widgets:
         for kind, text in (("tooltip", widget.toolTip()), ("what's this", widget.whatsThis())):
