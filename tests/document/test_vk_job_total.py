@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The z-buffer cost of a job is the cost of simulating all its operations in one z-buffer, and is the same everywhere."""
+"""The z-buffer cost of a job is the cost of simulating all operations in one z-buffer, and is the same everywhere."""
 
 import json
 

@@ -20,7 +20,7 @@ def prints():
 
 
 def found(prints, op, fingerprint="f", meanwhile=lambda: None):
-    """Search a path's fingerprint in the cache `prints`, with a call of `meanwhile` during it; return what is cached."""
+    """Search a path's fingerprint, and call `meanwhile` during the search; return the cached fingerprint."""
     whose, token = (op.Document.Name, op.Name), prints.begin(op)
     meanwhile()
     prints.end(whose, token, fingerprint)

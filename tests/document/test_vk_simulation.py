@@ -44,8 +44,8 @@ def test_job_is_simulated_in_the_order_of_its_operations(small):
         done = vkworkbench.simulate(what, view=VIEW)
         assert [o.label for o in done.job.operations] == ["First", "Second"]
         assert done.trajectories == 6 and done.step == 6 and done.job.remarks == ()
-    # The second slot overlaps the first by 3 of 5 mm. So it adds an area of 100 mm² and, at the ends, the part of a disc
-    # outside another disc 2 mm away.
+    # The second slot overlaps the first by 3 of 5 mm. So it adds an area of 100 mm² and, at the ends, the part of a
+    # disc outside another disc 2 mm away.
     fine = vkworkbench.simulate(small.job, view=View((0, 0, -1), 500, 340))
     volumes = [fine.at(3).zbuffer.chip_volume, fine.zbuffer.chip_volume]
     assert volumes == pytest.approx([6 * (250 + 19.6), 6 * (250 + 19.6 + 100 + 9.7)], rel=0.02)
@@ -343,8 +343,8 @@ def test_simulated_example_has_no_fault(example):
     assert found.job.crashes == found.job.fast_plunges == found.job.gouges == ()
     assert all(facts.removed_volume > 100 and 0 <= facts.air_length_share < 0.5 for _, facts in found.operations)
     assert sum(facts.removed_volume for _, facts in found.operations) == pytest.approx(found.job.removed_volume)
-    # Stock is left in sharp inside corners of the model, in corners that facing leaves, at the ends of the drilled holes
-    # (the drill's tip stops at the model's bottom), and in the dish if no operation cuts the dish.
+    # Stock is left in sharp inside corners of the model, in corners that facing leaves, at the ends of the drilled
+    # holes (the drill's tip stops at the model's bottom), and in the dish if no operation cuts the dish.
     dish = "Dish" in [label for label, _ in found.operations]
     area = sum(left.area for left in found.job.left)
     assert 120 < area < 180 if dish else 1060 < area < 1120

@@ -148,7 +148,7 @@ class Window:
     def __init__(self):
         self.main = Gui.getMainWindow()
         if not os.environ.get("VKWORKBENCH_SCREENSHOTS"):
-            # Without a graphics card, drawing the navigation cube and the axes takes a third of the time of a small view.
+            # Without a graphics card, the navigation cube and the axes take a third of the drawing time of a small view.
             view = FreeCAD.ParamGet("User parameter:BaseApp/Preferences/View")
             for drawn in ("ShowNaviCube", "CornerCoordSystem", "UseNavigationAnimations"):
                 view.SetBool(drawn, False)
@@ -412,7 +412,7 @@ def no_kept_document(request):
 
 @pytest.fixture
 def opened(kept_document, window, request):
-    """The example job, expanded in the tree of the analysis workbench; only the fixture `marked` gives the job marks."""
+    """The example job, expanded in the tree of the analysis workbench; only the fixture `marked` adds marks."""
     may_be_marked = "marked" in request.fixturenames
     if not may_be_marked:
         hide_results(window)

@@ -92,7 +92,8 @@ def test_esc_ends_the_analysis_of_150_000_commands(long_document, window):
     pauses = sorted(gap for _, gaps, *_ in tries for gap in gaps)
     print(f"cancelled after {[round(seconds, 3) for seconds, *_ in tries]} s; pauses of the window: "
           f"median {pauses[len(pauses) // 2]:.3f}, longest {pauses[-1]:.3f} s")  # fmt: skip
-    # Seconds depend on the computer, so the test only requires timer events within operations, and no operation after Esc.
+    # Seconds depend on the computer, so the test only requires timer events within operations, and no operation after
+    # Esc.
     assert not any(more for *_, more in tries)
     assert all(len(gaps) > 2 * len(shown) for _, gaps, shown, _ in tries)
     labels = set().union(*(shown for _, _, shown, _ in tries))

@@ -154,7 +154,8 @@ def test_click_after_closing_the_panel_does_nothing(marked, window):
 
 @pytest.mark.skipif(not OLD, reason="FreeCAD itself keeps a panel since 1.0")
 def test_closed_simulator_panels_are_deleted(marked, window):
-    # If Python kept the old panel, PySide would mistake a new widget at the same address for it, and no panel could open.
+    # If Python kept the old panel, PySide would mistake a new widget at the same address for the old panel, and the
+    # next panel could not open.
     def kept():
         return sum(type(thing) is QtGui.QDialog for thing in gc.get_objects())
 
@@ -213,7 +214,7 @@ def test_no_warning_without_marks_or_when_switched_off(marked, window):
 
 @needs_opengl
 def test_warning_for_opengl_offers_a_faster_simulator(marked, window):
-    """The warning offers the legacy simulator if its fast-forward is within the budget, otherwise the simulation tab."""
+    """The warning offers the legacy simulator if fast-forward is within the budget, otherwise the simulation tab."""
     costs = marks.read(marked.getObject("Job")).costs
     legacy, opengl = costs["legacy"].seconds, costs["OpenGL"].seconds
     preferences.write(time_budget=max(0.5 * opengl, 0.1))

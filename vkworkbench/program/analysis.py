@@ -65,7 +65,7 @@ def analyze(
     Returns
     -------
     Report
-        One row for each operation, see `analyze_file`. A program is a job.
+        One row for each operation, see `analyze_file`. Each program is a job of the report.
 
     Raises
     ------
@@ -131,7 +131,7 @@ class _Whole:
     path : Path
     other : Message or None
     rotary : tuple of int
-        As in `Program`.
+        The attributes of `Program` with these names.
     chosen : Preferences
     stock : Stock or None
         A box around all cuts; None if no tool is known.
@@ -223,7 +223,7 @@ def _without_cuts(path: Path, program: Program, toolpath: Toolpath) -> Operation
     row = replace(row, remarks=(*row.remarks, *map(at_line, toolpath.problems)))
     if program.other:
         return replace(row, counted=True)
-    counted = all(problem.of_time for problem in toolpath.problems)  # if commands were ignored, they may have been cuts
+    counted = all(problem.of_time for problem in toolpath.problems)  # an ignored command may have been a cut
     return replace(row, counted=counted, recognition=recognize(toolpath), trajectories=len(toolpath),
                    machining=_machining(toolpath, toolpath.problems, None))  # fmt: skip
 

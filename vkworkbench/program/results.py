@@ -31,7 +31,7 @@ def _text(data: bytes) -> str:
 
 
 def _open_untruncated(path: str, flags: int) -> int:
-    """Open a file for `open` without emptying the file, because another command may be writing its results to it."""
+    """Opener for `open(..., opener=)`: does not truncate the file, because another command may be writing to it."""
     return os.open(path, flags & ~os.O_TRUNC, 0o666)
 
 
@@ -89,7 +89,11 @@ class Csv:
         return self._written(cells[name] for name in self._names)
 
     def document(self, line: bytes) -> tuple[str, bool]:
-        """Return the program to which a line belongs, and whether it was read. Other lines raise ValueError."""
+        """
+        Return the program to which a line belongs, and whether the program was read.
+
+        A line with another number of cells raises ValueError.
+        """
         (cells,) = csv.reader([_text(line)])
         if len(cells) != len(self._names):
             raise ValueError(line)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Simulate an NC program, with numpy only."""
+"""Simulate an NC program in a file, without FreeCAD."""
 
 from __future__ import annotations
 
@@ -66,7 +66,7 @@ def simulate(
     Returns
     -------
     ProgramSimulation
-        The simulation at its last moment.
+        The simulation after the last trajectory.
 
     Raises
     ------
@@ -193,7 +193,7 @@ def _highest_cut(cut: Cut) -> float:
 
 
 def _rapid_heights(toolpath: Toolpath) -> np.ndarray:
-    """Return the lower end of each rapid that moves sideways, mm."""
+    """Return the height of the lower end of each rapid that moves horizontally, mm."""
     heights = np.minimum(toolpath.points[:-1, 2], toolpath.points[1:, 2])
     result: np.ndarray = heights[toolpath.rapid & _sideways(toolpath)]
     return result
@@ -201,7 +201,7 @@ def _rapid_heights(toolpath: Toolpath) -> np.ndarray:
 
 @dataclass(frozen=True, eq=False)
 class ProgramSimulation(SimulatedPart):
-    """A simulated NC program at one moment.
+    """A simulated NC program after `step` of its trajectories.
 
     Attributes
     ----------
@@ -226,7 +226,7 @@ class ProgramSimulation(SimulatedPart):
     def facts(self, *, tolerance: float = TOLERANCE) -> SimulationFacts:
         """Return the facts of each operation and of the program: removed volumes, air cuts, crashes and collisions.
 
-        The facts do not depend on the view and the moment. Commands are lines of the program, counted from 1.
+        The facts do not depend on the view and on `step`. Commands are lines of the program, counted from 1.
         """
         program, zbuffer = self.program, self._along_axis
         seconds = preferences.read().time_budget
