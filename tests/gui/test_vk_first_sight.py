@@ -35,7 +35,7 @@ def view_of_tree(window):
 
 
 def assert_marks_are_seen(window, document, labels=("Face", "Adaptive pocket")):
-    """Assert that strategy and time of some operations are in the viewport of the tree."""
+    """Assert that the strategies and times of some operations are in the visible part of the tree."""
     view = window.tree
     assert not view.isColumnHidden(1)
     for label in labels:

@@ -91,7 +91,9 @@ def view(opened, window):
 def test_zigzag_makes_no_full_turn_in_the_gauss_map(view, window):
     signature = view.signature
     assert len(signature) > 20 and (signature.level == 0).all()
-    assert view.title.text().count("level n = 0") >= 1  # the title has the level of the operation, and that of the area if it differs
+    assert (
+        view.title.text().count("level n = 0") >= 1
+    )  # the title has the level of the operation, and that of the area if it differs
     assert view.title.text().startswith("Face: zigzag 9")
     assert view.slider.value() == view.slider.maximum() == len(signature)
     view.picture()
