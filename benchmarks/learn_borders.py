@@ -1,47 +1,50 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Learn which retracts separate two operations, and write vkworkbench/core/recognition/programs/borders.py.
+"""Learn which retracts separate two operations, and write vkworkbench/core/recognition/programs/borders.npz.
 
     python3 benchmarks/learn_borders.py PROGRAMS.jsonl.gz OPERATIONS.jsonl.gz ... [--write]
 
 PROGRAMS contains whole programs and OPERATIONS contains single operations, in the forms that benchmarks/recognition.py
 reads. Random pairs of operations from the same part are also joined by a rapid, so that the border between them is
 certain. The printed accuracy is measured by cross-validation: each tenth of the repositories and parts is judged by a
-model that was learned without this tenth.
+model that was learned without this tenth. The script needs the version of scikit-learn in tests/tools.txt.
 """
 
 from __future__ import annotations
 
 import argparse
 import sys
+from dataclasses import fields
 from pathlib import Path
 
 import numpy as np
+from sklearn.ensemble import RandomForestClassifier
 
 HERE = Path(__file__).resolve().parent
 sys.path[:0] = [str(HERE.parent), str(HERE)]
 
+from learn_model import exported
 from records import JOINED, Record, joined, operations, programs
-from trees import forest, grow
 
 from vkworkbench.core.paper import monotonous_areas
-from vkworkbench.core.recognition.programs.borders import MEASURES
-from vkworkbench.core.recognition.programs.visits import compare_visits, find_visits
+from vkworkbench.core.recognition.programs.visits import FILE, compare_visits, find_visits
 from vkworkbench.core.recognition.thresholds import VISITS
-from vkworkbench.core.recognition.verdict.forest import Forest
+from vkworkbench.core.recognition.verdict.model import Trees
 
-TREES, LEAVES = 32, 100
+FOREST = {"n_estimators": 32, "max_leaf_nodes": 100, "max_features": 0.5, "random_state": 1, "n_jobs": -1}
 MANY = 60  # maximum number of retracts inside the sections of a program, so that no raster outweighs all other programs
 FOLDS = 10
 BORDERS_OF_PROGRAMS, OF_JOINED = 4.0, 0.5  # weights of borders in programs (rare) and of joined operations
-TABLE = HERE.parent / "vkworkbench" / "core" / "recognition" / "programs" / "borders.py"
 
 
-def examples(path, sections) -> tuple[np.ndarray, np.ndarray]:
-    """Return the measures of a program's retracts, and 0 for each retract inside a section, 1 for each between two."""
+def examples(path, sections) -> tuple[np.ndarray, np.ndarray] | None:
+    """Return the measures of a program's retracts, and 0 for each retract inside a section, 1 for each between two.
+
+    Return None if the program has no retract.
+    """
     visits = find_visits(path, monotonous_areas(path))
     if visits is None:
-        return np.empty((0, len(MEASURES))), np.empty(0, int)
+        return None
     before, after = visits.last[:-1], visits.first[1:]
     border = np.full(len(before), -1)
     for s in sections:
@@ -52,7 +55,7 @@ def examples(path, sections) -> tuple[np.ndarray, np.ndarray]:
     if len(inside) > MANY:
         inside = np.random.default_rng(0).choice(inside, MANY, replace=False)
     chosen = np.union1d(inside, np.flatnonzero(border == 1))
-    return compare_visits(visits)[chosen], border[chosen]
+    return np.column_stack(list(compare_visits(visits).values()))[chosen], border[chosen]
 
 
 def retracts(of_programs: list[Record], single: list[Record]) -> tuple[np.ndarray, ...]:
@@ -62,7 +65,9 @@ def retracts(of_programs: list[Record], single: list[Record]) -> tuple[np.ndarra
     sources = ("programs", of_programs), ("operations", single), ("joined", joined(single, 500))
     for name, records in sources:
         for r in records:
-            measures, border = examples(r.path, r.sections)
+            if (found := examples(r.path, r.sections)) is None:
+                continue
+            measures, border = found
             x.append(measures)
             y.append(border)
             group += [r.group] * len(border)
@@ -72,27 +77,32 @@ def retracts(of_programs: list[Record], single: list[Record]) -> tuple[np.ndarra
     return np.vstack(x), np.concatenate(y), np.array(group), np.concatenate(weight), np.array(kind)
 
 
-def left_out(x, y, group, weight) -> tuple[dict[str, Forest], np.ndarray]:
+def learn(x, y, weight) -> Trees:
+    """Learn the trees from the retracts with the measures x (n, m), the borders y (n,) and the weights (n,)."""
+    return exported(RandomForestClassifier(**FOREST).fit(x, y, weight), 2)
+
+
+def left_out(x, y, group, weight) -> tuple[dict[str, Trees], np.ndarray]:
     """Learn without each fold of groups in turn.
 
-    Return the forest that has not seen a group, for every group, and the share of votes for every retract.
+    Return the trees that have not seen a group, for every group, and the share of votes for every retract.
     """
     groups = sorted(set(group))
     fold = dict(zip(np.random.default_rng(0).permutation(groups).tolist(), (np.arange(len(groups)) % FOLDS).tolist()))
     of = np.array([fold[g] for g in group])
-    share, forests = np.empty(len(y)), []
+    share, trees = np.empty(len(y)), []
     for k in range(FOLDS):
         out = of == k
-        forests.append(forest(x[~out], y[~out], weight[~out], 2, trees=TREES, leaves=LEAVES))
-        share[out] = forests[k].shares(x[out])[:, 1]
-    return {g: forests[k] for g, k in fold.items()}, share
+        trees.append(learn(x[~out], y[~out], weight[~out]))
+        share[out] = trees[k].shares(x[out])[:, 1]
+    return {g: trees[k] for g, k in fold.items()}, share
 
 
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
     parser.add_argument("programs")
     parser.add_argument("operations", nargs="+")
-    parser.add_argument("--write", action="store_true", help="write the table")
+    parser.add_argument("--write", action="store_true", help="write the model")
     options = parser.parse_args()
     records = list(programs(options.programs)), list(operations(options.operations))
     x, y, group, weight, kind = retracts(*records)
@@ -105,9 +115,8 @@ def main() -> None:
             f"said inside an operation {(said & ~true & of).sum()} of {(~true & of).sum()} retracts"
         )
     if options.write:
-        trees = grow(x, y, weight, trees=TREES, leaves=LEAVES)
-        head, _ = TABLE.read_text().split("TREES = (")
-        TABLE.write_text(head + "TREES = (\n" + "".join(f'    "{t}",\n' for t in trees) + ")\n")
+        trees = learn(x, y, weight)
+        np.savez_compressed(FILE, **{f"borders_{field.name}": getattr(trees, field.name) for field in fields(Trees)})
 
 
 if __name__ == "__main__":

@@ -25,15 +25,15 @@ def report_sources(files: list[str], programs: str | None) -> None:
     borders = learn_borders.left_out(*learn_borders.retracts(list(records.programs(programs)), single)[:4])[0]
     found = leave_out(e, "group")
     fold = dict(zip(e.group.tolist(), found.fold.tolist()))
-    in_use = decide.shipped_model, visits.shipped_forest
+    in_use = decide.shipped_model, visits.shipped_trees
 
     def learn(group: str) -> None:
         # A group without milling is not in the table, so every fold's model was learned without it.
         decide.shipped_model = lambda: found.models[fold.get(group, 0)]
-        visits.shipped_forest = lambda: borders.get(group) or in_use[1]()
+        visits.shipped_trees = lambda: borders.get(group) or in_use[1]()
 
     try:
         whole_programs.report_programs(programs, learn)
         whole_programs.report_joined(single, learn)
     finally:
-        decide.shipped_model, visits.shipped_forest = in_use
+        decide.shipped_model, visits.shipped_trees = in_use

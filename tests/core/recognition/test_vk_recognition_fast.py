@@ -11,7 +11,6 @@ from vkworkbench.core.recognition.patterns.footprints import count_depths
 from vkworkbench.core.recognition.patterns.neighbours import _percentiles
 from vkworkbench.core.recognition.patterns.rows import median
 from vkworkbench.core.recognition.thresholds import ROUNDING
-from vkworkbench.core.recognition.verdict.forest import Forest
 
 
 @pytest.mark.parametrize("number", [1, 2, 3, 8, 101, 1000])
@@ -44,18 +43,6 @@ def test_percentiles_by_row_equal_numpy():
 )
 def test_depths_are_groups_of_heights_with_gaps(z, depths):
     assert count_depths(np.array(z)) == depths
-
-
-def test_votes_of_trees_of_different_depths_are_averaged():
-    forest = Forest(["1:100", "0<1 0<0.5 0:100 1<3 2:100 0:50,2:50 2:100"], 3)
-    for case, votes in (
-        ((0.4, 9), (0.5, 0.5, 0)),
-        ((0.5, 2), (0, 0.5, 0.5)),
-        ((0.5, 3), (0.25, 0.5, 0.25)),
-        ((1, 0), (0, 0.5, 0.5)),
-        ((np.nan, 0), (0, 0.5, 0.5)),  # NaN is not below any threshold
-    ):
-        assert forest.vote(case) == pytest.approx(votes)
 
 
 def test_path_without_heights_has_no_entries():

@@ -13,11 +13,9 @@ from drawings import winding
 
 from vkworkbench.core import Strategy, linearize, recognize
 from vkworkbench.core.paper import monotonous_areas
-from vkworkbench.core.recognition.programs.borders import MEASURES
 from vkworkbench.core.recognition.programs.parts import Sections, _odds_of_difference, dividing_retracts
 from vkworkbench.core.recognition.programs.visits import Visits, compare_visits, find_retracts, find_visits
 from vkworkbench.core.recognition.thresholds import VISITS
-from vkworkbench.core.recognition.verdict.forest import Forest
 
 TOOL = 5.0
 
@@ -80,8 +78,8 @@ def test_visits_lie_between_retracts_to_the_top_height():
     top = path.points[:, 2].max()
     for last, first in zip(visits.last[:-1], visits.first[1:]):
         assert path.points[last + 1 : first + 1, 2].max() == top
-    assert compare_visits(visits).shape == (len(visits) - 1, len(MEASURES))
-    assert np.isfinite(compare_visits(visits)).all()
+    for values in compare_visits(visits).values():
+        assert values.shape == (len(visits) - 1,) and np.isfinite(values).all()
 
 
 def test_border_is_at_the_top_before_the_descent():
@@ -135,14 +133,6 @@ def test_program_with_many_certain_borders_gets_no_others(monkeypatch):
 def test_program_of_two_zigzags_is_a_zigzag_and_not_mixed():
     path = after(DIFFERENT["zigzag"], DIFFERENT["zigzag"])
     assert recognize(path, tool_diameter=TOOL, program=True).strategy is Strategy.ZIGZAG
-
-
-def test_shares_of_a_forest_are_the_mean_of_its_trees():
-    forest = Forest(["0<0.5 0:100 1<2 1:100 2:50,1:50", "2:100"], 3)
-    cases = np.array([[0.0, 9.0], [1.0, 1.0], [1.0, 3.0]])
-    shares = forest.shares(cases)
-    assert shares.tolist() == [[0.5, 0.0, 0.5], [0.0, 0.5, 0.5], [0.0, 0.25, 0.75]]
-    assert [forest.vote(case).tolist() for case in cases] == shares.tolist()
 
 
 def test_operations_are_divided_only_in_programs():
@@ -199,8 +189,7 @@ def test_visits_with_equal_corners_have_the_same_ground(corner, same):
         return [("G0", {"X": 0.0, "Y": 0.0}), ("G1", {"Z": -1.0}), *[("G1", dict(zip("XY", at))) for at in corners]]
 
     path = after([("G0", {"Z": programs.CLEAR}), *rectangle(20.0, 20.0)], rectangle(*corner))
-    (row,) = compare_visits(find_visits(path, monotonous_areas(path)))
-    assert row[MEASURES.index("same_ground")] == same
+    assert compare_visits(find_visits(path, monotonous_areas(path)))["same_ground"] == same
 
 
 @pytest.mark.parametrize(("gap", "closed"), [(2.8, 1), (3.2, 0)])
@@ -226,9 +215,8 @@ def backwards(visits):
 
 
 def test_measures_of_two_visits_match_hand_calculation():
-    (row,) = compare_visits(two_visits())
-    told = dict(zip(MEASURES, row))
-    series = {name: told.pop(name) for name in MEASURES if name.startswith("series_")}
+    told = {name: values.item() for name, values in compare_visits(two_visits()).items()}
+    series = {name: told.pop(name) for name in [*told] if name.startswith("series_")}
     assert series == {name: told[name[len("series_") :]] for name in series}
     small = 0.05
     shared, one, other = (20 + small) * (40 + small), (30 + small) * (40 + small), (40 + small) * (40 + small)
@@ -244,8 +232,8 @@ def test_measures_of_two_visits_match_hand_calculation():
     # If the visits are swapped, only the measures of the higher visit change.
     expected.update({"higher_bottom": 1, "higher_begin": 1, "deeper": 3 / 5})
     expected.update({"again": shared / one, "again_above": shared / one})  # share of the second visit's ground
-    (row,) = compare_visits(backwards(two_visits()))
-    assert {name: value for name, value in zip(MEASURES, row) if name in expected} == pytest.approx(expected)
+    found = compare_visits(backwards(two_visits()))
+    assert {name: found[name].item() for name in expected} == pytest.approx(expected)
 
 
 @pytest.mark.parametrize(
@@ -256,10 +244,9 @@ def test_measures_of_two_visits_match_hand_calculation():
     ],
 )  # fmt: skip
 def test_rounding_does_not_separate_visits(name, values, measure):
-    at = MEASURES.index(measure)
-    assert compare_visits(two_visits(**{name: values}))[0, at] == 1
+    assert compare_visits(two_visits(**{name: values}))[measure] == 1
     apart = [values[0], values[0] + 3 * (values[1] - values[0])]  # differences of 0.03 mm, or 1.5 % of the feed
-    assert compare_visits(two_visits(**{name: apart}))[0, at] == 0
+    assert compare_visits(two_visits(**{name: apart}))[measure] == 0
 
 
 @pytest.mark.parametrize(
@@ -274,7 +261,7 @@ def test_rounding_does_not_separate_visits(name, values, measure):
     ],
 )
 def test_visits_within_a_hundredth_have_the_same_ground(low, high, same):
-    told = dict(zip(MEASURES, compare_visits(two_visits(low=low, high=high))[0]))
+    told = compare_visits(two_visits(low=low, high=high))
     assert told["same_ground"] == same
 
 
@@ -284,13 +271,13 @@ def test_axes_of_visits_differ_by_their_angle():
     Tested are an equal axis, half its length, and a right angle.
     """
     for other, differ in ((1, 0), (0.5, 0.5), (-1, 2)):
-        assert compare_visits(two_visits(axis=[1, other]))[0, MEASURES.index("axis")] == pytest.approx(differ)
+        assert compare_visits(two_visits(axis=[1, other]))["axis"] == pytest.approx(differ)
 
 
 def test_visits_in_separate_places_share_no_ground():
-    told = dict(zip(MEASURES, compare_visits(two_visits(low=[[0, 0], [40, 50]], high=[[30, 40], [50, 60]]))[0]))
+    told = compare_visits(two_visits(low=[[0, 0], [40, 50]], high=[[30, 40], [50, 60]]))
     assert told["overlap"] == told["inside"] == told["same_ground"] == 0
-    told = dict(zip(MEASURES, compare_visits(two_visits(low=[[0, 0], [0, 0]], high=[[0, 0], [0, 0]]))[0]))
+    told = compare_visits(two_visits(low=[[0, 0], [0, 0]], high=[[0, 0], [0, 0]]))
     assert told["overlap"] == told["inside"] == told["same_ground"] == 1 and told["size"] == 0  # holes in one place
 
 
@@ -307,10 +294,11 @@ def test_ground_of_recent_visit_is_cut_again():
                 high=np.vstack([low, corner]) + 10.0,
                 bottom=np.append(np.full(10, -1.0), z),
             )
-            rows = compare_visits(visits)[:, [MEASURES.index("again"), MEASURES.index("again_above")]]
+            found = compare_visits(visits)
             half = (5.05 * 10.05) / 10.05**2 * (back <= 8)  # a visit nine visits back is not compared
-            assert rows[-1] == pytest.approx([again * half, above * half]), (back, z)
-            assert (rows[:-1] == 0).all()
+            last = found["again"][-1], found["again_above"][-1]
+            assert last == pytest.approx((again * half, above * half)), (back, z)
+            assert not found["again"][:-1].any() and not found["again_above"][:-1].any()
 
 
 def test_contour_around_rows_finishes_their_walls():
@@ -382,9 +370,9 @@ def test_descent_from_the_top_is_not_a_retract():
 def test_series_is_the_share_of_equal_neighbouring_pairs():
     tops = [0, 0, 5, 9, 9]  # neighbouring pairs: equal, different, different, equal
     visits = Visits(*(np.repeat(values[:1], 5, axis=0) for values in vars(two_visits()).values()))
-    rows = compare_visits(replace(visits, top=np.array(tops, float)))
-    assert rows[:, MEASURES.index("same_top")].tolist() == [1, 0, 0, 1]
-    assert rows[:, MEASURES.index("series_same_top")].tolist() == [0, 0.5, 0.5, 0]
+    found = compare_visits(replace(visits, top=np.array(tops, float)))
+    assert found["same_top"].tolist() == [1, 0, 0, 1]
+    assert found["series_same_top"].tolist() == [0, 0.5, 0.5, 0]
 
 
 def test_measures_of_one_visit_match_hand_calculation():

@@ -5,21 +5,24 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from functools import lru_cache
+from pathlib import Path
 from typing import NamedTuple
 
 import numpy as np
 
 from vkworkbench.core.paper import TURN, Areas, monotonous_areas
-from vkworkbench.core.recognition.programs.borders import MEASURES, TREES
 from vkworkbench.core.recognition.thresholds import ROUNDING, VISITS
-from vkworkbench.core.recognition.verdict.forest import Forest
+from vkworkbench.core.recognition.verdict.model import Trees, read_trees
 from vkworkbench.core.toolpath import Toolpath
+
+FILE = Path(__file__).with_name("borders.npz")
 
 
 @lru_cache(maxsize=1)
-def shipped_forest() -> Forest:
-    """Return the decision trees that find borders. The trees are read once, when a program is first divided."""
-    return Forest(TREES, 2)
+def shipped_trees() -> Trees:
+    """Return the trees that vote whether a retract is a border (class 1). The file is read when first needed."""
+    with np.load(FILE, allow_pickle=False) as arrays:
+        return read_trees(arrays, "borders")
 
 
 @dataclass(frozen=True)
@@ -192,8 +195,8 @@ def _blocks(toolpath: Toolpath, areas: Areas) -> _Blocks:
     return _Blocks(*(values[order] for values in both))
 
 
-def compare_visits(visits: Visits) -> np.ndarray:
-    """Compare every visit with the next visit. Return the dimensionless `MEASURES` of each pair, (k-1, m)."""
+def compare_visits(visits: Visits) -> dict[str, np.ndarray]:
+    """Compare every visit with the next visit. Return the dimensionless measures of the pairs, (k-1,) each."""
     a, b = slice(None, -1), slice(1, None)
 
     def differ(values: np.ndarray, least: float = 1e-6) -> np.ndarray:
@@ -251,7 +254,7 @@ def compare_visits(visits: Visits) -> np.ndarray:
             measures["series_" + name] = (values[:-2] + values[2:]) / 2
         else:
             measures["series_" + name] = values
-    return np.column_stack([measures[name] for name in MEASURES])
+    return measures
 
 
 def _ground(visits: Visits) -> np.ndarray:
@@ -309,7 +312,7 @@ def _retracts_to_top(toolpath: Toolpath, moves: Areas, least: float) -> tuple[di
     visits = find_visits(toolpath, moves)
     if visits is None:
         return {}, []
-    share = shipped_forest().shares(compare_visits(visits))[:, 1]
+    share = shipped_trees().shares(np.column_stack(list(compare_visits(visits).values())))[:, 1]
     at = np.flatnonzero(share > least)
     # A border is at the highest point between two visits, before the descent to the next visit.
     z = toolpath.points[:, 2]

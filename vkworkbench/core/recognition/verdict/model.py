@@ -94,14 +94,16 @@ def log_odds(share: np.ndarray | float) -> np.ndarray:
     return result
 
 
+def read_trees(arrays: Mapping[str, np.ndarray], name: str) -> Trees:
+    """Return the trees whose columns are arrays with the prefix `name`."""
+    return Trees(*(arrays[f"{name}_{field.name}"] for field in fields(Trees)))
+
+
 def read_model(file: Path) -> Model:
     """Read a model from a file."""
     with np.load(file, allow_pickle=False) as arrays:
-
-        def trees(of: str) -> Trees:
-            return Trees(*(arrays[f"{of}_{field.name}"] for field in fields(Trees)))
-
-        return Model(arrays["names"], trees("nonsense"), trees("strategies"), arrays["calibration"])
+        nonsense, strategies = (read_trees(arrays, name) for name in ("nonsense", "strategies"))
+        return Model(arrays["names"], nonsense, strategies, arrays["calibration"])
 
 
 @lru_cache(maxsize=1)
