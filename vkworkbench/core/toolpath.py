@@ -22,6 +22,7 @@ _OF_TIME = "dwell-untimed", "probing-untimed"
 _TAKES_TIME = "rotary-cuts", "rotary-not-read"
 _HIDES_CUTS = (
     "rotary-cuts", "read-up-to", "jumps-not-followed", "line-with-variables", "variables-not-read", "subprogram-not-read",
+    "cycle-outside-xy",
 )  # fmt: skip
 
 

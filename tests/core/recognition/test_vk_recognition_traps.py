@@ -430,12 +430,17 @@ def test_walls_of_a_comb_are_not_rows(teeth, width, gap, diameter):
 
 
 @pytest.mark.parametrize(
-    "name, words, code", [("G1", {"Y": 3.0, "A": 90.0}, "rotary-cuts"), ("M98", {"P": 100.0}, "subprogram-not-read")]
+    "name, words, code",
+    [
+        ("G1", {"Y": 3.0, "A": 90.0}, "rotary-cuts"),
+        ("M98", {"P": 100.0}, "subprogram-not-read"),
+        ("G81", {"X": 10.0, "Y": 0.0, "Z": 0.0, "R": 5.0}, "cycle-outside-xy"),
+    ],
 )
 def test_path_with_hidden_cuts_is_unknown_with_the_reason(name, words, code):
     """A rotary axis that turns, and a subprogram, cut something that the moves in the plane do not show."""
     commands = rows()
-    found = recognize(linearize([*commands, (name, words)]))
+    found = recognize(linearize([*commands, ("G19", {}), (name, words)]))
     assert (found.strategy, found.confidence) == ("unknown", 0.0)
     assert found.why.arguments["sentence"].code == code
     assert recognize(linearize(commands)).strategy == "zigzag"
