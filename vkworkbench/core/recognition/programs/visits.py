@@ -6,7 +6,6 @@ from __future__ import annotations
 from dataclasses import dataclass
 from functools import lru_cache
 from pathlib import Path
-from typing import NamedTuple
 
 import numpy as np
 
@@ -73,41 +72,6 @@ class Visits:
         return len(self.first)
 
 
-class _Blocks(NamedTuple):
-    """Measures of b blocks (areas and drilled holes) in the order of cutting. The length of a hole is 0.
-
-    Attributes
-    ----------
-    first, last : (b,) int
-        First and last trajectory.
-    low, high : (b, 2) float
-        Bounding box in the plane, mm.
-    bottom, top : (b,) float
-        Lowest and highest cutting height, mm.
-    length, gap : (b,) float
-        Length in the plane, and distance from start to end, mm.
-    feed, fastest : (b,) float
-        Mean feed weighted by length, and highest feed, mm/s.
-    turned : (b,) float
-        Absolute net turn, rad.
-    axis : (b,) complex
-        Sum of the moves with doubled angles, mm.
-    """
-
-    first: np.ndarray
-    last: np.ndarray
-    low: np.ndarray
-    high: np.ndarray
-    bottom: np.ndarray
-    top: np.ndarray
-    length: np.ndarray
-    gap: np.ndarray
-    feed: np.ndarray
-    fastest: np.ndarray
-    turned: np.ndarray
-    axis: np.ndarray
-
-
 def find_visits(toolpath: Toolpath, moves: Areas) -> Visits | None:
     """Divide the cutting at retracts to the program's top height; None if there is only one visit.
 
@@ -119,80 +83,54 @@ def find_visits(toolpath: Toolpath, moves: Areas) -> Visits | None:
     """
     if len(moves.start) + len(moves.holes) < 2:
         return None
-    blocks = _blocks(toolpath, moves)
+    low, high, add = np.minimum.reduceat, np.maximum.reduceat, np.add.reduceat
+    # A block is an area or a drilled hole. A hole is a block with one move, which lies at its bottom and has no length.
+    hole, none = toolpath.points[moves.holes + 1], np.zeros(len(moves.holes))
+    index, begins = np.concatenate([moves.index, moves.holes]), np.ones(len(moves) + len(none), bool)
+    begins[: len(moves)] = False
+    begins[moves.start] = True
+    order = np.argsort(index, kind="stable")
+    index, start = index[order], np.flatnonzero(begins[order])
+    last = np.append(start[1:], len(index)) - 1
+    x, y, z, dx, dy, length, turning, axis = (
+        np.concatenate([of_moves, of_holes])[order]
+        for of_moves, of_holes in (
+            (moves.x, hole[:, 0]), (moves.y, hole[:, 1]), (moves.z, hole[:, 2]), (moves.dx, none), (moves.dy, none),
+            (moves.length, none), (moves.turning, none), (np.exp(2j * moves.alpha) * moves.length, none),
+        )
+    )  # fmt: skip
+    end_x, end_y, fed, weight = x[last] + dx[last], y[last] + dy[last], toolpath.feed[index], np.maximum(length, 1e-9)
+    first, end = index[start], index[last]
     # The highest point between the end of each block and the start of the next block.
-    z = toolpath.points[:, 2]
-    between = np.column_stack([blocks.last[:-1] + 1, np.maximum(blocks.first[1:], blocks.last[:-1] + 1) + 1]).ravel()
-    reached = np.maximum.reduceat(np.append(z, -np.inf), between)[::2]
+    height = toolpath.points[:, 2]
+    between = np.column_stack([end[:-1] + 1, np.maximum(first[1:], end[:-1] + 1) + 1]).ravel()
+    reached = np.maximum.reduceat(np.append(height, -np.inf), between)[::2]
     parted = reached >= reached.max() - ROUNDING.HEIGHT
     if not parted.any():
         return None
     begin = np.flatnonzero(np.append(True, parted))
-    end = np.append(begin[1:], len(blocks.first))
-    low, high, add = np.minimum.reduceat, np.maximum.reduceat, np.add.reduceat
-    length, count = add(blocks.length, begin), end - begin
-    some, weight = np.maximum(length, 1e-9), np.maximum(blocks.length, 1e-6)
+    count = np.diff(begin, append=len(start))
+    whole, gap = add(length, start), np.hypot(end_x - x[start], end_y - y[start])
+    feed, share = add(fed * weight, start) / add(weight, start), np.maximum(whole, 1e-6)
+    way = add(whole, begin)
+    some = np.maximum(way, 1e-9)
     return Visits(
-        first=blocks.first[begin],
-        last=blocks.last[end - 1],
+        first=first[begin],
+        last=end[begin + count - 1],
         blocks=count,
-        low=low(blocks.low, begin),
-        high=high(blocks.high, begin),
-        bottom=low(blocks.bottom, begin),
-        top=high(blocks.top, begin),
-        begin=blocks.top[begin],
-        length=length,
-        feed=add(blocks.feed * weight, begin) / add(weight, begin),
-        fastest=high(blocks.fastest, begin),
-        turn=add(blocks.turned, begin) / count / TURN,
-        chord=add(blocks.gap, begin) / some,
-        closed=add((blocks.gap < VISITS.CLOSED * blocks.length) * blocks.length, begin) / some,
-        axis=add(blocks.axis, begin) / some,
+        low=np.column_stack([low(np.minimum(low(v, start), e), begin) for v, e in ((x, end_x), (y, end_y))]),
+        high=np.column_stack([high(np.maximum(high(v, start), e), begin) for v, e in ((x, end_x), (y, end_y))]),
+        bottom=low(z, start[begin]),
+        top=high(z, start[begin]),
+        begin=high(z, start)[begin],
+        length=way,
+        feed=add(feed * share, begin) / add(share, begin),
+        fastest=high(fed, start[begin]),
+        turn=add(np.abs(add(turning, start)), begin) / count / TURN,
+        chord=add(gap, begin) / some,
+        closed=add((gap < VISITS.CLOSED * whole) * whole, begin) / some,
+        axis=add(axis, start[begin]) / some,
     )
-
-
-def _blocks(toolpath: Toolpath, areas: Areas) -> _Blocks:
-    """Measure every area and every hole."""
-    hole, feed, none = toolpath.points[areas.holes + 1], toolpath.feed[areas.holes], np.zeros(len(areas.holes))
-    holes = _Blocks(
-        first=areas.holes,
-        last=areas.holes,
-        low=hole[:, :2],
-        high=hole[:, :2],
-        bottom=hole[:, 2],
-        top=hole[:, 2],
-        length=none,
-        gap=none,
-        feed=feed,
-        fastest=feed,
-        turned=none,
-        axis=none,
-    )
-    if not len(areas):
-        return holes
-    start, last = areas.start, areas.end - 1
-    x, y = areas.x[last] + areas.dx[last], areas.y[last] + areas.dy[last]
-    low, high, add = np.minimum.reduceat, np.maximum.reduceat, np.add.reduceat
-    fed = toolpath.feed[areas.index]
-    axis = np.exp(2j * areas.alpha)
-    axis *= areas.length
-    milled = _Blocks(
-        first=areas.index[start],
-        last=areas.index[last],
-        low=np.column_stack([np.minimum(low(areas.x, start), x), np.minimum(low(areas.y, start), y)]),
-        high=np.column_stack([np.maximum(high(areas.x, start), x), np.maximum(high(areas.y, start), y)]),
-        bottom=low(areas.z, start),
-        top=high(areas.z, start),
-        length=areas.area_length,
-        gap=np.hypot(x - areas.x[start], y - areas.y[start]),
-        feed=add(fed * areas.length, start) / areas.area_length,
-        fastest=high(fed, start),
-        turned=np.abs(add(areas.turning, start)),
-        axis=add(axis, start),
-    )
-    both = [np.concatenate(pair) for pair in zip(milled, holes)]
-    order = np.argsort(both[0], kind="stable")
-    return _Blocks(*(values[order] for values in both))
 
 
 def compare_visits(visits: Visits) -> dict[str, np.ndarray]:
