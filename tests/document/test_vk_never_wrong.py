@@ -249,9 +249,8 @@ def test_stock_of_another_form_in_the_same_box_outdates_marks(marked):
     for name in ("box", "cylinder", "tube"):
         solid.Shape = STOCKS[name]()
         vkworkbench.mark(vkworkbench.analyze(document))
-        assert (
-            marks.read(marked.op).fingerprint == found[name]
-        )  # a new analysis of the same shape gives the same fingerprint
+        # A new analysis of the same shape gives the same fingerprint.
+        assert marks.read(marked.op).fingerprint == found[name]
 
 
 def test_new_shape_does_not_get_results_of_a_deleted_one(marked):

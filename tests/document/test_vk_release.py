@@ -126,6 +126,5 @@ def test_release_works_from_a_read_only_folder(archive, tmp_path, folder):
     (found,) = [line for line in done.stdout.splitlines() if line.startswith("FOUND")]
     assert f"Mod/{folder}/" in found and found.endswith(" zigzag 1")
     written = [path for path in sorted(home.glob(".local/share/FreeCAD/**/Mod/**/*")) if path not in before]
-    assert all(
-        "__pycache__" in path.parts for path in written
-    )  # tests that run as root can write into read-only folders
+    # Tests that run as root can write into read-only folders.
+    assert all("__pycache__" in path.parts for path in written)

@@ -189,9 +189,8 @@ def test_change_of_tool_or_stock_outdates_the_marks(watched, change):
         elif change == "stock":
             watched.job.Stock.ExtZpos = 1 + value
         elif change == "rapids":
-            watched.controller.setExpression(
-                "HorizRapid", None
-            )  # since FreeCAD 1.0 an expression copies the speed from the setup sheet
+            # Since FreeCAD 1.0 an expression copies the speed from the setup sheet.
+            watched.controller.setExpression("HorizRapid", None)
             watched.controller.HorizRapid = 50 + value
         else:
             watched.first.Placement.Base = FreeCAD.Vector(value, 0, 0)

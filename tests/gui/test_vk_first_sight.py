@@ -128,9 +128,8 @@ def test_first_marks_are_visible_in_a_small_window(untouched, opened, window):
         assert not any(one.isVisible() for one in window.find(QtGui.QDockWidget, "VkResults"))
         results, height = window.show_results(), view_of_tree(window)
         assert height >= 8
-        assert results in window.main.tabifiedDockWidgets(
-            report
-        )  # the results panel is a tab with the report view, even if it was closed when the report view was opened
+        # The results panel is a tab with the report view, even if it was closed when the report view was opened.
+        assert results in window.main.tabifiedDockWidgets(report)
         window.screenshot("first-1024-results")
     finally:
         report.hide()

@@ -91,9 +91,8 @@ def view(opened, window):
 def test_zigzag_makes_no_full_turn_in_the_gauss_map(view, window):
     signature = view.signature
     assert len(signature) > 20 and (signature.level == 0).all()
-    assert (
-        view.title.text().count("level n = 0") >= 1
-    )  # the title has the level of the operation, and that of the area if it differs
+    # The title contains the level of the operation, and the level of the area if it differs.
+    assert view.title.text().count("level n = 0") >= 1
     assert view.title.text().startswith("Face: zigzag 9")
     assert view.slider.value() == view.slider.maximum() == len(signature)
     view.picture()
@@ -376,7 +375,7 @@ def test_deciding_bound_is_named(view, opened, window):
     assert named["Face"] == "n = 0: zigzag"
 
 
-def test_zigzag_stays_away_from_its_bound(view, opened, window):
+def test_curve_of_a_zigzag_stays_away_from_the_bound(view, opened, window):
     select(labelled(opened, "Pocket zigzag"))
     window.wait(lambda: view.title.text().startswith("Pocket zigzag") and not view.dock._background.works)
     figure = view.canvas.figure

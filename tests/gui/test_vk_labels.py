@@ -91,7 +91,7 @@ def test_preferences_show_the_processor_name_as_text(window, trap, monkeypatch):
     page.form.deleteLater()
 
 
-def test_whole_label_is_as_high_as_its_text(window):
+def test_label_with_whole_text_is_as_high_as_the_text(window):
     box = QtGui.QWidget()
     column = QtGui.QVBoxLayout(box)
     label = QtGui.QLabel("What it says takes several lines where there is little room. " * 4)

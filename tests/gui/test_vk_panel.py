@@ -478,9 +478,9 @@ def test_copied_table_has_the_shown_columns_and_rows(panel, window):
     assert all(len(line) == len(lines[0]) for line in lines)
 
 
-def test_the_command_shows_it_and_hides_it_from_within(panel, window):
+def test_results_command_hides_the_panel_only_if_it_has_focus(panel, window):
     window.tree.setFocus()
-    window.click("Toolpath Results")  # asked for from elsewhere, it stays and gets the focus
+    window.click("Toolpath Results")  # if the focus is elsewhere, the panel stays visible and gets the focus
     window.wait(lambda: window.main.focusWidget() is panel.tree)
     assert panel.isVisible()
     window.click("Toolpath Results")
@@ -818,9 +818,8 @@ def test_document_opened_with_marks_fills_the_panel(panel, opened, window, tmp_p
         window.settle()
         assert {title: column(panel, title) for title in FIRST} == before
         click_row(window, panel, label)
-        assert (
-            text_of(panel).split("Cutting Length")[0] == page.split("Cutting Length")[0]
-        )  # the lengths after this entry are not stored in a mark
+        # The lengths after this entry are not stored in a mark.
+        assert text_of(panel).split("Cutting Length")[0] == page.split("Cutting Length")[0]
         window.screenshot("panel-from-marks")
         assert "Rapid Length" not in text_of(panel)
         window.click("Analyze Toolpaths")  # analyze the selected operation; its mark does not change

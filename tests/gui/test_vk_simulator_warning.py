@@ -109,9 +109,8 @@ def test_warning_of_a_long_play_offers_fast_forward(marked, window):
     Gui.SendMsgToActiveView("ViewFit")
     window.screenshot("warning-play")
     assert line.text.text().startswith("Playing this simulation takes about ") and line.way.text() == "Fast-forward"
-    assert not re.search(
-        r"\d (?:ms|s|min|h)\b", line.text.text()
-    )  # a non-breaking space keeps number and unit in one line
+    # A non-breaking space keeps number and unit in one line.
+    assert not re.search(r"\d (?:ms|s|min|h)\b", line.text.text())
     assert not line.isModal() and not window.boxes()
     assert line.text.height() >= line.text.heightForWidth(line.text.width())
     button = simulator_panel(window).findChild(QtGui.QToolButton, "toolButtonFF")

@@ -205,9 +205,8 @@ def test_operation_without_a_view_proxy_is_skipped(opened, window):
 
 def test_rapids_from_the_origin_are_grey(opened, window, tmp_path):
     def red(there):
-        return (
-            there["#aa0000"] + there["#e03131"]
-        )  # FreeCAD's colours for rapids; FreeCAD 1.1 and later use the second colour
+        # FreeCAD's colours for rapids; FreeCAD 1.1 and later use the second colour.
+        return there["#aa0000"] + there["#e03131"]
 
     Gui.activeView().viewIsometric()
     Gui.SendMsgToActiveView("ViewFit")

@@ -216,9 +216,8 @@ def trap(tmp_path):
     file = tmp_path / "trap.png"
     assert picture.save(str(file))
     now = time.time()
-    os.utime(
-        file, (now - 10_000, now - 5_000)
-    )  # the access time is older than the change, so that the system records the next access
+    # The access time is older than the change, so that the system records the next access.
+    os.utime(file, (now - 10_000, now - 5_000))
     before = os.stat(file).st_atime
 
     class Trap:
