@@ -481,8 +481,8 @@ def test_turning_rotary_axis_affects_only_its_operation(tmp_path):
 
 
 def test_unread_loop_affects_only_its_operation(tmp_path):
-    """A loop that is not followed hides cuts. The operation before the loop is recognised."""
-    loop = "o101 while [#5420 LT 9]\nG1 X9\nG1 X0\no101 endwhile\n"
+    """A loop that depends on the machine (#5061, a probe result) hides cuts. The operation before the loop is recognised."""
+    loop = "o101 while [#5061 LT 9]\nG1 X9\nG1 X0\no101 endwhile\n"
     path = tmp_path / "loop.nc"
     path.write_text(
         f"(T1 D=6 - end mill)\nG21\nT1 M6\nG0 X0 Y0 Z5\n(Face)\nG1 Z-1 F600\n{ROWS}G0 Z5\n(Slots)\nG1 Z-1\n{loop}X9 Y9\nX0\nG0 Z5\n"
