@@ -34,10 +34,11 @@ def test_gauss_map_shows_labels_as_text(opened, window):
     Gui.Selection.clearSelection()
     Gui.Selection.addSelection(face)
     window.click("Gauss Map")
-    title = window.first(QtGui.QDockWidget, "VkGaussMap").title
+    dock = window.first(QtGui.QDockWidget, "VkGaussMap")
+    title = dock.title
     window.wait(lambda: title.text().startswith(HTML))
     assert title.textFormat() == QtCore.Qt.PlainText
-    window.click("Gauss Map")
+    dock.hide()
 
 
 @pytest.fixture

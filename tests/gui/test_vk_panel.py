@@ -36,8 +36,11 @@ OPENGL = freecad.version() >= (1, 0)
 
 @pytest.fixture
 def panel(marked, window):
-    """The panel of the example job."""
-    yield window.show_results()
+    """The panel of the example job, high enough for its column titles whatever earlier tests did to its height."""
+    panel = window.show_results()
+    window.main.resizeDocks([panel], [300], QtCore.Qt.Vertical)
+    window.settle()
+    yield panel
     dock(window).tree.sortByColumn(-1, QtCore.Qt.AscendingOrder)
     dock(window).filter.words.clear()
     dock(window).filter.strategies.setCurrentIndex(0)
