@@ -49,7 +49,7 @@ WEIGHTS = {
 }
 BEST = 2.0  # weight of the best label of a row; all other labels of the row have the weight 1
 # Random forests (Breiman 2001) recognise the strategy more accurately. Extremely randomised trees (Geurts, Ernst and
-# Wehenkel 2006) recognise more kinds of nonsense toolpaths that they were not learned from. More trees or leaves
+# Wehenkel 2006) recognise more kinds of nonsense toolpaths that the learning did not use. More trees or leaves
 # improve the accuracy only a little, and the model's file already has 200 kB.
 OF_STRATEGIES = {"n_estimators": 80, "max_leaf_nodes": 160, "max_features": 0.3, "random_state": 1, "n_jobs": -1}
 OF_NONSENSE = {"n_estimators": 60, "max_leaf_nodes": 160, "max_features": 0.5, "random_state": 1, "n_jobs": -1}

@@ -43,7 +43,7 @@ def analyze(what=None, *, progress=None, cancelled=None, machine=None):
 
     Parameters
     ----------
-    what : Document, DocumentObject, path, or iterable of them, optional
+    what : Document, DocumentObject, path, or iterable of objects or paths, optional
         A document (with all its jobs and imported toolpaths), a job, or operations; or files and folders of NC
         programs. None stands for the active document.
     progress : callable, optional
@@ -101,7 +101,7 @@ def simulate(what=None, **options):
 
     Parameters
     ----------
-    what : Document, DocumentObject, iterable of these objects, or path, optional
+    what : Document, DocumentObject, iterable of DocumentObject, or path, optional
         A document with one job, a job, or some operations of a job; or the file of an NC program. None stands for the
         active document.
     **options

@@ -201,7 +201,7 @@ PATHS = {
 @pytest.mark.parametrize("name", PATHS)
 def test_odd_path_does_not_affect_the_other_operation(small, zigzag_commands, name):
     op = small.add("Odd", [])
-    with suppress(TypeError, ValueError):  # FreeCAD refuses some of these paths
+    with suppress(TypeError, ValueError):  # FreeCAD refuses some odd paths
         op.Path = CAM.Path([CAM.Command(*command) for command in PATHS[name]])
     small.add("Sound", zigzag_commands)
     found = rows(small.document)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Words whose meaning depends on the control, and words that resemble those of another control or machine."""
+"""Words whose meaning depends on the control, and words that resemble the words of another control or machine."""
 
 import pytest
 

@@ -12,7 +12,7 @@ from vkworkbench.core.paper.picture import distinct, image_arcs, links, outline,
 
 
 def spiral_in(loops):
-    """Return linked square loops, each 2 mm inside the loop before."""
+    """Return linked square loops, each 2 mm inside the preceding loop."""
     commands = [("G0", {"X": 0.0, "Y": 0.0, "Z": 5.0}), ("G1", {"Z": 0.0})]
     for inset in range(0, 2 * loops, 2):
         a, b = float(inset), 40.0 - inset

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Find the pieces that have the same footprint, and the depths of these pieces."""
+"""Pieces with the same footprint are found, together with their depths."""
 
 from __future__ import annotations
 

@@ -215,7 +215,7 @@ def test_measures_of_straight_strokes_have_no_turns():
 
 @pytest.mark.parametrize("rows", [(3.0, 3.0), (3.0, 5.0)])
 def test_measures_of_a_grid_combine_both_families_of_rows(rows):
-    """Sums contain both families of the grid. Proportions are those of the family with longer rows."""
+    """Sums contain both families of the grid. Proportions describe only the family with longer rows."""
     step, other = rows
     across = [[(0.0, step * k, 0.0), (60.0, step * k, 0.0)] for k in range(12)]
     down = [[(other * k, 0.0, 0.0), (other * k, 33.0, 0.0)] for k in range(12)]

@@ -160,7 +160,7 @@ def test_two_rings_linked_at_their_depth_are_a_pocket():
 
 
 def test_evenness_is_the_spread_in_the_plane_by_that_in_depth():
-    """Of the values 0 to 10, the middle four fifths spread by 8 around 5. A hundredth is rounding."""
+    """The middle four fifths of the values 0 to 10 spread by 8 around 5. A spread of 0.01 is rounding."""
     even, spread = np.full(11, 2.0), np.arange(11.0)
     assert evenness(even, spread) == pytest.approx(0.01 / 1.61)
     assert evenness(spread, even) == pytest.approx(1.61 / 0.01)

@@ -117,7 +117,7 @@ def test_zigzag_that_ends_at_its_start_is_a_wavy_loop():
 
 @pytest.mark.parametrize(("rows", "kind"), [(2, STROKE), (3, ZIGZAG), (6, ZIGZAG)])
 def test_two_rows_are_not_a_zigzag(rows, kind):
-    """Of three rows, one lies between two rows. This is a third of the length, and enough for a zigzag."""
+    """In three rows, the middle row has a neighbour on both sides. A third of the length is enough for a zigzag."""
     pieces = pieces_of(zigzag(rows))
     assert pieces.kind.tolist() == [kind] and pieces.passes.tolist() == [rows]
     assert not pieces.wavy.any()

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Every strategy is recognised in toolpaths like those of several CAM programs, with its evidence."""
+"""Every strategy is recognised, with its evidence, in toolpaths like the toolpaths of several CAM programs."""
 
 from __future__ import annotations
 

@@ -289,7 +289,7 @@ def test_correct_part_has_no_gouges(direction, offset, pixel):
 @pytest.mark.parametrize("direction", VIEWS)
 @pytest.mark.parametrize("offset, pixel", IMAGES)
 def test_only_cuts_into_the_model_are_gouges(direction, offset, pixel):
-    """The rapid exposes walls that other operations cut correctly. Such walls are not gouges."""
+    """The rapid exposes walls that other operations cut correctly. Exposed walls are not gouges."""
     # The rapid is the first or the last operation, alternating over the images and the views.
     guilty = 3 * ((VIEWS.index(direction) + IMAGES.index((offset, pixel))) % 2)
     jobs = [FACING, POCKET, DRILLING]

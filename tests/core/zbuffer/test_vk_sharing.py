@@ -279,7 +279,7 @@ def test_estimate_uses_at_most_one_process_per_band():
     path, solids = case(View((1, 1, -1), 300, 200), moves=300)
     alone = estimate(path, None, **solids, speed=replace(Speed(), cell=1e-3)).seconds
     assert alone > 5
-    for processes, used in ((2, 2), (3, 3), (64, 4)):  # the 200 rows are four bands, and the path reaches all of them
+    for processes, used in ((2, 2), (3, 3), (64, 4)):  # the 200 rows are four bands, and the path reaches all four
         told = estimate(path, None, **solids, speed=replace(Speed(), cell=1e-3, processes=processes))
         assert told.seconds == pytest.approx(shared_seconds(alone, used))
 

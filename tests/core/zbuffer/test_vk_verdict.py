@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The verdict names the faults, the resolution of the check, and what was not checked."""
+"""The verdict names the faults, the resolution of the check, and the missing checks."""
 
 from __future__ import annotations
 
@@ -61,7 +61,7 @@ def test_verdict_begins_with_the_faults(fault, sentence):
 
 
 def test_collisions_of_shanks_are_faults():
-    """The verdict names the deepest collision of each kind, and what was checked."""
+    """The verdict names the deepest collision of each kind, and the checks that were made."""
     first, second = (Collision("shank", k, Source(k, 0, 0), Source(k, 5, 5), (0, 0, 0), 2.0 + k) for k in range(2))
     checked = replace(SOUND, collisions=Collisions((first, second), 0.1, (True, True), (False, False), 0))
     assert text(checked) == (

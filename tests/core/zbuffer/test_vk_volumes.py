@@ -43,7 +43,7 @@ def test_volume_of_slots_in_a_sheet_is_within_its_error(diameter, slope):
 
 
 def test_slope_mostly_beside_the_stock_is_measured_finely():
-    """Of a slope 352 mm long, only the first 7 mm are in the stock. The exact volume is from an image of 0.01 mm."""
+    """Only the first 7 mm of a slope that is 352 mm long are in the stock. The exact volume is from an image of 0.01 mm."""
     stock = Stock((0, 0, 0), (55.5, 276.7, 3.13558877))
     slope = path((0.785063, 122.320424, 8), (0.785063, 122.320424, 1.512902), (-338.219062, 219.931914, 0.313559))
     cut = Cut(slope, Tool("endmill", 11.97761577755422))

@@ -145,7 +145,7 @@ def test_depth_and_width_of_cut_from_above_are_measured():
     depth, width = engagement(cut(points, direction=(0, 0, -1)))
     assert depth == pytest.approx([3, 3, 3, 3, 0, 0], abs=1e-5)
     assert width[[0, 4, 5]].tolist() == [0, 0, 0] and width[1] == pytest.approx(6, rel=0.02) and width[1] <= 6
-    # The half slot ends with half a disc, without the part cut by the slot and the quarter disc of the move before.
+    # The half slot ends with half a disc, without the parts that the slot and the preceding quarter disc removed.
     taken = 3 * pi - 0.75 * sqrt(27)
     assert width[3] == pytest.approx(3 + (9 * pi / 2 - taken - 9 * pi / 4) / 20, rel=0.002)
     aside = engagement(cut(points, direction=(1, 0.1, -0.2)))

@@ -219,7 +219,7 @@ def test_points_have_the_right_owners_with_several_tools(direction, tools):
 
 @pytest.mark.long
 def test_many_passes_over_a_pixel_have_the_right_owners():
-    """Thousands of passes cross each tile, and most of them must be dropped."""
+    """Thousands of passes cross each tile, and culling must drop most passes."""
     rng = np.random.default_rng(0)
     for points, tool, direction in (
         (zigzag(rng, 3000), TOOLS[0], (0, 0, -1)),
