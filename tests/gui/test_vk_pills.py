@@ -266,7 +266,7 @@ def test_pill_has_the_colour_of_its_strategy(marked, window, theme):
     assert marks.is_outdated(drill)
 
 
-def test_warning_sign_is_in_sight_in_a_column_wider_than_the_tree(marked, window):
+def test_warning_sign_is_in_sight_if_the_column_exceeds_the_tree(marked, window):
     view = window.tree
     preferences.write(time_budget=0.1)
     try:

@@ -140,7 +140,7 @@ class _Whole:
     remarks : tuple of Message
         Remarks that every operation gets.
     undivided : bool
-        Whether no title and no tool change divides the program. Such a program may still contain several operations.
+        Whether no title and no tool change divides the program. An undivided program can contain several operations.
     """
 
     path: Path

@@ -89,10 +89,12 @@ class Csv:
         return self._written(cells[name] for name in self._names)
 
     def document(self, line: bytes) -> tuple[str, bool]:
-        """
-        Return the program to which a line belongs, and whether the program was read.
+        """Return the program to which a line belongs, and whether the program was read.
 
-        A line with another number of cells raises ValueError.
+        Raises
+        ------
+        ValueError
+            If the line has another number of cells.
         """
         (cells,) = csv.reader([_text(line)])
         if len(cells) != len(self._names):

@@ -50,7 +50,7 @@ def simulate(
         File of the program.
     tool : Tool, or mapping of int to Tool, optional
         The tool of the whole program, or tools by their numbers in the program. Other tools are read from the program's
-        comments. Operations with an unknown tool are not simulated, and a remark names each of them.
+        comments. Operations with an unknown tool are not simulated, and remarks name these operations.
     stock : Solid, optional
         The default is a box around the cuts. A remark states that the default was used.
     view : View or str, optional

@@ -25,9 +25,10 @@ LIT = np.array((255, 170, 40), np.uint8)
 # Difference in depth between neighbouring pixels above which a dark edge is drawn, in sides of a pixel. Lower: steep
 # slopes get edges. Higher: small steps of the part get none.
 _JUMP = 8.0
-# Brightness of cuts that are narrower than the cells. Smallest sine of the view's elevation for finding the pixels in
-# front of them.
-_THIN, _FLATTEST = 0.65, 0.1
+# Brightness of the lines that stand for cuts narrower than the cells.
+_THIN = 0.65
+# Lower limit for the sine of the view's elevation when the depth of a narrow cut is compared with the visible surface.
+_FLATTEST = 0.1
 
 
 @dataclass(frozen=True, eq=False)
@@ -180,7 +181,7 @@ def _packed(colors: np.ndarray, factor: float = 1.0) -> np.ndarray:
 def _shaded(color: np.ndarray, brightness: np.ndarray) -> np.ndarray:
     """Return colours with the brightness `BRIGHTEST`, 0xffRRGGBB, at another brightness.
 
-    Red and blue are multiplied together, because there is room for eight more bits above each of them.
+    Red and blue are multiplied together, because there is room for eight more bits above both.
     """
     share = (brightness * np.float32(256 / BRIGHTEST)).astype(np.uint32)
     green = (color >> np.uint32(8)) & np.uint32(0xFF)

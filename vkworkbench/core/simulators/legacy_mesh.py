@@ -113,7 +113,7 @@ def _grown(rows: list[int], x: int, y: int) -> tuple[int, int]:
 
 
 def _mask(x: int, width: int) -> int:
-    """Return the bits of `width` cells from column `x` on."""
+    """Return an integer in which the bits of `width` cells, beginning at column `x`, are set."""
     return ((1 << width) - 1) << x
 
 

@@ -19,15 +19,8 @@ WHY, NUMBERS, GAUSS_MAP, MEASURED = "why", "numbers", "gauss-map", "measured"  #
 _SIGNS = {
     Level.NOTE: ("i", colors.NOTE_SIGN), Level.WARNING: ("\u26a0", colors.WARNING_SIGN), Level.ERROR: ("\u2716", colors.ERROR_SIGN),
 }  # fmt: skip
-_APART = {
-    OPERATION,
-    STRATEGY,
-    WARNINGS,
-    NOTES,
-    STATE,
-    LENGTH,
-    REASON,
-}  # columns that the details do not list in a table
+# Columns that the details do not list in a table.
+_APART = {OPERATION, STRATEGY, WARNINGS, NOTES, STATE, LENGTH, REASON}
 
 
 def page(row: Row, first: list, others: list, opened: set[str]) -> str:

@@ -17,7 +17,7 @@ from vkworkbench.language import Message
 from vkworkbench.preferences import Preferences
 from vkworkbench.report import HANGS, OperationReport, contradiction, is_switched_off
 
-# Codes of remarks that do not prevent an estimate of the costs. Such a remark is a warning for every operation.
+# Codes of remarks that do not prevent an estimate of the costs. A remark whose code is in this set is always a warning.
 _WITH_COSTS = frozenset({
     "beyond-travel", "coordinates-not-changed", "feeds-per-minute", "in-commands", "inches-as-millimetres", "no-job", "no-stock",
     "stock-as-box", "tool-simplified",

@@ -189,6 +189,12 @@ def _follow_preferences() -> None:
 _changes = single_shot(_follow_preferences)  # runs after all preferences were written
 
 
+def _repaint() -> None:
+    """Repaint the trees: the visible room for a mark, and so its layout, changes when the tree is scrolled."""
+    for view in column.trees():
+        view.viewport().update()
+
+
 def show() -> None:
     """Show or hide the pills in all trees, following the preferences, and repaint the trees."""
     global _delegate
@@ -199,9 +205,9 @@ def show() -> None:
     for view in column.trees():
         if (view.itemDelegateForColumn(column.DESCRIPTION) is _delegate) != wanted:
             view.setItemDelegateForColumn(column.DESCRIPTION, _delegate if wanted else None)
-            # The visible room, and so the layouts, change when the tree is scrolled.
-            view.horizontalScrollBar().valueChanged.connect(lambda value, view=view: view.viewport().update())
-        view.viewport().update()
+            scrolled = view.horizontalScrollBar().valueChanged
+            scrolled.connect(_repaint) if wanted else scrolled.disconnect(_repaint)
+    _repaint()
 
 
 def fit_column() -> None:

@@ -39,10 +39,13 @@ _WIDER, _ALIKE, _IN_STEPS = 1.1, 1.02, (1, 8, 64)
 # Distance below which two groups of points belong to one gouge, as a multiple of the distance between neighbouring
 # points.
 _CLOSE = 4.0
-# Approximate upper bounds: number of points that are compared with the model for each batch of pieces, number of these
-# points for each trajectory, and number of points of a gouge at which the depth is measured. Number of points around
-# which the surface is searched together.
-_POINTS, _OF_OWNER, _MEASURED, _TOGETHER = 20_000, 2000, 200, 4096
+# Approximate upper bounds for the number of points that are compared with the model: in a batch of pieces, and of one
+# trajectory in a batch.
+_POINTS, _OF_OWNER = 20_000, 2000
+# Approximate upper bound for the number of points of a gouge at which the depth is measured.
+_MEASURED = 200
+# Number of points around which the surface is searched together.
+_TOGETHER = 4096
 
 
 @dataclass(frozen=True)
@@ -255,7 +258,7 @@ class _Search:
 
 
 def _thinned(deep: np.ndarray, owner: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Return some of the pieces `deep` (k,), and the number of pieces that each returned piece stands for.
+    """Return some of the pieces `deep` (k,), and the number of pieces in `deep` that each returned piece represents.
 
     Every n-th piece of each owner is returned, so that a large gouge needs no more time than a small one.
     """
