@@ -48,6 +48,12 @@ def test_compensation_of_relative_moves_equals_absolute_moves():
     assert ends(relative) == ends(absolute)
 
 
+def test_position_under_compensation_can_be_read_and_set():
+    """Reading #5420 must not keep the position before the corner that the next move cuts short."""
+    relative = "G41.1 D4 G1 X30 Y0\nG91 X30\n{}Y40\nX20\nY20\nG40 X-80 Y-60\nG92 X0\nG90 X7"
+    assert ends(relative.format("#1=#5420\n")) == ends(relative.format(""))
+
+
 @pytest.mark.parametrize("arc", ["I0 J10", "R10", "G90.1 I40 J30"])
 def test_compensated_arcs_have_another_radius(arc):
     text = f"G0 X20 Y-30\nG41.1 D4 G1 X20 Y-10\nY10\nG2 X30 Y20 I10 J0\nG1 X40\nG3 X50 Y30 {arc}\nG1 Y50"

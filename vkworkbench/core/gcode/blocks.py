@@ -9,8 +9,9 @@ from collections.abc import Iterator
 from itertools import accumulate
 
 # A word is a letter with a number: G1, X-.5, Z +2, X1.5E-05. LinuxCNC's polar coordinates use @ and ^ as letters.
+# Fanuc's words ,R ,C and ,A describe the corner after a move, and the direction of a move.
 # Spaces between letter and number are allowed (RS274/NGC, Kramer et al. 2000).
-_WORD = re.compile(r"([A-Z@^])[ \t]*([-+]?(?:\d+(?:\.\d*)?|\.\d+)(?:E[-+]?\d+(?![.\d]))?)", re.ASCII)
+_WORD = re.compile(r"([A-Z@^]|,[ACR])[ \t]*([-+]?(?:\d+(?:\.\d*)?|\.\d+)(?:E[-+]?\d+(?![.\d]))?)", re.ASCII)
 _NO_COMMENT = frozenset("(;")
 LARGEST_NUMBER = 99_999_999  # largest number of a tool, a block or a program
 

@@ -34,8 +34,6 @@ _BLOCK_DELETE = re.compile(r"^(N\s*\d+\s*)?(?:/\d?\s*)+")
 # Lines that do not move the tool: queries and unlock commands of grbl, and print commands of Fanuc and Haas controls.
 _SAYS = re.compile(r"\?|\$[$#GINXC]?|(?:N\s*\d+\s*)?(?:POPEN|PCLOS|[BD]PRNT\s*\[.*)")
 _RETURN = re.compile(r"M\s*99(?!\d)")
-# Fanuc's words for rounding (,R) or chamfering (,C) the corner after a move, and for the angle of a move (,A).
-_CORNER = re.compile(r",\s*([RCA])\s*[-+]?(?:\d+\.?\d*|\.\d+)")
 _DECIMAL_COMMA = re.compile(r"(?<=\d),(?=\d)")  # X10,5
 # Siemens' radius of an arc, CR=10, and Siemens' spelling of a word with an equals sign, X=10.
 _EQUALS = re.compile(r"(?<![A-Z])(?:CR|([A-Z]))\s*=\s*(?=[-+]?\.?\d)")
@@ -329,18 +327,12 @@ class _Reader:
     def _common_spelling(self, code: str) -> str:
         """Return the code in the common spelling of words.
 
-        Words such as ``,R`` are removed and reported. Decimal commas become points. ``HA`` becomes ``H0``, ``X=``
-        becomes ``X``, and ``CR=`` becomes ``R``.
+        Decimal commas become points. ``HA`` becomes ``H0``, ``X=`` becomes ``X``, and ``CR=`` becomes ``R``.
         """
         _, rest = split_words(code)
         if "," in rest and _DECIMAL_COMMA.search(code):
             self._problem(Message("decimal-commas"))
             code = _DECIMAL_COMMA.sub(".", code)
-            _, rest = split_words(code)
-        if "," in rest:
-            for letter in _CORNER.findall(code):
-                self._problem(Message("word-not-read", letter=f",{letter}"))
-            code = _CORNER.sub(" ", code)
             _, rest = split_words(code)
         if "H" in rest or "D" in rest:
             code = _OKUMA_LETTERS.sub(r"\g<1>0", code)

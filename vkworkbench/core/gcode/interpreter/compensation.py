@@ -22,7 +22,6 @@ from vkworkbench.core.gcode.moves import arcs, codes
 from vkworkbench.language import Message
 
 _SAME = 1e-6  # mm, largest distance between equal points
-_XY_PLANE = 170
 _LEFT = (410, 411)
 _STRAIGHT_ON = 0.05  # rad; as in LinuxCNC, no arc is added at a corner with a smaller turn
 
@@ -43,7 +42,7 @@ def _start(machine: Machine, line: Line) -> None:
         radius = machine.radii.get(words.get("D", -1.0))
     before, machine.compensation = machine.compensation, None
     place = machine.here()
-    usable = machine.modes.plane == _XY_PLANE and not machine.is_mapped and {"X", "Y"} <= place.keys()
+    usable = machine.modes.plane == codes.XY_PLANE and not machine.is_mapped and {"X", "Y"} <= place.keys()
     if radius is None or radius < 0 or not usable or machine.modes.feed_mode == codes.INVERSE_TIME:
         machine.problem(Message("compensation-not-read", name=name))
     elif radius > 0:
@@ -177,12 +176,7 @@ def _join(
 
 def _move_end(machine: Machine, compensation: Compensation, point: complex) -> None:
     """Change the end of the previous command."""
-    name, words = machine.commands[compensation.command]
-    way = point - compensation.tool
-    relative = compensation.relative
-    words["X"] = words["X"] + way.real if relative else point.real
-    words["Y"] = words["Y"] + way.imag if relative else point.imag
-    machine.commands[compensation.command] = name, words
+    machine.move_end(compensation.command, point, point - compensation.tool, relative=compensation.relative)
     compensation.tool = point
 
 

@@ -10,7 +10,6 @@ from vkworkbench.core.gcode.moves import codes
 from vkworkbench.language import Message
 
 _LEAST_PERCENTAGE = 100.0  # a scale is in thousandths if it is a whole number of at least this size
-_XY_PLANE = 170
 
 
 def map_move(machine: Machine, mode: int, move: dict[str, float]) -> None:
@@ -26,7 +25,7 @@ def map_move(machine: Machine, mode: int, move: dict[str, float]) -> None:
     """
     xy, relative = machine.map(), machine.modes.relative
     in_plane = xy.flips or xy.factor.imag or xy.factor.real != machine.maps.height[0]
-    if in_plane and machine.modes.plane != _XY_PLANE and (mode in codes.ARCS or mode in codes.CYCLES):
+    if in_plane and machine.modes.plane != codes.XY_PLANE and (mode in codes.ARCS or mode in codes.CYCLES):
         machine.problem(Message("coordinates-not-changed", name=_name(machine)))
         return
     if relative:

@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from vkworkbench.core.gcode.interpreter import compensation
+from vkworkbench.core.gcode.interpreter import compensation, corners
 from vkworkbench.core.gcode.interpreter.cycles import leave_holes, repeats_of
 from vkworkbench.core.gcode.interpreter.mapping import turned
 from vkworkbench.core.gcode.interpreter.single_moves import SHAPES
@@ -74,7 +74,7 @@ def _move_along(machine: Machine, parameters: dict[str, float], move: dict[str, 
         return
     motion = turned(machine, mode) if machine.maps.mirrors else mode
     for _ in range(repeats):
-        machine.write(motion, move)
+        corners.write(machine, motion, parameters, move)
         if repeats > 1 and machine.modes.relative and is_polar(parameters):
             # Each step in a series of moves by a polar angle has another direction.
             move.update(polar_step(machine, parameters))

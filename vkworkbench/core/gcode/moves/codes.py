@@ -25,8 +25,9 @@ MACHINE = (HOME, HOME_2, MACHINE_COORDINATES)
 PROBES = (382, 383, 384, 385)
 
 # Modal state.
-PLANES = {170: 17, 180: 18, 190: 19}
-DRILLED = {170: "Z", 180: "Y", 190: "X"}  # the axis of canned cycles in each plane
+XY_PLANE = 170
+PLANES = {XY_PLANE: 17, 180: 18, 190: 19}
+DRILLED = {XY_PLANE: "Z", 180: "Y", 190: "X"}  # the axis of canned cycles in each plane
 ABSOLUTE, RELATIVE, ABSOLUTE_CENTRES, RELATIVE_CENTRES = 900, 910, 901, 911
 TO_START, TO_RETRACT_PLANE = 980, 990  # height after a canned cycle
 # G98 of Fanuc controls, a name of this package: cycles of FEED_OUT end at the start height, but feed only up to R.

@@ -10,7 +10,7 @@ from vkworkbench.core.gcode.dialects import Clues, Dialect
 from vkworkbench.core.gcode.interpreter.state.line import Line
 from vkworkbench.core.gcode.interpreter.state.maps import Map, Maps
 from vkworkbench.core.gcode.interpreter.state.modes import Modes
-from vkworkbench.core.gcode.interpreter.state.offset_path import Compensation
+from vkworkbench.core.gcode.interpreter.state.offset_path import Compensation, Corner
 from vkworkbench.core.gcode.interpreter.state.origins import Origins
 from vkworkbench.core.gcode.interpreter.state.place import Place
 from vkworkbench.core.gcode.moves import codes
@@ -47,6 +47,8 @@ class Machine:
         The position of the tool.
     compensation : Compensation or None
         The cutter compensation in force; None if no compensation is followed.
+    corner : Corner or None
+        The corner after the last move; None if the last move's line has no corner word that can be read.
     radii : dict
         The radii of tool offsets that the program contains (G10), mm, by their numbers.
     first_unit : float or None
@@ -124,6 +126,7 @@ class Machine:
         self.origins = Origins()
         self.maps = Maps()
         self.compensation: Compensation | None = None
+        self.corner: Corner | None = None
         self.radii: dict[float, float] = {}
         self.place = Place(self.commands)
         self.first_unit: float | None = None
@@ -151,6 +154,13 @@ class Machine:
         """Store a message on a part of the program that is not read, for a line or by default the current line."""
         self.problems.setdefault(what, []).append(self.number if line is None else line)
 
+    def take_back(self, what: Message, line: int) -> None:
+        """Remove one report of a message on a line."""
+        lines = self.problems[what]
+        lines.remove(line)
+        if not lines:
+            del self.problems[what]
+
     @property
     def moves_plainly(self) -> bool:
         """bool : Whether the commands of moves depend only on the units, on G90 or G91, and on the motion.
@@ -166,6 +176,7 @@ class Machine:
             and not (self.ended or self.away or self.length_changed or self.stopped or self.stands)
             and not (self.origins.used or self.is_mapped)
             and self.compensation is None
+            and self.corner is None
             and self.unnamed is None
             and self.later is None
             and self.dialect.codes is None
@@ -181,6 +192,25 @@ class Machine:
         """Add the command of a move; the name is empty if the motion is still in force."""
         self.add("" if mode == self.written else codes.name_of(mode), move)
         self.written = mode
+
+    def move_end(self, command: int, end: complex, way: complex, *, relative: bool) -> None:
+        """Move the end of the last move in the XY plane.
+
+        Parameters
+        ----------
+        command : int
+            Index of the move's command.
+        end, way : complex
+            The new end, and the vector to it from the previous end, mm.
+        relative : bool
+            Whether the words of the command are relative.
+        """
+        name, words = self.commands[command]
+        if relative:
+            end = complex(words.get("X", 0.0), words.get("Y", 0.0)) + way
+        words["X"], words["Y"] = end.real, end.imag
+        self.commands[command] = name, words
+        self.place.move_end(command, way)
 
     def stand(self, *, stands: bool) -> None:
         """Begin or end moves at an unknown feed rate: a feed rate per turn while the spindle does not turn."""

@@ -43,7 +43,7 @@ class Modes:
 
     unit: float = 1.0
     feed_unit: float = 1.0
-    plane: int = 170
+    plane: int = codes.XY_PLANE
     distance: int = codes.ABSOLUTE
     centres: int = codes.RELATIVE_CENTRES
     retract: int = codes.TO_START

@@ -9,6 +9,7 @@ from __future__ import annotations
 from cmath import phase
 from dataclasses import dataclass
 from math import pi, sqrt
+from typing import NamedTuple
 
 _SAME = 1e-6  # mm, largest distance between equal points
 
@@ -114,3 +115,26 @@ class Compensation:
     command: int = -1
     relative: bool = False
     ends: bool = False
+
+
+class Corner(NamedTuple):
+    """A corner that is rounded (``,R``) or chamfered (``,C``) if the next move is known.
+
+    Attributes
+    ----------
+    letter : str
+        The letter of the corner word, with its comma.
+    size : float
+        Radius of the arc, or distance from the corner to both ends of the chamfer, mm.
+    command, line : int
+        Index of the command whose move ends at the corner, and line of the program.
+    start, end : complex
+        The end points of this move; `end` is the corner.
+    """
+
+    letter: str
+    size: float
+    command: int
+    line: int
+    start: complex
+    end: complex

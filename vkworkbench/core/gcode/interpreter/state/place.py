@@ -33,13 +33,20 @@ class Place:
         self._commands, self._read = commands, 0
         self._losses: list[tuple[int, set[str]]] = []  # number of commands before each loss; axes
         self._at: dict[str, float] = {}
-        self._motion, self._plane = -1, 170
+        self._motion, self._plane = -1, codes.XY_PLANE
         self._relative = self._to_retract_plane = False
         self._heights = Heights()
 
     def lose(self, letters: Iterable[str]) -> None:
         """Forget the position along some axes, because the tool moved to a position that is not in the program."""
         self._losses.append((len(self._commands), set(letters)))
+
+    def move_end(self, command: int, way: complex) -> None:
+        """Move the position by a vector in the XY plane, mm, because a command that sets the position was changed."""
+        if command < self._read:
+            for letter, length in (("X", way.real), ("Y", way.imag)):
+                if letter in self._at:
+                    self._at[letter] += length
 
     def now(self) -> dict[str, float]:
         """Return the coordinates of the tool, mm, for the axes along which its position is known."""
