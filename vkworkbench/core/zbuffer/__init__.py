@@ -1,15 +1,15 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The paper's extended z-buffer with traces: simulation, findings, and cost estimates.
 
-The functions of this package receive one or several `Cut` objects (a toolpath with its tool), a stock and a view.
-The main results are:
+The functions of this package receive one or several `Cut` objects (a toolpath with its tool), a stock and a view. The
+main classes are:
 
-* `ZBuffer`: the exact dexels and traces at any moment of the simulation.
-* `JobFacts`: the facts on each operation.
-* `Estimate`: the number of records, the memory and the time, estimated from sampled rays.
-* `Resolution`: the finest image within a budget.
+* `ZBuffer`: the simulated image of the part, with the exact dexels and traces after any number of trajectories.
+* `JobFacts`: what the simulation shows about each operation, such as gouges, material left and removed volume.
+* `Estimate`: the number of records, the memory and the time of a simulation, estimated from sampled rays.
+* `Resolution`: the smallest pixel with which a simulation stays within a budget of memory and time.
 * `OverBudget`: the error raised if a simulation needs too much memory.
-* `Speed`: the speed of this computer.
+* `Speed`: the speed of this computer, with which times are estimated.
 """
 
 from vkworkbench.core.zbuffer.cost.axis_view import axis_view

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Choose the view along the tool axis in which a job is checked, with the finest pixel that the budgets allow."""
+"""Choose the view from above in which a job is checked, with the smallest useful pixel that the budgets allow."""
 
 from __future__ import annotations
 
@@ -16,19 +16,19 @@ from vkworkbench.core.zbuffer.cost.resolution import best_resolution
 from vkworkbench.core.zbuffer.cost.speed import USUAL, Speed
 from vkworkbench.core.zbuffer.sweeps.cuts import Cut
 
-# Largest pixel that is fine enough, mm: half the default tolerance of the comparison with the model, so that a wall
-# just beyond the tolerance is displaced by more than a pixel. `_OF_TOOL` limits the pixel to a share of the thinnest
-# tool's diameter.
+# _FINE_ENOUGH: largest pixel that is small enough, mm. The pixel is half the default tolerance of the comparison with
+# the model, so that a wall whose error exceeds the tolerance is displaced by more than a pixel. _OF_TOOL: largest pixel
+# as a share of the thinnest tool's diameter.
 _FINE_ENOUGH, _OF_TOOL = 0.05, 1 / 16
-# Longer side of the image for which the cost is estimated, pixels. The cost of finer images is extrapolated from this
-# image.
+# Longer side of the image for which the cost is estimated, pixels. The cost of images with smaller pixels is
+# extrapolated from the cost of this image.
 _FIRST = 800
 # Peak memory of the comparison with the model, as a multiple of the peak memory of the simulation.
 _COMPARING = 1.6
 
 
 def axis_view(cuts: Iterable[Cut], stock: Solid, *, memory_bytes: float, seconds: float, speed: Speed = USUAL) -> View:
-    """Return the view from above with the finest useful pixel for which the simulation stays within the budgets.
+    """Return the view from above with the smallest useful pixel for which the simulation stays within the budgets.
 
     Parameters
     ----------
@@ -42,7 +42,7 @@ def axis_view(cuts: Iterable[Cut], stock: Solid, *, memory_bytes: float, seconds
     Returns
     -------
     View
-        The view has one pixel if the budgets allow no image.
+        The view has a single pixel if the budgets do not allow any image.
     """
     cuts = list(cuts)
     useful = min([_FINE_ENOUGH, *(_OF_TOOL * cut.tool.diameter for cut in cuts)])

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Compute bounds for a simulation quickly, from the trajectories alone and without sampled rays."""
+"""Find out quickly whether a tool cuts, and compute bounds of a simulation's cost, from the trajectories alone."""
 
 from __future__ import annotations
 
@@ -15,14 +15,14 @@ from vkworkbench.core.zbuffer.rays.removal import Removal
 from vkworkbench.core.zbuffer.sweeps.cuts import Cut, Cuts
 from vkworkbench.given import number
 
-# Depth below the stock's top, mm. A point of the toolpath at a smaller depth does not count as a certain cut.
+# Depth below the stock's top, mm. A point of the toolpath above this depth does not prove that the tool cuts.
 _SHALLOW = 1e-3
 
 
 def cuts_surely(toolpath: Toolpath, stock: Solid) -> bool:
     """Return whether the tool certainly cuts, because a point of the toolpath is inside or below a box-shaped stock.
 
-    If the result is False, the tool possibly still cuts.
+    If the result is False, the tool can still cut.
     """
     if not isinstance(stock, Stock):
         return False
@@ -34,9 +34,9 @@ def cuts_surely(toolpath: Toolpath, stock: Solid) -> bool:
 
 
 def may_cut(toolpath: Toolpath, tool: Tool, stock: Solid) -> bool:
-    """Return whether the swept volume possibly meets the stock, from their bounding boxes.
+    """Return whether the bounding boxes of the swept volume and of the stock overlap.
 
-    If the result is False, the tool cuts nothing.
+    If the result is False, the tool certainly cuts nothing.
     """
     points = toolpath.points
     if not len(points):
@@ -47,7 +47,7 @@ def may_cut(toolpath: Toolpath, tool: Tool, stock: Solid) -> bool:
 
 
 def most_bytes(toolpath: Toolpath, *, tool: Tool, stock: Solid, view: View) -> float:
-    """Return an upper bound of the simulation's peak memory, pictures included, bytes; infinite for a mesh."""
+    """Return an upper bound of a simulation's peak memory with pictures, bytes; infinite if the stock is a mesh."""
     cuts = Cuts([Cut(toolpath, tool)])
     return most_bytes_of(Removal(cuts, stock, view.frame(stock)), len(cuts))
 
@@ -57,18 +57,19 @@ def cauchy_crofton(toolpath: Toolpath, *, stock: Solid, view: View, direction: f
 
     The count is M(epsilon, theta) in section 2.1 of the paper: the length of the toolpath's projection onto a line in
     the direction theta, divided by the distance epsilon between the lines. The lines are perpendicular to the direction
-    theta (Tricot 1995). The paper rejects M as a measure of the cost, because M depends neither on the tool's width nor
-    on the order of the moves.
+    theta (Tricot 1995). The paper rejects M as a measure of the simulation's cost, because M depends neither on the
+    tool's width nor on the order of the moves.
 
     Parameters
     ----------
     toolpath : Toolpath
-        Each trajectory that goes below the top of the stock counts with its whole length, even beside the stock.
+        Each trajectory that goes below the top of the stock counts with its whole length, even where it is outside the
+        stock.
     view : View
         Epsilon is the side of the view's pixels.
     direction : float, optional
-        Theta, rad, measured from the image's right axis towards its up axis. The angle 0 counts crossings with columns
-        of pixels, the angle pi / 2 counts crossings with rows.
+        Theta, rad, measured from the image's right axis towards its up axis. With theta = 0, crossings with the columns
+        of pixels are counted; with theta = pi / 2, crossings with the rows of pixels.
 
     Returns
     -------

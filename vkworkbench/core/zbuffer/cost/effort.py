@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Estimate the simulator's work by culling a sample of tiles.
+"""Estimate how often the simulator executes each of its steps, by culling a sample of tiles.
 
 Culling drops pairs of a tile and a trajectory that do not meet. The share of dropped pairs differs between toolpaths by
 orders of magnitude, and only culling itself can find this share. Therefore some tiles are culled with the code of the
-simulator, level by level (each level halves the side of the tiles). If the tiles of a level have too many pairs, a
-sample of these tiles is drawn, with probabilities proportional to the time for their pairs (sampling proportional to
-size, Madow 1949). A tile whose probability would exceed 1 is always drawn.
+simulator, level by level; a level consists of all tiles of one size, and each level halves the side of the tiles. If
+the tiles of a level have too many pairs, a sample of these tiles is drawn, with probabilities proportional to the time
+for their pairs (sampling proportional to size, Madow 1949). A tile whose probability would exceed 1 is always drawn.
 """
 
 from __future__ import annotations
@@ -24,25 +24,27 @@ from vkworkbench.core.zbuffer.rays.removal import Removal
 from vkworkbench.core.zbuffer.sweeps.trajectories import Kind
 
 # Number of pairs of a tile and a trajectory in the sample of each level: `_PAIRS` for each kind of trajectory, plus one
-# pair for each trajectory up to `_CROWDED` pairs. The number grows with the kinds, because operations with different
-# tools cut different tiles. The number grows with the trajectories, because a few crowded tiles would otherwise fill
-# the sample. `_LOOKED_AT` is about the number of pairs that are tested for the first-level tiles.
+# pair for each trajectory, but at most `_CROWDED` pairs. The number of pairs grows with the number of kinds, because
+# operations with different tools cut different tiles. It grows with the number of trajectories, because a few tiles
+# with long lists would otherwise fill the sample. `_LOOKED_AT` is the approximate number of pairs that are tested for
+# the tiles of the first level.
 _PAIRS = 12_000
 _CROWDED = 40_000
 _LOOKED_AT = 2_000_000
-# Minimum number of first-level tiles in the sample.
+# Minimum number of tiles of the first level in the sample.
 _FEWEST = 24
 
 # Seed of the random sample. A fixed seed gives equal estimates for equal arguments.
 _SEED = 2002
 
-# Number of kinds of pairs. A kind has the number 4 * tool (0 flat, 1 pointed, 2 ball, 3 bull-nose) + 2 * sloped +
-# oblique view. benchmarks/learn_effort.py fits the costs below, in units of `Speed`: TESTS is the cost of testing a
-# pair of a tile and a trajectory, CELLS the cost of cutting the ray of a pixel by a trajectory, SORTED the additional
-# cost of a cell on a ray whose intervals are sorted, and RECORDS the cost of a record in a vertical view and in an
-# oblique view. Exception: for a bull-nose in an oblique view, cutting a cell between the ends of the move takes about
-# three times as long as cutting a cell at an end, for level and sloped moves alike. Therefore in CELLS the kinds 13 and
-# 15 mean these positions (13 at an end, 15 between the ends) instead of level and sloped moves.
+# Number of kinds of pairs of a tile and a trajectory. The number of a kind is 4 * (0 flat, 1 pointed, 2 ball or 3
+# bull-nose tool) + 2 * (1 if the move is sloped) + (1 if the view is oblique). benchmarks/learn_effort.py fits the
+# costs below, as multiples of the times in `Speed`. TESTS is the cost of testing a pair of a tile and a trajectory.
+# CELLS is the cost of a cell; a cell is the cutting of one pixel's ray by one trajectory. SORTED is the additional cost
+# of a cell on a ray whose intervals are sorted. RECORDS is the cost of a record in a vertical view and in an oblique
+# view. For a bull-nose in an oblique view, cutting a cell between the ends of the move takes about three times as long
+# as cutting a cell at an end, whether the move is level or sloped. Therefore, in CELLS only, kind 13 means "at an end
+# of the move" and kind 15 means "between the ends" instead of "level" and "sloped".
 KINDS = 16
 _AT_END, _BETWEEN = 13, 15
 TESTS = np.array(
@@ -53,32 +55,35 @@ CELLS = np.array(
 )
 SORTED = 0.072
 RECORDS = np.array([1, 3.193])
-# Checksum of the four tables. A stored `Speed` that was measured with other tables is not valid.
+# Checksum of TESTS, CELLS, SORTED and RECORDS. A stored `Speed` that was measured with other values is not valid.
 WORK_UNITS = f"{crc32(np.concatenate((TESTS, CELLS, [SORTED], RECORDS)).tobytes()):08x}"
 
 
 @dataclass(frozen=True)
 class Work:
-    """Amounts of work in a simulation.
+    """How often the simulator executes each of its steps in one simulation.
 
     Attributes
     ----------
     trajectories, pixels : float
         Number of trajectories and of pixels.
     first : float
-        Number of pairs of a trajectory and a largest tile, whether or not the two meet.
+        Number of pairs of a trajectory and a tile of the largest size, whether or not the two meet.
     pairs : tuple of (16,) tuple of float
-        Number of tested pairs of a tile and a trajectory, by level (the largest tiles first) and by kind; see `KINDS`.
+        Number of tested pairs of a tile and a trajectory, by level (the level with the largest tiles first) and by
+        kind; see `KINDS`.
     cells : (16,) tuple of float
-        Number of pairs of a trajectory and a pixel whose ray the trajectory cuts, by kind.
+        Number of cells, which are pairs of a trajectory and a pixel whose ray the trajectory cuts, by kind.
     unconnected : float
         Share of `cells` on rays whose removed intervals are not connected. Only on these rays are the intervals sorted.
     records : (2,) tuple of float
-        Number of dexels, trace elements and gaps in a vertical view, and in an oblique view; one of the two is 0.
+        Number of records (dexels, trace elements and gaps) in a vertical view, and in an oblique view; one of the two
+        is 0.
     bands : float
         Number of bands (`TILE` rows of pixels), from the lowest to the highest band that trajectories reach.
     kinds : float
-        Mean number of kinds of trajectories in a band. The simulator processes the pairs of each kind separately.
+        Mean number of kinds of trajectories that reach a band. The simulator processes the pairs of each kind
+        separately.
     """
 
     trajectories: float
@@ -92,15 +97,16 @@ class Work:
     kinds: float
 
     def amounts(self, growth: float = 1.0) -> np.ndarray:
-        """Return the amount of work for each constant of `Speed`, for an image with `growth` times as many pixels.
+        """Return how often each step timed by `Speed` is executed for an image with `growth` times as many pixels.
 
-        The number of pairs for tiles with a given side in mm does not depend on the image. Tiles with a given side in
-        pixels are smaller in mm in a finer image.
+        The number of pairs for tiles with a given side in mm does not depend on the image. In an image with smaller
+        pixels, tiles with a given side in pixels are smaller in mm.
 
         Returns
         -------
         (7,) float64
-            Trajectories, pixels, first pairs, blocks of pairs of one kind, tests, cells, records.
+            Numbers of trajectories, pixels, first pairs, batches of pairs of one kind, tests, cells and records; tests,
+            cells and records are weighted with TESTS, CELLS, SORTED and RECORDS.
         """
         levels = np.array(self.pairs).reshape(-1, KINDS)
         pairs, tests = _shift_levels(levels.sum(axis=1), growth), _shift_levels(levels @ TESTS, growth)
@@ -115,11 +121,11 @@ class Work:
         ])  # fmt: skip
 
     def _cell_growth(self, growth: float) -> float:
-        """Return the growth of the number of cells.
+        """Return the factor by which the number of cells grows if the number of pixels grows by `growth`.
 
-        The result is the geometric mean of two models. In the first model, the number of pairs grows from level to
-        level as in the last known level. In the second model, the number of cells is proportional to the number of
-        pixels.
+        The result is the geometric mean of two models. In the first model, the number of pairs grows from each level to
+        the next as much as it grew in the last known level. In the second model, the number of cells is proportional to
+        the number of pixels.
         """
         if not self.pairs or sum(self.cells) == 0:
             return growth
@@ -129,7 +135,7 @@ class Work:
 
 
 def _shift_levels(levels: np.ndarray, growth: float) -> np.ndarray:
-    """Return the amounts of each level for an image with `growth` times as many pixels.
+    """Return an amount that is known for each level, converted to an image with `growth` times as many pixels.
 
     The amounts are interpolated between levels on a logarithmic scale.
     """
@@ -149,11 +155,11 @@ def work_of(removal: Removal, trajectories: int, counts: Counts) -> Work:
     Parameters
     ----------
     removal : Removal
-        The removal to simulate.
+        The prepared trajectories of the simulation.
     trajectories : int
         Number of trajectories of the whole toolpath.
     counts : Counts
-        Estimated numbers of records at the end.
+        Estimated numbers of records at the end of the simulation.
 
     Returns
     -------
@@ -202,7 +208,7 @@ def _count_bands(removal: Removal) -> tuple[float, float]:
     band, most, half = TILE * frame.pixel, -(-frame.height // TILE), frame.height * frame.pixel / 2
     bottom, top = np.clip(removal.box[2:], -half, half)
     own = [removal.kind == number for number in range(len(removal.kinds))]
-    # A band that is reached only partly counts as a whole band, which adds one band on average.
+    # A band that trajectories reach only partly counts as a whole band, which adds one band on average.
     each = [min((top[kind].max() - bottom[kind].min()) / band + 1, most) for kind in own]
     if not each:
         return 0.0, 1.0
@@ -211,10 +217,10 @@ def _count_bands(removal: Removal) -> tuple[float, float]:
 
 
 def _cell_kinds(removal: Removal, kind: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Return the kinds (m,) of cells, and the share (m,) of a bull-nose's cells that lie between the ends of its move.
+    """Return the kind (m,) of each trajectory's cells, and the share (m,) of a bull-nose's cells between the ends.
 
-    The share is estimated as run / (run + pi / 2 * radius): the rectangle between the discs at both ends of the move,
-    as a share of the whole swept area.
+    The share is estimated as run / (run + pi / 2 * radius), which is the area of the rectangle between the discs at
+    both ends of the move, divided by the whole swept area.
     """
     rounded = (kind == _AT_END) | (kind == _BETWEEN)
     run = removal.heading[2]
@@ -236,7 +242,7 @@ def _kind_number(kind: Kind, upright: bool) -> int:
 
 
 def _draw_first_tiles(removal: Removal, rng: np.random.Generator) -> tuple[Tiles, np.ndarray, int]:
-    """Return a sample of the first-level tiles, the weight of each drawn tile, and the number of all tiles."""
+    """Return a sample of the first level's tiles, the weight of each drawn tile, and the number of all these tiles."""
     frame = removal.frame
     columns, rows = -(-frame.width // TILE), -(-frame.height // TILE)
     every = columns * rows
@@ -254,8 +260,8 @@ def _draw_tiles(
 ) -> tuple[Tiles, np.ndarray]:
     """Return a sample of tiles and their weights; return all tiles if they have at most `pairs` pairs.
 
-    The probability of a tile is proportional to its weight times the cost of its pairs. `cost` (p,) is the cost of each
-    pair.
+    The probability of drawing a tile is proportional to its weight times the cost of its pairs. `cost` (p,) is the cost
+    of each pair of a tile and a trajectory.
     """
     size = np.diff(tiles.first)
     if size.sum() <= pairs:
@@ -287,7 +293,7 @@ def _chances(likely: np.ndarray, count: int) -> np.ndarray:
 
 
 def _parents(tiles: Tiles, smaller: Tiles) -> np.ndarray:
-    """Return the index of the tile that contains each smaller tile."""
+    """Return, for each of the `smaller` tiles, the index of the tile in `tiles` that contains it."""
     width = 1 << 20
     place = (tiles.row // tiles.side) * width + tiles.column // tiles.side
     order = np.argsort(place)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Estimate the records, memory and time of a simulation without running the simulation."""
+"""Estimate the number of records, the memory and the time of a simulation without running it."""
 
 from __future__ import annotations
 
@@ -39,26 +39,26 @@ class Estimate:
     seconds : float
         Time of the whole simulation, s.
     explanation : str
-        The reason for the cost, as one phrase without a full stop.
+        The reason for the cost, in English, as one phrase without a full stop.
     view : View
         The view whose image is simulated.
     pixel : float
         Side of the pixels, mm.
     candidates : float
-        Number of pairs of a pixel and a trajectory that passes this pixel, including trajectories that remove nothing
-        there.
+        Number of pairs of a pixel and a trajectory whose swept volume the pixel's ray meets, including trajectories
+        that remove nothing from the ray.
     stock_bytes : float
-        Peak memory for the uncut stock alone.
+        Peak memory of a simulation of the uncut stock without any trajectory, bytes.
     trajectory_seconds : float
         Part of `seconds` that depends only on the number of trajectories, s.
     work : Work
-        Work of the whole simulation.
+        How often each step of the simulation is executed.
     speed : Speed
-        Speed of the computer that `seconds` is estimated for.
+        Speed of the computer for which `seconds` is estimated.
     peak : Peak
-        The quantities that determine `memory_bytes`, for this image size and for other sizes.
+        The quantities from which `memory_bytes` is computed, for this image size and for other sizes.
     cuts : tuple of Cut
-        The estimated operations, so that they can be estimated again together with other operations. Empty after
+        The estimated operations; they are needed to estimate them again together with other operations. Empty after
         pickling.
     stock : Solid or None
         The uncut stock. None after pickling.
@@ -90,7 +90,7 @@ class Estimate:
 
     @property
     def factor(self) -> float:
-        """Uncertainty: the actual time is probably between ``seconds / factor`` and ``seconds * factor``."""
+        """Uncertainty of `seconds`: the actual time is probably from ``seconds / factor`` to ``seconds * factor``."""
         return self.speed.factor
 
 
@@ -105,7 +105,7 @@ def estimate(
     Parameters
     ----------
     recognition : Recognition or None
-        The recognised strategy, which the explanation names.
+        The recognised strategy, which the result's explanation names.
     speed : Speed
         Speed of this computer; see `measure_speed`.
 
@@ -127,7 +127,7 @@ def estimate(
 
 
 def estimate_job(cuts: Sequence[Cut], *, stock: Solid, view: View, speed: Speed = USUAL) -> Estimate:
-    """Estimate the cost of `simulate_job` from a few hundred rays that the whole job cuts.
+    """Estimate the cost of `simulate_job` from a few hundred sampled rays that are cut by all operations of the job.
 
     Each operation cuts the stock that the earlier operations left.
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Find the finest image that a memory or time budget allows (the inverse problem in sections 1 and 4 of the paper)."""
+"""Find the image with the smallest pixels that a memory or time budget allows (the inverse problem of the paper)."""
 
 from __future__ import annotations
 
@@ -14,7 +14,8 @@ from vkworkbench.core.zbuffer.memory.memory import Peak, in_memory
 from vkworkbench.given import not_negative, number, of_kind, positive
 from vkworkbench.language import Message, render
 
-# Smallest distance between neighbouring passes, in pixels or cells, at which an image shows the passes separately.
+# Smallest distance between neighbouring passes, as a number of pixels or cells, at which an image shows the passes
+# separately.
 _CELLS_PER_STEPOVER = 4
 
 
@@ -25,12 +26,12 @@ class Resolution:
     Attributes
     ----------
     view : View or None
-        The finest image within the budget; None if even one pixel exceeds the budget.
+        The image with the smallest pixels within the budget; None if even an image with one pixel exceeds the budget.
     memory_bytes, seconds : float
-        Peak memory, bytes, and time, s, of the simulation with this image. If `view` is None, both are for an image
-        with one pixel.
+        Peak memory, bytes, and time, s, of the simulation with this image; if `view` is None, with an image of one
+        pixel.
     why : Message
-        The budget that limits the resolution; or advice, if no image is within the budget.
+        Message that names the budget that limits the resolution, or advice if no image is within the budget.
     """
 
     view: View | None
@@ -53,7 +54,7 @@ def best_resolution(
     labels: Sequence[str] = (),
     whole: Estimate | None = None,
 ) -> Resolution:
-    """Choose the finest image for which a simulation stays within a budget.
+    """Choose the image with the smallest pixels for which a simulation stays within a budget.
 
     The number of dexels and trace elements, and the memory for them, is proportional to the number of pixels. The
     memory for trajectories and temporary arrays is constant. The time has a constant part and grows more slowly than
@@ -65,14 +66,14 @@ def best_resolution(
         Estimate of each operation. All estimates are for the same view.
     memory_bytes, seconds : float, optional
         Memory budget, bytes, and time budget, s. At least one budget is required. Several operations share one z-buffer
-        and are simulated one after another.
+        and are simulated one after the other.
     stepover : float, optional
         Smallest distance between passes, mm. `Resolution.why` compares the stepover with the pixel.
     labels : sequence of str, optional
         Names of the operations. If no image is within the time budget, `Resolution.why` names the operation that takes
         longest.
     whole : Estimate, optional
-        Estimate of all operations together. Default: the sum of `estimates`, with the stock counted once.
+        Estimate of all operations in one z-buffer. The default is the sum of `estimates`, with the stock counted once.
 
     Raises
     ------
@@ -98,7 +99,7 @@ def best_resolution(
     fixed = sum(e.trajectory_seconds for e in estimates)
     pixels = view.width * view.height
 
-    # Largest growth of the number of pixels within each budget.
+    # For each budget, the largest factor by which the number of pixels can grow.
     limits = {}
     if memory_bytes is not None:
         limits["memory"] = in_memory(peak, memory_bytes)
@@ -146,7 +147,7 @@ def _peak_together(estimates: Sequence[Estimate]) -> Peak:
 
 
 def passes_apart(size: float, stepover: float | None) -> Message | None:
-    """Return a message that says whether pixels or cells with side `size`, mm, show the passes separately.
+    """Return a message that says whether pixels or cells with the side `size`, mm, show neighbouring passes separately.
 
     The result is None if the stepover is unknown.
     """

@@ -24,13 +24,14 @@ from vkworkbench.core.zbuffer.sweeps.cuts import Cut, Cuts
 _STOCK = Stock((0, 0, 0), (60, 60, 20))
 _FLAT, _BALL = Tool("endmill", 8), Tool("ballend", 8)
 _TOP, _TILTED = (0, 0, -1), (0, 1, -2)
-# Largest number of repetitions of each timed run.
+# Largest number of times that each synthetic simulation is timed.
 _RUNS = 8
-# Uncertainty of a time that is estimated with a measured speed: 90 % of the actual times are within this factor of the
-# estimate. benchmarks/resources.py and, for more kinds of toolpaths, benchmarks/learn_effort.py print these
-# percentages.
+# Uncertainty of a time that is estimated with a measured speed: 90 % of the actual times are between the estimate
+# divided by this factor and the estimate times this factor. benchmarks/resources.py and, for more kinds of toolpaths,
+# benchmarks/learn_effort.py print this percentage.
 _FACTOR = 2.0
-# Weight of the default proportions between the constants in the fit, relative to the weight of one measured time.
+# Weight, in the fit, of keeping the default proportions between the constants, relative to the weight of one measured
+# time.
 _RIDGE = 0.5
 # Lower bound of each fitted constant, as a share of the scaled default constant. Without this bound, noisy times could
 # give constants that are zero or negative.
@@ -39,9 +40,10 @@ _LEAST = 0.1
 
 @dataclass(frozen=True)
 class Speed:
-    """Time for one unit of each kind of the simulator's work on one computer, s.
+    """Time that one computer needs for each step of the simulator, s.
 
-    The default values were measured on a Xeon core. :func:`measure_speed` measures the values for this computer.
+    The default values were measured on one core of a Xeon processor. :func:`measure_speed` measures the values for the
+    computer on which it runs.
 
     Attributes
     ----------
@@ -50,9 +52,9 @@ class Speed:
     pixel : float
         Time for one pixel of the image.
     meeting : float
-        Time to compare one trajectory with one of the largest tiles.
+        Time to compare one trajectory with one tile of the largest size.
     block : float
-        Time for one block of pairs of one kind, in addition to the time for the pairs in the block.
+        Time for one batch of pairs of one kind, in addition to the time for the pairs in the batch.
     test : float
         Time to test one pair of a tile and a trajectory.
     cell : float
@@ -60,10 +62,10 @@ class Speed:
     record : float
         Time for one dexel, trace element or gap in a vertical view.
     factor : float
-        Uncertainty: the actual time is probably between the estimate divided by `factor` and the estimate times
-        `factor`.
+        Uncertainty of an estimated time; the actual time is probably between the estimate divided by `factor` and the
+        estimate times `factor`.
     processes : int
-        Number of processes that cut at the same time. All other attributes are for one process.
+        Number of processes that cut at the same time. All other attributes are times for one process.
     """
 
     trajectory: float = 3.91e-07
@@ -78,11 +80,11 @@ class Speed:
 
     @property
     def constants(self) -> np.ndarray:
-        """Times for one unit of each amount in `Work.amounts`, in the order of the amounts, (7,) float64, s."""
+        """Time for one unit of each element of `Work.amounts`, in the same order, (7,) float64, s."""
         return np.array([self.trajectory, self.pixel, self.meeting, self.block, self.test, self.cell, self.record])
 
     def seconds(self, work: Work, growth: float = 1.0) -> float:
-        """Return the time for the work in an image with `growth` times as many pixels, s."""
+        """Return the time of a simulation whose image has `growth` times as many pixels as the image of `work`, s."""
         alone = float((work.amounts(growth) * self.constants).sum())
         return shared_seconds(alone, max(1, min(self.processes, int(work.bands))))
 
@@ -91,22 +93,22 @@ USUAL = Speed()
 
 
 def measure_speed(clock: Callable[[], float] = processor_clock, going_on: Callable[[], object] = lambda: None) -> Speed:
-    """Time the simulator on straight rows, circles and a wavy surface until the times are steady.
+    """Time the simulator on straight rows, circles and a wavy surface until repeated times agree.
 
     The measurement takes about two seconds. The images are nearly as large as real images, because in small images the
-    start of each array operation takes most of the time.
+    overhead of numpy's calls takes most of the time.
 
     Parameters
     ----------
     clock : callable
         Returns a time, s. The default is the processor time, because other programs do not influence it.
     going_on : callable
-        Called before each simulation, several times a second. An exception raised by `going_on` ends the measurement.
+        Called before each simulation, several times a second. An exception raised by `going_on` stops the measurement.
 
     Returns
     -------
     Speed
-        Constants that `fit_speed` fits to the times.
+        The constants that `fit_speed` fits to the measured times.
     """
     runs = (
         (_rows(6), _FLAT, _square(640)),
@@ -124,16 +126,16 @@ def measure_speed(clock: Callable[[], float] = processor_clock, going_on: Callab
 
 
 def fit_speed(amounts: np.ndarray, seconds: np.ndarray) -> Speed:
-    """Fit the constants to measured times.
+    """Fit the constants of `Speed` to measured times.
 
     The fit is a ridge regression (Hoerl and Kennard 1970) on the relative differences between estimated and measured
-    times. The ridge pulls the constants towards the default constants times a common factor, because a few noisy times
-    do not determine all constants.
+    times. The ridge term keeps the proportions between the constants close to the default proportions, because a few
+    noisy times do not determine all constants.
 
     Parameters
     ----------
     amounts : (k, 7) ndarray
-        The work of each simulation; see `Work.amounts`.
+        The amounts of work in each simulation; see `Work.amounts`.
     seconds : (k,) ndarray
         Measured time of each simulation, s.
     """
@@ -148,7 +150,7 @@ def fit_speed(amounts: np.ndarray, seconds: np.ndarray) -> Speed:
 
 
 def _work(toolpath: Toolpath, tool: Tool, view: View) -> np.ndarray:
-    """Return the work of one simulation, (7,); see `Work.amounts`."""
+    """Return the amounts of work in one simulation, (7,); see `Work.amounts`."""
     removal = Removal(Cuts([Cut(toolpath, tool)]), _STOCK, view.frame(_STOCK))
     return work_of(removal, len(toolpath), count(removal)).amounts()
 

@@ -1,17 +1,18 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Find the trajectories that can cut each pixel, by hierarchical culling in the order of time.
+"""Find the trajectories that can cut each pixel, by hierarchical culling in the order of cutting.
 
-Greene, Kass and Miller (Hierarchical z-buffer visibility, 1993) drop each object that is behind an object covering a
-whole tile of the image. This module replaces "behind" by "later": a trajectory removes nothing from a tile if earlier
-trajectories have opened the tile at least as deep as the trajectory reaches. The image is divided into tiles, and the
-tiles are divided into quarters repeatedly, down to a few pixels. Each tile has a list of trajectories in the order
-of the sequence. A trajectory that is dropped from a tile is also dropped from the tile's quarters. Each step computes
-with whole arrays of pairs of a tile and a trajectory, sorted by tile and then by time. The cost grows with the number
-of trajectories plus the number of cuts, and not with the product of the two numbers.
+Greene, Kass and Miller (Hierarchical z-buffer visibility, 1993) drop each object that is hidden by a nearer object
+covering a whole tile of the image. This module drops each trajectory that comes too late: a trajectory removes nothing
+from a tile if earlier trajectories have opened the tile at least as deep as the trajectory reaches. The image is
+divided into tiles, and the tiles are divided into quarters repeatedly, down to a few pixels. Each tile has a list of
+the trajectories that can cut it, in the order in which they are cut. A trajectory that is dropped from a tile is also
+dropped from the tile's quarters. Each step computes with arrays of pairs of a tile and a trajectory, sorted by tile and
+then by trajectory. The computing time grows with the sum, not with the product, of the number of trajectories and the
+number of removed pieces.
 
 A trajectory opens a ray to a depth if the trajectory removes the stock from the ray's near end to this depth. A
 trajectory opens a tile to a depth if the trajectory opens all rays of the tile to this depth. The culling drops only
-pairs that remove nothing, so the pieces of all rays stay the same.
+trajectories that remove nothing from the tile, so the pieces of all rays stay the same.
 """
 
 from __future__ import annotations
@@ -30,31 +31,31 @@ TILE = 64
 # Number of pairs of a tile and a trajectory in one batch. The arrays of a larger batch would not fit into the
 # processor's cache, and in a smaller batch the overhead of numpy's calls would dominate.
 PAIRS_AT_ONCE = 65536
-# Length, mm, by which a trajectory must reach beyond the opened depth of a tile to stay in the tile's list. With a
-# smaller length, rounding errors would keep trajectories that cut nothing. With a larger length, trajectories that
-# remove a thin layer would be dropped.
+# Length, mm, by which a trajectory must reach deeper than the depth to which the tile is already open, to stay in the
+# tile's list. With a smaller length, rounding errors would keep trajectories that cut nothing. With a larger length,
+# trajectories that remove only a thin layer would be dropped.
 NOISE = 1e-8
 
 
 class Bounds(Protocol):
-    """Bounds of the depths that trajectories cut in tiles, for one type of view (vertical or oblique)."""
+    """Upper and lower bounds of the depths to which trajectories cut tiles, for vertical views or for oblique views."""
 
     @property
     def slow(self) -> np.ndarray:
-        """Whether the bounds of each trajectory take as long to compute as its swept surface, (m,) bool."""
+        """Whether computing the bounds of each trajectory takes as long as computing its swept surface, (m,) bool."""
 
     def quarters(
         self, column: np.ndarray, row: np.ndarray, tile: np.ndarray, item: np.ndarray, child: int
     ) -> Iterator[np.ndarray]:
-        """Find the pairs of a tile and a trajectory that can cut each quarter of the tiles.
+        """Find, for each quarter of the tiles, the pairs of a tile and a trajectory that can cut this quarter.
 
         Parameters
         ----------
         column, row : (t,) ndarray of int
             Column and row of each tile's first pixel.
         tile, item : (p,) ndarray of int
-            The pairs: the number of the tile, and the trajectory's position in `Trajectories.index`. The pairs are
-            sorted by tile and then by time.
+            The number of the tile, and the trajectory's position in `Trajectories.index`, of each pair. The pairs are
+            sorted by tile and then by trajectory.
         child : int
             Side of a quarter, pixels.
 
@@ -70,7 +71,7 @@ class Bounds(Protocol):
         Parameters
         ----------
         tile : (p,) ndarray of int
-            Tile of each pair in `tiles`.
+            Number of the tile of each pair in `tiles`.
         near, far : (side * side, t) ndarray
             Depths at which the rays of the tiles' pixels enter and leave the stock, row by row; ``near > far`` for rays
             that miss the stock.
@@ -82,15 +83,16 @@ QUARTERS = ((0, 0), (1, 0), (0, 1), (1, 1))
 
 
 class Removals(NamedTuple):
-    """Intervals that trajectories can remove from rays, sorted by ray and then by time.
+    """Intervals that trajectories can remove from rays, sorted by ray and then by trajectory.
 
     Attributes
     ----------
     hit : (k,) int64
-        Positions of the intervals in the matrix (pixels of a tile, pairs), counted row by row.
+        Positions of the intervals in a matrix, counted row by row. Each row is one of the pixels of a tile, and each
+        column is a pair of a tile and a trajectory.
     enter, leave : (k,) ndarray
         Ends of the intervals, clipped to the stock, mm. If `enter` is None, all intervals begin at the near end of
-        their rays, and each interval ends deeper than the previous intervals of its ray.
+        their rays, and each interval ends deeper than all earlier intervals of its ray.
     """
 
     hit: np.ndarray
@@ -134,14 +136,14 @@ class Tiles:
         return Tiles(self.side, self.column[chosen], self.row[chosen], first, self.item[np.repeat(chosen, count)])
 
     def part(self, begin: int, end: int) -> Tiles:
-        """Return the tiles from number `begin` to number `end` - 1."""
+        """Return the tiles with the numbers `begin` to `end` - 1."""
         first = self.first[begin : end + 1]
         return Tiles(
             self.side, self.column[begin:end], self.row[begin:end], first - first[0], self.item[first[0] : first[-1]]
         )
 
     def blocks(self, pairs: int) -> Iterator[Tiles]:
-        """Yield parts that have at most `pairs` pairs, or that are a single tile with more pairs."""
+        """Yield batches of tiles with at most `pairs` pairs of a tile and a trajectory, or of one tile with more pairs."""
         begin = 0
         while begin < len(self.column):
             end = int(np.searchsorted(self.first, self.first[begin] + pairs, side="right")) - 1
@@ -151,7 +153,7 @@ class Tiles:
 
 
 class Region(NamedTuple):
-    """A part of the image that is `TILE` rows high and consists of largest tiles, which end at the image's border.
+    """A part of the image, `TILE` rows high, that consists of tiles of the largest size, cut off at the image's border.
 
     Attributes
     ----------
@@ -180,7 +182,7 @@ def small_tiles(trajectories: Trajectories, bounds: Bounds, region: Region) -> I
     tiles : Tiles
         Small tiles, each yielded once. Tiles that no trajectory can cut are not yielded.
     tested : int
-        Number of pairs that were tested to find `tiles`: pairs of a tile or pixel and a trajectory.
+        How many times a trajectory was tested against a tile or a pixel to find `tiles`.
     """
     left = np.arange(region.left, region.right, TILE)
     return divided(trajectories, bounds, first_tiles(trajectories, left, np.full(len(left), region.bottom)))
@@ -189,15 +191,15 @@ def small_tiles(trajectories: Trajectories, bounds: Bounds, region: Region) -> I
 def divided(
     trajectories: Trajectories, bounds: Bounds, tiles: Tiles, needed: Callable[[Tiles], Tiles] = lambda tiles: tiles
 ) -> Iterator[tuple[Tiles, int]]:
-    """Divide tiles from any places of the image, and yield the small tiles as `small_tiles` does.
+    """Divide tiles, which can be anywhere in the image, and yield small tiles as `small_tiles` does.
 
     Parameters
     ----------
     bounds : Bounds
         Bounds for the view of `trajectories`.
     needed : callable, optional
-        Function that returns the part of the tiles that the caller needs: some of the tiles, each with the first
-        trajectories of its list. The function is called for the tiles of each size.
+        Function that receives tiles of one size and returns the tiles that the caller needs; it can shorten a tile's
+        list of trajectories at its end. The function is called for every size.
     """
     pending = [tiles]
     tested = 0
@@ -216,7 +218,7 @@ def divided(
 
 
 def are_small(tiles: Tiles, slow: np.ndarray) -> np.ndarray:
-    """Return whether cutting the pixels of a tile is faster than dividing the tile (`Bounds.slow`), (t,) bool."""
+    """Return whether cutting each tile's pixels is faster than dividing the tile (see `Bounds.slow`), (t,) bool."""
     if tiles.side != 4:
         return np.full(len(tiles.column), tiles.side < 4)
     running = np.append(0, np.cumsum(slow.take(tiles.item)))
@@ -225,7 +227,7 @@ def are_small(tiles: Tiles, slow: np.ndarray) -> np.ndarray:
 
 
 def first_tiles(trajectories: Trajectories, left: np.ndarray, bottom: np.ndarray) -> Tiles:
-    """Return the largest tiles with first pixels at `left`, `bottom` (t,), and the trajectories that can meet them."""
+    """Return the largest tiles, with their first pixels at `left`, `bottom` (t,), and the trajectories that can meet them."""
     frame = trajectories.frame
     x0, y0 = frame.pixel_centres(left, bottom)
     x1, y1 = frame.pixel_centres(np.minimum(left + TILE, frame.width) - 1, np.minimum(bottom + TILE, frame.height) - 1)
@@ -234,7 +236,7 @@ def first_tiles(trajectories: Trajectories, left: np.ndarray, bottom: np.ndarray
 
 
 def quartered(trajectories: Trajectories, bounds: Bounds, tiles: Tiles) -> Tiles:
-    """Return the quarters of tiles that a trajectory can cut, each with the trajectories that can cut the quarter."""
+    """Return the quarters of tiles that at least one trajectory can cut, each with the trajectories that can cut it."""
     frame, side = trajectories.frame, tiles.side // 2
     tile = np.repeat(np.arange(len(tiles.column)), np.diff(tiles.first))
     columns, rows, counts, items = [], [], [], []
@@ -256,20 +258,20 @@ def quartered(trajectories: Trajectories, bounds: Bounds, tiles: Tiles) -> Tiles
 def deeper_pairs(
     tile: np.ndarray, start: np.ndarray, reach: np.ndarray, opens: np.ndarray, near: float, far: float
 ) -> np.ndarray:
-    """Return the positions of the pairs that reach deeper than earlier pairs have opened the same tile.
+    """Return the pairs whose trajectory reaches deeper in its tile than earlier trajectories have opened the tile.
 
     Parameters
     ----------
     tile : (p,) ndarray of int
         Tile of each pair, ascending.
     start : (t,) ndarray of int
-        First pair of each tile.
+        Position of each tile's first pair.
     reach, opens : (p,) ndarray
         Largest depth that each pair's trajectory reaches in its tile, and the depth to which the trajectory opens all
         rays of the tile from their near end. A `reach` of -inf or NaN means that the trajectory does not meet the tile,
         and an `opens` of -inf or NaN means that the trajectory does not open the tile. Both arrays are overwritten.
     near, far : float
-        Smallest depth at which a ray of the tiles enters the stock, and largest depth at which a ray leaves the stock.
+        Smallest depth at which a ray of the tiles enters the stock, and largest depth at which a ray leaves it, mm.
     """
     stretch = far - near + 1
     np.minimum(np.fmax(opens, near, out=opens), far, out=opens)

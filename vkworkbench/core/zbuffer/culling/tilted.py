@@ -1,13 +1,14 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Find the trajectories that can cut a tile in an oblique view.
 
-Each ray of a tile is the ray through the tile's middle, moved sideways by up to half a tile. A tool that is grown by
-this distance removes from the middle ray at least what the original tool removes from any ray of the tile. A tool that
-is shrunk by this distance removes from the middle ray only what the original tool removes from all rays of the tile.
+Each ray of a tile is parallel to the ray through the tile's middle (the middle ray), at a distance of up to half a
+tile. If the tool is made larger by this distance, it removes from the middle ray at least what the original tool
+removes from any ray of the tile. If the tool is made smaller by this distance, it removes from the middle ray only what
+the original tool removes from all rays of the tile.
 
-The depths of different rays are measured from a horizontal plane, so that a level floor has the same depth on all rays.
-If all tools are balls, which have no flat floor, or if the view is from the side, depths are measured from a plane
-perpendicular to the view.
+Depths on different rays are measured from one horizontal plane, so that a level floor has the same depth on all rays.
+If all tools are ball-end mills, which cut no flat floors, or if the view is from the side, depths are measured from a
+plane perpendicular to the view.
 """
 
 from __future__ import annotations
@@ -27,13 +28,14 @@ from vkworkbench.core.zbuffer.sweeps.slots import ROUNDING
 from vkworkbench.core.zbuffer.sweeps.trajectories import Trajectories
 
 # Largest absolute cosine of the view's tilt from the vertical at which depths are measured from a plane perpendicular
-# to the view. With a smaller limit, the bounds would be useless in views from the side, because the larger and the
-# smaller tool would differ too much from the original tool. With a larger limit, a level floor would have different
-# depths on the rays of a tile in more views, which makes the bounds less tight.
+# to the view. With a smaller limit, depths would be measured from a horizontal plane also in views nearly from the
+# side; the larger and the smaller tool would then differ so much from the original tool that the bounds exclude
+# nothing. With a larger limit, a level floor would have different depths on the rays of a tile in more views, so the
+# bounds would exclude less.
 _LEVEL = 0.3
-# Margin by which the smaller tool is shrunk further, mm. With a smaller margin, rounding would decide whether a ray
-# that touches a surface is removed, so the smaller tool could remove too much. With a larger margin, the bounds would
-# drop fewer trajectories.
+# Additional length by which the smaller tool is made smaller than the geometry requires, mm. With a smaller margin,
+# rounding would decide whether a ray that touches a surface is removed, so the smaller tool could remove too much. With
+# a larger margin, fewer trajectories would be dropped.
 _LESS = 1e-6
 
 
@@ -74,8 +76,9 @@ class Tilted:
         pixels, item = tiles.side**2, tiles.item
         px, py = x.take(tile, axis=1)[None], y.take(tile, axis=1)[:, None]
         enter, leave = self.trajectories.intervals(px, py, item)
-        # For a ray on the rim of a sweep, rounding must decide exactly as it does for single rays, so `passing` is
-        # computed. Most tiles are completely inside the rim and are skipped here.
+        # A ray at the boundary of a swept area must be judged exactly as if it were cut alone, because both results
+        # depend on rounding errors; therefore `passing` is computed as for single rays. Most tiles are completely
+        # inside the swept area and are skipped here.
         corners = self.trajectories.passing(px[:, [0, -1]], py[[0, -1]], item)
         doubtful = np.flatnonzero(~corners.all(axis=(0, 1)))
         passing = self.trajectories.passing(px[..., doubtful], py[..., doubtful], item[doubtful])
@@ -86,18 +89,18 @@ class Tilted:
 
 
 class _TileChords:
-    """Bounds of the depths at which the rays of a tile enter and leave the stock.
+    """Lower and upper bounds of the depths at which the rays of a tile enter and leave the stock.
 
-    Depths are measured from a plane. `shear` is the change of the plane's depth per mm down the image; `shear` is 0 for
-    a plane perpendicular to the view.
+    Depths are measured from a plane. `shear` is the change of the plane's depth along the view per mm down the image;
+    it is 0 for a plane perpendicular to the view.
     """
 
     def __init__(self, stock: Solid, frame: Frame, shear: float) -> None:
         slope = stock.normals @ frame.direction
         room = stock.offsets - stock.normals @ frame.centre
         right, up = stock.normals @ frame.right, stock.normals @ frame.up
-        # The depth at which a ray meets each plane of the stock is a constant plus a gradient times the image
-        # coordinates. Planes parallel to the rays do not bound the depth.
+        # The depth at which a ray meets a face plane of the stock is a constant plus a gradient times the image
+        # coordinates. Face planes parallel to the rays do not limit the depth.
         met = np.abs(slope) >= 1e-12
         self.entered, self.left = met & (slope < 0), met & (slope > 0)
         slope = np.where(met, slope, 1)
@@ -118,26 +121,29 @@ class _TileChords:
 
 
 class _Bound(Tool):
-    """A tool that bounds another tool. The size is not checked, because a bound can be larger than any allowed tool."""
+    """A tool that is larger or smaller than a given tool.
+
+    Its size is not checked, because it can be larger than any allowed tool.
+    """
 
     def __post_init__(self) -> None:
         pass
 
 
 class _Growth:
-    """The larger and the smaller tool that bound a given tool for all rays of a tile."""
+    """The larger and the smaller tool that replace a given tool for the bounds of a tile."""
 
     def __init__(self, tool: Tool, level: bool, sine: float, cosine: float) -> None:
         self.tool, self.level, self.sine, self.cosine = tool, level, sine, cosine
         self.ball = tool.rounding == tool.radius
-        # A bull-nose is bounded by two flat ends. The floor of each flat end is raised by ROUNDING, because `sweeps`
-        # lowers flat floors by this length but not the floor of a bull-nose.
+        # For a bull-nose, the larger and the smaller tool are flat-end mills. Both are raised by ROUNDING, because
+        # `sweeps` lowers flat ends by this length, but not the flat part of a bull-nose.
         self.flat = ROUNDING if 0 < tool.rounding < tool.radius else 0.0
 
     def _offsets(self, reach: float) -> tuple[float, float]:
-        """Return the largest distance of a tile's rays from the middle ray: horizontally and in space, mm.
+        """Return the largest distance of a tile's rays from the middle ray, horizontally and in space, mm.
 
-        In the image, the rays are up to `reach` mm to each side of the middle ray.
+        In the image, the other rays are up to `reach` mm to each side of the middle ray.
         """
         if self.level:
             aside = reach * hypot(1, 1 / self.cosine)
@@ -156,7 +162,7 @@ class _Growth:
         return self._wider(aside), -lower
 
     def shrunk(self, reach: float) -> tuple[Tool | None, float]:
-        """Return the smaller tool (None if nothing remains), and the height of its tip above the original tip, mm."""
+        """Return the smaller tool (None if nothing of it remains), and the height of its tip above the original tip, mm."""
         aside, away = self._offsets(reach)
         tool = self.tool
         aside, away = aside + _LESS, away + (0 if self.level and not self.ball else _LESS)
@@ -167,7 +173,7 @@ class _Growth:
             return _Bound("endmill", diameter), self.flat + away
         if self.ball:
             return _Bound("ballend", diameter), away
-        # If the flat tip disappears, the smaller cone begins above the original tip.
+        # If no flat tip remains on the smaller cone, its apex is above the original tip.
         return self._wider(-aside), away + tool.steepness * max(aside - tool.tip, 0.0)
 
     def _wider(self, aside: float) -> Tool:
@@ -186,7 +192,7 @@ def _not_yet_open(
     near: np.ndarray,
     far: np.ndarray,
 ) -> np.ndarray:
-    """Return the positions of the pairs that cut between the depths opened from both ends of the rays.
+    """Return the pairs that can remove material between the depths to which the rays are open from their two ends.
 
     Parameters
     ----------
@@ -195,8 +201,8 @@ def _not_yet_open(
     enter, leave : (p,) ndarray
         Depths between which the pair's trajectory can cut rays of the tile, mm.
     all_enter, all_leave : (p,) ndarray
-        Depths between which the pair's trajectory opens all rays of the tile, mm. If ``all_enter > all_leave``, no
-        depth is open on all rays.
+        Depths between which the pair's trajectory opens all rays of the tile, mm. If ``all_enter > all_leave``, the
+        trajectory removes no depth from all rays.
     near, far : (t,) ndarray
         Smallest and largest depth of the stock in each tile, mm.
     """
@@ -204,12 +210,13 @@ def _not_yet_open(
         return tile
     start = beginnings(tile)
     near, far = near.take(tile), far.take(tile)
-    # The offset of each tile is so large that the running maxima and minima start anew in each tile.
+    # The depths of each tile are shifted past the depths of all earlier tiles, so that one running maximum or minimum
+    # over all pairs starts anew in each tile.
     offset = tile * (far.max() - near.min() + 1)
     holds = all_enter <= all_leave
     all_enter, all_leave = np.maximum(all_enter, near), np.minimum(all_leave, far)
     open_near, open_far = near, far
-    for _ in range(2):  # the second pass also joins intervals that touch the gap found by the first pass
+    for _ in range(2):  # the second round also joins intervals that touch the gap found by the first round
         opens = np.where(holds & (all_enter <= open_near), all_leave, near) + offset
         open_near = before_in_group(np.maximum.accumulate(opens), start, (near + offset)[start]) - offset
         opens = np.where(holds & (all_leave >= open_far), all_enter, far) - offset

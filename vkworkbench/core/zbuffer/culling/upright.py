@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Find the trajectories that can cut a tile in a view from above or below.
 
-For each pair of a tile and a trajectory, the bounds are the largest depth that the trajectory reaches in the tile, and
-the depth to which the trajectory opens all rays of the tile. Every ray is vertical, so a depth is a height, and a tool
-opens a ray upwards from the lower surface of the tool. Therefore views from above and from below have the same bounds.
+For each pair of a tile and a trajectory, two bounds are computed: the largest depth that the trajectory reaches in the
+tile, and the depth to which the trajectory opens all rays of the tile. Every ray is vertical, so a depth is a height,
+and a tool removes all material above the tool's lower surface. Therefore the bounds are the same for a view from above
+and for a view from below.
 """
 
 from __future__ import annotations
@@ -20,13 +21,13 @@ from vkworkbench.core.zbuffer.rays.opening import opening
 from vkworkbench.core.zbuffer.sweeps.intervals import lowest
 from vkworkbench.core.zbuffer.sweeps.trajectories import Trajectories
 
-# Margin for comparing a squared distance with the tool's squared radius, mm^2. With a smaller margin, a rounding
-# error at the rim could drop a trajectory that cuts the tile. With a larger margin, more trajectories that miss the
+# Margin for comparing a squared distance with the tool's squared radius, mm^2. With a smaller margin, a rounding error
+# at the tool's rim could drop a trajectory that cuts the tile. With a larger margin, more trajectories that miss the
 # tile would stay in the tile's list.
 _RIM = 1e-9
-# Distance from the rim of a sweep, mm, below which `Trajectories.passing` decides whether a ray is inside the sweep.
-# With a smaller distance, rounding could decide differently for a ray of a tile than for the same ray alone. With a
-# larger distance, more rays would need this additional test.
+# Distance from the boundary of a swept area, mm, below which `Trajectories.passing` decides whether a ray is inside.
+# With a smaller distance, rounding errors could give different results for a ray in a tile and for the same ray cut
+# alone. With a larger distance, more rays would need this additional test.
 _RIM_LENGTH = 1e-4
 
 
@@ -37,7 +38,8 @@ class Upright:
         self.trajectories, self.frame, self.cosine = trajectories, trajectories.frame, trajectories.cosine
         (x, y, z), (mx, my, _) = trajectories.start, trajectories.move
         ux, uy, run, slope = trajectories.heading
-        # For each move: x and y of the middle, direction, half the length in the plane, and depth of the middle.
+        # For each move: x and y of the move's middle, its direction in the xy plane, half its length in the xy plane,
+        # and the depth of its middle.
         self.measures = (x + mx / 2, y + my / 2, ux, uy, run / 2, -(z + slope * run / 2))
         self.slope, self.slow = slope, slope != 0
         half = (trajectories.stock.upper[2] - trajectories.stock.lower[2]) / 2
@@ -82,9 +84,9 @@ class Upright:
         return Removals(hit, np.maximum(-depth.ravel()[hit], near[ray]), far[ray])
 
     def _opened_depths(self, x: np.ndarray, y: np.ndarray, item: np.ndarray) -> np.ndarray:
-        """Return the depths (pixels of a tile, p), mm, to which pairs of a tile and a trajectory open the tile's rays.
+        """Return the depth, mm, to which the trajectory of each pair opens each ray of its tile, (pixels of a tile, p).
 
-        The columns of the pixels are at `x` (1, side, p), and their rows are at `y` (side, 1, p).
+        The pixel columns of the tiles are at `x` (1, side, p), and the pixel rows at `y` (side, 1, p), mm.
         """
         trajectories = self.trajectories
         start, heading = trajectories.start.take(item, axis=1), trajectories.heading.take(item, axis=1)
@@ -92,7 +94,8 @@ class Upright:
         for tool, own in trajectories.by_tool(item):
             px, py = x[..., own], y[..., own]
             height, inner = lowest(tool, start[:, own], heading[:, own], px, self.cosine * py)
-            # For a ray on the rim of a sweep, rounding must decide exactly as it does for single rays.
+            # A ray at the boundary of a swept area must be judged exactly as if it were cut alone, because both results
+            # depend on rounding errors.
             at = np.flatnonzero((inner < _RIM_LENGTH) & (inner >= 0))
             if len(at):
                 rim = row, column, pair = np.unravel_index(at, inner.shape)
@@ -102,19 +105,20 @@ class Upright:
         return depth.reshape(-1, len(item))
 
     def _kinds(self, item: np.ndarray) -> Iterator[tuple[Tool, bool, slice | np.ndarray]]:
-        """Yield each tool, whether the moves of the group are level, and the positions of the group in `item`."""
+        """Group `item` by kind of trajectory; yield each kind's tool, whether its moves are level, and places in `item`."""
         return ((*self.trajectories.kinds[number], own) for number, own in self.trajectories.by_kind(item))
 
 
 class Slopes:
-    """The slopes of moves, and quantities computed from the slopes.
+    """The slopes of moves, and quantities computed from these slopes.
 
     Attributes
     ----------
     slope, steepness, secant : (p,) ndarray
-        Signed rise and absolute rise per mm in the xy plane, and length of the move per mm in the xy plane.
+        Per mm of the move in the xy plane: the signed rise, the absolute rise, and the length of the move in space.
     lean : (p,) ndarray
-        Signed position along the move at which a ball of radius 1 is lowest above a point on the line of the move.
+        Position along the move, relative to a point on the move's line, at which a ball of radius 1 is lowest above the
+        point.
     """
 
     def __init__(self, slope: np.ndarray) -> None:
@@ -124,14 +128,14 @@ class Slopes:
 
 
 class Squares(NamedTuple):
-    """Pairs of a square of the image and a move, with positions relative to the move.
+    """Pairs of a square of the image and a move, with the square's position relative to the move.
 
     Attributes
     ----------
     along, aside : (p,) ndarray
         Position of the square's middle relative to the move's middle, along and perpendicular to the move, mm.
     extent : (p,) ndarray
-        Half the side, mm, of a square that encloses the given square and has sides parallel to the move.
+        Half the side, mm, of the smallest square that contains the given square and has sides parallel to the move.
     half_run : (p,) ndarray
         Half the length of the move in the xy plane, mm.
     depth : (p,) ndarray
@@ -148,7 +152,7 @@ class Squares(NamedTuple):
 def _bounds_by_kind(
     kinds: Sequence[tuple[Tool, slice | np.ndarray, Slopes | None]], squares: Squares
 ) -> tuple[np.ndarray, np.ndarray]:
-    """Compute `bounds` for pairs with several kinds of trajectories (tool, level or sloped)."""
+    """Compute `bounds` for pairs whose trajectories have different tools, or are partly level and partly sloped."""
     if len(kinds) == 1:
         tool, _, slopes = kinds[0]
         return bounds(tool, slopes, squares)
@@ -159,7 +163,7 @@ def _bounds_by_kind(
 
 
 def bounds(tool: Tool, slopes: Slopes | None, squares: Squares) -> tuple[np.ndarray, np.ndarray]:
-    """Return bounds of the depths that moves cut in squares of the image.
+    """Return an upper and a lower bound of the depths to which moves cut squares of the image.
 
     `reaches` is an upper bound of the depth that a move reaches in the square. `opens` is a lower bound of the depth to
     which the move opens every ray of the square.
@@ -174,8 +178,8 @@ def bounds(tool: Tool, slopes: Slopes | None, squares: Squares) -> tuple[np.ndar
     Returns
     -------
     reaches, opens : (p,) ndarray
-        The bounds, mm; -inf or NaN if the move does not meet the square (`reaches`) or does not cover the square
-        (`opens`).
+        The bounds, mm. `reaches` is -inf or NaN if the move does not meet the square; `opens` is -inf or NaN if the
+        tool does not pass over the whole square.
     """
     if tool.rounding == tool.radius:
         return _bounds_of_ball(tool.radius, slopes, squares)
@@ -206,12 +210,12 @@ def bounds(tool: Tool, slopes: Slopes | None, squares: Squares) -> tuple[np.ndar
 
 
 def _bounds_of_ball(radius: float, slopes: Slopes | None, squares: Squares) -> tuple[np.ndarray, np.ndarray]:
-    """Compute `bounds` for a ball.
+    """Compute `bounds` for a ball-end mill.
 
-    The swept volume of a ball is convex. Therefore the largest height of the volume's lower surface in the square is at
-    a corner of the outer side, which is the side farther from the line of the move. A lower bound of the height is the
-    height at the inner side for a move that is lengthened by the size of the square. Square roots are NaN where the
-    ball misses the square.
+    The swept volume of a ball is convex. Therefore the lower surface of the volume is highest, within the square, at a
+    corner of the square's outer side, which is the side farther from the line of the move. A lower bound of the
+    surface's height is its height at the inner side, computed for a move that is longer by the size of the square.
+    Square roots are NaN where the ball misses the square.
     """
     along, aside, extent, half_run, depth = squares
     aside = np.abs(aside)
@@ -223,7 +227,7 @@ def _bounds_of_ball(radius: float, slopes: Slopes | None, squares: Squares) -> t
     def depths(chord2: np.ndarray, begin: np.ndarray, end: np.ndarray) -> np.ndarray:
         """Return the depths of the ball's surface where the squared half chord of the ball is `chord2`.
 
-        The ball's axis is between `begin` and `end`; both arrays are overwritten.
+        The ball's axis is between `begin` and `end` along the move; the function overwrites both arrays.
         """
         if slopes is None:
             at = np.maximum(begin, 0, out=begin)
@@ -274,8 +278,8 @@ def _deepest_reach(
     along, _, extent, half_run, _ = squares
     flat, corner = tool.radius - tool.rounding, tool.rounding
     slope = slopes.slope
-    # Heights are measured from the lower end of the square. The tool's axis is at most half a chord of the tool away
-    # from the square, and not beyond the end of the move.
+    # Heights are measured from the height of the move at the lower end of the square. The tool's axis is at most half a
+    # chord of the tool away from the square, and at most at the end of the move.
     half = _root(tool.radius**2 - inner2)
     reach = half_run - extent
     first = np.maximum(-along - reach, -half)
@@ -284,7 +288,8 @@ def _deepest_reach(
     last *= slope
     lowest = np.minimum(first, last, out=first)
     lowest += _profile(tool, nearest2)
-    # A second bound is the lowest height of the tool on an endless move. The second bound is tighter for long moves.
+    # A second bound is the lowest height of the tool above the square if the move were endless. The second bound is
+    # closer to the exact height if the move is long.
     if tool.steepness == 0:
         endless = corner - _root(corner**2 - np.maximum(inner - flat, 0) ** 2) * slopes.secant
         endless -= slopes.steepness * flat
@@ -298,16 +303,16 @@ def _deepest_reach(
 
 
 def _least_opening(tool: Tool, slopes: Slopes, squares: Squares, outer: np.ndarray, outer2: np.ndarray) -> np.ndarray:
-    """Return the depth, mm, below the middle of each sloped move to which the move opens all rays of the square.
+    """Return the depth, mm, relative to the middle of each sloped move, to which the move opens all rays of its square.
 
-    The result is valid only if the move covers the square. `outer` (p,) is the largest distance from the square to the
-    line of the move, mm, and `outer2` (p,) is the squared distance, mm^2.
+    The result is valid only if the tool passes over the whole square. `outer` (p,) is the largest distance from the
+    square to the line of the move, mm, and `outer2` (p,) is the squared distance, mm^2.
     """
     along, _, extent, half_run, _ = squares
     flat, corner = tool.radius - tool.rounding, tool.rounding
     slope, steepness = slopes.slope, slopes.steepness
     # For each point, the tool is placed near the position on the move at which the tool is lowest above the point.
-    # Every position gives a valid bound; the lowest position gives the tightest bound.
+    # Every position gives a valid bound; the position at which the tool is lowest gives the best bound.
     if tool.steepness == 0:
         ahead = _root(corner**2 - np.maximum(outer - flat, 0.0) ** 2)
         ahead *= steepness
@@ -318,7 +323,7 @@ def _least_opening(tool: Tool, slopes: Slopes, squares: Squares, outer: np.ndarr
         ahead = np.maximum(steepness * outer / gentle, _root(tool.tip**2 - outer2))
         ahead = np.where(steepness < tool.steepness, ahead, np.inf)
         ahead = np.minimum(ahead, _root(tool.radius**2 - outer2))
-    # Shorten the distance slightly, so that rounding does not move the point outside of the tool.
+    # Shorten this distance slightly, so that rounding errors do not put the point outside the tool.
     ahead *= 1 - 1e-9
     best = np.copysign(ahead, -slope, out=ahead)
     low, high = along - extent, along + extent

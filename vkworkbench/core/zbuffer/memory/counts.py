@@ -24,22 +24,22 @@ _SEED = 2002
 
 @dataclass(frozen=True)
 class Counts:
-    """Estimated numbers of records: dexels, trace elements and gaps of the stock.
+    """Estimated numbers of records, which are dexels, trace elements and gaps in the stock.
 
     Attributes
     ----------
     stock, gaps : float
-        Number of dexels of the uncut stock, and number of pieces of rays in gaps of the stock. Each gap is stored as a
-        record.
+        Number of dexels of the uncut stock, and number of pieces of rays in gaps in the stock. Each such piece is
+        stored as a record.
     dexels : float
         Number of dexels at the end of the simulation.
     traces, traces_error : float
         Number of trace elements, and its standard error.
     touched : float
-        Number of pixels whose ray is cut.
+        Number of pixels whose ray at least one trajectory cuts.
     passes : float
-        Number of pairs of a pixel and a trajectory that passes this pixel, including trajectories that remove nothing
-        there.
+        Number of pairs of a pixel and a trajectory whose swept volume the pixel's ray meets, including trajectories
+        that remove nothing from the ray.
     unconnected : float
         Share of `passes` on rays whose removed intervals are not connected. Only on these rays are the intervals
         sorted; see `chains.py`.
@@ -67,7 +67,7 @@ class Counts:
 
 
 def count(removal: Removal) -> Counts:
-    """Estimate the records of a simulation.
+    """Estimate the numbers of records of a simulation.
 
     The order of the trajectories determines how often a pixel is cut (paper, section 2.1). Therefore the sampled rays
     are cut in the order of the program.
@@ -81,7 +81,7 @@ def count(removal: Removal) -> Counts:
     rng = np.random.default_rng(_SEED)
     rays = sample(removal, rng)
     pieces, passes = removal.cut(rays.x, rays.y)
-    # The ray of uncut stock has one dexel, and one more dexel behind every gap of the stock.
+    # In the uncut stock, a ray has one dexel, and one additional dexel for every gap in the stock.
     held = np.bincount(pieces.ray, minlength=len(rays.x))
     empty = np.bincount(pieces.ray[pieces.owner == GAP], minlength=len(rays.x))
     parts = np.bincount(pieces.ray[pieces.owner == UNCUT], minlength=len(rays.x))
@@ -92,7 +92,7 @@ def count(removal: Removal) -> Counts:
     covered, gaps = seen_areas(removal.stock, frame, rng)
     # A ray that is cut through loses dexels. A ray that is cut in the middle gains dexels.
     more, _ = rays.total(parts - first)
-    more = max(more, -covered)  # rounding can make the sum negative if all stock is removed
+    more = max(more, -covered)  # rounding errors can make the sum negative if all stock is removed
     traces, error = rays.total(cuts)
     passed, _ = rays.total(passes)
     unconnected, _ = rays.total(passes * _unconnected(pieces, len(rays.x)))
@@ -113,10 +113,11 @@ def count(removal: Removal) -> Counts:
 
 
 def _unconnected(pieces: Pieces, rays: int) -> np.ndarray:
-    """Return the rays (rays,) bool whose removed intervals are not connected.
+    """Return whether the removed intervals of each ray are not connected, (rays,) bool.
 
-    The intervals are not connected if the owner's number has a maximum inside the ray. `UNCUT` is larger than all
-    numbers.
+    The intervals are not connected if a piece between two other pieces of the ray was removed later than both
+    neighbours, so its owner is greater than their owners. A piece that no trajectory removes has the greatest owner,
+    `UNCUT`.
     """
     owner, ray = pieces.owner, pieces.ray
     peak = np.flatnonzero((owner[1:-1] > owner[:-2]) & (owner[1:-1] > owner[2:]) & (ray[2:] == ray[:-2]))

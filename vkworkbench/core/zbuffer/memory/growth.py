@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Compute the growth of the number of pixels that a budget allows, and the size of the image after this growth."""
+"""Compute how many times as many pixels a budget allows, and the size of such an image."""
 
 from __future__ import annotations
 
@@ -8,15 +8,15 @@ from math import log2, sqrt
 
 from vkworkbench.core.view import LONGEST_SIDE, MOST_PIXELS, Frame, View
 
-# Largest growth of the number of pixels, as an exponent of 2.
+# Largest growth (factor for the number of pixels) that is considered, as an exponent of 2.
 _LARGEST_GROWTH = 40
 
 
 def growth_within(taken: Callable[[float], float], allowed: float, least: float) -> float:
-    """Return the largest growth of the number of pixels within a budget, by bisection.
+    """Return the largest factor for the number of pixels that stays within a budget, by bisection.
 
-    The growth is 0 if `least` already exceeds the budget. `taken` returns the time or memory for a growth. A larger
-    growth must not need less time or memory.
+    The factor is called growth. `taken` returns the time or memory that a growth needs; a larger growth must not need
+    less. The result is 0 if the smallest growth, `least`, already needs more than `allowed`.
     """
     if taken(least) > allowed:
         return 0.0
@@ -37,7 +37,7 @@ def size_of(image: View | Frame, growth: float) -> tuple[int, int]:
     largest = MOST_PIXELS / (image.width * image.height), (LONGEST_SIDE / max(image.width, image.height)) ** 2
     growth = min(growth, *largest)
     pixels = growth * image.width * image.height
-    # The shorter side has at least one pixel. This minimum limits the longer side of a narrow image.
+    # The shorter side has at least one pixel. In a narrow image, this minimum also limits the longer side.
     width = max(1, int(image.width * sqrt(growth)))
     height = max(1, int(min(image.height * sqrt(growth), pixels / width)))
     return max(1, int(min(width, pixels / height))), height

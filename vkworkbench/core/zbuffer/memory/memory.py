@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Estimate the peak memory of a simulation before the start, and refuse simulations above the memory limit."""
+"""Estimate the peak memory of a simulation before it starts, and refuse simulations that exceed the memory limit."""
 
 from __future__ import annotations
 
@@ -19,14 +19,14 @@ from vkworkbench.language import Message, Unusable
 
 # Default memory budget, bytes.
 BUDGET = 2e9
-# Memory for the temporary arrays of one band of the image, bytes: in views from above, in oblique views in which all
-# tools have closed forms, and in all other cases. benchmarks/zbuffer.py measures views from above,
-# test_vk_zbuffer_memory.py other views.
+# Memory for the temporary arrays of one band of the image, bytes. _BAND_ABOVE: in views from above. _BAND_CLOSED: in
+# oblique views if the swept volumes of all tools are computed by closed forms. _BAND: in all other cases.
+# benchmarks/zbuffer.py measures the memory in views from above, test_vk_zbuffer_memory.py in other views.
 _BAND_ABOVE, _BAND_CLOSED, _BAND = 14e6, 20e6, 42e6
-# Smallest cosine of the view's tilt from the vertical for `_BAND_CLOSED`. In flatter views each ray meets so many
-# trajectories that closed forms save no memory.
+# Smallest cosine of the view's tilt from the vertical for `_BAND_CLOSED`. If the cosine is smaller, each ray meets so
+# many trajectories that closed forms save no memory.
 _STEEP = 0.5
-# Memory for each trajectory, and for each record of the band that is being assembled, bytes.
+# Memory for each trajectory, and for each record of the band whose records are being assembled, bytes.
 _TRAJECTORY = 460.0
 _BAND_RECORD = 13.0
 # Memory for rendering pictures of the finished simulation, bytes: for each trace element, for each pixel, for each
@@ -37,26 +37,27 @@ _SHOWN, _SHOWN_PIXEL, _SHOWN_TRAJECTORY, _SHOWING = 14.0, PIXEL_BYTES + 92.0, 10
 _PROCESS = 45e6
 _SENT_TRAJECTORY = 500.0
 _SENT_RECORD = 26.0
-# Growth of a full array of records, as a share of its length.
+# Share of its length by which an array of records is enlarged when it is full.
 _SPARE = 1 / 8
 # Number of standard errors that is added to the estimated number of trace elements.
 _ERRORS = 2.0
-# Share of the memory budget that a proposed image size uses. The rest is a margin, because the estimate for the
-# proposed size samples other rays.
+# Share of the memory budget that a proposed image size uses. The rest is a margin, because an estimate for the proposed
+# size samples other rays and gives a slightly different result.
 _SURE = 0.98
 
 
 class OverBudget(Unusable):
-    """Error for a simulation that would need more memory than allowed and was not started.
+    """Error that is raised instead of starting a simulation that would need more memory than allowed.
 
     Attributes
     ----------
     what : Message
-        Message for the user.
+        Message that the user reads.
     needed, allowed : float
-        Peak memory of the simulation, and its limit, bytes.
+        Estimated peak memory of the simulation, and the memory limit, bytes.
     size : tuple of int or None
-        Width and height of the finest image within the limit, pixels; None if even one pixel exceeds the limit.
+        Width and height, pixels, of the largest image within the limit; None if even an image with one pixel exceeds
+        the limit.
     """
 
     def __init__(self, peak: Peak, allowed: float, counts: Counts, frame: Frame) -> None:
@@ -112,7 +113,7 @@ class Peak:
 
     @property
     def uncut(self) -> Peak:
-        """The quantities for the uncut stock."""
+        """The same quantities for a simulation of the uncut stock without any trajectory."""
         return replace(self, records=self.stock, traces=0.0, band=0.0, trajectories=0)
 
     def cutting(self, growth: float = 1.0) -> float:
@@ -122,7 +123,7 @@ class Peak:
 
 
 def memory_needed(cuts: Iterable[Cut], *, stock: Solid, view: View) -> float:
-    """Estimate the peak memory of `simulate_job` and of one picture from a few hundred rays.
+    """Estimate the peak memory of `simulate_job` and of one picture of its result, from a few hundred sampled rays.
 
     Parameters
     ----------
@@ -145,7 +146,7 @@ def memory_needed(cuts: Iterable[Cut], *, stock: Solid, view: View) -> float:
 
 
 def check_memory(removal: Removal, trajectories: int, allowed: float) -> None:
-    """Raise an error if a simulation would need too much memory.
+    """Raise an error if a simulation would need more memory than allowed.
 
     Parameters
     ----------
@@ -170,7 +171,7 @@ def check_memory(removal: Removal, trajectories: int, allowed: float) -> None:
 
 
 def peak_bytes(counts: Counts, trajectories: int, removal: Removal) -> float:
-    """Return the peak of the additional memory for a simulation and its pictures, bytes.
+    """Return the peak memory of a simulation and its pictures, bytes.
 
     See `peak_of` for the arguments.
     """
@@ -183,7 +184,7 @@ def peak_of(counts: Counts, trajectories: int, removal: Removal) -> Peak:
     Parameters
     ----------
     counts : Counts
-        Estimated numbers of records.
+        Estimated numbers of records in the simulation.
     trajectories : int
         Number of trajectories, including trajectories that miss the stock.
     removal : Removal
@@ -195,21 +196,24 @@ def peak_of(counts: Counts, trajectories: int, removal: Removal) -> Peak:
 
 
 def in_memory(peak: Peak, allowed: float) -> float:
-    """Return the largest growth of the number of pixels within a memory limit.
+    """Return the largest factor for the number of pixels (growth) that stays within a memory limit.
 
-    `allowed` is the limit, bytes. The growth is 0 if one pixel already exceeds the limit.
+    `allowed` is the limit, bytes. The result is 0 if even an image with one pixel exceeds the limit.
     """
     return growth_within(peak.bytes, _SURE * allowed, 1 / peak.pixels)
 
 
 def peak_that_was(records: Records, removal: Removal) -> Peak:
-    """Return the quantities that determined the peak memory of a finished simulation, from its records."""
+    """Return the quantities that determined the peak memory of a finished simulation, computed from its records."""
     traces = int(np.count_nonzero(records.cut))
     return _peak(len(records.far), traces, 0.0, 0.0, records.trajectories, removal)
 
 
 def most_bytes_of(removal: Removal, trajectories: int) -> float:
-    """Return an upper bound of the peak memory of a simulation, without sampled rays, bytes; infinite for a mesh."""
+    """Return an upper bound of a simulation's peak memory, bytes; infinite if the stock is a mesh.
+
+    No rays are sampled.
+    """
     most = _most_records(removal)
     return _peak(most, most, 0.0, most, trajectories, removal).bytes()
 
@@ -233,9 +237,9 @@ def helpers_within(allowed: float, removal: Removal, trajectories: int) -> int:
 
 
 def _most_records(removal: Removal) -> float:
-    """Return an upper bound of the number of records; infinite for a mesh.
+    """Return an upper bound of the number of records; infinite if the stock is a mesh.
 
-    The bound counts the pixels in the bounding boxes of all trajectories in the image.
+    The upper bound is computed from the number of pixels in the bounding box of each trajectory in the image.
     """
     if isinstance(removal.stock, Mesh):
         return np.inf

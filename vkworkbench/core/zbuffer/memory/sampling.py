@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Draw a stratified random sample of the pixels that a toolpath passes, and estimate totals from this sample."""
+"""Draw a stratified random sample of the pixels that swept volumes reach, and estimate totals from this sample."""
 
 from __future__ import annotations
 
@@ -11,10 +11,10 @@ from vkworkbench.core.zbuffer.memory.silhouette import seen_box
 from vkworkbench.core.zbuffer.rays.removal import Removal
 from vkworkbench.core.zbuffer.sweeps.trajectories import AT_ONCE
 
-_CELLS = 32  # number of cells in a row and in a column; the Morton order requires a power of two
-_CORNERS = _CELLS + 1  # number of corners of cells in a row
-# Largest and smallest number of rays in the sample. Between both limits, the number of rays is chosen so that all rays
-# together meet about `_MEETINGS` trajectories.
+_CELLS = 32  # number of cells in a row and in a column; the Morton order requires a power of 2
+_CORNERS = _CELLS + 1  # number of cell corners in a row
+# Upper and lower limit of the number of rays in the sample. Between both limits, the number of rays is chosen so that
+# about `_MEETINGS` pairs of a sampled ray and a trajectory meet.
 _RAYS = 450
 _FEWEST = 100
 _MEETINGS = 150_000
@@ -22,7 +22,7 @@ _MEETINGS = 150_000
 
 @dataclass(frozen=True, eq=False)
 class Sample:
-    """Rays of pixels, sorted by stratum, with the area of the image that each ray represents.
+    """Sampled rays, sorted by stratum, with the area of the image that each ray represents.
 
     Attributes
     ----------
@@ -51,7 +51,7 @@ class Sample:
         Returns
         -------
         total, error : float
-            Both are in mm^2 times the unit of the values.
+            The integral and its standard error, both in mm^2 times the unit of the values.
         """
         shares = values * self.area
         k = len(shares)
@@ -61,7 +61,7 @@ class Sample:
 
 
 def _morton_order() -> np.ndarray:
-    """Return the flat indices of the cells, sorted by their Morton key: the interleaved bits of row and column."""
+    """Return the cells' indices row * _CELLS + column, sorted by Morton key (interleaved bits of row and column)."""
     row, column = np.divmod(np.arange(_CELLS**2), _CELLS)
     key = np.zeros(_CELLS**2, np.int64)
     for bit in range(_CELLS.bit_length() - 1):
@@ -74,24 +74,24 @@ _NOWHERE = Sample(*np.empty((3, 0)))
 
 
 def sample(removal: Removal, rng: np.random.Generator) -> Sample:
-    """Draw up to `_RAYS` rays in the part of the image that trajectories pass, one in each stratum.
+    """Draw up to `_RAYS` rays in the part of the image that swept volumes reach, one ray in each stratum.
 
-    The image is divided into cells where trajectories pass. The weight of a cell is the square root of the number of
-    trajectories that pass the cell, because the number of records varies more in cells with more trajectories. The
-    strata are stretches of equal weight along a Morton curve (Morton 1966), which keeps neighbouring cells close to
-    each other. In each stratum, one random point is drawn, and the pixel that contains the point gives the ray.
-    Therefore a slot narrower than a pixel counts as often as in the simulated image.
+    This part of the image is divided into cells. The weight of a cell is the square root of the number of trajectories
+    whose bounding boxes touch the cell, because the number of records varies more in cells with more trajectories. The
+    strata are stretches of equal weight along a Morton curve (Morton 1966), a path through all cells on which
+    neighbouring cells are close to each other. In each stratum, one random point is drawn, and the pixel that contains
+    the point gives the ray. Therefore a slot narrower than a pixel counts as often as in the simulated image.
 
     Returns
     -------
     Sample
-        Empty if no trajectory reaches the image.
+        The sample is empty if no swept volume reaches the image.
     """
     frame = removal.frame
     if len(removal.index) == 0:
         return _NOWHERE
     half = np.array([frame.width, frame.height]) * frame.pixel / 2
-    margin = frame.pixel / 2  # a pixel whose centre is reached counts with its whole area
+    margin = frame.pixel / 2  # a swept volume that reaches a pixel's centre counts for the whole pixel
     low, high = seen_box(removal.stock, frame)
     low = np.maximum(-half, np.maximum(low, removal.box[::2].min(axis=1)) - margin)
     high = np.minimum(half, np.minimum(high, removal.box[1::2].max(axis=1)) + margin)
@@ -117,7 +117,7 @@ def sample(removal: Removal, rng: np.random.Generator) -> Sample:
 
 
 def _count_passes(removal: Removal, low: np.ndarray, side: np.ndarray) -> np.ndarray:
-    """Return how many bounding boxes of trajectories touch each cell, (rows, columns).
+    """Return how many bounding boxes of trajectories touch each cell of the image, (rows, columns).
 
     Each box is enlarged by half a pixel. Long trajectories are divided into parts, and each part has its own box.
     """
@@ -131,9 +131,9 @@ def _count_passes(removal: Removal, low: np.ndarray, side: np.ndarray) -> np.nda
 
 
 def _corners(removal: Removal, item: np.ndarray, low: np.ndarray, side: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Return the corners of the trajectories' boxes, and +1 or -1 for each corner.
+    """Return the corners of the trajectories' bounding boxes, as indices of cell corners, and +1 or -1 for each corner.
 
-    The number +1 or -1 is the change of the number of boxes beyond the corner.
+    The number +1 or -1 is added to the number of boxes for all cells to the right of the corner and above it.
     """
     move = removal.move.take(item, axis=1)
     seen = np.array((move[0], removal.cosine * move[1] + removal.sine * move[2]))
@@ -144,7 +144,8 @@ def _corners(removal: Removal, item: np.ndarray, low: np.ndarray, side: np.ndarr
     box = removal.boxes(item, place / parts, (place + 1) / parts)
     lower, upper = box[::2] - removal.frame.pixel / 2, box[1::2] + removal.frame.pixel / 2
     first, last = np.floor((lower - low) / side), np.floor((upper - low) / side)
-    # In a view from the side, a part above the stock has an empty box, whose last cell comes before its first cell.
+    # In a view from the side, a part of a move above the stock has an empty box, whose last cell has a lower index than
+    # its first cell.
     inside = ((last >= np.maximum(first, 0)) & (first < _CELLS)).all(axis=0)
     c0, r0 = np.maximum(first[:, inside], 0).astype(np.int64)
     c1, r1 = np.minimum(last[:, inside], _CELLS - 1).astype(np.int64) + 1

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Compute the area that the stock covers in an image."""
+"""Compute the area of the image that the stock covers."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ def seen_box(stock: Solid, frame: Frame) -> tuple[np.ndarray, np.ndarray]:
 
 
 def seen_areas(stock: Solid, frame: Frame, rng: np.random.Generator) -> tuple[float, float]:
-    """Return the area that a stock covers in an image, and the area of its gaps.
+    """Return the area of an image that a stock covers, and the area in which rays cross gaps in the stock.
 
     Parameters
     ----------
@@ -36,8 +36,8 @@ def seen_areas(stock: Solid, frame: Frame, rng: np.random.Generator) -> tuple[fl
     Returns
     -------
     covered, gaps : float
-        Area that the stock covers, and area of the gaps in the stock, mm^2. Parts of the stock that lie behind each
-        other, and gaps that lie behind each other, are counted separately.
+        Area that the stock covers, and area of the gaps in the stock, mm^2. Where a ray crosses several parts of the
+        stock or several gaps, each part and each gap is counted.
     """
     if isinstance(stock, Mesh):
         return _mesh_areas(stock, frame, rng)
@@ -52,7 +52,7 @@ def seen_areas(stock: Solid, frame: Frame, rng: np.random.Generator) -> tuple[fl
 def _mesh_areas(mesh: Mesh, frame: Frame, rng: np.random.Generator) -> tuple[float, float]:
     """Return `seen_areas` for a mesh, estimated from one random ray in each cell.
 
-    A regular grid of rays could miss all ribs.
+    The rays are random, because a regular grid of rays could miss all ribs of a mesh with a regular structure.
     """
     low, high = seen_box(mesh, frame)
     if not (low < high).all():

@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Cut rays by connected intervals, without sorting depths.
+"""Cut rays whose removed intervals are connected, without sorting the depths.
 
 Each trajectory removes an interval of a ray. Consecutive trajectories usually touch material that is already removed,
 so on most rays every interval touches or overlaps the gap that earlier intervals have cut. The gap of such a ray only
-grows, at its near end, at its far end or at both, and each growth is a piece. The running minimum of the entries and
-the running maximum of the exits give all pieces of a ray with one gap. Rays with several separate gaps are cut by
-`dexels.first_cuts`.
+grows, at its near end, at its far end or at both ends. The stretch by which a trajectory makes the gap longer at one
+end is called a growth; each growth is a piece. The running minimum of the entry depths and the running maximum of the
+exit depths give all pieces of a ray with one gap. Rays with several separate gaps are cut by `dexels.first_cuts`.
 """
 
 from __future__ import annotations
@@ -29,7 +29,7 @@ from vkworkbench.core.zbuffer.rays.records import GAP
 
 
 class _Intervals(NamedTuple):
-    """Intervals that trajectories remove from rays: the ray, the trajectory, and both ends, mm, of each (m,)."""
+    """Intervals that trajectories remove from rays, (m,) each; the ends `enter` and `leave` are depths, mm."""
 
     ray: np.ndarray
     trajectory: np.ndarray
@@ -46,7 +46,7 @@ def cut_rays(
     leave: np.ndarray,
     gaps: Gaps | None = None,
 ) -> Pieces:
-    """Cut rays by a sequence of intervals.
+    """Divide rays into pieces by the intervals that a sequence of trajectories removes.
 
     Parameters
     ----------
@@ -59,7 +59,7 @@ def cut_rays(
     enter, leave : (m,) ndarray
         Depths at which each interval begins and ends, mm.
     gaps : Gaps, optional
-        Gaps of the stock, which become pieces with the owner `GAP`.
+        Stretches of the rays between two parts of the stock; they are returned as pieces with the owner `GAP`.
 
     Returns
     -------
@@ -76,19 +76,19 @@ def cut_rays(
 def removing_intervals(
     group: np.ndarray, enter: np.ndarray, leave: np.ndarray, near: np.ndarray, far: np.ndarray
 ) -> np.ndarray:
-    """Return the intervals that end deeper than earlier intervals have opened the ray from its near end.
+    """Return the intervals that end deeper than the gap that earlier intervals have cut from the ray's near end.
 
-    The result contains positions in the matrix `enter`, counted row by row. Most trajectories that pass a ray are
-    excluded.
+    The result contains positions in the matrix `enter`, counted row by row. Most intervals are excluded, because
+    earlier trajectories have already removed their material.
 
     Parameters
     ----------
     group : (p,) ndarray of int
-        Group of each interval, ascending. In each row, a group contains the intervals of one ray in the order of the
-        sequence.
+        Group of each interval, ascending. In each row, a group contains the intervals of one ray, in the order in which
+        their trajectories are cut.
     enter, leave : (q, p) ndarray
-        Ends of the intervals, mm. The function clips them to the stock in place. NaN, or ``enter > leave``: no
-        interval.
+        Ends of the intervals, mm. The function overwrites the arrays with the ends clipped to the stock. NaN, or
+        ``enter > leave``, means that the trajectory misses the ray.
     near, far : (q, g) ndarray
         Depths at which each group's rays enter and leave the stock, mm; ``near > far`` for rays that miss the stock.
     """
@@ -98,7 +98,8 @@ def removing_intervals(
     np.minimum(leave, far.take(group, axis=1), out=leave)
     met = leave - enter > THINNEST
     opened = np.where(met & (enter <= first), leave, first)
-    # The offset of each group is so large that the running maximum starts anew in each group.
+    # The depths of each group are shifted above the depths of all earlier groups, so that one running maximum over all
+    # intervals starts anew in each group.
     offset = group * (farthest - nearest + 1)
     opened += offset
     before = np.maximum.accumulate(opened, axis=1, out=opened)
@@ -110,16 +111,16 @@ def removing_intervals(
 def cut_by_removing(
     near: np.ndarray, far: np.ndarray, ray: np.ndarray, trajectory: np.ndarray, enter: np.ndarray, leave: np.ndarray
 ) -> Pieces:
-    """Cut rays by intervals inside the stock that are longer than THINNEST.
+    """Cut rays by intervals that are inside the stock and longer than THINNEST.
 
-    The function is faster if `removing_intervals` has filtered the intervals.
+    The function is faster if `removing_intervals` has selected the intervals.
     """
     if not (enter > near.take(ray)).any():
         return _pieces_from_near_end(near, far, ray, trajectory, leave)
     offset = ray * (far.max() - near.min() + 1)
     start = beginnings(ray)
-    # open_near .. open_far is the gap that a ray has before each interval. For the first interval of a ray, the gap is
-    # the interval itself.
+    # `open_near` and `open_far` are the ends of the ray's gap before each interval is removed. For the first interval
+    # of a ray, they are the ends of the interval itself.
     rising, falling = leave + offset, enter - offset
     open_far = before_in_group(np.maximum.accumulate(rising), start, rising[start])
     open_near = before_in_group(np.minimum.accumulate(falling), start, falling[start])
@@ -132,7 +133,8 @@ def cut_by_removing(
     scattered[ray[apart]] = True
     loose = scattered[ray]
     tight = np.flatnonzero(~loose)
-    # An interval inside the previous interval cuts nothing and is dropped, because sorting intervals takes long.
+    # An interval inside the ray's previous interval removes nothing. It is left out, because sorting intervals takes
+    # long.
     loose[1:] &= (enter[1:] < enter[:-1]) | (leave[1:] > leave[:-1]) | first[1:]
     loose = np.flatnonzero(loose)
     rest, these = np.flatnonzero(~scattered), np.flatnonzero(scattered)
@@ -150,7 +152,7 @@ def cut_by_removing(
 
 
 def gaps_of(gaps: Gaps, rays: np.ndarray) -> Gaps:
-    """Return the gaps of the rays `rays` (k,), with each ray renumbered by its position in `rays`."""
+    """Return the gaps in the stock on the rays `rays` (k,). The result numbers each ray by its position in `rays`."""
     if len(gaps.ray) == 0:
         return gaps
     first, end = np.searchsorted(gaps.ray, rays), np.searchsorted(gaps.ray, rays, side="right")
@@ -160,7 +162,7 @@ def gaps_of(gaps: Gaps, rays: np.ndarray) -> Gaps:
 
 
 def _with_gaps_first(gaps: Gaps, ray: np.ndarray, *others: np.ndarray) -> list[np.ndarray]:
-    """Return the columns of the intervals, with the gaps of each ray inserted before the intervals of the ray."""
+    """Return the arrays of the intervals, with the stock's gaps on each ray inserted before the ray's intervals."""
     rays = np.concatenate((gaps.ray, ray))
     order = np.argsort(rays, kind="stable")
     columns = (np.full(len(gaps.ray), GAP), gaps.enter, gaps.leave)
@@ -170,7 +172,7 @@ def _with_gaps_first(gaps: Gaps, ray: np.ndarray, *others: np.ndarray) -> list[n
 def _pieces_from_near_end(
     near: np.ndarray, far: np.ndarray, ray: np.ndarray, trajectory: np.ndarray, leave: np.ndarray
 ) -> Pieces:
-    """Return the pieces of rays whose intervals begin at the near end, each ending deeper than the previous one."""
+    """Return the pieces of rays whose intervals all begin at the near end; each ends deeper than the one before."""
     end = near.copy()
     end[ray] = leave  # the last interval of each ray
     whole = end < far
@@ -182,8 +184,8 @@ def _pieces_from_near_end(
         np.empty(base[-1]),
         np.empty(base[-1]),
     )
-    # The position of an interval's piece is the number of earlier intervals plus the number of earlier rays with an
-    # uncut end.
+    # The index of an interval's piece is the number of earlier intervals plus the number of earlier rays whose far end
+    # is not cut.
     at = np.arange(len(ray)) + (np.cumsum(whole) - whole).take(ray)
     pieces.owner[at], pieces.far[at] = trajectory, leave
     pieces.far[base[1:][whole] - 1] = far[whole]
@@ -201,14 +203,15 @@ def _pieces_of_growing_gaps(
     nearer: np.ndarray,
     farther: np.ndarray,
 ) -> Pieces:
-    """Return the pieces of rays with one growing gap each.
+    """Return the pieces of rays that each have a single gap, which grows at one or both ends.
 
-    The mask `start` (m,) selects the interval with which each ray's gap begins. The masks `nearer` and `farther` (m,)
-    select the intervals with which the gap grows at its near and at its far end.
+    The mask `start` (m,) selects the first interval of each ray. The masks `nearer` and `farther` (m,) select the
+    intervals by which the gap grows at its near end and at its far end.
     """
     ray, trajectory, enter, leave = intervals
     rays = len(near)
-    # Each growth begins where the previous growth, or the ray's first interval, ends.
+    # Each growth at one end begins where the previous growth at this end stopped, or at the end of the ray's first
+    # interval.
     inner, outer = np.flatnonzero(nearer | start), np.flatnonzero(farther | start)
     growth = np.flatnonzero(nearer[inner])
     nearer, gap_near = inner[growth], enter[inner[growth - 1]]

@@ -1,10 +1,11 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Divide rays into pieces. One trajectory removes each piece first, or the piece is left.
+"""Divide rays into pieces, each of which one trajectory removes, or none.
 
-The trajectories of a sequence remove intervals, which divide the part of a ray inside the stock into pieces. A removed
-piece belongs to the trace of its trajectory; a piece that is left is a dexel. Each point of the ray belongs to the
-first trajectory that covers the point. Therefore sorting the ends of all intervals once gives all pieces of all rays,
-without a loop over the sequence.
+Each trajectory of a sequence removes an interval of a ray. The ends of these intervals divide the part of the ray
+inside the stock into pieces. A removed piece belongs to the trace of the trajectory that removes it; a piece that no
+trajectory removes is a dexel. Each point of the ray is removed by the first trajectory whose interval contains the
+point. Therefore sorting the ends of all intervals once gives all pieces of all rays, without a loop over the
+trajectories.
 """
 
 from __future__ import annotations
@@ -32,7 +33,7 @@ class Pieces:
     ray : (p,) int64
         Index of the ray.
     owner : (p,) int32
-        Trajectory that removes the piece, or `UNCUT`.
+        Trajectory that removes the piece, or `UNCUT` if no trajectory removes it.
     near, far : (p,) float64
         Depths of the piece's ends along the ray, mm.
     """
@@ -51,7 +52,7 @@ def first_cuts(
     enter: np.ndarray,
     leave: np.ndarray,
 ) -> Pieces:
-    """Cut rays by a sequence of intervals.
+    """Divide rays into pieces by sorting the ends of the intervals that trajectories remove.
 
     Parameters
     ----------
@@ -102,9 +103,9 @@ def beginnings(group: np.ndarray) -> np.ndarray:
 
 
 def before_in_group(values: np.ndarray, start: np.ndarray, first: np.ndarray | float) -> np.ndarray:
-    """Return the previous value of each element in its group.
+    """Return, for each element, the value of the element before it in its group.
 
-    The groups begin at the positions `start`. The first element of a group gets the value `first`.
+    The groups begin at the positions `start` in `values`. The result for the first element of each group is `first`.
     """
     before = np.empty_like(values)
     before[1:] = values[:-1]
@@ -113,17 +114,19 @@ def before_in_group(values: np.ndarray, start: np.ndarray, first: np.ndarray | f
 
 
 def _lowest_cover(slots: int, first: np.ndarray, last: np.ndarray, value: np.ndarray) -> np.ndarray:
-    """Return, for each slot, the lowest value of the ranges ``first <= slot < last`` that cover the slot.
+    """Return, for each of the numbers 0 to `slots` - 1 (slots), the lowest value of the ranges that contain the slot.
 
-    Each range is the union of two ranges whose length is the same power of two. A value is entered at the level of its
-    power and then passed down to the next lower power, level by level. The table is a sparse table for range minimum
-    queries, used in reverse.
+    A range contains a slot if ``first <= slot < last``. Each range is the union of two ranges, which can overlap; the
+    length of both is the largest power of two that is not longer than the range. Both receive the value in the table
+    for this power of two. Starting with the largest power, every table is then passed on to the table for half its
+    length, until ranges of one slot remain. This is a sparse table for range minimum queries, used in reverse.
     """
     cover = np.full(slots, UNCUT, np.int32)
     if len(first) == 0:
         return cover
     level = np.frexp(last - first)[1] - 1
-    # Sort the values of a level in descending order, so that the lowest of several values for a slot is written last.
+    # Sort the values of each power of two in descending order, so that the lowest of several values for a slot is
+    # written last.
     order = np.lexsort((-value, level))
     bounds = np.searchsorted(level[order], np.arange(level.max() + 2))
     for power in range(level.max(), -1, -1):
@@ -139,7 +142,7 @@ def _lowest_cover(slots: int, first: np.ndarray, last: np.ndarray, value: np.nda
 
 
 def _enter_lowest(target: np.ndarray, index: np.ndarray, value: np.ndarray) -> None:
-    """Set ``target[index]`` to the minimum of ``target[index]`` and `value`, also for repeated indices."""
+    """Lower ``target[index]`` to `value` where `value` is lower; if an index is repeated, its lowest value is kept."""
     while len(index):
         lower = np.flatnonzero(value < target[index])
         index, value = index[lower], value[lower]
@@ -147,7 +150,7 @@ def _enter_lowest(target: np.ndarray, index: np.ndarray, value: np.ndarray) -> N
 
 
 def merged(pieces: Pieces) -> Pieces:
-    """Return the pieces, with neighbouring pieces joined if they have the same ray and the same owner."""
+    """Return the pieces, with neighbouring pieces of a ray joined if they have the same owner."""
     new = np.ones(len(pieces.ray), bool)
     new[1:] = (pieces.ray[1:] != pieces.ray[:-1]) | (pieces.owner[1:] != pieces.owner[:-1])
     start = np.flatnonzero(new)
@@ -156,7 +159,7 @@ def merged(pieces: Pieces) -> Pieces:
 
 
 def without_thin(pieces: Pieces, near: np.ndarray, far: np.ndarray) -> Pieces:
-    """Return the pieces, with each piece up to THINNEST long joined to a neighbour.
+    """Return the pieces, with each piece that is at most THINNEST long joined to a neighbouring piece.
 
     The pieces still fill each ray from `near` to `far`.
     """

@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Cut rays that are opened from one end only, as in views from above and below.
+"""Cut rays of views from above and below, from which every trajectory removes all material up to a depth.
 
-In views from above and below, a tool removes all material above the tool's lower surface. Therefore an interval of a
-ray makes a piece if the interval reaches deeper than all earlier intervals.
+In views from above and below, a tool removes all material above the tool's lower surface, so every removed interval
+begins at the same end of the ray. "A trajectory opens a ray to a depth" means that it removes the ray's material from
+this end to the depth. A trajectory removes a piece only if it opens the ray deeper than all earlier trajectories.
 """
 
 from __future__ import annotations
@@ -13,23 +14,24 @@ from vkworkbench.core.zbuffer.rays.dexels import NO_DEEPER, THINNEST
 
 
 def opening(depth: np.ndarray, tile: np.ndarray, start: np.ndarray, near: np.ndarray, far: np.ndarray) -> np.ndarray:
-    """Return the pairs that open their ray deeper than all earlier pairs, as positions in `depth`, row by row.
+    """Return the positions in `depth`, row by row, at which a ray is opened deeper than by all earlier trajectories.
 
     Parameters
     ----------
     depth : (q, p) ndarray
-        Depth to which a trajectory opens a ray, mm; NaN if the trajectory misses the ray. Each of the q pixels of a
-        tile has one row.
+        Depth to which a trajectory opens a ray, mm; NaN if the trajectory misses the ray. Each row belongs to one of
+        the q pixels of a tile, each column to one of p pairs of a tile and a trajectory.
     tile : (p,) ndarray of int
-        Tile of each pair, ascending. The pairs of a tile have the order of the sequence.
+        Tile of each pair, ascending. The pairs of one tile are in the order in which their trajectories are cut.
     start : (t,) ndarray of int
-        First pair of each tile.
+        Position of each tile's first pair.
     near, far : (q, t) ndarray
         Depths at which the rays enter and leave the stock, mm; ``near > far`` for rays that miss the stock.
     """
     deepest = float(np.fmax.reduce(depth, axis=None, initial=0.0))
     highest = float(near.min(initial=deepest))
-    # The offset of each tile is so large that the running maximum starts anew in each tile.
+    # The depths of each tile are shifted above the depths of all earlier tiles, so that one running maximum over all
+    # pairs starts anew in each tile.
     offset = tile * (deepest - highest + 1)
     first = np.where(near < far, near, deepest) + (THINNEST - NO_DEEPER) + offset[start]
     moved = depth + offset
@@ -53,18 +55,18 @@ def opened(
     near, far : (k,) ndarray
         Depths at which the rays enter and leave the stock, mm. At least one trajectory must cut each ray.
     start : (k,) ndarray of int
-        Position in `owner` of each ray's first trajectory.
+        Position in `owner` at which the trajectories of each ray begin.
     owner : (m,) ndarray of int
         The trajectories that cut the rays, sorted by ray.
     leave : (m,) ndarray
-        Depth to which each trajectory opens its ray, mm. The function can overwrite the array.
+        Depth to which each trajectory opens its ray, mm. The function can overwrite this array.
 
     Returns
     -------
     count : (k,) int64
         Number of removed pieces of each ray.
     rest : (k,) bool
-        Whether material is left on the ray behind the removed pieces.
+        Whether material is left on the ray deeper than the removed pieces.
     end : (r,) ndarray
         Depths at which the removed pieces end, mm.
     owner : (r,) ndarray of int
@@ -80,7 +82,8 @@ def opened(
     np.greater(leave[1:] - leave[:-1], THINNEST, out=thick[1:])
     thick[start] = leave[start] - near > THINNEST
     if not thick.all():
-        # A thin piece is joined to the previous piece, which then ends where the next thick piece begins.
+        # A piece no longer than THINNEST is joined to the previous piece, which then ends where the next longer piece
+        # begins.
         kept = np.flatnonzero(thick)
         count = np.add.reduceat(thick, start, dtype=np.int64)
         last = np.cumsum(count) - 1

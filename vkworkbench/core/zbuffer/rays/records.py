@@ -14,19 +14,19 @@ from functools import cached_property
 
 import numpy as np
 
-# Types of the dexels and traces that callers get. Depths are measured along the view's direction, relative to the
-# centre of the stock, mm.
+# Types of the dexels and of the trace elements that callers get. The depths `near` and `far` are measured along the
+# view's direction from the centre of the stock, mm.
 DEXEL = np.dtype([("near", np.float32), ("far", np.float32), ("pixel", np.uint32)])
 TRACE = np.dtype([("near", np.float32), ("far", np.float32), ("trajectory", np.uint32)])
-# Type of the number of the first record of each pixel.
+# Type of the array that holds the number of each pixel's first record.
 INDEX = np.dtype(np.uint32)
-# Owner of a gap of the stock: a piece that is empty before the first trajectory.
+# Owner of a gap in the stock, which is a piece that is empty before the first trajectory.
 GAP = -1
-# Memory for one piece and for one pixel, bytes.
+# Memory for one record (a piece of a ray) and for one pixel, bytes.
 RECORD_BYTES = 8
 PIXEL_BYTES = 8
 # Number of pieces in one batch. Most numpy functions hold the GIL, so a larger batch would stop all other threads for
-# longer than some milliseconds. In a smaller batch, the overhead of numpy's calls would dominate.
+# more than a few milliseconds. In a smaller batch, the overhead of numpy's calls would dominate.
 _BLOCK = 1 << 17
 
 
@@ -47,7 +47,8 @@ class Records:
     far : (p,) float32
         Depth at which each piece ends, mm.
     owner : (p,) int32
-        Trajectory that removes each piece; `trajectories` for a piece that is left, and `GAP` for a gap of the stock.
+        Trajectory that removes each piece; `trajectories` for a piece that no trajectory removes, and `GAP` for a gap
+        in the stock.
     """
 
     trajectories: int
@@ -69,7 +70,7 @@ class Records:
 
     @cached_property
     def has_gaps(self) -> bool:
-        """Whether at least one ray leaves the stock and enters the stock again."""
+        """Whether at least one ray leaves the stock and enters it again."""
         return bool((self.owner == GAP).any())
 
     @cached_property
@@ -96,7 +97,7 @@ class Records:
     @cached_property
     def lengths(self) -> np.ndarray:
         """Total length that each trajectory removes from all rays, (trajectories,) float64 mm."""
-        total = np.zeros(self.trajectories + 2)  # the first entry is for gaps, the last entry for pieces that are left
+        total = np.zeros(self.trajectories + 2)  # first entry: gaps; last entry: pieces that stay
         for _, _, block in self.blocks():
             total += np.bincount(block.owner - GAP, block.far.astype(float) - block.near(), len(total))
         return total[1:-1]
@@ -116,7 +117,7 @@ class Records:
         near : (k,) float32
             Depth at which each piece begins, mm.
         """
-        wanted = np.append(owners, [False, False])  # pieces that are left, and gaps, are not selected
+        wanted = np.append(owners, [False, False])  # pieces that no trajectory removes, and gaps, are not selected
         found = [(np.empty(0, np.int64), np.empty(0, np.int64), np.empty(0, np.float32))]
         for first_pixel, first_piece, block in self.blocks():
             own = np.flatnonzero(wanted[block.owner])
@@ -139,7 +140,7 @@ class Records:
         return np.repeat(np.arange(len(self.entry), dtype=np.uint32), index[1:] - index[:-1])
 
     def dexels(self, step: int) -> np.ndarray:
-        """Return the stock that is left after `step` trajectories, sorted by pixel and depth, (d,) ndarray of DEXEL."""
+        """Return the dexels after `step` trajectories, sorted by pixel and depth, (d,) ndarray of DEXEL."""
         left = self.owner >= step
         pixel = self.pixel()
         joined = np.zeros(len(left), bool)  # whether a piece continues the previous dexel
@@ -164,8 +165,8 @@ class Records:
         return result
 
 
-# Number of stretches that `first_not_below` searches in one batch. The arrays of a larger batch would not fit into
-# the processor's cache, and in a smaller batch the overhead of numpy's calls would dominate.
+# Number of stretches of an array that `first_not_below` searches in one batch. The arrays of a larger batch would not
+# fit into the processor's cache, and in a smaller batch the overhead of numpy's calls would dominate.
 _STRETCHES_AT_ONCE = 1 << 14
 
 
@@ -176,14 +177,15 @@ def first_not_below(values: np.ndarray, first: np.ndarray, end: np.ndarray, soug
     ----------
     values : (p,) ndarray
     first, end : (k,) int64
-        Position of the beginning and the end of each stretch.
+        Positions in `values` at which each stretch begins and ends.
     sought : (k,) ndarray or float
         Value to find in each stretch.
 
     Returns
     -------
     (k,) int64
-        Position of the first value in each stretch that is not less than `sought`; `end` if all values are less.
+        Position in `values` of the first value of each stretch that is not less than `sought`; `end` if all values are
+        less.
     """
     low = first.copy()
     for begin in range(0, len(low), _STRETCHES_AT_ONCE):
@@ -202,7 +204,7 @@ def side_by_side(parts: Sequence[Records], height: int) -> Records:
     """Join the records of parts of an image, from left to right. Every part has `height` rows."""
     if len(parts) == 1:
         return parts[0]
-    # For each part: the first pixel of each row, and the first piece of this pixel.
+    # For each part of the image, the first pixel of each row, and the first piece of this pixel.
     pixels = [np.arange(height + 1) * (len(part.entry) // height) for part in parts]
     pieces = [part.index[own] for part, own in zip(parts, pixels)]
 

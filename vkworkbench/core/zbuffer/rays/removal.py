@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Cut scattered rays by a whole job, for estimates."""
+"""Cut single rays, spread over the image, by a whole job; estimates use these rays."""
 
 from __future__ import annotations
 
@@ -11,24 +11,23 @@ from vkworkbench.core.zbuffer.rays.chains import cut_rays, gaps_of
 from vkworkbench.core.zbuffer.rays.dexels import THINNEST, Pieces
 from vkworkbench.core.zbuffer.sweeps.trajectories import Trajectories
 
-# Number of neighbouring rays whose common rectangle is compared with the bounding boxes of trajectories. Smaller
-# groups would need more comparisons. Larger groups would have larger rectangles, which more trajectories meet without
-# meeting a ray.
+# Number of neighbouring rays in a group, whose common rectangle is compared with the bounding boxes of trajectories.
+# Smaller groups would need more comparisons. The rectangles of larger groups would meet more trajectories that miss all
+# of their rays.
 GROUP = 16
-# `_PAIRS_HELD` is the largest number of pairs of a ray and a trajectory that are in memory together; this number
-# limits the memory. `_PAIRS_AT_ONCE` is the number of these pairs in one batch, whose arrays fit into the processor's
-# cache.
+# `_PAIRS_HELD` is the largest number of pairs of a ray and a trajectory that are in memory at one time.
+# `_PAIRS_AT_ONCE` is the number of these pairs in one batch, whose arrays fit into the processor's cache.
 _PAIRS_HELD = 1_000_000
 _PAIRS_AT_ONCE = 16_384
 
 
 class Removal(Trajectories):
-    """Trajectories that are prepared to cut scattered rays."""
+    """Trajectories that are prepared to cut single rays, spread over the image."""
 
     def cut(self, x: np.ndarray, y: np.ndarray) -> tuple[Pieces, np.ndarray]:
-        """Return the pieces of rays.
+        """Divide rays into pieces by all trajectories.
 
-        The method is fastest if consecutive rays are neighbours in the image.
+        The method is fastest if consecutive rays are neighbouring rays in the image.
 
         Parameters
         ----------
@@ -40,7 +39,7 @@ class Removal(Trajectories):
         pieces : Pieces
             The pieces of the rays. The owner of a piece is the number of a trajectory, `UNCUT` or `GAP`.
         passes : (k,) int64
-            Number of trajectories that were intersected with each ray.
+            Number of trajectories whose swept volume was intersected with each ray.
         """
         near, far, gaps = self.spans(x, y)
         # Rays that miss the stock have no pieces.
@@ -58,9 +57,9 @@ class Removal(Trajectories):
         return Pieces(*(np.concatenate(columns) for columns in zip(*parts))), passes
 
     def _meetings(self, x: np.ndarray, y: np.ndarray) -> Iterator[tuple[int, int, np.ndarray, np.ndarray]]:
-        """Yield ranges of rays, and the pairs of a group of rays and a trajectory that can meet.
+        """Yield ranges of rays (first, end), and the pairs of a group of rays and a trajectory that can meet.
 
-        A range has as many rays as `_PAIRS_HELD` allows.
+        Each range contains as many rays as `_PAIRS_HELD` allows.
         """
         groups = -(-len(x) // GROUP)
         # The last group is padded with copies of the last ray.
@@ -80,8 +79,8 @@ class Removal(Trajectories):
         self, group: np.ndarray, item: np.ndarray, x: np.ndarray, y: np.ndarray
     ) -> tuple[np.ndarray, np.ndarray]:
         """Return the pairs of a ray and a trajectory that can meet, sorted by ray and then by trajectory."""
-        # Each group has one column, so that numpy's inner loops run along the pairs. The last column is padded with
-        # NaN.
+        # Each group of rays has one column, so that numpy's inner loops run along the pairs. The last group is padded
+        # with NaN.
         gx, gy = np.full((2, -(-len(x) // GROUP) * GROUP), np.nan)
         gx[: len(x)], gy[: len(x)] = x, y
         gx, gy = gx.reshape(-1, GROUP).T, gy.reshape(-1, GROUP).T

@@ -1,10 +1,11 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Find the visible surface of the part at any moment of the simulation, without sorting the pieces again.
 
-At moment k, the visible piece of a ray is the piece nearest to the eye that no trajectory before k removes. A piece can
-become visible only if its owner is greater than the owners of all pieces in front of it. Owners with this property
-(the prefix maxima) ascend along the ray, so a binary search finds the visible piece for any k, whether the simulation
-runs forwards or backwards. The interval treap by Blasquez and Poiraudeau (2000) solves the same problem.
+At moment k, the visible piece of a ray is the piece nearest to the eye that no trajectory before k removes. The owner
+of a piece is the number of the trajectory that removes it. A piece can become visible only if its owner is greater than
+the owners of all pieces between the eye and the piece. Owners with this property (the prefix maxima) ascend along the
+ray, so a binary search finds the visible piece for any k, whether the simulation runs forwards or backwards. The
+interval treap by Blasquez and Poiraudeau (2000) solves the same problem.
 """
 
 from __future__ import annotations
@@ -17,18 +18,18 @@ import numpy as np
 from vkworkbench.core.zbuffer.rays.dexels import beginnings
 from vkworkbench.core.zbuffer.rays.records import GAP, Records, first_not_below
 
-# Owner of a surface of the raw stock. Rays that meet no material have the same owner.
+# Value of `owner` for a surface of the raw stock, and for a ray that meets no material.
 STOCK = GAP
 
 
 @dataclass(frozen=True, eq=False)
 class Picture:
-    """The visible surface at one moment.
+    """The visible surface of the part after a given number of simulated trajectories.
 
     Attributes
     ----------
     step : int
-        The moment: the number of trajectories that are already simulated.
+        Number of simulated trajectories.
     depth : (pixels,) float32
         Depth of the surface along the view's direction, mm; NaN for a ray that meets no material.
     owner : (pixels,) int32
@@ -40,14 +41,14 @@ class Picture:
     owner: np.ndarray
 
 
-# Smallest number of prefix maxima in one batch. Numpy holds the GIL for most of a batch, so a larger batch would stop
-# all other threads for longer than some milliseconds. In a smaller batch, the overhead of numpy's calls would
-# dominate.
+# Smallest number of prefix maxima that are processed in one batch. Numpy holds the GIL for most of a batch, so a larger
+# batch would stop all other threads for more than a few milliseconds. In a smaller batch, the overhead of numpy's calls
+# would dominate.
 _BATCH = 1 << 17
 
 
 class Surface:
-    """The visible surfaces of an image at any moment.
+    """The visible surfaces of the part after any number of simulated trajectories.
 
     Parameters
     ----------
@@ -59,16 +60,17 @@ class Surface:
         self._latest: Picture | None = None
 
     def prepare(self) -> None:
-        """Compute the tables that every moment needs.
+        """Compute the tables of prefix maxima, which are needed to show the part at any moment.
 
-        With many pieces, the computation takes too long for the thread of a window.
+        With many pieces, the computation takes so long that it would block the user interface if it ran in its thread.
         """
         self._by_owner  # noqa: B018 - cached
 
     def picture(self, step: int) -> Picture:
-        """Return the visible surface at a moment.
+        """Return the visible surface after `step` trajectories.
 
-        Only pixels that can differ from the previous call are computed, unless many pixels can differ.
+        Only the pixels that can differ from the previous call are computed. If more than a quarter of the pixels can
+        differ, all are computed.
         """
         latest = self._latest
         if latest is not None and latest.step == step:
@@ -85,17 +87,17 @@ class Surface:
         return latest
 
     def changed(self, step: int, other: int) -> np.ndarray:
-        """Return the pixels, ascending, that can differ between two moments."""
+        """Return the pixels, ascending, that can differ between the pictures of `step` and `other`."""
         return np.unique(self._removed(step, other)).astype(np.int64)
 
     def _removed(self, step: int, other: int) -> np.ndarray:
-        """Return the pixels of the prefix maxima that are removed between two moments, with repetitions."""
+        """Return the pixels of the prefix maxima that trajectories from `step` to `other` remove, with repetitions."""
         first, pixels = self._by_owner
         result: np.ndarray = pixels[first[min(step, other)] : first[max(step, other)]]
         return result
 
     def _seen(self, step: int, pixels: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        """Return the depth and the owner of the surface at some pixels, by binary searches in the prefix maxima."""
+        """Return depth and owner of the visible surface at some pixels, by binary searches in the prefix maxima."""
         records, (owners, pieces, first) = self.records, self._maxima
         end = first[pixels + 1]
         low = first_not_below(owners, first[pixels], end, step)
@@ -131,7 +133,7 @@ class Surface:
 
     @cached_property
     def _by_owner(self) -> tuple[np.ndarray, np.ndarray]:
-        """The position of each owner's first pixel, and the pixels of all prefix maxima, sorted by owner.
+        """The pixels of all prefix maxima, sorted by owner, and before them the position of each owner's first pixel.
 
         The pixels are sorted by a counting sort in batches.
         """

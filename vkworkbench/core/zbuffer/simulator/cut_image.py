@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Provide the image of a simulation, whose regions can be cut in this process or in other processes."""
+"""Provide the image of a simulation, whose regions are cut in this process or in other processes."""
 
 from __future__ import annotations
 
@@ -30,9 +30,9 @@ class CutImage:
     Attributes
     ----------
     removal : Removal
-        The prepared trajectories.
+        The trajectories, prepared for the rays of the image.
     bands : list of Region
-        Regions of `TILE` rows or fewer that cover the whole image, the lowest first.
+        Regions of at most `TILE` rows of pixels that cover the whole image, the lowest region first.
     """
 
     def __init__(self, cuts: Cuts, stock: Solid, frame: Frame) -> None:
@@ -47,9 +47,9 @@ class CutImage:
         return CutImage, self._arguments
 
     def __call__(self, region: Region, going_on: Callable[[], None] = lambda: None) -> tuple[Records, int]:
-        """Cut a region; return its records, and the number of tested pairs of a tile or pixel and a trajectory.
+        """Cut a region; return its records, and how many times a trajectory was tested against a tile or a pixel.
 
-        `going_on` is called many times a second. An exception raised by `going_on` ends the work.
+        `going_on` is called many times a second. An exception raised by `going_on` stops the cutting.
         """
         blocks = _interrupted(small_tiles(self.removal, self._bounds, region), going_on)
         return cut_region(self.removal, self._bounds, blocks, self._uncut, region)

@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Provide the extended z-buffer at any moment of the simulation.
+"""Provide the extended z-buffer after any number of simulated trajectories.
 
 The ray of each pixel consists of dexels, which are pieces inside the part, and of trace elements, which are pieces that
-trajectories removed. Any earlier moment is restored by joining the elements that are removed later to the dexels.
+trajectories removed. An earlier state of the part is restored by adding the trace elements that later trajectories
+remove to the dexels. A moment of the simulation is given as the number of trajectories simulated before it.
 """
 
 from __future__ import annotations
@@ -27,10 +28,9 @@ class Chips(NamedTuple):
     Attributes
     ----------
     depth, far : (pixels,) float32
-        Depths of the nearest and of the farthest end of the removed material, mm; NaN for a ray without removed
-        material.
+        Depths at which the removed material begins and ends on each ray, mm; NaN for a ray without removed material.
     owner : (pixels,) int32
-        Trajectory that removes the nearest piece; `STOCK` for a ray without removed material.
+        Trajectory that removes the piece nearest to the eye on each ray; `STOCK` for a ray without removed material.
     """
 
     depth: np.ndarray
@@ -40,7 +40,7 @@ class Chips(NamedTuple):
 
 @dataclass(frozen=True, eq=False)
 class ZBuffer:
-    """An image of rays cut by toolpaths, at one moment of the simulation.
+    """An image of rays cut by toolpaths, after a given number of simulated trajectories.
 
     Attributes
     ----------
@@ -55,10 +55,10 @@ class ZBuffer:
     surface : Surface
         The visible surfaces at any moment.
     candidates : int
-        Number of tested pairs of a tile or pixel and a trajectory. The number depends slightly on the number of
-        processes.
+        How many times a trajectory was tested against a tile or a pixel. The number of tests depends slightly on the
+        number of processes.
     peak : Peak
-        The quantities that determined the peak memory, including pictures.
+        The quantities that determined the peak memory of the simulation, including its pictures.
     """
 
     frame: Frame
@@ -71,7 +71,7 @@ class ZBuffer:
 
     @property
     def trajectories(self) -> int:
-        """Number of all trajectories, whether or not they are simulated at this moment."""
+        """Number of all trajectories, including those that are not yet simulated at this moment."""
         return len(self.cuts)
 
     @property
@@ -81,7 +81,7 @@ class ZBuffer:
 
     @cached_property
     def dexel_records(self) -> np.ndarray:
-        """(d,) ndarray of DEXEL : the dexels at this moment, with material that later trajectories remove."""
+        """(d,) ndarray of DEXEL : the dexels at this moment, including material that later trajectories remove."""
         return self.records.dexels(self.step)
 
     @cached_property
@@ -106,7 +106,7 @@ class ZBuffer:
 
     @property
     def memory_bytes(self) -> int:
-        """Memory of the records and their index, including trace elements removed after this moment, bytes."""
+        """Memory for the records and their index, including trace elements removed after this moment, bytes."""
         return self.records.nbytes
 
     @property
@@ -149,19 +149,19 @@ class ZBuffer:
         return Chips(depth, far, owner)
 
     def removers(self, pixels: np.ndarray, depth: np.ndarray) -> np.ndarray:
-        """Return the trajectories that removed the stock at one depth on each of some rays.
+        """Return, for each given ray, the trajectory that removed the stock at the ray's given depth.
 
         Parameters
         ----------
         pixels : (k,) int64
-            Pixels of the rays, as numbers in the flat image.
+            Pixel of each ray, as the index row * width + column.
         depth : (k,) float32
-            Depth on each ray, mm along the view.
+            Given depth on each ray, measured along the view, mm.
 
         Returns
         -------
         (k,) int32
-            `STOCK` where no trajectory removed material before this moment.
+            The trajectories; `STOCK` where no trajectory removed material before this moment.
         """
         records = self.records
         first, end = (records.index[pixels + at].astype(np.int64) for at in (0, 1))

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Cut the rays in a region of the image, and assemble the records of this region."""
+"""Cut the rays in a region of the image, and assemble the records of the region."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ from vkworkbench.core.zbuffer.sweeps.trajectories import Trajectories
 
 @dataclass(frozen=True, eq=False)
 class _Part:
-    """The pieces of some rays that were cut.
+    """The pieces of some rays after cutting.
 
     Attributes
     ----------
@@ -27,11 +27,11 @@ class _Part:
     size : (k,) ndarray of int
         Number of pieces of each ray.
     count : (k,) ndarray of int
-        Number of pieces of each ray that `end` and `owner` list. A last piece that nothing removes can be missing in
-        both lists.
+        Number of pieces of each ray that `end` and `owner` list. If no trajectory removes the last piece of a ray, this
+        piece can be missing in both lists.
     end : (p,) float32
     owner : (p,) int32
-        Far ends, mm, and owners of the listed pieces.
+        Depth at which each listed piece ends, mm, and the trajectory that removes each listed piece (its owner).
     """
 
     ray: np.ndarray
@@ -49,17 +49,17 @@ def cut_region(
     Parameters
     ----------
     bounds : Bounds
-        Bounds for the view of the trajectories.
+        Bounds of the swept volumes for the view in which the trajectories are prepared.
     blocks : iterable of (Tiles, int)
-        Small tiles and numbers of tested pairs, as `tiles.small_tiles` yields them.
+        Small tiles, each with the number of tests made to find it, as `tiles.small_tiles` yields them.
     uncut : int
-        Owner number for pieces that nothing removes.
+        Number that stands as the owner of pieces that no trajectory removes.
 
     Returns
     -------
     records : Records
     tested : int
-        Number of tested pairs of a tile or pixel and a trajectory.
+        How many times a trajectory was tested against a tile or a pixel.
     """
     rays = _Rays(trajectories, bounds, uncut, region)
     tested = 0
@@ -77,14 +77,14 @@ class _Rays:
         centres = frame.pixel_centres(region.left + column, region.bottom + row)
         self.near, self.far, self.gaps = trajectories.spans(*centres)
         self.inside = self.far - self.near > THINNEST
-        # A gap of the stock is a piece, even on a ray that nothing cuts. Therefore rays with gaps are pending until
-        # `records`.
+        # A gap in the stock is a piece, even on a ray that no trajectory cuts. Therefore rays with gaps that are not
+        # yet cut are marked as pending, and `records` adds their pieces.
         self.pending = np.zeros(len(row), bool)
         self.pending[self.gaps.ray] = True
         self.parts: list[_Part] = []
 
     def cut(self, tiles: Tiles) -> None:
-        """Cut the rays in tiles by the trajectories of each tile."""
+        """Cut the rays of each tile by the trajectories listed for this tile."""
         column, row = tiles.pixels()
         shape = tiles.side**2, len(tiles.column)
         ray = ((row[:, None] - self.region.bottom) * self.width + column - self.region.left).reshape(shape)
@@ -96,13 +96,14 @@ class _Rays:
         hit, enter, leave = self.bounds.removals(tiles, tile, near, far)
         if len(hit) == 0:
             return
-        # The rays are sorted like the pixels of the tiles, row by row.
+        # The rays have the order of the matrix whose rows are the positions of a pixel in its tile, and whose columns
+        # are the tiles.
         rows = np.arange(shape[0]) * len(tile)
         begin = np.searchsorted(hit, (rows[:, None] + tiles.first[:-1]).ravel())
         met = np.flatnonzero(np.diff(begin, append=len(hit)))
         start = begin[met]
         for first, own in zip(rows.tolist(), np.split(hit, begin[:: shape[1]][1:])):
-            own -= first  # positions in the matrix of pixels and pairs become positions of pairs
+            own -= first  # subtract the row, so that only the position of the pair of tile and trajectory remains
         owner = self.trajectories.index.take(tiles.item).take(hit)
         ray, near, far = ray.ravel()[met], near.ravel()[met], far.ravel()[met]
         if enter is None and len(self.gaps.ray) == 0:
@@ -137,7 +138,7 @@ class _Rays:
         return Records(self.uncut, index.astype(INDEX), entry, ends, owners)
 
     def _put(self, ray: np.ndarray, pieces: Pieces) -> None:
-        """Add the pieces of the rays `ray`; ``pieces.ray`` contains positions in `ray`."""
+        """Add the pieces of the rays `ray`; ``pieces.ray`` contains positions in the array `ray`."""
         size = np.bincount(pieces.ray, minlength=len(ray))
         self._add(ray, size, size, pieces.far, np.where(pieces.owner == UNCUT, self.uncut, pieces.owner))
         self.pending[ray] = False

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Cut the regions of an image in this process and, if cutting takes long, in other processes.
 
-The regions are independent of each other. Threads gain little, because numpy holds the global interpreter lock (GIL)
-for arrays that fit into the processor's cache (`benchmarks/sharing.py`). Therefore other processes receive the image
-and return records.
+The regions can be cut in any order. Several threads are hardly faster than one, because numpy holds the global
+interpreter lock (GIL) for arrays that fit into the processor's cache (`benchmarks/sharing.py`). Therefore the image is
+sent to other processes, which cut regions and return records.
 """
 
 from __future__ import annotations
@@ -19,10 +19,10 @@ from vkworkbench.core.zbuffer.rays.records import Records, side_by_side
 from vkworkbench.core.zbuffer.simulator.cut_image import CutImage
 from vkworkbench.worker import Worker, WorkerDied
 
-# Time after which other processes are started, and time that other processes need to start, s.
+# _ALONE: time after which this process starts other processes, s. _START: time that other processes need to start, s.
 _ALONE, _START = 0.5, 0.35
-# Number of regions for each process. With fewer regions, some processes wait at the end for the slowest process. With
-# more regions, each region is cut less efficiently.
+# Number of regions for each process. With fewer regions, the other processes wait longer for the slowest process at the
+# end. With more regions, each region is smaller and takes more time per pixel.
 _REGIONS = 12
 _WAIT = 0.05  # time between two calls of `going_on` while waiting for other processes, s
 
@@ -30,19 +30,20 @@ _WAIT = 0.05  # time between two calls of `going_on` while waiting for other pro
 def cut_bands(
     image: CutImage, helpers: Callable[[], int], going_on: Callable[[float], None]
 ) -> Generator[tuple[Records, int], None, None]:
-    """Cut all bands of an image, the lowest first.
+    """Cut all bands of an image, the lowest band first.
 
     Parameters
     ----------
     helpers : callable
-        Returns the number of other processes to start; called once, and only if cutting takes long.
+        Returns the number of other processes to start; called once, and only if cutting takes longer than `_ALONE`.
     going_on : callable
-        Called many times a second with the completed share, 0 to 1. An exception raised by `going_on` ends the work.
+        Called many times a second with the completed share of the image, 0 to 1. An exception raised by `going_on`
+        stops the cutting.
 
     Yields
     ------
     Records, int
-        Records and number of tested pairs for each band.
+        Records of each band, and how many times a trajectory was tested against a tile or a pixel of the band.
     """
     begin = time.monotonic()
     shared = _Shared(image.bands)
@@ -70,13 +71,13 @@ def cut_bands(
 
 
 def shared_seconds(seconds: float, processes: int) -> float:
-    """Return the time that several processes need together for work that takes `seconds` in one process, s."""
+    """Return the time after which several processes finish work that takes `seconds` in one process, s."""
     alone = min(seconds, _ALONE + _START)
     return alone + (seconds - alone) / processes
 
 
 class _Shared:
-    """Pending regions, and results of finished regions, shared by several threads."""
+    """Regions that are not yet cut (pending), and the results of finished regions, shared by several threads."""
 
     def __init__(self, bands: list[Region]) -> None:
         self._todo = deque(bands)
@@ -97,7 +98,7 @@ class _Shared:
         return len(self._todo)
 
     def divide(self, processes: int) -> None:
-        """Divide the pending bands into regions for a number of processes."""
+        """Divide the pending bands into regions, `_REGIONS` for each process if the bands are wide enough."""
         with self._changed:
             bands = list(self._todo)
             self._todo.clear()
@@ -142,7 +143,7 @@ class _Shared:
 
 
 class _Crew:
-    """Other processes that cut regions. A thread waits for the results of each process."""
+    """Other processes that cut regions, each with a thread that waits for its results."""
 
     def __init__(self, image: CutImage, size: int, shared: _Shared) -> None:
         self._workers: list[Worker] = []
@@ -168,7 +169,10 @@ class _Crew:
 
 
 def _have_cut(worker: Worker, shared: _Shared) -> None:
-    """Let a worker cut regions until no region is pending. If the worker fails, its region becomes pending again."""
+    """Let a worker cut regions until no region is pending.
+
+    If the worker fails, the region that it was cutting becomes pending again.
+    """
     try:
         with suppress(WorkerDied):
             worker.get_ready()

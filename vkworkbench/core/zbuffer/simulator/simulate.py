@@ -49,9 +49,9 @@ def simulate_job(
 ) -> ZBuffer:
     """Simulate toolpaths one after the other on one stock, including rapids.
 
-    An element of a trace is one piece that a trajectory removes from the ray of one pixel. A piece of at most 1e-4 mm
-    is a rounding error and is joined to a neighbouring piece. A trajectory is the straight sweep of the tool between
-    two points of the toolpath. Trajectories are numbered over all cuts; see `Cuts`.
+    An element of a trace is one piece that a trajectory removes from the ray of one pixel. A piece that is at most 1e-4
+    mm long is a rounding error and is joined to a neighbouring piece. A trajectory is the straight sweep of the tool
+    between two points of the toolpath. Trajectories are numbered consecutively over all operations; see `Cuts`.
 
     Parameters
     ----------
@@ -60,17 +60,17 @@ def simulate_job(
     memory_budget : float
         Largest peak memory of all processes together, bytes.
     going_on : callable, optional
-        Called many times a second with the completed share, 0 to 1. An exception raised by `going_on` ends the
-        simulation.
+        Called many times a second with the completed share of the simulation, 0 to 1. An exception raised by `going_on`
+        ends the simulation.
     processes : int, optional
-        Largest number of processes, including this process; by default one process for each core. Other processes start
-        if the simulation takes longer than half a second and the memory budget allows more processes. The result does
-        not depend on the number of processes.
+        Largest number of processes, including this process. The default is one process for each processor core. Other
+        processes start if the simulation takes longer than half a second and the memory budget allows more processes.
+        The result does not depend on the number of processes.
 
     Returns
     -------
     ZBuffer
-        The finished simulation, at its last moment.
+        The simulation after the last trajectory.
 
     Raises
     ------

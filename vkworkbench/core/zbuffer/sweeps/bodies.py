@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Define the non-cutting parts of tools (bodies), and build sequences in which bodies and tools move alternately."""
+"""Define bodies (the non-cutting parts of tools), and build sequences in which tools and bodies move alternately."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ class Body:
 
 
 class Moves(Cuts):
-    """Straight moves of several solids in one sequence. Consecutive moves may belong to different solids.
+    """Straight moves of several solids in one sequence. Consecutive moves can belong to different solids.
 
     Parameters
     ----------
@@ -68,9 +68,9 @@ class Alternation:
     moves : Moves
         The sequence of moves.
     trajectory : (n,) int64
-        Number of the job's trajectory from which each move is made.
+        Number of the job's trajectory from which each move was made.
     of_body : (n,) bool
-        Whether a body makes the move.
+        True if a body makes the move, False if a tool makes it.
     """
 
     moves: Moves
@@ -87,7 +87,7 @@ def alternate(
     parts: np.ndarray | int = 1,
     lifted: bool = False,
 ) -> Alternation:
-    """Return the moves of a job's tools, with the body's move before or after each move that carries a body.
+    """Return the moves of a job's tools; each move that carries a body is preceded or followed by the move of the body.
 
     Parameters
     ----------
@@ -102,7 +102,7 @@ def alternate(
     parts : (n,) int64 or int
         Number of equal parts into which each trajectory is divided.
     lifted : bool
-        Whether a body is raised in each part of a move by the height that the tool descends in the same part.
+        Whether the body is raised during each part of a move by the height that the tool descends in this part.
     """
     parts = np.broadcast_to(parts, len(cuts))
     trajectory = np.repeat(np.arange(len(cuts)), parts)
@@ -144,7 +144,7 @@ def _cylinder(body: Body) -> Tool:
 
 
 def slimmer(tool: Tool, margin: float) -> Tool:
-    """Return a slimmer tool inside the given one: the radius shrinks by a margin, mm, but at most by half."""
+    """Return the tool with its radius reduced by a margin, mm, but at most by half."""
     diameter = max(tool.diameter - 2 * margin, tool.diameter / 2)
     return replace(
         tool,

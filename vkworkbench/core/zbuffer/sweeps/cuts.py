@@ -28,13 +28,13 @@ class Cut:
     vertical_feed : float
         Largest feed for plunging, mm/s; 0 if unknown.
     allowed_depth : float
-        Depth to which the operation deliberately cuts into the model, mm. Engraving, V-carving and deburring operations
-        cut into the model. Infinite if the tool only approximates another shape, so that its gouges are meaningless.
+        Depth to which the operation deliberately cuts into the model, mm, as in engraving, V-carving and deburring.
+        Infinite if the tool only approximates another shape, so that its gouges are meaningless.
 
     Raises
     ------
     TypeError
-        If an argument has another type, for example FreeCAD's Path or tool bit of an operation.
+        If an argument has a wrong type, for example if it is FreeCAD's Path or tool bit instead.
     ValueError
         If the feed or the depth is not a number.
     """
@@ -62,7 +62,7 @@ class Source:
     cut : int
         Number of the cut in the job.
     trajectory, command : int
-        Number of the trajectory in the cut's toolpath, and the index of its command.
+        Number of the trajectory in the cut's toolpath, and index of the command from which it was made.
     """
 
     cut: int
@@ -71,7 +71,7 @@ class Source:
 
 
 class Cuts:
-    """A sequence of cuts.
+    """The operations of a job in machining order, with consecutive numbers for all their trajectories.
 
     The moves between two cuts are unknown. The simulation assumes that these moves remove nothing.
 
@@ -83,7 +83,7 @@ class Cuts:
     ----------
     cuts : tuple of Cut
     first : (c + 1,) int64
-        Number of the first trajectory of each cut. The last entry is the total number of trajectories.
+        Number of each cut's first trajectory. The last entry is the total number of trajectories.
 
     Raises
     ------
@@ -137,7 +137,7 @@ class Cuts:
 
     @cached_property
     def lengths(self) -> np.ndarray:
-        """Length of each trajectory, (n,) mm; for a chord of an arc, the length of the arc above the chord."""
+        """Length of each trajectory, (n,) mm; for a chord of an arc, the length of the arc between the chord's ends."""
         return np.concatenate((np.empty(0), *(exact_lengths(cut.toolpath) for cut in self.cuts)))
 
     @cached_property

@@ -1,17 +1,18 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Intersect rays with the volume that a tool sweeps along a straight move.
 
-A tool is a convex solid of revolution that is unbounded upwards. The volume that the tool sweeps along a straight move
-is convex, so a ray intersects the swept volume in one interval. In ray coordinates, x points to the right in the image,
-y in the horizontal direction of the rays, and z up. Every ray has the direction (0, sine, -cosine), where the sine and
-the cosine belong to the view's tilt from the vertical.
+A tool is modelled as a convex solid of revolution that is unbounded upwards. The volume that the tool sweeps along a
+straight move is convex, so a ray intersects the swept volume in one interval. In ray coordinates, the x axis points to
+the right in the image, the y axis in the horizontal direction of the rays, and the z axis up. Every ray has the
+direction (0, sine, -cosine); sine and cosine are those of the view's tilt from the vertical.
 
 For flat and ball ends, slots.py computes the interval in closed form. For other tools, let t from 0 to 1 be the
-position of the tool on its move. The swept interval begins at the smallest entry, over all t, into the tool at position
-t, and ends at the largest exit. Each extreme is at an end of the move, at a t where the ray touches a side face of the
-swept volume, or at a t where the ray meets the edge between two faces. Closed forms give the few candidates for t. For
-bull-nose mills, the candidates are found by bisection of a monotone function. The interval of the tool is computed at
-each candidate. For short moves, most extremes are at an end of the move.
+position of the tool on its move. For each t, the ray enters and leaves the tool at some depth. The interval of the
+swept volume begins at the smallest of all entry depths and ends at the largest of all exit depths. The t of the
+smallest entry or the largest exit is an end of the move, a t where the ray touches a side face of the swept volume, or
+a t where the ray meets the edge between two faces. Closed forms give the few candidates for t. For bull-nose mills, the
+candidates are found by bisection of a monotone function. The entry and the exit are then computed at each candidate.
+For short moves, the ends of the move are usually the right candidates.
 """
 
 from __future__ import annotations
@@ -44,9 +45,9 @@ def lowest(
     height : ndarray
         Height z of the lower surface, mm; NaN where the tool does not pass over the point.
     inner : ndarray
-        Distance from the point to the rim of the sweep, mm: about 0 at the rim, negative or NaN outside. The distance
-        is measured along the move. For a ball, half the vertical chord of the ball above the point replaces the
-        distance.
+        Distance from the point to the boundary of the area that the tool passes over, mm, measured along the move:
+        about 0 at the boundary, negative or NaN outside. For a ball, `inner` is instead half the length of the vertical
+        chord of the ball above the point.
     """
     ux, uy, run, slope = heading
     px, py = x - start[0], y - start[1]
@@ -59,7 +60,7 @@ def lowest(
             return _lowest_of_ball(tool.radius, start[2], run, slope, along, half)
         ahead = run - along
         # The foot is the point's perpendicular projection on the line of the move. Relative to the foot, the tool's
-        # axis moves from -along to ahead. The tool covers the point while its axis is at most `half` away from the
+        # axis moves from -along to ahead. The tool is above the point while its axis is at most `half` away from the
         # foot.
         at = along + _lowest_position(tool, slope, aside2, half)
         np.minimum(np.maximum(at, 0, out=at), run, out=at)
@@ -85,7 +86,7 @@ def _lowest_of_ball(
 ) -> tuple[np.ndarray, np.ndarray]:
     """Compute `lowest` for a ball whose tip starts at the height `start`; overwrite `along` and `half`.
 
-    The square root is NaN where the ball misses the point, so the function needs no mask.
+    The square root is NaN where the ball does not pass over the point, so the function needs no mask.
     """
     at = half * (-slope / np.sqrt(1 + slope**2))
     at += along
@@ -102,7 +103,7 @@ def _lowest_of_ball(
 
 
 def headings(move: np.ndarray) -> np.ndarray:
-    """Return four rows for moves (3, k): unit direction x and y, length in the xy plane, mm, and slope.
+    """Return an array (4, k) for moves (3, k): x and y of the unit direction, length in the xy plane, mm, and slope.
 
     A vertical move gets the direction (1, 0) and the slope 0.
     """
@@ -114,7 +115,7 @@ def headings(move: np.ndarray) -> np.ndarray:
 
 
 def _lowest_position(tool: Tool, slope: np.ndarray, aside2: np.ndarray, half: np.ndarray) -> np.ndarray:
-    """Return the tool's position, relative to the point's foot, at which the tool is lowest above the point, mm.
+    """Return the position, relative to the point's foot, at which the moving tool is lowest above the point, mm.
 
     The position v is between -half and half and minimises ``slope * v + profile(sqrt(aside2 + v * v))``.
     """
@@ -127,7 +128,7 @@ def _lowest_position(tool: Tool, slope: np.ndarray, aside2: np.ndarray, half: np
     if tool.rounding == 0:
         steeper = tool.steepness**2 - slope**2
         inner = np.abs(slope) * np.sqrt(aside2 / np.where(steeper > 0, steeper, 1))
-        # A minimum on the flat tip is replaced by the edge of the tip, where the tool is lower.
+        # If the minimum is on the flat tip, the position is moved to the edge of the tip, where the tool is lower.
         inner = np.minimum(np.maximum(inner, np.sqrt(np.maximum(tool.tip**2 - aside2, 0))), half)
         position = -np.sign(slope) * np.where(steeper > 0, inner, half)
         return position
@@ -145,8 +146,8 @@ def _bisected(tool: Tool, slope: np.ndarray, aside2: np.ndarray, half: np.ndarra
         middle = (low + high) / 2
         r = np.sqrt(aside2 + middle**2)
         beyond = np.clip(r - flat, 0, tool.rounding)
-        # The derivative d/dv of slope * v + profile, times its positive denominator. The profile is constant on the
-        # flat, so there the sign of the slope decides.
+        # The comparison is made with the derivative d/dv of slope * v + profile, times its positive denominator. On the
+        # flat tip the profile is constant, so the sign of the slope decides.
         rising = beyond * middle + slope * np.maximum(r, flat) * np.sqrt(tool.rounding**2 - beyond**2) > 0
         high = np.where(rising, middle, high)
         low = np.where(rising, low, middle)
@@ -171,7 +172,7 @@ def intervals(
     Returns
     -------
     near, far : ndarray
-        Depths along the ray, mm; ``near > far``, or NaN, for a ray that misses.
+        Depths along each ray, mm; ``near > far``, or NaN, for a ray that misses the swept volume.
     """
     x, y, z = (along - begin for along, begin in zip(ray, start))
     corner = tool.rounding
@@ -199,10 +200,10 @@ def _general(
         enter, leave = _chord(tool, at, sine, cosine)
         near, far = _joined(near, far, enter, leave)
         if tool.rounding:
-            # A bull-nose has no edges. The ray first enters, or last leaves, the swept volume at this end of the
-            # move if the tool's surface there does not face the other end of the move. Otherwise a position between the
-            # ends of the move is searched. Rays that only touch the tool are always searched, because rounding decides
-            # whether their surface faces the other end.
+            # A bull-nose has no edges. The depth at this end of the move is the final result if the tool's surface at
+            # this depth does not face the other end of the move. Otherwise a position between the ends of the move must
+            # be searched. The position is also searched for every ray that only touches the tool, because there the
+            # direction of the surface is a rounding error.
             touched = ~(leave - enter > ROUNDING)
             if abs(cosine) <= FROM_THE_SIDE:
                 touched |= np.abs(at[2]) < ROUNDING  # a ray along the floor only touches the tool
@@ -213,7 +214,7 @@ def _general(
     if tool.rounding:
         rays = np.flatnonzero(between.any(axis=0))
         if abs(cosine) > FROM_THE_SIDE:
-            # Skip rays that miss a slightly larger flat end; most of the remaining rays miss this end.
+            # Skip rays that miss a flat end mill with a slightly larger radius; most rays miss it.
             enter, leave = sloped_slot(tool.radius + ROUNDING, tuple(offset[:, rays]), move[:, rays], sine, cosine)
             rays = rays[enter <= leave + ROUNDING]
         some = rays
@@ -231,7 +232,10 @@ def _general(
 
 
 def _joined(near: np.ndarray, far: np.ndarray, enter: np.ndarray, leave: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Return the smallest intervals that contain both given intervals; ignore empty intervals ``enter .. leave``."""
+    """Return the smallest intervals that contain both given intervals.
+
+    Intervals with ``enter > leave`` are empty and ignored.
+    """
     hit = enter <= leave + ROUNDING
     return np.where(hit, np.minimum(near, enter), near), np.where(hit, np.maximum(far, leave), far)
 
@@ -246,7 +250,7 @@ def _chord(tool: Tool, at: np.ndarray, sine: float, cosine: float) -> tuple[np.n
 
 
 def _facing(tool: Tool, at: np.ndarray, depth: np.ndarray, move: np.ndarray, sine: float, cosine: float) -> np.ndarray:
-    """Return a positive number if the bull-nose's surface at a depth of the ray faces the direction of the move."""
+    """Return a positive number where the bull-nose's surface at a depth of the ray faces the direction of the move."""
     x, y, z = _from_corner(tool, at)
     y, z = y + depth * sine, z - depth * cosine
     r = np.sqrt(x * x + y * y)
@@ -299,7 +303,7 @@ def _cone_chord(k: float, tangent: float, x: np.ndarray, level: np.ndarray) -> t
     down = divide((level - k * np.abs(x)) * (level + k * np.abs(x)), reach)
     if square > 0:
         up = np.where((root2 >= 0) & (level >= 0), reach / square, -np.inf)
-    else:  # the ray never leaves the cone on the side on which the ray ascends
+    else:  # the ray never leaves the cone on the side on which it ascends
         up = np.full_like(x, np.inf)
         below = (root - level * steep) / square if square else -np.inf
         down = np.where(level >= 0, down, below)
@@ -307,7 +311,7 @@ def _cone_chord(k: float, tangent: float, x: np.ndarray, level: np.ndarray) -> t
 
 
 def _straight_sides(tool: Tool, offset: np.ndarray, move: np.ndarray, sine: float, cosine: float) -> list[np.ndarray]:
-    """Return candidates for the t at which a ray first enters or last leaves a swept cylinder or cone."""
+    """Return candidates for the position t at which a ray first enters or last leaves a swept cylinder or cone."""
     x, y, z = offset
     ux, uy, uz = move
     run = np.sqrt(ux**2 + uy**2)
@@ -315,8 +319,8 @@ def _straight_sides(tool: Tool, offset: np.ndarray, move: np.ndarray, sine: floa
     # Candidates on the two vertical side faces.
     reach = tool.radius * uy / safe_run
     sides = [divide(x + reach, ux), divide(x - reach, ux)]
-    # Candidates on the swept rims. One rim is between the cylinder and the floor or cone, the other between the cone
-    # and its flat tip.
+    # Candidates on the swept edges. One edge is between the cylinder and the flat end or cone, the other between the
+    # cone and its flat tip.
     k = tool.steepness
     tilted_move = cosine * uy + sine * uz
     square = (cosine * ux) ** 2 + tilted_move**2

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Intersect rays with rounded discs, which are the tips of bull-nose mills.
 
-The discs are stationary or swept along a move. The coordinates are the ray coordinates of intervals.py, but heights
-are measured from the centre of the rounding.
+A disc is stationary or moves along a straight line. The coordinates are the ray coordinates of intervals.py, but
+heights are measured from the centre of the corner rounding.
 """
 
 from __future__ import annotations
@@ -12,8 +12,8 @@ import numpy as np
 from vkworkbench.core.tool import Tool
 from vkworkbench.core.zbuffer.sweeps.slots import FROM_THE_SIDE, RIM, ROUNDING
 
-# Distance from the surface, mm, at which Newton's method stops. A smaller distance would make rounding errors keep
-# the method iterating, and a larger distance would make the depths less exact.
+# Distance between the ray's point and the disc's surface, mm, at which Newton's method stops. With a smaller distance,
+# rounding errors would prevent the method from stopping; with a larger distance, the depths would be less exact.
 _CLOSE = 1e-10
 
 
@@ -43,10 +43,10 @@ def rounded_chord(
 ) -> tuple[np.ndarray, np.ndarray]:
     """Return the depths at which rays enter and leave a stationary rounded disc.
 
-    The distance between the ray's point and the disc is a convex function of the depth. Therefore Newton's method
-    converges monotonically when it starts where the ray enters and leaves the ball around the rounded disc. The
-    function computes an entry only if the entry can be before `known_near`, and an exit only if the exit can be behind
-    `known_far`.
+    The distance between a point of the ray and the disc is a convex function of the point's depth. Therefore Newton's
+    method converges monotonically when it starts where the ray enters and leaves the ball around the rounded disc. The
+    function computes an entry only if the entry can be before `known_near`, and an exit only if the exit can be deeper
+    than `known_far`.
     """
     first, last = _box_chord(tool, at, sine, cosine)
     near, far = _ball_chord(tool, at, sine, cosine)
@@ -63,8 +63,8 @@ def rounded_chord(
             distance = np.sqrt(beyond * beyond + z * z)
             fall = -ahead * (sine * y * divide(beyond, r) - cosine * z)
             outside = distance > tool.rounding + _CLOSE
-            # A ray misses the disc if its point is outside and the distance from the disc does not decrease along the
-            # ray.
+            # A ray misses the disc if the current point of the ray is outside the disc and the distance from the disc
+            # does not decrease along the ray.
             met[active[outside & (fall <= 0)]] = False
             moving = outside & (fall > 0)
             if not moving.any():
@@ -75,11 +75,11 @@ def rounded_chord(
 
 
 def rounded_sides(tool: Tool, offset: np.ndarray, move: np.ndarray, sine: float, cosine: float) -> list[np.ndarray]:
-    """Return the positions t on the move at which rays enter or leave the side of a swept rounded disc.
+    """Return the positions t, from 0 to 1 on the move, at which rays enter or leave the side of a swept rounded disc.
 
-    Projected along the move, the disc has an oval contour and the ray is a line. While the contour's normal turns by
-    pi, the contour point with this normal moves monotonically across the line. Therefore bisection finds the
-    intersection.
+    In a projection along the move, the disc has an oval contour and the ray is a straight line. While the contour's
+    normal turns by pi, the contour point with this normal moves monotonically across the line. Therefore bisection over
+    the normal finds the point where the line crosses the contour.
     """
     ux, uy, uz = move
     run = np.hypot(ux, uy)
@@ -90,7 +90,8 @@ def rounded_sides(tool: Tool, offset: np.ndarray, move: np.ndarray, sine: float,
     flat, corner = tool.radius - tool.rounding, tool.rounding
     x, y, z = offset
 
-    # Both axes of the projection are perpendicular to the move: `across` is horizontal, and `above` points upwards.
+    # Both axes of the projection are perpendicular to the move: the axis of `across` is horizontal, and the axis of
+    # `above` points upwards.
     across, above = y * ex - x * ey, z * cos_m - (x * ex + y * ey) * sin_m
     ray_across, ray_above = sine * ex, -cosine * cos_m - sine * ey * sin_m
     speed = np.hypot(ray_across, ray_above)

@@ -1,13 +1,13 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Intersect rays of an oblique view with the slots that flat and ball ends mill along a straight move.
+"""Intersect rays of an oblique view with the slots that flat-end and ball-end mills cut along a straight move.
 
 Coordinates are the ray coordinates of intervals.py. The position t of the tool runs from 0 to 1 on its move. The depth
 at which a ray enters the tool is a convex function of t, and the depth at which the ray leaves the tool is a concave
-function of t. For an endless move, closed forms give the t at which the ray enters and leaves through the two upright
-walls and the bottom of the slot. Clipping this t to the ends of the move gives the t of the first entry or the last
-exit. Therefore each end of the interval is computed from one position of the tool.
+function of t. If the move were endless, closed forms would give the t at which the ray enters and leaves through the
+two upright walls and the bottom of the slot. Clipping this t to the range from 0 to 1 gives the t of the first entry or
+the last exit. Therefore each end of the interval needs only one position of the tool.
 
-Array shapes broadcast. In a grid of rays, x can have one row, and y and z can have one column.
+Array shapes broadcast. For a grid of rays, x can be an array with one row, and y and z can be arrays with one column.
 """
 
 from __future__ import annotations
@@ -16,21 +16,22 @@ from collections.abc import Sequence
 
 import numpy as np
 
-# Length by which flat floors are lowered, mm, so that rounding does not decide whether a ray along a floor meets the
-# tool. Two depths on a ray that differ by less than this length count as equal, because a ray that only touches an
-# edge of the swept volume enters and leaves the volume at the same depth, up to rounding. A smaller length would turn
-# rounding errors into missed rays, and a larger length would make floors noticeably too low.
+# Length by which the flat end of a tool is lowered, mm, so that rounding does not decide whether a ray in the plane of
+# the flat end meets the tool. Two depths on a ray that differ by less than this length count as equal, because a ray
+# that only touches an edge of the swept volume enters and leaves the volume at depths that differ only by rounding. A
+# smaller length would turn rounding errors into missed rays, and a larger length would make the floors of slots
+# noticeably too low.
 ROUNDING = 1e-7
-# Largest absolute cosine of the view's tilt from the vertical at which rays are treated as horizontal. A horizontal
-# ray does not cross a floor. With a smaller limit, dividing by the cosine would magnify rounding errors. With a
-# larger limit, sloped rays would pass through floors.
+# Largest absolute cosine of the view's tilt from the vertical at which rays are treated as horizontal. A horizontal ray
+# does not cross the floor of a slot. With a smaller limit, dividing by the cosine would magnify rounding errors. With a
+# larger limit, sloped rays would be treated as if they did not cross the floor.
 FROM_THE_SIDE = 1e-9
-# Smallest denominator, which prevents a division by 0.
+# Smallest denominator that is allowed; it prevents a division by 0.
 _TINY = 1e-300
-# Finite number used as an infinite position on a move, because infinity times 0 is NaN.
+# Finite number that stands for an infinitely distant position on a move, because infinity times 0 is NaN.
 _ENDLESS = 1e30
-# Largest rounding error of the squared half chord of a ray that meets a tool at its rim, mm^2. A smaller value would
-# make rays on the rim miss the tool, and a larger value would make rays beside the tool meet the tool.
+# Largest rounding error of the squared half chord of a ray that meets a tool at its rim, mm^2. With a smaller value,
+# rays at the rim would miss the tool. With a larger value, rays that pass beside the tool would meet it.
 RIM = 1e-12
 
 
@@ -53,7 +54,7 @@ def level_slot(
     Returns
     -------
     near, far : ndarray
-        Depths along the ray, mm; ``near > far``, or NaN, for a ray that misses.
+        Depths along each ray, mm; ``near > far``, or NaN, for a ray that misses the slot.
     """
     x, y, z = offset
     ux, uy, _ = move
@@ -82,11 +83,11 @@ def sloped_slot(
         return -far, -near
     walls = _Walls(radius, x, ux, uy)
     ux = walls.ux
-    # If the tool is at position t, the ray meets the plane of its floor at (x - t ux, beyond - t rate) from the tool's
-    # axis.
+    # If the tool is at position t, the ray meets the plane of the tool's flat end at the point (x - t ux, beyond - t
+    # rate), measured from the tool's axis.
     tangent, slope = sine / cosine, cosine / sine
-    # Rise of the floor relative to the ray. For a move along the ray, the rise is only a rounding error. Every formula
-    # below must use the same rounding error.
+    # Rise of the slot's floor relative to the ray over the whole move. For a move along the ray, the exact rise is 0
+    # and this value is a rounding error. Every formula below must use this same value.
     rise = slope * uy + uz
     beyond, rate = y + tangent * z, tangent * rise
     square = np.maximum(ux**2 + rate**2, _TINY)
@@ -99,7 +100,8 @@ def sloped_slot(
     height = z + y * slope
     with np.errstate(invalid="ignore"):
         t = walls.touched(-1)
-        # A ray that would meet the wall below the floor enters over the rim of the floor instead.
+        # If the ray would meet the wall below the tool's flat end, it enters through the flat end instead, and t is
+        # where the ray meets the rim of the flat end.
         below = height < walls.chord_end(t, -1) * slope + t * rise
         over = np.maximum(middle - root, t)
         t = _on_move(np.where(below, np.minimum(over, middle + root, out=over), t))
@@ -135,15 +137,15 @@ def ball_slot(
     walls = _Walls(radius, x, ux, uy)
     slope = cosine / sine
     rise = slope * uy + uz
-    # Components of the offset and of the move along the ray, and upwards perpendicular to the ray.
+    # Components of the offset and of the move: along the ray, and perpendicular to the ray (upwards).
     forward, upward = sine * y - cosine * z, cosine * y + sine * z
     along_ray, across_ray = sine * uy - cosine * uz, cosine * uy + sine * uz
     length2 = np.maximum(ux**2 + uy**2 + uz**2, _TINY)
     square = length2 - along_ray**2
     across = square > 1e-12 * length2
     inverse = np.where(across, 1 / np.where(across, square, 1), 0.0)
-    # `nearest` is the position t at which the ball is nearest to the ray. `passed` is the distance in t from `nearest`
-    # to the positions at which the ray enters and leaves the cylinder that the ball sweeps.
+    # `nearest` is the position t at which the ball's centre is nearest to the ray. `passed` is the difference in t
+    # between `nearest` and the positions at which the ray enters and leaves the cylinder that the ball sweeps.
     nearest = x * (ux * inverse) + upward * (across_ray * inverse)
     root = np.sqrt(inverse)
     apart = x * (across_ray * root) - upward * (ux * root)
@@ -187,9 +189,9 @@ class _Walls:
     radius : float
         Radius of the tool, mm.
     x : ndarray
-        Horizontal distance of the ray to the right of the start of the move, mm.
+        Horizontal distance between the ray and the start of the move, positive if the ray is to the right, mm.
     ux, uy : (k,) ndarray
-        Horizontal components of the displacement, perpendicular to and along the ray, mm.
+        Horizontal components of the tool's displacement: `ux` perpendicular to the ray, `uy` along the ray, mm.
     """
 
     def __init__(self, radius: float, x: np.ndarray, ux: np.ndarray, uy: np.ndarray) -> None:
@@ -199,8 +201,8 @@ class _Walls:
         along = np.abs(ux) <= 1e-12 * run
         self.ux = np.where(along, 0.0, ux)
         self.inverse = np.where(along, 0.0, 1 / np.where(along, 1.0, ux))
-        # The ray crosses a wall of the endless slot where the tangent at the end of the tool's chord is parallel to the
-        # move.
+        # The ray crosses the tool's circle in a chord. The ray crosses a wall of the endless slot at the t where the
+        # circle's tangent at an end of the chord is parallel to the move.
         reach = radius * uy / np.where(run > 0, run, 1) * np.abs(self.inverse)
         self.reach = np.where(along, np.copysign(_ENDLESS, uy), reach)
 
@@ -210,16 +212,16 @@ class _Walls:
         return touched
 
     def chord_end(self, t: np.ndarray, sign: int) -> np.ndarray:
-        """Return the horizontal distance from the tool's axis to the wall at the positions `touched`, mm.
+        """Return the horizontal distance along the ray from the tool's axis to the wall at the positions `touched`, mm.
 
         The ray always meets the tool at the positions `touched`, so negative squares are rounding errors.
         """
         return _signed_root(np.maximum(self._half2(t), 0), sign)
 
     def at(self, t: np.ndarray, sign: int) -> np.ndarray:
-        """Return the horizontal distance from the start of the move to the tool's wall if the tool is at `t`, mm.
+        """Return the horizontal distance from the start of the move to the wall of the tool if the tool is at `t`, mm.
 
-        The distance is measured along the ray. The distance is NaN if the ray passes beside the tool.
+        The distance is measured along the ray. It is NaN if the ray passes beside the tool.
         """
         half = _signed_root(self._half2(t), sign)
         half += t * self.uy
@@ -234,7 +236,7 @@ class _Walls:
 
 
 def _signed_root(square: np.ndarray, sign: int) -> np.ndarray:
-    """Replace values by their square roots times a sign; return the array."""
+    """Replace each value in place by its square root times `sign`; return the array."""
     root: np.ndarray = np.sqrt(square, out=square)
     root *= sign
     return root

@@ -16,42 +16,42 @@ from vkworkbench.core.view import Frame
 from vkworkbench.core.zbuffer.sweeps.cuts import Cuts
 from vkworkbench.core.zbuffer.sweeps.intervals import headings, intervals, lowest
 
-# Largest height difference between the ends of a level move, mm. A smaller limit would turn rounding errors into
-# slopes, and a sloped move takes ten times as long to simulate as a level move. A larger limit would make moves with
-# a real slope level.
+# Largest height difference between the ends of a level move, mm. With a smaller limit, level moves with rounding errors
+# would count as sloped, and a sloped move takes ten times as long to simulate. With a larger limit, moves that really
+# slope would be simulated as level.
 _LEVEL = 1e-9
 # Number of trajectories, or of pairs of a trajectory and a ray, in one batch. The arrays of a larger batch would not
 # fit into the processor's cache, and in a smaller batch the overhead of numpy's calls would dominate.
 AT_ONCE = 16_384
-# Number of pairs of a trajectory and a rectangle of the image that are compared in one batch. This number limits the
+# Number of pairs of a trajectory and a rectangle of the image that are compared in one batch. The limit bounds the
 # memory for a batch.
 _PAIRS_HELD = 1_000_000
 
 
 class Kind(NamedTuple):
-    """The tool of trajectories that are computed together, and whether their moves are level."""
+    """The tool of trajectories that are computed in one batch, and whether their moves are level."""
 
     tool: Tool
     level: bool
 
 
 class Trajectories:
-    """The swept volumes of the trajectories that can meet the stock.
+    """The swept volumes of those trajectories that can meet the stock.
 
     Parameters
     ----------
     cuts : Cuts
     stock : Solid
     frame : Frame
-        The view fitted to the stock.
+        The view, fitted to the stock.
 
     Attributes
     ----------
     index : (m,) int64
         The numbers of the trajectories that can meet the stock, ascending.
     kinds : tuple of Kind
-        The different combinations of a tool and level or sloped moves. A vertical move is replaced by its lowest point
-        and counts as level.
+        All different combinations of a tool with level moves or with sloped moves. A vertical move is replaced by its
+        lowest point and counts as level.
     kind : (m,) int64
         Index in `kinds` of each trajectory's kind.
     tools : tuple of Tool
@@ -64,8 +64,8 @@ class Trajectories:
     box : (4, m) float64
         Left, right, bottom and top of each trajectory's bounding box in the image, mm.
     strip : (4, m) float64
-        The strip of the image that contains each swept volume: the strip's unit normal (x, y), and the signed
-        distances, mm, from the image's centre to the two borders of the strip, the smaller distance first.
+        The straight strip of the image that contains each swept volume, given by the strip's unit normal (x, y) and the
+        signed distances, mm, from the image's centre to its two borders, the smaller distance first.
     """
 
     def __init__(self, cuts: Cuts, stock: Solid, frame: Frame) -> None:
@@ -113,11 +113,11 @@ class Trajectories:
         return spans_in(self.stock, self.frame)
 
     def by_kind(self, item: np.ndarray) -> Iterator[tuple[int, slice | np.ndarray]]:
-        """Group positions (k,) in `index` by kind; yield the number of each kind and its positions in `item`."""
+        """Group `item` (k,), positions in `index`, by kind; yield each kind's number and its places in `item`."""
         return _divided(self.kind, len(self.kinds), item)
 
     def by_tool(self, item: np.ndarray) -> Iterator[tuple[Tool, slice | np.ndarray]]:
-        """Group positions (k,) in `index` by tool; yield each tool and its positions in `item`."""
+        """Group `item` (k,), positions in `index`, by tool; yield each tool and its places in `item`."""
         return ((self.tools[number], own) for number, own in _divided(self.tool, len(self.tools), item))
 
     def boxes(self, item: np.ndarray, begin: np.ndarray | float, end: np.ndarray | float) -> np.ndarray:
@@ -144,7 +144,7 @@ class Trajectories:
         )
 
     def _strips(self, part: slice) -> np.ndarray:
-        """Return the rows of `strip` (4, k) for a range of positions in `index`."""
+        """Return the columns of `strip`, (4, k), for a range of positions in `index`."""
         start, move, radius = self.start[:, part], self.move[:, part], self.radius[part]
         across, along = move[0], self.cosine * move[1] + self.sine * move[2]
         length = np.hypot(across, along)
@@ -160,7 +160,7 @@ class Trajectories:
     def meeting(
         self, left: np.ndarray, right: np.ndarray, bottom: np.ndarray, top: np.ndarray
     ) -> tuple[np.ndarray, np.ndarray]:
-        """Return pairs of a rectangle (g,) and a position in `index` that can meet, sorted by rectangle."""
+        """Return the pairs of a rectangle (g,) and a position in `index` that can meet, sorted by rectangle."""
         pairs = [(np.empty(0, np.int64), np.empty(0, np.int64))]
         few = max(1, _PAIRS_HELD // max(1, len(self.index)))
         for begin in range(0, len(left), few):
@@ -208,13 +208,13 @@ class Trajectories:
         item : (k,) ndarray of int
             Positions in `index`.
         tools : sequence of (Tool or None, float), optional
-            For each kind, a tool that replaces the kind's tool, and the height of the replacement above the kind's
-            tool, mm. All rays miss the tool None.
+            For each kind, a tool that replaces the kind's tool, and the height of the replacement's tip above the tip
+            of the kind's tool, mm. If the replacement is None, all rays miss it.
 
         Returns
         -------
         near, far : ndarray
-            Depths, mm, some of which are infinite; ``near > far``, or NaN, for a ray that misses.
+            Depths, mm, some of which are infinite; ``near > far``, or NaN, for a ray that misses the swept volume.
         """
         if tools is None:
             tools = [(kind.tool, 0.0) for kind in self.kinds]
@@ -255,7 +255,7 @@ class Trajectories:
 def _may_meet(start: np.ndarray, end: np.ndarray, radius: np.ndarray, stock: Solid) -> np.ndarray:
     """Return whether the bounding box of each move meets the bounding box of the stock, (k,) bool.
 
-    The moves run from `start` to `end` (k, 3), and their tools have the given `radius` (k,).
+    The tools with the radii `radius` (k,) move from `start` to `end` (k, 3).
     """
     low, high = np.minimum(start, end), np.maximum(start, end)
     low[:, :2] -= radius[:, None]
@@ -277,7 +277,7 @@ def as_cut(start: np.ndarray, end: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
 
 
 def _divided(group: np.ndarray, groups: int, item: np.ndarray) -> Iterator[tuple[int, slice | np.ndarray]]:
-    """Yield the number of each group that occurs among the items (k,), and the positions of its items."""
+    """Yield the number of each group that occurs among `item` (k,), and the positions in `item` of its elements."""
     if groups == 1:
         yield 0, slice(None)
         return
