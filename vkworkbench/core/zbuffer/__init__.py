@@ -31,7 +31,6 @@ from vkworkbench.core.zbuffer.findings.facts import (
 from vkworkbench.core.zbuffer.findings.faults import Crash, Plunge, crashes, fast_plunges
 from vkworkbench.core.zbuffer.findings.job_facts import FACT_COLUMNS, CutFacts, JobFacts, facts
 from vkworkbench.core.zbuffer.findings.seen_model import Deviations, SeenModel, deviations
-from vkworkbench.core.zbuffer.findings.solid import part_triangles, write_stl
 from vkworkbench.core.zbuffer.findings.thin_gouges import ThinGouges, thin_gouges
 from vkworkbench.core.zbuffer.findings.verdict import PENDING, Verdict
 from vkworkbench.core.zbuffer.findings.volumes import Volumes, measure_volumes
@@ -41,6 +40,7 @@ from vkworkbench.core.zbuffer.rays.surface import STOCK
 from vkworkbench.core.zbuffer.simulator.moments import ZBuffer
 from vkworkbench.core.zbuffer.simulator.sharing import shared_seconds
 from vkworkbench.core.zbuffer.simulator.simulate import simulate, simulate_job
+from vkworkbench.core.zbuffer.simulator.solid import part_triangles, write_stl
 from vkworkbench.core.zbuffer.sweeps.cuts import Cut, Cuts, Source
 
 __all__ = [
