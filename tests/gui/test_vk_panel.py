@@ -4,6 +4,7 @@
 import csv
 import json
 import re
+import time
 import traceback
 from collections import Counter
 
@@ -726,6 +727,16 @@ def test_row_of_a_job_agrees_with_its_mark(panel, opened, window):
     job.Operations.Group += [copy]
     opened.recompute()
     window.wait(lambda: said(count, True))
+
+
+def test_note_explains_a_different_cycle_time_of_freecad(panel, opened, window):
+    job = opened.getObject("Job")
+    before, (ours,) = job.CycleTime, vkworkbench.analyze(opened).totals
+    for factor, noted in ((1.2, False), (3.0, True), (1 / 3, True)):
+        job.CycleTime = time.strftime("%H:%M:%S", time.gmtime(factor * ours.machining_seconds / ours.fixtures))
+        window.click("Analyze Toolpaths")
+        window.wait(lambda noted=noted: ("CycleTime" in column(panel, "Notes")["Job"]) == noted)
+    job.CycleTime = before
 
 
 def test_other_rows_are_kept_when_one_is_analyzed_again(panel, opened, window):
