@@ -143,7 +143,7 @@ class Tiles:
         )
 
     def blocks(self, pairs: int) -> Iterator[Tiles]:
-        """Yield batches of tiles with at most `pairs` pairs of a tile and a trajectory, or of one tile with more pairs."""
+        """Yield batches of tiles: at most `pairs` pairs of a tile and a trajectory, or one tile with more pairs."""
         begin = 0
         while begin < len(self.column):
             end = int(np.searchsorted(self.first, self.first[begin] + pairs, side="right")) - 1
@@ -227,7 +227,7 @@ def are_small(tiles: Tiles, slow: np.ndarray) -> np.ndarray:
 
 
 def first_tiles(trajectories: Trajectories, left: np.ndarray, bottom: np.ndarray) -> Tiles:
-    """Return the largest tiles, with their first pixels at `left`, `bottom` (t,), and the trajectories that can meet them."""
+    """Return tiles of the largest size with first pixels at `left`, `bottom` (t,), and the trajectories that can meet them."""
     frame = trajectories.frame
     x0, y0 = frame.pixel_centres(left, bottom)
     x1, y1 = frame.pixel_centres(np.minimum(left + TILE, frame.width) - 1, np.minimum(bottom + TILE, frame.height) - 1)

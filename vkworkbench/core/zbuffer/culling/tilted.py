@@ -162,7 +162,7 @@ class _Growth:
         return self._wider(aside), -lower
 
     def shrunk(self, reach: float) -> tuple[Tool | None, float]:
-        """Return the smaller tool (None if nothing of it remains), and the height of its tip above the original tip, mm."""
+        """Return the smaller tool (None if its size is 0), and the height of its tip above the original tip, mm."""
         aside, away = self._offsets(reach)
         tool = self.tool
         aside, away = aside + _LESS, away + (0 if self.level and not self.ball else _LESS)

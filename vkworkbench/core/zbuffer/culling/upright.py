@@ -105,7 +105,7 @@ class Upright:
         return depth.reshape(-1, len(item))
 
     def _kinds(self, item: np.ndarray) -> Iterator[tuple[Tool, bool, slice | np.ndarray]]:
-        """Group `item` by kind of trajectory; yield each kind's tool, whether its moves are level, and places in `item`."""
+        """Group `item` by kind; yield each kind's tool, whether its moves are level, and its places in `item`."""
         return ((*self.trajectories.kinds[number], own) for number, own in self.trajectories.by_kind(item))
 
 

@@ -1,14 +1,16 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Find collisions of shanks, holders and clamps, cuts deeper than the flutes, and tools that are too short.
+"""Find shanks and holders that hit material, tools that hit clamps, cuts deeper than the flutes, and too short tools.
 
-The parts of a tool above its flutes are bodies that do not cut. A body collides where it meets material that the tool
-has not removed before. Vertical rays find this material: in the simulation, tools and bodies move alternately, and each
-piece of a ray that a body removes is a collision. The rows of rays are rotated against the X and Y axes, because rays
-in a row along a wall would all miss a thin layer of the wall.
+The parts of a tool above its flutes are called bodies; a body does not cut. A body collides where it meets material
+that the tool has not removed before. The collisions are found on vertical rays, in a simulation in which tools and
+bodies move alternately and bodies remove material as if they were tools. Each piece of a ray that a body removes is a
+collision. The rows of rays are rotated against the X and Y axes, because a row of rays parallel to a wall could miss a
+thin layer of the wall on all its rays.
 
-If the body moves before its tool, the simulation finds every collision, but also material that the tool removes in the
-same move before the body arrives. Therefore the moves found in this way are simulated again: the moves are divided into
-parts, and the body moves after the tool in each part. A piece that the body still removes is a collision.
+If the body moves before its tool, the simulation finds every collision, but also false collisions with material that
+the tool removes in the same move before the body arrives. Therefore the moves with such collisions are simulated again,
+divided into parts, and in each part the body moves after the tool. A piece that the body still removes is a real
+collision.
 """
 
 from __future__ import annotations
@@ -30,27 +32,27 @@ from vkworkbench.core.zbuffer.sweeps.cuts import Cut, Cuts, Source
 from vkworkbench.language import Message
 
 FLUTES, SHANK, HOLDER, LENGTH, TOOL = "flutes", "shank", "holder", "length", "tool"
-# Distance by which a body is made smaller before the check, mm, because a body that only touches a wall does not
-# collide. Chords of arcs leave material as high as the rise of the arc over its chord, so the distance is at least
-# `_OF_RISE` times the rise.
+# _TOUCHES: distance by which a body is made smaller before the check, mm, because a body that only touches a wall does
+# not collide. The chords that replace an arc leave material as thick as the largest distance between arc and chord (the
+# arc's rise). Therefore the distance is at least `_OF_RISE` times the rise.
 _TOUCHES, _OF_RISE = 0.02, 2.0
-# Diameter of the narrowest holders, as a multiple of the diameter of the tool or shank in the holder. An unknown holder
-# is assumed to have this diameter.
+# Assumed diameter of an unknown holder, as a multiple of the diameter of the tool or of its shank. This is the diameter
+# of the narrowest holders.
 _NARROWEST_HOLDER = 1.5
-# Largest fall of the tool in one part of a sloped move, mm. Sloped moves are divided into parts to find cuts deeper
-# than the flutes.
+# Largest height, mm, by which the tool descends in one part of a sloped move. Sloped moves are divided into such parts
+# to find cuts deeper than the flutes.
 _FALL = 0.5
-# Moves are divided into parts where the first two simulations disagree. Length of one part, as a share of the
-# difference between the radii of body and tool; largest number of parts of one move; largest number of parts of all
-# moves together.
+# Moves with different results in the first two simulations are divided into parts. _SHARE: length of one part, as a
+# share of the difference between the radii of body and tool. _MOST_PARTS: largest number of parts of one move.
+# _PARTS_TOGETHER: largest number of parts of all moves together.
 _SHARE, _MOST_PARTS, _PARTS_TOGETHER = 0.5, 1000, 200_000
-# Angle between the rows of rays and the X axis, rad. Few walls run in this direction.
+# Angle between the rows of rays and the X axis, rad. Few walls are parallel to this direction.
 _TURN = 0.3
-# Minimum number of rays in the rectangle around all moves of the bodies, and minimum number of rays across the radius
-# of a body.
+# _RAYS: minimum number of rays in the rectangle around all moves of the bodies. _ACROSS: minimum number of rays on the
+# length of a body's radius.
 _RAYS, _ACROSS = 150_000, 4.0
 # Minimum number of rays in the ring between the outlines of tool and body, seen from above. With fewer rays, the check
-# misses walls that the body rubs against.
+# misses walls that the body only scrapes.
 _IN_RING = 12.0
 # Smallest distance between rays, mm.
 _CLOSEST = 2.0**-7
@@ -64,7 +66,7 @@ class Collision:
     ----------
     body : {"flutes", "shank", "holder", "length", "tool"}
         Colliding part of the tool. "flutes" means that the cut is deeper than the flutes. "length" means that material
-        is higher than the upper end of a tool whose holder is unknown. "tool" means that the cutting part of the tool
+        reaches above the upper end of a tool whose holder is unknown. "tool" means that the cutting part of the tool
         cuts a clamp.
     trajectory : int
         Number of the first trajectory that collides.
@@ -77,7 +79,7 @@ class Collision:
     clamp : str
         Name of the clamp. The name is empty for a collision with the workpiece.
     size : float
-        Length of the flutes for the body "flutes", length of the tool for the body "length", mm; otherwise 0.
+        Length of the flutes if `body` is "flutes", length of the tool if `body` is "length", mm; otherwise 0.
     """
 
     body: str
@@ -110,11 +112,11 @@ class Collisions:
     Attributes
     ----------
     found : tuple of Collision
-        Sorted by the first colliding trajectory.
+        All collisions, sorted by their first colliding trajectory.
     pixel : float
         Largest distance between neighbouring rays of the check, mm; 0 if no body is ever as low as the material.
     shanks, holders : tuple of bool
-        Whether the sizes of the shank and of the holder of each cut's tool are known.
+        For each cut, whether the size of the tool's shank is known, and whether the size of its holder is known.
     clamps : int
         Number of clamps.
     """
@@ -127,7 +129,7 @@ class Collisions:
 
     @property
     def worst(self) -> tuple[Collision, ...]:
-        """The deepest collision of each part of the tools with the workpiece, and with each clamp."""
+        """For each part of the tools, its deepest collision with the workpiece and with each clamp."""
         deepest: dict[tuple[str, str], Collision] = {}
         for one in self.found:
             known = deepest.setdefault((one.body, one.clamp), one)
@@ -136,7 +138,7 @@ class Collisions:
         return tuple(deepest.values())
 
     def attachments(self, labels: Sequence[str]) -> Message:
-        """Return a message on the operations whose shanks or holders were not checked, and on the clamps.
+        """Return a message on the operations whose shanks or holders were not checked, and on the number of clamps.
 
         Parameters
         ----------
@@ -170,7 +172,7 @@ def holder_collisions(
     clamps : mapping of str to Solid, optional
         Solids that no part of a tool is allowed to touch, by name.
     going_on : callable, optional
-        Called many times a second. An exception raised by `going_on` ends the work.
+        Called many times a second. An exception raised by `going_on` stops the check.
     """
     clamps = clamps or {}
     search = _Search(going_on)
@@ -206,7 +208,7 @@ def _margin(toolpath: Toolpath) -> float:
 def _body_of(cut: Cut, body: str) -> Body | None:
     """Return a part of a cut's tool, made smaller by the margin for touching.
 
-    The result is None if the sizes of this part are unknown, or if the part is not wider than the tool.
+    The result is None if the size of this part is unknown, or if the part is not wider than the tool.
     """
     tool, margin = cut.tool, _margin(cut.toolpath)
     width, above = _width(tool, body), tool.cutting_edge_height if body in (FLUTES, SHANK) else tool.length
@@ -251,7 +253,7 @@ class _Search:
     def _of_wider(
         self, cuts: Cuts, bodies: Sequence[Body | None], low: np.ndarray, stock: Solid, pixels: np.ndarray
     ) -> _Removed:
-        """Return the pieces that bodies meet before the tools have removed these pieces.
+        """Return the pieces of rays that bodies meet before the tools have removed these pieces.
 
         The bodies are wider than their tools.
         """
@@ -290,7 +292,7 @@ class _Search:
     def _removed(
         self, alternation: Alternation, solid: Solid, pixels: np.ndarray, of: np.ndarray | None = None
     ) -> _Removed:
-        """Return the pieces of a solid that bodies remove.
+        """Return the pieces of rays through a solid that bodies remove.
 
         With a mask `of` (n,) bool, return the pieces that the tools remove in the selected trajectories instead.
         """
@@ -309,7 +311,7 @@ class _Search:
 
 
 def _low_moves(cuts: Cuts, bodies: Sequence[Body | None], stock: Solid) -> np.ndarray:
-    """Return the moves during which a body is possibly as low as the material, (n,) bool."""
+    """Return whether each move can bring a body as low as the top of the material, (n,) bool."""
     radius = np.array([body.radius if body else 0.0 for body in bodies])[cuts.cut][:, None]
     bottom = np.array([body.bottom if body else np.inf for body in bodies])[cuts.cut]
     lower, upper = np.minimum(*cuts.ends), np.maximum(*cuts.ends)
@@ -319,7 +321,7 @@ def _low_moves(cuts: Cuts, bodies: Sequence[Body | None], stock: Solid) -> np.nd
 
 
 def _pixels(cuts: Cuts, bodies: Sequence[Body | None], low: np.ndarray, solid: Solid) -> np.ndarray:
-    """Return the distance between the rays on which the body of each trajectory is checked, (n,) mm.
+    """Return, for each trajectory, the distance between the rays on which its body is checked, (n,) mm.
 
     The distance is small if a body is narrow, or if a body is only slightly wider than its tool.
     """
@@ -341,7 +343,8 @@ def _pixels(cuts: Cuts, bodies: Sequence[Body | None], low: np.ndarray, solid: S
 def _lifted(cuts: Cuts, bodies: Sequence[Body | None], low: np.ndarray) -> Alternation:
     """Return an alternation in which each body moves before its tool.
 
-    Sloped moves are divided into parts, because a body is lifted by the fall of the tool in each part.
+    Sloped moves are divided into parts, because during each part the body is raised by the height that the tool
+    descends in this part.
     """
     start, end = cuts.ends
     sloped = low & (start[:, :2] != end[:, :2]).any(axis=1)
@@ -357,12 +360,12 @@ def _parts(wanted: np.ndarray) -> np.ndarray:
 
 @dataclass(frozen=True, eq=False)
 class _Removed:
-    """Pieces of rays that bodies would remove, if bodies could cut.
+    """Pieces of rays that bodies would remove if they could cut.
 
     Attributes
     ----------
     trajectory : (k,) int64
-        Trajectory of the job during which each piece is removed.
+        Trajectory of the job in which each piece is removed.
     lower, upper : (k, 3) float64
         Lower and upper end of each piece, mm.
     height : (k,) float64
@@ -376,13 +379,14 @@ class _Removed:
 
     @classmethod
     def by(cls, pieces: RemovedPieces, trajectory: np.ndarray) -> _Removed:
-        """Return removed pieces with the trajectories of the job.
+        """Convert removed pieces, whose owners are simulated moves, to pieces with trajectories of the job.
 
-        The pieces are sorted by ray and depth. `trajectory` (n,) is the trajectory of the job for each simulated move.
+        The pieces are sorted by ray and depth. `trajectory` (n,) is the job's trajectory from which each simulated move
+        was made.
         """
         every = np.arange(len(pieces.owner))
-        # A body that removed the pieces directly above a piece collided there before. Therefore the colliding material
-        # includes the pieces above.
+        # If a body has removed the pieces directly above a piece, these pieces are colliding material, too. Therefore
+        # the height is measured from the top of the highest of these pieces.
         begins = np.ones(len(every), bool)
         begins[1:] = (
             (np.diff(pieces.x) != 0) | (np.diff(pieces.y) != 0) | (pieces.near[1:] > pieces.far[:-1] + THINNEST)
@@ -399,13 +403,13 @@ class _Removed:
         return cls(*map(np.concatenate, columns))
 
     def is_by(self, trajectories: int) -> np.ndarray:
-        """Return which trajectories remove pieces, (trajectories,) bool."""
+        """Return whether each trajectory removes a piece, (trajectories,) bool."""
         found = np.zeros(trajectories, bool)
         found[self.trajectory] = True
         return found
 
     def within_holders(self, cuts: Cuts, bodies: Sequence[Body | None]) -> _Removed:
-        """Return the pieces that begin below the upper ends of the holders."""
+        """Return the pieces whose lower ends are below the upper ends of the holders."""
         ends = [cut.tool.holder_length or np.inf for cut in cuts.cuts]
         tops = np.array([body.bottom + end if body else np.inf for body, end in zip(bodies, ends)])
         tip = np.minimum(*(points[:, 2] for points in cuts.ends))
@@ -413,7 +417,7 @@ class _Removed:
         return _Removed(self.trajectory[kept], self.lower[kept], self.upper[kept], self.height[kept])
 
     def collisions(self, cuts: Cuts, body: str, clamp: str = "") -> Iterator[Collision]:
-        """Yield one collision for each cut that collides."""
+        """Yield one collision for each cut with colliding pieces."""
         cut = cuts.cut[self.trajectory]
         for number in np.unique(cut).tolist():
             own = np.flatnonzero(cut == number)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Find groups of connected cells of a grid, and groups of numbers that are connected through pairs."""
+"""Group the cells of a grid that are connected, and group numbers that are connected through pairs."""
 
 from __future__ import annotations
 
@@ -7,18 +7,18 @@ import numpy as np
 
 
 def connected_cells(row: np.ndarray, column: np.ndarray) -> np.ndarray:
-    """Return the group of each cell (k,), as ascending numbers from 0 in the order of the groups' first cells.
+    """Return the number of each cell's group, (k,). The groups are numbered from 0 in the order of their first cells.
 
-    A cell is connected with its eight neighbours. A cell may occur several times.
+    A cell is connected with its eight neighbours. The same cell can occur several times in `row` and `column`.
     """
     if not len(row):
         return np.empty(0, np.int64)
-    width = int(np.ptp(column)) + 3  # empty columns at both sides, so that rows do not touch each other
+    width = int(np.ptp(column)) + 3  # empty columns keep the end of a row away from the next row
     cells, cell = np.unique((row - row.min()) * width + column - column.min() + 1, return_inverse=True)
-    first = np.flatnonzero(np.diff(cells, prepend=cells[0] - 2) > 1)  # of runs of neighbouring cells in a row
+    first = np.flatnonzero(np.diff(cells, prepend=cells[0] - 2) > 1)  # first cell of each run of cells in a row
     length = np.diff(first, append=len(cells))
     begin, end = cells[first], cells[first + length - 1]
-    # The runs in the next row that touch a run follow each other.
+    # The runs of the next row that touch a given run have consecutive numbers.
     touching = np.searchsorted(end, begin + width - 1)
     count = np.searchsorted(begin, end + width + 1, side="right") - touching
     run = np.repeat(np.arange(len(first)), count)
@@ -28,7 +28,7 @@ def connected_cells(row: np.ndarray, column: np.ndarray) -> np.ndarray:
 
 
 def connected_pairs(one: np.ndarray, other: np.ndarray, count: int) -> np.ndarray:
-    """Return the lowest number that is connected with each of the numbers from 0 to `count` - 1.
+    """Return, for each number from 0 to `count` - 1, the lowest number that is connected with it.
 
     Two numbers are connected if they are a pair (`one[i]`, `other[i]`), or through a chain of pairs.
     """
@@ -45,6 +45,6 @@ def connected_pairs(one: np.ndarray, other: np.ndarray, count: int) -> np.ndarra
 
 
 def members(group: np.ndarray) -> list[np.ndarray]:
-    """Return the positions in `group` (k,) of the members of each group, ascending, in the order of the numbers."""
+    """Return, for each group number in ascending order, the positions in `group` (k,) at which it occurs, ascending."""
     order = np.argsort(group, kind="stable")
     return np.split(order, np.flatnonzero(np.diff(group[order])) + 1) if len(group) else []

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Check the rapids and the fast plunges of a job on rays that are close enough for each tool."""
+"""Check the rapids and the fast plunges of a job, on rays whose distance is small compared with each tool's width."""
 
 from __future__ import annotations
 
@@ -16,16 +16,17 @@ from vkworkbench.core.zbuffer.findings.fine_rays import RAYS_ACROSS, FineRays, h
 from vkworkbench.core.zbuffer.findings.removed_pieces import joined
 from vkworkbench.core.zbuffer.sweeps.cuts import Cut, Cuts, Source
 
-# Distance between rays for the second check of rapids that remove nothing on the first rays, mm. A larger distance
-# misses rapids that shave a wall. A smaller distance makes the check slower.
+# Distance between rays for the second check, mm, which examines rapids that remove nothing on the rays of the first
+# check. A larger distance misses rapids that cut a thin layer off a wall. A smaller distance makes the check slower.
 _CLOSE = 2.0**-5
-# Smallest distance between rays, mm. Only pointed tools with the tip slightly below the stock's top need it.
+# Smallest distance between rays, mm. Only pointed tools whose tip is slightly below the stock's top need rays as close
+# as this.
 _CLOSEST = 2.0**-8
 
 
 @dataclass(frozen=True)
 class CrashCheck:
-    """The crashes and fast plunges of a job, found on rays that are close enough for each tool.
+    """The crashes and fast plunges of a job, found on rays whose distance is small compared with each tool's width.
 
     Attributes
     ----------
@@ -34,11 +35,11 @@ class CrashCheck:
     fast_plunges : tuple of Plunge
         Plunges into full material above the tool's vertical feed, in the order of the trajectories.
     unchecked : tuple of Source
-        Rapids and fast plunges that were not checked for lack of time, in the order of the trajectories.
+        Rapids and fast plunges that were not checked within the time limit, in the order of the trajectories.
     pixel : float
         Largest distance between neighbouring rays, mm; 0 if no move had to be checked.
     met : bool
-        Whether any move of a tool possibly meets the stock.
+        Whether at least one move can meet the stock, judged by bounding boxes.
     """
 
     crashes: tuple[Crash, ...] = ()
@@ -125,7 +126,7 @@ class _Check:
         return moves, half_width
 
     def _look_closer(self, moves: np.ndarray, half_width: np.ndarray, pixel: np.ndarray) -> None:
-        """Check those rapids again, on closer rays, that removed nothing on the first rays."""
+        """Check the rapids that removed nothing on the rays of the first check again, on closer rays."""
         fine = ~self.fast[moves] & (pixel > _CLOSE) & ~np.isin(moves, list(self.crashes))
         self._check(moves[fine], half_width[fine], _CLOSE, self._find_touch)
 
@@ -136,7 +137,7 @@ class _Check:
         pixel: float,
         find: Callable[[FineRays, np.ndarray, np.ndarray], None],
     ) -> list[int]:
-        """Check moves (k,) with `find` in batches; return the moves that were not checked within the time limit."""
+        """Check the moves `moves` (k,) in batches with `find`; return the moves not checked within the time limit."""
         if len(moves) == 0:
             return []
         rays = FineRays(self.cuts, self.stock, pixel)
@@ -155,7 +156,7 @@ class _Check:
             raise _OutOfTime
 
     def _find(self, rays: FineRays, moves: np.ndarray, half_width: np.ndarray) -> None:
-        """Find the crashes and fast plunges among moves (k,), with their volumes."""
+        """Find the crashes and fast plunges among the moves `moves` (k,), with their volumes."""
         parts = list(rays.removed_by(moves, half_width, self._continue))
         if not parts:
             return
@@ -169,7 +170,10 @@ class _Check:
             self.plunges += plunges_among(cuts, plunges, pieces.selected(fast))
 
     def _find_touch(self, rays: FineRays, moves: np.ndarray, half_width: np.ndarray) -> None:
-        """Find the crashes among moves (k,). After its first crash, a move is not examined any further."""
+        """Find the crashes among the moves `moves` (k,).
+
+        When a move has crashed once, it is not examined any further.
+        """
         removed = np.zeros(len(self.cuts))
         for pieces in rays.removed_by(moves, half_width, self._continue):
             removed += pieces.volumes(len(self.cuts))

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Find the deepest gouges and the thickest leftover material of a part, and the trajectories that caused both."""
+"""Find the deepest gouges and the thickest leftover material of a part, and the trajectories that caused them."""
 
 from __future__ import annotations
 
@@ -20,8 +20,8 @@ from vkworkbench.core.zbuffer.sweeps.cuts import Source
 # Default tolerance for deviations from the model, mm.
 TOLERANCE = 0.1
 
-# Deviating pixels are grouped by tiles, and pixels in neighbouring tiles belong to one place. `_APART` is the side of a
-# tile, as a share of the image's shorter side.
+# Pixels that deviate from the model are grouped by square tiles; pixels in the same tile or in neighbouring tiles
+# belong to one place. `_APART` is the side of a tile, as a share of the image's shorter side.
 _APART = 0.02
 # Number of tiles along the image's longer side, for grouping the pixels of a gouge. With fewer tiles, separate gouges
 # close to each other are reported as one gouge. With more tiles, one gouge whose pixels have gaps is reported as
@@ -31,7 +31,7 @@ _TILES = 500
 
 @dataclass(frozen=True)
 class Deviation:
-    """A gouge or a place with leftover material: the worst place of one cut, or of one connected group of pixels.
+    """A gouge or leftover material, described by its worst place in one cut or in one group of connected pixels.
 
     Attributes
     ----------
@@ -60,10 +60,11 @@ class Deviation:
 
 
 def gouges(zbuffer: ZBuffer, found: Deviations, tolerance: float) -> list[Deviation]:
-    """Return every gouge, the deepest first.
+    """Return every gouge, the deepest gouge first.
 
-    A gouge is a group of connected pixels in which one cut is deeper than the tolerance plus its allowed depth. All
-    places at which the stock is too small for the model form one deviation without a source.
+    A gouge is a group of connected pixels in which one cut goes deeper into the model than the tolerance plus the cut's
+    allowed depth. All places at which the stock is too small for the model are returned as one deviation without a
+    source.
 
     Parameters
     ----------
@@ -93,23 +94,23 @@ def gouges(zbuffer: ZBuffer, found: Deviations, tolerance: float) -> list[Deviat
 
 
 def _gouge(zbuffer: ZBuffer, gap: _Gap, pixels: np.ndarray, maker: np.ndarray, least: float) -> list[Deviation]:
-    """Return the gouge of connected pixels (k,); return an empty list if its depth is at most `least`, mm."""
+    """Return the gouge in the connected pixels `pixels` (k,), or an empty list if its depth is at most `least`, mm."""
     source, first, last = zbuffer.cuts.source, int(maker.min()), int(maker.max())
     worst = _worst_place(zbuffer, gap, pixels, maker, least)
     return [replace(one, trajectory=first, source=source(first), last=source(last)) for one in worst]
 
 
 def _connected(frame: Frame, pixels: np.ndarray, side: float) -> list[np.ndarray]:
-    """Return the positions in `pixels` for each group of connected tiles.
+    """Group the pixels by connected tiles; return, for each group, the positions of its pixels in `pixels`.
 
-    `pixels` (k,) contains numbers in the flat image. `side` is the side of a tile, in pixels.
+    `pixels` (k,) contains the indices row * width + column. `side` is the side of a tile, in pixels.
     """
     row, column = np.array(np.divmod(pixels, frame.width)) // max(1, round(side))
     return members(connected_cells(row, column))
 
 
 def material_left(zbuffer: ZBuffer, found: Deviations, tolerance: float) -> list[Deviation]:
-    """Return the thickest leftover material of each cut, the thickest first. The arguments are those for `gouges`."""
+    """Return each cut's thickest leftover material, the thickest first. The arguments are the same as for `gouges`."""
     gap = _leftover_gap(found)
     pixels, maker = _find_makers(zbuffer, gap, tolerance)
     cut = _cuts_of(zbuffer, maker)
@@ -123,16 +124,16 @@ def material_left(zbuffer: ZBuffer, found: Deviations, tolerance: float) -> list
 def worst_places(
     zbuffer: ZBuffer, found: Deviations, tolerance: float, most: int = 10
 ) -> tuple[list[Deviation], list[Deviation]]:
-    """Return the deepest gouges and the thickest leftover material, the worst first. Connected pixels form one place.
+    """Return the places with the deepest gouges and with the thickest leftover material, the worst place first.
 
     Parameters
     ----------
     found : Deviations
         Deviations of this `zbuffer`.
     tolerance : float
-        Tolerance, mm. Smaller distances are ignored.
+        Tolerance, mm. Gouges and leftover material up to the tolerance are ignored.
     most : int
-        Largest number of places of each kind.
+        Largest number of gouges, and largest number of places with leftover material. Connected pixels are one place.
 
     Returns
     -------
@@ -145,8 +146,8 @@ def worst_places(
 class _Gap(NamedTuple):
     """The gap between a front surface and a rear surface of an image.
 
-    `along` (pixels,) is the distance from `front` to `behind` along the view, mm, at least 0. `model` is None for
-    leftover material.
+    `along` (pixels,) is the distance from the front surface `front` to the rear surface `behind` along the view, mm, at
+    least 0. `model` is None for leftover material.
     """
 
     front: np.ndarray
@@ -164,15 +165,15 @@ def _leftover_gap(found: Deviations) -> _Gap:
 
 
 def _worst_by_group(zbuffer: ZBuffer, gap: _Gap, tolerance: float, most: int) -> list[Deviation]:
-    """Return the worst place of each group of connected tiles, the worst first."""
+    """Return the worst place of each group of connected tiles, sorted with the worst place first."""
     frame, (deviating, maker) = zbuffer.frame, _find_makers(zbuffer, gap, tolerance)
     groups = _connected(frame, deviating, _APART * min(frame.height, frame.width))
     worst = [float(gap.along[deviating[group]].max()) for group in groups]
     places: list[Deviation] = []
     least = tolerance
     for number in sorted(range(len(groups)), key=lambda number: -worst[number]):
-        # The distance between the surfaces in space is never larger than the distance along the view, so the other
-        # groups need no search.
+        # The distance between the two surfaces in space is never larger than their distance along the view, so the
+        # remaining groups cannot contain a worse place.
         if worst[number] <= least:
             break
         places += _worst_place(zbuffer, gap, deviating[groups[number]], maker[groups[number]], least)
@@ -198,8 +199,9 @@ def _find_makers(zbuffer: ZBuffer, gap: _Gap, tolerance: float) -> tuple[np.ndar
     pixels, model = np.flatnonzero(gap.along > tolerance), gap.model
     if model is None:
         return pixels, zbuffer.picture.owner[pixels]
-    # The material just behind the model's surface is examined: deeper by the tolerance, because removals within the
-    # tolerance are allowed, but by at most a pixel, because at a rim the model ends close behind its surface.
+    # The material slightly deeper than the model's surface is examined. The additional depth is the tolerance, because
+    # removals within the tolerance are allowed, but at most a pixel, because near an edge the model can be thin along
+    # the ray.
     depth = model.near.ravel()[pixels] + min(tolerance, zbuffer.frame.pixel)
     maker = _find_removers(zbuffer, pixels, depth, model.behind.ravel()[pixels])
     cut = _cuts_of(zbuffer, maker)
@@ -209,14 +211,14 @@ def _find_makers(zbuffer: ZBuffer, gap: _Gap, tolerance: float) -> tuple[np.ndar
         image.ravel()[pixels] = cut
         return around(image, extreme).ravel()[pixels]
 
-    # At a rim or a wall, the ray of a pixel can miss the model and name a wrong cut. Therefore a pixel counts only if
-    # all its deviating neighbours name the same cut.
+    # At an edge or a wall of the model, the ray of a pixel can miss the model and attribute the gouge to a wrong cut.
+    # Therefore a pixel is used only if the gouges of all its deviating neighbours are attributed to the same cut.
     sure = extreme_cut_around(np.minimum, len(zbuffer.cuts.cuts)) == extreme_cut_around(np.maximum, -1)
     return pixels[sure], maker[sure]
 
 
 def _find_removers(zbuffer: ZBuffer, pixels: np.ndarray, depth: np.ndarray, behind: np.ndarray) -> np.ndarray:
-    """Return the trajectory that removed the first material at or behind `depth` (k,) on each pixel's ray.
+    """Return the trajectory that removed the first material at or below `depth` (k,) on each pixel's ray.
 
     The result is `STOCK` if this material was not removed, or if the stock has no material between `depth` and `behind`
     (k,).
@@ -226,7 +228,7 @@ def _find_removers(zbuffer: ZBuffer, pixels: np.ndarray, depth: np.ndarray, behi
     piece = first_not_below(records.far, records.index[pixels].astype(np.int64), end, depth)
     found = np.flatnonzero(piece < end)
     piece, end, depth, behind = piece[found], end[found], depth[found], behind[found]
-    # A gap of the stock contains no material. The next material begins at the far end of the gap.
+    # A gap in the stock contains no material; the next material begins at the far end of the gap.
     gap = records.owner[piece] == GAP
     begin = np.where(gap, records.far[piece], np.maximum(depth, records.entry[pixels[found]]))
     lacking = (begin > depth) & (begin >= behind)
@@ -238,7 +240,7 @@ def _find_removers(zbuffer: ZBuffer, pixels: np.ndarray, depth: np.ndarray, behi
 
 
 def _cuts_of(zbuffer: ZBuffer, owner: np.ndarray) -> np.ndarray:
-    """Return the cut that each trajectory belongs to; -1 for `STOCK`."""
+    """Return the number of the cut to which each trajectory belongs; -1 for `STOCK`."""
     cut = np.full(len(owner), -1)
     made = owner != STOCK
     cut[made] = zbuffer.cuts.cut[owner[made]]
@@ -248,7 +250,7 @@ def _cuts_of(zbuffer: ZBuffer, owner: np.ndarray) -> np.ndarray:
 def _worst_place(
     zbuffer: ZBuffer, gap: _Gap, pixels: np.ndarray, maker: np.ndarray, tolerance: float
 ) -> list[Deviation]:
-    """Return the worst place of pixels (k,); return an empty list if the place is within the tolerance.
+    """Return the worst place among the pixels `pixels` (k,), or an empty list if it is within the tolerance.
 
     `maker` (k,) is the trajectory that caused the deviation at each pixel.
     """

@@ -8,7 +8,7 @@ import numpy as np
 from vkworkbench.core.zbuffer.findings.volumes import Volumes
 from vkworkbench.core.zbuffer.simulator.moments import ZBuffer
 
-# Smallest cosine of the view's tilt from the vertical. Depth and width of cut are not computed in flatter views.
+# Smallest cosine of the view's tilt from the vertical at which depth and width of cut are computed.
 _FROM_THE_SIDE = 0.3
 
 
@@ -18,7 +18,7 @@ def removed_volumes(zbuffer: ZBuffer) -> np.ndarray:
     Parameters
     ----------
     zbuffer : ZBuffer
-        The volumes are for the whole simulation, not only until the z-buffer's moment.
+        The finished simulation, or any moment of it; the volumes are always those of the whole simulation.
 
     Returns
     -------
@@ -34,7 +34,7 @@ def removal_rates(zbuffer: ZBuffer, measured: Volumes | None = None) -> np.ndarr
     Parameters
     ----------
     measured : Volumes, optional
-        Measured volumes. Without measured volumes, the volumes are computed from the image.
+        Measured volumes. Without them, the volumes are computed from the image.
 
     Returns
     -------
@@ -47,11 +47,11 @@ def removal_rates(zbuffer: ZBuffer, measured: Volumes | None = None) -> np.ndarr
 
 
 def cuts_air(zbuffer: ZBuffer, measured: Volumes | None = None) -> np.ndarray:
-    """Return which feed moves remove nothing.
+    """Return whether each trajectory is a feed move that removes nothing.
 
-    A move shorter than two pixels possibly removes material that no ray meets. Therefore consecutive moves are joined
-    into stretches with a length of two pixels, and all moves in a stretch get the same result. Passes that are closer
-    than a pixel cannot be distinguished in the image; for such passes, use a finer image or measured volumes.
+    A move shorter than two pixels can remove material that no ray meets. Therefore consecutive moves are joined into
+    stretches with a length of two pixels, and all moves in a stretch get the same result. The image cannot distinguish
+    passes that are closer to each other than a pixel; for such passes, use smaller pixels or measured volumes.
 
     Parameters
     ----------
@@ -68,7 +68,7 @@ def cuts_air(zbuffer: ZBuffer, measured: Volumes | None = None) -> np.ndarray:
         volumes = np.maximum(volumes, measured.each)
     length, volumes = np.where(cuts.rapid, 0.0, (cuts.lengths, volumes))
     stretch = np.floor((np.cumsum(length) - length / 2) / (2 * zbuffer.frame.pixel)).astype(np.int64)
-    # A rapid or the next cut begins a new stretch.
+    # A rapid, and the first trajectory of a cut, begin a new stretch.
     begins = cuts.rapid.copy()
     begins[1:] |= (np.diff(cuts.cut) != 0) | (np.diff(stretch) != 0)
     group = np.cumsum(begins)
@@ -80,12 +80,13 @@ def engagement(zbuffer: ZBuffer, measured: Volumes | None = None) -> tuple[np.nd
     """Return the depth and width of cut of each trajectory.
 
     The depth is the height of the tallest piece that the trajectory removes from a ray. The width is the removed volume
-    divided by the depth and by the horizontal length, at most the tool's diameter. The width of a plunge is 0.
+    divided by the depth and by the move's horizontal length, but at most the tool's diameter. The width of a plunge is
+    0.
 
     Parameters
     ----------
     measured : Volumes, optional
-        Measured volumes and depths. Without measured values, volumes and depths are computed from the image.
+        Measured volumes and depths. Without them, volumes and depths are computed from the image.
 
     Returns
     -------
@@ -123,20 +124,20 @@ def _depths_in(zbuffer: ZBuffer) -> np.ndarray:
 
 
 def trajectory_table(zbuffer: ZBuffer, measured: Volumes | None = None) -> dict[str, np.ndarray]:
-    """Return the facts on each trajectory as columns (n,) of a table.
+    """Return quantities of each trajectory, such as length and removed volume, as columns (n,) of a table.
 
     Parameters
     ----------
     measured : Volumes, optional
-        Measured volumes and depths. Without measured values, volumes and depths are computed from the image.
+        Measured volumes and depths. Without them, volumes and depths are computed from the image.
 
     Returns
     -------
     dict of ndarray
-        ``cut`` and ``command``: numbers of the cut and of the command that each trajectory belongs to; ``rapid``: True
+        ``cut`` and ``command``: numbers of the cut and of the command to which each trajectory belongs; ``rapid``: True
         for a rapid; ``length``, mm; ``seconds``, s, 0 if the feed is unknown; ``removed_volume``, mm^3; ``rate``:
-        removal rate, mm^3/min, NaN without a feed; ``air``: True for a feed move that removes nothing; ``depth`` and
-        ``width`` of cut, mm; ``tool_diameter``, mm.
+        removal rate, mm^3/min, NaN if the feed is unknown; ``air``: True for a feed move that removes nothing;
+        ``depth`` and ``width`` of cut, mm; ``tool_diameter``, mm.
     """
     cuts = zbuffer.cuts
     depth, width = engagement(zbuffer, measured)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Find faults of trajectories: rapids that cut, and plunges that are too fast."""
+"""Find trajectories with faults, which are rapids that cut and plunges that are too fast."""
 
 from __future__ import annotations
 
@@ -17,21 +17,22 @@ from vkworkbench.core.zbuffer.sweeps.cuts import Cuts, Source
 from vkworkbench.core.zbuffer.sweeps.intervals import headings, lowest
 from vkworkbench.core.zbuffer.sweeps.trajectories import as_cut
 
-# Slope (fall divided by horizontal length) above which a downward move is a plunge. Removed share of the volume that
-# the tool displaces, above which a plunge counts as a plunge into full material.
+# _PLUNGE: slope (descent divided by horizontal length) above which a downward move is a plunge. _FULL: share of the
+# volume displaced by the tool that a plunge must remove to count as a plunge into full material.
 _PLUNGE, _FULL = 5.0, 0.5
-# Largest allowed ratio of a feed to the vertical feed. The ratio is above 1, because FreeCAD rounds feeds.
+# Largest allowed ratio of a plunge's feed to the vertical feed. The ratio is slightly above 1, because FreeCAD rounds
+# feeds.
 _FASTER = 1.01
-# Horizontal depth in a wall or flank up to which a rapid only touches, mm. Chords of arcs and rounded coordinates leave
-# material up to about this depth. Different chords of an arc deviate from each other by at most the rise of the arc
-# over a chord, so the limit is at least `_OF_RISE` times the rise.
+# _TOUCHES: horizontal depth, mm, up to which a rapid in a wall or flank only touches the material and is not a crash.
+# Rounded coordinates and the chords that replace arcs leave material up to about this thickness. The largest distance
+# between an arc and its chord is the arc's rise; the limit is at least `_OF_RISE` times the rise.
 _TOUCHES, _OF_RISE = 0.02, 2.0
 _SIDES = np.arange(8) * pi / 4
-# Height of material above the tool's lower surface that is a rounding error, mm. For arcs in vertical planes, the limit
-# is at least `_OF_RISE` times the rise.
+# Height, mm, of material above the tool's lower surface up to which the material counts as a rounding error. For arcs
+# in vertical planes, the limit is at least `_OF_RISE` times the rise.
 _ROUNDED = 1e-3
 _PIECES_AT_ONCE = 1 << 14
-# Number of rings with equal widths for computing the volume of a tool.
+# Number of concentric rings with equal widths into which a tool is divided to compute its volume.
 _RINGS = 64
 
 
@@ -46,7 +47,7 @@ class Crash:
     source : Source
         Cut and command of the trajectory.
     place : (3,) tuple of float
-        Middle of the longest piece that the rapid removes, mm.
+        Middle of the longest piece of a ray that the rapid removes, mm.
     depth : float
         Length of the longest removed piece along the view, mm.
     volume : float
@@ -63,9 +64,10 @@ class Crash:
 def crashes(zbuffer: ZBuffer) -> list[Crash]:
     """Return the rapids that remove material.
 
-    Rapids that only touch a wall or flank with the tool's side are not returned.
+    A rapid that only touches a wall or flank with the tool's side is not returned.
 
-    A rapid that removes material narrower than a pixel is possibly missed; `check_crashes` finds these rapids, too.
+    A rapid is not found if the removed material is narrower than a pixel and no ray meets it; `check_crashes` finds
+    such rapids, too.
 
     Returns
     -------
@@ -76,7 +78,7 @@ def crashes(zbuffer: ZBuffer) -> list[Crash]:
 
 
 def crashes_among(cuts: Cuts, pieces: RemovedPieces, volumes: np.ndarray) -> list[Crash]:
-    """Return the crashes among the pieces that rapids remove.
+    """Return the rapids that remove material and do not only touch it.
 
     Parameters
     ----------
@@ -89,8 +91,9 @@ def crashes_among(cuts: Cuts, pieces: RemovedPieces, volumes: np.ndarray) -> lis
         return []
     owner, middle, length = pieces.owner, (pieces.near + pieces.far) / 2, pieces.far - pieces.near
     touches = touching(cuts)
-    # The longest pieces are examined first. A rapid that touches a wall can also remove long pieces there, as high as
-    # the wall. Therefore pieces of each rapid are examined until one is inside by more than the margin.
+    # The longest pieces are examined first. A rapid that only touches a wall can also remove long pieces, as high as
+    # the wall. Therefore the pieces of each rapid are examined until one piece is inside the rapid's swept volume by
+    # more than the margin.
     order = np.argsort(-length, kind="stable")
     longest = np.full(len(cuts), -1)
     for first in range(0, len(order), _PIECES_AT_ONCE):
@@ -112,14 +115,14 @@ def crashes_among(cuts: Cuts, pieces: RemovedPieces, volumes: np.ndarray) -> lis
 
 
 def touching(cuts: Cuts) -> np.ndarray:
-    """Return the largest horizontal and vertical depth in the material at which a rapid only touches, (2,) mm."""
+    """Return the largest horizontal and the largest vertical depth at which a rapid only touches material, (2,) mm."""
     rises = np.max([_rises(cut.toolpath) for cut in cuts.cuts], axis=0, initial=0.0)
     result: np.ndarray = np.maximum((_TOUCHES, _ROUNDED), _OF_RISE * rises)
     return result
 
 
 def _inside(cuts: Cuts, trajectory: np.ndarray, points: np.ndarray, touches: np.ndarray) -> np.ndarray:
-    """Return which points (k, 3) are inside the swept volumes of trajectories (k,) by more than a margin.
+    """Return whether each point (k, 3) is inside the swept volume of its trajectory (k,) by more than a margin.
 
     `touches` contains the horizontal and the vertical margin, mm.
     """
@@ -129,7 +132,7 @@ def _inside(cuts: Cuts, trajectory: np.ndarray, points: np.ndarray, touches: np.
     for number in np.unique(cuts.cut[trajectory]):
         tool = cuts.cuts[number].tool
         aside = min(touches[0], tool.radius / 2)
-        for angle in _SIDES:  # angle from the direction of the move
+        for angle in _SIDES:  # angle between the horizontal shift and the move
             own = np.flatnonzero(inside & (cuts.cut[trajectory] == number))
             (ux, uy), (x, y, z) = heading[:2, own], points[own].T
             x = x + aside * (cos(angle) * ux - sin(angle) * uy)
@@ -140,7 +143,7 @@ def _inside(cuts: Cuts, trajectory: np.ndarray, points: np.ndarray, touches: np.
 
 
 def _rises(toolpath: Toolpath) -> tuple[float, float]:
-    """Return the largest rise of arcs over their chords, horizontally and vertically, mm."""
+    """Return the largest horizontal and the largest vertical distance between an arc and its chord, mm."""
     chords = np.abs(np.diff(toolpath.points, axis=0))
     upright = toolpath.plane != 17
     run = np.hypot(*chords[:, :2].T)
@@ -189,7 +192,7 @@ def fast_plunges(zbuffer: ZBuffer) -> list[Plunge]:
 
 
 def too_fast(cuts: Cuts) -> np.ndarray:
-    """Return which trajectories plunge faster than their tool's vertical feed, (n,) bool, whether or not they cut."""
+    """Return whether each trajectory plunges faster than its tool's vertical feed, (n,) bool, even through air."""
     start, end = cuts.ends
     run, fall = np.hypot(*(end - start)[:, :2].T), start[:, 2] - end[:, 2]
     allowed = _vertical_feeds(cuts)
@@ -198,12 +201,12 @@ def too_fast(cuts: Cuts) -> np.ndarray:
 
 
 def plunges_among(cuts: Cuts, plunges: np.ndarray, pieces: RemovedPieces) -> list[Plunge]:
-    """Return the plunges into full material among the fast plunges (k,).
+    """Return those of the fast plunges `plunges` (k,) that go into full material.
 
     `pieces` are the pieces that the plunges remove.
     """
     start, end = (ends[plunges] for ends in cuts.ends)
-    # Depth of the tip's end point below the highest removed point, at most the height of the plunge.
+    # Depth of the plunge's end below the highest removed point, but at most the height of the plunge.
     depth = np.minimum(pieces.tops(len(cuts))[plunges], start[:, 2]) - end[:, 2]
     displaced = np.empty(len(plunges))
     of_cut = cuts.cut[plunges]

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Find the pieces that single trajectories remove, on closely spaced rays.
+"""Find the pieces that selected trajectories remove from closely spaced rays.
 
 The rays are the pixels of an image of the whole stock. This image can have billions of pixels, so only the tiles along
 the chosen trajectories are cut. Each tile is cut by all trajectories up to the last chosen trajectory.
@@ -25,10 +25,11 @@ from vkworkbench.core.zbuffer.sweeps.trajectories import Trajectories
 
 # Number of rays across the width of a tool at the height of the stock's top.
 RAYS_ACROSS = 8
-# Total length of the moves in one batch, as a multiple of the tools' half widths, and largest number of moves in one
-# batch. Larger batches exceed the time limit by more. Smaller batches take longer in total.
+# _TOGETHER: total length of the moves in one batch, as a multiple of the tools' half widths. _MOVES: largest number of
+# moves in one batch. With larger batches, a check exceeds its time limit by more, because the time is compared only
+# between batches. With smaller batches, a check takes longer in total.
 _TOGETHER, _MOVES = 4000.0, 256
-_BLOCKS = 16  # number of blocks of small tiles whose pieces are yielded together
+_BLOCKS = 16  # number of batches of small tiles whose pieces are yielded together
 
 
 class FineRays:
@@ -64,7 +65,7 @@ class FineRays:
         chosen : (k,) ndarray of int
             Numbers of the chosen trajectories, ascending.
         half_width : (k,) ndarray
-            Half the width of the strip along each chosen trajectory in which rays are cut, mm.
+            Half the width, mm, of the strip along each chosen trajectory in which rays are cut.
         going_on : callable
             Called many times a second. An exception raised by `going_on` ends the work.
         """
@@ -81,14 +82,14 @@ class FineRays:
     def removed_near(
         self, marked: np.ndarray, frame: Frame, chosen: np.ndarray, going_on: Callable[[], None]
     ) -> Iterator[RemovedPieces]:
-        """Yield the pieces that the chosen trajectories remove at the marked pixels of a coarser image from above.
+        """Yield the pieces that the chosen trajectories remove in the marked pixels of an image with larger pixels.
 
         Parameters
         ----------
         marked : (height, width) bool
-            The marked pixels of the coarser image.
+            Whether each pixel of the image with larger pixels is marked.
         frame : Frame
-            The coarser image.
+            Axes, centre and pixel of the image with larger pixels, which is a view from above.
         chosen : (n,) bool
             Whether each trajectory is chosen.
         going_on : callable
@@ -121,11 +122,11 @@ class FineRays:
             yield joined(found)
 
     def forget(self, trajectories: np.ndarray) -> None:
-        """Stop yielding the pieces of some trajectories (k,)."""
+        """Stop yielding the pieces of the given trajectories (k,)."""
         self._wanted[np.searchsorted(self.trajectories.index, trajectories)] = False
 
     def _tiles_along(self, item: np.ndarray, half_width: np.ndarray) -> Tiles:
-        """Return the tiles on the strips along moves (k,), with the trajectories that pass through each tile."""
+        """Return the tiles on the strips along the moves `item` (k,), with the trajectories that can meet each tile."""
         frame = self.trajectories.frame
         # The side of a tile is at least eight times the half width. Therefore the four corners of a square around a
         # point of the move lie in all tiles that the strip meets near this point.
@@ -152,7 +153,7 @@ class FineRays:
         return self._listed(side, column * side, row * side)
 
     def _listed(self, side: int, column: np.ndarray, row: np.ndarray) -> Tiles:
-        """Return tiles with the first pixels `column`, `row` (t,), and the trajectories that pass through each tile."""
+        """Return tiles with the first pixels `column`, `row` (t,), and the trajectories that can meet each tile."""
         frame = self.trajectories.frame
         x0, y0 = frame.pixel_centres(column, row)
         x1, y1 = frame.pixel_centres(column + side - 1, row + side - 1)
@@ -160,9 +161,9 @@ class FineRays:
         return Tiles(side, column, row, np.searchsorted(tile, np.arange(len(column) + 1)), met)
 
     def _needed(self, tiles: Tiles) -> Tiles:
-        """Return the tiles that have a wanted trajectory.
+        """Return the tiles that at least one wanted trajectory can cut.
 
-        In each tile, the trajectories after the last wanted trajectory are dropped.
+        In each tile, the trajectories after its last wanted trajectory are dropped.
         """
         at = np.flatnonzero(self._wanted[tiles.item])
         end = tiles.first[:-1].copy()
@@ -173,7 +174,7 @@ class FineRays:
         return Tiles(tiles.side, tiles.column[used], tiles.row[used], first, tiles.item[kept])
 
     def _cut(self, tiles: Tiles) -> RemovedPieces:
-        """Cut the rays in small tiles; return the pieces that wanted trajectories remove."""
+        """Cut the rays of small tiles; return the pieces that the wanted trajectories remove."""
         trajectories, frame = self.trajectories, self.trajectories.frame
         shape = tiles.side, tiles.side, len(tiles.column)
         column, row = tiles.pixels()
@@ -192,7 +193,7 @@ class FineRays:
         if enter is None:
             enter = np.full(len(hit), -np.inf)
         pieces = cut_rays(near[met], far[met], ray, tiles.item[pair], enter, leave, gaps_of(gaps, met))
-        # Skip gaps of the stock and pieces that no trajectory removes.
+        # Skip gaps in the stock and pieces that no trajectory removes.
         cut = np.flatnonzero((pieces.owner >= 0) & (pieces.owner < len(self._wanted)))
         cut = cut[self._wanted[pieces.owner[cut]]]
         own = met[pieces.ray[cut]]
@@ -216,7 +217,7 @@ def half_widths(tool: Tool, height: np.ndarray) -> np.ndarray:
 
 
 class _Marked:
-    """Marked pixels of a coarse image, compared with tiles of a fine image that has the same direction."""
+    """Marked pixels of a coarse image (with large pixels), compared with tiles of a fine image with the same axes."""
 
     def __init__(self, marked: np.ndarray, coarse: Frame, fine: Frame) -> None:
         self._coarse, self._fine = coarse, fine
@@ -225,7 +226,7 @@ class _Marked:
         self._shift = (fine.centre - coarse.centre) @ np.array([coarse.right, coarse.up]).T
 
     def __call__(self, column: np.ndarray, row: np.ndarray, side: int) -> np.ndarray:
-        """Return which tiles (t,) overlap a marked pixel."""
+        """Return whether each tile (t,) of the fine image overlaps a marked pixel of the coarse image."""
         fine, coarse = self._fine, self._coarse
         left, right = (self._pixel(column + end, fine.width, coarse.width, self._shift[0]) for end in (0, side))
         bottom, top = (self._pixel(row + end, fine.height, coarse.height, self._shift[1]) for end in (0, side))
@@ -234,14 +235,14 @@ class _Marked:
         return result
 
     def _pixel(self, position: np.ndarray, fine: int, coarse: int, shift: float) -> np.ndarray:
-        """Return the columns or rows of the coarse image for positions in the fine image, both in pixels."""
+        """Return the coarse image's column or row that contains each position (a column or row) of the fine image."""
         away = (position - fine / 2) * self._fine.pixel + shift
         result: np.ndarray = np.clip(np.floor(away / self._coarse.pixel + coarse / 2), 0, coarse - 1).astype(np.int64)
         return result
 
 
 def parts_of(lengths: np.ndarray) -> Iterator[slice]:
-    """Yield batches of consecutive moves. All batches have about the same total length."""
+    """Yield batches of consecutive moves with about equal total lengths."""
     first = 0
     ends = np.cumsum(lengths + 1)
     while first < len(lengths):

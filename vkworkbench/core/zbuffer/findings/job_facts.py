@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Compute the facts on each operation and on the whole job from a simulation."""
+"""Compute facts, such as removed volume and gouges, on each operation and on the whole job from a simulation."""
 
 from __future__ import annotations
 
@@ -23,7 +23,8 @@ from vkworkbench.core.zbuffer.simulator.moments import ZBuffer
 from vkworkbench.given import number
 from vkworkbench.language import render
 
-# Length of the time windows for the peak removal rate, s. With shorter windows, the rate depends on single pixels.
+# Length of the time windows for the peak removal rate, s. With shorter windows, the rate would depend on single pixels.
+# Longer windows average out short peaks.
 _WINDOW = 1.0
 _NUMBERS = (
     "removed_volume", "removed_volume_error", "cutting_length", "cutting_seconds", "air_length", "air_seconds", "air_length_share",
@@ -42,9 +43,10 @@ class CutFacts:
     removed_volume : float
         Removed volume, mm^3.
     removed_volume_error : float or None
-        Upper bound of the volume's error with 95 % confidence, mm^3. None if the volume is computed from one image.
+        Upper bound, with 95 % confidence, of the error of `removed_volume`, mm^3. None if the volume is computed from
+        one image.
     cutting_length, cutting_seconds : float
-        Length, mm, and time, s, of the feed moves. The time does not include moves without a feed rate.
+        Length, mm, and time, s, of the feed moves. The time does not include moves whose feed rate is unknown.
     air_length, air_seconds : float
         Length, mm, and time, s, of the feed moves that remove nothing.
     mean_rate, peak_rate : float
@@ -63,8 +65,8 @@ class CutFacts:
     fast_plunges : tuple of Plunge
         Plunges into full material above the tool's vertical feed.
     gouges, left : tuple of Deviation
-        Places cut below the model's surface, and places with leftover material above the model's surface; empty without
-        a model.
+        Places that are cut deeper than the model's surface, and places with leftover material above the model's
+        surface. Both are empty without a model.
     collisions : tuple of Collision
         Collisions of shanks and holders, cuts deeper than the flutes, tools that are too short, and collisions with
         clamps.
@@ -90,18 +92,18 @@ class CutFacts:
 
     @property
     def air_length_share(self) -> float:
-        """Share of the cutting length on which nothing is removed, 0 to 1."""
+        """Share of the feed moves' length on which nothing is removed, 0 to 1."""
         return self.air_length / self.cutting_length if self.cutting_length else 0.0
 
     @property
     def air_time_share(self) -> float:
-        """Share of the cutting time during which nothing is removed, 0 to 1."""
+        """Share of the feed moves' time during which nothing is removed, 0 to 1."""
         return self.air_seconds / self.cutting_seconds if self.cutting_seconds else 0.0
 
     def as_dict(self) -> dict[str, Any]:
-        """Return the facts as numbers and lists, with the place of each fault.
+        """Return the facts as a dictionary of numbers and of lists of faults, with the place of each fault.
 
-        The units are mm, s, mm^3, mm^3/min and mm/s.
+        Lengths are in mm, times in s, volumes in mm^3, removal rates in mm^3/min and feeds in mm/s.
         """
         crashes = [
             {"command": c.source.command, "place": list(c.place), "depth": c.depth, "volume": c.volume}
@@ -148,7 +150,7 @@ class CutFacts:
     def cells(self) -> dict[str, float | int | None]:
         """Return the facts as one row of a table with the columns `FACT_COLUMNS`.
 
-        Faults are summarised by their number, or by their largest depth, mm.
+        Faults of each kind are summarised by their number, or by their largest depth, mm.
         """
         faults = (
             len(self.crashes),
@@ -165,7 +167,7 @@ class CutFacts:
         return {name: getattr(self, name) for name in _NUMBERS}
 
 
-# Names of the cells that `CutFacts.cells` returns.
+# Names of the table columns for which `CutFacts.cells` returns values.
 FACT_COLUMNS = (*_NUMBERS, *_FAULTS)
 
 
@@ -176,10 +178,10 @@ class JobFacts:
     Attributes
     ----------
     cuts : tuple of CutFacts
-        Facts on each operation.
+        Facts on each operation separately.
     job : CutFacts
-        Facts on all operations together. Deviations without a source are included only here: `left` includes material
-        where no operation cut, and `gouges` includes the places where the stock is too small for the model.
+        Facts on all operations together. Only these facts include deviations without a source: leftover material where
+        no operation cut (in `left`), and places where the stock is too small for the model (in `gouges`).
     verdict : Verdict
     """
 
@@ -205,18 +207,18 @@ def facts(
     zbuffer : ZBuffer
         The finished simulation in a view along the tool axis.
     checked : CrashCheck
-        The check of the rapids and plunges of the same job.
+        Result of the check of the rapids and plunges of the same job.
     measured : Volumes, optional
-        Measured volumes of the same job. Without measured volumes, the volumes are computed from the image.
+        Measured volumes of the same job. Without them, the volumes are computed from the image.
     thin : ThinGouges, optional
-        The gouges that are too thin for the image, found with the same tolerance.
+        The gouges that are too thin to be visible in the image, found with the same tolerance.
     model : Solid or SeenModel, optional
-        The model of the finished part, or the model already prepared for the image. Without a model, gouges and
-        leftover material are empty.
+        The model of the finished part, or this model already prepared for the image. Without a model, no gouges and no
+        leftover material are returned.
     tolerance : float
-        Tolerance, mm. Smaller deviations from the model are ignored.
+        Tolerance, mm. Deviations from the model up to the tolerance are ignored.
     collisions : Collisions, optional
-        The check of shanks, holders and clamps of the same job.
+        Result of the check of shanks, holders and clamps of the same job.
 
     Raises
     ------
@@ -243,7 +245,7 @@ def facts(
         gouged = with_thin(gouged, thin)
 
     def divided(moves: slice) -> tuple[np.ndarray, np.ndarray]:
-        """Return the times and removed volumes of trajectories, or of their parts if volumes were measured."""
+        """Return time and removed volume of each trajectory, or of each of its parts if volumes were measured."""
         seconds, removed = cuts.seconds[moves], volumes[moves]
         if measured is not None:
             first = measured.parts[moves.start : moves.stop + 1]
@@ -289,10 +291,10 @@ def facts(
 
 
 def with_thin(gouged: Sequence[Deviation], thin: ThinGouges) -> list[Deviation]:
-    """Return the gouges from the image and the thin gouges, the deepest first.
+    """Return the gouges found in the image together with the thin gouges, the deepest gouge first.
 
-    The gouges of thin tools replace the gouges of the same cuts in the image, unless some moves of thin tools are
-    unchecked.
+    For cuts with thin tools, the thin gouges replace the gouges found in the image, unless some moves of thin tools are
+    unchecked. A thin gouge in a wall is united with the gouges found in the image that the same trajectories made.
     """
     found = [one for one in gouged if one.source is None or one.source.cut not in thin.cuts or thin.unchecked]
     found += thin.found
@@ -303,7 +305,7 @@ def with_thin(gouged: Sequence[Deviation], thin: ThinGouges) -> list[Deviation]:
 
 
 def _overlap(one: Deviation, other: Deviation) -> bool:
-    """Return whether the trajectory ranges of two gouges of one cut overlap."""
+    """Return whether two gouges are made by the same cut and their ranges of trajectories overlap."""
     if one.source is None or other.source is None or one.last is None or other.last is None:
         return False
     first, last = max(one.source.trajectory, other.source.trajectory), min(one.last.trajectory, other.last.trajectory)
@@ -311,7 +313,7 @@ def _overlap(one: Deviation, other: Deviation) -> bool:
 
 
 def _united(gouged: Sequence[Deviation]) -> Deviation:
-    """Unite several gouges to one gouge.
+    """Unite several gouges into one gouge.
 
     The united gouge has the first and last command of all gouges, the largest area, and the depth and place of the
     deepest gouge.
@@ -327,7 +329,10 @@ def _last_trajectory(gouge: Deviation) -> int:
 
 
 def with_known(known: Sequence[_Fault], found: Sequence[_Fault]) -> list[_Fault]:
-    """Return faults, sorted by trajectory. A known fault replaces a found fault of the same trajectory."""
+    """Return all faults, sorted by trajectory.
+
+    If both arguments have a fault of one trajectory, the known fault is returned.
+    """
     faults: dict[int, _Fault] = {}
     for some in (found, known):
         for fault in some:
@@ -347,7 +352,7 @@ def verdict_on(
     compared : bool
         Whether the part was compared with a model.
     collisions : Collisions, optional
-        The check of shanks, holders and clamps.
+        Result of the check of shanks, holders and clamps.
     """
     crashed = {crash.source for crash in job.crashes}
     gouged = [one.depth for one in job.gouges if one.source is not None]
@@ -370,9 +375,9 @@ def verdict_on(
 def _peak_rate(seconds: np.ndarray, volumes: np.ndarray) -> float:
     """Return the largest removal rate in consecutive time windows, mm^3/min.
 
-    The removal rate is constant between the ends of two consecutive trajectories. Therefore the rate is computed only
-    for windows in which a trajectory ends, and for the window after each of these windows. The memory does not grow
-    with the machining time.
+    During each trajectory the removal rate is constant. Therefore the rate is computed only for windows in which a
+    trajectory ends, and for the window after each of these windows. The needed memory depends on the number of
+    trajectories and not on the machining time.
     """
     ends, removed = np.append(0.0, np.cumsum(seconds)), np.append(0.0, np.cumsum(volumes))
     window = np.floor(ends / _WINDOW)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Hold the pieces of rays that some trajectories remove, and compute points, heights and volumes of these pieces."""
+"""Store the pieces of rays that given trajectories remove, and compute points, heights and volumes of these pieces."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ class RemovedPieces:
     x, y : (k,) ndarray
         Image coordinates of each piece's ray, mm.
     near, far : (k,) ndarray
-        Depths of the near and far end of each piece, mm.
+        Depths at which each piece begins and ends, mm.
     """
 
     frame: Frame
@@ -75,7 +75,7 @@ def joined(parts: Sequence[RemovedPieces]) -> RemovedPieces:
 def pieces_of(zbuffer: ZBuffer, owners: np.ndarray) -> RemovedPieces:
     """Return the pieces that the selected trajectories remove in an image.
 
-    `owners` is a mask (n,) of the trajectories.
+    `owners` (n,) bool selects the trajectories.
     """
     records, frame = zbuffer.records, zbuffer.frame
     pieces, pixel, near = records.pieces_of(owners)

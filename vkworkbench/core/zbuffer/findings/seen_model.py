@@ -13,24 +13,24 @@ from vkworkbench.core.view import Frame
 from vkworkbench.core.zbuffer.simulator.moments import ZBuffer
 
 _ROWS_AT_ONCE = 64
-# Width of the strip along the wall of a through hole in which leftover material is sought, pixels. The first pixel at
-# the wall is not compared, because a round wall can run through this pixel.
+# Width, pixels, of the strip along the wall of a through hole in which leftover material is searched for. The pixel
+# next to the wall is not compared, because a round wall can run through this pixel.
 _BESIDE = 3
 
 
 @dataclass(frozen=True, eq=False)
 class Deviations:
-    """Deviations of a part's visible surface from the model.
+    """Deviations of the simulated part's visible surface from the model.
 
     Attributes
     ----------
     left, gouged : (pixels,) float32
-        Thickness of the leftover material, and depth of the gouge, measured along the view, mm, at least 0. Leftover
-        material is measured from the highest point of the model in the pixel and its neighbours. A gouge is measured
-        from the model's lowest point in these pixels. Therefore a wall that runs through a pixel is neither leftover
-        material nor a gouge.
+        Thickness of the leftover material, and depth of the gouge, at each pixel, measured along the view, mm, at least
+        0. Leftover material is measured from the highest point of the model in the pixel and its eight neighbours. A
+        gouge is measured from the lowest point of the model in these pixels. Therefore a wall that runs through a pixel
+        is neither leftover material nor a gouge.
     part : (height, width) float32
-        Depth of the part's surface, mm. If no material is left on the ray, this is the depth of the model's far side,
+        Depth of the part's surface, mm. If no material is left on a ray, `part` is the depth of the model's far side,
         or infinite if the ray misses the model.
     model : SeenModel
         The compared model.
@@ -43,7 +43,7 @@ class Deviations:
 
 
 class SeenModel:
-    """The model in an image. The part can be compared with the model at any moment of the simulation.
+    """The model in an image, for comparison with the simulated part after any number of trajectories.
 
     Parameters
     ----------
@@ -51,7 +51,7 @@ class SeenModel:
         The model in the coordinates of the stock.
     frame : Frame
     going_on : callable, optional
-        Called for every strip of the image. An exception raised by `going_on` ends the work.
+        Called for every strip of the image. An exception raised by `going_on` stops the preparation.
 
     Attributes
     ----------
@@ -62,14 +62,15 @@ class SeenModel:
     near, far : (height, width) float32
         Depths at which each ray first enters and finally leaves the model, mm; NaN for rays that miss the model.
     behind : (height, width) float32
-        Depth at which each ray leaves the model for the first time, mm; NaN for rays that miss the model.
+        Depth at which each ray leaves the model for the first time (before a gap in the model), mm; NaN for rays that
+        miss the model.
     surface : (height, width) float32
         Depth at which each ray first enters the model, mm; infinite for rays that miss the model.
     floor : (height, width) float32
-        Depth up to which material is leftover, mm. The depth is `surface`, except in a strip along the walls of through
-        holes, where it is the model's far side. The middle of a through hole is not compared, because a piece that is
-        cut free falls out. Through holes are not compared at all in oblique views, because the free piece hides the
-        walls.
+        Depth above which material of the part counts as leftover, mm. This depth is `surface`, except in a strip along
+        the walls of through holes, where it is the depth of the model's far side. The middle of a through hole is not
+        compared, because a piece that is cut free there falls out. In oblique views, through holes are not compared at
+        all, because such a piece hides the walls.
     """
 
     def __init__(self, model: Solid, frame: Frame, going_on: Callable[[], None] = lambda: None) -> None:
@@ -100,9 +101,9 @@ class SeenModel:
         self._highest = np.where(self._beside, end, highest)
 
     def against(self, zbuffer: ZBuffer) -> Deviations:
-        """Compare the part at the z-buffer's moment with the model, pixel by pixel.
+        """Compare the part, at the moment that the z-buffer shows, with the model, pixel by pixel.
 
-        The z-buffer must have the model's image.
+        The z-buffer must have the same image (`frame`) as the model.
         """
         part = zbuffer.picture.depth.reshape(self.near.shape)
         # If no material is left on a ray, use the depth of the model's far side.
@@ -119,16 +120,16 @@ class SeenModel:
     def walls(self, height: float) -> np.ndarray:
         """Return the pixels near walls of the model.
 
-        At a wall, the surface falls by more than `height`, mm, between neighbouring pixels.
+        A wall is where the depths of neighbouring pixels differ by more than `height`, mm.
         """
         with np.errstate(invalid="ignore"):
             steep: np.ndarray = self.seen & (self._lowest - self._highest > height)
         return around(steep, np.maximum)
 
     def _loose(self, part: np.ndarray) -> np.ndarray:
-        """Return the pixels in holes at which the piece in the hole is cut free from the wall.
+        """Return the pixels in through holes at which the material in the hole is cut free from the wall.
 
-        The slot between piece and wall can be narrower than `_BESIDE` pixels.
+        The slot between this material and the wall can be narrower than `_BESIDE` pixels.
         """
         loose: np.ndarray = self._walls & (np.fmin(part, np.inf) >= self.floor)
         if loose.any():  # most parts have no through holes, so the dilation is skipped
@@ -138,7 +139,7 @@ class SeenModel:
 
 
 def deviations(zbuffer: ZBuffer, model: Solid) -> Deviations:
-    """Compare the part at the z-buffer's moment with its model, pixel by pixel.
+    """Compare the part, at the moment that the z-buffer shows, with its model, pixel by pixel.
 
     Parameters
     ----------
@@ -149,7 +150,7 @@ def deviations(zbuffer: ZBuffer, model: Solid) -> Deviations:
 
 
 def _beside_walls(holes: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Return the first pixels of holes at a wall, and the second to `_BESIDE`-th pixels from a wall."""
+    """Return the pixels of holes that are next to a wall, and the second to `_BESIDE`-th pixels from a wall."""
     within = around(holes, np.minimum)
     far_from = within
     for _ in range(_BESIDE - 1):
@@ -169,9 +170,9 @@ def _connected_to_edge(free: np.ndarray) -> np.ndarray:
 
 
 def _extend_along_rows(free: np.ndarray, found: np.ndarray) -> np.ndarray:
-    """Return all free pixels in those runs of a row that contain a found pixel."""
-    # Runs are numbered over the flat image, so a run can continue in the next row. A run that continues in the next row
-    # touches the image's edge, so all pixels of this run are found anyway.
+    """Return all free pixels in runs of free pixels, along a row, that contain a found pixel."""
+    # Runs are numbered row after row without a break, so a run can continue in the next row. Such a run touches the
+    # image's edge, so all its pixels are found anyway.
     run = np.cumsum(~free).reshape(free.shape)
     reached = np.bincount(run[found], minlength=int(run.max(initial=0)) + 1) > 0
     extended: np.ndarray = free & reached[run]
@@ -179,9 +180,9 @@ def _extend_along_rows(free: np.ndarray, found: np.ndarray) -> np.ndarray:
 
 
 def around(values: np.ndarray, extreme: np.ufunc) -> np.ndarray:
-    """Return the extreme value among each pixel and its eight neighbours.
+    """Return, for each pixel, the extreme value (minimum or maximum) among the pixel and its eight neighbours.
 
-    Pixels of the image's edge are repeated outside.
+    Outside the image, the values of the pixels at the edge are repeated.
     """
     for axis in (0, 1):
         length = values.shape[axis]

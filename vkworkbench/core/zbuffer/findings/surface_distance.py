@@ -9,28 +9,29 @@ from math import ceil, hypot
 
 import numpy as np
 
-# Accuracy of the result, as a share of the distance. A pixel whose distance exceeds the largest known distance by less
-# than this share, or by less than a pixel, is not searched for.
+# Allowed error of the result, as a share of the distance. A distance that exceeds the largest known distance by less
+# than this share, or by less than the side of a pixel, is not searched for.
 _ALIKE = 0.02
-# Spacing of the grids that are searched one after another, pixels. A few pixels of a coarse grid exclude many pixels of
-# the finer grids.
+# Spacing of the grids of pixels that are searched one after the other, pixels. A few pixels of a coarse grid exclude
+# many pixels of the finer grids.
 _GRIDS = (64, 16, 4, 1)
-# Largest number of pixels that are searched at once, and largest number of pairs of a searched pixel and a pixel around
-# it. Each pair needs 50 bytes.
+# _AT_ONCE: largest number of pixels that are searched in one batch. _PAIRS: largest number of pairs of a searched pixel
+# and a pixel around it in one batch; each pair needs 50 bytes.
 _AT_ONCE, _PAIRS = 256, 500_000
-# Sparse searches around a pixel: number of directions, and ratio of consecutive radii. The ratio in the last search is
-# close to 1, so that this search does not skip nearby pixels that can exclude the searched pixel.
+# Three sparse searches around a pixel, each given by the number of directions and the ratio of consecutive radii. In
+# the last search the ratio is close to 1, so that it skips few of the nearby pixels that can exclude the searched
+# pixel.
 _SPARSE = ((8, 2.0), (16, 1.2), (16, 1 + _ALIKE))
-_RADII_AT_ONCE = (8, 64, 256)  # circles up to each of these radii, pixels, are searched in one step
-# Complete search around a pixel, ring by ring: ratio of consecutive radii, and divisor of the inner radius that gives
-# the spacing of the searched pixels. The spacing is at least one pixel.
+_RADII_AT_ONCE = (8, 64, 256)  # limits of the groups of radii, pixels, that are searched in one step
+# Complete search around a pixel, ring by ring. _WIDTH: ratio of a ring's outer radius to its inner radius. _FINE: inner
+# radius of a ring divided by the spacing of the pixels searched in the ring; the spacing is at least one pixel.
 _WIDTH, _FINE = 1.05, 64
 
 
 def farthest(
     front: np.ndarray, behind: np.ndarray, pixels: np.ndarray, pixel: float, floor: float
 ) -> tuple[int, float] | None:
-    """Return the pixel at which two surfaces are farthest from each other, and the distance at this pixel.
+    """Return the pixel at which two surfaces are farthest from each other in space, and the distance at this pixel.
 
     The distance at a pixel is the larger one of two distances (as in the Hausdorff distance): from the point of the
     rear surface to the space before the front surface, and from the point of the front surface to the space behind the
@@ -44,7 +45,7 @@ def farthest(
         Depths of the front and rear surface along the view, mm. The depth is infinite if a ray has no surface, so that
         the whole ray counts as the space before this surface.
     pixels : (k,) int
-        Pixels to search, as numbers in the flat image.
+        Pixels to search, as indices row * width + column.
     pixel : float
         Side of a pixel, mm. The error of the distance is at most the larger one of a pixel and 2 %.
     floor : float
@@ -53,7 +54,7 @@ def farthest(
     Returns
     -------
     tuple of int and float, or None
-        Number of the pixel in the flat image, and distance, mm. None if no distance exceeds `floor`.
+        Index row * width + column of the pixel, and distance, mm. None if no distance exceeds `floor`.
     """
     row, column = np.divmod(pixels, front.shape[1])
     along = behind.ravel()[pixels] - front.ravel()[pixels]
@@ -61,7 +62,7 @@ def farthest(
     unseen = np.zeros(front.shape, bool)
     unseen.ravel()[pixels[along > floor]] = True
     found = None
-    for grid in (0, *_GRIDS):  # grid 0 stands for the pixel with the largest distance along the view
+    for grid in (0, *_GRIDS):  # grid 0 has one pixel, with the largest distance along the view
         on_grid = order[(row[order] % grid == 0) & (column[order] % grid == 0)] if grid else order[:1]
         for first in range(0, len(on_grid), _AT_ONCE):
             some = on_grid[first : first + _AT_ONCE]
@@ -83,10 +84,10 @@ def farthest(
 def _exclude_around(
     unseen: np.ndarray, front: np.ndarray, behind: np.ndarray, row: int, column: int, reach: float, pixel: float
 ) -> None:
-    """Exclude the pixels around one pixel whose distance cannot exceed the floor.
+    """Exclude the pixels around a searched pixel at which the distance cannot exceed the lower bound `floor`.
 
-    A pixel is excluded if its points on both surfaces are at most `reach`, mm, away from the points of the given pixel.
-    The distance at an excluded pixel is larger than the distance at the given pixel by at most `reach`.
+    A pixel is excluded if its points on both surfaces are at most `reach`, mm, away from the points of the searched
+    pixel. Therefore the distance at an excluded pixel exceeds the distance at the searched pixel by at most `reach`.
     """
     size = int(reach / pixel)
     rows = slice(max(row - size, 0), min(row + size + 1, len(front)))
@@ -100,9 +101,9 @@ def _exclude_around(
 
 
 def _distances(front: np.ndarray, behind: np.ndarray, pixels: np.ndarray, pixel: float, floor: float) -> np.ndarray:
-    """Return the distances at pixels (k,), mm.
+    """Return the distance between the two surfaces at each of the pixels `pixels` (k,), mm.
 
-    If a distance is below the floor, the result is some value below the floor.
+    If the exact distance is below `floor`, the returned value is only known to be below `floor`.
     """
     height, width = front.shape
     row, column = np.divmod(pixels, width)
@@ -111,14 +112,15 @@ def _distances(front: np.ndarray, behind: np.ndarray, pixels: np.ndarray, pixel:
     least = np.repeat((beyond - ahead)[None].astype(float), 2, axis=0)
     for radius, steps in _around(ceil(hypot(height, width))):
         # The search around a pixel stops when pixels at a larger radius cannot reduce its distance, or when its
-        # distance is below the floor.
+        # distance is below `floor`.
         (searched,) = np.nonzero(least.max(axis=0) > max(floor, radius * pixel))
         if not len(searched):
             break
         for some in np.array_split(steps, ceil(len(searched) * len(steps) / _PAIRS)):
             rows, columns = row[searched, None] + some[:, 0], column[searched, None] + some[:, 1]
-            # Positions outside the image are replaced by the nearest pixel of the border. The border pixel is closer
-            # than the position, so an earlier step has already included the border pixel with its actual distance.
+            # Positions outside the image are replaced by the nearest pixel of the border. The border pixel is closer to
+            # the searched pixel than the position, so an earlier step has already compared the border pixel at its
+            # actual distance.
             rows, columns = np.clip(rows, 0, height - 1), np.clip(columns, 0, width - 1)
             across = np.hypot(*some.T) * pixel
             to_front = beyond[searched, None] - front[rows, columns]
@@ -131,9 +133,9 @@ def _distances(front: np.ndarray, behind: np.ndarray, pixels: np.ndarray, pixel:
 
 
 def _around(size: int) -> Iterator[tuple[float, np.ndarray]]:
-    """Yield steps (n, 2) in rows and columns around a pixel, and a radius, both in pixels.
+    """Yield a radius, and steps (n, 2) in rows and columns from a pixel to pixels around it, both in pixels.
 
-    All steps within the radius were yielded before.
+    All steps that are shorter than the radius were yielded before.
     """
     for directions, wider in _SPARSE:
         for circles in _circles(size, directions, wider):
@@ -150,7 +152,7 @@ def _around(size: int) -> Iterator[tuple[float, np.ndarray]]:
 
 @lru_cache(maxsize=len(_SPARSE))
 def _circles(size: int, directions: int, wider: float) -> list[np.ndarray]:
-    """Return the steps of circles in groups of radii, because small circles often make large circles unnecessary."""
+    """Return the steps from a pixel to circles around it, in groups of ascending radii."""
     radii = [1.0]
     while radii[-1] * wider < size:
         radii.append(max(radii[-1] * wider, radii[-1] + 1))

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Find gouges that are narrower than a few pixels of an image, by thin tools and in the walls of the model.
+"""Find gouges that are narrower than a few pixels of an image: gouges by thin tools, and gouges in walls of the model.
 
-Thin gouges are sought on closely spaced rays, in strips along the moves of thin tools and along the walls of the
+Thin gouges are searched for on closely spaced rays, in strips along the moves of thin tools and along the walls of the
 model.
 """
 
@@ -22,29 +22,31 @@ from vkworkbench.core.zbuffer.findings.removed_pieces import RemovedPieces, join
 from vkworkbench.core.zbuffer.findings.seen_model import SeenModel
 from vkworkbench.core.zbuffer.sweeps.cuts import Cut, Cuts, Source
 
-# Smallest diameter of a tool at which the image shows all gouges of this tool, pixels.
+# Tool diameter, pixels, from which the image shows all gouges of the tool. Thinner tools are checked on closer rays.
 _SHOWN = 4.0
 # Smallest distance between rays, mm.
 _CLOSEST = 2.0**-8
 # Distance between rays along walls, mm.
 _AT_WALLS = 2.0**-4
-# Directions in which the model's surface is searched around a point, as unit vectors (2, 24). Radii of the first
-# search, as shares of the smallest depth of a gouge. The largest radius excludes most points.
+# _DIRECTIONS: directions in which the model's surface is searched around a point, as unit vectors (2, 24). _SHARES:
+# radii of the first search, as shares of the smallest depth of a gouge. The search with the largest radius excludes
+# most points.
 _DIRECTIONS = np.array([np.cos(np.arange(24) * np.pi / 12), np.sin(np.arange(24) * np.pi / 12)])
 _SHARES = np.array([1.0, 0.67, 0.34])
-# Ratio of consecutive radii in the search for the depth of a gouge. A depth counts as deeper than another depth if it is
-# larger by this factor. The points of a gouge are measured in groups that end at these numbers, the deepest along the
-# view first, because the first depths exclude most other points.
-_WIDER, _ALIKE, _IN_STEPS = 1.1, 1.02, (1, 8, 64)
-# Distance below which two groups of points belong to one gouge, as a multiple of the distance between neighbouring
+# _WIDER: ratio of consecutive radii in the search for the depth of a gouge. _ALIKE: factor by which a depth must be
+# larger than another depth to count as deeper. _IN_STEPS: the points of a gouge, sorted with the deepest along the view
+# first, are measured in batches that end at these numbers of points, because the first depths exclude most of the later
 # points.
+_WIDER, _ALIKE, _IN_STEPS = 1.1, 1.02, (1, 8, 64)
+# Side of the grid cells by which points are grouped, as a multiple of the distance between neighbouring points. Points
+# in the same cell or in neighbouring cells belong to one gouge.
 _CLOSE = 4.0
-# Approximate upper bounds for the number of points that are compared with the model: in a batch of pieces, and of one
-# trajectory in a batch.
+# Approximate upper bounds for the number of points that are compared with the model. _POINTS: in one batch of pieces.
+# _OF_OWNER: of one trajectory in a batch.
 _POINTS, _OF_OWNER = 20_000, 2000
 # Approximate upper bound for the number of points of a gouge at which the depth is measured.
 _MEASURED = 200
-# Number of points around which the surface is searched together.
+# Number of points around which the surface is searched in one batch.
 _TOGETHER = 4096
 
 
@@ -55,13 +57,14 @@ class ThinGouges:
     Attributes
     ----------
     found : tuple of Deviation
-        All gouges of the thin tools, sorted by their first command.
+        All gouges of the thin tools, sorted by their first trajectory.
     in_walls : tuple of Deviation
         The gouges of the other tools near the walls of the model. Some of these gouges are visible in an image, too.
     cuts : tuple of int
-        The cuts with thin tools. `found` replaces the gouges of these cuts in an image.
+        Numbers of the cuts with thin tools. The gouges in `found` replace the gouges of these cuts that were found in
+        an image.
     unchecked : tuple of Source
-        Moves of thin tools that were not checked for lack of time.
+        Moves of thin tools that were not checked within the time limit.
     walls_checked : bool
         Whether all walls of the model were checked within the time limit.
     """
@@ -82,7 +85,7 @@ def thin_gouges(
     seconds: float = np.inf,
     going_on: Callable[[], None] = lambda: None,
 ) -> ThinGouges:
-    """Find the gouges of tools that are thinner than a few pixels, and the gouges of other tools along walls.
+    """Find the gouges of tools thinner than a few pixels, and the gouges of all other tools along the model's walls.
 
     Parameters
     ----------
@@ -113,7 +116,8 @@ def thin_gouges(
         for size in np.unique(sizes).tolist():
             own = np.flatnonzero(sizes == size)
             rays = FineRays(numbered, stock, size)
-            # The images differ only in the size of their pixels, so one search is used for all images.
+            # The images of the cut's different ray distances have the same axes and centre, so one search is used for
+            # all of them.
             search = search or _Search(seen.model, rays.trajectories.frame, least, going_on)
             for part in parts_of(numbered.lengths[moves[own]] / half_width[own]):
                 if time.monotonic() > end:
@@ -140,10 +144,10 @@ def _gouges_in_walls(
     end: float,
     going_on: Callable[[], None],
 ) -> tuple[list[Deviation], bool]:
-    """Return the gouges near walls, and whether all walls were checked before the time `end`.
+    """Return the gouges near the model's walls, and whether all walls were checked before the time `end`.
 
-    If the pixels of the image are nearly as small as the rays' distance, walls are not checked, because the image shows
-    the gouges.
+    If the pixels of the image are nearly as small as the distance between the rays, walls are not checked, because the
+    image already shows the gouges.
     """
     others = [number for number, cut in enumerate(cuts.cuts) if number not in thin and np.isfinite(cut.allowed_depth)]
     if seen.frame.pixel < 1.5 * _AT_WALLS or not others:
@@ -165,9 +169,9 @@ def _gouges_in_walls(
 
 
 def _deep_moves(cuts: Cuts, number: int, model: Solid, least: float) -> tuple[np.ndarray, np.ndarray]:
-    """Return the moves of a cut that possibly gouge the model, and half the widths of their strips, mm.
+    """Return the moves of a cut that can gouge the model, and half the width of the strip along each move, mm.
 
-    A returned move goes more than `least`, mm, below the model's top.
+    A returned move goes deeper than `least`, mm, below the model's top.
     """
     own = slice(int(cuts.first[number]), int(cuts.first[number + 1]))
     start, end = (ends[own] for ends in cuts.ends)
@@ -180,7 +184,7 @@ def _deep_moves(cuts: Cuts, number: int, model: Solid, least: float) -> tuple[np
 
 
 class _Search:
-    """Collection of the points at which a cut removes material more than `least`, mm, below the model's surface."""
+    """Collects the points at which a cut removes material more than `least`, mm, below the model's surface."""
 
     def __init__(self, model: Solid, frame: Frame, least: float, going_on: Callable[[], None]) -> None:
         self._least, self._model, self._going_on = least, spans_in(model, frame), going_on
@@ -201,8 +205,8 @@ class _Search:
     def gouges(self, cuts: Cuts) -> list[Deviation]:
         """Return the gouges.
 
-        A gouge consists of the stored points of consecutive trajectories. Groups of points that are close to each other
-        are one gouge.
+        The stored points of consecutive trajectories belong to one gouge. Points that are close to each other also
+        belong to one gouge.
         """
         if not self._found:
             return []
@@ -211,7 +215,7 @@ class _Search:
         order = np.argsort(pieces.owner, kind="stable")
         stretch = np.empty(len(order), np.int64)
         stretch[order] = np.cumsum(np.diff(pieces.owner[order], prepend=pieces.owner[order[0]]) > 1)
-        # A gouge is a stretch, or several stretches with points in one group of connected cells.
+        # Stretches of consecutive trajectories that have points in one group of connected cells are one gouge.
         side = _CLOSE * np.sqrt(area.max())
         cells = connected_cells(*(np.floor(place / side).astype(np.int64) for place in (pieces.y, pieces.x)))
         stretches = int(stretch.max()) + 1
@@ -235,10 +239,10 @@ class _Search:
     def _distances(
         self, pieces: RemovedPieces, some: np.ndarray, along: np.ndarray, radii: np.ndarray, floor: float
     ) -> np.ndarray:
-        """Return the distances of the lower ends of pieces from the space before the model's surface, (k,) mm.
+        """Return the distance of each piece's lower end from the space outside the model's surface, (k,) mm.
 
-        The model's surface is searched on circles with the radii `radii`, mm, around each piece. If a distance is at
-        most `floor`, mm, the result is some value of at most `floor`.
+        The model's surface is searched on circles with the radii `radii`, mm, around each piece. If the exact distance
+        is at most `floor`, mm, the returned value is only known to be at most `floor`.
         """
         least, depth = along.copy(), pieces.far[some]
         for radius in radii.tolist():
@@ -258,9 +262,9 @@ class _Search:
 
 
 def _thinned(deep: np.ndarray, owner: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Return some of the pieces `deep` (k,), and the number of pieces in `deep` that each returned piece represents.
+    """Return a selection of the pieces `deep` (k,), and the number of pieces that each selected piece represents.
 
-    Every n-th piece of each owner is returned, so that a large gouge needs no more time than a small one.
+    Every n-th piece of each trajectory is selected, so that the time for a large gouge is limited.
     """
     every = 1 + len(deep) // _POINTS
     deep = deep[::every]

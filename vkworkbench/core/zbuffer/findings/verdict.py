@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Provide the verdict on a job as one message: the faults, the check's resolution, and what was not checked."""
+"""Provide the verdict on a job as one message, with the faults, the size of the pixels, and what was not checked."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from vkworkbench.core.zbuffer.findings.collisions import Collisions
 from vkworkbench.core.zbuffer.sweeps.cuts import Source
 from vkworkbench.language import Message
 
-# The sentence for a check in which shanks, holders and clamps were not checked.
+# Sentence of the verdict if shanks, holders and clamps were not checked.
 UNATTACHED = Message("attachments-unchecked")
 
 
@@ -21,17 +21,18 @@ class Verdict:
     Attributes
     ----------
     pixel : float or None
-        Side of the pixels of the checked simulation, mm; None before the check.
+        Side of the pixels of the simulation with which the job was checked, mm; None before the check.
     met : bool
-        Whether any tool possibly meets the stock. If no tool meets the stock, there was nothing to check.
+        Whether at least one tool can meet the stock. If no tool can meet the stock, there was nothing to check.
     compared : bool
         Whether the part was compared with a model.
     crashes, gouges, fast_plunges : int
         Number of rapids that cut, number of gouges in the model, and number of plunges above the vertical feed.
     deepest_gouge, lacking : float
-        Depth of the deepest gouge, and largest thickness of material that the stock lacks for the model, mm.
+        Depth of the deepest gouge, and largest thickness of material that the model needs but the stock does not have,
+        mm.
     unchecked : tuple of Source
-        Moves that were not checked for lack of time.
+        Moves that were not checked within the time limit.
     walls_checked : bool
         Whether all walls of the model were compared with the part, on rays closer than a pixel, within the time limit.
     unjudged : tuple of int
@@ -39,10 +40,10 @@ class Verdict:
     collisions : Collisions or None
         Collisions of shanks, holders and clamps; None if they were not checked.
     lines : bool
-        Whether commands are given as lines of a program, counted from 1.
+        Whether the message gives commands as numbers of program lines, counted from 1.
     unread : tuple of Message
-        Messages on parts of the job that could not be read, and on assumptions. A job with an unread part or an
-        assumption is never sound.
+        Messages on parts of the job that could not be read, and on assumptions made while reading the job. A job with
+        such a message is never sound.
     """
 
     pixel: float | None = None
@@ -69,7 +70,7 @@ class Verdict:
     def is_sound(self) -> bool:
         """Whether the whole job was read and checked, and no fault was found.
 
-        Faults of `unchecked` moves remain possible.
+        Moves in `unchecked` can still have faults.
         """
         return self.is_checked and not self.unread and not self._faults()
 

@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Measure the volumes that the operations of a job remove, and the errors of these volumes.
 
-The rays of one image are arranged in rows. If a wall runs between two rows, the volume of the whole strip between these
-rows is assigned to one side of the wall. Therefore the volumes are measured in several images that are rotated against
-the walls and against each other. The error of the mean volume is computed from the differences between the images.
+The rays of one image are arranged in rows. If a wall runs between two rows and parallel to them, the volume of the
+whole strip between these rows is assigned to one side of the wall. Therefore the volumes are measured in several images
+that are rotated against the walls and against each other. The error of the mean volume is computed from the differences
+between the images.
 """
 
 from __future__ import annotations
@@ -26,14 +27,14 @@ _TURNS = tuple(pi / 180 * angle for angle in (9.0, 33.0, 57.0, 81.0))
 # Number of rays in the strips along the moves of one operation, for each image. More rays give a smaller error and a
 # longer measurement.
 _RAYS = 60_000
-# Factor that turns the standard error of the mean of four images into a 95 % bound (Student's t with 3 degrees of
-# freedom).
+# Factor between the standard error of the mean of four images and an upper bound of the error with 95 % confidence
+# (Student's t with 3 degrees of freedom).
 _STUDENT = 3.18
-# Each move is divided into parts whose volumes are measured separately. Largest length of a part, as a multiple of the
-# tool's diameter, and largest number of parts of a move. Longer parts average out short peaks of the removal rate. In
-# shorter parts, the removal rate depends on single rays.
+# Each move is divided into parts whose volumes are measured separately. _PART: largest length of a part, as a multiple
+# of the tool's diameter. _PARTS: largest number of parts of a move. Longer parts average out short peaks of the removal
+# rate. In shorter parts, the removal rate would depend on single rays.
 _PART, _PARTS = 1.0, 100
-# Lower bound of the error, as a share of the volume, because depths are rounded.
+# Lower bound of the error, as a share of the volume. The error is never 0, because depths are rounded.
 _LEAST = 5e-4
 
 
@@ -67,7 +68,7 @@ class Volumes:
     rays: np.ndarray
 
     def error(self, cuts: range) -> float:
-        """Return a 95 % bound of the error of the volume that some cuts remove together, mm^3."""
+        """Return an upper bound (95 % confidence) of the error of the volume that several cuts remove together, mm^3."""
         together = self.images[:, cuts.start : cuts.stop].sum(axis=1)
         spread = float(together.std(ddof=1)) / sqrt(len(together))
         ray = float(self.rays[cuts.start : cuts.stop].max(initial=0.0))
@@ -91,7 +92,7 @@ def measure_volumes(
     Returns
     -------
     Volumes or None
-        None if the measurement is not finished within the time limit.
+        The volumes; None if the measurement is not finished within the time limit.
     """
     numbered, end = Cuts(cuts), time.monotonic() + seconds
     each, depths = np.zeros((2, len(numbered)))
@@ -118,7 +119,7 @@ def measure_volumes(
 
 
 def _parts(cuts: Cuts) -> np.ndarray:
-    """Return the first part of each trajectory, and the number of all parts, (n + 1,) int64."""
+    """Return the number of each trajectory's first part, and the number of all parts, (n + 1,) int64."""
     start, end = cuts.ends
     diameter = np.array([cut.tool.diameter for cut in cuts.cuts])[cuts.cut]
     count = np.ceil(np.hypot(*(end - start)[:, :2].T) / (_PART * diameter))
@@ -126,7 +127,7 @@ def _parts(cuts: Cuts) -> np.ndarray:
 
 
 def _part_of(rays: FineRays, pieces: RemovedPieces, parts: np.ndarray) -> np.ndarray:
-    """Return the number of the part along which the front of the tool removes each piece, (k,) int64."""
+    """Return the number of the part of a move on which the tool's front removes each piece, (k,) int64."""
     trajectories = rays.trajectories
     item = np.searchsorted(trajectories.index, pieces.owner)
     (x, y, _), (ux, uy, run, _) = trajectories.start[:, item], trajectories.heading[:, item]
@@ -139,9 +140,9 @@ def _part_of(rays: FineRays, pieces: RemovedPieces, parts: np.ndarray) -> np.nda
 
 
 def _strips(cuts: Cuts, number: int, stock: Solid) -> tuple[np.ndarray, np.ndarray, float]:
-    """Return the moves of a cut that possibly meet the stock, and the sizes of the check.
+    """Return the moves of a cut that can meet the stock, half the width of the strip along each move, and the pixel.
 
-    The sizes are half the width of the strip along each move, and the pixel, both in mm.
+    The pixel is the distance between the rays in these strips. Half the width and the pixel are in mm.
     """
     own = slice(int(cuts.first[number]), int(cuts.first[number + 1]))
     start, end = (ends[own] for ends in cuts.ends)

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Compute the simulated part as a closed surface of triangles.
 
-Each dexel is a prism with the cross-section of its pixel. The surface consists of the ends of the prisms, and of the
-walls between pixels with different depths. Neighbouring faces in one plane are joined to rectangles. If a rectangle has
-a corner on the boundary of a second rectangle, the second rectangle gets a corner there too, so that the surface is
+Each dexel is a prism whose cross-section is its pixel. The surface consists of the ends of the prisms, and of the walls
+between pixels with different depths. Neighbouring faces in one plane are joined into rectangles. If a rectangle has a
+corner on the boundary of a second rectangle, a corner is added there to the second rectangle, so that the surface is
 closed.
 """
 
@@ -18,11 +18,11 @@ import numpy as np
 from vkworkbench.core.zbuffer.rays.dexels import THINNEST
 from vkworkbench.core.zbuffer.simulator.moments import ZBuffer
 
-# Grid to which depths are rounded, mm. No piece of a ray is thinner than this grid. A finer grid would give triangles
-# with almost no area.
+# Depths are rounded to multiples of this length, mm. No piece of a ray is shorter. With a smaller length, some
+# triangles would have almost no area.
 _SAME = THINNEST
-# Number of bytes before the number of triangles in an STL file, and layout of one triangle: normal, corners and an
-# unused number.
+# _HEADER: number of bytes in an STL file before the number of triangles. _TRIANGLE: layout of one triangle, with
+# normal, corners and an unused number.
 _HEADER = 80
 _TRIANGLE = np.dtype([("normal", "<f4", 3), ("corners", "<f4", (3, 3)), ("unused", "<u2")])
 
@@ -31,14 +31,15 @@ _TRIANGLE = np.dtype([("normal", "<f4", 3), ("corners", "<f4", (3, 3)), ("unused
 class _Faces:
     """Rectangles that are parallel to two axes of a lattice.
 
-    The axes of the lattice are columns, rows and layers of depths.
+    The lattice has three axes, along which the pixel columns, the pixel rows and the different depths are numbered.
 
     Attributes
     ----------
     axes : tuple of int
-        The axis perpendicular to the rectangles, and the two axes of the rectangles' sides.
+        Number of the axis perpendicular to the rectangles (normal axis), and of the two axes parallel to their sides.
     plane, side : (f,) int64
-        Position along the normal axis, and direction out of the solid: 1 along the axis, -1 against the axis.
+        Position of each rectangle along the normal axis, and the direction along this axis that points out of the
+        solid, 1 or -1.
     u0, u1, v0, v1 : (f,) int64
         Begin and end of each rectangle along the first and along the second of its axes.
     """
@@ -52,7 +53,7 @@ class _Faces:
     v1: np.ndarray
 
     def joined(self) -> _Faces:
-        """Return larger rectangles: faces are joined along their first axis and then along their second axis."""
+        """Return larger rectangles: join neighbours along their first axis, and the results along their second axis."""
         u0, u1, v0, v1, plane, side = _joined(self.u0, self.u1, self.v0, self.v1, self.plane, self.side)
         v0, v1, u0, u1, plane, side = _joined(v0, v1, u0, u1, plane, side)
         return _Faces(self.axes, plane, side, u0, u1, v0, v1)
@@ -68,7 +69,7 @@ class _Faces:
 
 
 def _joined(begin: np.ndarray, end: np.ndarray, *others: np.ndarray) -> tuple[np.ndarray, ...]:
-    """Join consecutive stretches from `begin` to `end` that have equal values in all other columns."""
+    """Join stretches from `begin` to `end` that follow each other without a gap and agree in all other columns."""
     order = np.lexsort((begin, *others))
     begin, end, others = begin[order], end[order], tuple(column[order] for column in others)
     new = np.ones(len(begin), bool)
@@ -81,7 +82,7 @@ def _joined(begin: np.ndarray, end: np.ndarray, *others: np.ndarray) -> tuple[np
 
 
 def part_triangles(zbuffer: ZBuffer) -> np.ndarray:
-    """Return the surface of the part at the moment of a z-buffer.
+    """Return the surface of the part at the moment that a z-buffer shows.
 
     Parameters
     ----------
@@ -120,7 +121,7 @@ def part_triangles(zbuffer: ZBuffer) -> np.ndarray:
 
 
 def _ends(column: np.ndarray, row: np.ndarray, near: np.ndarray, far: np.ndarray) -> _Faces:
-    """Return the faces at the ends of all dexels."""
+    """Return the faces at the near and far ends of all dexels."""
     side = np.repeat([-1, 1], len(near))
     u, v = np.tile(column, 2), np.tile(row, 2)
     return _Faces((2, 0, 1), np.concatenate((near, far)), side, u, u + 1, v, v + 1)
@@ -132,8 +133,8 @@ def _walls(
     """Return the walls between pixels that are neighbours along an axis of the image (0: in a row, 1: in a column)."""
     at, along = (column, row) if axis == 0 else (row, column)
     ranks, lines = size[2], size[1 - axis]
-    # On the edge between two pixels, dexels of the pixel before the edge count 1, and dexels of the pixel after the
-    # edge count -1. There is a wall at all depths at which the sum is not 0.
+    # For each edge between two pixels and each depth, the dexels of the pixel before the edge count 1, and the dexels
+    # of the pixel after the edge count -1. A wall is needed at all depths at which the sum is not 0.
     edge = np.concatenate(((at + 1) * lines + along, at * lines + along))
     count = np.repeat([1, -1], len(near))
     key = np.concatenate((edge * ranks + np.tile(near, 2), edge * ranks + np.tile(far, 2)))
@@ -162,18 +163,18 @@ class _Lattice:
         self._sorted = [np.unique(self._keys(points, axis)) for axis in range(3)]
 
     def _keys(self, points: np.ndarray, axis: int) -> np.ndarray:
-        """Return a number for each point (k, 3).
+        """Return an integer for each lattice point (k, 3), by which the points are sorted.
 
-        The numbers are consecutive along each line of the lattice parallel to the axis.
+        The integers are consecutive along each line of the lattice that is parallel to the axis `axis`.
         """
         one, other = (own for own in range(3) if own != axis)
         key: np.ndarray = (points[:, one] * self._size[other] + points[:, other]) * self._size[axis] + points[:, axis]
         return key
 
     def triangles(self, faces: _Faces) -> np.ndarray:
-        """Return the triangles (t, 3, 3) of rectangles.
+        """Divide rectangles into triangles (t, 3, 3).
 
-        Their corners are points of the lattice or centres of rectangles.
+        The corners of the triangles are points of the lattice or centres of rectangles.
         """
         corners = faces.corners().reshape(4, -1, 3)
         normal, u, v = faces.axes
@@ -201,14 +202,14 @@ class _Lattice:
         ])  # fmt: skip
         of_face = np.concatenate((np.flatnonzero(four), np.flatnonzero(four), owner[fan]))
         # The right axis, the up axis and the direction of an image form a left-handed system, so triangles on positive
-        # sides are reversed. The faces of walls between rows (normal 1) have two axes exchanged, so triangles on
-        # negative sides are reversed.
+        # sides are reversed. For walls between rows (normal axis 1), the order of the two other axes is exchanged, so
+        # triangles on negative sides are reversed.
         turned = faces.side[of_face] * (-1 if normal == 1 else 1) > 0
         found[turned] = found[turned][:, ::-1]
         return found
 
     def _side(self, begin: np.ndarray, end: np.ndarray, axis: int) -> tuple[np.ndarray, np.ndarray]:
-        """Return all lattice points on one side of each rectangle, and the rectangle that each point belongs to.
+        """Return all lattice points on one side of each rectangle, and the rectangle to which each point belongs.
 
         A side begins at `begin` (f, 3), which is included, and ends at `end` (f, 3), which is not included.
         """
