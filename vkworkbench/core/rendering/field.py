@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The simulated part at one moment as a field of columns of material along the tool axis, drawn from any direction.
+"""Represent the simulated part as columns of material along the tool axis, which can be drawn from any direction.
 
-Each vertical ray has one column of material, from the cut surface down to the end of the stock, because tools remove
-material from the top. Only a stock with undercuts has several columns on a ray. The first columns of all rays form one
-layer, the second columns form the next layer, and so on.
+Each vertical ray has one column of material, from the cut surface down to the lower end of the stock, because tools
+remove material from the top. Only if the stock has undercuts can a ray have several columns. The first columns of all
+rays form one layer, the second columns form the next layer, and so on.
 """
 
 from __future__ import annotations
@@ -19,13 +19,13 @@ from vkworkbench.core.rendering.shading import EMPTY, STEEPEST, shadow, slope
 from vkworkbench.core.rendering.thin_cuts import ThinCuts, thin_cuts
 from vkworkbench.core.zbuffer import STOCK, ZBuffer
 
-# Offsets along x and y of the cells around the top of a wall. The heights of these cells determine the wall's
-# direction.
+# Offsets along x and y from the cell of a wall to the cells around it. The direction of the wall is computed from the
+# heights of these cells.
 _AROUND = [(x, y) for x in range(-4, 5) for y in range(-4, 5) if 0 < x * x + y * y <= 17]
 
 
 class Section(NamedTuple):
-    """A plane that divides the part.
+    """A plane through which the part is cut open in the picture.
 
     Attributes
     ----------
@@ -34,7 +34,8 @@ class Section(NamedTuple):
     place : float
         Coordinate of the plane, mm.
     hides_above : bool
-        True: the part is hidden where the coordinate is greater than `place`. False: where it is smaller.
+        If True, material whose coordinate is greater than `place` is hidden. If False, material whose coordinate is
+        smaller is hidden.
     """
 
     axis: int
@@ -44,20 +45,21 @@ class Section(NamedTuple):
 
 @dataclass(frozen=True, eq=False)
 class Layer:
-    """One column of material in each cell of the field, with a border of empty cells around the field.
+    """At most one column of material in each cell of the field; a border of empty cells surrounds the field.
 
     Attributes
     ----------
     top, bottom : (rows + 2, columns + 2) float32
-        Heights above the centre of the stock, mm; `EMPTY` and ``-EMPTY`` in an empty cell.
+        Heights of the upper and lower end of each column above the centre of the stock, mm; `EMPTY` and ``-EMPTY`` in
+        an empty cell.
     owner : (rows + 2, columns + 2) int32
-        Trajectory that made the top, `STOCK` for the raw stock.
+        Trajectory that cut the top of each column; `STOCK` for a top that belongs to the raw stock.
     cell : float
         Side of a cell, mm.
     is_part : bool
-        True for the part, False for chips.
+        True if the columns belong to the part, False if they are chips.
     cut : (rows + 2, columns + 2) bool, optional
-        Cells at which the section's cut face is visible: on the cell's own top, or on the wall behind the cell.
+        Whether the section's cut face is visible at each cell, on the cell's own top or on the wall behind the cell.
     """
 
     top: np.ndarray
@@ -69,7 +71,7 @@ class Layer:
 
     @cached_property
     def upside_down(self) -> Layer:
-        """The layer turned upside down, for views from below. The part's lower surface belongs to the raw stock."""
+        """The layer turned upside down, for views from below. The part's lower surface counts as raw stock."""
         owner = np.full_like(self.owner, STOCK) if self.is_part else self.owner
         turned = Layer(-self.bottom, -self.top, owner, self.cell, self.is_part, self.cut)
         vars(turned)["upside_down"] = self
@@ -77,37 +79,38 @@ class Layer:
 
     @cached_property
     def is_even(self) -> bool:
-        """Whether all columns end at one height."""
+        """Whether the lower ends of all columns are at the same height."""
         ends = self.bottom[self.bottom < -EMPTY]
         return not len(ends) or float(np.ptp(ends)) < 1e-3 * self.cell
 
     @cached_property
     def extent(self) -> tuple[float, float]:
-        """Lowest bottom and highest top, mm; (0, 0) if all cells are empty."""
+        """Lowest bottom and highest top of all columns, mm; (0, 0) if all cells are empty."""
         low, high = float(self.bottom.min()), float(self.top.max())
         return (low, high) if low <= high else (0.0, 0.0)
 
     @cached_property
     def normals(self) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-        """Normals of the tops, as x, y and z of unit vectors. A cell at a step has the smaller slope of its two sides."""
+        """Normals of the tops, as x, y and z of unit vectors. At a step, the smaller of a cell's two slopes is used."""
         x, y = slope(self.top, self.cell, 1), slope(self.top, self.cell, 0)
         upright = 1 / np.sqrt(1 + x * x + y * y)
         return -x * upright, -y * upright, upright
 
     @cached_property
     def shadow(self) -> np.ndarray:
-        """Share of the light that reaches each top past higher material around it, 0 to 1; 1 in empty cells."""
+        """Share of the light that reaches each top if higher material surrounds it, 0 to 1; 1 in empty cells."""
         result = shadow(np.maximum(self.top, self.extent[0]), self.cell)
         result[self.top <= EMPTY] = 1
         return result
 
     def wall_normals(self, cell: np.ndarray) -> np.ndarray:
-        """Return the horizontal normals of the walls of cells (k,). A normal points away from the surrounding material.
+        """Return the horizontal normals of the walls below the tops of cells (k,), pointing away from the material.
 
         Returns
         -------
         (2, k) float32
-            x and y of unit vectors; 0 for a pin or a wall between two slots, which have no single direction.
+            x and y of unit vectors; 0 for the walls of a pin, or of a rib between two slots, which face several
+            directions.
         """
         known = self._wall_normals
         unknown = np.zeros(self.top.size, bool)
@@ -128,30 +131,30 @@ class Layer:
 
     @cached_property
     def _wall_normals(self) -> np.ndarray:
-        """Cache of the walls' normals by cell, (2, cells) float32. NaN: not computed yet."""
+        """Cache of the walls' normals by cell, (2, cells) float32; NaN if the normal is not computed yet."""
         return np.full((2, self.top.size), np.nan, np.float32)
 
 
 class Field:
-    """The columns of a simulated part, or of chips, at one moment.
+    """The columns of a simulated part, or of chips, after a given number of trajectories.
 
     Parameters
     ----------
     zbuffer : ZBuffer
-        Simulated from above, at the moment to show.
+        The simulation from above, at the moment to show.
     chips : tuple of int, optional
-        Also show the material that the trajectories chips[0] .. chips[1] - 1 remove.
+        If given, the field also contains the material that the trajectories chips[0] .. chips[1] - 1 remove (chips).
     part : bool
         Whether the part is shown.
     section : Section, optional
-        Hide everything on one side of a plane.
+        Plane on one side of which all material is hidden.
 
     Attributes
     ----------
     frame : Frame
         Frame of the z-buffer.
     layers : list of Layer
-        Layers of the part, then of the chips.
+        The layers of the part, followed by the layer of the chips.
     """
 
     def __init__(
@@ -171,14 +174,14 @@ class Field:
             self.layers = [self._cut(layer, section) for layer in self.layers]
 
     def owner_of_wall(self, cell: np.ndarray, height: np.ndarray) -> np.ndarray:
-        """Return the trajectories that removed the material beside walls, (k,) int32.
+        """Return, for points on walls, the trajectories that removed the material in front of the wall, (k,) int32.
 
         Parameters
         ----------
         cell : (k,) int
-            Cell in front of the wall, counted in a layer.
+            Index, in the flattened arrays of a layer, of the cell in front of the wall.
         height : (k,) float32
-            Height of the place on the wall, mm.
+            Height of each point on its wall above the centre of the stock, mm.
         """
         found, pixel = np.full(len(cell), STOCK, np.int32), self._pixel_of_cell[cell]
         inside = np.flatnonzero(pixel >= 0)
@@ -186,24 +189,24 @@ class Field:
         return found
 
     def is_raw_wall(self, cell: np.ndarray, height: np.ndarray) -> np.ndarray:
-        """Return which walls belong to the raw stock, (k,) bool, in a field with one layer. Arguments as above."""
+        """Return whether walls belong to the raw stock, (k,) bool, in a field with one layer; see `owner_of_wall`."""
         pixel, records = self._pixel_of_cell[cell], self._zbuffer.records
         raw: np.ndarray = ~((-height > records.entry[pixel]) & (-height <= records.ends[pixel])) | (pixel < 0)
         return raw
 
     @cached_property
     def thin_cuts(self) -> ThinCuts | None:
-        """The cuts of the part that are too narrow for the rays of the simulation; None if only chips are shown."""
+        """The cuts in the part that are too narrow for the rays of the simulation; None if only chips are shown."""
         part = self.layers[0]
         return thin_cuts(self._zbuffer, part.top[1:-1, 1:-1]) if part.is_part else None
 
     @cached_property
     def _pixel_of_cell(self) -> np.ndarray:
-        """The pixel of the z-buffer at each cell of a layer, (cells,) int64; -1 in the border."""
+        """The z-buffer's pixel at each cell of a layer, (cells,) int64; -1 for the cells of the border."""
         return self._in_border(np.arange(self.frame.width * self.frame.height), -1).ravel()
 
     def _cut(self, layer: Layer, section: Section) -> Layer:
-        """Return a layer without the material on one side of a plane."""
+        """Return a layer without the material that a section hides."""
         place = section.place - float(self.frame.centre[section.axis])
         if section.axis == 2:
             beyond, kept = (layer.top, layer.bottom) if section.hides_above else (-layer.bottom, -layer.top)
@@ -221,7 +224,7 @@ class Field:
         return replace(layer, top=top, bottom=np.where(hidden, np.float32(-EMPTY), bottom), cut=cut)
 
     def _layer(self, near: np.ndarray, far: np.ndarray, owner: np.ndarray, is_part: bool) -> Layer:
-        """Return the layer of columns that reach from `near` to `far` (pixels,). Rays without a column have NaN."""
+        """Return a layer of columns from `near` to `far` (pixels,), which are NaN on rays without a column."""
         return Layer(self._in_border(-near, EMPTY), self._in_border(-far, -EMPTY), self._in_border(owner, STOCK),
                      self.frame.pixel, is_part)  # fmt: skip
 
@@ -242,7 +245,7 @@ def _columns_of_part(zbuffer: ZBuffer) -> Iterator[tuple[np.ndarray, np.ndarray,
         return
     dexels = zbuffer.dexel_records
     pixel = dexels["pixel"].astype(np.int64)
-    order = np.arange(len(pixel)) - np.searchsorted(pixel, pixel)  # position of each dexel on its ray
+    order = np.arange(len(pixel)) - np.searchsorted(pixel, pixel)  # position of each dexel among the dexels of its ray
     for number in range(int(order.max(initial=0)) + 1):
         own = order == number
         near, far = np.full((2, len(picture.depth)), np.nan, np.float32)

@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Find the column of a field that each pixel of a parallel view sees, by the floating-horizon algorithm.
 
-In parallel projection, with the eye at the elevation e, a horizontal step of 1 mm away from the eye moves a point
-up by sin(e) on the screen, and a vertical step of 1 mm moves it up by cos(e). The columns behind one column of pixels
-are visited from front to rear. The horizon is the greatest screen height of the rear edges of the columns visited so
-far. A pixel sees the first column whose horizon reaches the pixel. The pixel sees the column's wall if it is below the
-front edge of the column's top, and the top otherwise. The lower ends of the columns have a second horizon, which is the
-smallest screen height so far.
+In parallel projection with the elevation angle e, a point that is 1 mm farther away horizontally appears sin(e) mm
+higher on the screen, and a point that is 1 mm higher appears cos(e) mm higher on the screen. For each column of pixels,
+the columns of material that can appear there are visited from front to rear. The horizon is the greatest screen height
+of the rear edges of the tops visited so far. A pixel sees the first column of material at which the horizon reaches the
+pixel. If the pixel is below the front edge of the column's top, it sees the column's wall; otherwise it sees the top. A
+second horizon, the smallest screen height so far, belongs to the lower ends of the columns.
 """
 
 from __future__ import annotations
@@ -20,23 +20,23 @@ from vkworkbench.core.rendering.field import Layer
 from vkworkbench.core.rendering.shading import EMPTY
 from vkworkbench.core.view import Frame
 
-# If the sine of the elevation is smaller, tops are invisible. If the cosine is smaller, walls are invisible.
+# If the sine of the elevation angle is smaller, tops are invisible. If its cosine is smaller, walls are invisible.
 _LEVEL = 1e-6
-_FRACTION = 16  # bits of the fraction in positions of cells
+_FRACTION = 16  # number of bits after the point in fixed-point positions of cells
 
 
 @dataclass(frozen=True, eq=False)
 class Seen:
-    """The surfaces that the pixels of an image see. Pixels that see no surface are not included.
+    """The surfaces that the pixels of an image see. Pixels in which no surface is visible are not included.
 
     Attributes
     ----------
     pixel : (k,) int64
-        Pixels, counted row by row from below.
+        Indices of the pixels, counted row by row from the lowest row.
     cell : (k,) int64
-        Cell of the layer.
+        Cell of the layer that each pixel sees.
     depth : (k,) float32
-        Depth along the view, mm.
+        Depth of the visible point along the view, mm.
     walls : Walls
         The pixels that see the wall of a column instead of its top.
     """
@@ -55,7 +55,7 @@ class Walls(NamedTuple):
     number : (k,) int64
         Positions in the arrays of `Seen`.
     cell, front : (k,) int64
-        Cell of the column, and the cell in front of it.
+        Cell whose wall is visible, and the cell in front of this cell.
     height : (k,) float32
         Height of the visible point in the coordinates of the layer, mm.
     """
@@ -66,7 +66,7 @@ class Walls(NamedTuple):
     height: np.ndarray
 
     def chosen(self, which: np.ndarray) -> Walls:
-        """Return the pixels that are selected by `which`, (k,) bool."""
+        """Return the pixels that the mask `which` (k,) bool selects."""
         number = np.flatnonzero(which)
         return Walls(*(part[number] for part in self))
 
@@ -78,11 +78,11 @@ def look(layer: Layer, of_layer: Frame, frame: Frame) -> Seen:
     Parameters
     ----------
     layer : Layer
-        For a view from below: the layer turned upside down.
+        The layer to draw. For a view from below, the layer turned upside down.
     of_layer : Frame
         Frame in which the layer was simulated, from above.
     frame : Frame
-        Frame of the image. For a view from below, its rows count downwards.
+        Frame of the image. For a view from below, the rows of the result are counted from the top.
     """
     sine, cosine = abs(float(frame.direction[2])), float(np.hypot(*frame.direction[:2]))
     turned = _Turned(layer, of_layer, frame, sine, cosine)
@@ -97,7 +97,7 @@ def look(layer: Layer, of_layer: Frame, frame: Frame) -> Seen:
     else:
         low = bottoms[turned.cell] * scale + turned.rise[:, None]
         step = _first_between(low, back, np.repeat(row, width))
-    # The arrays of the whole image are computed first, because selecting pixels takes longer than computing all pixels.
+    # Quantities are computed for all pixels of the image, because selecting the needed pixels would take longer.
     seen = cells[step * np.int64(width) + np.arange(width)]
     top, rise = tops[seen], turned.rise[step]
     lower = np.float32(layer.extent[0]) if layer.is_even else bottoms[seen]
@@ -119,26 +119,28 @@ def look(layer: Layer, of_layer: Frame, frame: Frame) -> Seen:
     of_walls *= np.float32(1 / max(cosine, _LEVEL))
     depth[number] = of_walls
     front = cells[np.maximum(step - 1, 0) * width + of_column]
-    front[step == 0] = 0  # the border: nothing is in front of the first cell
+    front[step == 0] = 0  # a border cell, because nothing is in front of the first cell
     walls = Walls(number, cell[number], front,
                   height * np.float32(cosine) - of_walls * np.float32(sine) - np.float32(turned.lift))  # fmt: skip
     return Seen(pixel, cell, depth, walls)
 
 
 class _Turned:
-    """The cells of a layer, resampled so that each column of pixels has a column of cells from front to rear.
+    """The cells of a layer, resampled so that each column of pixels has its own sequence of cells from front to rear.
 
     Attributes
     ----------
     cell : (n, width) int64
-        Cells of the layer. The cells of the last row belong to the border.
+        Cell of the layer at each step from front to rear and each column of pixels. The cells of the last step are
+        border cells.
     step, first : float
-        Length of a cell in the direction away from the eye, and position of the first cell's front edge relative to the
-        image's centre, mm.
+        Distance between successive cells in the direction away from the viewer, and position of the first cell's front
+        edge relative to the image's centre, mm.
     lift : float
         Height of the layer's origin above the image's centre, mm.
     rise : (n,) float32
-        Screen height of each cell's front edge, for a top at height 0 in the layer, in pixels from the lower edge.
+        Screen height of the front edge of the cells of each step if their tops were at height 0, in pixels from the
+        image's lower edge.
     """
 
     def __init__(self, layer: Layer, of_layer: Frame, frame: Frame, sine: float, cosine: float) -> None:
@@ -149,7 +151,7 @@ class _Turned:
         half = np.array([of_layer.width, of_layer.height]) * of_layer.pixel / 2
         middle, reach = float(from_centre[:2] @ away), float(np.abs(away) @ half)
         nearest, farthest = middle - reach, middle + reach
-        if sine > _LEVEL:  # only the cells that the image can show
+        if sine > _LEVEL:  # keep only cells that the image can show
             low, high = (lift + height for height in layer.extent)
             edge = frame.height * frame.pixel / 2
             nearest = max(nearest, (-edge - high * cosine) / sine)
@@ -160,8 +162,8 @@ class _Turned:
         edges = self.first + self.step * np.arange(count)
         self.rise = ((edges * sine + lift * cosine) / frame.pixel + frame.height / 2).astype(np.float32)
         across = (np.arange(frame.width) + 0.5 - frame.width / 2) * frame.pixel
-        # The index of a cell is the sum of two fixed-point numbers. Sums are faster than rotating the position of each
-        # cell.
+        # Row and column of a cell are computed as sums of two fixed-point numbers, which is faster than rotating the
+        # position of each cell.
         side = layer.top.shape[1]
         index = [
             _sums((edges + self.step / 2) * away[axis], across * right[axis], of_layer.pixel,
@@ -175,7 +177,7 @@ class _Turned:
 
 
 def _sums(along: np.ndarray, across: np.ndarray, cell: float, offset: float, count: int) -> np.ndarray:
-    """Return the layer's row or column for each sum of two coordinates, mm, (len(along), len(across)) int32."""
+    """Return the layer's row or column at each sum of two coordinates, mm, (len(along), len(across)) int32."""
     one = 1 << _FRACTION
     fixed = [np.rint(part / cell * one).astype(np.int64) for part in (along, across + offset + cell)]
     limit = 1 << 29
@@ -188,7 +190,7 @@ def _sums(along: np.ndarray, across: np.ndarray, cell: float, offset: float, cou
 def _first_above(back: np.ndarray, height: int) -> np.ndarray:
     """Return the first step at which the horizon reaches each pixel, (height, width) int32.
 
-    The last step stands for pixels that the horizon never reaches.
+    For pixels that the horizon never reaches, the result is the last step.
 
     Parameters
     ----------
@@ -196,17 +198,18 @@ def _first_above(back: np.ndarray, height: int) -> np.ndarray:
         Screen heights of the rear edges of the tops, pixels.
     """
     steps, width = back.shape
-    covered = np.empty((steps, width), np.int32)  # pixels below the horizon before each step
+    covered = np.empty((steps, width), np.int32)  # number of pixels below the horizon before each step
     covered[0] = 0
     horizon = np.zeros(width, np.float32)
-    for step in range(steps - 1):  # much faster than accumulate
+    for step in range(steps - 1):  # this loop is much faster than np.maximum.accumulate
         np.maximum(horizon, back[step], out=horizon)
         covered[step + 1] = horizon + np.float32(0.5)
     np.minimum(covered, height, out=covered)
     covered *= np.int32(width)
     covered += np.arange(width, dtype=np.int32)
     found = np.zeros((height + 1, width), np.int32)
-    # Several steps may have the same horizon before them. The last of them raises the horizon, and it is assigned last.
+    # If several steps have the same horizon before them, only the last of them raises the horizon. This step is
+    # assigned last, so it is kept.
     found.ravel()[covered.astype(np.int64)] = np.arange(steps, dtype=np.int32)[:, None]
     for below, row in zip(found, found[1:-1]):
         np.maximum(below, row, out=row)
@@ -214,14 +217,14 @@ def _first_above(back: np.ndarray, height: int) -> np.ndarray:
 
 
 def _first_between(low: np.ndarray, back: np.ndarray, row: np.ndarray) -> np.ndarray:
-    """Return the first step that each pixel sees, if the columns' lower ends differ in height, (height, width) int32.
+    """Return the first step visible in each pixel if the columns end at different heights, (height, width) int32.
 
     Parameters
     ----------
     low, back : (n, width) float32
         Screen heights of the lower end of each column, and of the rear edge of its top, pixels.
     row : (pixels,) float32
-        Centre of the row of each pixel.
+        Screen height of the centre of each pixel, pixels.
     """
     steps, width = low.shape
     height = len(row) // width
@@ -229,7 +232,7 @@ def _first_between(low: np.ndarray, back: np.ndarray, row: np.ndarray) -> np.nda
     low, back = low.ravel(), back.ravel()
     index = (first * np.int64(width) + np.arange(width)).ravel()
     pending = np.flatnonzero((low[index] > row) | (back[index] < row))
-    # Some rays pass below one column and above another. For these rays, the search continues column by column.
+    # Some rays pass below one column of material and above another. For these rays, the search continues step by step.
     last = (steps - 1) * width
     for _ in range(steps):
         pending = pending[index[pending] < last]

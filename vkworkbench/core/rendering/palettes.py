@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Colours of surfaces: distinct colours for operations, a colour scale for numbers, and colours for deviations."""
+"""Define colours of surfaces: distinct colours for operations, a colour scale for numbers, colours for deviations."""
 
 from __future__ import annotations
 
@@ -7,31 +7,32 @@ import colorsys
 
 import numpy as np
 
-# Colours of gouges and of excess stock. The first colour stands for a deviation of one tolerance, the last for DEEPEST
-# tolerances.
+# Colours of gouges and of excess stock. The first colour is used for a deviation as large as the tolerance, the last
+# for DEEPEST times the tolerance.
 GOUGED = np.array([(244, 166, 154), (214, 39, 40), (120, 0, 20)], np.uint8)
 LEFT = np.array([(158, 202, 241), (49, 110, 214), (10, 30, 120)], np.uint8)
-# Colours of surfaces within the tolerance, and of pixels without a model.
+# MET: colour of surfaces within the tolerance. NO_MODEL: colour of pixels that do not show the model.
 MET, NO_MODEL = (214, 219, 208), (150, 146, 138)
-# Deviation with the darkest colour, as a multiple of the tolerance.
+# Smallest deviation with the darkest colour, as a multiple of the tolerance.
 DEEPEST = 10.0
 
-# Equally spaced colours of the scale, from the smallest to the largest number. The colours are samples of viridis
-# (van der Walt and Smith 2015). They become steadily brighter, so the scale is readable without colour vision.
+# Equally spaced colours of the scale, from the smallest to the largest number. The colours are samples of viridis (van
+# der Walt and Smith 2015). Each colour is brighter than the one before, so the scale is readable without colour vision.
 SCALE = np.array(
     [(68, 1, 84), (72, 40, 120), (62, 74, 137), (49, 104, 142), (38, 130, 142), (31, 158, 137), (53, 183, 121),
      (110, 206, 88), (181, 222, 43), (253, 231, 37)], np.uint8,
 )  # fmt: skip
-# Difference between successive hues, in turns. With the golden section, even many hues differ clearly from each other.
+# Difference between successive hues, as a share of the colour wheel. With the golden section, even many hues differ
+# clearly.
 _GOLDEN = 0.618033988749895
 
 
-# Colours of the raw surface of the stock, and of surfaces that a tool cut.
+# RAW: colour of the raw surface of the stock. CUT: colour of surfaces that a tool cut.
 RAW, CUT = (160, 146, 122), (176, 192, 208)
 
 
 def palette(colors: np.ndarray | tuple[int, int, int]) -> np.ndarray:
-    """Return the colours by owner: first the colour of the raw stock, then the colour of each trajectory.
+    """Return the table of colours by owner: first the colour of the raw stock, then the colour of each trajectory.
 
     Parameters
     ----------
@@ -51,7 +52,7 @@ def colors_of(owner: np.ndarray, palette: np.ndarray) -> np.ndarray:
     Parameters
     ----------
     owner : (height, width) int32
-        Trajectory that made the surface; -1 for the raw stock.
+        Trajectory that cut the surface in each pixel; -1 for the raw stock.
     palette : (n + 1, 3) or (2, 3) uint8
         Colours from :func:`palette`. If there are two colours, all trajectories have the second colour.
     """
@@ -60,7 +61,7 @@ def colors_of(owner: np.ndarray, palette: np.ndarray) -> np.ndarray:
 
 def distinct_colors(count: int) -> np.ndarray:
     """Return `count` colours, (count, 3) uint8. Successive colours are clearly different."""
-    hues = 0.58 + _GOLDEN * np.arange(count)  # in turns
+    hues = 0.58 + _GOLDEN * np.arange(count)  # as shares of the colour wheel
     colors = [[round(255 * part) for part in colorsys.hls_to_rgb(hue, 0.6, 0.55)] for hue in hues]
     return np.array(colors, np.uint8).reshape(-1, 3)
 
@@ -71,7 +72,7 @@ def scale_colors(values: np.ndarray) -> np.ndarray:
     Parameters
     ----------
     values : (n,) ndarray
-        From 0, the low end of the scale, to 1, the high end. NaN counts as 0.
+        Numbers from 0, for the first colour of the scale, to 1, for the last colour. NaN counts as 0.
 
     Returns
     -------
@@ -86,9 +87,10 @@ def difference_colors(left: np.ndarray, gouged: np.ndarray, model: np.ndarray, t
     Parameters
     ----------
     left, gouged : ndarray
-        Heights of the excess stock above the model and of the gouge below it, mm, at least 0.
+        Height of the excess stock above the model, and depth of the gouge below the model, mm, at least 0.
     model : ndarray of bool
-        Whether a pixel shows the model. At the other pixels, `left` is the excess stock in through holes of the model.
+        Whether each pixel shows the model. At pixels that do not show the model, `left` is the excess stock in its
+        through holes.
     tolerance : float
         Largest height that does not count as a deviation, mm. `DEEPEST` times the tolerance has the darkest colour.
     """
@@ -100,6 +102,6 @@ def difference_colors(left: np.ndarray, gouged: np.ndarray, model: np.ndarray, t
 
 
 def _between(stations: np.ndarray, shares: np.ndarray) -> np.ndarray:
-    """Return interpolated colours at shares of the scale, 0 to 1. Shares outside this range get the end colours."""
+    """Interpolate between the colours `stations` at shares of the scale, 0 to 1. Other shares get an end colour."""
     at, numbers = shares * (len(stations) - 1), np.arange(len(stations))
     return np.stack([np.interp(at, numbers, stations[:, channel]) for channel in range(3)], axis=-1).astype(np.uint8)

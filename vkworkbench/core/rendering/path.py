@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The path of the tool, drawn over a picture as a line of one pixel."""
+"""Draw the path of the tool over a picture, as a line that is one pixel wide."""
 
 from __future__ import annotations
 
@@ -8,12 +8,12 @@ import numpy as np
 from vkworkbench.core.rendering.camera import project
 from vkworkbench.core.view import Frame
 
-# Maximum number of pixels of a drawn path. Drawing more pixels would take longer than computing the picture.
+# Maximum number of pixels that are drawn of a path. Drawing more pixels would take longer than computing the picture.
 _MOST = 1_000_000
 
 
 def draw_path(pixels: np.ndarray, points: np.ndarray, frame: Frame, color: tuple[int, int, int]) -> None:
-    """Draw a path over a picture, starting at its first point. The drawing ends after about a million pixels.
+    """Draw a path over a picture, beginning with the path's first point and ending after about a million pixels.
 
     Parameters
     ----------
@@ -42,9 +42,9 @@ def draw_path(pixels: np.ndarray, points: np.ndarray, frame: Frame, color: tuple
 
 
 def _inside(start: np.ndarray, move: np.ndarray, size: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Return the shares of each move at which it enters and leaves an image, (n,) each.
+    """Return the positions on each move, from 0 to 1, at which the move enters and leaves an image, (n,) each.
 
-    For a move outside the image, the first share is greater than the second.
+    For a move outside the image, the first position is greater than the second.
     """
     with np.errstate(divide="ignore", invalid="ignore"):
         one, other = -start / move, (size - start) / move

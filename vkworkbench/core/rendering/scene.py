@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Draw a field from any direction, with light, colours by owner or by cell, edges, and highlights."""
+"""Draw a simulated part (a field of columns) from any direction, with light, colours, edges and highlights."""
 
 from __future__ import annotations
 
@@ -18,16 +18,18 @@ from vkworkbench.core.rendering.shading import BACKGROUND, BRIGHTEST, EDGE, EMPT
 from vkworkbench.core.view import Frame
 from vkworkbench.core.zbuffer import STOCK
 
-# Colour of the cut face of a section, and the number that stands for its owner instead of a trajectory.
+# SECTION: colour of the cut face of a section. CUT_OPEN: number that stands as the owner of the cut face, which no
+# trajectory cut.
 SECTION, CUT_OPEN = np.array((206, 128, 96), np.uint8), -2
 # Colour of highlighted surfaces.
 LIT = np.array((255, 170, 40), np.uint8)
-# Difference in depth between neighbouring pixels above which a dark edge is drawn, in sides of a pixel. Lower: steep
-# slopes get edges. Higher: small steps of the part get none.
+# Difference in depth between neighbouring pixels above which a dark edge is drawn, as a multiple of a pixel's side.
+# Lower: steep slopes get dark edges. Higher: small steps of the part get no edge.
 _JUMP = 8.0
 # Brightness of the lines that stand for cuts narrower than the cells.
 _THIN = 0.65
-# Lower limit for the sine of the view's elevation when the depth of a narrow cut is compared with the visible surface.
+# Lower limit for the sine of the view's elevation, by which a tolerance is divided when the depth of a narrow cut is
+# compared with the visible surface.
 _FLATTEST = 0.1
 
 
@@ -38,11 +40,11 @@ class Scene:
     Attributes
     ----------
     depth : (height, width) float32
-        mm, row 0 below; NaN where the image is empty.
+        Depth of the visible surface, mm, row 0 at the bottom; NaN where the image is empty.
     pixels : (height, width) uint32
         Colours as 0xffRRGGBB, row 0 at the top.
     find_owner : callable
-        Returns `owner`.
+        Function that computes `owner`.
     """
 
     depth: np.ndarray
@@ -51,10 +53,10 @@ class Scene:
 
     @cached_property
     def owner(self) -> np.ndarray:
-        """Trajectory that made the visible surface, or that cuts the visible chip, (height, width) int32, row 0 below.
+        """Trajectory that cut each visible surface, or that cuts the chip, (height, width) int32, row 0 at the bottom.
 
-        -1: raw stock. `CUT_OPEN`: the cut face of a section. Many pictures are shown without a question for an owner,
-        so the owners are computed at the first use.
+        The value is -1 for the raw stock, and `CUT_OPEN` for the cut face of a section. The owners are computed at the
+        first use, because most pictures are shown without their owners.
         """
         return self.find_owner()
 
@@ -92,12 +94,12 @@ def scene(
     ----------
     field : Field
     frame : Frame
-        Frame of the picture. It may have any direction, pixel size and centre.
+        Frame of the picture, with any direction, pixel size and centre.
     colors : (n + 1, 3) or (2, 3), or (rows, columns, 3) uint8
-        Colours by owner, see `palette`; or the colour of every cell of the part as seen from above, row 0 at the
-        bottom.
+        Either the colours by owner, see `palette`; or the colour of every cell of the part as seen from above, row 0 at
+        the bottom.
     lit : tuple of int, optional
-        Highlight the surfaces that the trajectories lit[0] .. lit[1] - 1 have made.
+        If given, the surfaces that the trajectories lit[0] .. lit[1] - 1 have cut are highlighted.
     background : tuple of int
         Colour of empty pixels.
     """
@@ -128,7 +130,7 @@ def scene(
 
 
 class _PartWalls(NamedTuple):
-    """Pixels that see walls of the part, with the cell in front of each wall and the height of the place, (k,) each."""
+    """Pixels that see walls of the part, with the cell in front of each wall and the height of the point, (k,) each."""
 
     pixel: np.ndarray
     front: np.ndarray
@@ -139,7 +141,7 @@ class _PartWalls(NamedTuple):
 
 
 class _Lines(NamedTuple):
-    """Pixels of narrow cuts, row 0 below, and the trajectories that cut there, (k,) each."""
+    """Pixels that show narrow cuts, row 0 at the bottom, and the trajectories that cut there, (k,) each."""
 
     row: np.ndarray
     column: np.ndarray
@@ -149,7 +151,7 @@ class _Lines(NamedTuple):
 def _draw_thin_cuts(
     field: Field, frame: Frame, colors: np.ndarray, lit: tuple[int, int] | None, depth: np.ndarray, pixels: np.ndarray
 ) -> _Lines:
-    """Draw the narrow cuts of a field as dark lines into a picture whose row 0 is below, and return the lines."""
+    """Draw the narrow cuts of a field as dark lines into a picture whose row 0 is at the bottom; return the lines."""
     thin = field.thin_cuts if frame.direction[2] < 0 else None
     if thin is None or not len(thin.owner):
         return _Lines(*np.empty((3, 0), np.int64))
@@ -157,7 +159,8 @@ def _draw_thin_cuts(
     column, row = np.floor(column).astype(np.int64), frame.height - 1 - np.floor(row).astype(np.int64)
     inside = (column >= 0) & (column < frame.width) & (row >= 0) & (row < frame.height)
     column, row, away, owner = (part[inside] for part in (column, row, away, thin.owner))
-    # The centre of the pixel sees the surface beside the point.
+    # The depth of a pixel belongs to the surface at its centre, which can be beside the point of the cut. Therefore the
+    # point counts as visible up to this difference in depth.
     beside = (frame.pixel + field.frame.pixel) / max(-float(frame.direction[2]), _FLATTEST)
     seen = away < depth[row, column] + beside
     column, row, owner = column[seen], row[seen], owner[seen]
@@ -172,16 +175,16 @@ def _draw_thin_cuts(
 
 
 def _packed(colors: np.ndarray, factor: float = 1.0) -> np.ndarray:
-    """Return colours (..., 3) times a factor as 0xffRRGGBB, (...) uint32."""
+    """Return the colours `colors` (..., 3), multiplied by a factor, as numbers 0xffRRGGBB, (...) uint32."""
     red, green, blue = np.minimum(factor * np.moveaxis(colors, -1, 0), 255).astype(np.uint32)
     result: np.ndarray = 0xFF000000 | red << np.uint32(16) | green << np.uint32(8) | blue
     return result
 
 
 def _shaded(color: np.ndarray, brightness: np.ndarray) -> np.ndarray:
-    """Return colours with the brightness `BRIGHTEST`, 0xffRRGGBB, at another brightness.
+    """Convert colours 0xffRRGGBB, which have the brightness `BRIGHTEST`, to another brightness.
 
-    Red and blue are multiplied together, because there is room for eight more bits above both.
+    Red and blue are multiplied in one operation, because the number has eight free bits above each of them.
     """
     share = (brightness * np.float32(256 / BRIGHTEST)).astype(np.uint32)
     green = (color >> np.uint32(8)) & np.uint32(0xFF)
@@ -210,10 +213,10 @@ class _Drawn(NamedTuple):
 
 
 def _draw(field: Field, layer: Layer, frame: Frame, colors: np.ndarray, part_walls: list[_PartWalls] | None) -> _Drawn:
-    """Return the picture of one layer.
+    """Draw one layer of a field.
 
-    If `part_walls` is a list, the walls of the part are appended to it. Their owners are then some trajectory or the raw
-    stock.
+    If `part_walls` is a list, the walls of the part are appended to it. Then the owner of a wall is only known to be
+    the raw stock or an arbitrary trajectory.
     """
     below = frame.direction[2] > 0
     layer, towards = layer.upside_down if below else layer, _light_of(frame)
@@ -222,7 +225,7 @@ def _draw(field: Field, layer: Layer, frame: Frame, colors: np.ndarray, part_wal
     brightness = _light_tops(layer, seen.cell, towards)
     walls, steep = seen.walls, []
     if not layer.is_even:
-        # A pixel that looks under the lower end of the column in front sees the lower face of its own column.
+        # If a pixel looks under the lower end of the column in front, it sees the lower face of the column behind.
         below_front = walls.height < layer.bottom.ravel()[walls.front]
         below_front &= layer.top.ravel()[walls.front] > EMPTY
         lower, towards_lower = walls.chosen(below_front), towards * (1, 1, -1)
@@ -241,7 +244,7 @@ def _draw(field: Field, layer: Layer, frame: Frame, colors: np.ndarray, part_wal
     number = owner + np.int64(1)
     if colors.ndim == 3 and layer.is_part and not below:
         number, colors = seen.cell, _in_border(colors)
-    elif colors.ndim == 3 or len(colors) == 2:  # all trajectories have one colour
+    elif colors.ndim == 3 or len(colors) == 2:  # the same colour for all trajectories
         np.minimum(number, 1, out=number)
         colors = palette(CUT) if colors.ndim == 3 else colors
     color = _packed(colors, BRIGHTEST)[number]
@@ -254,7 +257,7 @@ def _draw(field: Field, layer: Layer, frame: Frame, colors: np.ndarray, part_wal
 
 
 def _light_tops(layer: Layer, cell: np.ndarray, towards: np.ndarray) -> np.ndarray:
-    """Return the brightness of the tops of cells, (k,) float32."""
+    """Return the brightness of the tops of the cells `cell`, (k,) float32."""
     brightness = light(layer.normals, towards)
     brightness *= layer.shadow
     result: np.ndarray = brightness.ravel()[cell]
@@ -262,11 +265,11 @@ def _light_tops(layer: Layer, cell: np.ndarray, towards: np.ndarray) -> np.ndarr
 
 
 def _paint_walls(layer: Layer, walls: Walls, frame: Frame, towards: np.ndarray, brightness: np.ndarray) -> Walls:
-    """Light the walls with a slope above `STEEPEST`, and return these walls."""
+    """Compute the brightness of the walls with a slope above `STEEPEST`, and return these walls."""
     top, shadow = layer.top.ravel(), layer.shadow.ravel()
     steep = walls.chosen(top[walls.cell] - top[walls.front] > STEEPEST * layer.cell)
     x, y = layer.wall_normals(steep.cell)
-    lone = (x == 0) & (y == 0)  # walls without a direction are lit as if they faced the eye
+    lone = (x == 0) & (y == 0)  # walls without a direction are lit as if they faced the viewer
     x[lone], y[lone] = frame.right[1], -frame.right[0]
     lit = light((x, y, np.zeros(1, np.float32)), towards)
     brightness[steep.number] = lit * np.sqrt(shadow[steep.front] * shadow[steep.cell])
@@ -274,7 +277,7 @@ def _paint_walls(layer: Layer, walls: Walls, frame: Frame, towards: np.ndarray, 
 
 
 def _nearest(one: _Drawn, other: _Drawn) -> _Drawn:
-    """Return the surface nearer to the eye in each pixel."""
+    """Return, for each pixel, the one of two surfaces that is nearer to the viewer."""
     depth = np.full(1 + max(drawn.pixel.max(initial=0) for drawn in (one, other)), np.nan, np.float32)
     depth[one.pixel] = one.depth
     its = ~(depth[other.pixel] <= other.depth)
@@ -284,7 +287,7 @@ def _nearest(one: _Drawn, other: _Drawn) -> _Drawn:
 
 
 def _light_of(frame: Frame) -> np.ndarray:
-    """Return the direction to the light in a layer's coordinates. In views from below, the layer is upside down."""
+    """Return the direction to the light in a layer's coordinates, which are upside down in views from below."""
     mirror = np.array([1.0, 1.0, -1.0 if frame.direction[2] > 0 else 1.0])
     towards: np.ndarray = mirror * (LIGHT @ np.array([frame.right, frame.up, -frame.direction]))
     return towards
@@ -296,7 +299,7 @@ def _in_border(colors: np.ndarray) -> np.ndarray:
 
 
 def _edges(depth: np.ndarray, pixel: float) -> np.ndarray:
-    """Return the pixels on the near side of a jump in depth, (height, width) bool."""
+    """Return whether each pixel is on the nearer side of a large step in depth, (height, width) bool."""
     edges, jump = np.zeros(depth.shape, bool), np.float32(_JUMP * pixel)
     for one, other, mark, beyond in (
         (depth[:-1], depth[1:], edges[:-1], edges[1:]), (depth[:, :-1], depth[:, 1:], edges[:, :-1], edges[:, 1:]),

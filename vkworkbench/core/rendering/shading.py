@@ -1,26 +1,29 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Shade a depth image: the slope of the surface determines its brightness, and sharp bends and edges are dark."""
+"""Shade a depth image: brightness is computed from the slope of the surface, and sharp bends and edges are dark."""
 
 from __future__ import annotations
 
 import numpy as np
 
 BACKGROUND = (232, 235, 240)
-# Direction to the light (right, up, towards the eye). The light comes over the left shoulder of the viewer.
+# Direction to the light, with components to the right, upwards and towards the viewer. The light comes from the upper
+# left, behind the viewer.
 LIGHT = np.array([-0.35, 0.5, 0.79], np.float32)
 _AMBIENT = np.float32(0.38)
-# Brightness of a surface that faces the light. A surface that faces the eye has the brightness 1.
+# Brightness of a surface that faces the light. A surface that faces the viewer has the brightness 1.
 BRIGHTEST = float(_AMBIENT + (1 - _AMBIENT) * np.linalg.norm(LIGHT) / LIGHT[2])
-# Height of the top of an empty cell, mm. The height is finite, because vertical views multiply it by 0. The second
-# number is the slope above which one of two neighbouring cells is empty.
+# EMPTY: height of the top of an empty cell, mm. The height is finite, because vertical views multiply it by 0.
+# _TO_NOTHING: slope between two neighbouring cells above which one of the cells is empty.
 EMPTY, _TO_NOTHING = -1e9, np.float32(1e5)
 # Slope above which a surface is drawn as a vertical wall.
 STEEPEST = np.float32(3.0)
-# Soft shadow in pockets: the share of the light that the deepest pockets lose, the radius of the compared surroundings
-# as a share of the field's shorter side, and the spacing of the sampled heights in cells.
+# Soft shadow in pockets. _SHADOW: share of the light that the deepest pockets lose. _SHADOW_REACH: radius of the
+# surroundings with which a height is compared, as a share of the field's shorter side. _SHADOW_CELLS: spacing of the
+# heights that are sampled, in cells.
 _SHADOW, _SHADOW_REACH, _SHADOW_CELLS = np.float32(0.45), 0.02, 2
-# Change of slope between neighbouring pixels at which a dark line begins. At twice this change, the line is darkest.
-# Lower: the scallops of a finished surface get dark lines. Higher: the steps of roughing get none.
+# _CREASE: change of slope between neighbouring pixels above which a dark line is drawn. At twice this change, the line
+# is darkest, and loses the share _DARKEST of its light. Lower: the scallops of a finished surface get dark lines.
+# Higher: the steps of roughing get no lines.
 _CREASE = np.float32(1.2)
 _DARKEST = np.float32(0.45)
 # Share of the light that a near surface loses along its edge in front of a far surface.
@@ -35,7 +38,7 @@ def shade(
     Parameters
     ----------
     depth : (height, width) float32
-        Depth along the view at every pixel, mm, row 0 below; NaN where the image is empty.
+        Depth along the view at every pixel, mm, row 0 at the bottom; NaN where the image is empty.
     pixel : float
         Side of a pixel, mm.
     colors : (3,) or (height, width, 3) array of uint8
@@ -65,16 +68,16 @@ def shade(
 
 
 def _bends(depth: np.ndarray, pixel: float, axis: int) -> np.ndarray:
-    """Return the change of slope at each pixel; 0 outside the part."""
+    """Return the change of slope at each pixel along an axis; 0 outside the part."""
     before, after = _steps(depth, pixel, axis)
     result: np.ndarray = np.nan_to_num(np.abs(after - before))
     return result
 
 
 def _steps(depth: np.ndarray, unit: float, axis: int) -> tuple[np.ndarray, np.ndarray]:
-    """Return the differences from the previous and to the next pixel, in `unit`.
+    """Return the differences in depth from the previous pixel and to the next pixel, as multiples of `unit`.
 
-    At the outline of the part, only one difference exists, and it is returned for both.
+    At the outline of the part, only one of the two differences exists, and it is returned twice.
     """
     around = [(1, 1) if side == axis else (0, 0) for side in (0, 1)]
     step = np.diff(np.pad(depth, around, constant_values=np.nan), axis=axis) / np.float32(unit)
@@ -85,7 +88,8 @@ def _steps(depth: np.ndarray, unit: float, axis: int) -> tuple[np.ndarray, np.nd
 def slope(height: np.ndarray, cell: float, axis: int) -> np.ndarray:
     """Return the slope of a height field along an axis, (n, m) float32.
 
-    A cell has the smaller slope of its two sides. A cell between two empty cells has the slope 0.
+    The slope of a cell is the smaller of the slopes to its two neighbours along the axis; between two empty cells it is
+    0.
 
     Parameters
     ----------
@@ -106,9 +110,9 @@ def slope(height: np.ndarray, cell: float, axis: int) -> np.ndarray:
 
 
 def shadow(height: np.ndarray, cell: float) -> np.ndarray:
-    """Return the share of light that reaches each cell of a height field, (n, m) float32.
+    """Return the share of the light that reaches each cell of a height field, (n, m) float32.
 
-    The share is smaller the deeper the cell lies below the mean height of its surroundings.
+    The share decreases with the cell's depth below the mean height of its surroundings.
 
     Parameters
     ----------
@@ -129,9 +133,9 @@ def shadow(height: np.ndarray, cell: float) -> np.ndarray:
 
 
 def _mean_of_rows(values: np.ndarray, reach: int) -> np.ndarray:
-    """Return for each value the mean of its row from `reach` values before it to `reach` values after it.
+    """Return, for each value, the mean of the values in its row that are at most `reach` positions away.
 
-    Each row is padded with its first and its last value.
+    At both ends, each row is padded with its first and last value.
     """
     padded = np.pad(values, [(0, 0), (reach + 1, reach)], mode="edge")
     sums = np.cumsum(padded, axis=1, dtype=np.float64)
@@ -141,12 +145,12 @@ def _mean_of_rows(values: np.ndarray, reach: int) -> np.ndarray:
 
 
 def light(normal: tuple[np.ndarray, ...], towards: np.ndarray) -> np.ndarray:
-    """Return the brightness of surfaces from ambient light and Lambert's law. A surface that faces the eye has 1.
+    """Return the brightness of surfaces from ambient light and Lambert's law; it is 1 if a surface faces the viewer.
 
     Parameters
     ----------
     normal : tuple of 3 ndarray
-        Components of unit vectors.
+        Components x, y and z of the unit normals of the surfaces.
     towards : (3,) ndarray
         Direction to the light, see `LIGHT`, in the coordinates of the normals.
     """

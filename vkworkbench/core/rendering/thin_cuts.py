@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Find the points of a part at which a cut is so narrow that it passes between the rays of the simulation.
 
-Engravings of a large part are such cuts. The rays meet an engraving at a few places only, so a picture of the columns of
-material would show the engraving as dots.
+Engravings of a large part are such cuts. Only a few rays meet an engraving, so a picture of the columns of material
+would show the engraving as dots.
 """
 
 from __future__ import annotations
@@ -14,20 +14,20 @@ import numpy as np
 
 from vkworkbench.core.zbuffer import Cuts, ZBuffer
 
-# Distance between neighbouring points of a path, in cells. Largest number of points.
+# _STEP: distance between neighbouring sampled points of a path, in cells. _MOST: largest number of sampled points.
 _STEP, _MOST = 0.5, 1_000_000
-# Largest radius of a tool that can pass between four rays, in cells.
+# Upper limit for the radius of a tool that can pass between four neighbouring rays, in cells.
 _NARROW = 0.71
-# Number of points before and after an uncut ray that are shown, too, although their rays were cut by chance.
+# Number of points before and after an uncut ray that are also shown, although their own rays were cut by chance.
 _BESIDE = 2
-# Difference between two heights that is not a rounding error, mm.
+# Difference between two heights, mm, above which the difference is not a rounding error.
 _NOISE = 1e-3
-# The points of `_sampled` for the jobs in memory, because playing draws many moments of one job.
+# Cache of the points that `_sampled` returns, by job, because many moments of one job are drawn while it is played.
 _sampled_before: WeakKeyDictionary[Cuts, tuple[float, tuple[np.ndarray, ...]]] = WeakKeyDictionary()
 
 
 class ThinCuts(NamedTuple):
-    """Points on the surface of the part, above narrow cuts.
+    """Points on the surface of the part, directly above narrow cuts.
 
     Attributes
     ----------
@@ -42,16 +42,16 @@ class ThinCuts(NamedTuple):
 
 
 def thin_cuts(zbuffer: ZBuffer, top: np.ndarray) -> ThinCuts:
-    """Return the points of narrow cuts at which the tip is below the surface and the ray beside it was not cut.
+    """Return the points of narrow cuts at which the tool's tip is below the surface and the nearest ray was not cut.
 
-    Points close to such points are included.
+    The neighbours of such points along the path are included.
 
     Parameters
     ----------
     zbuffer : ZBuffer
         Simulated from above, at the moment to show.
     top : (rows, columns) float32
-        Height of the part at each ray above the centre of the stock, mm; `EMPTY` without material.
+        Height of the part's surface on each ray above the centre of the stock, mm; `EMPTY` on a ray without material.
     """
     frame = zbuffer.frame
     if _sampled_before.get(zbuffer.cuts, (0.0,))[0] != frame.pixel:
@@ -74,7 +74,7 @@ def thin_cuts(zbuffer: ZBuffer, top: np.ndarray) -> ThinCuts:
     for step in range(1, _BESIDE + 1):
         shown[step:] |= uncut[:-step]
         shown[:-step] |= uncut[step:]
-    shown &= surface > points[:, 2] - _NOISE  # otherwise another cut has removed the narrow cut
+    shown &= surface > points[:, 2] - _NOISE  # otherwise another cut removed the material around the narrow cut
     return ThinCuts(np.column_stack((points[shown, :2], surface[shown])), owner[shown])
 
 

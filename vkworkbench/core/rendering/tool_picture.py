@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Draw the tool into a picture as a shaded solid with flutes, shank and holder. The part hides what is behind it."""
+"""Draw the tool into a picture, as a shaded solid with flutes, shank and holder, hidden where the part is in front."""
 
 from __future__ import annotations
 
@@ -14,18 +14,19 @@ from vkworkbench.core.rendering.shading import LIGHT, light
 from vkworkbench.core.tool import Tool
 from vkworkbench.core.view import Frame
 
-# Lengths of flutes and of a shank of unknown length, in tool diameters; and number of rings of a rounded tip.
+# _FLUTES, _SHANK: drawn lengths of flutes and shank if their lengths are unknown, in tool diameters. _RINGS: number of
+# rings with which a rounded tip is drawn.
 _FLUTES, _SHANK, _RINGS = 3.0, 2.0, 7
 # Colours and opacities of cutter, shank and holder. The holder is translucent, so that the part behind it stays
 # visible.
 _CUTTER, _SHAFT, _HOLDER = ((236, 196, 92), 0.9), ((176, 182, 192), 0.9), ((112, 120, 138), 0.5)
-# The drawn flutes: number, pitch in tool diameters, share of the cutter's surface, and share of the light that they
-# lose.
+# _NUMBER: number of drawn flutes. _PITCH: their pitch, in tool diameters. _SHARE: share of the cutter's surface that
+# flutes cover. _DARKER: share of the light that flutes lose.
 _NUMBER, _PITCH, _SHARE, _DARKER = 3, 3.0, 0.35, 0.35
 
 
 class _Ring(NamedTuple):
-    """A ring around the axis of the tool: its radius and its height above the tip, mm."""
+    """A circle around the axis of the tool, given by its radius and its height above the tip, mm."""
 
     radius: float
     height: float
@@ -34,7 +35,7 @@ class _Ring(NamedTuple):
 class _Hits(NamedTuple):
     """Points where the rays of pixels hit a part of the tool.
 
-    Column, row and depth are (k,). The normal and the place relative to the tip are (k, 3).
+    The arrays `column`, `row` and `depth` are (k,). `normal`, and `place` relative to the tip, are (k, 3).
     """
 
     column: np.ndarray
@@ -82,7 +83,7 @@ def draw_tool(scene: Scene, tool: Tool, tip: np.ndarray, frame: Frame) -> None:
 
 
 def _pieces(tool: Tool) -> Iterator[tuple[_Ring, _Ring, tuple[tuple[int, int, int], float], bool]]:
-    """Yield for each piece of the tool's surface its end rings, its colour with opacity, and whether it has flutes."""
+    """Yield, for each piece of the tool's surface, both end rings, colour and opacity, and whether it has flutes."""
     share = np.sin(np.linspace(0, np.pi / 2, _RINGS)) if tool.rounding else np.array([0.0, 1.0])
     radii = np.union1d(tool.radius * share, (tool.tip, tool.radius - tool.rounding))
     rings = [_Ring(*pair) for pair in zip(radii.tolist(), tool.height(radii).tolist())]
@@ -111,7 +112,7 @@ def _meet(one: _Ring, other: _Ring, tip: np.ndarray, frame: Frame) -> _Hits:
     depths: list[np.ndarray] = []
     if one.height == other.height:
         slope, bounds = np.inf, sorted((one.radius, other.radius))
-        if direction[2]:  # otherwise the disc is seen edge-on
+        if direction[2]:  # if the direction is horizontal, the disc is seen edge-on
             depths = [(one.height - origin[:, 2]) / direction[2]]
     else:
         slope, bounds = (other.radius - one.radius) / (other.height - one.height), sorted((one.height, other.height))
@@ -119,7 +120,7 @@ def _meet(one: _Ring, other: _Ring, tip: np.ndarray, frame: Frame) -> _Hits:
         a = direction[:2] @ direction[:2] - (slope * direction[2]) ** 2
         b = origin[:, :2] @ direction[:2] - slope * direction[2] * radius
         c = (origin[:, :2] ** 2).sum(axis=1) - radius**2
-        if a:  # otherwise the rays are parallel to the surface
+        if a:  # if a is 0, the rays are parallel to the surface
             root = np.sqrt(np.where(b * b < a * c, np.nan, b * b - a * c))
             depths = [(-b - root) / a, (-b + root) / a]
     best = np.full(len(column), np.inf)
@@ -140,7 +141,7 @@ def _meet(one: _Ring, other: _Ring, tip: np.ndarray, frame: Frame) -> _Hits:
 
 
 def _around(one: _Ring, other: _Ring, tip: np.ndarray, frame: Frame) -> tuple[np.ndarray, np.ndarray]:
-    """Return columns and rows, row 0 at the bottom, of the pixels around two rings."""
+    """Return the columns and rows, row 0 at the bottom, of the pixels in the rectangle around two rings."""
     centres = project(tip + np.array([(0, 0, one.height), (0, 0, other.height)]), frame)[:, :2]
     reach = np.array([one.radius, other.radius])[:, None] / frame.pixel * (1, abs(frame.direction[2]))
     low, high = (centres - reach).min(axis=0), (centres + reach).max(axis=0)

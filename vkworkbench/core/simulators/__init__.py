@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Predict the cost of a simulation in the paper's extended z-buffer and in FreeCAD's own simulators.
 
-Input: `Task`, the toolpath of one operation with its tool and stock; `Conditions`, the version of FreeCAD, the speed of
-the computer and the settings. Output: the table `SIMULATORS`, whose entries compute the `Cost` of one operation or of
-several operations in sequence, and the finest setting within a budget; `Caution`, a warning before a simulation is
+A `Task` is the toolpath of one operation with its tool and stock. `Conditions` are the version of FreeCAD, the speed of
+the computer and the settings. The entries of the table `SIMULATORS` compute from them the `Cost` of one operation or of
+several operations in sequence, and the finest setting within a budget. A `Caution` is a warning before a simulation is
 started.
 """
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The times and memory sizes of the single steps of FreeCAD's simulators on one computer."""
+"""Define how much time and memory each step of FreeCAD's simulators needs on one computer."""
 
 from __future__ import annotations
 
@@ -8,22 +8,23 @@ from dataclasses import dataclass
 
 @dataclass(frozen=True)
 class Constants:
-    """The time, s, or the memory, bytes, of one step of each kind on one computer.
+    """The time, s, or the memory, bytes, that each step of FreeCAD's simulators needs on one computer.
 
     The defaults were measured with FreeCAD 0.20.2, 1.0.0 and 1.1.3 on two Xeon cores without a graphics card. Only
     ``redraw``, ``frame``, ``draw`` and ``fill`` are guesses, for a computer with a graphics card.
-    ``document/computer/calibration.py`` has the values for software rendering, and scales the times of the processor.
+    ``document/computer/calibration.py`` has the values for drawing with the processor, and scales the times that depend
+    on the processor's speed.
 
     Attributes
     ----------
     start : float
-        Legacy simulator: time between pressing fast-forward and the first command, plus the time to show the result.
+        Legacy simulator: time from the click on fast-forward to the first command, plus the time to show the result.
     tick : float
         Legacy simulator: time of one command in fast-forward, which a timer of 1 ms starts.
     repaint : float
         Legacy simulator: time to show that the progress of a fast-forward has increased by one percent.
     redraw : float
-        Legacy simulator: time to show one command in play, without the time for the mesh.
+        Legacy simulator: time to show the part after one command while playing, without the time for the mesh.
     cell : float
         Legacy simulator: time for one cell of the grid when the grid is converted to a mesh.
     facet : float
@@ -31,19 +32,21 @@ class Constants:
     display : float
         Legacy simulator: time to show one triangle of the mesh.
     profile : float
-        Legacy simulator: time of one test whether a point is inside the tool, for computing the tool's profile.
+        Legacy simulator: time to test whether one point is inside the tool; the tool's profile is computed by such
+        tests.
     facet_bytes : float
-        Legacy simulator: memory of one triangle.
+        Legacy simulator: memory for one triangle of the mesh.
     refresh : float
-        OpenGL simulator: shortest time between two frames (two refreshes of a 60 Hz screen).
+        OpenGL simulator: shortest time between two frames, which is two refreshes of a 60 Hz screen.
     frame, draw : float
-        OpenGL simulator: time of a frame without its draw calls, and time of one draw call.
+        OpenGL simulator: time for a frame without its draw calls, and time for one draw call.
     fill : float
-        OpenGL simulator: time to fill the whole window once, as the number of draw calls that take the same time.
+        OpenGL simulator: number of draw calls that take as much time as filling the whole window once.
     line_bytes, arc_bytes : float
-        OpenGL simulator: memory of a straight motion and of an arc.
+        OpenGL simulator: memory for a straight motion, and for an arc.
     legacy_factor, opengl_factor : float
-        The true time is between the estimate divided by this factor and the estimate multiplied by it.
+        Uncertainty of a time: the actual time is between the estimate divided by this factor and the estimate times
+        this factor.
     """
 
     start: float = 0.32

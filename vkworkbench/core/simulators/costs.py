@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The cost of simulating an operation or a job in every simulator."""
+"""Provide the cost of simulating an operation or a job in every simulator."""
 
 from __future__ import annotations
 
@@ -14,15 +14,15 @@ from vkworkbench.core.zbuffer import Resolution
 
 
 class Costs:
-    """The costs of an operation, or of several operations in sequence, by the simulators' names.
+    """The costs of simulating an operation, or several operations in sequence, by the names of the simulators.
 
     Attributes
     ----------
     costs : mapping of str to Cost
-        Each cost is computed at its first use. The mapping does not contain simulators that this FreeCAD does not have,
-        and simulators whose cost is unknown.
+        Cost by name of the simulator; each cost is computed at its first use. The mapping does not contain simulators
+        that the running FreeCAD does not have, and simulators whose cost is unknown.
     advice : mapping of str to Resolution
-        The finest setting of a simulator within the budget of the preferences.
+        Finest setting within the budget of the preferences, by name of the simulator.
     """
 
     costs: Mapping[str, Any]
@@ -36,18 +36,18 @@ class Costs:
 
     @property
     def opengl(self) -> OpenGLCost | None:
-        """The cost in FreeCAD's OpenGL simulator; None if it is unknown, or if this FreeCAD has no OpenGL simulator."""
+        """The cost in FreeCAD's OpenGL simulator; None if it is unknown, or if this version has no such simulator."""
         cost: OpenGLCost | None = self.costs.get(OPENGL.name)
         return cost
 
     @property
     def resolution(self) -> Resolution | None:
-        """The finest image of the z-buffer within the budget of the preferences; None if it is unknown."""
+        """The z-buffer's image with the smallest pixels within the budget of the preferences; None if it is unknown."""
         chosen: Resolution | None = self.advice.get(ZBUFFER.name)
         return chosen
 
     def cost(self, simulator: str) -> tuple[float, float] | None:
-        """Return the time and the memory of a simulation, s and bytes; None if they are unknown.
+        """Return the time, s, and the memory, bytes, of a simulation; None if they are unknown.
 
         Parameters
         ----------
@@ -63,7 +63,7 @@ class Costs:
         return None if cost is None else (cost.seconds, float(cost.memory_bytes))
 
     def factor(self, simulator: str) -> float:
-        """Return the factor by which the time from :meth:`cost` may be too high or too low, at least 1."""
+        """Return the factor, at least 1, by which the time from :meth:`cost` can be too high or too low."""
         cost = self._of(simulator)
         return 1.0 if cost is None else float(cost.factor)
 
@@ -74,18 +74,18 @@ class Costs:
         return self.costs.get(simulator)
 
     def columns(self) -> dict[str, Any]:
-        """Return the columns for CSV and JSON files: explanations of the advice, and costs in FreeCAD's simulators."""
+        """Return columns for CSV and JSON files: explanations of the advice, and costs in FreeCAD's simulators."""
         columns = {advice.column: chosen and chosen.explanation for advice, chosen in self._advised()}
         for simulator in _beside_the_papers():
             columns.update(simulator.figures(self.costs.get(simulator.name)))
         return columns
 
     def factors(self) -> dict[str, float]:
-        """Return the factors of the times in FreeCAD's simulators, see :meth:`factor`, for CSV and JSON."""
+        """Return, for CSV and JSON, the uncertainty factors of times in FreeCAD's simulators; see :meth:`factor`."""
         return {s.factor_column: self.factor(s.name) for s in _beside_the_papers() if s.factor_column is not None}
 
     def advice_messages(self) -> dict[str, Any]:
-        """Return the messages of the advice as plain data."""
+        """Return the messages of the advice as data for JSON."""
         return {advice.column: chosen and chosen.why.as_data() for advice, chosen in self._advised()}
 
     def _advised(self) -> list[tuple[Advice, Any]]:

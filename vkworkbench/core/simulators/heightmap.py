@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Compute coarse maps of the stock's heights at several moments of a toolpath."""
+"""Compute coarse maps of the stock's heights after several parts of a toolpath."""
 
 from __future__ import annotations
 
@@ -9,20 +9,22 @@ from vkworkbench.core.stocks import Solid
 from vkworkbench.core.tool import Tool
 from vkworkbench.core.toolpath import Toolpath
 
-# Number of cells along the stock's longer side, and maximum number of cells along the tool's radius.
+# _CELLS: number of cells along the stock's longer side. _CELLS_PER_RADIUS: maximum number of cells along the tool's
+# radius.
 _CELLS = 100
 _CELLS_PER_RADIUS = 16
 # Approximate maximum number of points at which a toolpath is sampled.
 _MOST_SAMPLES = 300_000
-# Number of points in one batch. Larger batches do not fit into the processor's cache.
+# Number of sampled points in one batch. The arrays of a larger batch would not fit into the processor's cache.
 _SAMPLES_AT_ONCE = 16_384
 
 
 def heightmaps(toolpath: Toolpath, *, tool: Tool, stock: Solid, parts: int = 1) -> tuple[list[np.ndarray], float]:
-    """Compute the heights of the stock after the toolpath. The stock is its bounding box, and rapids cut, too.
+    """Compute the heights of the stock after each part of the toolpath.
 
-    First the lowest height of the tip over each cell is found, in a time of O(n). Then this height is applied to all
-    cells under the tool, in a time that does not depend on the length of the toolpath.
+    The stock is replaced by its bounding box, and rapids cut, too. First, the lowest height of the tip over each cell
+    is found, in a time of O(n) for n trajectories. Then the tool at this height is subtracted from all cells under the
+    tool, in a time that does not depend on the number of trajectories.
 
     Parameters
     ----------
@@ -33,8 +35,8 @@ def heightmaps(toolpath: Toolpath, *, tool: Tool, stock: Solid, parts: int = 1) 
     stock : Solid
         Only the ``lower`` and ``upper`` corners are used, mm.
     parts : int
-        Number of maps. The commands with moves are divided into this number of equal parts, and each map shows the
-        stock after one part.
+        Number of maps. The commands with moves are divided into this number of parts with equally many commands. Each
+        map shows the stock after one more part.
 
     Returns
     -------
@@ -42,7 +44,7 @@ def heightmaps(toolpath: Toolpath, *, tool: Tool, stock: Solid, parts: int = 1) 
         Height of the stock's surface in every cell, mm. Cells where the toolpath cuts through have the height of the
         stock's lower face. The last map shows the finished part.
     size : float
-        Edge of a cell, mm: the larger of 1/100 of the stock's longer side and 1/16 of the tool's radius.
+        Edge of a cell, mm, which is the larger of 1/100 of the stock's longer side and 1/16 of the tool's radius.
     """
     lower, upper = np.asarray(stock.lower, float), np.asarray(stock.upper, float)
     size = float(max((upper - lower)[:2].max() / _CELLS, tool.radius / _CELLS_PER_RADIUS))
@@ -72,12 +74,12 @@ def heightmaps(toolpath: Toolpath, *, tool: Tool, stock: Solid, parts: int = 1) 
 
 
 def _stamp(tips: np.ndarray, points: np.ndarray, origin: np.ndarray, size: float, spacing: float) -> None:
-    """Lower the cells under a polyline to the polyline's height, at sampled points that are about `spacing` apart."""
+    """Lower the cells under a polyline to the polyline's height, at sampled points about `spacing` mm apart."""
     if len(points) == 0:
         return
     moves = np.diff(points, axis=0)
     lengths = np.abs(moves[:, :2]).max(axis=1)
-    # A toolpath that would have more samples crosses every cell many times, so even a wider spacing samples every cell.
+    # A toolpath with more samples crosses most cells many times, so a wider spacing still gives samples in every cell.
     spacing = max(spacing, float(lengths.sum()) / _MOST_SAMPLES)
     _lower(tips, points[:1].T, origin, size)
     low = np.flatnonzero(np.minimum(points[:-1, 2], points[1:, 2]) < tips.max())
@@ -97,13 +99,13 @@ def _stamp(tips: np.ndarray, points: np.ndarray, origin: np.ndarray, size: float
 
 
 def _lower(tips: np.ndarray, points: np.ndarray, origin: np.ndarray, size: float) -> None:
-    """Lower the cells at points (3, k) to their heights."""
+    """Lower the cells that contain the points `points` (3, k) to the heights of these points."""
     x, y, z = points
     column, row = np.floor((x - origin[0]) / size), np.floor((y - origin[1]) / size)
     inside = np.flatnonzero((column >= 0) & (column < tips.shape[0]) & (row >= 0) & (row < tips.shape[1]))
     if not len(inside):
         return
-    # The maps have less than 2^16 cells, and numpy sorts 16-bit numbers by radix.
+    # The maps have fewer than 2^16 cells. Numpy sorts 16-bit numbers especially fast (radix sort).
     cell = (column[inside] * tips.shape[1] + row[inside]).astype(np.uint16)
     order = np.argsort(cell, kind="stable")
     cell = cell[order]
@@ -120,7 +122,7 @@ def grid_shape(stock: Solid, size: float) -> np.ndarray:
 
 
 def motions_done(toolpath: Toolpath, parts: int) -> np.ndarray:
-    """Return the numbers of trajectories at the bounds of `parts` equal parts of the commands, (parts + 1,) int."""
+    """Return the first trajectory of each of `parts` equal parts of the commands, and the end, (parts + 1,) int."""
     moving = np.unique(toolpath.command)
     ends = np.append(moving, toolpath.commands)[np.arange(parts + 1) * len(moving) // parts]
     return np.searchsorted(toolpath.command, ends)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Convert costs to plain data, which documents store, and back."""
+"""Convert costs to plain data, which FreeCAD documents store, and back."""
 
 from __future__ import annotations
 
@@ -13,17 +13,17 @@ from vkworkbench.core.simulators.table import SIMULATORS
 
 
 def as_data(name: str, cost: Cost) -> dict[str, Any]:
-    """Return the part of a cost that documents store, as data for JSON. `together` needs no other data."""
+    """Return the part of a cost that FreeCAD documents store, as data for JSON; `together` needs only this part."""
     return {field.name: _plain(getattr(cost, field.name)) for field in fields(_kind(name))}
 
 
 def from_data(name: str, data: Any) -> Cost:
-    """Return the cost that `as_data` has converted to `data`. Constants that this version does not know are ignored.
+    """Convert data from `as_data` back to a cost. Constants that this version of the add-on does not have are ignored.
 
     Raises
     ------
     LookupError, TypeError, ValueError
-        If `data` does not describe a cost, e.g. because another version has written it.
+        If `data` does not describe a cost, for example because another version of the add-on has written it.
     """
     kind = _kind(name)
     cost: Cost = kind(**{field.name: _value(field.name, data[field.name]) for field in fields(kind)})

@@ -2,8 +2,8 @@
 """Predict the cost of FreeCAD's legacy simulator (``PathSimulator.PathSim``).
 
 The simulator stores the stock as a grid of heights and converts the grid to a mesh (`legacy_mesh.py`). The prediction
-ignores the time to cut the grid. Only long moves of wide tools take longer than one tick of the simulator's timer, and
-they add at most 5 % to the time of a fast-forward.
+ignores the time to cut the grid, because cutting takes longer than one tick of the simulator's timer only for long
+moves of wide tools. Such moves add at most 5 % to the time of a fast-forward.
 """
 
 from __future__ import annotations
@@ -23,11 +23,11 @@ from vkworkbench.core.toolpath import Toolpath
 
 NAME = "legacy"
 
-# A cell has a float for its height, and a character that is used when the mesh is made.
+# The simulator stores a cell as a float, for its height, and a character, which is used when the mesh is made.
 _BYTES_PER_CELL = 5
-# Moments of a play at which the size of the mesh is estimated.
+# Number of moments of a play at which the size of the mesh is estimated.
 _LOOKS = 5
-# Maximum number of commands per second in play, at the initial position of the speed slider.
+# Maximum number of commands that play shows per second at the initial position of the speed slider.
 _SPEED = 50
 # A fast-forward repaints its progress at most this many times.
 _PERCENTS = 100
@@ -40,7 +40,7 @@ class LegacyCost:
     Attributes
     ----------
     fast_forward_seconds, play_seconds : float
-        Time from pressing the button to the finished part, s.
+        Time from the click on the fast-forward or play button to the finished part, s.
     commands, shown : int
         Number of all commands, and number of the commands that play shows. Play does not show comments.
     resolution : float
@@ -50,7 +50,7 @@ class LegacyCost:
     facets : float
         Number of triangles of the last mesh.
     constants : Constants
-        Constants with which the cost was predicted.
+        Times and memory sizes of the simulator's steps, with which the cost was predicted.
     """
 
     fast_forward_seconds: float
@@ -64,12 +64,12 @@ class LegacyCost:
 
     @property
     def seconds(self) -> float:
-        """float : the time of fast-forward, s. The user sees this time for the legacy simulator."""
+        """float : the time of fast-forward, s, which is shown to the user as the time of the legacy simulator."""
         return self.fast_forward_seconds
 
     @property
     def factor(self) -> float:
-        """float : the true time is between the estimate divided by this factor and the estimate multiplied by it."""
+        """float : the actual time is between the estimate divided by this factor and the estimate times this factor."""
         return self.constants.legacy_factor
 
     @property
@@ -79,22 +79,23 @@ class LegacyCost:
 
 
 def predict(task: Task, conditions: Conditions) -> LegacyCost:
-    """Estimate the cost of one operation at the accuracy of the conditions."""
+    """Estimate the cost of one operation at the accuracy that `conditions` gives."""
     return legacy_cost(task, accuracy=conditions.legacy_accuracy, constants=conditions.constants)
 
 
 def legacy_cost(task: Task, *, accuracy: float = 0.1, constants: Constants = DEFAULTS) -> LegacyCost:
     """Estimate the cost of one operation in the legacy simulator.
 
-    In fast-forward, every command, including comments, takes one tick of a timer. Every new percent of the progress
-    takes a repaint. At the end, one mesh is made and shown. Play first shows the uncut stock. Then each command takes
-    20 ms, or the time to make and show a mesh, whichever is longer. The number of triangles increases with the cuts,
-    and decreases if the part becomes flat in the end.
+    In fast-forward, every command, including comments, takes one tick of a timer. Whenever the progress increases by
+    one percent, it is repainted. At the end, one mesh is made and shown. Play first shows the uncut stock. Then each
+    command takes 20 ms, or the time to make and show a mesh, whichever is longer. The number of triangles increases
+    with the number of cuts, and decreases if the finished part is flat.
 
     Parameters
     ----------
     accuracy : float
-        Edge of a cell in percent of the stock's longer side, 0.1 to 1. It is 1.1 - 0.1 times the slider's position.
+        Edge of a cell in percent of the stock's longer side, 0.1 to 1; it is 1.1 minus 0.1 times the position of the
+        accuracy slider.
     constants : Constants
         Times and memory sizes of the simulator's steps.
     """
@@ -133,7 +134,7 @@ def _triangles(toolpath: Toolpath, tool: Tool, stock: Solid, resolution: float) 
 
 
 def _panel_seconds(constants: Constants, commands: int) -> float:
-    """Return the time of a fast-forward, s, without the times for the tool's profile and for the mesh."""
+    """Return the time of a fast-forward without computing the tool's profile and the mesh, s."""
     return constants.start + constants.tick * commands + constants.repaint * min(commands, _PERCENTS)
 
 
@@ -143,12 +144,12 @@ def _mesh_seconds(constants: Constants, cells: int, facets: float) -> float:
 
 
 def _uncut_seconds(constants: Constants, cells: int) -> float:
-    """Return the time that play takes to make the mesh of the uncut stock and to show it, s."""
+    """Return the time in which play makes and shows the mesh of the uncut stock, s."""
     return constants.cell * cells + constants.redraw
 
 
 def legacy_together(costs: Sequence[LegacyCost]) -> LegacyCost:
-    """Estimate the cost of several operations in the legacy simulator, one after another at the same accuracy.
+    """Estimate the cost of simulating several operations one after the other in the legacy simulator.
 
     The simulator starts once, shows the uncut stock once and makes one last mesh. Every mesh of a play includes the
     triangles of the earlier operations.

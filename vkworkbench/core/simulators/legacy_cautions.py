@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Warn of errors and long times in FreeCAD's legacy simulator. The time of the checks is O(n)."""
+"""Warn of errors and long times in FreeCAD's legacy simulator. The checks take a time of O(n) for n trajectories."""
 
 from __future__ import annotations
 
@@ -12,14 +12,18 @@ from vkworkbench.core.simulators.simulator import Caution, Conditions, Task
 from vkworkbench.core.toolpath import Toolpath
 from vkworkbench.language import Message
 
-# A warning appears if more moves than this are shorter than a cell of the simulator, or if a ramp's depth is wrong by
-# more than this error, mm. Lower: harmless toolpaths get warnings. Higher: visible errors of the simulator get none.
+# MOST_SHORT_MOVES: number of moves shorter than a cell of the simulator above which a warning appears. RAMP_ERROR:
+# error of a ramp's depth, mm, above which a warning appears. Lower: harmless toolpaths get warnings. Higher: visible
+# errors of the simulator get no warning.
 MOST_SHORT_MOVES = 2000
 RAMP_ERROR = 0.1
 
 
 def cautions(task: Task, cost: LegacyCost | None, conditions: Conditions) -> list[Caution]:
-    """Find errors and long times. Arcs are checked only if the words are known, and ramps only if the tool is known."""
+    """Return warnings.
+
+    Arcs are checked only if `task` has words, ramps only if it has a tool, times only with a cost.
+    """
     found = _hangs(task, conditions.version)
     if task.tool is not None:
         found += _ramps(task.toolpath, task.tool.diameter)
@@ -29,12 +33,12 @@ def cautions(task: Task, cost: LegacyCost | None, conditions: Conditions) -> lis
 
 
 def _hangs(task: Task, version: tuple[int, ...]) -> list[Caution]:
-    """Find arcs on which ``PerformCutVoxel`` raises an error. After the error, the legacy simulator never ends.
+    """Find arcs on which FreeCAD's ``PerformCutVoxel`` raises an error, so that the legacy simulator never ends.
 
-    ``PerformCutVoxel`` uses the words X and Y of an arc, and before FreeCAD 1.1 also Z, even if they are absent. It
-    also divides by the number of chords. The number of chords is 0 if the computed radius or sweep is 0. The sweep is 0
-    for full circles, and for arcs whose start and end lie in the same direction from the centre, as in FreeCAD's Deburr
-    operation. Arcs with a K word are cut by other code, which has none of these errors.
+    ``PerformCutVoxel`` uses the words X and Y of an arc, and before FreeCAD 1.1 also Z, even if these words are absent.
+    ``PerformCutVoxel`` also divides by the number of chords of the arc, which is 0 if the computed radius or sweep is
+    0. The sweep is 0 for full circles, and for arcs whose start and end lie in the same direction from the centre, as
+    in FreeCAD's Deburr operation. Arcs with a K word are cut by other code, which does not have these errors.
     """
     words = task.words
     if words is None:
@@ -74,7 +78,7 @@ def _hangs(task: Task, version: tuple[int, ...]) -> list[Caution]:
 
 
 def _last_word(words: Words, letter: str, rows: np.ndarray) -> np.ndarray:
-    """Return the last value of a parameter before each of the commands `rows`; NaN if there is no earlier value."""
+    """Return the last value of a word before each of the commands `rows`; NaN if no earlier command has this word."""
     values = words.column(letter)[0]
     known = np.flatnonzero(~np.isnan(values))
     return np.append(np.nan, values[known])[np.searchsorted(known, rows)]
@@ -84,8 +88,8 @@ def _ramps(toolpath: Toolpath, diameter: float) -> list[Caution]:
     """Find sloping straight moves longer than the tool's diameter, which the legacy simulator cuts at a wrong depth.
 
     ``ApplyLinearTool`` divides the height difference of the move by the number of steps across the tool, but adds the
-    quotient at every step along the move. So the height difference at the end is wrong by the factor ``length /
-    diameter``.
+    quotient at every step along the move. So the height difference at the end of the move is too large by the factor
+    ``length / diameter``.
     """
     moves = np.diff(toolpath.points, axis=0)
     level = np.hypot(moves[:, 0], moves[:, 1])

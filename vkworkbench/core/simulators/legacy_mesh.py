@@ -5,25 +5,27 @@ from __future__ import annotations
 
 import numpy as np
 
-# A height difference between two cells of the map is a wall if it is at least this number of cell edges, or if it is
-# more than twice the height differences beside it. Other height differences are slopes. Lower: steep slopes count as
-# walls. Higher: walls beside slopes count as slopes. Both give a wrong number of triangles.
+# Ratio of the height difference between two neighbouring cells of the map to the edge of a cell. The height difference
+# is a wall if the ratio is at least this value, or if the height difference is more than twice each neighbouring height
+# difference; otherwise it is a slope. Lower: steep slopes count as walls. Higher: walls beside slopes count as slopes.
+# Both give a wrong number of triangles.
 _WALL = 1.8
-# Number of triangles per corner of a wall, per cell of a wall, per rectangle on a slope, and in the mesh of an uncut
-# box. The numbers were fitted to FreeCAD's meshes (benchmarks/simulators.py).
+# Number of triangles per corner of a wall (_CORNER), per cell along a wall (_ALONG), per rectangle on a slope
+# (_RECTANGLE), and in the mesh of an uncut box (BOX). The numbers were fitted to FreeCAD's meshes
+# (benchmarks/simulators.py).
 _CORNER, _ALONG, _RECTANGLE, BOX = 3.6, 0.26, 3.65, 12.0
 # Maximum ratio of length to width of FreeCAD's rectangles (VolSim.cpp).
 _LONGEST = 5
 
 
 def mesh_facets(heights: np.ndarray, size: float, resolution: float, *, lower: float) -> float:
-    """Estimate the number of triangles of the mesh that the legacy simulator makes of a stock.
+    """Estimate the number of triangles of the mesh that the legacy simulator makes from its grid of heights.
 
     The simulator covers the stock with rectangles of cells whose heights differ by less than the edge of a cell. On a
-    slope with the gradients gx and gy, a rectangle has 1/gx by 1/gy cells, so there are gx gy rectangles per cell.
-    Rectangles are at most five times as long as wide. A flat floor has a few rectangles, and a wall has a few per
-    corner. A lower face that is cut through is divided into many rectangles, see :func:`bottom_rectangles`. The number
-    of these rectangles increases with the number of cells.
+    slope with the gradients gx and gy, a rectangle has 1/gx by 1/gy cells, so there are gx times gy rectangles per
+    cell. Rectangles are at most five times as long as wide. A flat floor is covered by a few rectangles, and a wall by
+    a few rectangles per corner. If the stock is cut through, its lower face is divided into many rectangles, whose
+    number increases with the number of cells; see :func:`bottom_rectangles`.
 
     Parameters
     ----------
@@ -51,7 +53,7 @@ def mesh_facets(heights: np.ndarray, size: float, resolution: float, *, lower: f
     slope_y[:, :-1] = np.where(wall_y, 0, step_y) / size
     across = np.minimum(np.maximum(slope_x, slope_y / _LONGEST), 1)
     along = np.minimum(np.maximum(slope_y, slope_x / _LONGEST), 1)
-    kept = heights > lower + resolution  # thinner material is cut through
+    kept = heights > lower + resolution  # material thinner than a cell counts as cut through
     pieces = 1 if kept.all() else bottom_rectangles(kept)
     finer = size / resolution
     return float(
@@ -64,10 +66,10 @@ def mesh_facets(heights: np.ndarray, size: float, resolution: float, *, lower: f
 def bottom_rectangles(kept: np.ndarray) -> int:
     """Count the rectangles into which the legacy simulator divides the lower face (``TesselBot`` in VolSim.cpp).
 
-    From the first free cell, a rectangle grows alternately to the right and upwards. If the rectangle becomes more than
-    five times as long as wide, FreeCAD by mistake uses a single cell at a distance of five widths instead, and starts
-    again. Beside a curved outline, nearly all rectangles are too long, so the face is divided into pieces of about one
-    by five cells.
+    From the first free cell, a rectangle grows alternately to the right and upwards. If the rectangle is more than five
+    times as long as wide, FreeCAD, because of an error, covers only a single cell, at a distance of five widths, and
+    starts again. Beside a curved outline, nearly all rectangles are too long, so the face is divided into pieces of
+    about one by five cells.
 
     Parameters
     ----------
@@ -78,7 +80,8 @@ def bottom_rectangles(kept: np.ndarray) -> int:
     -------
     int
     """
-    # Each row is one integer. Set bits stand for free cells, which have material but no rectangle yet.
+    # Each row of cells is stored as one integer. A set bit means a free cell, which has material and belongs to no
+    # rectangle yet.
     rows = [int.from_bytes(np.packbits(line, bitorder="little").tobytes(), "little") for line in kept.T]
     count = 0
     for y in range(len(rows)):
@@ -113,14 +116,15 @@ def _grown(rows: list[int], x: int, y: int) -> tuple[int, int]:
 
 
 def _mask(x: int, width: int) -> int:
-    """Return an integer in which the bits of `width` cells, beginning at column `x`, are set."""
+    """Return an integer in which the bits of `width` cells from column `x` on are set."""
     return ((1 << width) - 1) << x
 
 
 def _may_be_walls(step: np.ndarray, size: float) -> np.ndarray:
-    """Return which height differences along the first axis may be walls, bool.
+    """Return whether each height difference along the first axis can be a wall, bool.
 
-    A wall must also be higher than a cell of the simulator, which this function does not check.
+    The function does not check the second condition for a wall, that it is higher than the edge of a cell of the
+    simulator.
     """
     around = np.pad(step, ((1, 1), (0, 0)))
     alone = (around[:-2] < step / 2) & (around[2:] < step / 2)

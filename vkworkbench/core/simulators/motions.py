@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Convert a toolpath to the motions that FreeCAD's simulators compute from it."""
+"""Convert a toolpath to the motions that FreeCAD's simulators compute from the same commands."""
 
 from __future__ import annotations
 
@@ -13,16 +13,16 @@ from vkworkbench.core.toolpath import Toolpath
 
 @dataclass(frozen=True, eq=False)
 class Motions:
-    """The motions that FreeCAD's simulators compute from a toolpath. An arc is one motion, a drilling cycle is three.
+    """The motions that FreeCAD's simulators compute from a toolpath; an arc is one motion, a drilling cycle three.
 
     Attributes
     ----------
     move : (m, 3) float64
         Vector from start to end, mm.
     sweep, radius : (m,) float64
-        Angle, rad, and radius, mm, of an arc in the XY plane; 0 for straight motions.
+        Angle, rad, and radius, mm, of each arc in the XY plane; 0 for straight motions.
     command : (m,) int64
-        Index of the source command.
+        Index of the command from which each motion is computed.
     """
 
     move: np.ndarray
@@ -32,13 +32,13 @@ class Motions:
 
     @cached_property
     def level(self) -> np.ndarray:
-        """(m,) length in the XY plane, mm. The length of an arc is the length of its chord."""
+        """(m,) length of each motion in the XY plane, mm; for an arc, the length of its chord."""
         result: np.ndarray = np.hypot(self.move[:, 0], self.move[:, 1])
         return result
 
 
 def motions(toolpath: Toolpath) -> Motions:
-    """Join the chords of each arc, and reduce each drilling cycle to the three motions of both simulators.
+    """Join the chords of each arc, and replace each drilling cycle by the three motions that both simulators make.
 
     Arcs in the ZX and YZ planes remain chords. The simulators read these arcs as arcs in the XY plane and draw them
     wrongly.
@@ -46,12 +46,12 @@ def motions(toolpath: Toolpath) -> Motions:
     Parameters
     ----------
     toolpath : Toolpath
-        n trajectories.
+        The trajectories.
 
     Returns
     -------
     Motions
-        The motions in their order, without drilling motions of length 0.
+        The motions in the order of the commands, without motions of drilling cycles whose length is 0.
     """
     n = len(toolpath)
     if n == 0:
@@ -67,9 +67,9 @@ def motions(toolpath: Toolpath) -> Motions:
     width = np.add.reduceat(np.where(arc, 2 * np.abs(np.sin(toolpath.sweep / 2)), 0.0), first)
     radius = np.divide(np.add.reduceat(chords, first), width, out=np.zeros(len(first)), where=width > 0)
 
-    # A drilling cycle has three motions: over the hole at the retract height, straight down, and straight up. The
-    # simulators do not show pecks. The next motion begins at the retract height, even if the cycle returns to another
-    # height.
+    # In the simulators, a drilling cycle has three motions: to the point above the hole at the retract height, straight
+    # down, and straight up. Pecks are not simulated. The motion after the cycle begins at the retract height, even if
+    # the cycle returns to another height.
     cycle = toolpath.cycle[first]
     lowest = np.minimum.reduceat(points[1:, 2], first)
     retract = _height_before_first_feed(toolpath, first)
@@ -88,7 +88,7 @@ def motions(toolpath: Toolpath) -> Motions:
 
 
 def _height_before_first_feed(toolpath: Toolpath, first: np.ndarray) -> np.ndarray:
-    """Return the height at which the first feed move of each group of trajectories begins, mm."""
+    """Return the height, mm, at which the first feed move begins in each group; the groups begin at `first`."""
     n = len(toolpath)
     index = np.where(toolpath.rapid, n, np.arange(n))
     result: np.ndarray = toolpath.points[np.minimum.reduceat(index, first), 2]

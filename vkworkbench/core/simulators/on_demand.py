@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Values that are computed at their first use."""
+"""Provide a mapping whose values are computed at their first use."""
 
 from __future__ import annotations
 
@@ -10,20 +10,21 @@ from typing import Any, Mapping
 
 
 class OnDemand(Mapping[str, Any]):
-    """Values by name. Each value is computed once, at its first use.
+    """Mapping from names to values, each of which is computed once, at its first use.
 
-    If the computation of a value fails, the value is missing, and the error is written to the log. Iterating over the
-    mapping, copying it or pickling it computes all values. `bool` computes no value.
+    If the computation of a value fails, the mapping does not contain the value, and the error is written to the log.
+    Iterating over the mapping, copying it or pickling it computes all values. Converting it to `bool` computes no
+    value.
 
     Parameters
     ----------
     makers : dict of str to callable
-        A function for each value. It raises KeyError if the value does not exist.
+        The function that computes each value; it raises KeyError if the value does not exist.
     """
 
     def __init__(self, makers: dict[str, Callable[[], Any]]) -> None:
         self._names = tuple(makers)
-        self._makers = dict(makers)  # a function is deleted after its call, to free the objects that it refers to
+        self._makers = dict(makers)  # each function is deleted after its call, which frees the objects it refers to
         self._made: dict[str, Any] = {}
         self._lock = threading.RLock()
 

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Predict the cost of FreeCAD's OpenGL simulator (``CAMSimulator.PathSim``) from exact counts of its draw calls.
 
-The simulator draws each frame from scratch: all motions up to the present one are drawn nine times. The draw calls are
-counted as in MillPathSegment.cpp and MillSimulation.cpp of FreeCAD 1.0.0.
+For each frame, the simulator draws all motions from the first to the present one nine times. The draw calls are counted
+as in MillPathSegment.cpp and MillSimulation.cpp of FreeCAD 1.0.0.
 """
 
 from __future__ import annotations
@@ -20,25 +20,25 @@ from vkworkbench.language import Message
 
 NAME = "OpenGL"
 SINCE = (1, 0)
-SLOWEST_FRAME = 0.1  # s, i.e. ten frames per second; slower frames get a caution
+SLOWEST_FRAME = 0.1  # s, which is ten frames per second; a job with slower frames gets a warning
 
 # Smallest and largest angle of a chord of an arc, rad (MillPathSegment.cpp).
 _SMALLEST_STEP, _LARGEST_STEP = np.pi / 90, np.pi / 2
-# How often a motion is drawn in one frame: four passes with two stencil steps each, and one pass of colour
-# (MillSimulation.cpp).
+# How often a motion is drawn in one frame: in four rendering passes with two stencil steps each, and in one pass for
+# the colour (MillSimulation.cpp).
 _PASSES = 9
-# Assumed height of the drawn tool, mm. FreeCAD's tool bits are 20 to 50 mm long.
+# Assumed height of the tool in the simulator's picture, mm. FreeCAD's tool bits are 20 to 50 mm long.
 _TOOL_HEIGHT = 30.0
-# The first view of the simulator: the eye looks along Y and 30 degrees down, from a distance of 1.6 times the stock's
-# longer side. The window has the ratio 4:3, and its height shows an angle of 0.7 rad (SimDisplay.cpp).
+# The first view of the simulator looks along Y and 30 degrees (_TILT) down, from a distance of 1.6 times the stock's
+# longer side. The window is assumed to have the ratio 4:3; its height shows an angle of 0.7 rad (SimDisplay.cpp).
 _TILT = np.pi / 6
-_WINDOW = 4 / 3 * (2 * 1.6 * np.tan(0.35)) ** 2  # area of the window / square of the stock's longer side
-# Length of the segments in which a rounded corner of the tool is drawn, mm (SimulatorGL.py). The second number is the
-# share by which each segment beyond the two segments of a flat end increases the drawing time
+_WINDOW = 4 / 3 * (2 * 1.6 * np.tan(0.35)) ** 2  # visible area, divided by the square of the stock's longer side
+# _CORNER_PIECE: length of the segments in which a rounded corner of the tool is drawn, mm (SimulatorGL.py).
+# _LONGER_PER_SEGMENT: share by which each segment beyond the two segments of a flat end increases the drawing time
 # (benchmarks/simulators.py).
 _CORNER_PIECE = 0.5
 _LONGER_PER_SEGMENT = 0.1
-# Number of parts into which an operation is divided to estimate the times of its frames after other operations.
+# Number of parts into which an operation is divided to estimate how much longer its frames take after other operations.
 _PARTS = 32
 
 
@@ -49,18 +49,19 @@ def opengl_speeds(version: tuple[int, ...]) -> tuple[int, ...]:
 
 @dataclass(frozen=True, eq=False)
 class OpenGLWork:
-    """The work of the OpenGL simulator, counted exactly.
+    """The numbers of steps and draw calls in the OpenGL simulator, counted exactly.
 
     Attributes
     ----------
     steps : (m,) float64
-        Number of steps of each motion. The speed of a play is the number of steps per frame.
+        Number of steps in which each motion is played. The speed of a play is given in steps per frame.
     draws : (m,) float64
-        Number of draw calls of each finished motion in every frame.
+        Number of draw calls for each motion in every frame after the motion is finished.
     area : (m,) float64
-        Area drawn for each motion in one pass, as it appears in the first view, mm^2.
+        Area drawn for each motion in one rendering pass, as it appears in the first view, mm^2.
     arc : (m,) bool
-        Which motions are arcs. Only the played part of an arc is drawn. A straight motion is always drawn completely.
+        Whether each motion is an arc. While an arc is played, only its finished part is drawn; a straight motion is
+        always drawn completely.
     """
 
     steps: np.ndarray
@@ -70,18 +71,18 @@ class OpenGLWork:
 
 
 def opengl_work(made: Motions, *, diameter: float, quality: int = 10) -> OpenGLWork:
-    """Count the work of the OpenGL simulator (``MillPathSegment`` and ``RenderSimulation``).
+    """Count the steps and draw calls as the OpenGL simulator does (``MillPathSegment`` and ``RenderSimulation``).
 
     Parameters
     ----------
     made : Motions
-        From :func:`~vkworkbench.core.simulators.motions.motions`.
+        Result of :func:`~vkworkbench.core.simulators.motions.motions`.
     diameter : float
         Diameter of the tool, mm.
     quality : int
         Position of the quality slider, 1 to 10.
     """
-    # The simulator reads the size of the stock before the stock is set, so the size is always 100 mm.
+    # The simulator computes its resolution before it knows the stock, so it always uses a stock size of 100 mm.
     resolution = min(max(100 * 0.05 / quality, 0.5), 4.0)
     small_step = np.pi / (8 if quality >= 8 else 4 if quality >= 4 else 2)
 
@@ -105,7 +106,7 @@ def _seen(made: Motions, diameter: float, small: np.ndarray, chords: np.ndarray)
     disc = np.pi / 4 * diameter**2
     x, y = np.abs(made.move[:, :2]).T
     across = np.divide(y, made.level, out=np.zeros(len(y)), where=made.level > 0)
-    arc, turned = made.radius * np.abs(made.sweep), 2 / np.pi  # visible share of a length, averaged over all directions
+    arc, turned = made.radius * np.abs(made.sweep), 2 / np.pi  # mean visible share of a length over all directions
     kinds = small, made.radius > 0, made.level < 1e-6
     wide = np.select(
         kinds,
@@ -118,7 +119,7 @@ def _seen(made: Motions, diameter: float, small: np.ndarray, chords: np.ndarray)
 
 
 def outline_segments(tool: Tool) -> int:
-    """Return the number of segments of the tool's drawn outline: the side, the rounded corner, and the flat or cone."""
+    """Return the number of segments in the tool's drawn outline: side, rounded corner, and flat end or cone."""
     corner = int(tool.rounding * np.pi / 2 / _CORNER_PIECE) + 1 if tool.rounding else 0
     return 1 + corner + (tool.rounding < tool.radius)
 
@@ -132,17 +133,17 @@ class OpenGLCost:
     drawing_seconds : float
         Time to draw all motions in one frame, without the constant part of the frame's time, s.
     play_seconds : dict of int to float
-        Time of a play, s, by speed in steps per frame.
+        Time of a play, s, for each speed in steps per frame.
     memory_bytes : float
-        Memory of the motions' buffers.
+        Memory for the buffers of the motions, bytes.
     draws : int
         Number of draw calls of the last frame.
     arc_draws : int
         Number of draw calls for arcs in the last frame.
     steps : int
-        Number of steps of all motions.
+        Number of steps in which all motions are played.
     constants : Constants
-        Constants with which the cost was predicted.
+        Times and memory sizes of the simulator's steps, with which the cost was predicted.
     """
 
     drawing_seconds: float
@@ -155,22 +156,22 @@ class OpenGLCost:
 
     @property
     def seconds(self) -> float:
-        """float : the time of a play at the highest speed, s. The user sees this time for the OpenGL simulator."""
+        """float : the time of a play at the highest speed, s, which the user sees as the OpenGL simulator's time."""
         return self.play_seconds[max(self.play_seconds)]
 
     @property
     def factor(self) -> float:
-        """float : the true time is between the estimate divided by this factor and the estimate multiplied by it."""
+        """float : the actual time is between the estimate divided by this factor and the estimate times this factor."""
         return self.constants.opengl_factor
 
     @property
     def frame_seconds(self) -> float:
-        """float : time of the last frame of a play, and of each frame while the user turns the finished part, s."""
+        """float : time for the last frame of a play, and for each frame while the user turns the finished part, s."""
         return max(self.constants.refresh, self.constants.frame + self.drawing_seconds)
 
 
 def predict(task: Task, conditions: Conditions) -> OpenGLCost:
-    """Estimate the cost of one operation at the quality of the conditions, for all speeds of their FreeCAD version."""
+    """Estimate the cost of one operation at the quality, and for all speeds of the FreeCAD version, in `conditions`."""
     speeds = opengl_speeds(conditions.version)
     return opengl_cost(task, speeds=speeds, quality=conditions.opengl_quality, constants=conditions.constants)
 
@@ -180,15 +181,15 @@ def opengl_cost(
 ) -> OpenGLCost:
     """Estimate the cost of one operation in the OpenGL simulator.
 
-    Each frame draws all motions up to the present one in nine passes. In each pass, a straight motion takes two draw
-    calls, a vertical motion takes one, and an arc takes one per chord. So the time of a play increases with the square
-    of the number of motions. The area that a motion fills in the window counts as further draw calls. A rounded tool
-    takes longer, because its outline has more segments.
+    For each frame, all motions from the first to the present one are drawn in nine passes. In each pass, a straight
+    motion needs two draw calls, a vertical motion one, and an arc one per chord. So the time of a play increases with
+    the square of the number of motions. The time to fill the area that a motion covers in the window is expressed as
+    additional draw calls. A rounded tool takes longer to draw, because its outline has more segments.
 
     Parameters
     ----------
     speeds : tuple of int
-        Steps per frame, see :func:`opengl_speeds`.
+        Speeds in steps per frame; see :func:`opengl_speeds`.
     quality : int
         Position of the quality slider, 1 to 10.
     constants : Constants
@@ -201,8 +202,8 @@ def opengl_cost(
     longer = 1 + _LONGER_PER_SEGMENT * (outline_segments(tool) - 2)
     drawing = constants.draw * longer * (draws + constants.fill * _PASSES * work.area / window)
 
-    # Mean time of the frames during each motion. A line is drawn completely in its first frame, an arc grows chord by
-    # chord.
+    # Compute the mean time of the frames during each motion. A straight motion is drawn completely in its first frame;
+    # an arc is drawn chord by chord.
     before = np.cumsum(drawing) - drawing
     frames = np.maximum(constants.frame + before + np.where(arc, drawing / 2, drawing), constants.refresh)
     total = float((steps * frames).sum())
@@ -218,10 +219,10 @@ def opengl_cost(
 
 
 def opengl_together(costs: Sequence[OpenGLCost]) -> OpenGLCost:
-    """Estimate the cost of several operations in the OpenGL simulator, played one after another.
+    """Estimate the cost of playing several operations one after the other in the OpenGL simulator.
 
-    Every frame of an operation also draws all motions of the earlier operations, so playing all operations together
-    takes longer than the sum of the single plays.
+    Every frame of an operation also draws all motions of the earlier operations, so playing all operations in one
+    simulation takes longer than the sum of the separate plays.
 
     Parameters
     ----------
@@ -248,14 +249,14 @@ def opengl_together(costs: Sequence[OpenGLCost]) -> OpenGLCost:
 
 
 def cautions(task: Task, cost: OpenGLCost | None, conditions: Conditions) -> list[Caution]:
-    """Find plays that take too long."""
+    """Return a warning if a play at the highest speed takes longer than the time budget."""
     if cost is None or cost.seconds <= conditions.time_budget:
         return []
     return [Caution("long-play", Message("opengl-long-play", simulator=NAME, time=cost.seconds))]
 
 
 def slow_frames(cost: OpenGLCost) -> Message | None:
-    """Return a message if the frames of a job are slow at the end, mostly because of arcs; else None."""
+    """Return a message if the frames at the end of a job are slow, mostly because of arcs; otherwise None."""
     if cost.frame_seconds <= SLOWEST_FRAME or 2 * cost.arc_draws <= cost.draws:
         return None
     return Message("opengl-arcs", simulator=NAME, frames=1 / cost.frame_seconds)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Collect the warnings before a simulation is started: each simulator's own cautions, and excessive memory."""
+"""Collect the warnings before a simulation is started: the warnings of each simulator, and too much memory."""
 
 from __future__ import annotations
 
@@ -11,19 +11,21 @@ from vkworkbench.language import Message
 
 
 def preflight(task: Task, costs: Mapping[str, Cost], conditions: Conditions) -> tuple[Caution, ...]:
-    """Find commands that a simulator handles wrongly, and simulations that take too long or too much memory.
+    """Return warnings of commands that a simulator handles wrongly, and of simulations with too much time or memory.
 
     Parameters
     ----------
     task : Task
-        Without words, there are no cautions about commands. Without a tool, there are no cautions about ramps.
+        The operation. If its words are unknown, commands are not checked. If its tool is unknown, ramps are not
+        checked.
     costs : mapping of str to Cost
-        Predicted costs by the simulators' names. Without a cost, there are no cautions about time and memory.
+        Predicted costs by the names of the simulators. If a cost is missing, time and memory in this simulator are not
+        checked.
 
     Returns
     -------
     tuple of Caution
-        The cautions, the worst first.
+        The warnings, sorted with the worst first.
     """
     simulators = available(conditions.version)
     found = [c for s in simulators if s.cautions for c in s.cautions(task, costs.get(s.name), conditions)]
@@ -42,7 +44,7 @@ def preflight(task: Task, costs: Mapping[str, Cost], conditions: Conditions) -> 
 
 
 def _surely_fits(simulator: Simulator, task: Task, conditions: Conditions) -> bool:
-    """Return whether a quickly computed upper bound of the memory is within the budget."""
+    """Return whether an upper bound of the memory, which is computed quickly, is within the memory budget."""
     if simulator.most_bytes is None or not (task.tool and task.stock):
         return False
     return simulator.most_bytes(task, conditions) <= conditions.memory_budget

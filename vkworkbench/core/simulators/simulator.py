@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The interface of a simulator: the class of its entry in table.py, and the arguments of the entry's functions."""
+"""Define the interface of a simulator: the class of its entry in table.py, and the arguments of its functions."""
 
 from __future__ import annotations
 
@@ -28,11 +28,11 @@ class Task:
     ----------
     toolpath : Toolpath
     tool : Tool or None
-        Without a tool or a stock, no cost is predicted. FreeCAD's legacy simulator also cuts with a shank that is wider
-        than the cutting edge. For such a tool, give the diameter of the shank.
+        The tool; if tool or stock is unknown, no cost is predicted. FreeCAD's legacy simulator also cuts with a shank
+        that is wider than the cutting edge. For such a tool, give the diameter of the shank as the tool's diameter.
     stock : Solid or None
     words : Words or None
-        Words of the commands. In these words, the cautions look for commands that a simulator handles wrongly.
+        Words of the program's commands, in which the warnings search for commands that a simulator handles wrongly.
     recognition : Recognition or None
     """
 
@@ -61,7 +61,7 @@ class Task:
         return self.tool, self.stock
 
     def without_words(self) -> Task:
-        """Return the same task without the words, which take more memory than the rest of the task."""
+        """Return the task without its words, which need more memory than the rest of the task."""
         if self.words is None:
             return self
         bare = replace(self, words=None)
@@ -76,19 +76,19 @@ class Conditions:
     Attributes
     ----------
     version : tuple of int
-        Version of FreeCAD, at least major and minor; empty without FreeCAD.
+        Version of FreeCAD, with at least the major and the minor number; empty without FreeCAD.
     constants : Constants
         Times and memory sizes of the steps of FreeCAD's simulators on this computer.
     speed : Speed
-        Speed of this computer, for the extended z-buffer.
+        Speed of this computer, from which times in the extended z-buffer are estimated.
     view : View
-        Image of the extended z-buffer.
+        View whose image the extended z-buffer simulates.
     legacy_accuracy : float
         Edge of a cell of the legacy simulator in percent of the stock's longer side.
     opengl_quality : int
         Position of the OpenGL simulator's quality slider, 1 to 10.
     memory_budget, time_budget : float
-        Limits of memory, bytes, and time, s, for one operation. A caution warns of simulations above the limits.
+        Limits of memory, bytes, and time, s, for one operation. Simulations above a limit get a warning.
     """
 
     version: tuple[int, ...] = ()
@@ -108,7 +108,7 @@ class Cost(Protocol):
     ----------
     seconds, memory_bytes : float
     factor : float
-        The true time is between `seconds` divided by this factor and `seconds` multiplied by it.
+        The actual time is between `seconds` divided by this factor and `seconds` times this factor.
     """
 
     @property
@@ -121,10 +121,11 @@ class Cost(Protocol):
 
     @property
     def factor(self) -> float:
-        """Factor by which the time may be off, at least 1."""
+        """Factor, at least 1, by which `seconds` can be too high or too low."""
 
 
-# Codes of cautions, the worst first: simulations that never end, take too much memory or time, are wrong, or are slow.
+# Codes of warnings, the worst first: simulations that never end, need too much memory, take too long, show a wrong
+# depth of ramps, or have many moves shorter than a cell.
 WORST_FIRST = "legacy-hangs", "memory", "long-play", "legacy-ramp", "short-moves"
 
 
@@ -135,11 +136,12 @@ class Caution:
     Attributes
     ----------
     code : str
-        One of `WORST_FIRST`, or a code of another simulator. Other codes are sorted behind the codes of `WORST_FIRST`.
+        One of `WORST_FIRST`, or another code that a simulator defines. Warnings with other codes are sorted after the
+        warnings with codes in `WORST_FIRST`.
     what : Message
         Message that describes the problem and gives advice.
     command : int or None
-        Index of the first command concerned; None if the caution concerns the whole operation.
+        Index of the first command with the problem; None if the problem concerns the whole operation.
     """
 
     code: str
@@ -148,7 +150,7 @@ class Caution:
 
     @property
     def message(self) -> str:
-        """The caution and the advice in English, one or two sentences with full stops."""
+        """The description of the problem and the advice in English, as one or two sentences with full stops."""
         return render(self.what)
 
     def __str__(self) -> str:
@@ -163,16 +165,18 @@ class Advice:
     ----------
     choose : callable
         ``choose(costs, memory_bytes=, seconds=, stepover=, labels=)`` returns the chosen setting for operations in
-        sequence. It is an object with the message `why` and the English text `explanation`.
+        sequence. The setting is an object with the message `why` and the English text `explanation`.
     numbers : callable
-        Returns the numbers of a chosen setting. All numbers are 0 if no setting is within the budget.
+        Function that returns the numbers of a chosen setting, such as width and height of an image. All numbers are 0
+        if no setting is within the budget.
     form : str
         Format string for the numbers of a chosen setting.
     column : str
         Name of the column in CSV and JSON.
     title, tooltip, sentence, none : str
-        Title and tooltip of the column in the panel; the sentence below the table, which may contain ``{simulator}``;
-        and the text if no setting is within the budget. All are translated in the context "Vk_Results".
+        Title and tooltip of the column in the panel; the sentence below the table, which can contain ``{simulator}``;
+        and the text that is shown if no setting is within the budget. All texts are translated in the context
+        "Vk_Results".
     """
 
     choose: Callable[..., Any]
@@ -192,33 +196,34 @@ class Simulator:
     Attributes
     ----------
     name : str
-        Name in preferences, documents and macros. The name must never change.
+        Name of the simulator in preferences, documents and macros. The name must never change.
     since : tuple of int
-        First version of FreeCAD with the simulator; empty if the simulator does not need FreeCAD.
+        First version of FreeCAD that has the simulator; empty if the simulator does not need FreeCAD.
     predict : callable
         ``predict(task, conditions)`` returns the Cost of one operation whose tool and stock are known.
     together : callable
         ``together(costs)`` returns the Cost of several operations in sequence.
     cautions : callable or None
-        ``cautions(task, cost, conditions)`` returns the Cautions for one operation. The argument `cost` is None if the
-        cost is unknown. The attribute is None if the simulator has no errors of its own.
+        ``cautions(task, cost, conditions)`` returns the warnings for one operation. The argument `cost` is None if the
+        cost is unknown. The attribute is None if the simulator has no warnings except about memory.
     kept : type
-        Dataclass with the fields of a cost that documents store.
+        Dataclass whose fields are the part of a cost that FreeCAD documents store.
     less_memory : Message
         Advice on how to reduce the memory of a simulation.
     columns : dict of str to callable
-        Columns in CSV and JSON. The keys are the columns' names. The functions return a number from a cost.
+        Columns in CSV and JSON. The keys are the names of the columns. Each function returns the column's value from a
+        cost.
     factor_column : str or None
-        Name of the column with the cost's factor, behind the columns of all simulators; None if `columns` has the
-        factor.
+        Name of the column with the cost's factor, which comes after the columns of all simulators; None if `columns`
+        contains the factor.
     time_tooltip, memory_tooltip : str
-        Tooltips of the columns in the panel, translated in the context "Vk_Results".
+        Tooltips of the columns for time and memory in the panel, translated in the context "Vk_Results".
     advice : Advice or None
     preferences : tuple of str
         Names of the preferences that have no effect without the simulator.
     most_bytes : callable or None
-        ``most_bytes(task, conditions)`` returns a quick upper bound of the memory of one operation. If this bound is
-        within the budget, the check of the memory does not compute the cost.
+        ``most_bytes(task, conditions)`` returns an upper bound of the memory for one operation, and takes little time.
+        If this upper bound is within the budget, the cost is not computed for the warning about memory.
     """
 
     name: str
@@ -237,5 +242,5 @@ class Simulator:
     most_bytes: Callable[[Task, Conditions], float] | None = None
 
     def figures(self, cost: Cost | None) -> dict[str, Any]:
-        """Return the columns with the numbers of a cost, or with None if there is no cost."""
+        """Return the columns with their values from a cost; all values are None if `cost` is None."""
         return {name: None if cost is None else number(cost) for name, number in self.columns.items()}

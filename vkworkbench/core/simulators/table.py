@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The table of simulators. To add a simulator, write a module that predicts its cost, and add an entry here."""
+"""List the simulators. To add a simulator, write a module that predicts its cost, and add an entry here."""
 
 from __future__ import annotations
 
@@ -102,24 +102,24 @@ SIMULATORS = (ZBUFFER, LEGACY, OPENGL)
 
 
 def available(version: tuple[int, ...]) -> tuple[Simulator, ...]:
-    """Return the simulators that a version of FreeCAD has.
+    """Return the simulators that can be used with a version of FreeCAD.
 
     Parameters
     ----------
     version : tuple of int
-        Version of FreeCAD, at least major and minor; empty without FreeCAD.
+        Version of FreeCAD, with at least the major and the minor number; empty without FreeCAD.
     """
     return tuple(simulator for simulator in SIMULATORS if tuple(version) >= simulator.since)
 
 
 def predict(task: Task, conditions: Conditions) -> tuple[OnDemand, OnDemand]:
-    """Predict the cost of an operation with known tool and stock in every simulator of the FreeCAD in `conditions`.
+    """Predict the cost of an operation with known tool and stock in every simulator that `conditions.version` has.
 
     Returns
     -------
     costs, advice : OnDemand
-        The costs, and the finest settings within the budget, by the simulators' names. Each is computed at its first
-        use.
+        The costs, and the finest settings within the budget, by the names of the simulators. Each cost and each setting
+        is computed at its first use.
     """
     task = task.without_words()
     stepover = task.recognition and task.recognition.stepover
@@ -137,23 +137,23 @@ def predict(task: Task, conditions: Conditions) -> tuple[OnDemand, OnDemand]:
 def together(
     each: Sequence[Mapping[str, Cost]], *, labels: Sequence[str], stepover: float | None, **budget: float
 ) -> tuple[OnDemand, OnDemand]:
-    """Return the costs of several operations that are simulated one after another.
+    """Return the costs of several operations that are simulated one after the other.
 
     Parameters
     ----------
     each : sequence of mappings of str to Cost
-        The costs of each operation by the simulators' names.
+        The costs of each operation by the names of the simulators.
     labels : sequence of str
         The operations' labels.
     stepover : float or None
         Smallest stepover of the operations, mm; None if unknown.
     **budget : float
-        `memory_bytes` and `seconds`, for the advice.
+        The budgets `memory_bytes` and `seconds`, for which the advice chooses the finest settings.
 
     Returns
     -------
     costs, advice : OnDemand
-        As returned by :func:`predict`, but without simulators whose cost is unknown.
+        Mappings as from :func:`predict`, but without the simulators whose cost is unknown.
     """
 
     def known(name: str) -> tuple[list[str], list[Cost]]:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The paper's extended z-buffer as an entry of the table of simulators."""
+"""Provide the functions for the entry of the paper's extended z-buffer in the table of simulators."""
 
 from __future__ import annotations
 
@@ -15,18 +15,19 @@ from vkworkbench.core.zbuffer import Cut, Estimate, Resolution, Speed, best_reso
 from vkworkbench.core.zbuffer import most_bytes as most_bytes_of
 
 NAME = "z-buffer"
-# Number of jobs whose estimates are cached, because a job's total is computed every time it is shown.
+# Number of jobs whose estimates are cached. Without the cache, the total of a job would be estimated every time it is
+# shown.
 _JOBS = 8
 
 
 @dataclass(frozen=True)
 class ZBufferCost:
-    """The part of an estimate that marks in the tree store, or the sum of several estimates.
+    """The part of an estimate that an operation's mark in the tree stores, or the sum of several estimates.
 
     Attributes
     ----------
     seconds, memory_bytes, factor, stock_bytes : float
-        As in :class:`~vkworkbench.core.zbuffer.Estimate`.
+        The attributes with these names of :class:`~vkworkbench.core.zbuffer.Estimate`.
     """
 
     seconds: float
@@ -36,7 +37,7 @@ class ZBufferCost:
 
 
 def predict(task: Task, conditions: Conditions) -> Estimate:
-    """Estimate the cost of one operation for the image of the conditions."""
+    """Estimate the cost of simulating one operation in the image that `conditions.view` describes."""
     tool, stock = task.cutting
     return estimate(
         task.toolpath, task.recognition, tool=tool, stock=stock, view=conditions.view, speed=conditions.speed
@@ -44,10 +45,11 @@ def predict(task: Task, conditions: Conditions) -> Estimate:
 
 
 def together(costs: Sequence[Estimate | ZBufferCost]) -> Estimate | ZBufferCost:
-    """Estimate the cost of several operations in sequence in one z-buffer. Each operation cuts the remaining stock.
+    """Estimate the cost of several operations in one z-buffer, in which each operation cuts the remaining stock.
 
-    The costs are only added if an operation is known from its mark alone, or if the operations have different stocks or
-    images. The sum includes the stock once, but material that two operations cut counts twice.
+    If the cost of an operation is known only from its mark in the tree, or if the operations have different stocks or
+    images, the costs are added instead. The sum includes the stock once, but material that two operations cut counts
+    twice.
     """
     if len(costs) == 1:
         return costs[0]
@@ -65,7 +67,7 @@ def together(costs: Sequence[Estimate | ZBufferCost]) -> Estimate | ZBufferCost:
 
 
 def _common(estimates: Sequence[Estimate]) -> tuple[Solid, View, Speed] | None:
-    """Return the stock, the image and the speed that all estimates have in common; None if one of them differs."""
+    """Return the stock, the view and the speed of all estimates; None if the estimates differ in one of the three."""
     (view, speed), *more = {(one.view, one.speed) for one in estimates}
     stock, *others = (one.stock for one in estimates)
     if more or stock is None or not all(other is not None and is_same(stock, other) for other in others):
@@ -79,12 +81,12 @@ def _of_job(cuts: tuple[Cut, ...], stock: Solid, view: View, speed: Speed) -> Es
 
 
 def finest_image(costs: Sequence[Estimate], **asked: Any) -> Resolution:
-    """Choose the finest image within a budget for several operations in sequence, as `best_resolution` does."""
+    """Choose the image with the smallest pixels within a budget for operations in sequence; see `best_resolution`."""
     whole = together(costs)
     return best_resolution(costs, whole=whole if isinstance(whole, Estimate) else None, **asked)
 
 
 def most_bytes(task: Task, conditions: Conditions) -> float:
-    """Return an upper bound of the memory, bytes. It takes much less time than the estimate."""
+    """Return an upper bound of an operation's memory, bytes. This takes much less time than an estimate."""
     tool, stock = task.cutting
     return most_bytes_of(task.toolpath, tool=tool, stock=stock, view=conditions.view)

@@ -227,7 +227,7 @@ def are_small(tiles: Tiles, slow: np.ndarray) -> np.ndarray:
 
 
 def first_tiles(trajectories: Trajectories, left: np.ndarray, bottom: np.ndarray) -> Tiles:
-    """Return tiles of the largest size with first pixels at `left`, `bottom` (t,), and the trajectories that can meet them."""
+    """Return the largest tiles that begin at `left`, `bottom` (t,), with the trajectories that can meet each tile."""
     frame = trajectories.frame
     x0, y0 = frame.pixel_centres(left, bottom)
     x1, y1 = frame.pixel_centres(np.minimum(left + TILE, frame.width) - 1, np.minimum(bottom + TILE, frame.height) - 1)

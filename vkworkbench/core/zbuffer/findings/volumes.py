@@ -68,7 +68,7 @@ class Volumes:
     rays: np.ndarray
 
     def error(self, cuts: range) -> float:
-        """Return an upper bound (95 % confidence) of the error of the volume that several cuts remove together, mm^3."""
+        """Return an upper bound (95 % confidence) of the error of the volume that several cuts remove, mm^3."""
         together = self.images[:, cuts.start : cuts.stop].sum(axis=1)
         spread = float(together.std(ddof=1)) / sqrt(len(together))
         ray = float(self.rays[cuts.start : cuts.stop].max(initial=0.0))
