@@ -103,3 +103,12 @@ def test_programmed_path_is_kept_if_compensation_ends_early():
 def test_compensation_of_radius_zero_keeps_the_path():
     assert ends("G41.1 D0 G1 X30 Y0\nX60\nY40") == [[30, 0], [60, 0], [60, 40]]
     assert codes("G41.1 D0 G1 X30 Y0\nX60\nY40") == []
+
+
+@pytest.mark.parametrize("degrees", [178, 180, 182])
+def test_compensation_ends_at_a_reversal_into_an_arc(degrees):
+    """LinuxCNC follows some of these cusps as inner corners, and others as outer corners."""
+    way = np.exp(1j * np.radians(degrees))
+    centre, end = 8j * way, 8j * way + 8 * way
+    arc = f"G3 X{end.real:.5f} Y{end.imag:.5f} I{centre.real:.5f} J{centre.imag:.5f}"
+    assert ("compensation-not-read", "G41.1") in codes(f"G41.1 D3 G1 X5 Y0\nX30\nG91 {arc}\nG90 G40 X0 Y0")

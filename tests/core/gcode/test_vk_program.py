@@ -650,3 +650,32 @@ def test_one_bad_arc_does_not_make_centres_absolute():
     assert not path.problems
     path = read_program(f"G0 X0 Y0 Z0\nF600\n{good}G2 X7 Y3 I7 J1\nG0 X0 Y0\n{good}").toolpath()
     assert [problem.what.code for problem in path.problems] == ["arc-of-changing-radius"]
+
+
+@pytest.mark.parametrize("code", ["G8", "G92.1", "G92.2", "G92.3", "G96 S100", "G43.1 H1", "G49"])
+def test_codes_without_axis_words_do_not_hide_the_move_of_their_line(code):
+    assert points(PLAIN + f"G1 X5 Y4 {code}")[-1] == [5, 4, -1]
+
+
+@pytest.mark.parametrize("code", ["G28.1", "G30.1"])
+def test_axis_words_beside_a_stored_position_are_named(code):
+    """Mach3 homes the axes, and LinuxCNC moves the tool to the axis words."""
+    assert said(PLAIN + f"G1 X5 Y4 {code}") == [
+        f"Line 5: The unknown code '{code}' is ignored, and the X, Y words of its line with it."
+    ]
+
+
+def test_g43_1_with_a_length_moves_only_beside_a_motion_code():
+    assert points(PLAIN + "G43.1 Z2\nX5 Z-1")[-1] == [5, 2, -1]
+    assert points(PLAIN + "G1 X5 G43.1 Z2")[-1] == [5, 2, 2]
+
+
+def test_axis_words_of_g92_1_are_named_in_a_program_for_fanuc():
+    path = read_program("O1000\n" + PLAIN + "G92.1 X0 Y0\nX5").toolpath()
+    assert [problem.what.code for problem in path.problems] == ["coordinates-not-changed"]
+    assert path.points[-1].tolist() == [5, 2, -1]
+
+
+def test_turning_cycle_in_a_program_for_a_mill_is_named():
+    path = read_program(PLAIN + "Y9\nG71 P10 Q20 U1\nX5").toolpath()
+    assert [problem.what.code for problem in path.problems] == ["unknown-code"]

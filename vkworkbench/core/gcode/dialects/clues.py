@@ -41,7 +41,7 @@ class Clues:
         self._names_y = self._along_y = False
 
     def g_code(self, number: int, letters: set[str], line: int) -> bool:
-        """Note a G-code that indicates the machine; return whether the code is for a lathe."""
+        """Note a G-code that indicates the machine; return whether its line is a cut on a lathe."""
         cycle = number in _TURNING_CYCLES and not letters.isdisjoint("PQUW") and "Y" not in letters
         mode = number in _TURNING_MODES and "P" not in letters  # on Fanuc controls, G08 P1 turns on look-ahead
         if self._turning is None and (number in _TURNING or cycle):
@@ -51,7 +51,7 @@ class Clues:
         if number == 18 and self._plane is None:
             self._plane = "G18", line
         self._mills |= number == 43 and "H" in letters
-        return number in _TURNING or cycle or mode
+        return number in _TURNING or cycle
 
     def m_code(self, value: float, letters: set[str], line: int) -> None:
         """Note an M-code that indicates the machine.

@@ -158,6 +158,8 @@ def _join(
     if abs(turn) <= _STRAIGHT_ON:
         curve.start = last.end
         return True
+    if abs(turn) > pi - _STRAIGHT_ON and not (last.centre is None and curve.centre is None):
+        return False  # LinuxCNC follows some of these cusps as outer corners, and others as inner corners
     if turn < 0 or turn > pi - _STRAIGHT_ON:
         around = codes.CLOCKWISE if side > 0 else codes.COUNTER_CLOCKWISE
         if mode == codes.RAPID:

@@ -47,9 +47,9 @@ def _work_offset(machine: Machine, line: Line) -> None:
 def _shift(machine: Machine, line: Line) -> None:
     """Process G52, G92, G92.1, G92.2 and G92.3."""
     values = line.lengths(machine.modes.unit)
-    line.apart = True
-    if machine.maps.fixes_origin:
-        _coordinates(machine, line)
+    line.apart = line.code in (codes.LOCAL, codes.POSITION)
+    if machine.maps.fixes_origin or (values and not line.apart and machine.is_fanuc()):
+        _coordinates(machine, line)  # on Fanuc controls, the axis words of G92.1 choose the axes
     elif line.code == codes.LOCAL:
         machine.origins.shift_by(values)
         if not values:

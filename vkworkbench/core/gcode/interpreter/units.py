@@ -10,6 +10,7 @@ from vkworkbench.core.gcode.moves import codes
 from vkworkbench.language import Message
 
 _LATHE_CYCLE = frozenset("PQUWR")  # with these words, G70 to G72 are turning cycles, not units
+_MOVES = frozenset([("G", 0.0), ("G", 1.0), ("G", 2.0), ("G", 3.0)])
 _OF_RS274 = (200, 210)
 _HOLE_PATTERN = frozenset("IJKL")  # with these words, G70 to G72 are patterns of holes on Haas and Yasnac
 
@@ -60,7 +61,8 @@ def _tool_length(machine: Machine, line: Line) -> None:
     length = NO_LENGTH if line.code == 490 or number == 0 else (line.code, number)
     if length != machine.tool_length:
         machine.tool_length, machine.length_changed = length, machine.moved
-    line.apart |= line.code == 431 and "H" not in line.letters  # G43.1 with the length in Z
+    if line.code == 431 and "H" not in line.letters and _MOVES.isdisjoint(line.words):
+        line.apart = True  # the Z word is only the length, not the target of a move
     machine.other(line)
 
 

@@ -49,8 +49,8 @@ STATES = (
 # The interpreter adds these codes to the commands, for `linearize`.
 KEPT = frozenset([*PLANES, CANCEL, ABSOLUTE, ABSOLUTE_CENTRES, RELATIVE, RELATIVE_CENTRES, TO_START, TO_RETRACT_PLANE])
 PROBES_OF_PROGRAMS = frozenset([310, *PROBES])
-# Codes whose axis words are not a target in the program's coordinates: stored positions for G28 and G30.
-APART = frozenset([281, 301])
+# Codes that store the position for G28 and G30. Mach3 homes the axes whose words are in the line; LinuxCNC moves the tool.
+STORED_POSITIONS = frozenset([281, 301])
 NUMBERED_OFFSETS = frozenset([541, 1540])  # G54.1 and G154: the P word is the number of the work offset
 OFFSETS = NUMBERED_OFFSETS | frozenset([
     540, 550, 560, 570, 580, 590, 591, 592, 593,
@@ -72,7 +72,7 @@ UNITS = INCHES | frozenset([210, 710, 7100])
 PATTERNS = frozenset([700, 710, 720])
 POCKETS = frozenset([120, 130, 1500])
 MACRO_CALLS = frozenset([650, 660])
-HARMLESS = OFFSETS | frozenset([
+HARMLESS = OFFSETS | STORED_POSITIONS | frozenset([
     80, 90, 110, 150, 200, 210, 400, 401, 410, 411, 412, 420, 421, 422, 430, 431, 432, 434, 435, 440, 490, 500, 600,
     610, 611, 620, 630, 640, 670, 690, 700, 710, 930, 940, 950, 960, 970, 1030, 1870,
     4500, 4510, 6010, 6020, 6030, 6410, 6420, 6430, 6440, 6450,  # Siemens: modes for motion around corners

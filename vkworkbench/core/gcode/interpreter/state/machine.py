@@ -235,12 +235,9 @@ class Machine:
     def other(self, line: Line) -> None:
         """Process a G-code without a handler of its own."""
         of_a_lathe = self.clues.g_code(line.code // 10, line.letters, self.number)
-        if line.code in codes.APART:
-            line.apart = True
-        elif line.code not in codes.HARMLESS:
+        homes = line.code in codes.STORED_POSITIONS and not line.letters.isdisjoint("XYZ")
+        if of_a_lathe or homes or line.code not in codes.HARMLESS:
             self.unknown(line.code, line)
-        elif of_a_lathe:
-            line.apart, line.feeds = True, False
 
     @property
     def is_mapped(self) -> bool:

@@ -54,7 +54,7 @@ class Curve:
     def meets(self, other: Curve) -> list[complex]:
         """Return the intersection points of two curves, which are extended to whole lines or circles."""
         if self.centre is not None and other.centre is not None:
-            return _of_circles(self.centre, abs(self.end - self.centre), other.centre, abs(other.end - other.centre))
+            return _of_circles(self.centre, abs(self.end - self.centre), other.centre, abs(other.start - other.centre))
         if self.centre is None and other.centre is None:
             way, across = self.way(0), other.way(0)
             sine = (way.conjugate() * across).imag
@@ -65,7 +65,7 @@ class Curve:
         centre = arc.centre or 0.0
         way, foot = line.way(0), centre - line.start
         along, off = (way.conjugate() * foot).real, (way.conjugate() * foot).imag
-        half = abs(arc.end - centre) ** 2 - off**2
+        half = abs((self.end if arc is self else other.start) - centre) ** 2 - off**2
         if half < 0:
             return []
         return [line.start + way * (along + sign * sqrt(half)) for sign in (-1, 1)]
