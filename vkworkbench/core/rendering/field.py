@@ -250,6 +250,6 @@ def _columns_of_part(zbuffer: ZBuffer) -> Iterator[tuple[np.ndarray, np.ndarray,
         own = order == number
         near, far = np.full((2, len(picture.depth)), np.nan, np.float32)
         near[pixel[own]], far[pixel[own]] = dexels["near"][own], dexels["far"][own]
-        # Only the first column on a ray can have been cut, because tools open rays from the top.
+        # Only the first column on a ray can have been cut, because tools remove material from the top.
         cut = near == picture.depth
         yield near, far, np.where(cut, picture.owner, np.int32(STOCK))

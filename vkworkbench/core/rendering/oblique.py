@@ -53,7 +53,7 @@ class Walls(NamedTuple):
     Attributes
     ----------
     number : (k,) int64
-        Positions in the arrays of `Seen`.
+        Position of each pixel in the arrays of `Seen`.
     cell, front : (k,) int64
         Cell whose wall is visible, and the cell in front of this cell.
     height : (k,) float32
@@ -91,7 +91,7 @@ def look(layer: Layer, of_layer: Frame, frame: Frame) -> Seen:
     back = tops[turned.cell]
     back *= scale
     back += turned.rise[:, None] + np.float32(turned.step * sine / frame.pixel)
-    row = np.arange(0.5, frame.height, dtype=np.float32)[:, None]  # centres, in pixels from the lower edge
+    row = np.arange(0.5, frame.height, dtype=np.float32)[:, None]  # centres of the rows, in pixels from the lower edge
     if layer.is_even or cosine < _LEVEL:
         step = _first_above(back, frame.height)
     else:

@@ -67,7 +67,7 @@ def distinct_colors(count: int) -> np.ndarray:
 
 
 def scale_colors(values: np.ndarray) -> np.ndarray:
-    """Return the colours of numbers on the scale.
+    """Return the colours that stand for numbers on the colour scale.
 
     Parameters
     ----------

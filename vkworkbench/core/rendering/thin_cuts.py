@@ -32,7 +32,7 @@ class ThinCuts(NamedTuple):
     Attributes
     ----------
     points : (k, 3) ndarray
-        Positions, mm.
+        Positions of the points, mm.
     owner : (k,) ndarray of int
         Trajectory that cuts at each point, ascending.
     """
@@ -49,7 +49,7 @@ def thin_cuts(zbuffer: ZBuffer, top: np.ndarray) -> ThinCuts:
     Parameters
     ----------
     zbuffer : ZBuffer
-        Simulated from above, at the moment to show.
+        The simulation from above, at the moment to show.
     top : (rows, columns) float32
         Height of the part's surface on each ray above the centre of the stock, mm; `EMPTY` on a ray without material.
     """

@@ -29,7 +29,7 @@ _BYTES_PER_CELL = 5
 _LOOKS = 5
 # Maximum number of commands that play shows per second at the initial position of the speed slider.
 _SPEED = 50
-# A fast-forward repaints its progress at most this many times.
+# Largest number of times that a fast-forward repaints its progress.
 _PERCENTS = 100
 
 
@@ -87,9 +87,9 @@ def legacy_cost(task: Task, *, accuracy: float = 0.1, constants: Constants = DEF
     """Estimate the cost of one operation in the legacy simulator.
 
     In fast-forward, every command, including comments, takes one tick of a timer. Whenever the progress increases by
-    one percent, it is repainted. At the end, one mesh is made and shown. Play first shows the uncut stock. Then each
-    command takes 20 ms, or the time to make and show a mesh, whichever is longer. The number of triangles increases
-    with the number of cuts, and decreases if the finished part is flat.
+    one percent, it is repainted. At the end of the fast-forward, one mesh is made and shown. Play first shows the uncut
+    stock. Then play needs, for each command, 20 ms or the time to make and show a mesh, whichever is longer. The number
+    of triangles increases with the number of cuts, and decreases if the finished part is flat.
 
     Parameters
     ----------
@@ -157,7 +157,8 @@ def legacy_together(costs: Sequence[LegacyCost]) -> LegacyCost:
     Parameters
     ----------
     costs : sequence of LegacyCost
-        Costs of at least one operation, in the order of the operations. All must have the same stock and accuracy.
+        Costs of at least one operation, in the order of the operations. All costs must be predicted for the same stock
+        and accuracy.
     """
     constants, facets = costs[0].constants, sum(cost.facets for cost in costs)
     cells = max(cost.cells for cost in costs)

@@ -8,7 +8,7 @@ import numpy as np
 # Ratio of the height difference between two neighbouring cells of the map to the edge of a cell. The height difference
 # is a wall if the ratio is at least this value, or if the height difference is more than twice each neighbouring height
 # difference; otherwise it is a slope. Lower: steep slopes count as walls. Higher: walls beside slopes count as slopes.
-# Both give a wrong number of triangles.
+# In both cases the number of triangles is wrong.
 _WALL = 1.8
 # Number of triangles per corner of a wall (_CORNER), per cell along a wall (_ALONG), per rectangle on a slope
 # (_RECTANGLE), and in the mesh of an uncut box (BOX). The numbers were fitted to FreeCAD's meshes
@@ -30,7 +30,7 @@ def mesh_facets(heights: np.ndarray, size: float, resolution: float, *, lower: f
     Parameters
     ----------
     heights : (nx, ny) float64
-        Map of the heights, mm.
+        Coarse map of the heights of the stock's surface, mm.
     size : float
         Edge of a cell of the map, mm.
     resolution : float
@@ -74,7 +74,7 @@ def bottom_rectangles(kept: np.ndarray) -> int:
     Parameters
     ----------
     kept : (nx, ny) bool
-        Cells where the stock is not cut through.
+        False for the cells in which the stock is cut through.
 
     Returns
     -------

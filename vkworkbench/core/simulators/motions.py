@@ -18,7 +18,7 @@ class Motions:
     Attributes
     ----------
     move : (m, 3) float64
-        Vector from start to end, mm.
+        Vector from the start to the end of each motion, mm.
     sweep, radius : (m,) float64
         Angle, rad, and radius, mm, of each arc in the XY plane; 0 for straight motions.
     command : (m,) int64

@@ -22,7 +22,7 @@ NAME = "OpenGL"
 SINCE = (1, 0)
 SLOWEST_FRAME = 0.1  # s, which is ten frames per second; a job with slower frames gets a warning
 
-# Smallest and largest angle of a chord of an arc, rad (MillPathSegment.cpp).
+# Smallest and largest angle of an arc that one chord replaces, rad (MillPathSegment.cpp).
 _SMALLEST_STEP, _LARGEST_STEP = np.pi / 90, np.pi / 2
 # How often a motion is drawn in one frame: in four rendering passes with two stencil steps each, and in one pass for
 # the colour (MillSimulation.cpp).
@@ -227,7 +227,8 @@ def opengl_together(costs: Sequence[OpenGLCost]) -> OpenGLCost:
     Parameters
     ----------
     costs : sequence of OpenGLCost
-        Costs of at least one operation, in the order of the operations. All must have the same stock and speeds.
+        Costs of at least one operation, in the order of the operations. All costs must be predicted for the same stock
+        and speeds.
     """
     constants = costs[0].constants
     part = (np.arange(_PARTS) + 0.5) / _PARTS

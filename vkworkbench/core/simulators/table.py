@@ -12,7 +12,7 @@ from vkworkbench.core.simulators.on_demand import OnDemand
 from vkworkbench.core.simulators.simulator import Advice, Conditions, Cost, Simulator, Task
 from vkworkbench.language import QT_TRANSLATE_NOOP, Message
 
-#: The paper's extended z-buffer. Its columns in CSV and JSON have no prefix.
+# : The paper's extended z-buffer. The names of the z-buffer's columns in CSV and JSON have no prefix.
 ZBUFFER = Simulator(
     name=zbuffer.NAME,
     since=(),
@@ -144,7 +144,7 @@ def together(
     each : sequence of mappings of str to Cost
         The costs of each operation by the names of the simulators.
     labels : sequence of str
-        The operations' labels.
+        Label of each operation.
     stepover : float or None
         Smallest stepover of the operations, mm; None if unknown.
     **budget : float

@@ -75,7 +75,8 @@ class Work:
     cells : (16,) tuple of float
         Number of cells, which are pairs of a trajectory and a pixel whose ray the trajectory cuts, by kind.
     unconnected : float
-        Share of `cells` on rays whose removed intervals are not connected. Only on these rays are the intervals sorted.
+        Share of `cells` on rays whose removed intervals are not connected. The simulator sorts the intervals of such
+        rays only.
     records : (2,) tuple of float
         Number of records (dexels, trace elements and gaps) in a vertical view, and in an oblique view; one of the two
         is 0.
@@ -150,7 +151,7 @@ def _shift_levels(levels: np.ndarray, growth: float) -> np.ndarray:
 
 
 def work_of(removal: Removal, trajectories: int, counts: Counts) -> Work:
-    """Estimate the work of a simulation.
+    """Estimate how often each step of a simulation is executed.
 
     Parameters
     ----------

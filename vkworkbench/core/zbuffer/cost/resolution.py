@@ -41,7 +41,7 @@ class Resolution:
 
     @property
     def explanation(self) -> str:
-        """`why` as an English sentence without a full stop."""
+        """The message `why` as an English sentence without a full stop."""
         return render(self.why)
 
 
@@ -57,8 +57,8 @@ def best_resolution(
     """Choose the image with the smallest pixels for which a simulation stays within a budget.
 
     The number of dexels and trace elements, and the memory for them, is proportional to the number of pixels. The
-    memory for trajectories and temporary arrays is constant. The time has a constant part and grows more slowly than
-    the number of pixels; see `Work.amounts`.
+    memory for trajectories and temporary arrays does not depend on the number of pixels. The time has a constant part
+    and grows more slowly than the number of pixels; see `Work.amounts`.
 
     Parameters
     ----------
@@ -131,7 +131,7 @@ def _seconds(estimates: Sequence[Estimate], growth: float) -> float:
 def _peak_together(estimates: Sequence[Estimate]) -> Peak:
     """Return the quantities that determine the peak memory of all operations in one z-buffer.
 
-    The stock is counted once.
+    The stock is counted only once for all operations.
     """
     peaks = [e.peak for e in estimates]
     stocks = [p.stock for p in peaks]

@@ -62,7 +62,8 @@ class Bounds(Protocol):
         Yields
         ------
         (k,) int64
-            Positions of the pairs that can cut the quarter. The quarters have the order of `QUARTERS`.
+            Positions, in `tile` and `item`, of the pairs whose trajectory can cut the quarter. The quarters have the
+            order of `QUARTERS`.
         """
 
     def removals(self, tiles: Tiles, tile: np.ndarray, near: np.ndarray, far: np.ndarray) -> Removals:
@@ -180,7 +181,7 @@ def small_tiles(trajectories: Trajectories, bounds: Bounds, region: Region) -> I
     Yields
     ------
     tiles : Tiles
-        Small tiles, each yielded once. Tiles that no trajectory can cut are not yielded.
+        Small tiles; each small tile of the region is yielded once. Tiles that no trajectory can cut are not yielded.
     tested : int
         How many times a trajectory was tested against a tile or a pixel to find `tiles`.
     """
@@ -269,7 +270,8 @@ def deeper_pairs(
     reach, opens : (p,) ndarray
         Largest depth that each pair's trajectory reaches in its tile, and the depth to which the trajectory opens all
         rays of the tile from their near end. A `reach` of -inf or NaN means that the trajectory does not meet the tile,
-        and an `opens` of -inf or NaN means that the trajectory does not open the tile. Both arrays are overwritten.
+        and an `opens` of -inf or NaN means that the trajectory does not open the tile. The function overwrites both
+        arrays.
     near, far : float
         Smallest depth at which a ray of the tiles enters the stock, and largest depth at which a ray leaves it, mm.
     """

@@ -40,7 +40,7 @@ _LESS = 1e-6
 
 
 class Tilted:
-    """Bounds for an oblique view; see `tiles.Bounds`."""
+    """Computes the bounds that `tiles.Bounds` describes, for an oblique view."""
 
     def __init__(self, trajectories: Trajectories) -> None:
         self.trajectories, self.sine, self.cosine = trajectories, trajectories.sine, trajectories.cosine
@@ -91,8 +91,8 @@ class Tilted:
 class _TileChords:
     """Lower and upper bounds of the depths at which the rays of a tile enter and leave the stock.
 
-    Depths are measured from a plane. `shear` is the change of the plane's depth along the view per mm down the image;
-    it is 0 for a plane perpendicular to the view.
+    Depths are measured from a plane that is horizontal or perpendicular to the view. `shear` is the change of the
+    plane's depth along the view per mm down the image; it is 0 for a plane perpendicular to the view.
     """
 
     def __init__(self, stock: Solid, frame: Frame, shear: float) -> None:

@@ -32,7 +32,7 @@ _RIM_LENGTH = 1e-4
 
 
 class Upright:
-    """Bounds for a vertical view; see `tiles.Bounds`."""
+    """Computes the bounds that `tiles.Bounds` describes, for a vertical view."""
 
     def __init__(self, trajectories: Trajectories) -> None:
         self.trajectories, self.frame, self.cosine = trajectories, trajectories.frame, trajectories.cosine

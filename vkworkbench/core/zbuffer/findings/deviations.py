@@ -193,8 +193,8 @@ def _find_makers(zbuffer: ZBuffer, gap: _Gap, tolerance: float) -> tuple[np.ndar
     The trajectory is `STOCK` if no trajectory caused the deviation.
 
     Leftover material is attributed to the trajectory that cut the visible surface. A gouge is attributed to the
-    trajectory that removed the material at the model's surface, because another trajectory possibly cut the visible
-    surface deeper down.
+    trajectory that removed the material at the model's surface, because the visible surface, which is deeper, can have
+    been cut by another trajectory.
     """
     pixels, model = np.flatnonzero(gap.along > tolerance), gap.model
     if model is None:

@@ -91,8 +91,8 @@ def engagement(zbuffer: ZBuffer, measured: Volumes | None = None) -> tuple[np.nd
     Returns
     -------
     depth, width : (n,) float64
-        Depth and width, mm; 0 for trajectories that remove nothing. Without measured volumes, both are 0 in a view from
-        the side.
+        Depth and width, mm; 0 for trajectories that remove nothing. Without measured volumes, depth and width are 0 in
+        a view from the side.
     """
     cuts = zbuffer.cuts
     if measured is None:

@@ -33,21 +33,22 @@ def farthest(
 ) -> tuple[int, float] | None:
     """Return the pixel at which two surfaces are farthest from each other in space, and the distance at this pixel.
 
-    The distance at a pixel is the larger one of two distances (as in the Hausdorff distance): from the point of the
-    rear surface to the space before the front surface, and from the point of the front surface to the space behind the
-    rear surface. For example, a wall that is cut 0.3 mm too far has a distance of 0.3 mm for any height of the wall,
-    and a missing hole has its depth as the distance for any width of the hole. The distance is never larger than the
-    distance along the view.
+    The distance at a pixel is the larger of two distances, as in the Hausdorff distance: the distance from the point on
+    the rear surface to the space in front of the front surface, and the distance from the point on the front surface to
+    the space behind the rear surface. For example, a wall that is cut 0.3 mm too far has a distance of 0.3 mm for any
+    height of the wall, and a missing hole has its depth as the distance for any width of the hole. The distance is
+    never larger than the distance along the view.
 
     Parameters
     ----------
     front, behind : (height, width) float32
         Depths of the front and rear surface along the view, mm. The depth is infinite if a ray has no surface, so that
-        the whole ray counts as the space before this surface.
+        the whole ray counts as the space in front of this surface.
     pixels : (k,) int
         Pixels to search, as indices row * width + column.
     pixel : float
-        Side of a pixel, mm. The error of the distance is at most the larger one of a pixel and 2 %.
+        Side of a pixel, mm. The error of the distance is at most the side of a pixel or 2 % of the distance, whichever
+        is larger.
     floor : float
         Lower bound, mm. Only distances above the lower bound are searched for.
 
@@ -108,7 +109,8 @@ def _distances(front: np.ndarray, behind: np.ndarray, pixels: np.ndarray, pixel:
     height, width = front.shape
     row, column = np.divmod(pixels, width)
     ahead, beyond = front[row, column], behind[row, column]
-    # Smallest distances found so far: to the space before the front surface, and to the space behind the rear surface.
+    # Smallest distances found so far: from the rear surface to the space in front of the front surface, and from the
+    # front surface to the space behind the rear surface.
     least = np.repeat((beyond - ahead)[None].astype(float), 2, axis=0)
     for radius, steps in _around(ceil(hypot(height, width))):
         # The search around a pixel stops when pixels at a larger radius cannot reduce its distance, or when its

@@ -203,7 +203,7 @@ class _Search:
             self._found.append((pieces.selected(chosen), along[chosen], every[gouged] * pieces.frame.pixel**2))
 
     def gouges(self, cuts: Cuts) -> list[Deviation]:
-        """Return the gouges.
+        """Return the gouges to which the stored points belong.
 
         The stored points of consecutive trajectories belong to one gouge. Points that are close to each other also
         belong to one gouge.

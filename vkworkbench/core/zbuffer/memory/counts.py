@@ -41,8 +41,8 @@ class Counts:
         Number of pairs of a pixel and a trajectory whose swept volume the pixel's ray meets, including trajectories
         that remove nothing from the ray.
     unconnected : float
-        Share of `passes` on rays whose removed intervals are not connected. Only on these rays are the intervals
-        sorted; see `chains.py`.
+        Share of `passes` on rays whose removed intervals are not connected. The simulator sorts the intervals of such
+        rays only; see `chains.py`.
     band : float
         Number of records in the fullest band of `TILE` pixel rows.
     pixels : int

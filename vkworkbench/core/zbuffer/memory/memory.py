@@ -23,17 +23,19 @@ BUDGET = 2e9
 # oblique views if the swept volumes of all tools are computed by closed forms. _BAND: in all other cases.
 # benchmarks/zbuffer.py measures the memory in views from above, test_vk_zbuffer_memory.py in other views.
 _BAND_ABOVE, _BAND_CLOSED, _BAND = 14e6, 20e6, 42e6
-# Smallest cosine of the view's tilt from the vertical for `_BAND_CLOSED`. If the cosine is smaller, each ray meets so
-# many trajectories that closed forms save no memory.
+# Smallest cosine of the view's tilt from the vertical at which `_BAND_CLOSED` is used. If the cosine is smaller, each
+# ray meets so many trajectories that closed forms save no memory.
 _STEEP = 0.5
-# Memory for each trajectory, and for each record of the band whose records are being assembled, bytes.
+# Memory for each trajectory (_TRAJECTORY), and for each record of the band whose records are being assembled
+# (_BAND_RECORD), bytes.
 _TRAJECTORY = 460.0
 _BAND_RECORD = 13.0
-# Memory for rendering pictures of the finished simulation, bytes: for each trace element, for each pixel, for each
-# trajectory, and for temporary arrays (the largest value among the numpy versions).
+# Memory for drawing pictures of the finished simulation, bytes: for each trace element (_SHOWN), for each pixel
+# (_SHOWN_PIXEL), for each trajectory (_SHOWN_TRAJECTORY), and for temporary arrays (_SHOWING, the largest value among
+# the numpy versions).
 _SHOWN, _SHOWN_PIXEL, _SHOWN_TRAJECTORY, _SHOWING = 14.0, PIXEL_BYTES + 92.0, 100.0, 12e6
-# Memory for each additional process, bytes: for Python and numpy; for each trajectory sent to the process; for each
-# record of a band, which both processes hold.
+# Memory for each additional process, bytes: for Python and numpy (_PROCESS), for each trajectory that is sent to the
+# process (_SENT_TRAJECTORY), and for each record of a band, which both processes store (_SENT_RECORD).
 _PROCESS = 45e6
 _SENT_TRAJECTORY = 500.0
 _SENT_RECORD = 26.0
@@ -151,7 +153,7 @@ def check_memory(removal: Removal, trajectories: int, allowed: float) -> None:
     Parameters
     ----------
     removal : Removal
-        The removal to simulate.
+        The prepared trajectories of the simulation.
     trajectories : int
         Number of trajectories, including trajectories that miss the stock.
     allowed : float
@@ -188,7 +190,7 @@ def peak_of(counts: Counts, trajectories: int, removal: Removal) -> Peak:
     trajectories : int
         Number of trajectories, including trajectories that miss the stock.
     removal : Removal
-        The removal to simulate.
+        The prepared trajectories of the simulation.
     """
     traces = counts.traces + _ERRORS * counts.traces_error
     records, stock = counts.records + _ERRORS * counts.traces_error, counts.stock + counts.gaps
@@ -226,7 +228,7 @@ def helpers_within(allowed: float, removal: Removal, trajectories: int) -> int:
     allowed : float
         Largest peak memory of all processes together, bytes.
     removal : Removal
-        The removal to simulate.
+        The prepared trajectories of the simulation.
     trajectories : int
         Number of trajectories, including trajectories that miss the stock.
     """

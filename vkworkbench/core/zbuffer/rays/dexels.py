@@ -20,7 +20,7 @@ THINNEST = 1e-4
 # Length, mm, by which a trajectory must reach deeper than earlier trajectories to cut a ray. A smaller length would
 # count rounding errors as cuts, and a larger length would ignore real cuts.
 NO_DEEPER = 1e-7
-# Owner of a piece that no trajectory removes.
+# Value of `owner` for a piece that no trajectory removes.
 UNCUT = np.iinfo(np.int32).max
 
 

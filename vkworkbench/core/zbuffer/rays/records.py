@@ -20,7 +20,7 @@ DEXEL = np.dtype([("near", np.float32), ("far", np.float32), ("pixel", np.uint32
 TRACE = np.dtype([("near", np.float32), ("far", np.float32), ("trajectory", np.uint32)])
 # Type of the array that holds the number of each pixel's first record.
 INDEX = np.dtype(np.uint32)
-# Owner of a gap in the stock, which is a piece that is empty before the first trajectory.
+# Value of `owner` for a gap in the stock, which is a piece of a ray without material before the first trajectory.
 GAP = -1
 # Memory for one record (a piece of a ray) and for one pixel, bytes.
 RECORD_BYTES = 8

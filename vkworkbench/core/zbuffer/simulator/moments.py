@@ -23,7 +23,7 @@ from vkworkbench.given import whole
 
 
 class Chips(NamedTuple):
-    """Material that some trajectories remove, seen in an image.
+    """The material that given trajectories remove (chips), as seen in an image without the rest of the part.
 
     Attributes
     ----------
@@ -120,7 +120,7 @@ class ZBuffer:
         return _length(self.trace_records[self.trace_records["trajectory"] < self.step]) * self.frame.pixel**2
 
     def chips(self, first: int, end: int) -> Chips:
-        """Return the material that some trajectories remove, seen without the rest of the part.
+        """Return the material that the given trajectories remove, as seen without the rest of the part.
 
         Parameters
         ----------

@@ -92,7 +92,7 @@ def alternate(
     Parameters
     ----------
     cuts : Cuts
-        The job.
+        The operations of the job.
     bodies : sequence of Body or None
         Body of each cut's tool; None if the tool has no body.
     carries : (n,) bool

@@ -7,7 +7,8 @@ function of t. If the move were endless, closed forms would give the t at which 
 two upright walls and the bottom of the slot. Clipping this t to the range from 0 to 1 gives the t of the first entry or
 the last exit. Therefore each end of the interval needs only one position of the tool.
 
-Array shapes broadcast. For a grid of rays, x can be an array with one row, and y and z can be arrays with one column.
+The shapes of the arrays broadcast with each other. For a grid of rays, x can be an array with one row, and y and z can
+be arrays with one column.
 """
 
 from __future__ import annotations
