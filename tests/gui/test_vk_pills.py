@@ -284,6 +284,25 @@ def test_warning_sign_is_in_sight_if_the_column_exceeds_the_tree(marked, window)
         window.settle()
 
 
+def test_text_of_a_pill_in_a_narrow_column_is_elided(marked, window):
+    label, view = "Pocket around island", window.tree
+    width = view.columnWidth(tree.DESCRIPTION)
+    try:
+        view.setColumnWidth(tree.DESCRIPTION, 70)
+        window.settle()
+        view.scrollTo(window.cell(label))
+        image = picture(window, label)
+    finally:
+        view.setColumnWidth(tree.DESCRIPTION, width)
+    back = QtGui.QColor(marks.read(labelled(marked, label)).strategy.color).getRgb()[:3]
+    middle = image.height() // 2
+    pill = [x for x in range(image.width()) if image.pixelColor(x, middle).getRgb()[:3] == back]
+    assert len(pill) > 10
+    ends = (pill[0] + 1, pill[0] + 2, pill[-1] - 2, pill[-1] - 1)
+    assert {image.pixelColor(x, middle + y).getRgb()[:3] for x in ends for y in range(-3, 4)} == {back}
+    assert bright(image) > 0.005
+
+
 def test_tooltip_is_not_taken_from_another_document(marked, window):
     other = FreeCAD.newDocument("Other")
     other.Label = marked.Label

@@ -115,7 +115,8 @@ def _paint_filled(painter, where: QRectF, piece) -> None:
     painter.setBrush(QColor(piece.color))
     painter.drawRoundedRect(where, where.height() / 3, where.height() / 3)
     painter.setPen(QColor(piece.ink))
-    painter.drawText(where, Qt.AlignCenter, piece.text)
+    room = int(where.width() - where.height() / 3)  # without the round ends
+    painter.drawText(where, Qt.AlignCenter, painter.fontMetrics().elidedText(piece.text, Qt.ElideRight, room))
 
 
 def _paint_outlined(painter, where: QRectF, piece) -> None:
