@@ -254,9 +254,11 @@ def test_crash_is_found_in_three_clicks(desk, window):
     window.dismiss()
     verdict = marks.read(document.getObject("Job")).verdict
     assert str(verdict).startswith("1 rapid cuts into material.") and not verdict.is_sound
+    panel = window.show_results()
     Gui.Selection.addSelection(op)
     window.idle(0.5)
     window.screenshot("simulation-results")
+    panel.hide()
 
 
 # Four operations in one tab
