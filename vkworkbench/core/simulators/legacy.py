@@ -87,9 +87,9 @@ def legacy_cost(task: Task, *, accuracy: float = 0.1, constants: Constants = DEF
     """Estimate the cost of one operation in the legacy simulator.
 
     In fast-forward, every command, including comments, takes one tick of a timer. Whenever the progress increases by
-    one percent, it is repainted. At the end of the fast-forward, one mesh is made and shown. Play first shows the uncut
-    stock. Then play needs, for each command, 20 ms or the time to make and show a mesh, whichever is longer. The number
-    of triangles increases with the number of cuts, and decreases if the finished part is flat.
+    one percent, the progress bar is repainted. At the end of the fast-forward, one mesh is made and shown. Play first
+    shows the uncut stock. Then play needs, for each command, 20 ms or the time to make and show a mesh, whichever is
+    longer. The number of triangles increases with the number of cuts, and decreases if the finished part is flat.
 
     Parameters
     ----------

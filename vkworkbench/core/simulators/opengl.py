@@ -20,7 +20,7 @@ from vkworkbench.language import Message
 
 NAME = "OpenGL"
 SINCE = (1, 0)
-SLOWEST_FRAME = 0.1  # s, which is ten frames per second; a job with slower frames gets a warning
+SLOWEST_FRAME = 0.1  # longest time of a frame without a note to the user, s (ten frames per second)
 
 # Smallest and largest angle of an arc that one chord replaces, rad (MillPathSegment.cpp).
 _SMALLEST_STEP, _LARGEST_STEP = np.pi / 90, np.pi / 2

@@ -16,8 +16,8 @@ def preflight(task: Task, costs: Mapping[str, Cost], conditions: Conditions) -> 
     Parameters
     ----------
     task : Task
-        The operation. If its words are unknown, commands are not checked. If its tool is unknown, ramps are not
-        checked.
+        The operation to check. If its words are unknown, commands are not checked. If its tool is unknown, ramps are
+        not checked.
     costs : mapping of str to Cost
         Predicted costs by the names of the simulators. If a cost is missing, time and memory in this simulator are not
         checked.

@@ -27,7 +27,7 @@ class ZBufferCost:
     Attributes
     ----------
     seconds, memory_bytes, factor, stock_bytes : float
-        The attributes with these names of :class:`~vkworkbench.core.zbuffer.Estimate`.
+        See the attributes with the same names in :class:`~vkworkbench.core.zbuffer.Estimate`.
     """
 
     seconds: float
@@ -87,6 +87,9 @@ def finest_image(costs: Sequence[Estimate], **asked: Any) -> Resolution:
 
 
 def most_bytes(task: Task, conditions: Conditions) -> float:
-    """Return an upper bound of an operation's memory, bytes. This takes much less time than an estimate."""
+    """Return an upper bound of an operation's memory, bytes.
+
+    Computing this upper bound takes much less time than an estimate.
+    """
     tool, stock = task.cutting
     return most_bytes_of(task.toolpath, tool=tool, stock=stock, view=conditions.view)

@@ -142,7 +142,7 @@ def _part_of(rays: FineRays, pieces: RemovedPieces, parts: np.ndarray) -> np.nda
 def _strips(cuts: Cuts, number: int, stock: Solid) -> tuple[np.ndarray, np.ndarray, float]:
     """Return the moves of a cut that can meet the stock, half the width of the strip along each move, and the pixel.
 
-    The pixel is the distance between the rays in these strips. Half the width and the pixel are in mm.
+    The pixel is the distance between the rays in these strips. Both lengths are in mm.
     """
     own = slice(int(cuts.first[number]), int(cuts.first[number + 1]))
     start, end = (ends[own] for ends in cuts.ends)

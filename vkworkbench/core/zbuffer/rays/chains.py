@@ -133,8 +133,8 @@ def cut_by_removing(
     scattered[ray[apart]] = True
     loose = scattered[ray]
     tight = np.flatnonzero(~loose)
-    # An interval inside the ray's previous interval removes nothing. It is left out, because sorting intervals takes
-    # long.
+    # An interval inside the ray's previous interval removes nothing. Such an interval is left out, because sorting
+    # intervals takes long.
     loose[1:] &= (enter[1:] < enter[:-1]) | (leave[1:] > leave[:-1]) | first[1:]
     loose = np.flatnonzero(loose)
     rest, these = np.flatnonzero(~scattered), np.flatnonzero(scattered)

@@ -118,8 +118,9 @@ def _lowest_cover(slots: int, first: np.ndarray, last: np.ndarray, value: np.nda
 
     A range contains a slot if ``first <= slot < last``. Each range is the union of two ranges, which can overlap; the
     length of both is the largest power of two that is not longer than the range. Both receive the value in the table
-    for this power of two. Starting with the largest power, every table is then passed on to the table for half its
-    length, until ranges of one slot remain. This is a sparse table for range minimum queries, used in reverse.
+    for this power of two. Starting with the largest power of two, the values of each table are then passed on to the
+    table for half the length, until the ranges consist of one slot. The method is a sparse table for range minimum
+    queries, used in reverse.
     """
     cover = np.full(slots, UNCUT, np.int32)
     if len(first) == 0:

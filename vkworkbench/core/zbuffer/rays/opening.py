@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Cut rays of views from above and below, from which every trajectory removes all material up to a depth.
+"""Cut rays in views from above or below, where each trajectory removes all material of a ray up to one depth.
 
 In views from above and below, a tool removes all material above the tool's lower surface, so every removed interval
 begins at the same end of the ray. "A trajectory opens a ray to a depth" means that it removes the ray's material from

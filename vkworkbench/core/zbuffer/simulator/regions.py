@@ -96,8 +96,7 @@ class _Rays:
         hit, enter, leave = self.bounds.removals(tiles, tile, near, far)
         if len(hit) == 0:
             return
-        # The rays have the order of the matrix whose rows are the positions of a pixel in its tile, and whose columns
-        # are the tiles.
+        # The rays are sorted by the pixel's position in its tile first, and by tile second.
         rows = np.arange(shape[0]) * len(tile)
         begin = np.searchsorted(hit, (rows[:, None] + tiles.first[:-1]).ravel())
         met = np.flatnonzero(np.diff(begin, append=len(hit)))

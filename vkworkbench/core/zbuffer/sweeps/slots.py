@@ -222,7 +222,7 @@ class _Walls:
     def at(self, t: np.ndarray, sign: int) -> np.ndarray:
         """Return the horizontal distance from the start of the move to the wall of the tool if the tool is at `t`, mm.
 
-        The distance is measured along the ray. It is NaN if the ray passes beside the tool.
+        The distance is measured along the ray. The distance is NaN if the ray passes beside the tool.
         """
         half = _signed_root(self._half2(t), sign)
         half += t * self.uy
