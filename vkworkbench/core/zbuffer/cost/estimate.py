@@ -58,8 +58,7 @@ class Estimate:
     peak : Peak
         The quantities from which `memory_bytes` is computed, for this image size and for other sizes.
     cuts : tuple of Cut
-        The estimated operations; they are needed to estimate them again together with other operations. Empty after
-        pickling.
+        The estimated operations, which are needed for an estimate together with other operations. Empty after pickling.
     stock : Solid or None
         The uncut stock. None after pickling.
     """

@@ -136,8 +136,8 @@ class _Growth:
     def __init__(self, tool: Tool, level: bool, sine: float, cosine: float) -> None:
         self.tool, self.level, self.sine, self.cosine = tool, level, sine, cosine
         self.ball = tool.rounding == tool.radius
-        # For a bull-nose, the larger and the smaller tool are flat-end mills. Both are raised by ROUNDING, because
-        # `sweeps` lowers flat ends by this length, but not the flat part of a bull-nose.
+        # For a bull-nose, the larger and the smaller tool are flat-end mills. Both flat-end mills are raised by
+        # ROUNDING, because `sweeps` lowers flat ends by this length, but not the flat part of a bull-nose.
         self.flat = ROUNDING if 0 < tool.rounding < tool.radius else 0.0
 
     def _offsets(self, reach: float) -> tuple[float, float]:

@@ -132,7 +132,7 @@ def _inside(cuts: Cuts, trajectory: np.ndarray, points: np.ndarray, touches: np.
     for number in np.unique(cuts.cut[trajectory]):
         tool = cuts.cuts[number].tool
         aside = min(touches[0], tool.radius / 2)
-        for angle in _SIDES:  # angle between the horizontal shift and the move
+        for angle in _SIDES:  # angle between the move and the shift of the points
             own = np.flatnonzero(inside & (cuts.cut[trajectory] == number))
             (ux, uy), (x, y, z) = heading[:2, own], points[own].T
             x = x + aside * (cos(angle) * ux - sin(angle) * uy)

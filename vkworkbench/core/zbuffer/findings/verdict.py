@@ -43,7 +43,7 @@ class Verdict:
         Whether the message gives commands as numbers of program lines, counted from 1.
     unread : tuple of Message
         Messages on parts of the job that could not be read, and on assumptions made while reading the job. A job with
-        such a message is never sound.
+        such a message never counts as sound.
     """
 
     pixel: float | None = None

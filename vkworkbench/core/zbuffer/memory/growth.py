@@ -15,8 +15,9 @@ _LARGEST_GROWTH = 40
 def growth_within(taken: Callable[[float], float], allowed: float, least: float) -> float:
     """Return the largest factor for the number of pixels that stays within a budget, by bisection.
 
-    The factor is called growth. `taken` returns the time or memory that a growth needs; a larger growth must not need
-    less. The result is 0 if the smallest growth, `least`, already needs more than `allowed`.
+    The factor for the number of pixels is called growth. `taken` returns the time or memory that a growth needs; a
+    larger growth must not need less. The result is 0 if the smallest growth, `least`, already needs more than
+    `allowed`.
     """
     if taken(least) > allowed:
         return 0.0

@@ -214,7 +214,7 @@ def _general(
     if tool.rounding:
         rays = np.flatnonzero(between.any(axis=0))
         if abs(cosine) > FROM_THE_SIDE:
-            # Skip rays that miss a flat end mill with a slightly larger radius; most rays miss it.
+            # Skip rays that miss a flat-end mill with a slightly larger radius; most rays miss this mill.
             enter, leave = sloped_slot(tool.radius + ROUNDING, tuple(offset[:, rays]), move[:, rays], sine, cosine)
             rays = rays[enter <= leave + ROUNDING]
         some = rays
