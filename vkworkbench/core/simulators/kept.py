@@ -18,7 +18,7 @@ def as_data(name: str, cost: Cost) -> dict[str, Any]:
 
 
 def from_data(name: str, data: Any) -> Cost:
-    """Convert data that `as_data` returned back to a cost. Constants that this version of the add-on does not have are ignored.
+    """Convert data from `as_data` back to a cost. Constants that this version of the add-on does not have are ignored.
 
     Raises
     ------
